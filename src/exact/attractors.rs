@@ -6,9 +6,11 @@
 
 mod signature;
 
+use super::drive::DrivePhase;
 use super::long_run::LongRun;
 use super::orbit::{Likeness, Orbit};
-use super::state::State;
+use super::period_map::Located;
+use super::state::{Point, State};
 use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
@@ -87,7 +89,8 @@ impl<F: Float> Attractors<F> {
     /// Collects the limits of several starts that were followed elsewhere, such as on several threads. They
     /// are given in the order of the starts, and the answer does not depend on the threads.
     ///
-    /// * Two periodic motions are the same limit if their states agree to 2⁻²⁰ of their size.
+    /// * Two periodic motions are the same limit if their states at one phase of the drive agree to within
+    ///   the distances at which both can be from the limit ([`super::SteadyState::distance`]).
     /// * All places of rest are one limit, with the range that was found, and so are the members of a family.
     /// * Two irregular motions are the same limit if their extrema agree to 1/32 of their range.
     ///
@@ -124,7 +127,9 @@ impl<F: Float> Attractors<F> {
         let place = self.limits.len();
         let mirror = self.limits.iter().rposition(|known| known.compare(&signature) == Likeness::Mirrored);
         let orbit = match (&limit, signature) {
-            (LongRun::Periodic(steady), Signature::Periodic { x, v, .. }) => Some(Orbit::of(steady, (x, v))?),
+            (LongRun::Periodic(steady), Signature::Periodic { half_turns, x, v, .. }) => {
+                Some(Orbit::of(steady.equation, half_turns, (x, v * steady.equation.omega))?)
+            }
             _ => None,
         };
         if let Some(other) = mirror.and_then(|other| self.limits.get_mut(other)) {
@@ -172,10 +177,13 @@ impl<F: Float> Attractor<F> {
     /// Compares the limit with a signature.
     fn compare(&self, signature: &Signature<F>) -> Likeness {
         match (&self.limit, signature) {
-            (LongRun::Periodic(_), &Signature::Periodic { half_turns, x, v }) => match &self.orbit {
-                Some(orbit) => orbit.compare(half_turns, (x, v)),
-                None => Likeness::Other,
-            },
+            (LongRun::Periodic(steady), &Signature::Periodic { half_turns, x, v, distance }) => {
+                let omega = steady.equation.omega;
+                let phase = DrivePhase::of_half_turn(0, F::int(0));
+                let at = Point { phase, x, w: v * omega };
+                let state = Located { at, off: (distance.0, distance.1 * omega) };
+                self.orbit.as_ref().map_or(Likeness::Other, |orbit| orbit.compare(half_turns, &state))
+            }
             (LongRun::Irregular(own), &Signature::Irregular { max_displacement, min_displacement }) => {
                 alike((own.max_displacement, own.min_displacement), (max_displacement, min_displacement))
             }

@@ -9,6 +9,7 @@
 //! which touches the border of sticking: the distance decreases only like 1/cycles. It never grows
 //! (`shooting`), so that a motion close to that member has it as its limit to within that distance.
 
+use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::long_run::{LongRun, unsettled};
@@ -70,14 +71,14 @@ pub(crate) fn member<F: Float>(
         // nothing.
         if is_near(&equation, &y) && settles && (left <= rounding || (added && change <= rounding)) {
             let off = in_the_limit(residual.bound()) + rounding;
-            return finish(equation, y, &cycle, (off, off), &mut budget);
+            return Ok(finish(equation, y, &cycle, (off, off), &mut budget)?);
         }
         if cycle.sticks && budget.half_turns >= LONG_CREEP {
             let edge = nearest_edge(equation, &y);
             let off = (edge.x - y.x).hypot(edge.w - y.w);
             if off * F::int(16) < size {
                 let cycle = propagate(equation, edge, 2, hint, cycle.parts, &mut budget)?;
-                return finish(equation, edge, &cycle, (off, off), &mut budget);
+                return Ok(finish(equation, edge, &cycle, (off, off), &mut budget)?);
             }
         }
         if budget.half_turns > budget.most {
@@ -125,13 +126,18 @@ fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
     if distance(&high) <= distance(&low) { high } else { low }
 }
 
-fn finish<F: Float>(
+/// The member from a point on, by its motion over one turn; symmetric if its middle is zero to within the
+/// distance that it can be off.
+///
+/// # Errors
+/// As for [`propagate`].
+pub(super) fn finish<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
     propagation: &Propagation<F>,
     distance: (F, F),
     budget: &mut Budget<'_>,
-) -> Result<LongRun<F>, Error> {
+) -> Result<LongRun<F>, Broken> {
     let (zero, one) = (F::int(0), F::int(1));
     // A member reverses twice in a cycle and never stops. The outermost member touches the bound of sticking;
     // an apparent stop there is rounding, or the remaining creep.

@@ -24,6 +24,8 @@
 //! * the distance after those is that of the linearised motion, J times that before, to an eighth of itself.
 //!
 //! Then the motion is in the range of the linearised map, which contracts. Otherwise it is followed further.
+//! A state that returns after m half turns can return after fewer, and an even m alone does not mean an
+//! asymmetric motion: `Trial::earliest` decides.
 //!
 //! # How an irregular motion is recognised
 //!
@@ -42,7 +44,8 @@ use super::equation::Equation;
 use super::family;
 use super::long_run::{LongRun, Rest, unsettled};
 use super::matrix::Matrix;
-use super::period_map::{Trial, distance, half_turns, size, steady};
+use super::period_map::{Trial, distance, half_turns, size};
+use super::propagation::propagate;
 use super::shooting::{Budget, rate_noise};
 use super::state::{Point, State};
 use crate::error::Error;
@@ -118,8 +121,7 @@ fn periodic<F: Float>(
     if family::is_one(ratios) && !is_within(&begun.step.derivative, -F::exp2i(-20)) {
         // One multiplier is 1: Newton's step is undefined, and the motion is followed until its own change is
         // rounding.
-        let times = i32::try_from(m).unwrap_or(i32::MAX).saturating_mul(4);
-        let is_settled = begun.left.is_rounding(times) && is_within(&begun.step.derivative, rate_noise(m));
+        let is_settled = begun.left.is_rounding(4) && is_within(&begun.step.derivative, rate_noise(m));
         return if is_settled { member(equation, &begun, budget).map(Some) } else { Ok(None) };
     }
     let found = begun.newton(equation, budget)?;
@@ -137,8 +139,11 @@ fn periodic<F: Float>(
     if !is_followed {
         return Ok(None);
     }
-    let steady = found.earliest(equation, 64, budget)?.steady(equation, budget)?;
-    Ok(Some(LongRun::Periodic(steady)))
+    let found = found.earliest(equation, 16, budget)?;
+    if !is_within(&found.step.derivative, F::int(0)) {
+        return Ok(None);
+    }
+    Ok(Some(LongRun::Periodic(found.steady(equation, budget)?)))
 }
 
 /// The member of a family at Ω = 1/(2n) that a motion has settled on.
@@ -147,11 +152,10 @@ fn member<F: Float>(
     settled: &Trial<F>,
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Broken> {
-    let (zero, one) = (F::int(0), F::int(1));
     let other = settled.step.derivative.determinant().abs();
-    let off = settled.left.bound() / (one - other);
-    let multipliers = [(one, zero), (other, zero)];
-    steady(equation, settled.y, settled.m, multipliers, (off, off), budget).map(LongRun::Family)
+    let off = settled.left.bound() / (F::int(1) - other);
+    let cycle = propagate(equation, settled.y, 2, F::pi() / equation.omega, Vec::new(), budget)?;
+    family::finish(equation, settled.y, &cycle, (off, off), budget)
 }
 
 /// Whether the multipliers are within the unit circle, with that much room.

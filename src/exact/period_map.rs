@@ -84,6 +84,27 @@ pub(crate) fn steady<F: Float>(
     }))
 }
 
+/// A state of a periodic motion as it was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Located<F> {
+    pub(crate) at: Point<F>,
+    /// How far (x, w) can be from the motion.
+    pub(crate) off: (F, F),
+}
+
+impl<F: Float> Located<F> {
+    /// Whether two states at one phase are the same: to within the distances that both can be off.
+    ///
+    /// These are steps of Newton's method. Beside a break of symmetry the residual is μs + s³ at a distance s
+    /// and the step at least s/3, so that the room is three times their sum.
+    pub(crate) fn agrees(&self, other: &Self) -> bool {
+        let (p, q) = (self.at, other.at);
+        // An unknown distance (NaN) tells nothing apart.
+        let apart = |a: F, b: F, room: F| (a - b).abs() > F::int(3) * room;
+        !apart(p.x, q.x, self.off.0 + other.off.0) && !apart(p.w, q.w, self.off.1 + other.off.1)
+    }
+}
+
 /// A point that Hᵐ should bring back, with where it brings it.
 pub(crate) struct Trial<F> {
     pub(crate) y: Point<F>,
@@ -102,7 +123,7 @@ impl<F: Float> Trial<F> {
         // A negligible speed counts as rest, as in a start: it would end in a time that underflows.
         let y = if y.w.abs() < F::least_ratio() { Point { w: F::int(0), ..y } } else { y };
         let step = half_turns(equation, &y, m, budget, |_| {})?;
-        let left = Residual::new(&equation, &y, (step.end.x - y.x, step.end.w - y.w));
+        let left = Residual::new(&equation, &y, (step.end.x - y.x, step.end.w - y.w)).of_half_turns(m);
         Ok(Self { y, m, step, left })
     }
 
@@ -150,15 +171,27 @@ impl<F: Float> Trial<F> {
     /// Whether the motion repeats to within `times` times the rounding, with a known distance from a fixed
     /// point.
     pub(crate) fn is_periodic(&self, times: i32) -> bool {
-        self.left.is_rounding(self.roundings(times)) && is_known(&self.y, self.inverse(), &self.left)
+        self.left.is_rounding(times) && is_known(&self.y, self.inverse(), &self.left)
     }
 
-    fn roundings(&self, times: i32) -> i32 {
-        i32::try_from(self.m).unwrap_or(i32::MAX).saturating_mul(times)
+    /// The point with how far it can be from a fixed point: `|(1 − J)⁻¹| (|Hᵐ(y) − y| + rounding)`.
+    pub(crate) fn located(&self) -> Located<F> {
+        Located { at: self.y, off: self.inverse().absolute().times(self.left.bounds()) }
     }
 
-    /// The same point as one of fewer half turns, where it comes back earlier: of a symmetric motion that
-    /// settles slowly the first half turn is not as near as the second.
+    /// Whether `det(1 − J)` is positive, which is the index of the fixed point: +1 or −1.
+    fn is_index_positive(&self) -> bool {
+        let m = self.step.derivative;
+        F::int(1) - m.trace() + m.determinant() > F::int(0)
+    }
+
+    /// The same fixed point as one of the fewest half turns.
+    ///
+    /// Where the motion settles slowly, this point can be far from the fixed point compared with rounding,
+    /// and misses itself by twice that distance after fewer half turns: that says nothing. So Newton's
+    /// method on Hᵈ, d a divisor of m, decides. It leads to the same fixed point if this one is as near as
+    /// both are known, with the same index as a fixed point of Hᵐ. The index tells a mirror pair from the
+    /// symmetric motion that it branches off from, however near: there the two have opposite ones.
     pub(crate) fn earliest(
         self,
         equation: Equation<F>,
@@ -166,9 +199,14 @@ impl<F: Float> Trial<F> {
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
         for divisor in (1..self.m).filter(|divisor| self.m.is_multiple_of(*divisor)) {
-            let early = Self::at(equation, self.y, divisor, budget)?;
-            if early.left.is_rounding(self.roundings(times)) {
-                return Ok(early);
+            let early = Self::at(equation, self.y, divisor, budget)?.newton(equation, budget)?;
+            if early.is_periodic(times) {
+                let again = Self::at(equation, early.y, self.m, budget)?;
+                if again.located().agrees(&self.located())
+                    && again.is_index_positive() == self.is_index_positive()
+                {
+                    return Ok(early);
+                }
             }
         }
         Ok(self)
@@ -180,7 +218,7 @@ impl<F: Float> Trial<F> {
         equation: Equation<F>,
         budget: &mut Budget<'_>,
     ) -> Result<SteadyState<F>, Broken> {
-        let distance = self.inverse().absolute().times(self.left.bounds());
+        let distance = self.located().off;
         let derivative = self.step.derivative;
         let multipliers =
             if self.m % 2 == 1 { derivative.squared_eigenvalues() } else { derivative.eigenvalues() };

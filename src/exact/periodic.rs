@@ -3,7 +3,7 @@
 use super::attractors::at_zero;
 use super::equation::Equation;
 use super::orbit::{Likeness, Orbit};
-use super::period_map::{Trial, distance, half_turns, size};
+use super::period_map::{Located, Trial, distance, half_turns};
 use super::shooting::Budget;
 use super::state::{Point, State};
 use super::steady::SteadyState;
@@ -48,8 +48,8 @@ impl<F: Float> PeriodicMotions<F> {
         &self.found
     }
 
-    /// Adds a motion unless it is already present: two are the same if their states agree to 2⁻²⁰ of their
-    /// size.
+    /// Adds a motion unless it is already present: two are the same if their states agree to within the
+    /// distances that both can be off.
     ///
     /// # Errors
     /// As for [`super::Trajectory::new`].
@@ -57,7 +57,7 @@ impl<F: Float> PeriodicMotions<F> {
         let state = at_zero(&steady)?;
         let mut mirror = None;
         for (place, known) in self.found.iter().enumerate() {
-            match known.orbit.compare(steady.half_turns(), state) {
+            match known.orbit.compare(steady.half_turns(), &state) {
                 Likeness::Same => return Ok(()),
                 Likeness::Mirrored => mirror = Some(place),
                 Likeness::Other => {}
@@ -67,7 +67,7 @@ impl<F: Float> PeriodicMotions<F> {
         if let Some(other) = mirror.and_then(|other| self.found.get_mut(other)) {
             other.mirror = Some(place);
         }
-        let orbit = Orbit::of(&steady, state)?;
+        let orbit = Orbit::of(steady.equation, steady.half_turns(), (state.at.x, state.at.w))?;
         self.found.push(PeriodicMotion { steady_state: steady, mirror, orbit });
         Ok(())
     }
@@ -146,24 +146,24 @@ pub fn periodic_motions_from<F: Float>(
         y = step.end;
         path.push(y);
     }
-    let mut states: Vec<Point<F>> = Vec::new();
+    let mut states: Vec<Located<F>> = Vec::new();
     for m in 1..=most {
         for seed in path.iter().take(FIRST).chain(closest_return(&path, m)) {
             let trial = Trial::at(equation, *seed, m, budget)?.newton_from_far(equation, budget)?;
             if trial.step.rest.is_some() || !trial.is_periodic(64) {
                 continue;
             }
-            let motion = trial.earliest(equation, 256, budget)?;
-            let is_known = |known: &Point<F>| distance(known, &motion.y) <= F::exp2i(-20) * size(known);
-            if states.iter().any(is_known) {
+            let motion = trial.earliest(equation, 64, budget)?;
+            let state = motion.located();
+            if states.iter().any(|known| known.agrees(&state)) {
                 continue;
             }
-            states.push(motion.y);
+            states.push(state);
             // Of a motion that is not symmetric H gives the mirror image.
             let later = half_turns(equation, &motion.y, 1, budget, |_| {})?.end;
             let mirror = Trial::at(equation, later, motion.m, budget)?.newton(equation, budget)?;
             if motion.m % 2 == 0 && mirror.is_periodic(64) {
-                states.push(mirror.y);
+                states.push(mirror.located());
                 found.push(mirror.steady(equation, budget)?);
             }
             found.push(motion.steady(equation, budget)?);

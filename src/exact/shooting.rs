@@ -72,6 +72,12 @@ impl<F: Float> Residual<F> {
         }
     }
 
+    /// The same after that many half turns, each with its rounding.
+    pub(crate) fn of_half_turns(self, count: u64) -> Self {
+        let count = F::from_f64(count as f64);
+        Self { noise_x: count * self.noise_x, noise_w: count * self.noise_w, ..self }
+    }
+
     /// The distance that the motion never lets grow.
     pub(crate) fn norm(&self) -> F {
         self.x.hypot(self.w)

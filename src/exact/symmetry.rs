@@ -18,7 +18,7 @@
 use super::DrivePhase;
 use super::equation::Equation;
 use super::matrix::Matrix;
-use super::period_map::{Trial, half_turns};
+use super::period_map::{Located, Trial, half_turns};
 use super::shooting::Budget;
 use super::state::Point;
 use super::steady::SteadyState;
@@ -63,6 +63,7 @@ pub struct SymmetryBreak<F> {
 struct Symmetric<F> {
     alpha: F,
     y: Point<F>,
+    state: Located<F>,
     derivative: Matrix<F>,
     steady: SteadyState<F>,
 }
@@ -111,9 +112,9 @@ impl<F: Float> Machine<F> {
         if trial.step.rest.is_some() || !trial.is_periodic(64) {
             return Ok(None);
         }
-        let (y, derivative) = (trial.y, trial.step.derivative);
+        let (state, derivative) = (trial.located(), trial.step.derivative);
         let steady = trial.steady(equation, budget)?;
-        Ok(Some(Symmetric { alpha, y, derivative, steady }))
+        Ok(Some(Symmetric { alpha, y: state.at, state, derivative, steady }))
     }
 
     /// The same motion at another force, with the same slides and stops. The search starts on the line
@@ -151,7 +152,7 @@ impl<F: Float> Machine<F> {
         let mut found: Vec<Symmetric<F>> = Vec::new();
         for seed in seeds {
             if let Some(motion) = self.symmetric(alpha, seed)?
-                && !found.iter().any(|known| known.is_near(&motion))
+                && !found.iter().any(|known| known.state.agrees(&motion.state))
             {
                 found.push(motion);
             }

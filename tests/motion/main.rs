@@ -27,4 +27,6 @@ mod regime_exact;
 #[cfg(feature = "mp")]
 mod six_reversals;
 #[cfg(feature = "mp")]
+mod symmetry;
+#[cfg(feature = "mp")]
 mod unstable;

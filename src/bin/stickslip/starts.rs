@@ -129,10 +129,12 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         kind: &'static str,
         signature: &Signature<F>,
     ) -> Result<Record<F>, Failure> {
-        let (mut half_turns, mut x, mut v, mut most, mut least) = (None, None, None, None, None);
+        let (mut half_turns, mut x, mut v, mut off, mut most, mut least) =
+            (None, None, None, None, None, None);
         match *signature {
-            Signature::Periodic { half_turns: count, x: place, v: speed } => {
+            Signature::Periodic { half_turns: count, x: place, v: speed, distance } => {
                 (half_turns, x, v) = (Some(u64::from(count)), Some(place), Some(speed));
+                off = Some(distance);
             }
             Signature::Family { middle: place } | Signature::Rest { position: place } => x = Some(place),
             Signature::Irregular { max_displacement, min_displacement } => {
@@ -146,6 +148,8 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
             ("half_turns", Cell::Count(half_turns)),
             ("x", Cell::Number(x)),
             ("v", Cell::Number(v)),
+            ("distance", Cell::Number(off.map(|(x, _)| x))),
+            ("velocity_distance", Cell::Number(off.map(|(_, v)| v))),
             ("max_displacement", Cell::Number(most)),
             ("min_displacement", Cell::Number(least)),
         ]);
@@ -184,9 +188,15 @@ fn signature<F: Value>(line: &str) -> Option<Signature<F>> {
     let kind = cells.next()?;
     let half_turns = cells.next()?;
     let mut number = || cells.next()?.parse::<F>().ok();
-    let (x, v, most, least) = (number(), number(), number(), number());
+    let (x, v) = (number(), number());
+    let (off_x, off_v, most, least) = (number(), number(), number(), number());
     Some(match kind {
-        "periodic" => Signature::Periodic { half_turns: half_turns.parse().ok()?, x: x?, v: v? },
+        "periodic" => Signature::Periodic {
+            half_turns: half_turns.parse().ok()?,
+            x: x?,
+            v: v?,
+            distance: (off_x?, off_v?),
+        },
         "family" => Signature::Family { middle: x? },
         "rest" => Signature::Rest { position: x? },
         "irregular" => Signature::Irregular { max_displacement: most?, min_displacement: least? },

@@ -3,6 +3,9 @@
 use crate::error::Error;
 use crate::exact::drive::DrivePhase;
 use crate::exact::long_run::LongRun;
+use crate::exact::period_map::{Located, Trial};
+use crate::exact::shooting::Budget;
+use crate::exact::state::Point;
 use crate::exact::steady::SteadyState;
 use crate::exact::trajectory::Trajectory;
 use crate::float::Float;
@@ -20,6 +23,8 @@ pub enum Signature<F> {
         x: F,
         /// Velocity x′/(Bω_d).
         v: F,
+        /// Estimated distance of both from the limit ([`SteadyState::distance`]).
+        distance: (F, F),
     },
     /// A member of a family, by the middle of its displacements x/B.
     Family {
@@ -52,8 +57,14 @@ impl<F: Float> Signature<F> {
     pub fn of(limit: &LongRun<F>) -> Result<Self, Error> {
         Ok(match limit {
             LongRun::Periodic(steady) => {
-                let (x, v) = at_zero(steady)?;
-                Self::Periodic { half_turns: steady.half_turns(), x, v }
+                let Located { at, off } = at_zero(steady)?;
+                let omega = steady.equation.omega;
+                Self::Periodic {
+                    half_turns: steady.half_turns(),
+                    x: at.x,
+                    v: at.w / omega,
+                    distance: (off.0, off.1 / omega),
+                }
             }
             LongRun::Family(member) => {
                 let sum = member.max_displacement.value + member.min_displacement.value;
@@ -78,9 +89,17 @@ impl<F: Float> Signature<F> {
     }
 }
 
-/// The state of a periodic motion at the next phase 2nπ, x/B and x′/(Bω_d). It is the same for any phase at
-/// which the motion was found; an odd half turn would give that of its mirror image.
-pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
+/// The state of a periodic motion at the next phase 2nπ. It is the same for any phase at which the motion was
+/// found; an odd half turn would give that of its mirror image.
+pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<Located<F>, Error> {
+    let (x, v) = state_at_zero(steady)?;
+    let phase = DrivePhase::of_half_turn(0, F::int(0));
+    let y = Point { phase, x, w: v * steady.equation.omega };
+    Ok(Trial::at(steady.equation, y, u64::from(steady.half_turns()), &mut Budget::of(0))?.located())
+}
+
+/// x/B and x′/(Bω_d) at the next phase 2nπ.
+fn state_at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
     let (start, zero) = (steady.state, F::int(0));
     let angle = start.phase.angle();
     if angle == zero && start.phase.is_even() {
