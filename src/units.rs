@@ -6,7 +6,7 @@
 //! let stiffness: f64 = reader.value("stiffness", "12 kN/mm", Kind::Stiffness)?;
 //! assert_eq!(stiffness, 12e6);
 //! let error = reader.value::<f64>("mass", "3 s", Kind::Mass).unwrap_err();
-//! assert_eq!(error.to_string(), "mass 3 s: “s” is a unit of time; expected a mass (kg, g, t, lb)");
+//! assert_eq!(error.to_string(), "mass 3 s: must be a mass (kg, g, t, lb), but “s” is a unit of time");
 //! # Ok::<(), stickslip::units::UnitError>(())
 //! ```
 //!
@@ -102,26 +102,27 @@ impl Reader {
         !digits.is_empty() && !unit.is_empty()
     }
 
-    /// Whether any value had a unit.
-    pub fn has_converted(&self) -> bool {
-        self.first_with_unit.borrow().is_some()
-    }
-
     fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, UnitError> {
         let read = table::parse(unit);
         let found = read.iter().find(|read| read.dimension == kind.dimension());
         match (found, read.first()) {
             (Some(unit), _) => Ok(unit.factor.over(self.system.factor(unit.dimension))),
-            (None, None) => Err(UnitError(format!(
-                "{name} {text}: “{unit}” is not a known unit; expected {}",
-                kind.expected()
-            ))),
-            (None, Some(Unit { dimension, .. })) => {
-                let is = Kind::of(*dimension)
-                    .map_or(String::new(), |kind| format!("is a unit of {}; ", kind.name()));
-                Err(UnitError(format!("{name} {text}: “{unit}” {is}expected {}", kind.expected())))
+            (None, other) => {
+                let other = other.map(|Unit { dimension, .. }| Kind::of(*dimension));
+                let is = match other {
+                    None => "is not a known unit".to_owned(),
+                    Some(None) => "is a unit of another quantity".to_owned(),
+                    Some(Some(kind)) => format!("is a unit of {}", kind.name()),
+                };
+                Err(UnitError(format!("{name} {text}: must be {}, but “{unit}” {is}", kind.expected())))
             }
         }
+    }
+
+    /// Whether a text is a unit, of whatever quantity.
+    #[must_use]
+    pub fn is_unit(text: &str) -> bool {
+        !table::parse(text).is_empty()
     }
 
     fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), UnitError> {
@@ -139,7 +140,7 @@ impl Reader {
         }
         let words = |cell: &RefCell<Option<String>>| cell.borrow().clone().unwrap_or_default();
         Err(UnitError(format!(
-            "{}: has no unit beside {}; give every value a unit, or name the system of bare numbers, as by {}",
+            "{}: has no unit beside {}. Give every value a unit, or name the system of bare numbers by {}",
             words(&self.first_bare),
             words(&self.first_with_unit),
             self.option
@@ -182,10 +183,24 @@ pub fn number<F: FromStr>(name: &str, text: &str) -> Result<F, UnitError> {
 fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, UnitError> {
     let digits = digits.trim();
     digits.parse().map_err(|_| {
-        let has_decimal_comma = digits.replacen(',', ".", 1).parse::<F>().is_ok();
+        if text.trim().is_empty() {
+            return UnitError(format!("{name}: must be a number, but is empty"));
+        }
+        let with_point = text.replacen(',', ".", 1);
+        let has_decimal_comma = text.contains(',') && split(&with_point).0.parse::<F>().is_ok();
         let hint = if has_decimal_comma { ", with a decimal point in place of the comma" } else { "" };
         UnitError(format!("{name} {text}: must be a number{hint}"))
     })
+}
+
+/// The number at the beginning of a text times a factor, with the text's unit; `None` without a number.
+#[must_use]
+pub fn scaled(text: &str, factor: f64) -> Option<String> {
+    let (digits, unit) = split(text);
+    let value = digits.parse::<f64>().ok()? * factor;
+    // Six digits are enough for a bound, which the caller has exactly.
+    let rounded: f64 = format!("{value:.5e}").parse().ok()?;
+    Some(format!("{} {unit}", crate::error::written(rounded)).trim_end().to_owned())
 }
 
 #[cfg(test)]
@@ -243,6 +258,11 @@ mod tests {
             ("5%", Kind::Ratio, 0.05),
             ("7J", Kind::Energy, 7.0),
             ("2N*s/m", Kind::Damping, 2.0),
+            ("300Ns/m", Kind::Damping, 300.0),
+            ("2 kNs/m", Kind::Damping, 2000.0),
+            ("1.4hz", Kind::Frequency, 1.4 * TAU),
+            ("84cpm", Kind::Frequency, 1.4 * TAU),
+            ("3kNm", Kind::Energy, 3000.0),
         ] {
             let found = si(text, kind).unwrap();
             assert!((found - value).abs() <= 4.0 * f64::EPSILON * value, "{text}: {found} for {value}");
@@ -252,12 +272,15 @@ mod tests {
     #[test]
     fn a_wrong_unit_says_what_was_expected() {
         for (text, kind, parts) in [
-            ("800N", Kind::Mass, ["“N” is a unit of force", "expected a mass (kg, g, t, lb)"]),
-            ("2s", Kind::Frequency, ["“s” is a unit of time", "expected a frequency (Hz, rad/s, rpm)"]),
-            ("2Hz", Kind::Ratio, ["“Hz” is a unit of frequency", "expected a plain number"]),
-            ("3furlong", Kind::Length, ["“furlong” is not a known unit", "expected a length (m, mm, in)"]),
-            ("3m/", Kind::Length, ["“m/” is not a known unit", "expected a length"]),
-            ("1 5", Kind::Mass, ["“5” is not a known unit", "expected a mass"]),
+            ("800N", Kind::Mass, ["“N” is a unit of force", "must be a mass (kg, g, t, lb)"]),
+            ("2s", Kind::Frequency, ["“s” is a unit of time", "must be a frequency (Hz, rad/s, rpm, cpm)"]),
+            ("2Hz", Kind::Ratio, ["“Hz” is a unit of frequency", "must be a plain number"]),
+            ("3furlong", Kind::Length, ["“furlong” is not a known unit", "must be a length (m, mm, in)"]),
+            ("3m/", Kind::Length, ["“m/” is not a known unit", "must be a length"]),
+            ("1 5", Kind::Mass, ["“5” is not a known unit", "must be a mass"]),
+            ("2m3", Kind::Length, ["“m3” is a unit of another quantity", "must be a length"]),
+            ("1,5kN", Kind::Force, ["--x 1,5kN: must be a number", "decimal point in place of the comma"]),
+            (" ", Kind::Force, ["--x: must be a number", "but is empty"]),
         ] {
             let error = si(text, kind).unwrap_err();
             assert!(parts.iter().all(|part| error.contains(part)), "{error}");
@@ -281,6 +304,14 @@ mod tests {
         assert_eq!(named.value::<f64>("--stiffness", "3kN/mm", Kind::Stiffness).unwrap(), 3.0);
         // 1 kN s²/mm = 10⁶ kg
         assert_eq!(named.value::<f64>("--mass", "800kg", Kind::Mass).unwrap(), 8e-4);
+    }
+
+    #[test]
+    fn a_text_is_scaled_in_its_own_unit() {
+        let scaled = |text: &str, factor| super::scaled(text, factor);
+        assert_eq!(scaled("1mm", 5.5).as_deref(), Some("5.5 mm"));
+        assert_eq!(scaled("-2", 1.0 / 3.0).as_deref(), Some("-0.666667"));
+        assert_eq!(scaled("x", 2.0), None);
     }
 
     #[cfg(feature = "mp")]

@@ -96,15 +96,15 @@ impl Kind {
         }
     }
 
-    /// The expected units, for the error about another unit.
+    /// The quantity with its usual units, for the error about another unit.
     pub(super) const fn expected(self) -> &'static str {
         match self {
-            Self::Ratio => "a plain number, or one in %",
+            Self::Ratio => "a plain number, or a percentage (%)",
             Self::Mass => "a mass (kg, g, t, lb)",
             Self::Length => "a length (m, mm, in)",
             Self::Time => "a time (s, ms)",
             Self::Angle => "an angle (rad, deg)",
-            Self::Frequency | Self::Hertz => "a frequency (Hz, rad/s, rpm)",
+            Self::Frequency | Self::Hertz => "a frequency (Hz, rad/s, rpm, cpm)",
             Self::Velocity => "a velocity (m/s, mm/s, in/s)",
             Self::Acceleration => "an acceleration (g, m/s^2, mm/s^2)",
             Self::Force => "a force (N, kN, lbf)",

@@ -28,11 +28,11 @@ impl FromStr for System {
     type Err = UnitError;
 
     fn from_str(text: &str) -> Result<Self, UnitError> {
-        let expected = || "expected a unit of force and one of length separated by a comma, such as kN,mm";
-        let (force, length) = text.split_once(',').ok_or_else(|| UnitError(expected().to_owned()))?;
+        let due = "must be a unit of force and one of length separated by a comma, such as kN,mm";
+        let (force, length) = text.split_once(',').ok_or_else(|| UnitError(due.to_owned()))?;
         let unit = |name: &str, kind: Kind| {
             symbol(name.trim(), kind.dimension()).ok_or_else(|| {
-                UnitError(format!("“{}” is not a unit of {}; {}", name.trim(), kind.name(), expected()))
+                UnitError(format!("{due}, but “{}” is not a unit of {}", name.trim(), kind.name()))
             })
         };
         let (force, length) = (unit(force, Kind::Force)?, unit(length, Kind::Length)?);
@@ -78,6 +78,19 @@ impl System {
         mass_of(self.factor(Kind::Mass.dimension()))
     }
 
+    /// The unit of mass for a reader, with the factor to it: the system's own if it has a name, otherwise the
+    /// pound with lengths in feet, inches and mils, and the kilogram.
+    #[must_use]
+    pub fn mass_for_reading(&self) -> (&'static str, Factor) {
+        let (own, length) = (self.factor(Kind::Mass.dimension()), self.length);
+        let other = if matches!(length, "in" | "ft" | "mil") { "lb" } else { "kg" };
+        let of = |name| symbol(name, Kind::Mass.dimension()).map_or(Factor::ONE, |(_, unit)| unit.factor);
+        match self.mass() {
+            Some(name) => (name, Factor::ONE),
+            None => (other, own.over(of(other))),
+        }
+    }
+
     /// The name of its unit for a kind of quantity.
     #[must_use]
     pub fn name(&self, kind: Kind) -> String {
@@ -121,6 +134,11 @@ mod tests {
         assert_eq!(own.name(Kind::Stiffness), "kN/mm");
         assert_eq!(own.name(Kind::Mass), "kN·s²/mm");
         assert_eq!(own.name(Kind::Acceleration), "mm/s²");
+        let (unit, factor) = own.mass_for_reading();
+        assert_eq!((unit, factor.times(0.0012)), ("kg", 1200.0));
+        let (unit, factor) = system("kip,in").mass_for_reading();
+        assert_eq!((unit, (factor.times(1.0f64) - 386_088.6).abs() < 0.1), ("lb", true));
+        assert_eq!(system("kN,m").mass_for_reading().0, "t");
         assert_eq!(own.gravity::<f64>(), 9806.65);
         assert_eq!(system("kN,m").name(Kind::Mass), "t");
         assert_eq!(system("N,mm").name(Kind::Mass), "t");

@@ -27,16 +27,18 @@ const TABLE: &[(&str, Dimension, u128, u128, i8)] = &[
     ("%", [0; 4], 1, 100, 0),
     ("kg", MASS, 1, 1, 0), ("g", MASS, 1, 1000, 0), ("mg", MASS, 1, 1_000_000, 0), ("t", MASS, 1000, 1, 0),
     ("lb", MASS, 45_359_237, 100_000_000, 0), ("lbm", MASS, 45_359_237, 100_000_000, 0),
+    ("lbs", MASS, 45_359_237, 100_000_000, 0),
     ("slug", MASS, 8_896_443_230_521, 609_600_000_000, 0),
     ("m", LENGTH, 1, 1, 0), ("km", LENGTH, 1000, 1, 0), ("cm", LENGTH, 1, 100, 0), ("mm", LENGTH, 1, 1000, 0),
     ("um", LENGTH, 1, 1_000_000, 0), ("µm", LENGTH, 1, 1_000_000, 0), ("μm", LENGTH, 1, 1_000_000, 0),
     ("nm", LENGTH, 1, 1_000_000_000, 0),
     ("in", LENGTH, 254, 10_000, 0), ("ft", LENGTH, 3048, 10_000, 0), ("mil", LENGTH, 254, 10_000_000, 0),
-    ("s", TIME, 1, 1, 0), ("ms", TIME, 1, 1000, 0), ("us", TIME, 1, 1_000_000, 0), ("µs", TIME, 1, 1_000_000, 0),
+    ("s", TIME, 1, 1, 0), ("sec", TIME, 1, 1, 0), ("ms", TIME, 1, 1000, 0), ("us", TIME, 1, 1_000_000, 0), ("µs", TIME, 1, 1_000_000, 0),
     ("μs", TIME, 1, 1_000_000, 0), ("min", TIME, 60, 1, 0), ("h", TIME, 3600, 1, 0),
     ("rad", ANGLE, 1, 1, 0), ("deg", ANGLE, 1, 180, 1), ("°", ANGLE, 1, 180, 1), ("rev", ANGLE, 2, 1, 1),
     ("Hz", FREQUENCY, 2, 1, 1), ("mHz", FREQUENCY, 2, 1000, 1), ("kHz", FREQUENCY, 2000, 1, 1),
-    ("rpm", FREQUENCY, 1, 30, 1),
+    ("hz", FREQUENCY, 2, 1, 1), ("khz", FREQUENCY, 2000, 1, 1),
+    ("rpm", FREQUENCY, 1, 30, 1), ("RPM", FREQUENCY, 1, 30, 1), ("cpm", FREQUENCY, 1, 30, 1),
     ("g", ACCELERATION, 980_665, 100_000, 0), ("gn", ACCELERATION, 980_665, 100_000, 0),
     ("mg", ACCELERATION, 980_665, 100_000_000, 0),
     ("N", FORCE, 1, 1, 0), ("mN", FORCE, 1, 1000, 0), ("kN", FORCE, 1000, 1, 0), ("MN", FORCE, 1_000_000, 1, 0),
@@ -58,6 +60,26 @@ pub(super) fn symbol(text: &str, dimension: Dimension) -> Option<(&'static str, 
     row.map(|&(symbol, dimension, p, q, pi)| (symbol, Unit { dimension, factor: Factor::new(p, q, pi) }))
 }
 
+/// The units that are written after a unit of force without a sign between them, as in `Ns/m` and `kNm`.
+const AFTER_FORCE: [&str; 3] = ["s", "mm", "m"];
+
+/// The possible meanings of one name: none if it is unknown, two for `g`.
+fn atoms(name: &str) -> Vec<Unit> {
+    let named = |name: &str| -> Vec<Unit> {
+        let rows = TABLE.iter().filter(|(symbol, ..)| *symbol == name);
+        rows.map(|&(_, dimension, p, q, pi)| Unit { dimension, factor: Factor::new(p, q, pi) }).collect()
+    };
+    let whole = named(name);
+    if !whole.is_empty() {
+        return whole;
+    }
+    let joined = AFTER_FORCE.iter().find_map(|second| {
+        let (first, _) = symbol(name.strip_suffix(second)?, FORCE)?;
+        Some(named(first).into_iter().flat_map(|a| named(second).into_iter().filter_map(move |b| product(a, b, 1))))
+    });
+    joined.into_iter().flatten().collect()
+}
+
 /// The possible meanings of a unit such as `kN/mm` or `m/s²`: none if it is unknown, two for `g`.
 pub(super) fn parse(text: &str) -> Vec<Unit> {
     let mut meanings = vec![Unit { dimension: [0; 4], factor: Factor::ONE }];
@@ -67,11 +89,7 @@ pub(super) fn parse(text: &str) -> Vec<Unit> {
         let end = rest.find(['/', '*', '·', '⋅']).unwrap_or(rest.len());
         let (part, after) = rest.split_at(end);
         let (name, exponent) = with_exponent(part.trim());
-        let atoms: Vec<Unit> = TABLE
-            .iter()
-            .filter(|(symbol, ..)| *symbol == name)
-            .map(|&(_, dimension, p, q, pi)| Unit { dimension, factor: Factor::new(p, q, pi) })
-            .collect();
+        let atoms = atoms(name);
         let products = meanings.iter().flat_map(|whole| {
             atoms.iter().filter_map(|atom| product(*whole, *atom, sign.checked_mul(exponent)?))
         });
@@ -118,6 +136,10 @@ mod tests {
         assert_eq!(factor("kip/in"), factor("lbf/mil"));
         assert_eq!(factor("rpm"), factor("rev/min"));
         assert_eq!(factor("J"), factor("N·m"));
+        assert_eq!(factor("Ns/m"), factor("N*s/m"));
+        assert_eq!((factor("kNs/mm"), factor("kNm")), (factor("kN*s/mm"), factor("kN*m")));
+        assert_eq!((factor("hz"), factor("cpm")), (factor("Hz"), factor("rev/min")));
+        assert!(["Nx/m", "sN", "Nss", "MHz"].iter().all(|text| parse(text).is_empty()));
         assert!(parse("kN//m").is_empty() && parse("").is_empty() && parse("/s").is_empty());
     }
 

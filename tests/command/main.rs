@@ -15,12 +15,15 @@ mod design;
 #[cfg(feature = "mp")]
 mod enclose;
 mod figures;
+mod files;
 #[cfg(unix)]
 mod interrupt;
 mod motion;
+mod messages;
 mod options;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod points;
 #[cfg(feature = "generators")]
 mod round_trips;
 mod shell;

@@ -4,6 +4,7 @@ mod attractors;
 mod closed;
 mod curve;
 mod design;
+mod files;
 mod identify;
 mod motion;
 mod pictures;
@@ -11,6 +12,7 @@ mod shared;
 mod shell;
 mod sweep;
 mod used;
+mod values;
 
 use crate::failure::Failure;
 use crate::outputs;
@@ -44,28 +46,32 @@ Examples:
   stickslip design bands --alpha 12 --from 0.1 --to 2
   stickslip help sweep
 
+Limits:
+  The model has one harmonic drive, one degree of freedom and Coulomb friction. It has no other waveform, no record of
+  a load, and no friction that depends on speed (Stribeck) or load.
+
 Units:
   Without a machine every value is a ratio: lengths are in B = r_y/k, velocities in B ω_d, forces in r_y, energies
   in r_y B, phases ω_d t in rad. The values of a machine (--mass, --stiffness, --friction, --frequency) may have
   units: 800kg, 12kN/mm, 5kN, 2Hz, 0.15g. Answers are in SI units, or in those of --units, such as kN,mm. Bare
-  numbers are in any one consistent system, that of --units if given; a bare frequency is in rad/s.
+  numbers are in any one consistent system, that of --units if given, and a bare frequency is in rad/s.
   `stickslip outputs` defines every output.
 
 Exit status:
   0    success; also if the pipe was closed, or standard output is closed (>&-) and the answer discarded
   1    an identity of verify fails, or a system error such as a full disk
   2    invalid input, described by one line on standard error
-  130  interrupted by Ctrl-C, SIGTERM or SIGHUP, within 0.3 s; the output ends at a complete record. A second
+  130  interrupted by Ctrl-C, SIGTERM or SIGHUP, within 0.3 s. The output ends at a complete record. A second
        interrupt ends the command at once.
 
 Files:
   An existing file is replaced only with --overwrite. Pictures and Parquet files are written completely or not at
-  all. --resume continues a sweep that was interrupted, even by kill -9 or a full disk; attractors and basins continue
+  all. --resume continues a sweep that was interrupted, even by kill -9 or a full disk. Attractors and basins continue
   their --rows FILE in the same way.
 
 On a terminal, work of more than a second shows its progress, and text is coloured unless NO_COLOR is set.";
 
-/// The harmonically forced Coulomb-friction oscillator m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t.
+/// A mass on a spring with dry friction under a harmonic force: m x″ + c x′ + k x + r_y sgn(x′) = p₀ sin ω_d t.
 #[derive(Debug, Parser)]
 #[command(name = "stickslip", version, arg_required_else_help = true, styles = STYLES, after_help = AFTER_HELP)]
 pub(crate) struct CommandLine {
@@ -105,8 +111,8 @@ pub(crate) enum Command {
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
     #[command(after_help = DECAY_EXAMPLES)]
     Decay(DecayArgs),
-    /// Check every equation of the paper against computed cycles, at any precision; exit status 1 if one
-    /// fails.
+    /// Check every equation of the paper against computed cycles, at any precision. The exit status is 1 if
+    /// one fails.
     #[command(after_help = VERIFY_EXAMPLES)]
     Verify(VerifyArgs),
     /// A figure of the paper, or a further one, from this library's results.
@@ -151,8 +157,10 @@ pub(crate) fn parse(
     let refuse = |error: clap::Error| {
         if error.use_stderr() { NoCommand::Failed(error.into()) } else { NoCommand::Answered(error) }
     };
+    let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
+    values::check(&words).map_err(NoCommand::Failed)?;
     let matches = grammar().try_get_matches_from(words).map_err(refuse)?;
-    used::check(&matches).map_err(NoCommand::Failed)?;
+    used::check(&matches).and_then(|()| files::check(&matches)).map_err(NoCommand::Failed)?;
     CommandLine::from_arg_matches(&matches).map_err(refuse)
 }
 

@@ -7,7 +7,7 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::Given;
 use crate::input;
-use crate::note::{both, digits, measured_from};
+use crate::note::{both, decay, digits, measured_from};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
@@ -219,7 +219,7 @@ fn text<F: Value>(
     };
     writeln!(out, "{}", style::verdict(&sentence))?;
     if all.unsettled() > 0 {
-        writeln!(out, "{} starts had not settled; allow more with --max-periods.", all.unsettled())?;
+        writeln!(out, "{} starts did not settle. Allow more periods with --max-periods.", all.unsettled())?;
     }
     for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);
@@ -228,7 +228,7 @@ fn text<F: Value>(
             writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
             writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
             writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle)?;
-            writeln!(out, "  left of a disturbance    {} in a cycle", digits(steady.contraction()))?;
+            writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
         } else if let LongRun::Irregular(motion) = found.limit {
             writeln!(out, "  greatest displacement    {}", length(motion.max_displacement))?;
             writeln!(out, "  least displacement       {}", length(motion.min_displacement))?;

@@ -3,7 +3,7 @@
 use crate::args::{ForceArgs, MachineArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter};
+use crate::given::{Given, Parameter, note_percentage};
 use crate::grid::Grid;
 use crate::note;
 use stickslip::units::Reader;
@@ -20,6 +20,7 @@ impl<F: Value> Axes<F> {
         let (mut fixed, mut grids) = (Given::empty(reader.system()), Vec::new());
         for (parameter, text) in Given::<F>::typed(machine, force) {
             let grid = Grid::with_units(parameter.option(), text, reader, parameter.kind())?;
+            note_percentage(parameter, text, grid.ends().1);
             if grid.len() == 1 {
                 fixed.set_typed(parameter, grid.value(0), text);
             } else {

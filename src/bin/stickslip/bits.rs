@@ -54,5 +54,5 @@ fn run_wide(bits: u32, task: impl Task) -> Outcome {
 
 #[cfg(not(feature = "mp"))]
 fn run_wide(bits: u32, _: impl Task) -> Outcome {
-    Err(Failure::Input(format!("--bits {bits}: this build has 53 bits only; more need the feature mp")))
+    Err(Failure::Input(format!("--bits {bits}: must be ≤ 53 in a build without the feature mp")))
 }

@@ -68,7 +68,8 @@ impl<W: Write> Task for Run<'_, W> {
         let given = Given::<F>::of(&args.machine, &ForceArgs::default(), &reader)?;
         if let Some(file) = &args.output.points {
             let (used, ratios) = (&Parameter::BORDER, &[Parameter::Omega]);
-            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
+            let (output, reader) = (&args.output, &reader);
+            let asked = points::Asked { file, output, reader, given, used, ratios, start: None };
             return points::run(asked, out, |given| {
                 record(given, &input::border_point(given)?, args.no_stop).map(|(_, _, record)| record)
             });

@@ -72,5 +72,5 @@ fn enclosed_steady(_: (&str, &str), _: Others<'_>, _: &OutputArgs, _: &mut impl 
 
 #[cfg(not(feature = "mp"))]
 pub(crate) fn no_balls() -> Failure {
-    Failure::Input("--enclose: this build has no enclosures; they need the feature mp".to_owned())
+    Failure::Input("--enclose: needs a build with the feature mp".to_owned())
 }

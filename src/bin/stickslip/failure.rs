@@ -19,7 +19,7 @@ pub(crate) enum Failure {
     #[error("{0}")]
     System(io::Error),
     /// Ctrl-C: exit status 130, as for a program that the signal ended.
-    #[error("interrupted; the output ends at a complete record")]
+    #[error("interrupted, and the output ends at a complete record")]
     Interrupted,
     /// The reader closed the pipe: a quiet end.
     #[error("closed pipe")]
@@ -107,7 +107,7 @@ fn meant(error: &clap::Error) -> Option<String> {
 impl From<clap::Error> for Failure {
     fn from(error: clap::Error) -> Self {
         if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-            return Self::Input("a command is missing; --help lists them".to_owned());
+            return Self::Input("a command is missing. List the commands with --help".to_owned());
         }
         let text = error.to_string();
         let message: Vec<&str> =
@@ -115,7 +115,7 @@ impl From<clap::Error> for Failure {
         let message = message.join(" ");
         let message = message.strip_prefix("error: ").unwrap_or(&message);
         Self::Input(match meant(&error) {
-            Some(meant) => format!("{message}; did you mean {meant}?"),
+            Some(meant) => format!("{message}. Did you mean {meant}?"),
             None => message.to_owned(),
         })
     }
@@ -126,7 +126,7 @@ const WORD: usize = 100;
 const MESSAGE: usize = 1_000;
 
 /// The text without control characters, which would act on a terminal, and of a readable length.
-fn on_one_line(text: &str) -> String {
+pub(crate) fn on_one_line(text: &str) -> String {
     let printable = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
     let words = text.split(' ').map(|word| cut(&word.chars().map(printable).collect::<String>(), WORD));
     cut(&words.collect::<Vec<_>>().join(" "), MESSAGE)

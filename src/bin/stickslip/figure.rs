@@ -68,7 +68,7 @@ fn check(picture: Picture, argument: &str) -> Outcome {
         return Ok(());
     }
     Err(Failure::Input(format!(
-        "{argument}: this build has no PNG; it needs the feature png, or a converter of .svg such as rsvg-convert"
+        "{argument}: needs a build with the feature png, or a converter of .svg such as rsvg-convert"
     )))
 }
 

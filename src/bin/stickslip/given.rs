@@ -5,8 +5,9 @@ mod parameter;
 use crate::args::{ForceArgs, MachineArgs};
 use crate::bits::Value;
 use crate::failure::Failure;
-use stickslip::Error;
-use stickslip::units::{Reader, System};
+use crate::progress;
+use stickslip::units::{self, Reader, System};
+use stickslip::{Error, Number, Quantity};
 
 use Parameter as P;
 pub(crate) use parameter::Parameter;
@@ -24,10 +25,16 @@ impl<F: Value> Given<F> {
         for parameter in Parameter::ALL {
             if let Some(text) = typed(machine, force, parameter) {
                 let value = reader.value(parameter.option(), text, parameter.kind())?;
+                note_percentage(parameter, text, value);
                 given.values.push((parameter, value, Some(format!("{} {text}", parameter.option()))));
             }
         }
         Ok(given)
+    }
+
+    /// Whether nothing is given.
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.values.is_empty()
     }
 
     pub(crate) const fn empty(system: System) -> Self {
@@ -87,8 +94,8 @@ impl<F: Value> Given<F> {
         let mut physical = self.values.iter().map(|&(p, ..)| p).filter(|p| p.is_physical());
         let (found, others) = (physical.next()?, physical.next());
         let instead = match (found, others) {
-            (P::Damping, None) => "; with ratios give --damping-ratio",
-            (P::StaticFriction, None) => "; with ratios give --static-friction-ratio",
+            (P::Damping, None) => ". With ratios give --damping-ratio",
+            (P::StaticFriction, None) => ". With ratios give --static-friction-ratio",
             (P::MeanForce | P::FrictionBackward, None) => "",
             _ => return None,
         };
@@ -104,7 +111,7 @@ impl<F: Value> Given<F> {
         let mut found = several.iter().filter_map(|&p| Some((p, self.get(p)?)));
         match (found.next(), found.next()) {
             (Some((first, _)), Some((second, _))) => Err(Failure::Input(format!(
-                "{} and {}: give one of the two, the other follows",
+                "{} and {}: give one of the two, because it determines the other",
                 first.option(),
                 second.option()
             ))),
@@ -123,7 +130,7 @@ impl<F: Value> Given<F> {
     }
 
     /// The argument as typed.
-    fn label(&self, parameter: Parameter) -> String {
+    pub(crate) fn label(&self, parameter: Parameter) -> String {
         let found = self.values.iter().find(|(p, ..)| *p == parameter);
         found.and_then(|(.., text)| text.clone()).unwrap_or_else(|| parameter.option().to_owned())
     }
@@ -149,12 +156,43 @@ impl<F: Value> Given<F> {
             let some = self.values.iter().filter(move |(p, ..)| !is_its_own || blamed(p));
             some.filter_map(|(_, _, text)| text.as_deref()).collect::<Vec<_>>().join(" ")
         };
+        let said = match self.values.iter().find(|(p, ..)| *p == P::Frequency) {
+            Some((.., Some(text))) => in_typed_unit(&error, text),
+            Some((.., None)) | None => error.to_string(),
+        };
         // If no argument alone is the cause, all of them are.
         match if typed(true).is_empty() { typed(false) } else { typed(true) } {
             // The caller names the values of a file or a grid.
-            arguments if arguments.is_empty() => Failure::Input(error.to_string()),
-            arguments => Failure::Input(format!("{arguments}: {error}")),
+            arguments if arguments.is_empty() => Failure::Input(said),
+            arguments => Failure::Input(format!("{arguments}: {said}")),
         }
+    }
+}
+
+/// The error on a frequency, or on Ω, with its bounds in the unit of the typed frequency `--option TEXT`.
+pub(crate) fn in_typed_unit(error: &Error, typed: &str) -> String {
+    if let Error::NotPositive { quantity: Quantity::AngularFrequency, .. } = error {
+        return "the frequency must be > 0".to_owned();
+    }
+    let Error::OutOfRange { quantity, value, least, greatest } = error else { return error.to_string() };
+    let text = typed.split_once(' ').map_or(typed, |(_, text)| text);
+    let bound = |bound: &Number| units::scaled(text, bound.to_f64() / value.to_f64());
+    let is_frequency = matches!(quantity, Quantity::AngularFrequency | Quantity::FrequencyRatio);
+    match (bound(least), bound(greatest)) {
+        (Some(least), Some(greatest)) if is_frequency && Reader::has_unit(text) => {
+            format!("the frequency must be ≥ {least} and ≤ {greatest}")
+        }
+        _ => error.to_string(),
+    }
+}
+
+/// A note where a damping ratio without % is so large that a percentage was probably meant.
+pub(crate) fn note_percentage<F: Value>(parameter: Parameter, text: &str, value: F) {
+    if parameter == P::DampingRatio && value >= F::int(1) && !text.contains('%') {
+        let (option, percent) = (parameter.option(), crate::note::digits(F::int(100) * value));
+        progress::note(&format!(
+            "{option} {text} is {percent} % of critical damping. A damping ratio of {text} percent is {option} {text}%"
+        ));
     }
 }
 
@@ -181,6 +219,8 @@ fn typed<'a>(machine: &'a MachineArgs, force: &'a ForceArgs, parameter: Paramete
         P::BaseDisplacement => &force.base_displacement,
         P::FootDisplacement => &force.foot_displacement,
         P::DampedFootDisplacement => &force.damped_foot_displacement,
+        // The start is no quantity of the machine: `input::start` reads it.
+        P::X0 | P::V0 => &None,
     }
     .as_ref()
 }

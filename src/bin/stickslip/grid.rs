@@ -51,14 +51,14 @@ impl<F: Value> Grid<F> {
             [list] => return list.split(',').map(value).collect::<Result<_, _>>().map(Self::List),
             [from, to, count] => (value(from)?, value(to)?, *count, false),
             [from, to, count, "log"] => (value(from)?, value(to)?, *count, true),
-            _ => return Err(bad("must be FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C")),
+            _ => return Err(bad("must be FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C, each number with a decimal point")),
         };
         let count = input::count(&format!("{name} {text}: count"), count, MOST)?;
         if count == 1 && from != to {
-            return Err(bad("a count of 1 needs FROM = TO; must be ≥ 2"));
+            return Err(bad("the count must be ≥ 2 where FROM and TO differ"));
         }
         if logarithmic && !(from > F::int(0) && to > F::int(0)) {
-            return Err(bad("equal ratios need FROM and TO > 0"));
+            return Err(bad("FROM and TO must be > 0 for equal ratios"));
         }
         Ok(Self::Even { from, to, count, logarithmic })
     }

@@ -34,12 +34,17 @@ pub(crate) struct BorderScales<F> {
 /// The ratios of `--omega` and `--alpha`, or the machine of the physical arguments.
 pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     let named = |e| given.at_fault(e);
+    if given.is_empty() {
+        let text = "--omega and --alpha are missing. Give both, or a machine: --mass, --stiffness (or --period), \
+                    --friction (or --friction-coefficient), --frequency and --force";
+        return Err(Failure::Input(text.to_owned()));
+    }
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(P::Omega)?, given.required(P::Alpha)?).map_err(named)?;
         return Ok(Point { ratios: completed(given, ratios)?, machine: None });
     }
     let oscillator = given.oscillator()?;
-    let drive = given.drive(&oscillator, given.required(P::Frequency)?)?;
+    let drive = given.drive(&oscillator, given.frequency(&oscillator)?)?;
     let ratios = drive.ratios(&oscillator).map_err(named)?;
     let scales = Scales::new(&oscillator, &drive).map_err(named)?;
     // A given ratio is used as typed, without the rounding of a conversion by k and p₀.
@@ -74,28 +79,36 @@ pub(crate) fn completed<F: Value>(given: &Given<F>, ratios: Ratios<F>) -> Result
         .map_err(|e| given.at_fault(e))
 }
 
-/// The state at ω_d t = 0 given by `--x0` and `--v0`, in the units of the point.
+/// The state at ω_d t = 0 given by `--x0` and `--v0`, or by a row of a file, in the units of the point.
 pub(crate) fn start<F: Value>(
     start: &StartArgs,
+    given: &Given<F>,
     machine: Option<&Machine<F>>,
     reader: &Reader,
 ) -> Result<State<F>, Failure> {
-    let read = |name: &str, text: &Option<String>, kind: Kind| match text {
+    let read = |parameter: P, text: &Option<String>| match (given.get(parameter), text) {
+        (Some(value), _) => Ok(value),
         // Without a machine there are only ratios.
-        Some(text) => reader.value(name, text, if machine.is_some() { kind } else { Kind::Ratio }),
-        None => Ok(F::int(0)),
+        (None, Some(text)) => {
+            let kind = if machine.is_some() { parameter.kind() } else { Kind::Ratio };
+            reader.value(parameter.option(), text, kind)
+        }
+        (None, None) => Ok(F::int(0)),
     };
-    let x0 = read("--x0", &start.x0, Kind::Length)?;
-    let v0 = read("--v0", &start.v0, Kind::Velocity)?;
+    let x0 = read(P::X0, &start.x0)?;
+    let v0 = read(P::V0, &start.v0)?;
     let (x, v) = match machine {
         Some(Machine { scales, .. }) => (x0 / scales.length, v0 / scales.velocity),
         None => (x0, v0),
     };
-    let typed = |name: &str, text: &Option<String>| format!("{name} {}", text.as_deref().unwrap_or("0"));
+    let argument = |parameter: P, text: &Option<String>| match given.get(parameter) {
+        Some(value) => format!("{} {value}", parameter.column()),
+        None => format!("{} {}", parameter.option(), text.as_deref().unwrap_or("0")),
+    };
     State::new(F::int(0), x, v).map_err(|e| {
         let argument = match e.quantity() {
-            Some(Quantity::Velocity) => typed("--v0", &start.v0),
-            _ => typed("--x0", &start.x0),
+            Some(Quantity::Velocity) => argument(P::V0, &start.v0),
+            _ => argument(P::X0, &start.x0),
         };
         Failure::Input(format!("{argument}: {e}"))
     })
@@ -117,12 +130,17 @@ pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failur
 /// Ω of `--omega`, or of the physical arguments.
 pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>, Failure> {
     let named = |e| given.at_fault(e);
+    if given.is_empty() {
+        let text = "--omega is missing. Give it, or a machine: --mass, --stiffness (or --period), --friction (or \
+                    --friction-coefficient) and --frequency";
+        return Err(Failure::Input(text.to_owned()));
+    }
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(P::Omega)?, F::int(1)).map_err(named)?;
         return Ok(BorderPoint { ratios: completed(given, ratios)?, physical: None });
     }
     let oscillator = given.oscillator()?;
-    let frequency = given.required(P::Frequency)?;
+    let frequency = given.frequency(&oscillator)?;
     // A force of r_y has α = 1: its scales are those of the border.
     let drive = Drive::force(oscillator.friction_bound(), frequency).map_err(named)?;
     let ratios = drive.ratios(&oscillator).map_err(named)?;

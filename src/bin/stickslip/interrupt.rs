@@ -5,10 +5,13 @@
 //! write. A second signal ends the command at once.
 
 use crate::failure::{Failure, Outcome};
+use std::fs;
 use std::io::{IsTerminal, Write};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 use std::process;
-use std::sync::Once;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -52,6 +55,36 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
+/// The same for a long search of the library.
+pub(crate) fn keep_going() -> ControlFlow<()> {
+    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
+
+/// The temporary files that exist now.
+static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// A temporary file, which is removed when this is dropped, and when an interrupt ends the command.
+pub(crate) struct Temporary(PathBuf);
+
+impl Temporary {
+    pub(crate) fn new(place: PathBuf) -> Self {
+        TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).push(place.clone());
+        Self(place)
+    }
+
+    pub(crate) fn place(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        // A complete file has been renamed.
+        let _ = fs::remove_file(&self.0);
+        TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).retain(|place| *place != self.0);
+    }
+}
+
 /// Performs a write that an interrupt does not cut.
 pub(crate) fn uncut<T>(write: impl FnOnce() -> T) -> T {
     WRITES.fetch_add(1, Ordering::SeqCst);
@@ -83,7 +116,11 @@ fn watch() {
     end();
 }
 
-fn end() -> ! {
+/// Ends the interrupted command without its threads.
+pub(crate) fn end() -> ! {
+    for place in &*TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner) {
+        let _ = fs::remove_file(place);
+    }
     let mut out = anstream::stderr();
     // Clears the line of a progress bar.
     let clear = if std::io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };

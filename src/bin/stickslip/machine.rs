@@ -99,7 +99,7 @@ impl<F: Value> Given<F> {
         }
         if self.has(P::Gravity) {
             return Err(Failure::Input(
-                "--gravity: counts with --friction-coefficient only; leave it out".to_owned(),
+                "--gravity: must be left out without --friction-coefficient".to_owned(),
             ));
         }
         Ok(found.map(|(_, friction)| friction))
@@ -109,21 +109,40 @@ impl<F: Value> Given<F> {
         self.get(P::Gravity).map_or_else(|| Ok(self.system.gravity()), |g| self.positive(P::Gravity, g))
     }
 
-    /// The body, whose stiffness may follow from Ω and the frequency of the drive.
+    /// The body, whose stiffness may follow from Ω and the frequency of the drive. Two of Ω, the frequency and
+    /// the spring are given.
     pub(crate) fn oscillator(&self) -> Result<Oscillator<F>, Failure> {
         let mass = self.mass()?;
         let missing = |names: &str| Failure::Input(format!("{names} is missing"));
         let friction = self.friction()?.ok_or_else(|| missing("--friction (or --friction-coefficient)"))?;
-        match self.one_of(&[P::Omega, P::Stiffness, P::Period])? {
-            Some((P::Omega, omega)) => Oscillator::tuned(mass, friction, self.required(P::Frequency)?, omega),
-            Some(_) => {
+        let spring = self.one_of(&[P::Stiffness, P::Period])?.map(|(parameter, _)| parameter.option());
+        match (self.get(P::Omega), self.get(P::Frequency), spring) {
+            (Some(_), Some(_), Some(spring)) => {
+                return Err(Failure::Input(format!(
+                    "--omega, --frequency and {spring}: give two of the three, because they determine the third"
+                )));
+            }
+            (Some(omega), Some(frequency), None) => Oscillator::tuned(mass, friction, frequency, omega),
+            (Some(_), None, None) => return Err(missing("--frequency (or --stiffness, or --period)")),
+            (_, _, Some(_)) => {
                 let stiffness = self.stiffness()?.unwrap_or(F::int(0));
                 Oscillator::new(mass, stiffness, friction)
             }
-            None => return Err(missing("--stiffness (or --period, or --omega)")),
+            (None, _, None) => return Err(missing("--stiffness (or --period, or --omega)")),
         }
         .map_err(|e| self.at_fault(e))
         .and_then(|body| self.with_damper(body))
+    }
+
+    /// The frequency of the drive, given directly or as Ω ω_n of a body with a spring.
+    pub(crate) fn frequency(&self, body: &Oscillator<F>) -> Result<F, Failure> {
+        match (self.get(P::Frequency), self.get(P::Omega)) {
+            (None, Some(omega)) => {
+                let omega = self.positive(P::Omega, omega)?;
+                Ok(omega * body.natural_frequency())
+            }
+            _ => self.required(P::Frequency),
+        }
     }
 
     /// The body with its damper, its backward friction and its static friction, if given.

@@ -92,8 +92,8 @@ impl<'a> Quantity<'a> {
     /// The reason for a missing value, as text for a key.
     const fn absence(&self) -> &'static str {
         match self.question() {
-            Swept::Response => "white: it sticks or rests",
-            Swept::Steady | Swept::Border => "white: at rest, or none",
+            Swept::Response => "white: the body sticks or stays at rest",
+            Swept::Steady | Swept::Border => "white: no periodic motion",
         }
     }
 }
@@ -136,10 +136,9 @@ impl<'a> Map<'a> {
             [a, b] => (a.clone(), b.clone()),
             grids => {
                 return Err(Failure::Input(format!(
-                    "map: {} of the quantities are grids, must be two, such as --frequency 0.3Hz:5Hz:200 \
-                     --force \
-                     1kN:20kN:100",
-                    grids.len()
+                    "map: {} {}, must be two, such as --frequency 0.3Hz:5Hz:200 --force 1kN:20kN:100",
+                    grids.len(),
+                    if grids.len() == 1 { "grid" } else { "grids" }
                 )));
             }
         };
@@ -157,18 +156,15 @@ impl<'a> Map<'a> {
     fn cells(&self, mut take: impl FnMut(Given<f64>, Cell<f64>) -> Outcome) -> Outcome {
         progress::in_order(
             0..self.axes.len(),
-            |points| {
-                let cell = |point| {
-                    if interrupt::asked() {
-                        return Err(Failure::Interrupted);
-                    }
-                    let given = self.axes.at(point);
-                    let found = self.quantity.at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
-                    Ok((given, found))
-                };
-                points.map(cell).collect::<Result<Vec<_>, Failure>>()
+            |point| {
+                if interrupt::asked() {
+                    return Err(Failure::Interrupted);
+                }
+                let given = self.axes.at(point);
+                let found = self.quantity.at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
+                Ok((given, found))
             },
-            |found| found.into_iter().try_for_each(|(given, cell)| take(given, cell)),
+            |(given, cell)| take(given, cell),
         )
     }
 
@@ -179,6 +175,9 @@ impl<'a> Map<'a> {
             (String::new(), 1.0)
         } else if kind == Kind::Frequency {
             (self.system.name(Kind::Hertz), 1.0 / TAU)
+        } else if kind == Kind::Mass {
+            let (unit, factor) = self.system.mass_for_reading();
+            (unit.to_owned(), factor.times(1.0))
         } else {
             (self.system.name(kind), 1.0)
         }

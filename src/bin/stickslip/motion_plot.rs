@@ -22,12 +22,12 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let reader = args.units.reader();
     let given = Given::<f64>::of(&args.machine, &args.force, &reader)?;
     let point = input::point(&given)?;
-    let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
+    let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let named = |e: stickslip::Error| of_motion(&given, e);
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
     let Some(steady) = limit.steady_state() else {
         return Err(Failure::Input(
-            "motion-plot: there is no periodic motion to draw; stickslip steady says why".to_owned(),
+            "motion-plot: there is no periodic motion to draw. See stickslip steady for the reason".to_owned(),
         ));
     };
     let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)

@@ -41,6 +41,11 @@ pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> 
     }
 }
 
+/// The same within a sentence.
+pub(crate) fn both_in_words<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
+    both(x, unit, scale, name).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// The verdict in one sentence.
 fn verdict<F: Value>(response: &Response<F>) -> String {
     let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
@@ -50,22 +55,22 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
             "Stuck: α ≤ 1, so the force never exceeds friction and the body comes to rest for good.".into()
         }
         Regime::Sticking => format!(
-            "Sticking: the body stops in each cycle; the force is {margin} of the minimum for continuous \
+            "Sticking: the body stops in each cycle. The force is {margin} of the minimum for continuous \
              sliding."
         ),
         Regime::NonSticking if response.cycle.as_ref().is_none() => format!(
-            "Non-sticking: the body never stops; it reverses six times a cycle. The force is {margin} of \
+            "Non-sticking: the body never stops and reverses six times a cycle. The force is {margin} of \
              the minimum for two reversals."
         ),
         Regime::NonSticking => {
             format!(
-                "Non-sticking: the body never stops; the force is {margin} times the minimum for continuous \
+                "Non-sticking: the body never stops. The force is {margin} times the minimum for continuous \
                  sliding."
             )
         }
         Regime::Unbounded => format!(
-            "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance; the \
-             displacement grows in every cycle."
+            "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance, and \
+             the displacement grows in every cycle."
         ),
     }
 }
@@ -104,7 +109,7 @@ pub(crate) fn response<F: Value>(
     } else if response.regime == Regime::NonSticking {
         writeln!(
             out,
-            "\nThe closed forms hold for two reversals only; `stickslip steady` gives this motion."
+            "\nThe closed forms hold for two reversals only. `stickslip steady` gives this motion."
         )?;
     }
     if response.regime == Regime::NonSticking
@@ -117,7 +122,7 @@ pub(crate) fn response<F: Value>(
             out,
             "\nAt Ω = 1/(2n) this is the symmetric member of a family of cycles, whose centres lie within"
         )?;
-        writeln!(out, "±{shift} B. The start decides which is reached; see `stickslip steady`.")?;
+        writeln!(out, "±{shift} B. The start decides which is reached, see `stickslip steady`.")?;
     }
     needed_force(response, machine, units, out)
 }
@@ -143,7 +148,7 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
         format!("{} rad/s", digits(natural)),
         hertz(natural)
     )?;
-    writeln!(out, "  mass m                   {} {}", digits(oscillator.mass()), system.name(Kind::Mass))?;
+    writeln!(out, "  mass m                   {}", mass(oscillator.mass(), system))?;
     writeln!(out, "  stiffness k              {} {force}/{length}", digits(oscillator.stiffness()))?;
     let bound = digits(oscillator.friction_bound());
     match machine.directional_friction {
@@ -175,10 +180,17 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
     Ok(())
 }
 
+/// A mass in a unit for a reader and, if that is another one, in the system's own unit.
+fn mass<F: Value>(mass: F, system: &System) -> String {
+    let (unit, factor) = system.mass_for_reading();
+    let (read, own) = (format!("{} {unit}", digits(factor.times(mass))), system.name(Kind::Mass));
+    if own == unit { read } else { format!("{read:<22} = {} {own}", digits(mass)) }
+}
+
 /// The shift of the motion by a mean force and by friction that differs by direction.
 pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut impl Write) -> io::Result<()> {
     let (mean, length) = (digits(mean), system.length());
-    writeln!(out, "  mean displacement        {mean} {length}; displacements are measured from there")
+    writeln!(out, "  mean displacement        {mean} {length} (displacements are measured from there)")
 }
 
 /// The displacement from which a shifted motion is measured, in a sentence.

@@ -2,7 +2,7 @@
 //! complete or not at all.
 
 use crate::failure::{Failure, Outcome};
-use crate::interrupt;
+use crate::interrupt::{self, Temporary};
 use crate::progress;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
@@ -66,7 +66,7 @@ pub(crate) fn named(name: &str, error: io::Error) -> io::Error {
 /// A file that is written under a temporary name in the same directory, and renamed when complete.
 pub(crate) struct Beside {
     place: PathBuf,
-    beside: PathBuf,
+    beside: Temporary,
     file: File,
     overwrite: bool,
 }
@@ -84,14 +84,15 @@ impl Beside {
         loop {
             let beside = unique(&place);
             match OpenOptions::new().write(true).create_new(true).open(&beside) {
-                Ok(file) => return Ok(Self { place, beside, file, overwrite }),
+                Ok(file) => return Ok(Self { place, beside: Temporary::new(beside), file, overwrite }),
                 Err(e) if e.kind() == ErrorKind::AlreadyExists => {}
                 Err(e) => return Err(bad(e)),
             }
         }
     }
 
-    /// Fills the file and renames it. If either fails, the temporary file is removed.
+    /// Fills the file and renames it. The temporary file is removed if either fails or the command is
+    /// interrupted.
     pub(crate) fn fill(self, fill: impl FnOnce(&mut Lines<&File>) -> Outcome) -> Outcome {
         self.fill_with(|mut out| fill(&mut out).map(|()| out))
     }
@@ -102,23 +103,13 @@ impl Beside {
         fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,
     ) -> Outcome {
         let name = self.place.display().to_string();
-        let outcome = (|| {
-            let mut out = fill(Lines::new(&self.file, name.clone()))?;
-            out.flush()?;
-            self.file.sync_all().map_err(|e| named(&name, e))?;
-            // A file of that name may have appeared since it was checked.
-            let put = if self.overwrite { fs::rename(&self.beside, &self.place) } else { self.put_new() };
-            put.map_err(|e| named(&name, e))?;
-            Ok(())
-        })();
-        if outcome.is_err() {
-            let _ = fs::remove_file(&self.beside);
-        }
-        outcome
-    }
-
-    fn put_new(&self) -> io::Result<()> {
-        put_new(&self.beside, &self.place)
+        let mut out = fill(Lines::new(&self.file, name.clone()))?;
+        out.flush()?;
+        self.file.sync_all().map_err(|e| named(&name, e))?;
+        let (from, to) = (self.beside.place(), &self.place);
+        // A file of that name may have appeared since it was checked.
+        let put = if self.overwrite { fs::rename(from, to) } else { put_new(from, to) };
+        Ok(put.map_err(|e| named(&name, e))?)
     }
 }
 
@@ -154,7 +145,7 @@ pub(crate) fn refuse_existing(place: &Path, argument: &str, overwrite: bool) -> 
             Err(Failure::Input(format!("{argument}: must be a regular file, or not exist yet")))
         }
         Ok(_) if !overwrite => {
-            Err(Failure::Input(format!("{argument}: must not exist yet; --overwrite replaces it")))
+            Err(Failure::Input(format!("{argument}: must not exist yet. Replace it with --overwrite")))
         }
         Ok(_) | Err(_) => Ok(()),
     }

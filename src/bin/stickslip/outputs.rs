@@ -38,7 +38,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             ("best_force_ratio", "1", "force ratio α* of the largest A₁ (eq. 65)"),
             ("best_loop_size", "1", "that largest A₁ (eq. 66)"),
             ("best_force_ratio_slides", "", "whether the body slides at α*"),
-            ("contraction", "1", "part of a disturbance that remains after half a cycle"),
+            ("contraction", "1", "fraction of a disturbance that remains after half a cycle"),
             ("damper_work", "r_y B", "energy that the damper dissipates in a cycle, where damping was given"),
             (
                 "border_phase",
@@ -62,12 +62,12 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "transmitted_force",
                 "r_y",
-                "maximum force of spring, damper and friction on their support; m x″ with a moving foot",
+                "maximum force of spring, damper and friction on their support, or m x″ with a moving foot",
             ),
             (
                 "transmissibility",
                 "1",
-                "that force over p₀; over a moving base the ratio of absolute accelerations",
+                "that force over p₀, or with a moving base the ratio of absolute accelerations",
             ),
             (
                 "max_absolute_displacement",
@@ -92,7 +92,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             ("min_velocity_phase", "rad", "its phase"),
             ("sticks_per_cycle", "", "stops in a cycle"),
             ("velocity_zeros_per_cycle", "", "instants of zero velocity in a cycle, a stop being one"),
-            ("stick_fraction", "1", "part of the time at rest"),
+            ("stick_fraction", "1", "fraction of time at rest"),
             ("error_1", "1", "|max x + min x|/max x: 0 for a symmetric motion, as are the other three"),
             ("error_2", "1", "difference of the phases of max x and min x, less half a turn, in turns"),
             ("error_3", "1", "|max x′ + min x′|/max x′"),
@@ -101,7 +101,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "energy_out",
                 "r_y B",
-                "work against friction in a cycle; damper_work is additional where damping was given",
+                "work against friction in a cycle, without damper_work where damping was given",
             ),
             ("multipliers", "1", "Floquet multipliers of a cycle, as pairs of real and imaginary part"),
             ("distance", "B", "estimated distance of the motion found from the limit"),
@@ -110,7 +110,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "turns_per_cycle",
                 "",
-                "turns of the drive in a cycle; this and the next four outputs where static friction was given",
+                "turns of the drive in a cycle (this and the next four outputs where static friction was given)",
             ),
             ("symmetric", "", "whether half a cycle is the mirror image of the other half: true or false"),
             ("lyapunov_exponent", "1", "Lyapunov exponent of an irregular motion, per turn of the drive"),
@@ -119,14 +119,14 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
         ],
     ),
     (
-        "attractors: one limit a row; with --unstable also motions that no start leads to",
+        "attractors: one limit a row, with --unstable also motions that no start leads to",
         &[
             (
                 "attractor",
                 "",
-                "its number, in the order of the first starts; limit is unstable where a multiplier is beyond 1",
+                "its number, in the order of the first starts (limit is unstable where a multiplier is beyond 1)",
             ),
-            ("share", "1", "part of the starts that lead to it"),
+            ("share", "1", "fraction of the starts that lead to it"),
             ("starts", "", "number of these starts"),
             ("first_x", "B", "displacement of the first of them, at ω_d t = 0"),
             ("first_v", "B ω_d", "its velocity"),
@@ -140,11 +140,11 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
         &[
             ("kind", "", "slide-forward, slide-backward or stick"),
             ("ends_by", "", "reversal, stop, grazing, release or never"),
-            ("start_cycle", "", "whole cycles of the drive before the start; end_cycle and cycle likewise"),
-            ("start_phase", "rad", "phase ω_d t of the start in its cycle; end_phase and phase likewise"),
+            ("start_cycle", "", "whole cycles of the drive before the start, likewise end_cycle and cycle"),
+            ("start_phase", "rad", "phase ω_d t of the start in its cycle, likewise end_phase and phase"),
             ("duration", "rad", "length of the segment, in ω_d t"),
-            ("start_x", "B", "displacement at the start; end_x and x likewise"),
-            ("start_v", "B ω_d", "velocity at the start; v likewise"),
+            ("start_x", "B", "displacement at the start, likewise end_x and x"),
+            ("start_v", "B ω_d", "velocity at the start, likewise v"),
             ("friction", "r_y", "force of friction"),
             ("r", "r_y", "force of spring and friction"),
         ],
@@ -167,7 +167,7 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("natural_frequency", "ω_n = √(k/m)"),
     ("period", "natural period 2π/ω_n"),
     ("mass, stiffness, friction, damping", "m, k, r_y, c"),
-    ("friction_backward", "r₋, where it was given; friction is then r₊"),
+    ("friction_backward", "r₋, where it was given (friction is then r₊)"),
     ("friction_bound", "r_y = (r₊ + r₋)/2, where friction differs by direction"),
     ("static_friction", "r_s = η r_y, where it was given"),
     ("friction_coefficient", "µ = r_y/(m g), where it was given"),
@@ -177,7 +177,7 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("lead_time", "the time by which the force on the body is ahead of that foot, atan(c ω_d/k)/ω_d"),
     ("base_displacement, base_velocity, base_acceleration", "amplitudes of a base that carries the surface"),
     ("friction_displacement", "B = r_y/k, the unit of length of the ratios"),
-    ("mean_force", "constant force p̄ on the body, where it was given; transmitted_force is without it"),
+    ("mean_force", "constant force p̄ on the body, where it was given (transmitted_force does not include it)"),
     (
         "mean_displacement",
         "(p̄ − (r₊ − r₋)/2)/k, from which displacements are measured, where p̄ or r₋ was given",
@@ -190,7 +190,7 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("energy_per_cycle", "energy that friction dissipates in a cycle, 4 r_y Δ₀"),
     (
         "damper_energy_per_cycle",
-        "energy that the damper dissipates; absent where it stands on the moving foot",
+        "energy that the damper dissipates, except where it stands on the moving foot",
     ),
     ("best_force_energy", "friction's energy in a cycle at best_force"),
     ("followed_for", "time for which the exact motion was followed"),
@@ -210,14 +210,14 @@ const TITLES: &[(&str, &str)] = &[
     ("best_force_ratio", "force ratio of the largest loop"),
     ("best_loop_size", "size of the largest loop"),
     ("best_force_ratio_slides", "sliding at the force ratio of the largest loop"),
-    ("contraction", "part of a disturbance remaining after half a cycle"),
+    ("contraction", "fraction of a disturbance that remains after half a cycle"),
     ("damper_work", "energy dissipated by the damper in a cycle"),
     ("border_phase", "phase of the first stop on the border"),
     ("least_displacement", "maximum displacement on the border"),
     ("sticks_per_cycle", "stops in a cycle"),
     ("velocity_zeros_per_cycle", "velocity zeros in a cycle"),
     ("reversals_per_cycle", "reversals in a cycle"),
-    ("stick_fraction", "part of the time at rest"),
+    ("stick_fraction", "fraction of time at rest"),
     ("error_1", "asymmetry of the displacements"),
     ("error_2", "asymmetry of the displacement phases"),
     ("error_3", "asymmetry of the velocities"),
@@ -289,7 +289,7 @@ mod tests {
     #[test]
     fn titles_are_of_outputs_and_in_words() {
         assert!(TITLES.iter().all(|(name, _)| entry(name).is_some()));
-        assert_eq!(in_words("stick_fraction"), "part of the time at rest");
+        assert_eq!(in_words("stick_fraction"), "fraction of time at rest");
         assert_eq!(in_words("max_acceleration"), "maximum acceleration");
     }
 }

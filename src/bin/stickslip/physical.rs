@@ -15,19 +15,31 @@ pub(crate) struct Physical<F> {
     system: System,
     /// The kind of excitation.
     drive: Option<&'static str>,
+    /// Whether the values stand beside those in ratios in JSON, too, without their units.
+    is_beside: bool,
     pub(crate) values: Vec<(&'static str, Kind, Cell<F>)>,
 }
 
 impl<F> Default for Physical<F> {
     fn default() -> Self {
-        Self { system: System::default(), drive: None, values: Vec::new() }
+        Self { system: System::default(), drive: None, is_beside: false, values: Vec::new() }
     }
 }
 
 impl<F: Value> Physical<F> {
     /// A system of units without values.
     pub(crate) const fn of(system: System) -> Self {
-        Self { system, drive: None, values: Vec::new() }
+        Self { system, drive: None, is_beside: false, values: Vec::new() }
+    }
+
+    /// Values that stand beside those in ratios.
+    pub(crate) const fn beside(system: System, values: Vec<(&'static str, Kind, Cell<F>)>) -> Self {
+        Self { system, drive: None, is_beside: true, values }
+    }
+
+    /// The values that stand beside those in ratios, in JSON and in a table.
+    pub(crate) fn values_beside(&self) -> &[(&'static str, Kind, Cell<F>)] {
+        if self.is_beside { &self.values } else { &[] }
     }
 
     /// The machine and its drive: the given quantities and those that follow from them.

@@ -1,6 +1,6 @@
 //! Many points from a file or standard input, answered row by row in bounded memory.
 
-use crate::args::{Format, Header, OutputArgs};
+use crate::args::{Format, Header, OutputArgs, StartArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
@@ -14,10 +14,13 @@ use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
-use stickslip::units::{Factor, Reader};
+use std::time::{Duration, Instant};
+use stickslip::units::{Factor, Kind, Reader};
 
 /// The greatest length of a row in bytes: some hundred numbers of 8192 bits.
 const LONGEST_ROW: u64 = 1 << 18;
+/// The time after which answers are written, even if more are coming.
+const UNSEEN: Duration = Duration::from_millis(10);
 
 /// The request for a file of points.
 pub(crate) struct Asked<'a, F> {
@@ -26,10 +29,12 @@ pub(crate) struct Asked<'a, F> {
     pub(crate) reader: &'a Reader,
     /// The quantities that all rows share.
     pub(crate) given: Given<F>,
-    /// The columns that are read; all others are ignored.
+    /// The columns that are read. A note names all others.
     pub(crate) used: &'a [Parameter],
     /// The columns that a file of ratios requires.
     pub(crate) ratios: &'a [Parameter],
+    /// The arguments of the start, if the command has one; its columns are then read, too.
+    pub(crate) start: Option<&'a StartArgs>,
 }
 
 /// Answers each row of a file with the record that `answer` makes of its quantities.
@@ -52,7 +57,7 @@ pub(crate) fn run<F: Value>(
         Format::Jsonl => Sink::lines(out),
         Format::Csv => Sink::rows(out, output.header),
         Format::Text | Format::Json => {
-            return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
+            return Err(Failure::Input("--format: must be jsonl or csv with --points".to_owned()));
         }
     });
     let ahead = Cell::new(0);
@@ -67,6 +72,7 @@ struct Column {
     parameter: Parameter,
     place: usize,
     name: String,
+    kind: Kind,
     /// The factor of the unit in its header; without one, a value may have its own unit.
     factor: Option<Factor>,
 }
@@ -75,7 +81,7 @@ impl Column {
     fn value<F: Value>(&self, reader: &Reader, name: &str, text: &str) -> Result<F, Failure> {
         match self.factor {
             Some(factor) => Ok(factor.times(number(name, text)?)),
-            None => Ok(reader.value(name, text, self.parameter.kind())?),
+            None => Ok(reader.value(name, text, self.kind)?),
         }
     }
 }
@@ -88,12 +94,11 @@ fn answer_all<F: Value, W: Write>(
     sink: &RefCell<Sink<W>>,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
-    let Asked { mut given, used, ratios, reader: units, output, .. } = asked;
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
-    let columns = columns(&header, name, used, &given, units)?;
+    let (columns, is_machine) = columns(&header, name, &asked)?;
+    let Asked { mut given, used, ratios, reader: units, output, .. } = asked;
     let has = |p: Parameter| given.has(p) || columns.iter().any(|column| column.parameter == p);
-    let is_machine = used.iter().any(|p| p.is_physical() && has(*p));
     let needed: Vec<&[Parameter]> = if is_machine {
         let is_needed = |several: &&[Parameter]| several.iter().any(|p| used.contains(p));
         Parameter::OF_A_MACHINE.into_iter().filter(is_needed).collect()
@@ -104,24 +109,25 @@ fn answer_all<F: Value, W: Write>(
         let found = header.iter().collect::<Vec<_>>().join(",");
         let names: Vec<_> = missing.iter().map(|p| format!("{} (or {})", p.column(), p.option())).collect();
         let hint = if header.len() == 1 && found.contains([';', '\t']) {
-            "; columns must be separated by commas"
+            ". Columns must be separated by commas, and decimals written with a point"
         } else {
             ""
         };
         return Err(Failure::Input(format!(
-            "{name}: column {} is missing; the header is “{found}”{hint}",
+            "{name}: column {} is missing in the header “{found}”{hint}",
             names.join(", or ")
         )));
     }
     if !is_machine && output.units.units.is_some() {
         return Err(Failure::Input(
-            "--units: the file gives ratios, which have no unit; leave it out".to_owned(),
+            "--units: must be left out, because the file gives ratios, which have no unit".to_owned(),
         ));
     }
     if output.header == Header::Units && output.format != Some(Format::Csv) {
-        return Err(Failure::Input("--header units: only CSV has a header; add --format csv".to_owned()));
+        return Err(Failure::Input("--header units: needs --format csv, because only CSV has a header".to_owned()));
     }
     let counted = progress::counter("points");
+    let mut flushed = Instant::now();
     let mut row = StringRecord::new();
     let mut begin = reader.position().byte();
     ahead.set(ahead.get() - begin);
@@ -140,6 +146,11 @@ fn answer_all<F: Value, W: Write>(
         let record = answer(&given).map_err(placed)?;
         sink.borrow_mut().write(&record)?;
         any = true;
+        // The next row may take long.
+        if flushed.elapsed() > UNSEEN {
+            sink.borrow_mut().flush()?;
+            flushed = Instant::now();
+        }
         counted.inc(1);
         interrupt::check()?;
     }
@@ -151,42 +162,81 @@ fn answer_all<F: Value, W: Write>(
     Ok(())
 }
 
-/// The columns that are read; each must occur once, and none may also be an argument.
+/// A column of the header: its name, and its unit in brackets.
+fn split(text: &str) -> (&str, Option<&str>) {
+    let text = text.trim_start_matches('\u{feff}').trim();
+    match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
+        Some((own, unit)) => (own.trim(), Some(unit.trim())),
+        None => (text, None),
+    }
+}
+
+/// The columns that are read, and whether they and the arguments are those of a machine.
+///
+/// Each must occur once, and none may also be an argument. A note names the columns that are not read.
 fn columns<F: Value>(
     header: &StringRecord,
     name: &str,
-    used: &[Parameter],
-    given: &Given<F>,
-    reader: &Reader,
-) -> Result<Vec<Column>, Failure> {
-    let mut columns: Vec<Column> = Vec::new();
+    asked: &Asked<'_, F>,
+) -> Result<(Vec<Column>, bool), Failure> {
+    let Asked { used, given, reader, start, .. } = asked;
+    let starts = if start.is_some() { Parameter::START.as_slice() } else { &[] };
+    let known = || used.iter().chain(starts).copied();
+    let is_typed = |p: Parameter| match (p, start) {
+        (Parameter::X0, Some(start)) => start.x0.is_some(),
+        (Parameter::V0, Some(start)) => start.v0.is_some(),
+        (p, _) => given.has(p),
+    };
+    let (mut found, mut unread): (Vec<(Parameter, usize, &str, Option<&str>)>, _) = (Vec::new(), Vec::new());
     for (place, text) in header.iter().enumerate() {
-        let text = text.trim_start_matches('\u{feff}').trim();
-        let (own, unit) = match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
-            Some((own, unit)) => (own.trim(), Some(unit.trim())),
-            None => (text, None),
-        };
-        let plain = own.replace('-', "_");
+        let (own, unit) = split(text);
+        let plain = own.to_lowercase().replace(['-', ' '], "_");
         let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
-        let Some(&parameter) = used.iter().find(|p| p.is_column(&plain)) else {
-            // A misspelt column must not be ignored silently.
-            match used.iter().find(|p| is_misspelt(&plain, &p.column())) {
-                Some(p) => return refused(&format!("is unknown; spell it {}, or rename it", p.column())),
-                None => continue,
+        let by_symbol = || known().find(|p| p.short() == Some(plain.as_str()));
+        let Some(parameter) = known().find(|p| p.is_column(&plain)).or_else(by_symbol) else {
+            // A misspelt column must not be ignored.
+            if let Some(p) = known().find(|p| is_misspelt(&plain, &p.column())) {
+                return refused(&format!("is unknown. Spell it {}, or rename it", p.column()));
             }
+            unread.push(own);
+            continue;
         };
-        if columns.iter().any(|column| column.parameter == parameter) {
+        if !parameter.is_column(&plain) {
+            progress::note(&format!("{name}: column {own} is read as {}", parameter.column()));
+        }
+        if found.iter().any(|(earlier, ..)| *earlier == parameter) {
             return refused("must be there once only");
         }
-        if given.has(parameter) {
-            return refused(&format!("is given by {} too; leave one of them out", parameter.option()));
+        if is_typed(parameter) {
+            return refused(&format!("must be left out, or {}, which gives the same", parameter.option()));
         }
-        let in_header =
-            |unit| reader.factor_of_column(&format!("{name}: column {own}"), unit, parameter.kind());
-        let factor = unit.map(in_header).transpose()?;
-        columns.push(Column { parameter, place, name: own.to_owned(), factor });
+        found.push((parameter, place, own, unit));
     }
-    Ok(columns)
+    if !unread.is_empty() {
+        let (columns, are) = if unread.len() == 1 { ("column", "is") } else { ("columns", "are") };
+        progress::note(&format!("{name}: {columns} {} {are} not used", unread.join(", ")));
+    }
+    let is_machine = known().any(|p| p.is_physical() && (given.has(p) || found.iter().any(|f| f.0 == p)));
+    let columns = found.into_iter().map(|(parameter, place, own, unit)| {
+        let is_ratio = !is_machine && Parameter::START.contains(&parameter);
+        let kind = if is_ratio { Kind::Ratio } else { parameter.kind() };
+        let unit = unit.filter(|unit| kind != Kind::Ratio || !own_units(parameter).contains(unit));
+        let in_header = |unit| reader.factor_of_column(&format!("{name}: column {own}"), unit, kind);
+        let factor = unit.map(in_header).transpose()?;
+        Ok(Column { parameter, place, name: own.to_owned(), kind, factor })
+    });
+    Ok((columns.collect::<Result<_, Failure>>()?, is_machine))
+}
+
+/// The units of a ratio, as other files of this command have them.
+const fn own_units(parameter: Parameter) -> &'static [&'static str] {
+    if matches!(parameter, Parameter::X0) {
+        &["B"]
+    } else if matches!(parameter, Parameter::V0) {
+        &["B ω_d", "B wd"]
+    } else {
+        &["1"]
+    }
 }
 
 /// Whether `text` looks like a misspelling of `column`: one edit in ten letters, two in more.
@@ -203,7 +253,8 @@ fn is_misspelt(text: &str, column: &str) -> bool {
 fn unreadable(name: &str, error: csv::Error) -> Failure {
     let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
     let text = if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
-        format!("{len} fields, must be {expected_len} as in the header")
+        let hint = if len > expected_len { ". A decimal needs a point, because commas separate fields" } else { "" };
+        format!("{len} fields, must be {expected_len} as in the header{hint}")
     } else {
         error.to_string()
     };
@@ -229,7 +280,7 @@ struct FlushFirst<'a, R, W: Write> {
 impl<R: Read, W: Write> Read for FlushFirst<'_, R, W> {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         if self.ahead.get() > LONGEST_ROW {
-            let text = format!("a row of more than {LONGEST_ROW} bytes; must be ≤ {LONGEST_ROW}");
+            let text = format!("the length of a row must be ≤ {LONGEST_ROW} bytes");
             return Err(io::Error::new(ErrorKind::InvalidData, text));
         }
         self.sink.borrow_mut().flush()?;

@@ -1,59 +1,286 @@
 //! Progress and remaining time on a terminal; parallel work whose results are written in order.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Outcome, on_one_line};
 use crate::interrupt;
+use crate::style;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::io::{self, IsTerminal};
+use std::collections::BTreeMap;
+use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Suppresses progress.
+/// Suppresses progress and notes.
 pub(crate) fn silence() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
-/// The greatest number of points that one thread answers in a batch.
-const STRETCH: u64 = 64;
-/// The greatest duration of a round of batches, after which batches become shorter. Between rounds,
-/// interrupts are checked and answers written.
-const ROUND: Duration = Duration::from_millis(100);
+/// A note on one line of standard error, which `--quiet` suppresses.
+pub(crate) fn note(text: &str) {
+    if !QUIET.load(Ordering::Relaxed) {
+        OTHERWISE.end();
+        let _ = writeln!(anstream::stderr(), "{} note: {}", style::label(), on_one_line(text));
+    }
+}
 
-/// Answers the points of a range in batches, and passes the answers on in order.
-///
-/// Only a few batches per thread are in memory.
+/// The greatest number of points that a thread takes at a time.
+const STRETCH: u64 = 64;
+/// The greatest duration of a stretch: a thread that needs longer returns the rest, so that the others help,
+/// and the stretches become shorter.
+const LONG: Duration = Duration::from_millis(25);
+/// The greatest age of answers that a kill can lose.
+const AT_RISK: Duration = Duration::from_secs(1);
+/// The time after which the receiver looks for an interrupt, without any answer.
+const LOOK: Duration = Duration::from_millis(10);
+/// The time that an interrupt leaves to answers that are almost there.
+const GRACE: Duration = Duration::from_millis(100);
+
+/// Answers the points of a range in parallel, and passes the answers on in order.
 pub(crate) fn in_order<T: Send>(
     points: Range<u64>,
-    answer: impl Fn(Range<u64>) -> Result<T, Failure> + Sync,
+    answer: impl Fn(u64) -> Result<T, Failure> + Sync,
     mut take: impl FnMut(T) -> Outcome,
 ) -> Outcome {
+    in_order_kept(points, answer, |found| found.map_or(Ok(()), &mut take))
+}
+
+/// The same; `None` asks to keep what was taken, because a second has passed or the command was interrupted.
+///
+/// An answer is passed on as soon as it and all earlier ones exist, however long the next one takes. Few
+/// answers are in memory.
+pub(crate) fn in_order_kept<T: Send>(
+    points: Range<u64>,
+    answer: impl Fn(u64) -> Result<T, Failure> + Sync,
+    take: impl FnMut(Option<T>) -> Outcome,
+) -> Outcome {
     let bar = bar(points.end - points.start, "points");
-    let mut stretch = 1;
-    let mut start = points.start;
-    while start < points.end {
-        let begin = Instant::now();
-        let end = points.end.min(start + 4 * stretch * rayon::current_num_threads() as u64);
-        let stretches: Vec<u64> = (start..end).step_by(stretch as usize).collect();
-        let answers: Vec<_> =
-            stretches.into_par_iter().map(|from| answer(from..end.min(from + stretch))).collect();
-        for found in answers {
-            match found {
-                Err(Failure::Interrupted) => interrupt::check()?,
-                found => take(found?)?,
+    let work = Work::new(&points);
+    let (sender, receiver) = mpsc::channel();
+    let mut taking = Taking {
+        work: &work,
+        receiver,
+        take,
+        next: points.start,
+        waiting: BTreeMap::new(),
+        kept: Instant::now(),
+        is_kept: true,
+    };
+    let outcome = rayon::in_place_scope(|scope| {
+        for _ in 0..work.threads {
+            let (work, answer, sender) = (&work, &answer, sender.clone());
+            scope.spawn(move |_| {
+                while let Some(mut stretch) = work.claim() {
+                    if sender.send((stretch.points.start, stretch.answers(answer))).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        let outcome = taking.all(|next| bar.set_position(next - points.start));
+        work.stop();
+        outcome
+    });
+    if outcome.is_ok() {
+        bar.finish_and_clear();
+    }
+    outcome
+}
+
+/// The points that no thread has taken yet.
+struct Work {
+    threads: u64,
+    left: Mutex<Left>,
+    /// Wakes threads that wait for points.
+    change: Condvar,
+}
+
+struct Left {
+    /// The points of no stretch yet.
+    fresh: Range<u64>,
+    /// The remaining points of stretches that took too long.
+    returned: BTreeMap<u64, u64>,
+    /// The greatest length of a stretch now.
+    stretch: u64,
+    /// The number of stretches that are being answered.
+    busy: u64,
+    /// The first point whose answer was not passed on.
+    next: u64,
+    stopped: bool,
+}
+
+impl Work {
+    fn new(points: &Range<u64>) -> Self {
+        let left = Left {
+            fresh: points.clone(),
+            returned: BTreeMap::new(),
+            stretch: 1,
+            busy: 0,
+            next: points.start,
+            stopped: false,
+        };
+        let threads = rayon::current_num_threads() as u64;
+        Self { threads, left: Mutex::new(left), change: Condvar::new() }
+    }
+
+    fn left(&self) -> MutexGuard<'_, Left> {
+        self.left.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The next stretch, once it is not too far ahead; `None` if no points are left.
+    fn claim(&self) -> Option<Stretch<'_>> {
+        let mut left = self.left();
+        loop {
+            if left.stopped {
+                return None;
+            }
+            let most = left.stretch;
+            if let Some((start, end)) = left.returned.pop_first() {
+                let cut = end.min(start + most);
+                if cut < end {
+                    left.returned.insert(cut, end);
+                }
+                left.busy += 1;
+                return Some(Stretch { work: self, points: start..cut, begin: Instant::now() });
+            }
+            if left.fresh.start < left.fresh.end.min(left.next + 4 * most * self.threads) {
+                let start = left.fresh.start;
+                left.fresh.start = left.fresh.end.min(start + most);
+                left.busy += 1;
+                let points = start..left.fresh.start;
+                return Some(Stretch { work: self, points, begin: Instant::now() });
+            }
+            if left.fresh.is_empty() && left.busy == 0 {
+                return None;
+            }
+            left = self.change.wait(left).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    fn passed_on(&self, next: u64) {
+        self.left().next = next;
+        self.change.notify_all();
+    }
+
+    fn stop(&self) {
+        self.left().stopped = true;
+        self.change.notify_all();
+    }
+}
+
+/// Consecutive points of one thread; dropped, it returns those without an answer.
+struct Stretch<'a> {
+    work: &'a Work,
+    points: Range<u64>,
+    begin: Instant,
+}
+
+impl Stretch<'_> {
+    /// The answers, up to the first failure or for some time, but at least one.
+    fn answers<T>(&mut self, answer: impl Fn(u64) -> Result<T, Failure>) -> Vec<Result<T, Failure>> {
+        let mut found = Vec::new();
+        while let Some(point) = self.points.next() {
+            let one = answer(point);
+            let failed = one.is_err();
+            found.push(one);
+            if failed || self.begin.elapsed() > LONG {
+                break;
             }
         }
-        bar.inc(end - start);
-        start = end;
-        interrupt::check()?;
-        stretch = if begin.elapsed() < ROUND { (2 * stretch).min(STRETCH) } else { (stretch / 2).max(1) };
+        found
     }
-    bar.finish_and_clear();
-    Ok(())
+}
+
+impl Drop for Stretch<'_> {
+    fn drop(&mut self) {
+        let mut left = self.work.left();
+        left.busy -= 1;
+        if !self.points.is_empty() {
+            left.returned.insert(self.points.start, self.points.end);
+        }
+        let is_long = self.begin.elapsed() > LONG;
+        left.stretch = if is_long { (left.stretch / 2).max(1) } else { (2 * left.stretch).min(STRETCH) };
+        drop(left);
+        self.work.change.notify_all();
+    }
+}
+
+/// The receiver of the answers, which passes them on in order.
+struct Taking<'a, T, K> {
+    work: &'a Work,
+    receiver: Receiver<(u64, Vec<Result<T, Failure>>)>,
+    take: K,
+    next: u64,
+    /// Answers that came before earlier ones, by their first point.
+    waiting: BTreeMap<u64, Vec<Result<T, Failure>>>,
+    kept: Instant,
+    is_kept: bool,
+}
+
+impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
+    /// Passes the answers on until there are no more.
+    fn all(&mut self, mut show: impl FnMut(u64)) -> Outcome {
+        while self.wait(LOOK)? {
+            show(self.next);
+            if self.kept.elapsed() > AT_RISK {
+                self.keep()?;
+            }
+            if interrupt::check().is_err() {
+                return self.interrupted();
+            }
+        }
+        interrupt::check()
+    }
+
+    /// Passes on what comes within this time; `false` if nothing more can come.
+    fn wait(&mut self, time: Duration) -> Result<bool, Failure> {
+        match self.receiver.recv_timeout(time) {
+            Ok((start, found)) => self.waiting.insert(start, found),
+            Err(RecvTimeoutError::Timeout) => return Ok(true),
+            Err(RecvTimeoutError::Disconnected) => return Ok(false),
+        };
+        while let Some(found) = self.waiting.remove(&self.next) {
+            for one in found {
+                match one {
+                    // The thread saw the interrupt first.
+                    Err(Failure::Interrupted) => return Ok(true),
+                    one => (self.take)(Some(one?))?,
+                }
+                self.next += 1;
+                self.is_kept = false;
+            }
+            self.work.passed_on(self.next);
+        }
+        Ok(true)
+    }
+
+    fn keep(&mut self) -> Outcome {
+        if !self.is_kept {
+            (self.take)(None)?;
+        }
+        (self.kept, self.is_kept) = (Instant::now(), true);
+        Ok(())
+    }
+
+    /// Keeps what exists, and ends the command if a point takes too long.
+    fn interrupted(&mut self) -> Outcome {
+        self.work.stop();
+        self.keep()?;
+        let begin = Instant::now();
+        while self.wait(GRACE.saturating_sub(begin.elapsed()))? {
+            if begin.elapsed() >= GRACE {
+                self.keep()?;
+                interrupt::end();
+            }
+        }
+        self.keep()?;
+        Err(Failure::Interrupted)
+    }
 }
 
 /// A progress bar with the remaining time, on standard error if that is a terminal.

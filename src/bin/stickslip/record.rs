@@ -49,7 +49,11 @@ impl<F: Value> Serialize for Record<F> {
         for (name, cell) in &self.fields {
             map.serialize_entry(name, cell)?;
         }
-        if !self.physical.is_empty() {
+        let beside = self.physical.values_beside();
+        for (name, _, cell) in beside {
+            map.serialize_entry(name, cell)?;
+        }
+        if beside.is_empty() && !self.physical.is_empty() {
             map.serialize_entry("physical", &self.physical)?;
         }
         map.end()

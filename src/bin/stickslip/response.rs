@@ -27,7 +27,8 @@ impl<W: Write> Task for Run<'_, W> {
         let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
         if let Some(file) = &args.output.points {
             let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
-            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
+            let (output, reader) = (&args.output, &reader);
+            let asked = points::Asked { file, output, reader, given, used, ratios, start: None };
             return points::run(asked, out, |given| {
                 answer(given, &input::point(given)?, true).map(|(_, record)| record)
             });
@@ -65,5 +66,5 @@ pub(crate) fn answer<F: Value>(
 
 /// The failure for `jsonl` and `csv`, which are for streams.
 pub(crate) fn single_format() -> Failure {
-    Failure::Input("--format: jsonl and csv go with --points; a single answer is text or json".to_owned())
+    Failure::Input("--format: must be text or json for a single answer, jsonl or csv with --points".to_owned())
 }

@@ -24,8 +24,8 @@ pub(crate) trait Rows: Sync {
     /// The header line; empty if there is none.
     fn header(&self) -> Result<Vec<u8>, Failure>;
 
-    /// The text of some of the rows.
-    fn text(&self, points: Range<u64>) -> Result<Vec<u8>, Failure>;
+    /// The text of a row.
+    fn text(&self, point: u64) -> Result<Vec<u8>, Failure>;
 
     /// Whether a row identifies its point.
     fn hold_their_grid(&self) -> bool;
@@ -34,15 +34,12 @@ pub(crate) trait Rows: Sync {
     fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure>;
 }
 
-/// The greatest age of rows that a kill can lose.
-pub(crate) const AT_RISK: Duration = Duration::from_secs(1);
-
 /// Creates a file; an existing one is not overwritten.
 pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
     let argument = format!("{option} {}", file.display());
     let created = OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
         Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
-            format!("{argument}: must not exist yet; --resume goes on with it")
+            format!("{argument}: must not exist yet. Continue it with --resume")
         } else {
             format!("{argument}: {e}")
         })
@@ -56,17 +53,12 @@ pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
 pub(crate) fn write<T: Send, W: Write>(
     points: Range<u64>,
     out: &mut W,
-    answer: impl Fn(Range<u64>) -> Result<T, Failure> + Sync,
+    answer: impl Fn(u64) -> Result<T, Failure> + Sync,
     mut take: impl FnMut(T, &mut W) -> Outcome,
 ) -> Outcome {
-    let mut flushed = Instant::now();
-    let outcome = progress::in_order(points, answer, |found| {
-        take(found, out)?;
-        if flushed.elapsed() > AT_RISK {
-            out.flush()?;
-            flushed = Instant::now();
-        }
-        Ok(())
+    let outcome = progress::in_order_kept(points, answer, |found| match found {
+        Some(found) => take(found, out),
+        None => Ok(out.flush()?),
     });
     out.flush()?;
     outcome
@@ -168,7 +160,7 @@ impl Kept {
         let due = match rest {
             [] => Vec::new(),
             _ if self.end == 0 && !header.is_empty() => header.to_vec(),
-            _ if next < part.end => rows.text(next..next + 1)?,
+            _ if next < part.end => rows.text(next)?,
             _ => Vec::new(),
         };
         if due.starts_with(rest) {
@@ -183,7 +175,12 @@ impl Kept {
     /// Compares evenly spaced rows, for one second.
     fn compare_some<R: Rows>(&self, file: &File, rows: &R, part: &Range<u64>) -> Outcome {
         let begin = Instant::now();
-        for some in self.some.in_order().chunks(8 * rayon::current_num_threads()) {
+        let order = self.some.in_order();
+        let (mut left, mut count) = (order.as_slice(), rayon::current_num_threads());
+        // More and more rows at a time, because a row can take longer than the time for all.
+        while !left.is_empty() && begin.elapsed() < COMPARING {
+            let (some, others) = left.split_at(count.min(left.len()));
+            (left, count) = (others, 2 * count);
             let mut found = Vec::new();
             for &(row, start, count) in some {
                 let mut line = Vec::new();
@@ -194,12 +191,9 @@ impl Kept {
             }
             found.par_iter().try_for_each(|(row, line)| {
                 let point = part.start + row;
-                if rows.text(point..point + 1)? == *line { Ok(()) } else { Err(not_this::<R>(row + 1)) }
+                if rows.text(point)? == *line { Ok(()) } else { Err(not_this::<R>(row + 1)) }
             })?;
             interrupt::check()?;
-            if begin.elapsed() > COMPARING {
-                break;
-            }
         }
         Ok(())
     }
@@ -212,14 +206,12 @@ impl Kept {
         let mut row = 0;
         progress::in_order(
             part.start..part.start + self.rows,
-            |points| rows.text(points),
-            |text| {
-                for due in text.split_inclusive(|byte| *byte == b'\n') {
-                    let mut line = vec![0; due.len()];
-                    row += 1;
-                    if found.read_exact(&mut line).is_err() || line != due {
-                        return Err(not_this::<R>(row));
-                    }
+            |point| rows.text(point),
+            |due| {
+                let mut line = vec![0; due.len()];
+                row += 1;
+                if found.read_exact(&mut line).is_err() || line != due {
+                    return Err(not_this::<R>(row));
                 }
                 Ok(())
             },

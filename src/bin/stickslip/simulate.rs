@@ -17,6 +17,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
 use stickslip::exact::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
+use stickslip::units::Kind as Quantity;
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
 const MOST_ROWS: f64 = 1e10;
@@ -40,19 +41,15 @@ impl<W: Write> Task for Run<'_, W> {
             Format::Csv => Sink::rows(out, Header::Names),
             Format::Json => {
                 return Err(Failure::Input(
-                    "--format: the answer to simulate is text, jsonl or csv".to_owned(),
+                    "--format: must be text, jsonl or csv with simulate".to_owned(),
                 ));
             }
         };
         let reader = args.units.reader();
         let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
-        if args.units.units.is_some() && !reader.has_converted() {
-            let text = "--units: no value has a unit to convert; bare numbers are in any one system already";
-            return Err(Failure::Input(text.to_owned()));
-        }
         let point = input::point(&given)?;
         refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
-        let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
+        let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
         let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
         let machine = point.machine.as_ref();
         let end = i64::try_from(cycles).unwrap_or(i64::MAX);
@@ -174,7 +171,7 @@ fn of_phase<F: Value>(phase: &Segment<F>, machine: Option<&Machine<F>>) -> Recor
     let (start_cycle, start_phase) = when(start.phase);
     let (end_cycle, end_phase) = end.map_or((Cell::Count(None), Cell::Number(None)), |e| when(e.phase));
     let number = |x: F| Cell::Number(Some(x));
-    let mut fields = vec![
+    let fields = vec![
         ("kind", Cell::Text(kind)),
         ("ends_by", Cell::Text(ends_by)),
         ("start_cycle", start_cycle),
@@ -186,23 +183,27 @@ fn of_phase<F: Value>(phase: &Segment<F>, machine: Option<&Machine<F>>) -> Recor
         ("start_v", number(start.v)),
         ("end_x", Cell::Number(end.map(|e| e.x))),
     ];
-    if let Some(machine) = machine {
-        fields.extend([
-            ("start_time", number(time(start.phase, machine))),
-            ("end_time", Cell::Number(end.map(|e| time(e.phase, machine)))),
-            ("start_displacement", number(start.x * machine.scales.length)),
-            ("start_velocity", number(start.v * machine.scales.velocity)),
-            ("end_displacement", Cell::Number(end.map(|e| e.x * machine.scales.length))),
-        ]);
-    }
-    Record { fields, physical: Physical::default() }
+    let physical = machine.map_or_else(Physical::default, |machine| {
+        let scales = &machine.scales;
+        Physical::beside(
+            machine.system,
+            vec![
+                ("start_time", Quantity::Time, number(time(start.phase, machine))),
+                ("end_time", Quantity::Time, Cell::Number(end.map(|e| time(e.phase, machine)))),
+                ("start_displacement", Quantity::Length, number(start.x * scales.length)),
+                ("start_velocity", Quantity::Velocity, number(start.v * scales.velocity)),
+                ("end_displacement", Quantity::Length, Cell::Number(end.map(|e| e.x * scales.length))),
+            ],
+        )
+    });
+    Record { fields, physical }
 }
 
 fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> Record<F> {
     let state = instant.state;
     let (cycle, phase) = when(state.phase);
     let number = |x: F| Cell::Number(Some(x));
-    let mut fields = vec![
+    let fields = vec![
         ("cycle", cycle),
         ("phase", phase),
         ("x", number(state.x)),
@@ -210,16 +211,20 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
         ("friction", number(instant.friction)),
         ("r", number(instant.friction + instant.state.x)),
     ];
-    if let Some(machine) = machine {
+    let physical = machine.map_or_else(Physical::default, |machine| {
         let scales = &machine.scales;
-        fields.extend([
-            ("time", number(time(state.phase, machine))),
-            ("displacement", number(state.x * scales.length)),
-            ("velocity", number(state.v * scales.velocity)),
-            ("friction_force", number(instant.friction * scales.force + scales.mean_friction)),
-        ]);
-    }
-    Record { fields, physical: Physical::default() }
+        let friction = instant.friction * scales.force + scales.mean_friction;
+        Physical::beside(
+            machine.system,
+            vec![
+                ("time", Quantity::Time, number(time(state.phase, machine))),
+                ("displacement", Quantity::Length, number(state.x * scales.length)),
+                ("velocity", Quantity::Velocity, number(state.v * scales.velocity)),
+                ("friction_force", Quantity::Force, number(friction)),
+            ],
+        )
+    });
+    Record { fields, physical }
 }
 
 #[cfg(test)]

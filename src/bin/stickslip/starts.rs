@@ -12,7 +12,7 @@ use crate::resume::{self, not_this};
 use crate::steady::of_motion;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::path::Path;
 use stickslip::Ratios;
 use stickslip::exact::{Attractors, LongRun, Signature, State, Trajectory};
@@ -69,12 +69,10 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         resume::write(
             from..self.count,
             out,
-            |numbers| numbers.map(|number| self.answer(number)).collect::<Result<Vec<_>, _>>(),
-            |found, out| {
-                found.into_iter().try_for_each(|(limit, row)| {
-                    out.write_all(&row)?;
-                    Ok(all.add(limit)?)
-                })
+            |number| self.answer(number),
+            |(limit, row), out| {
+                out.write_all(&row)?;
+                Ok(all.add(limit)?)
             },
         )
     }
@@ -161,9 +159,8 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for 
         csv_text(|writer| record.write_header(writer, Header::Names))
     }
 
-    fn text(&self, numbers: Range<u64>) -> Result<Vec<u8>, Failure> {
-        let rows = numbers.map(|number| Ok(self.answer(number)?.1));
-        rows.collect::<Result<Vec<_>, Failure>>().map(|rows| rows.concat())
+    fn text(&self, number: u64) -> Result<Vec<u8>, Failure> {
+        Ok(self.answer(number)?.1)
     }
 
     fn hold_their_grid(&self) -> bool {
@@ -202,7 +199,5 @@ pub(crate) fn follow<F: Value>(
     start: State<F>,
     periods: u32,
 ) -> Result<LongRun<F>, Failure> {
-    let mut keep_going =
-        || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    Ok(LongRun::within(ratios, start, periods, &mut keep_going)?)
+    Ok(LongRun::within(ratios, start, periods, &mut interrupt::keep_going)?)
 }

@@ -8,13 +8,13 @@ use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::input::{self, Point};
+use crate::interrupt;
 use crate::machine::Machine;
 use crate::physical::Physical;
 use crate::points;
 use crate::record::{Cell, Record};
 use crate::response::single_format;
 use std::io::Write;
-use std::ops::ControlFlow;
 use stickslip::exact::{Irregular, LongRun, State, SteadyState};
 use stickslip::observed;
 use stickslip::units::Kind;
@@ -39,12 +39,13 @@ impl<W: Write> Task for Run<'_, W> {
         let reader = args.output.units.reader();
         let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
         let answer = |given: &Given<F>, point: &Point<F>| {
-            let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
+            let start = input::start(&args.start, given, point.machine.as_ref(), &reader)?;
             answer(given, point, start, args.max_periods, true)
         };
         if let Some(file) = &args.output.points {
             let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
-            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
+            let start = Some(&args.start);
+            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios, start };
             return points::run(asked, out, |given| {
                 answer(given, &input::point(given)?).map(|(_, record)| record)
             });
@@ -67,9 +68,25 @@ pub(crate) fn answer<F: Value>(
     max_periods: u32,
     peaks: bool,
 ) -> Result<(LongRun<F>, Record<F>), Failure> {
-    let limit = LongRun::within(point.ratios, start, max_periods, &mut || ControlFlow::Continue(()))
+    let limit = LongRun::within(point.ratios, start, max_periods, &mut interrupt::keep_going)
         .map_err(|e| of_motion(given, e))?;
-    let record = record(point.ratios, &limit, peaks).map_err(|e| given.at_fault(e))?;
+    let record = of_limit(given, point, &limit, peaks)?;
+    Ok((limit, record))
+}
+
+/// A record of no motion, for the names of its values.
+pub(crate) fn form<F: Value>(given: &Given<F>, point: &Point<F>, peaks: bool) -> Result<Record<F>, Failure> {
+    of_limit(given, point, &LongRun::Unbounded { growth: F::int(0) }, peaks)
+}
+
+/// The record of a limit.
+fn of_limit<F: Value>(
+    given: &Given<F>,
+    point: &Point<F>,
+    limit: &LongRun<F>,
+    peaks: bool,
+) -> Result<Record<F>, Failure> {
+    let record = record(point.ratios, limit, peaks).map_err(|e| given.at_fault(e))?;
     let zeta = point.ratios.damping_ratio();
     let record = if given.has_damper() {
         let mut record = record.with_damping_ratio(zeta);
@@ -80,15 +97,14 @@ pub(crate) fn answer<F: Value>(
         record
     };
     let record = if given.has_static_friction() {
-        with_static_friction(record, &point.ratios, &limit)
+        with_static_friction(record, &point.ratios, limit)
     } else {
         record
     };
-    let record = match &point.machine {
-        Some(machine) => with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?,
-        None => record,
-    };
-    Ok((limit, record))
+    match &point.machine {
+        Some(machine) => with_machine(record, machine).finite().map_err(|e| given.behind_all(e)),
+        None => Ok(record),
+    }
 }
 
 /// The record with η, and with the outputs that exist only for a static friction above the kinetic one.
@@ -120,7 +136,10 @@ pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
     if matches!(error.quantity(), Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio)) {
         return given.at_fault(error);
     }
-    Failure::Input(format!("--omega or --frequency: {error}"))
+    match Failure::from(error) {
+        Failure::Input(text) => Failure::Input(format!("--omega or --frequency: {text}")),
+        failure => failure,
+    }
 }
 
 /// All outputs of a steady state; the peaks only if requested.

@@ -71,7 +71,7 @@ fn to_parquet<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) -> O
 
 #[cfg(not(feature = "parquet"))]
 fn to_parquet<F: Value>(_: &SweepArgs, _: &Rows<F>, _: Range<u64>) -> Outcome {
-    Err(Failure::Input("--format parquet: this build has none; it needs the feature parquet".to_owned()))
+    Err(Failure::Input("--format parquet: needs a build with the feature parquet".to_owned()))
 }
 
 /// Writes the rows of a part of the sweep, with their header.
@@ -79,7 +79,7 @@ fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut imp
     if header {
         out.write_all(&rows.header()?)?;
     }
-    resume::write(part, out, |points| rows.text(points), |text, out| Ok(out.write_all(&text)?))
+    resume::write(part, out, |point| rows.text(point), |text, out| Ok(out.write_all(&text)?))
 }
 
 /// The rows of `--shard I/N`: the parts are contiguous, and differ by at most one row.

@@ -107,7 +107,7 @@ fn text(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> io:
     } else {
         "residuals in units of the last place of the terms, or of its square root for differences"
     };
-    writeln!(out, "{} bits; {what}\n", residuals.bits)?;
+    writeln!(out, "{} bits, {what}\n", residuals.bits)?;
     writeln!(out, "{}  {}  points  worst      ", wide("eq.", first), wide("identity", second))?;
     for v in verdicts {
         let verdict = match (v.standing, v.passed) {
@@ -132,7 +132,8 @@ fn text(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> io:
     if residuals.are_balls {
         writeln!(
             out,
-            "What holds has 0 in its ball at every point, rounding included; what is refuted has not, at any."
+            "The ball of an identity that holds contains 0 at every point, rounding included. That of a refuted one\n\
+             contains 0 at none."
         )?;
     }
     Ok(())

@@ -10,7 +10,7 @@ pub(crate) struct RowsArgs {
     /// Also write each start with its limit to FILE, as rows of CSV, as they are found
     #[arg(long, value_name = "FILE")]
     pub(crate) rows: Option<PathBuf>,
-    /// Continue after the last complete row of --rows FILE; the answer is that of an uninterrupted run
+    /// Continue after the last complete row of --rows FILE. The answer is that of an uninterrupted run
     #[arg(long, requires = "rows")]
     pub(crate) resume: bool,
 }
@@ -26,7 +26,7 @@ Examples:
 The starts are at ω_d t = 0 and always the same: the first at rest at x = 0, the others spread evenly over
 |x| ≤ R, |v| ≤ R. A limit that no start leads to is not found.
 
---resume continues a run that was interrupted, by Ctrl-C, kill -9 or a full disk. It has to be the same run: machine
+--resume continues a run that was interrupted, by Ctrl-C, kill -9 or a full disk. It must be the same run: machine
 and start of every row are compared, and as many whole rows, evenly spaced, as a second allows. A run with more
 --starts continues one with fewer.";
 
@@ -47,7 +47,7 @@ pub(crate) struct AttractorsArgs {
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
     /// Also search for periodic motions of up to N turns of the drive that no start leads to, such as
-    /// unstable ones, by Newton's method from the same starts; there may be others
+    /// unstable ones, by Newton's method from the same starts (there may be others)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) unstable: Option<u32>,
     #[command(flatten)]
@@ -69,7 +69,7 @@ Examples:
   stickslip basins --omega 0.45 --alpha 7.5 --damping-ratio 0.02 --static-friction-ratio 2.5 --rows starts.csv --resume --out basins.svg
 
 The starts are at ω_d t = 0. Each row has the start, the number of its limit and the kind of the limit.
---rows FILE --resume continues an interrupted run; from complete rows another picture is drawn at once.";
+--rows FILE --resume continues an interrupted run. From complete rows another picture is drawn at once.";
 
 #[derive(Debug, Args)]
 pub(crate) struct BasinsArgs {

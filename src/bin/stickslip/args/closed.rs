@@ -61,7 +61,7 @@ pub(crate) struct VerifyArgs {
     /// other refutes it (needs a build with the feature mp)
     #[arg(long)]
     pub(crate) enclose: bool,
-    /// Bits of precision (needs a build with the feature mp) [default: 53, f64; with --enclose 64]
+    /// Bits of precision (needs a build with the feature mp) [default: 53 (f64), with --enclose 64]
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
     /// text or json

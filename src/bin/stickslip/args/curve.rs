@@ -32,7 +32,7 @@ pub(crate) enum Curve {
     Acceleration,
     /// Maximum force of spring and friction on their support
     Force,
-    /// That force over p₀; with a base that carries the surface, the ratio of absolute accelerations
+    /// That force over p₀, or with a base that carries the surface the ratio of absolute accelerations
     Transmissibility,
     /// Maximum absolute displacement, with a base that carries the surface
     Absolute,

@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 pub(crate) const FIGURE_EXAMPLES: &str = "\
-Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper; stops, portrait, accuracy, multipliers, poles, damping.
-A drawing in SVG leaves its text to the viewer's own font; PNG needs a build with the feature png.
+Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper, and stops, portrait, accuracy, multipliers, poles, damping.
+A drawing in SVG leaves its text to the viewer's own font. PNG needs a build with the feature png.
 
 Examples:
   stickslip figure 8 --out border.svg
@@ -23,7 +23,7 @@ Examples:
 
 pub(crate) const MAP_EXAMPLES: &str = "\
 Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (their number, from 16 starts); an output
-of `response`, such as loop_size_stiffness; or steady:NAME for one of `steady`, from rest, such as
+of `response`, such as loop_size_stiffness, or steady:NAME for one of `steady`, from rest, such as
 steady:max_displacement. For a machine, a quantity with a unit is in the machine's units.
 
 Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default:
@@ -56,7 +56,7 @@ pub(crate) struct FigureArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct FiguresArgs {
-    /// Draw all figures; otherwise list their names
+    /// Draw all figures (otherwise list their names)
     #[arg(long)]
     pub(crate) all: bool,
     /// Output folder

@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use stickslip::units::{Reader, System};
 
-/// The oscillator and its frequency. A value may have a unit, such as 800kg; bare numbers are in one
+/// The oscillator and its frequency. A value may have a unit, such as 800kg. Bare numbers are in one
 /// consistent system.
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct MachineArgs {
@@ -14,7 +14,7 @@ pub(crate) struct MachineArgs {
     /// Mass m, such as 800kg
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     pub(crate) mass: Option<String>,
-    /// Stiffness k, such as 12kN/mm; a period, or Ω and a frequency, may take its place
+    /// Stiffness k, such as 12kN/mm, or in its place a period, or Ω and a frequency
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub(crate) stiffness: Option<String>,
     /// Natural period of the body on its spring, such as 2.2s, in place of the stiffness: k = m (2π/T)²
@@ -29,11 +29,11 @@ pub(crate) struct MachineArgs {
     /// Gravity g for the coefficient of friction [default: 9.80665 m/s²]
     #[arg(long, value_name = "G", allow_hyphen_values = true)]
     pub(crate) gravity: Option<String>,
-    /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion; r_y and
-    /// r_s are the means of both directions
+    /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion (r_y and
+    /// r_s are the means of both directions)
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     pub(crate) friction_backward: Option<String>,
-    /// Viscous damping ratio ζ = c/(2√(k m)), such as 0.05 or 5%
+    /// Viscous damping ratio ζ = c/(2√(k m)), such as 0.05 or 5% (a bare 5 is 500 %)
     #[arg(long, value_name = "ζ", allow_hyphen_values = true)]
     pub(crate) damping_ratio: Option<String>,
     /// Damping constant c of a viscous damper, such as 20kN*s/m, in place of the ratio
@@ -46,11 +46,11 @@ pub(crate) struct MachineArgs {
     /// Static friction r_s, such as 6.5kN, in place of the ratio
     #[arg(long, value_name = "RS", allow_hyphen_values = true)]
     pub(crate) static_friction: Option<String>,
-    /// Constant force on the body, such as a preload of 2kN. It shifts the motion by P/k; displacements are
+    /// Constant force on the body, such as a preload of 2kN. It shifts the motion by P/k, and displacements are
     /// measured from the mean displacement
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub(crate) mean_force: Option<String>,
-    /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s; a bare number is ω_d in rad/s
+    /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s, where a bare number is ω_d in rad/s
     #[arg(long, value_name = "WD", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,
 }
@@ -85,10 +85,10 @@ pub(crate) struct ForceArgs {
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
     /// CSV with a header, answered row by row: columns omega and alpha, or of a machine, such as
-    /// frequency[Hz]; values that all rows share may be arguments. - is standard input
+    /// frequency[Hz] (values that all rows share may be arguments). - is standard input
     #[arg(long, value_name = "FILE")]
     pub(crate) points: Option<PathBuf>,
-    /// text or json for one answer [default: text]; jsonl or csv for --points [default: jsonl]
+    /// text or json for one answer [default: text], jsonl or csv for --points [default: jsonl]
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
     /// Header of CSV: names, or names with their units in brackets, such as max_displacement[B]
@@ -104,7 +104,7 @@ pub(crate) struct OutputArgs {
 /// The system of units.
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct UnitArgs {
-    /// Units of the answers, such as kN,mm, and the system of bare numbers; values with units are converted
+    /// Units of the answers, such as kN,mm, and the system of bare numbers (values with units are converted)
     /// [default: N,m]
     #[arg(long, value_name = "FORCE,LENGTH")]
     pub(crate) units: Option<System>,

@@ -19,12 +19,12 @@ Examples:
   stickslip sweep response --omega 0.5:2:301 --alpha 2:8:61 --shard 2/4 --no-header --out part2.csv
 
 The parts 1/n … n/n together are the whole sweep. Parts as rows are joined by cat, if all but the first are made with
---no-header; Parquet files are read together by any query engine.
+--no-header. Parquet files are read together by any query engine.
 
---resume continues a sweep that was interrupted, by Ctrl-C, kill -9 or a full disk. It has to be the same sweep: Ω and
+--resume continues a sweep that was interrupted, by Ctrl-C, kill -9 or a full disk. It must be the same sweep: Ω and
 α of every existing row are compared, and as many whole rows, evenly spaced, as a second allows. Without the columns
 omega and alpha all rows are computed again to compare them. Rows of CSV and JSON lines are written to FILE as they
-come. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
+are computed. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
 loses at most the last second of rows.
 
 Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B; phases are ω_d t in rad. For a machine there
@@ -79,7 +79,7 @@ pub(crate) struct SweepArgs {
     /// Output file [default: standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Continue after the last complete row of --out FILE; a complete file is left as it is
+    /// Continue after the last complete row of --out FILE (a complete file is left as it is)
     #[arg(long)]
     pub(crate) resume: bool,
     /// Part I of N parts of the sweep, each a run of its rows

@@ -196,7 +196,7 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     let Some((_, mode, used)) = modes.min_by_key(|(_, _, used)| unused(used).len()) else { return Ok(()) };
     if let Some(id) = unused(used).first() {
         return Err(Failure::Input(format!(
-            "{}: {command} does not use it {}; it uses {}",
+            "{}: {command} {} does not use this option. It uses {}",
             written(id, matches),
             mode.name(),
             options(used).filter(|id| !PLACES.contains(id)).map(option).collect::<Vec<_>>().join(", ")
@@ -205,9 +205,9 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     Ok(())
 }
 
-/// The option as typed.
-fn option(id: &str) -> String {
-    format!("--{}", id.replace('_', "-"))
+/// The option as typed, or the name of a positional argument.
+pub(super) fn option(id: &str) -> String {
+    if PLACES.contains(&id) { id.to_uppercase() } else { format!("--{}", id.replace('_', "-")) }
 }
 
 /// The option with its value.

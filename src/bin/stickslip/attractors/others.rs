@@ -8,7 +8,6 @@ use crate::note::digits;
 use crate::progress;
 use crate::record::Record;
 use std::io::Write;
-use std::ops::ControlFlow;
 use stickslip::Ratios;
 use stickslip::exact::{
     Attractors, LongRun, PeriodicMotions, Signature, State, SteadyState, periodic_motions_from,
@@ -38,15 +37,10 @@ impl<F: Value> Others<F> {
         turns: u32,
     ) -> Result<Self, Failure> {
         let mut motions = PeriodicMotions::new();
-        let from = |start| {
-            let mut keep_going =
-                || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-            Ok(periodic_motions_from(ratios, start, turns, &mut keep_going)?)
-        };
         progress::in_order(
             0..count,
-            |numbers| numbers.map(|number| from(at(number)?)).collect::<Result<Vec<_>, Failure>>(),
-            |found| Ok(found.into_iter().flatten().try_for_each(|steady| motions.add(steady))?),
+            |number| Ok(periodic_motions_from(ratios, at(number)?, turns, &mut interrupt::keep_going)?),
+            |found| Ok(found.into_iter().try_for_each(|steady| motions.add(steady))?),
         )?;
         let mut numbers = Vec::new();
         let mut next = all.limits.len();

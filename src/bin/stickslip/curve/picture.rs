@@ -67,7 +67,7 @@ impl Asked {
         if !border.is_empty() {
             series.push(Series::new("border of sticking", Style::Marks, 0, border));
         }
-        let mut title = format!("{} over the frequency", capital(words(self.what)));
+        let mut title = format!("{} against frequency", capital(words(self.what)));
         if clipped {
             let rounded = format!("{high:.1e}").parse().unwrap_or(high);
             title.push_str(&format!(", cut off at {}", digits(rounded)));

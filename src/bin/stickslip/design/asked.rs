@@ -4,13 +4,13 @@ use super::{Answer, Named, Row};
 use crate::args::QuestionArgs;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter as P};
+use crate::given::{Given, Parameter as P, in_typed_unit};
 use crate::input::completed;
 use crate::machine::base_motion;
 use crate::note::digits;
 use crate::record::Cell;
 use std::io::Write;
-use stickslip::units::{Kind, Reader, System};
+use stickslip::units::{self, Kind, Reader, System};
 use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity, Ratios};
 
 /// The arguments of a question, read on demand.
@@ -27,7 +27,7 @@ impl<'a, F: Value> Asked<'a, F> {
         let given = Given::of(&args.machine, &args.force, reader)?;
         let physical = given.is_physical();
         if physical && (given.has(P::Omega) || given.has(P::Alpha)) {
-            let text = "--omega and --alpha: a question is asked in ratios or in physical units, not in both";
+            let text = "--omega and --alpha: must be left out in physical units, where --frequency and --force take their place";
             return Err(Failure::Input(text.to_owned()));
         }
         Ok(Self { args, reader, given, physical, one: F::int(1) })
@@ -76,6 +76,9 @@ impl<'a, F: Value> Asked<'a, F> {
     pub(super) fn fail(&self, error: Error) -> Failure {
         use Quantity as Q;
         let QuestionArgs { from, to, target, .. } = self.args;
+        if let Some(text) = self.in_physical_units(&error) {
+            return Failure::Input(text);
+        }
         let quantity = error.quantity();
         // The range is that of the unknown, which no other argument gives.
         let of_range = [Q::FrequencyRatio, Q::AngularFrequency, Q::Stiffness];
@@ -96,6 +99,43 @@ impl<'a, F: Value> Asked<'a, F> {
             }
             (_, failure) => failure,
         }
+    }
+
+    /// The error in the units of the arguments as typed, where the library states it in ratios or in the
+    /// system's own units.
+    fn in_physical_units(&self, error: &Error) -> Option<String> {
+        let QuestionArgs { from, to, target, .. } = self.args;
+        let range = from.as_ref().zip(to.as_ref());
+        if let (Error::EmptyRange { .. }, Some((from, to))) = (error, range) {
+            return Some(format!("--from {from} --to {to}: the lower end must be ≤ the upper end"));
+        }
+        if let (Error::OutOfRange { value, .. } | Error::NotPositive { value, .. }, Some((from, to))) =
+            (error, range.filter(|_| self.physical))
+        {
+            let in_unit = |text: &str, end: &str| {
+                let typed = self.reader.value::<f64>(end, text, Kind::Frequency).ok()?;
+                let said = in_typed_unit(error, &format!("{end} {text}"));
+                (typed == value.to_f64()).then(|| format!("{end} {text}: {said}"))
+            };
+            return in_unit(from, "--from").or_else(|| in_unit(to, "--to"));
+        }
+        if !self.physical {
+            return None;
+        }
+        if let (Error::SticksThroughout { alpha, least, .. }, Some((from, to))) = (error, range) {
+            let drive = P::DRIVES.into_iter().find(|p| self.given.has(*p))?;
+            let least = digits(self.one * F::from_f64(least.to_f64() / alpha.to_f64()));
+            return Some(format!(
+                "{}: must be at least {least} times as large. The body sticks at every frequency from {from} to {to}",
+                self.given.label(drive)
+            ));
+        }
+        if let (Error::TargetSticks { value, least, .. }, Some(target)) = (error, target) {
+            let least = units::scaled(target, least.to_f64() / value.to_f64())?;
+            let frequency = self.given.label(P::Frequency);
+            return Some(format!("--target {target}: must be ≥ {least} with {frequency}. In a smaller motion the body sticks"));
+        }
+        None
     }
 
     pub(super) fn system(&self) -> &System {

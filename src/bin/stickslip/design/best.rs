@@ -68,8 +68,8 @@ impl<F: Value> Asked<'_, F> {
             ));
         }
         if self.given.has(P::DampingRatio) {
-            let text = "--damping-ratio: it changes with the stiffness that is asked for; give the damping \
-                constant by --damping";
+            let text = "--damping-ratio: changes with the stiffness that is asked for. Give the damping constant by \
+                --damping";
             return Err(Failure::Input(text.to_owned()));
         }
         let body = self.body(false, true)?;
@@ -78,7 +78,7 @@ impl<F: Value> Asked<'_, F> {
         let (force, length) = (self.system().force(), self.system().length());
         let searched = body.damping() > F::int(0);
         let by = if searched { " (by a search that is not a proof)" } else { "" };
-        let place = format!("on a stiffness of {} {force}/{length}{by}", digits(best.at));
+        let place = format!("with a stiffness of {} {force}/{length}{by}", digits(best.at));
         let at = ("stiffness", Kind::Stiffness, best.at);
         let mut answer = self.best("Most", &place, at, best.value, None, best.kind);
         if searched {
@@ -104,7 +104,7 @@ impl<F: Value> Asked<'_, F> {
         let (force, length) = (self.system().force(), self.system().length());
         let energy_text = digits(energy);
         let sentence = format!(
-            "{most} is dissipated, {energy_text} {force}·{length} a cycle, {place}, {}.",
+            "{most} is dissipated {place}: {energy_text} {force}·{length} a cycle, {}.",
             why(optimum)
         );
         Answer::one(sentence, best_fields(at, ("energy", Kind::Energy, energy), bound, optimum))

@@ -145,9 +145,9 @@ impl Answer<'_> {
             }
         }
         if self.outputs.iter().all(|&output| self.found.get(output).is_none()) {
-            return Ok(writeln!(out, "No output has a finite enclosure; computed at {bits} bits.")?);
+            return Ok(writeln!(out, "No output has a finite enclosure at {bits} bits.")?);
         }
-        Ok(writeln!(out, "\nEach value lies within ± of the number printed; computed at {bits} bits.")?)
+        Ok(writeln!(out, "\nEach value lies within ± of the number printed, computed at {bits} bits.")?)
     }
 }
 

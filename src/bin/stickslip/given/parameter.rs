@@ -27,6 +27,9 @@ pub(crate) enum Parameter {
     BaseDisplacement,
     FootDisplacement,
     DampedFootDisplacement,
+    /// The start of a motion, where a file of points has it.
+    X0,
+    V0,
 }
 
 use Parameter as P;
@@ -80,6 +83,8 @@ impl Parameter {
             P::BaseDisplacement => "--base-displacement",
             P::FootDisplacement => "--foot-displacement",
             P::DampedFootDisplacement => "--damped-foot-displacement",
+            P::X0 => "--x0",
+            P::V0 => "--v0",
         }
     }
 
@@ -88,14 +93,30 @@ impl Parameter {
         self.option().trim_start_matches('-').replace('-', "_")
     }
 
-    /// Whether a column of a file of points has its name, or its short name.
+    /// Its symbol or short name, which a column of a file of points may have.
+    pub(crate) const fn short(self) -> Option<&'static str> {
+        if matches!(self, P::DampingRatio) {
+            Some("zeta")
+        } else if matches!(self, P::StaticFrictionRatio) {
+            Some("eta")
+        } else if matches!(self, P::FrictionCoefficient) {
+            Some("mu")
+        } else {
+            None
+        }
+    }
+
+    /// Whether a column of a file of points has its name, or that of its option's alias.
     pub(crate) fn is_column(self, name: &str) -> bool {
         self.column() == name || (self == P::StaticFrictionRatio && name == "static_ratio")
     }
 
     /// Whether it is a quantity of a machine in physical units.
     pub(crate) const fn is_physical(self) -> bool {
-        !matches!(self, P::Omega | P::Alpha | P::DampingRatio | P::StaticFrictionRatio)
+        !matches!(
+            self,
+            P::Omega | P::Alpha | P::DampingRatio | P::StaticFrictionRatio | P::X0 | P::V0
+        )
     }
 
     /// Its symbol in checks that are made here and not by the library.
@@ -121,6 +142,8 @@ impl Parameter {
             P::BaseVelocity => "base velocity amplitude",
             P::BaseDisplacement => "base amplitude",
             P::FootDisplacement | P::DampedFootDisplacement => "amplitude of the foot",
+            P::X0 => "displacement at the start",
+            P::V0 => "velocity at the start",
         }
     }
 
@@ -136,8 +159,8 @@ impl Parameter {
             P::Friction | P::FrictionBackward | P::StaticFriction | P::MeanForce | P::Force => Kind::Force,
             P::Gravity | P::BaseAcceleration => Kind::Acceleration,
             P::Frequency => Kind::Frequency,
-            P::BaseVelocity => Kind::Velocity,
-            P::BaseDisplacement | P::FootDisplacement | P::DampedFootDisplacement => Kind::Length,
+            P::BaseVelocity | P::V0 => Kind::Velocity,
+            P::BaseDisplacement | P::FootDisplacement | P::DampedFootDisplacement | P::X0 => Kind::Length,
         }
     }
 
@@ -163,6 +186,8 @@ impl Parameter {
             }
             P::Alpha => &[Q::ForceRatio, Q::ForceAmplitude],
             P::Force => &[Q::ForceAmplitude, Q::ForceRatio, Q::StaticEnergy, Q::PseudoStaticEnergy],
+            P::X0 => &[Q::Displacement],
+            P::V0 => &[Q::Velocity],
             P::BaseAcceleration
             | P::BaseVelocity
             | P::BaseDisplacement
@@ -202,12 +227,15 @@ impl Parameter {
     /// Static friction above the kinetic one, by its ratio or its force.
     pub(crate) const STATIC_FRICTIONS: [Self; 2] = [P::StaticFrictionRatio, P::StaticFriction];
 
+    /// The start of a motion.
+    pub(crate) const START: [Self; 2] = [P::X0, P::V0];
+
     /// The parameters of a machine and its drive: one of each of these groups.
     pub(crate) const OF_A_MACHINE: [&'static [Self]; 5] = [
         &[P::Mass],
         &[P::Stiffness, P::Period, P::Omega],
         &[P::Friction, P::FrictionCoefficient],
-        &[P::Frequency],
+        &[P::Frequency, P::Omega],
         &Self::DRIVES,
     ];
 

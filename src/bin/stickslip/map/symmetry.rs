@@ -33,33 +33,28 @@ impl Map<'_> {
         let mut found = Breaks::default();
         progress::in_order(
             0..columns + 1,
-            |places| {
-                let column = |place: u64| {
-                    interrupt::check()?;
-                    let share = place as f64 / columns as f64;
-                    let x = if logarithmic {
-                        left * (right / left).powf(share)
-                    } else {
-                        left + (right - left) * share
-                    };
-                    let mut given = self.axes.at(0);
-                    given.set(self.across.0, x);
-                    given.set(up, high);
-                    let ratios = input::point(&given)?.ratios;
-                    Ok((x, breaks(ratios, low / high, steps)?))
+            |place| {
+                interrupt::check()?;
+                let share = place as f64 / columns as f64;
+                let x = if logarithmic {
+                    left * (right / left).powf(share)
+                } else {
+                    left + (right - left) * share
                 };
-                places.map(column).collect::<Result<Vec<_>, Failure>>()
+                let mut given = self.axes.at(0);
+                given.set(self.across.0, x);
+                given.set(up, high);
+                let ratios = input::point(&given)?.ratios;
+                Ok((x, breaks(ratios, low / high, steps)?))
             },
-            |columns| {
-                for (x, column) in columns {
-                    let Some([multiplier, other]) = column else {
-                        found.missing += 1;
-                        continue;
-                    };
-                    let place = |share: f64| (x * across, share * high * upwards);
-                    found.by_multiplier.extend(multiplier.into_iter().map(place));
-                    found.others.extend(other.into_iter().map(place));
-                }
+            |(x, column)| {
+                let Some([multiplier, other]) = column else {
+                    found.missing += 1;
+                    return Ok(());
+                };
+                let place = |share: f64| (x * across, share * high * upwards);
+                found.by_multiplier.extend(multiplier.into_iter().map(place));
+                found.others.extend(other.into_iter().map(place));
                 Ok(())
             },
         )?;

@@ -52,8 +52,8 @@ pub(super) fn needed_force<F: Value>(
     }
     match response.best_loop_size {
         Some(size) if response.best_is_reached() => {
-            writeln!(out, "  of maximum dissipation   {}", forces(response.best_force_ratio))?;
-            writeln!(out, "    with A₁ =              {}", digits(size))?;
+            writeln!(out, "  maximum dissipation at   {}", forces(response.best_force_ratio))?;
+            writeln!(out, "    loop size A₁ there     {}", digits(size))?;
             if size.to_f64() > ABSURD {
                 writeln!(out, "    (Ω is too close to 1/(2n), where it is infinite, for any machine)")?;
             }
@@ -62,12 +62,12 @@ pub(super) fn needed_force<F: Value>(
         None if response.best_is_reached() => {
             writeln!(
                 out,
-                "  of maximum dissipation   any above the minimum: at Ω = 1 the loop grows in every cycle"
+                "  maximum dissipation at   any force above the minimum: at Ω = 1 the loop grows in every cycle"
             )
         }
         Some(_) | None => writeln!(
             out,
-            "  of maximum dissipation   the minimum above; the optimum of eq. 65, {} r_y, would stick",
+            "  maximum dissipation at   the minimum above: with the optimum of eq. 65, {} r_y, it would stick",
             digits(response.best_force_ratio)
         ),
     }

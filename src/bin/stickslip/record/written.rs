@@ -57,7 +57,8 @@ impl<F: Value> Record<F> {
 
     /// One row of a table for reading, with seven digits and columns of equal width.
     pub(crate) fn write_table_row(&self, out: &mut impl Write) -> io::Result<()> {
-        for (i, (_, cell)) in self.fields.iter().enumerate() {
+        let beside = self.physical.values_beside().iter().map(|(_, _, cell)| cell);
+        for (i, cell) in self.fields.iter().map(|(_, cell)| cell).chain(beside).enumerate() {
             let text = cell.text();
             let gap = if i == 0 { "" } else { "  " };
             write!(out, "{gap}{text:>COLUMN$}")?;
@@ -67,7 +68,9 @@ impl<F: Value> Record<F> {
 
     /// The header of a table for reading.
     pub(crate) fn write_table_header(&self, out: &mut impl Write) -> io::Result<()> {
-        let names: Vec<String> = self.fields.iter().map(|(name, _)| format!("{name:>COLUMN$}")).collect();
+        let own = self.fields.iter().map(|(name, _)| (*name).to_owned());
+        let beside = self.physical.names().take(self.physical.values_beside().len());
+        let names: Vec<String> = own.chain(beside).map(|name| format!("{name:>COLUMN$}")).collect();
         writeln!(out, "{}", names.join("  "))
     }
 }

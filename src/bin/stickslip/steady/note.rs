@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::input::Point;
 use crate::machine::{Machine, base_motion, transmitted};
-use crate::note::{both, decay, digits, measured_from};
+use crate::note::{both, both_in_words, decay, digits, measured_from};
 use crate::style;
 use std::io::{self, Write};
 use stickslip::Regime;
@@ -20,6 +20,7 @@ pub(super) fn note<F: Value>(
 ) -> io::Result<()> {
     let scales = point.machine.as_ref().map(|m| &m.scales);
     let length = |x| both(x, "B", scales.map(|s| s.length), units.length());
+    let in_words = |x| both_in_words(x, "B", scales.map(|s| s.length), units.length());
     let seen = observed(point.ratios, limit);
     if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
         writeln!(out, "Base motion {base}.")?;
@@ -41,8 +42,9 @@ pub(super) fn note<F: Value>(
             motion(steady, point, units, out)
         }
         LongRun::Rest(rest) => {
-            let place = length(rest.position);
+            let place = in_words(rest.position);
             let sentence = match rest.slides {
+                Some(0) if rest.position == F::int(0) => "Stuck: the body never moves.".to_owned(),
                 Some(0) => format!("Stuck: the body never moves from {place}."),
                 Some(1) => format!("Stuck: the body comes to rest at {place} after one slide."),
                 Some(slides) => format!("Stuck: the body comes to rest at {place} after {slides} slides."),
@@ -68,15 +70,15 @@ pub(super) fn note<F: Value>(
             writeln!(out, "  stops                    {}", found.stops)
         }
         LongRun::Unbounded { growth } => {
-            let growth = length(*growth);
-            let sentence = format!("Unbounded: the amplitude grows by {growth} in a cycle, in the long run.");
+            let growth = in_words(*growth);
+            let sentence = format!("Unbounded: in the long run the amplitude grows by {growth} a cycle.");
             writeln!(out, "{}", style::verdict(&sentence))
         }
         LongRun::NotConverged { residual, periods, .. } => {
-            let (periods, left) = (digits(periods.to_f64()), length(*residual));
+            let (periods, left) = (digits(periods.to_f64()), in_words(*residual));
             let sentence = format!(
-                "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with \
-                 --max-periods. By the borders its limit is {}.",
+                "Undecided: after {periods} periods the motion still changes by {left} in half a cycle. Allow \
+                 more with --max-periods. By the borders its limit is {}.",
                 seen.regime.name()
             );
             writeln!(out, "{}", style::verdict(&sentence))
@@ -98,7 +100,7 @@ fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
     } else {
         " It is not symmetric: its mirror image is a motion from other starts."
     };
-    format!("The limit of this start; others can have another.{cycle}{symmetry}")
+    format!("The limit of this start, while other starts can have another.{cycle}{symmetry}")
 }
 
 fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
@@ -112,7 +114,7 @@ fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
                 .to_owned()
         }
         0 => match seen.reversals {
-            Some(n) if n > 2 => format!("Non-sticking: the body never stops; it reverses {n} times a cycle."),
+            Some(n) if n > 2 => format!("Non-sticking: the body never stops and reverses {n} times a cycle."),
             Some(_) | None => "Non-sticking: the body never stops.".to_owned(),
         },
         n => {

@@ -16,7 +16,6 @@ use crate::given::{Given, Parameter};
 use crate::output::{Beside, Lines};
 use crate::progress;
 use crate::record::Record;
-use crate::resume::AT_RISK;
 use clap::ValueEnum;
 use column::Column;
 use parquet::basic::Compression;
@@ -32,7 +31,6 @@ use std::io;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// The greatest number of rows in a group.
 const ROWS: usize = 1 << 17;
@@ -44,12 +42,12 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
         return Err(Failure::Input("--format parquet: give its file by --out FILE".to_owned()));
     };
     if args.no_header {
-        return Err(Failure::Input("--no-header: a Parquet file names its columns; leave it out".to_owned()));
+        return Err(Failure::Input("--no-header: must be left out, because a Parquet file names its columns".to_owned()));
     }
-    let sweep = Sweep { rows, part, notes: notes(args), columns: columns(rows)? };
+    let sweep = Sweep { rows, part, notes: notes(args), columns: columns(rows) };
     if file.exists() {
         if !args.resume {
-            let text = format!("--out {}: must not exist yet; --resume goes on with it", file.display());
+            let text = format!("--out {}: must not exist yet. Continue it with --resume", file.display());
             return Err(Failure::Input(text));
         }
         // The file is made of all parts at once: if it exists, nothing is left to do.
@@ -58,11 +56,14 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
     }
     let mut parts = Parts::open(file, args.resume)?;
     let done = parts.check(&sweep)?;
-    let mut table = Table { columns: columns(rows)?, rows: 0, start: done, committed: Instant::now() };
-    let outcome = progress::in_order(
+    let mut table = Table { columns: columns(rows), rows: 0, start: done };
+    let outcome = progress::in_order_kept(
         done..sweep.part.end,
-        |points| points.map(|point| rows.record(point)).collect::<Result<Vec<_>, _>>(),
-        |records| records.iter().try_for_each(|record| table.push(record, &mut parts, &sweep)),
+        |point| rows.record(point),
+        |record| match record {
+            Some(record) => table.push(&record, &mut parts, &sweep),
+            None => table.commit(&mut parts, &sweep),
+        },
     );
     // After an interruption, too, the existing rows are kept.
     match table.commit(&mut parts, &sweep).and(outcome) {
@@ -147,7 +148,7 @@ fn open(file: &Path) -> Result<SerializedFileReader<File>, Failure> {
 fn notes(args: &SweepArgs) -> Vec<KeyValue> {
     let note = |key: &str, value: Option<String>| value.map(|value| KeyValue::new(key.to_owned(), value));
     let units =
-        "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad; those in brackets have their own";
+        "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad, and a unit in brackets where a column has its own";
     let question = args.question.to_possible_value().map(|value| value.get_name().to_owned());
     let typed = Given::<f64>::typed(&args.machine, &args.force);
     let grids = typed.map(|(parameter, text)| KeyValue::new(parameter.column(), text.to_owned()));
@@ -162,9 +163,9 @@ fn notes(args: &SweepArgs) -> Vec<KeyValue> {
     grids.chain(notes.into_iter().flatten()).collect()
 }
 
-fn columns<F: Value>(rows: &Rows<F>) -> Result<Vec<Column>, Failure> {
-    let first = rows.record(0)?;
-    Ok(first.names().into_iter().zip(first.cells()).map(|(name, cell)| Column::of(name, &cell)).collect())
+fn columns<F: Value>(rows: &Rows<F>) -> Vec<Column> {
+    let form = rows.form();
+    form.names().into_iter().zip(form.cells()).map(|(name, cell)| Column::of(name, &cell)).collect()
 }
 
 /// The rows in memory, from a point on.
@@ -172,7 +173,6 @@ struct Table {
     columns: Vec<Column>,
     rows: usize,
     start: u64,
-    committed: Instant,
 }
 
 impl Table {
@@ -181,7 +181,7 @@ impl Table {
             column.push(&cell);
         }
         self.rows += 1;
-        if is_group(&self.columns, self.rows) || self.committed.elapsed() > AT_RISK {
+        if is_group(&self.columns, self.rows) {
             self.commit(parts, sweep)?;
         }
         Ok(())
@@ -201,7 +201,6 @@ impl Table {
             })?;
             self.start = end;
         }
-        self.committed = Instant::now();
         Ok(())
     }
 }

@@ -10,7 +10,6 @@ use crate::physical::Physical;
 use crate::record::{Cell, PEAKS, Record, csv_text};
 use crate::resume;
 use crate::{border, input, response, steady};
-use std::ops::Range;
 use stickslip::exact::{DEFAULT_BUDGET, State, Trajectory};
 
 /// The command at each point of the grids, and the format of its row.
@@ -18,6 +17,8 @@ pub(crate) struct Rows<F> {
     question: Swept,
     axes: Axes<F>,
     outputs: Option<Vec<String>>,
+    /// A row without its motion, for the names of its values.
+    form: Record<F>,
     columns: Vec<String>,
     csv: bool,
     header: Header,
@@ -33,22 +34,30 @@ impl<F: Value> Rows<F> {
         let is_peak = |name: &String| PEAKS.iter().any(|peak| name.contains(peak));
         let peaks = outputs.as_ref().is_none_or(|names| names.iter().any(is_peak));
         let (question, header) = (args.question, args.header);
-        let mut rows = Self { question, axes, outputs, columns: Vec::new(), csv, header, peaks };
-        check(args.question, &rows.axes)?;
-        let first = rows.full_record(0)?;
-        for (place, wanted) in rows.outputs.iter().flatten().enumerate() {
-            if rows.outputs.iter().flatten().take(place).any(|earlier| earlier == wanted) {
-                return Err(Failure::Input(format!("--outputs {wanted}: must be named once")));
+        check(question, &axes)?;
+        let form = form(question, &axes.named_at(0), peaks)?;
+        for (place, wanted) in outputs.iter().flatten().enumerate() {
+            if outputs.iter().flatten().take(place).any(|earlier| earlier == wanted) {
+                return Err(Failure::Input(format!("--outputs {wanted}: must be named only once")));
             }
-            if !first.has(wanted) {
+            if !form.has(wanted) {
                 return Err(Failure::Input(format!(
-                    "--outputs {wanted}: unknown column; choose from {}",
-                    first.output_names().join(", ")
+                    "--outputs {wanted}: unknown column. Choose from {}",
+                    form.output_names().join(", ")
                 )));
             }
         }
-        rows.columns = rows.record(0)?.names();
-        Ok(rows)
+        let form = match &outputs {
+            Some(outputs) => form.only(outputs),
+            None => form,
+        };
+        let columns = form.names();
+        Ok(Self { question, axes, outputs, form, columns, csv, header, peaks })
+    }
+
+    /// A row without its motion, with the names of all rows.
+    pub(crate) const fn form(&self) -> &Record<F> {
+        &self.form
     }
 
     pub(crate) fn len(&self) -> u64 {
@@ -88,20 +97,16 @@ impl<F: Value> resume::Rows for Rows<F> {
 
     /// The header line; empty for JSON lines.
     fn header(&self) -> Result<Vec<u8>, Failure> {
-        csv_text(|writer| if self.csv { self.record(0)?.write_header(writer, self.header) } else { Ok(()) })
+        csv_text(|writer| if self.csv { self.form.write_header(writer, self.header) } else { Ok(()) })
     }
 
-    /// The text of some rows.
-    fn text(&self, points: Range<u64>) -> Result<Vec<u8>, Failure> {
+    fn text(&self, point: u64) -> Result<Vec<u8>, Failure> {
+        let record = self.record(point)?;
         if self.csv {
-            return csv_text(|writer| {
-                points.into_iter().try_for_each(|point| self.record(point)?.write_row(writer))
-            });
+            return csv_text(|writer| record.write_row(writer));
         }
         let mut text = Vec::new();
-        for point in points {
-            self.record(point)?.write_line(&mut text)?;
-        }
+        record.write_line(&mut text)?;
         Ok(text)
     }
 
@@ -157,12 +162,20 @@ pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -
     })
 }
 
+/// The names of the values of all rows, in a record without a motion, which can take long to compute.
+fn form<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Record<F>, Failure> {
+    match question {
+        Swept::Steady => steady::form(given, &input::point(given)?, peaks),
+        Swept::Response | Swept::Border => answer(question, given, peaks),
+    }
+}
+
 /// Fails if a point of the grids has no answer.
 pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
     if question == Swept::Border
         && let Some(drive) = Parameter::DRIVES.into_iter().find(|p| axes.has(*p))
     {
-        return Err(Failure::Input(format!("{}: a border has none; leave it out", drive.option())));
+        return Err(Failure::Input(format!("{}: must be left out, because a border has no drive", drive.option())));
     }
     axes.at_ends(|given| match question {
         Swept::Border => input::border_point(given).map(|_| ()),

@@ -29,7 +29,7 @@ impl Parts {
         let name = folder.display();
         if !resume && folder.exists() {
             let text = format!(
-                "--out {}: {name} has the parts of a sweep that was broken off; --resume goes on with it",
+                "--out {}: {name} has the parts of an interrupted sweep. Continue it with --resume",
                 file.display()
             );
             return Err(Failure::Input(text));
@@ -97,7 +97,7 @@ impl Parts {
         let argument = format!("--out {}", file.display());
         Beside::create(file, &argument, false)?.fill_with(|out| {
             let mut writer = sweep.writer(out)?;
-            let mut gathered = columns(sweep.rows)?;
+            let mut gathered = columns(sweep.rows);
             let mut rows = 0;
             for range in &self.parts {
                 let reader = open(&self.path(range))?;

@@ -1,0 +1,70 @@
+//! The files of a command line: no file may be two arguments, because one of them would destroy the other.
+
+use super::used;
+use crate::failure::{Failure, Outcome};
+use clap::ArgMatches;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Fails if two arguments of the command are the same file, by whatever name or link.
+pub(super) fn check(matches: &ArgMatches) -> Outcome {
+    let mut matches = matches;
+    while let Some((_, inner)) = matches.subcommand() {
+        matches = inner;
+    }
+    // Arguments of other types are no files.
+    let file = |id: &clap::Id| Some((id.as_str(), matches.try_get_one::<PathBuf>(id.as_str()).ok()??));
+    let files: Vec<(&str, &PathBuf)> = matches.ids().filter_map(file).collect();
+    for (i, (first, a)) in files.iter().enumerate() {
+        for (second, b) in files.iter().skip(i + 1) {
+            if is_same(a, b) {
+                let (first, second) = (used::option(first), used::option(second));
+                return Err(Failure::Input(format!(
+                    "{first} {} and {second} {}: must be two different files",
+                    a.display(),
+                    b.display()
+                )));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether two paths lead to one file, which need not exist yet.
+fn is_same(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| {
+        let found = fs::canonicalize(path).ok();
+        found.or_else(|| {
+            // A link to a file that does not exist yet, or such a file itself, in an existing folder.
+            let target = fs::read_link(path).map_or_else(|_| path.to_owned(), |to| beside(path, &to));
+            let folder = fs::canonicalize(folder_of(&target)).ok()?;
+            Some(folder.join(target.file_name()?))
+        })
+    };
+    match (place(a), place(b)) {
+        (Some(a), Some(b)) => a == b || is_one_inode(&a, &b),
+        _ => a == b,
+    }
+}
+
+/// The target of a link, which is relative to the link's folder.
+fn beside(link: &Path, target: &Path) -> PathBuf {
+    folder_of(link).join(target)
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Whether two names are hard links to one file.
+#[cfg(unix)]
+fn is_one_inode(a: &Path, b: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    let of = |path: &Path| fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|m| (m.dev(), m.ino()));
+    of(a).is_some_and(|a| of(b) == Some(a))
+}
+
+#[cfg(not(unix))]
+fn is_one_inode(_: &Path, _: &Path) -> bool {
+    false
+}

@@ -1,0 +1,21 @@
+//! Values whose unit was typed as a word of its own.
+
+use crate::failure::{Failure, Outcome};
+use std::ffi::OsString;
+use stickslip::units::Reader;
+
+/// Fails at an option whose number is followed by a unit, as in `--force 30 N`.
+pub(super) fn check(words: &[OsString]) -> Outcome {
+    for three in words.windows(3) {
+        if let [Some(option), Some(number), Some(unit)] = [0, 1, 2].map(|i| three.get(i)?.to_str())
+            && option.starts_with("--")
+            && number.parse::<f64>().is_ok()
+            && Reader::is_unit(unit)
+        {
+            return Err(Failure::Input(format!(
+                "{option} {number} {unit}: must be one word, {option} {number}{unit}"
+            )));
+        }
+    }
+    Ok(())
+}
