@@ -204,7 +204,7 @@ def response(
     True
     """
     if out is not None and (outputs is not None or bits is not None):
-        raise _native.Error("out: names the outputs itself, in floats; leave outputs and bits out")
+        raise _native.Error("out: names the outputs itself, in floats, so that outputs and bits must be left out")
     if bits is not None:
         texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
         answer = decimals(_native.wide_response(precision(bits), texts))
@@ -215,7 +215,7 @@ def response(
     )
     if at.shape is None:
         if out is not None:
-            raise _native.Error("out: is for arrays; omega, alpha and the other ratios are single numbers")
+            raise _native.Error("out: is for arrays, but omega, alpha and the other ratios are single numbers")
         found = _native.response_at(at.columns)
         chosen = OUTPUTS if outputs is None else known(outputs)
         return Response({**at.in_shape(), **{name: found[name] for name in chosen}})

@@ -104,7 +104,7 @@ class Drive:
         )
         chosen = [(name, value) for name, value in given.items() if value is not None]
         if len(chosen) != 1:
-            raise _native.Error(f"give one of {', '.join(EXCITATIONS)}; {len(chosen)} are given")
+            raise _native.Error(f"give one of {', '.join(EXCITATIONS)} ({len(chosen)} are given)")
         name, amplitude = chosen[0]
         if (frequency is None) == (angular_frequency is None):
             raise _native.Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
@@ -130,7 +130,7 @@ class Drive:
         if units is None or self.units is None:
             bare, other = ("the machine", "the drive") if units is None else ("the drive", "the machine")
             raise _native.Error(
-                f"{bare}: has no unit beside {other}; give every value a unit, or name the system of bare numbers, "
+                f"{bare}: has no unit beside {other}. Give every value a unit, or name the system of bare numbers, "
                 'as by units="kN,m"'
             )
         factors = {}

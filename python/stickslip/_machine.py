@@ -135,7 +135,7 @@ class Machine:
             if found is None:
                 raise _native.Error(f"{names} is missing")
         if gravity is not None and surface == "friction":
-            raise _native.Error("gravity: counts with friction_coefficient only; leave it out")
+            raise _native.Error("gravity: must be left out without friction_coefficient")
         values, system = read({name: pair for name, pair in given.items() if pair[0] is not None}, units)
         own_mass = values["mass"]
         if spring == "period":

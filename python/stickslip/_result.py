@@ -43,7 +43,7 @@ class Result:
         def __getattr__(self, name: str) -> Any:
             codes = self.__dict__.get("_codes", {}).get(name)
             if codes is None:
-                raise AttributeError(f"{type(self).__name__} has no value {name}; there are {', '.join(self._names)}")
+                raise AttributeError(f"{type(self).__name__} has no value {name}. Its values are {', '.join(self._names)}")
             words = np.asarray(codes.names)[codes.places]
             object.__setattr__(self, name, words)
             return words

@@ -75,7 +75,11 @@ fn atoms(name: &str) -> Vec<Unit> {
     }
     let joined = AFTER_FORCE.iter().find_map(|second| {
         let (first, _) = symbol(name.strip_suffix(second)?, FORCE)?;
-        Some(named(first).into_iter().flat_map(|a| named(second).into_iter().filter_map(move |b| product(a, b, 1))))
+        Some(
+            named(first)
+                .into_iter()
+                .flat_map(|a| named(second).into_iter().filter_map(move |b| product(a, b, 1))),
+        )
     });
     joined.into_iter().flatten().collect()
 }

@@ -237,7 +237,7 @@ fn help_and_version_go_to_standard_output() {
 #[test]
 fn verify_holds_every_equation() {
     let text = stdout("verify");
-    assert!(text.contains("53 bits") && text.trim_end().ends_with("as they should be"), "{text}");
+    assert!(text.contains("53 bits") && text.trim_end().ends_with("identities as expected"), "{text}");
     let report = json("verify --format json");
     assert_eq!((report["bits"].as_u64(), report["passed"].as_bool()), (Some(53), Some(true)));
     let identities = report["identities"].as_array().unwrap();

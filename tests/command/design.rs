@@ -80,7 +80,7 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
     );
     assert_eq!(json("design dissipation --omega 0.6")["optimum"], "border");
     for (question, why) in [
-        ("dissipation --omega 1.5", "where more and less are both worse."),
+        ("dissipation --omega 1.5", "an interior maximum."),
         ("dissipation --omega 0.6", "on the border of sticking."),
         ("dissipation --omega 0.6 --sticking", "where it sticks, by the exact motion."),
         ("stiffness --alpha 1.5 --from 0.6 --to 0.7", "at the end of the range."),

@@ -87,7 +87,7 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
         ("regime", vec!["stuck", "sticking", "non-sticking"]),
         ("stops", vec!["stops in a cycle", "white: at rest"]),
         ("margin", vec!["margin", "exact border"]),
-        ("steady:stick_fraction", vec!["part of the time at rest"]),
+        ("steady:stick_fraction", vec!["fraction of time at rest"]),
         ("max_velocity", vec!["maximum velocity (B ω", ">d</tspan>"]),
     ] {
         let file = place(&format!("map-{}.svg", quantity.replace(':', "-")));
@@ -118,7 +118,7 @@ fn a_map_can_be_read_at_low_frequencies_and_at_a_pole() {
     assert!(margin.contains("cut off below") && margin.contains("0.01"), "{margin}");
     let fraction = draw("steady:stick_fraction --omega 0.2:1:9 --alpha 1.2:6:7");
     // The light end at the top of the key is 0, no rest.
-    let key = fraction.split("part of the time at rest\n").last().unwrap();
+    let key = fraction.split("fraction of time at rest\n").last().unwrap();
     let (none, much) = (key.find("\n0.0\n"), key.find("\n0.6\n"));
     let height = |end: Option<usize>| -> i32 {
         let with = key[..end.unwrap()].rsplit(" y=\"").next().unwrap();

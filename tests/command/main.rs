@@ -18,8 +18,8 @@ mod figures;
 mod files;
 #[cfg(unix)]
 mod interrupt;
-mod motion;
 mod messages;
+mod motion;
 mod options;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -73,7 +73,7 @@ fn a_response_curve_of_ones_own_machine() {
     ));
     let drawing = std::fs::read_to_string(picture).unwrap();
     for due in [
-        "Transmissibility over the frequency",
+        "Transmissibility against frequency",
         "natural frequency",
         "with stops (exact)",
         "border of sticking",

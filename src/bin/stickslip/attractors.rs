@@ -260,10 +260,10 @@ pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
         LongRun::Periodic(steady) => {
             format!("{}{mirror}", shape(&steady))
         }
-        LongRun::Family(_) => "A family of motions, by their middles".to_owned(),
+        LongRun::Family(_) => "A family of periodic motions, by their mean positions".to_owned(),
         LongRun::Rest(_) => "Rest".to_owned(),
         LongRun::Irregular(motion) if motion.is_chaotic() => format!("Irregular, chaotic{mirror}"),
-        LongRun::Irregular(_) => format!("Irregular, neighbours neither leave nor approach it{mirror}"),
+        LongRun::Irregular(_) => format!("Irregular, not chaotic{mirror}"),
         LongRun::Unbounded { .. } => "Growing without bound".to_owned(),
         LongRun::NotConverged { .. } => "Not settled".to_owned(),
     }

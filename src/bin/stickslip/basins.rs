@@ -129,7 +129,7 @@ impl<F: Value> Basins<F> {
         if self.all.limits.len() > shown
             && let Some(last) = names.last_mut()
         {
-            *last = format!("{shown} and more: other limits");
+            *last = format!("{shown} or higher: other limits");
         }
         let value = |place: Option<usize>| place.map_or(f64::NAN, |place| place.min(MOST_NAMES - 1) as f64);
         let values: Vec<f64> = self.starts().map(|(.., place)| value(place)).collect();

@@ -72,12 +72,12 @@ impl<W: Write> Task for Run<'_, W> {
                 if rests {
                     writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles)?;
                 } else {
-                    writeln!(out, "It creeps to its place of rest for ever.\n")?;
+                    writeln!(out, "The body creeps towards rest for ever.\n")?;
                 }
-                writeln!(out, "  turns first at           {}", length(decay.first_turn))?;
-                writeln!(out, "  comes to rest at         {}", length(decay.rest_position))?;
+                writeln!(out, "  first turning point      {}", length(decay.first_turn))?;
+                writeln!(out, "  rest position            {}", length(decay.rest_position))?;
                 if rests {
-                    writeln!(out, "  after a time of          {}", time(decay.rest_time))?;
+                    writeln!(out, "  time to rest             {}", time(decay.rest_time))?;
                 }
                 if let Some((mean, system)) =
                     scales.as_ref().and_then(|s| Some((s.mean_displacement?, &s.system)))

@@ -142,7 +142,7 @@ impl<F: Value> Asked<'_, F> {
         let sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a motion of {} {length} of the \
              spring's foot over a \
-             surface that stays, or of {} {length} of a base that carries the surface.",
+             fixed surface, or of {} {length} of a base that carries the surface.",
             of("force"),
             of("foot_displacement"),
             of("base_displacement")

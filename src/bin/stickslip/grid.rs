@@ -51,7 +51,11 @@ impl<F: Value> Grid<F> {
             [list] => return list.split(',').map(value).collect::<Result<_, _>>().map(Self::List),
             [from, to, count] => (value(from)?, value(to)?, *count, false),
             [from, to, count, "log"] => (value(from)?, value(to)?, *count, true),
-            _ => return Err(bad("must be FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C, each number with a decimal point")),
+            _ => {
+                return Err(bad(
+                    "must be FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C, each number with a decimal point",
+                ));
+            }
         };
         let count = input::count(&format!("{name} {text}: count"), count, MOST)?;
         if count == 1 && from != to {

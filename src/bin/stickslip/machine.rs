@@ -61,10 +61,10 @@ pub(crate) const fn base_motion(excitation: Excitation) -> Option<&'static str> 
     match excitation {
         Excitation::Force => None,
         Excitation::FootMotion => {
-            Some("of the spring's foot over a surface that stays: p₀ = k u₀, x over the surface")
+            Some("of the spring's foot over a fixed surface: p₀ = k u₀, x over the surface")
         }
         Excitation::DampedFootMotion => Some(
-            "of the foot of spring and damper over a surface that stays: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
+            "of the foot of spring and damper over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
         ),
         // The library may add kinds of motion of a base that carries the surface.
         Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {

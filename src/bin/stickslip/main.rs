@@ -78,7 +78,10 @@ fn main() -> ExitCode {
 fn ended(outcome: Outcome) -> ExitCode {
     progress::end();
     match outcome {
-        Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Ok(()) | Err(Failure::ClosedPipe) => {
+            progress::write_notes();
+            ExitCode::SUCCESS
+        }
         Err(failure) => report(&failure),
     }
 }

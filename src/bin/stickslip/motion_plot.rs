@@ -27,7 +27,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
     let Some(steady) = limit.steady_state() else {
         return Err(Failure::Input(
-            "motion-plot: there is no periodic motion to draw. See stickslip steady for the reason".to_owned(),
+            "motion-plot: there is no periodic motion to draw. See stickslip steady for the reason"
+                .to_owned(),
         ));
     };
     let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)

@@ -212,7 +212,7 @@ fn motion<F: Value>(
     let lengths = |x| both(x, "B", scales.map(|s| s.length), length);
     let phases = |x| both(x, "rad", scales.map(|s| s.time), "s");
     let speed = both(cycle.max_velocity, "B ω_d", scales.map(|s| s.velocity), &format!("{length}/s"));
-    writeln!(out, "\nMotion (steady, symmetric, twice-reversing)")?;
+    writeln!(out, "\nMotion (steady, symmetric, two reversals a cycle)")?;
     writeln!(out, "  maximum displacement     {}", lengths(cycle.max_displacement))?;
     writeln!(out, "    at ω_d t₂              {}", phases(cycle.displacement_phase))?;
     writeln!(out, "  maximum velocity         {speed}")?;

@@ -177,7 +177,10 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("lead_time", "the time by which the force on the body is ahead of that foot, atan(c ω_d/k)/ω_d"),
     ("base_displacement, base_velocity, base_acceleration", "amplitudes of a base that carries the surface"),
     ("friction_displacement", "B = r_y/k, the unit of length of the ratios"),
-    ("mean_force", "constant force p̄ on the body, where it was given (transmitted_force does not include it)"),
+    (
+        "mean_force",
+        "constant force p̄ on the body, where it was given (transmitted_force does not include it)",
+    ),
     (
         "mean_displacement",
         "(p̄ − (r₊ − r₋)/2)/k, from which displacements are measured, where p̄ or r₋ was given",

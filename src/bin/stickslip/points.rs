@@ -124,7 +124,9 @@ fn answer_all<F: Value, W: Write>(
         ));
     }
     if output.header == Header::Units && output.format != Some(Format::Csv) {
-        return Err(Failure::Input("--header units: needs --format csv, because only CSV has a header".to_owned()));
+        return Err(Failure::Input(
+            "--header units: needs --format csv, because only CSV has a header".to_owned(),
+        ));
     }
     let counted = progress::counter("points");
     let mut flushed = Instant::now();
@@ -253,7 +255,8 @@ fn is_misspelt(text: &str, column: &str) -> bool {
 fn unreadable(name: &str, error: csv::Error) -> Failure {
     let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
     let text = if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
-        let hint = if len > expected_len { ". A decimal needs a point, because commas separate fields" } else { "" };
+        let hint =
+            if len > expected_len { ". A decimal needs a point, because commas separate fields" } else { "" };
         format!("{len} fields, must be {expected_len} as in the header{hint}")
     } else {
         error.to_string()

@@ -20,10 +20,23 @@ pub(crate) fn silence() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
-/// A note on one line of standard error, which `--quiet` suppresses.
+static NOTES: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Remembers a note for the end of the command.
 pub(crate) fn note(text: &str) {
-    if !QUIET.load(Ordering::Relaxed) {
-        OTHERWISE.end();
+    let mut notes = NOTES.lock().unwrap_or_else(PoisonError::into_inner);
+    if !notes.iter().any(|note| note == text) {
+        notes.push(text.to_owned());
+    }
+}
+
+/// Writes the notes of a command that succeeded, each on one line of standard error, unless suppressed. Where
+/// it failed, standard error has the message alone.
+pub(crate) fn write_notes() {
+    if QUIET.load(Ordering::Relaxed) {
+        return;
+    }
+    for text in &*NOTES.lock().unwrap_or_else(PoisonError::into_inner) {
         let _ = writeln!(anstream::stderr(), "{} note: {}", style::label(), on_one_line(text));
     }
 }

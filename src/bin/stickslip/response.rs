@@ -66,5 +66,7 @@ pub(crate) fn answer<F: Value>(
 
 /// The failure for `jsonl` and `csv`, which are for streams.
 pub(crate) fn single_format() -> Failure {
-    Failure::Input("--format: must be text or json for a single answer, jsonl or csv with --points".to_owned())
+    Failure::Input(
+        "--format: must be text or json for a single answer, jsonl or csv with --points".to_owned(),
+    )
 }

@@ -168,7 +168,7 @@ impl Kept {
         }
         Err(Failure::Input(match self.rows {
             0 => format!("it does not begin as {} does", R::OF),
-            n => format!("what follows row {n} is not of {}", R::OF),
+            n => format!("the text after row {n} is not of {}", R::OF),
         }))
     }
 

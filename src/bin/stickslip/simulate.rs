@@ -40,9 +40,7 @@ impl<W: Write> Task for Run<'_, W> {
             Format::Jsonl => Sink::lines(out),
             Format::Csv => Sink::rows(out, Header::Names),
             Format::Json => {
-                return Err(Failure::Input(
-                    "--format: must be text, jsonl or csv with simulate".to_owned(),
-                ));
+                return Err(Failure::Input("--format: must be text, jsonl or csv with simulate".to_owned()));
             }
         };
         let reader = args.units.reader();

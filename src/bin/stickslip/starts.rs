@@ -12,7 +12,6 @@ use crate::resume::{self, not_this};
 use crate::steady::of_motion;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
-use std::ops::Range;
 use std::path::Path;
 use stickslip::Ratios;
 use stickslip::exact::{Attractors, LongRun, Signature, State, Trajectory};

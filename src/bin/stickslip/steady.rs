@@ -45,7 +45,8 @@ impl<W: Write> Task for Run<'_, W> {
         if let Some(file) = &args.output.points {
             let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
             let start = Some(&args.start);
-            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios, start };
+            let asked =
+                points::Asked { file, output: &args.output, reader: &reader, given, used, ratios, start };
             return points::run(asked, out, |given| {
                 answer(given, &input::point(given)?).map(|(_, record)| record)
             });
@@ -96,11 +97,8 @@ fn of_limit<F: Value>(
     } else {
         record
     };
-    let record = if given.has_static_friction() {
-        with_static_friction(record, &point.ratios, limit)
-    } else {
-        record
-    };
+    let record =
+        if given.has_static_friction() { with_static_friction(record, &point.ratios, limit) } else { record };
     match &point.machine {
         Some(machine) => with_machine(record, machine).finite().map_err(|e| given.behind_all(e)),
         None => Ok(record),

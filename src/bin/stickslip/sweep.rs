@@ -29,14 +29,14 @@ impl<W: Write> Task for Run<'_, W> {
         let Some(format) = args.format() else {
             let name = args.out.as_deref().map_or(String::new(), |file| file.display().to_string());
             return Err(Failure::Input(format!(
-                "--out {name}: the name must end in .csv, .jsonl or .parquet, or have its --format given"
+                "--out {name}: the name must end in .csv, .jsonl or .parquet, or --format be given"
             )));
         };
         let axes = Axes::new(&args.machine, &args.force, &args.units.reader())?;
         let rows = Rows::<F>::new(args, axes)?;
         let part = part(args.shard.as_deref(), rows.len())?;
         if args.resume && args.out.is_none() {
-            return Err(Failure::Input("--resume: give the file to go on with by --out FILE".to_owned()));
+            return Err(Failure::Input("--resume: needs the file to continue, --out FILE".to_owned()));
         }
         match format {
             SweepFormat::Csv | SweepFormat::Jsonl => to_text(args, &rows, part, out),

@@ -128,7 +128,7 @@ fn text(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> io:
         }
     }
     let passed = verdicts.iter().filter(|v| v.passed).count();
-    writeln!(out, "\n{passed} of {} as they should be", verdicts.len())?;
+    writeln!(out, "\n{passed} of {} identities as expected", verdicts.len())?;
     if residuals.are_balls {
         writeln!(
             out,

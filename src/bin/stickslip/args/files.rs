@@ -12,9 +12,13 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     while let Some((_, inner)) = matches.subcommand() {
         matches = inner;
     }
-    // Arguments of other types are no files.
-    let file = |id: &clap::Id| Some((id.as_str(), matches.try_get_one::<PathBuf>(id.as_str()).ok()??));
-    let files: Vec<(&str, &PathBuf)> = matches.ids().filter_map(file).collect();
+    let mut files: Vec<(&str, &PathBuf)> = Vec::new();
+    for id in matches.ids() {
+        // Arguments of other types are no files.
+        if let Ok(Some(file)) = matches.try_get_one::<PathBuf>(id.as_str()) {
+            files.push((id.as_str(), file));
+        }
+    }
     for (i, (first, a)) in files.iter().enumerate() {
         for (second, b) in files.iter().skip(i + 1) {
             if is_same(a, b) {

@@ -74,7 +74,7 @@ pub(crate) struct ForceArgs {
     /// Displacement amplitude of a base that carries the surface, such as 9mm: p₀ = m ω_d² u₀
     #[arg(long, value_name = "U0", allow_hyphen_values = true)]
     pub(crate) base_displacement: Option<String>,
-    /// Displacement amplitude of the spring's foot over a surface that stays, such as 9mm: p₀ = k u₀
+    /// Displacement amplitude of the spring's foot over a fixed surface, such as 9mm: p₀ = k u₀
     #[arg(long, value_name = "U0", allow_hyphen_values = true, alias = "base-motion")]
     pub(crate) foot_displacement: Option<String>,
     /// The same with the damper on the moving foot, too: p₀ = √(k² + c²ω_d²) u₀

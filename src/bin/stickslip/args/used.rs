@@ -196,7 +196,7 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     let Some((_, mode, used)) = modes.min_by_key(|(_, _, used)| unused(used).len()) else { return Ok(()) };
     if let Some(id) = unused(used).first() {
         return Err(Failure::Input(format!(
-            "{}: {command} {} does not use this option. It uses {}",
+            "{}: {command} does not use it {}. It uses {}",
             written(id, matches),
             mode.name(),
             options(used).filter(|id| !PLACES.contains(id)).map(option).collect::<Vec<_>>().join(", ")

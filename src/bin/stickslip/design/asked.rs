@@ -133,7 +133,9 @@ impl<'a, F: Value> Asked<'a, F> {
         if let (Error::TargetSticks { value, least, .. }, Some(target)) = (error, target) {
             let least = units::scaled(target, least.to_f64() / value.to_f64())?;
             let frequency = self.given.label(P::Frequency);
-            return Some(format!("--target {target}: must be ≥ {least} with {frequency}. In a smaller motion the body sticks"));
+            return Some(format!(
+                "--target {target}: must be ≥ {least} with {frequency}. In a smaller motion the body sticks"
+            ));
         }
         None
     }

@@ -18,13 +18,13 @@ impl<F: Value> Asked<'_, F> {
             let (omega, zeta) = (self.omega()?, self.damping_ratio());
             let best = design::most_dissipating_force_ratio(omega, zeta).map_err(|e| self.fail(e))?;
             let size = ("loop_size_stiffness", Kind::Ratio, best.value);
-            return Ok(best_ratio("Most", 'α', ("force_ratio", Kind::Ratio, best.at), size, None, best.kind));
+            return Ok(best_ratio("", 'α', ("force_ratio", Kind::Ratio, best.at), size, None, best.kind));
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_friction(&body, &drive).map_err(|e| self.fail(e))?;
         let place = self.friction_of(best.at);
-        Ok(self.best("Most", &place, ("friction", Kind::Force, best.at), best.value, None, best.kind))
+        Ok(self.best("", &place, ("friction", Kind::Force, best.at), best.value, None, best.kind))
     }
 
     /// The same with sticking allowed: by exact motions, with a bound on the dissipation with any friction.
@@ -36,7 +36,7 @@ impl<F: Value> Asked<'_, F> {
             let best = best.map_err(|e| self.fail(e))?;
             let (at, bound) = (("force_ratio", Kind::Ratio, best.at), Some(best.bound));
             return Ok(best_ratio(
-                "Most of all",
+                " of all motions",
                 'α',
                 at,
                 ("loop_size_stiffness", Kind::Ratio, best.value),
@@ -50,7 +50,7 @@ impl<F: Value> Asked<'_, F> {
         let best = best.map_err(|e| self.fail(e))?;
         let place = self.friction_of(best.at);
         let at = ("friction", Kind::Force, best.at);
-        Ok(self.best("Most of all", &place, at, best.value, Some(best.bound), best.kind))
+        Ok(self.best(" of all motions", &place, at, best.value, Some(best.bound), best.kind))
     }
 
     pub(super) fn stiffness(&self) -> Result<Answer<F>, Failure> {
@@ -59,7 +59,7 @@ impl<F: Value> Asked<'_, F> {
             let best = design::most_dissipating_frequency_ratio(self.alpha()?, low, high);
             let best = best.map_err(|e| self.fail(e))?;
             return Ok(best_ratio(
-                "Most",
+                "",
                 'Ω',
                 ("omega", Kind::Ratio, best.at),
                 ("loop_size_inertia", Kind::Ratio, best.value),
@@ -80,7 +80,7 @@ impl<F: Value> Asked<'_, F> {
         let by = if searched { " (by a search that is not a proof)" } else { "" };
         let place = format!("with a stiffness of {} {force}/{length}{by}", digits(best.at));
         let at = ("stiffness", Kind::Stiffness, best.at);
-        let mut answer = self.best("Most", &place, at, best.value, None, best.kind);
+        let mut answer = self.best("", &place, at, best.value, None, best.kind);
         if searched {
             answer.rows.iter_mut().for_each(|row| row.push(searched_field()));
         }
@@ -94,7 +94,7 @@ impl<F: Value> Asked<'_, F> {
     /// The optimum in physical units: its place, its value, and the reason why it is one.
     fn best(
         &self,
-        most: &str,
+        of_all: &str,
         place: &str,
         at: (&'static str, Kind, F),
         energy: F,
@@ -104,7 +104,7 @@ impl<F: Value> Asked<'_, F> {
         let (force, length) = (self.system().force(), self.system().length());
         let energy_text = digits(energy);
         let sentence = format!(
-            "{most} is dissipated {place}: {energy_text} {force}·{length} a cycle, {}.",
+            "Dissipation is greatest{of_all} {place}: {energy_text} {force}·{length} a cycle, {}.",
             why(optimum)
         );
         Answer::one(sentence, best_fields(at, ("energy", Kind::Energy, energy), bound, optimum))
@@ -113,14 +113,15 @@ impl<F: Value> Asked<'_, F> {
 
 /// The same in ratios, at α or Ω.
 fn best_ratio<F: Value>(
-    most: &str,
+    of_all: &str,
     symbol: char,
     at: (&'static str, Kind, F),
     size: (&'static str, Kind, F),
     bound: Option<F>,
     optimum: OptimumKind,
 ) -> Answer<F> {
-    let sentence = format!("{most} is dissipated at {symbol} = {}, {}.", digits(at.2), why(optimum));
+    let sentence =
+        format!("Dissipation is greatest{of_all} at {symbol} = {}, {}.", digits(at.2), why(optimum));
     Answer::one(sentence, best_fields(at, size, bound, optimum))
 }
 
@@ -149,7 +150,7 @@ fn name(optimum: OptimumKind) -> &'static str {
 
 fn why(optimum: OptimumKind) -> &'static str {
     match optimum {
-        OptimumKind::Interior => "where more and less are both worse",
+        OptimumKind::Interior => "an interior maximum",
         OptimumKind::Border => "on the border of sticking",
         OptimumKind::RangeEnd => "at the end of the range",
         OptimumKind::Sticking => "where it sticks, by the exact motion",

@@ -113,10 +113,7 @@ impl Parameter {
 
     /// Whether it is a quantity of a machine in physical units.
     pub(crate) const fn is_physical(self) -> bool {
-        !matches!(
-            self,
-            P::Omega | P::Alpha | P::DampingRatio | P::StaticFrictionRatio | P::X0 | P::V0
-        )
+        !matches!(self, P::Omega | P::Alpha | P::DampingRatio | P::StaticFrictionRatio | P::X0 | P::V0)
     }
 
     /// Its symbol in checks that are made here and not by the library.

@@ -157,7 +157,7 @@ impl Map<'_> {
             series.push(Series::new(name, Style::Dots, index, points));
         }
         if missing > 0 {
-            let note = format!("no such points at {missing} values: the search passed its bound");
+            let note = format!("points missing at {missing} values, where the search reached its bound");
             series.push(Series::new(note, Style::Note, 0, []));
         }
         if values.iter().any(|v| v.is_nan()) {

@@ -55,7 +55,10 @@ pub(super) fn needed_force<F: Value>(
             writeln!(out, "  maximum dissipation at   {}", forces(response.best_force_ratio))?;
             writeln!(out, "    loop size A₁ there     {}", digits(size))?;
             if size.to_f64() > ABSURD {
-                writeln!(out, "    (Ω is too close to 1/(2n), where it is infinite, for any machine)")?;
+                writeln!(
+                    out,
+                    "    (no machine holds a frequency so close to Ω = 1/(2n), where it is infinite)"
+                )?;
             }
             Ok(())
         }
@@ -80,7 +83,10 @@ const ABSURD: f64 = 1e6;
 fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
     // Away from the poles the border is a few times 1/Ω².
     if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
-        writeln!(out, "    (Ω is too close to 1/(2n+1), where the border is infinite, for any machine)")?;
+        writeln!(
+            out,
+            "    (no machine holds a frequency so close to Ω = 1/(2n+1), where the border is infinite)"
+        )?;
     }
     Ok(())
 }

@@ -35,7 +35,7 @@ pub(super) fn note<F: Value>(
         LongRun::Family(steady) => {
             writeln!(
                 out,
-                "{} At Ω = 1/(2n) the periodic motions are a family; the start \
+                "{} At Ω = 1/(2n) the periodic motions form a family. The start \
                  leads to this one.\n",
                 style::verdict(&verdict(steady, &seen))
             )?;
@@ -100,7 +100,7 @@ fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
     } else {
         " It is not symmetric: its mirror image is a motion from other starts."
     };
-    format!("The limit of this start, while other starts can have another.{cycle}{symmetry}")
+    format!("The limit of this start. Other starts can have others.{cycle}{symmetry}")
 }
 
 fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {

@@ -42,7 +42,9 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
         return Err(Failure::Input("--format parquet: give its file by --out FILE".to_owned()));
     };
     if args.no_header {
-        return Err(Failure::Input("--no-header: must be left out, because a Parquet file names its columns".to_owned()));
+        return Err(Failure::Input(
+            "--no-header: must be left out, because a Parquet file names its columns".to_owned(),
+        ));
     }
     let sweep = Sweep { rows, part, notes: notes(args), columns: columns(rows) };
     if file.exists() {
@@ -147,8 +149,7 @@ fn open(file: &Path) -> Result<SerializedFileReader<File>, Failure> {
 
 fn notes(args: &SweepArgs) -> Vec<KeyValue> {
     let note = |key: &str, value: Option<String>| value.map(|value| KeyValue::new(key.to_owned(), value));
-    let units =
-        "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad, and a unit in brackets where a column has its own";
+    let units = "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad, and a unit in brackets where a column has its own";
     let question = args.question.to_possible_value().map(|value| value.get_name().to_owned());
     let typed = Given::<f64>::typed(&args.machine, &args.force);
     let grids = typed.map(|(parameter, text)| KeyValue::new(parameter.column(), text.to_owned()));

@@ -175,7 +175,10 @@ pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
     if question == Swept::Border
         && let Some(drive) = Parameter::DRIVES.into_iter().find(|p| axes.has(*p))
     {
-        return Err(Failure::Input(format!("{}: must be left out, because a border has no drive", drive.option())));
+        return Err(Failure::Input(format!(
+            "{}: must be left out, because a border has none",
+            drive.option()
+        )));
     }
     axes.at_ends(|given| match question {
         Swept::Border => input::border_point(given).map(|_| ()),

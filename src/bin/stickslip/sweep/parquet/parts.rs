@@ -48,7 +48,7 @@ impl Parts {
                 (Some(range), _) => ranges.push(range),
                 (None, Some("part")) => left.push(path),
                 (None, _) if path.ends_with(LOCK) => {}
-                (None, _) => return Err(at(&path, "is no part of a sweep")),
+                (None, _) => return Err(at(&path, "is not a part of a sweep")),
             }
         }
         let lock =
@@ -66,7 +66,7 @@ impl Parts {
         for range in &self.parts {
             let path = self.path(range);
             if range.start != next || range.end <= next || range.end > sweep.part.end {
-                return Err(at(&path, &format!("of another sweep: its part due next begins at row {next}")));
+                return Err(at(&path, &format!("of another sweep, whose next part begins at row {next}")));
             }
             let reader = open(&path).map_err(|e| at(&path, &e.to_string()))?;
             sweep.has(&reader, range.clone()).map_err(|what| at(&path, &what))?;
