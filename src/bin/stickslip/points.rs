@@ -164,6 +164,14 @@ fn answer_all<F: Value, W: Write>(
     Ok(())
 }
 
+/// A known column of the header.
+struct Named<'a> {
+    parameter: Parameter,
+    place: usize,
+    own: &'a str,
+    unit: Option<&'a str>,
+}
+
 /// A column of the header: its name, and its unit in brackets.
 fn split(text: &str) -> (&str, Option<&str>) {
     let text = text.trim_start_matches('\u{feff}').trim();
@@ -189,7 +197,7 @@ fn columns<F: Value>(
         (Parameter::V0, Some(start)) => start.v0.is_some(),
         (p, _) => given.has(p),
     };
-    let (mut found, mut unread): (Vec<(Parameter, usize, &str, Option<&str>)>, _) = (Vec::new(), Vec::new());
+    let (mut found, mut unread): (Vec<Named<'_>>, Vec<&str>) = (Vec::new(), Vec::new());
     for (place, text) in header.iter().enumerate() {
         let (own, unit) = split(text);
         let plain = own.to_lowercase().replace(['-', ' '], "_");
@@ -206,20 +214,21 @@ fn columns<F: Value>(
         if !parameter.is_column(&plain) {
             progress::note(&format!("{name}: column {own} is read as {}", parameter.column()));
         }
-        if found.iter().any(|(earlier, ..)| *earlier == parameter) {
+        if found.iter().any(|earlier| earlier.parameter == parameter) {
             return refused("must be there once only");
         }
         if is_typed(parameter) {
             return refused(&format!("must be left out, or {}, which gives the same", parameter.option()));
         }
-        found.push((parameter, place, own, unit));
+        found.push(Named { parameter, place, own, unit });
     }
     if !unread.is_empty() {
         let (columns, are) = if unread.len() == 1 { ("column", "is") } else { ("columns", "are") };
         progress::note(&format!("{name}: {columns} {} {are} not used", unread.join(", ")));
     }
-    let is_machine = known().any(|p| p.is_physical() && (given.has(p) || found.iter().any(|f| f.0 == p)));
-    let columns = found.into_iter().map(|(parameter, place, own, unit)| {
+    let has = |p: Parameter| given.has(p) || found.iter().any(|named| named.parameter == p);
+    let is_machine = known().any(|p| p.is_physical() && has(p));
+    let columns = found.into_iter().map(|Named { parameter, place, own, unit }| {
         let is_ratio = !is_machine && Parameter::START.contains(&parameter);
         let kind = if is_ratio { Kind::Ratio } else { parameter.kind() };
         let unit = unit.filter(|unit| kind != Kind::Ratio || !own_units(parameter).contains(unit));

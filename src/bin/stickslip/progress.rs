@@ -197,7 +197,7 @@ impl Stretch<'_> {
     /// The answers, up to the first failure or for some time, but at least one.
     fn answers<T>(&mut self, answer: impl Fn(u64) -> Result<T, Failure>) -> Vec<Result<T, Failure>> {
         let mut found = Vec::new();
-        while let Some(point) = self.points.next() {
+        for point in self.points.by_ref() {
             let one = answer(point);
             let failed = one.is_err();
             found.push(one);
