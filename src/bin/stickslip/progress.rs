@@ -367,3 +367,48 @@ impl Elapsed {
 pub(crate) fn end() {
     OTHERWISE.end();
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{in_order, in_order_kept};
+    use crate::failure::Failure;
+    use std::thread;
+    use std::time::Duration;
+
+    /// Points that take from nothing to twice the greatest duration of a stretch.
+    fn slow(point: u64) -> Result<u64, Failure> {
+        if point % 37 == 5 {
+            thread::sleep(Duration::from_millis(point % 50));
+        }
+        Ok(point)
+    }
+
+    #[test]
+    fn answers_come_in_order_whatever_they_take() {
+        for points in [0..0, 3..4, 5..1000] {
+            let mut found = Vec::new();
+            let take = |point| {
+                found.push(point);
+                Ok(())
+            };
+            assert!(in_order(points.clone(), slow, take).is_ok());
+            assert_eq!(found, points.collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn the_answers_before_a_failure_are_taken() {
+        for bad in [0, 1, 77, 499] {
+            let mut found = Vec::new();
+            let answer =
+                |point| if point < bad { slow(point) } else { Err(Failure::Input(format!("{point}"))) };
+            let take = |point: Option<u64>| {
+                found.extend(point);
+                Ok(())
+            };
+            let outcome = in_order_kept(0..500, answer, take);
+            assert!(matches!(outcome, Err(Failure::Input(text)) if text == bad.to_string()));
+            assert_eq!(found, (0..bad).collect::<Vec<_>>());
+        }
+    }
+}
