@@ -56,6 +56,12 @@ fn a_command_without_arguments_says_what_it_needs() {
     refused("border", &["--omega is missing", "or a machine: --mass"]);
 }
 
+/// Frequency ratios from 1.41 to 1.90, where the border's minimum is at α = 1.512.
+fn stiffness(force: f64) -> String {
+    let machine = "--mass 50kg --friction 5N --frequency 6rad/s --from 500N/m --to 900N/m";
+    format!("design stiffness {machine} --force {force}N")
+}
+
 /// Bounds are stated in the unit of the argument.
 #[test]
 fn bounds_are_in_the_unit_that_was_typed() {
@@ -64,17 +70,17 @@ fn bounds_are_in_the_unit_that_was_typed() {
         &format!("{bands} --from 5Hz --to 1Hz"),
         &["--from 5Hz --to 1Hz: the lower end must be ≤ the upper"],
     );
-    let parts =
-        ["--force 510N: must be at least", "times as large", "sticks at every frequency from 2Hz to 3Hz"];
-    refused(&format!("{bands} --from 2Hz --to 3Hz"), &parts);
+    refused(&format!("{bands} --from -1Hz --to 3Hz"), &["--from -1Hz: the frequency must be > 0"]);
+    let line = format!("{bands} --from 1Hz --to 1e100Hz");
+    refused(&line, &["--to 1e100Hz: the frequency must be ≥ ", " Hz and ≤ ", " Hz"]);
+    let parts = ["--force 5.5N: must be at least 1.3745", "times as large", "range from 500N/m to 900N/m"];
+    refused(&stiffness(5.5), &parts);
     let line = format!("design displacement {MACHINE} --frequency 0.5Hz --target 1mm");
     refused(&line, &["--target 1mm: must be ≥ ", " mm with --frequency 0.5Hz"]);
-    let line = format!("response {MACHINE} --force 1kN --frequency 1e-30Hz");
+    let line = format!("response {MACHINE} --force 1kN --frequency 1e-100Hz");
     refused(&line, &["the frequency must be ≥ ", " Hz and ≤ ", " Hz"]);
     refused(&format!("response {MACHINE} --force 1kN --frequency -2Hz"), &["the frequency must be > 0"]);
-    for (line, no) in
-        [(format!("{bands} --from 5Hz --to 1Hz"), "rad/s"), (format!("{bands} --from 2Hz --to 3Hz"), "Ω")]
-    {
+    for (line, no) in [(format!("{bands} --from 5Hz --to 1Hz"), "rad/s"), (stiffness(5.5), "Ω")] {
         let output = stickslip(&line).output().unwrap();
         assert!(!String::from_utf8(output.stderr).unwrap().contains(no), "{line}");
     }
@@ -83,13 +89,12 @@ fn bounds_are_in_the_unit_that_was_typed() {
 /// The least force that the message states is the least.
 #[test]
 fn the_factor_of_a_message_suffices() {
-    let bands = |force: f64| format!("design bands {MACHINE} --force {force}N --from 2Hz --to 3Hz");
-    let output = stickslip(&bands(510.0)).output().unwrap();
+    let output = stickslip(&stiffness(5.5)).output().unwrap();
     let message = String::from_utf8(output.stderr).unwrap();
     let factor = message.split("at least ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
-    let least = 510.0 * factor.parse::<f64>().unwrap();
-    refused(&bands(least * (1.0 - 1e-5)), &["at least 1.00001 times as large"]);
-    stdout(&bands(least * (1.0 + 1e-6)));
+    let least = 5.5 * factor.parse::<f64>().unwrap();
+    refused(&stiffness(least * (1.0 - 1e-5)), &["at least 1.00001 times as large"]);
+    stdout(&stiffness(least * (1.0 + 1e-6)));
 }
 
 /// A percentage without its sign is a large damping ratio.

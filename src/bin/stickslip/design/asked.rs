@@ -109,24 +109,30 @@ impl<'a, F: Value> Asked<'a, F> {
         if let (Error::EmptyRange { .. }, Some((from, to))) = (error, range) {
             return Some(format!("--from {from} --to {to}: the lower end must be ≤ the upper end"));
         }
-        if let (Error::OutOfRange { value, .. } | Error::NotPositive { value, .. }, Some((from, to))) =
-            (error, range.filter(|_| self.physical))
-        {
-            let in_unit = |text: &str, end: &str| {
-                let typed = self.reader.value::<f64>(end, text, Kind::Frequency).ok()?;
-                let said = in_typed_unit(error, &format!("{end} {text}"));
-                (typed == value.to_f64()).then(|| format!("{end} {text}: {said}"))
-            };
-            return in_unit(from, "--from").or_else(|| in_unit(to, "--to"));
-        }
         if !self.physical {
             return None;
+        }
+        if let (Error::OutOfRange { value, .. } | Error::NotPositive { value, .. }, Some((from, to))) =
+            (error, range)
+        {
+            // The end that the error is about, as a frequency or as Ω.
+            let scale = match error.quantity() {
+                Some(Quantity::FrequencyRatio) => self.body(true, true).ok()?.natural_frequency().to_f64(),
+                _ => 1.0,
+            };
+            let at_fault = |text: &str, end: &str| {
+                let typed = self.reader.value::<f64>(end, text, Kind::Frequency).ok()?;
+                let said = in_typed_unit(error, &format!("{end} {text}"));
+                let is_it = (typed / scale / value.to_f64() - 1.0).abs() < 1e-9;
+                is_it.then(|| format!("{end} {text}: {said}"))
+            };
+            return at_fault(from, "--from").or_else(|| at_fault(to, "--to"));
         }
         if let (Error::SticksThroughout { alpha, least, .. }, Some((from, to))) = (error, range) {
             let drive = P::DRIVES.into_iter().find(|p| self.given.has(*p))?;
             let least = digits(self.one * F::from_f64(least.to_f64() / alpha.to_f64()));
             return Some(format!(
-                "{}: must be at least {least} times as large. The body sticks at every frequency from {from} to {to}",
+                "{}: must be at least {least} times as large. The body sticks throughout the range from {from} to {to}",
                 self.given.label(drive)
             ));
         }
