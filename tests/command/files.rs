@@ -1,19 +1,11 @@
 //! Files of the command: rows as they are computed, interrupts that keep them, and no file for two arguments.
 
-use crate::command_line::{refused, stdout};
+use crate::command_line::{listens, refused, stdout};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// An empty folder of one test.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
 
 /// The command on one thread, in a folder.
 fn start(arguments: &str, folder: &Path) -> Child {
@@ -42,6 +34,7 @@ fn seen<T>(child: &mut Child, mut look: impl FnMut() -> Option<T>) -> T {
 
 #[cfg(unix)]
 fn interrupt(child: &mut Child) {
+    listens(child);
     let signal = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert!(signal.success());
     assert_eq!(child.wait().unwrap().code(), Some(130));
@@ -52,13 +45,13 @@ fn interrupt(child: &mut Child) {
 #[cfg(unix)]
 #[test]
 fn slow_rows_are_kept_as_they_are_computed() {
-    let folder = folder("slow-rows");
-    let file = folder.join("rows.csv");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rows.csv");
     let lines = || fs::read_to_string(&file).map_or(0, |text| text.matches('\n').count());
     let sweep = "sweep steady --omega 4e-6:5e-6:40 --alpha 2:3:10 --out rows.csv";
     let mut before = 1;
     for line in [sweep.to_owned(), format!("{sweep} --resume"), format!("{sweep} --resume")] {
-        let mut child = start(&line, &folder);
+        let mut child = start(&line, folder.path());
         let now = seen(&mut child, || Some(lines()).filter(|count| *count > before));
         assert!(now <= before + 2, "{line}: {} rows came at once", now - before);
         interrupt(&mut child);
@@ -72,11 +65,11 @@ fn slow_rows_are_kept_as_they_are_computed() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_picture_leaves_no_file() {
-    let folder = folder("interrupted-picture");
-    let count = || fs::read_dir(&folder).unwrap().count();
+    let folder = tempfile::tempdir().unwrap();
+    let count = || fs::read_dir(folder.path()).unwrap().count();
     for end in ["csv", "svg"] {
         let map = format!("map stops --omega 4e-6:5e-6:40 --alpha 2:3:10 --out map.{end}");
-        let mut child = start(&map, &folder);
+        let mut child = start(&map, folder.path());
         seen(&mut child, || (count() > 0).then_some(()));
         thread::sleep(Duration::from_millis(300));
         interrupt(&mut child);
@@ -86,8 +79,8 @@ fn an_interrupted_picture_leaves_no_file() {
 
 #[test]
 fn one_file_is_not_two_arguments() {
-    let folder = folder("two-arguments");
-    let place = |name: &str| folder.join(name).display().to_string();
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
     let (rows, new) = (place("rows.csv"), place("new.csv"));
     let basins = "basins --omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87 \
                   --x0 -1:1:2 --v0 -1:1:2";
@@ -99,7 +92,7 @@ fn one_file_is_not_two_arguments() {
     {
         std::os::unix::fs::symlink(&rows, place("link.csv")).unwrap();
         fs::hard_link(&rows, place("hard.csv")).unwrap();
-        std::os::unix::fs::symlink(&folder, place("again")).unwrap();
+        std::os::unix::fs::symlink(folder.path(), place("again")).unwrap();
         names.extend([place("link.csv"), place("hard.csv"), place("again/rows.csv")]);
     }
     for name in &names {

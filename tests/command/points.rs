@@ -1,12 +1,14 @@
 //! The columns of a file of points: known ones are used, and a note names the others.
 
 use crate::command_line::{json, refused, stickslip};
-use std::path::PathBuf;
+use crate::place::{Place, place};
 
-fn file(name: &str, text: &str) -> String {
-    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::write(&place, text).unwrap();
-    place.display().to_string()
+/// A file of points and its name.
+fn file(text: &str) -> (Place, String) {
+    let file = place("points.csv");
+    std::fs::write(&file, text).unwrap();
+    let name = file.display().to_string();
+    (file, name)
 }
 
 /// The answers as JSON, and standard error.
@@ -20,7 +22,7 @@ fn answers(line: &str) -> (Vec<serde_json::Value>, String) {
 
 #[test]
 fn a_start_is_a_column() {
-    let points = file("points-start.csv", "omega,alpha,x0,v0\n0.5,6,2,0.2\n0.5,6,0,0\n0.5,6,-3,1\n");
+    let (_file, points) = file("omega,alpha,x0,v0\n0.5,6,2,0.2\n0.5,6,0,0\n0.5,6,-3,1\n");
     let (rows, notes) = answers(&format!("steady --points {points}"));
     assert_eq!(notes, "");
     for (row, start) in rows.iter().zip(["--x0 2 --v0 0.2", "", "--x0 -3 --v0 1"]) {
@@ -32,7 +34,7 @@ fn a_start_is_a_column() {
     refused(&twice, &["column x0 must be left out, or --x0"]);
     // Of a machine, in its units.
     let machine = "--mass 800kg --period 2.2s --friction 500N --frequency 0.227272727272727272Hz --force 3kN";
-    let points = file("points-start-machine.csv", "x0[mm],V0[m/s]\n40,0.1\n0,0\n");
+    let (_file, points) = file("x0[mm],V0[m/s]\n40,0.1\n0,0\n");
     let (rows, notes) = answers(&format!("steady {machine} --points {points}"));
     assert_eq!(notes, "");
     let single = json(&format!("steady {machine} --x0 40mm --v0 0.1m/s --format json"));
@@ -43,7 +45,7 @@ fn a_start_is_a_column() {
 #[test]
 fn rows_of_starts_are_points() {
     let machine = "--omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87";
-    let rows = file("points-rows.csv", "");
+    let (_file, rows) = file("");
     std::fs::remove_file(&rows).unwrap();
     stickslip(&format!("attractors {machine} --starts 4 --rows {rows}")).assert().success();
     let (found, notes) = answers(&format!("steady --points {rows}"));
@@ -62,7 +64,7 @@ fn rows_of_starts_are_points() {
 
 #[test]
 fn a_note_names_the_columns_that_are_not_used() {
-    let points = file("points-unknown.csv", "omega,alpha,zeta,Sample No\n1.5,2.5,0.1,1\n1.5,3,0.1,2\n");
+    let (_file, points) = file("omega,alpha,zeta,Sample No\n1.5,2.5,0.1,1\n1.5,3,0.1,2\n");
     for command in ["response", "steady"] {
         let (rows, notes) = answers(&format!("{command} --points {points}"));
         assert_eq!(notes.lines().count(), 2, "{notes}");
@@ -81,13 +83,11 @@ fn a_note_names_the_columns_that_are_not_used() {
 /// Spreadsheets write names with capitals and units, and this command writes `omega[1]`.
 #[test]
 fn a_column_is_known_in_any_case_and_with_its_unit() {
-    let points = file("points-capitals.csv", "Omega[1],ALPHA[1]\n1.5,2.5\n");
+    let (_file, points) = file("Omega[1],ALPHA[1]\n1.5,2.5\n");
     let (rows, notes) = answers(&format!("response --points {points}"));
     assert_eq!((rows[0]["alpha"].as_f64(), notes.as_str()), (Some(2.5), ""));
-    let machine = file(
-        "points-machine.csv",
-        "Mass[kg],Stiffness[kN/m],Friction[N],Frequency[Hz],Base acceleration[g]\n800,10,500,2,0.15\n",
-    );
+    let (_file, machine) =
+        file("Mass[kg],Stiffness[kN/m],Friction[N],Frequency[Hz],Base acceleration[g]\n800,10,500,2,0.15\n");
     let (rows, notes) = answers(&format!("response --points {machine}"));
     assert_eq!((rows[0]["physical"]["frequency"].as_f64(), notes.as_str()), (Some(2.0), ""));
 }
@@ -95,13 +95,13 @@ fn a_column_is_known_in_any_case_and_with_its_unit() {
 /// Files of spreadsheets in countries where a decimal has a comma.
 #[test]
 fn semicolons_and_decimal_commas_are_named() {
-    let points = file("points-semicolons.csv", "omega;alpha\n0,5;2\n");
+    let (_file, points) = file("omega;alpha\n0,5;2\n");
     let line = format!("response --points {points}");
     refused(&line, &["column omega (or --omega) is missing", "separated by commas", "with a point"]);
-    let points = file("points-commas.csv", "omega,alpha\n0,5,2\n");
+    let (_file, points) = file("omega,alpha\n0,5,2\n");
     refused(&format!("response --points {points}"), &["3 fields, must be 2", "A decimal needs a point"]);
-    let points = file("points-quoted.csv", "omega,alpha\n\"0,5\",2\n");
+    let (_file, points) = file("omega,alpha\n\"0,5\",2\n");
     refused(&format!("response --points {points}"), &["omega 0,5: must be a number", "decimal point"]);
-    let points = file("points-empty.csv", "omega,alpha\n0.5,\n");
+    let (_file, points) = file("omega,alpha\n0.5,\n");
     refused(&format!("response --points {points}"), &["line 2: alpha: must be a number, but is empty"]);
 }
