@@ -77,7 +77,8 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
         return turning_point;
     }
     let touch = if F::PRECISION <= f64::MANTISSA_DIGITS {
-        greatest(half, turning_point).touch
+        let found = greatest(half, turning_point).touch;
+        found.map(|touch| Touch { time: refined(half, touch), ..touch })
     } else {
         F::narrowed(AtLess(*half)).and_then(|near| polished(half, near))
     };
@@ -183,28 +184,43 @@ fn needed<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> F {
     n / (half.omega * at.drive.0)
 }
 
-/// The same where the velocity touches zero, to more digits than the type has.
+/// ρ(τ) where the velocity touches zero, to more digits than the type has.
 pub(super) fn needed_at<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> Pair<F> {
     let Touch { from, time } = touch;
     if F::PRECISION > f64::MANTISSA_DIGITS {
         return needed(half, from, &at(half, from, time)).wide();
     }
+    let (wide, at) = (half.wide(), wide_at(half, touch));
+    (wide.omega * wide.h * at.drive.1 - at.free.v) / (wide.omega * at.drive.0)
+}
+
+/// The half cycle in pairs, at up to the precision of f64.
+fn wide_at<F: Float>(half: &HalfPeriod<F>, Touch { from, time }: Touch<F>) -> Moment<Pair<F>> {
     let (wide, one) = (half.wide(), Pair::int(1));
     let (free, b) = (Free::new(wide.free.zeta), wide.omega * wide.h);
     let (_, decay) = (-(free.zeta * time)).exp_falling();
     let ((s, c), (sine, cosine)) = (wide_sin_cos(wide.omega * time), wide_sin_cos(free.frequency * time));
     let sine = sine / free.frequency;
-    let (driven, slope) = match from {
+    let tau = time.wide();
+    match from {
         End::First => {
             let waves = Waves { cosine: decay * cosine, sine: decay * sine };
-            (b * c, free.after(waves, one + wide.shift, b).v)
+            Moment { tau, drive: (s, c), waves, free: free.after(waves, one + wide.shift, b) }
         }
         End::Last => {
             let waves = Waves { cosine: cosine / decay, sine: -(sine / decay) };
-            (-(b * c), free.after(waves, one - wide.shift, -b).v)
+            let free = free.after(waves, one - wide.shift, -b);
+            Moment { tau: wide.period - tau, drive: (s, -c), waves, free }
         }
-    };
-    (driven - slope) / (wide.omega * s)
+    }
+}
+
+/// A maximum of ρ found in the arithmetic of the type, by one more step in pairs.
+fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> F {
+    let (value, slope) = rise(&half.wide(), touch.from, &wide_at(half, touch));
+    let step = (value / slope).value();
+    let is_small = step.abs() <= F::epsilon().sqrt() * touch.time;
+    if is_small { touch.time - step } else { touch.time }
 }
 
 /// n(τ) in a form that keeps its digits as τ → 0.
