@@ -176,7 +176,7 @@ pub enum Error {
     /// A response curve that no friction and damping of the range searched explain.
     #[error(
         "response curve: no friction and damping explain it. The best fit is at {quantity} = {value}, the end \
-         of the range searched; the amplitudes must be those of this force and stiffness"
+         of the range searched. The amplitudes must be those of this force and stiffness"
     )]
     Unexplained {
         /// The quantity.

@@ -142,7 +142,7 @@ fn with_a_damper() {
     let k = number(&stiff["stiffness"]);
     assert!(energy(k) >= energy(k * 1.001) && energy(k) >= energy(k * 0.999), "{stiff}");
     let arguments = "stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 900";
-    let says = &["give the damping constant", "--damping-ratio"];
+    let says = &["Give the damping constant", "--damping-ratio"];
     refused(&format!("design {arguments} --damping-ratio 0.05"), says);
 }
 
@@ -208,9 +208,8 @@ fn without_a_stop_with_a_damper() {
 fn text_begins_with_the_answer() {
     let text = stdout(&format!("design force {BODY} --frequency 6 --units kN,m"));
     assert!(text.starts_with(
-        "The body never sticks at a force of 7.393705 kN or more: a motion of 0.007393705 m of the spring's \
-         foot over a surface \
-         that stays, or of 0.004107614 m of a base that carries the surface."
+        "The body never sticks at a force of 7.393705 kN or more: a motion of 0.007393705 m of the spring's foot over \
+         a fixed surface, or of 0.004107614 m of a base that carries the surface."
     ));
     assert!(stdout("design bands --alpha 12 --from 0.1 --to 2").contains("2 bands of that range"));
 }
@@ -223,7 +222,10 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("design displacement --omega 1 --target 3", vec!["Ω = 1"]),
         ("design displacement --omega 1.5", vec!["--target is missing"]),
         ("design velocity --omega 1.5 --target nan", vec!["NaN", "finite"]),
-        ("design bands --alpha 12 --from 2 --to 1", vec!["2 must be ≤ 1"]),
+        (
+            "design bands --alpha 12 --from 2 --to 1",
+            vec!["--from 2 --to 1: the lower end must be ≤ the upper end"],
+        ),
         ("design bands --alpha nan --from 1 --to 2", vec!["--alpha nan", "finite"]),
         ("design bands --alpha 12 --to 2", vec!["--from is missing"]),
         ("design bands --alpha 3 --from 2 --to 0.1", vec!["--from 2 --to 0.1", "2 must be ≤ 0.1"]),

@@ -142,7 +142,7 @@ fn columns_are_used_named_or_refused() {
     let text = stdout(&format!("identify {} {MACHINE}", name.display()));
     assert!(text.contains("Columns not used: remark."), "{text}");
     for (header, part) in [
-        ("frequency[Hz],amplitude[mm],phse[deg]", "column phse is unknown; spell it phase"),
+        ("frequency[Hz],amplitude[mm],phse[deg]", "column phse is unknown. Spell it phase"),
         ("frequency[Hz],amplitude[mm],Amplitude[mm]", "column Amplitude must be there once only"),
     ] {
         let name = file(folder.path(), header, |_, (f, a, _)| format!("{f},{a},{a}"));

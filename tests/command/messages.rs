@@ -129,7 +129,7 @@ fn a_frequency_ratio_and_a_spring_give_the_frequency() {
     let sweep = stdout(&format!(
         "sweep response {machine} --omega 1:2:3 --force 12 --outputs physical.angular_frequency"
     ));
-    assert_eq!(sweep, "angular_frequency[rad/s]\n2\n3\n4\n");
+    assert_eq!(sweep, "angular_frequency[rad/s]\n2.0\n3.0\n4.0\n");
     let three = format!("response {machine} --omega 1.5 --frequency 3 --force 12");
     refused(&three, &["--omega, --frequency and --stiffness: give two of the three"]);
     refused(
@@ -164,7 +164,7 @@ fn a_mass_is_printed_in_a_unit_that_one_reads() {
         "map margin {} --mass 1t:2t:2 --units kN,mm",
         machine.replace("--mass 1200kg", "").replace("--frequency 6Hz", "--frequency 5Hz:6Hz:2")
     ));
-    assert!(rows.starts_with("frequency[Hz],mass[kg],margin\n5,1000,"), "{rows}");
+    assert!(rows.starts_with("frequency[Hz],mass[kg],margin\n5.0,1000.0,"), "{rows}");
 }
 
 #[test]

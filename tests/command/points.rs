@@ -50,8 +50,7 @@ fn rows_of_starts_are_points() {
     stickslip(&format!("attractors {machine} --starts 4 --rows {rows}")).assert().success();
     let (found, notes) = answers(&format!("steady --points {rows}"));
     assert_eq!(notes.lines().count(), 1, "{notes}");
-    let unread =
-        "columns max_periods, bits, limit, half_turns, x, v, max_displacement, min_displacement are not used";
+    let unread = "columns max_periods, bits, half_turns, x, v, velocity_distance are not used";
     assert!(notes.starts_with("stickslip: note: ") && notes.contains(unread), "{notes}");
     for (row, text) in found.iter().zip(std::fs::read_to_string(&rows).unwrap().lines().skip(1)) {
         let cells: Vec<&str> = text.split(',').collect();

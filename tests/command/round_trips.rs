@@ -45,8 +45,9 @@ fn plain(x: f64) -> String {
 
 /// The output of a command with `--points -` for a table.
 fn answers(command: &str, format: &str, table: &str) -> String {
-    let run =
-        stickslip(&format!("{command} --points - --format {format}")).write_stdin(table.to_owned()).assert();
+    let run = stickslip(&format!("{command} --quiet --points - --format {format}"))
+        .write_stdin(table.to_owned())
+        .assert();
     String::from_utf8(run.success().stderr("").get_output().stdout.clone()).unwrap()
 }
 

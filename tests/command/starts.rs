@@ -128,7 +128,10 @@ fn the_starts_of_another_run_are_not_gone_on_with() {
     refused(&line(pair, "--reach 12 --max-periods 1000"), &[not_these]);
     refused(&line(pair, "--reach 13"), &["row 2 is not of these starts"]);
     refused(&line(pair, "--reach 12").replace("--starts 12", "--starts 9"), &["12 rows, must be ≤ 9"]);
-    refused(&line(pair, "--reach 12").replace(" --resume", ""), &["must not exist yet; --resume"]);
+    refused(
+        &line(pair, "--reach 12").replace(" --resume", ""),
+        &["must not exist yet. Continue it with --resume"],
+    );
     refused(&format!("attractors {pair} --resume"), &["--rows"]);
     assert_eq!(std::fs::read_to_string(&file).unwrap(), kept);
     // Another limit in a row, and another digit of a limit's first row.

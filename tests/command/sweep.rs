@@ -107,7 +107,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --omega -1:2:5 --alpha 2", vec!["--omega -1", "must be > 0"]),
         ("response --omega 1,2 --alpha 3,0", vec!["--alpha 0", "must be > 0"]),
         ("response --omega 1,2", vec!["--alpha is missing"]),
-        ("border --omega 1,2 --alpha 2", vec!["--alpha", "leave it out"]),
+        ("border --omega 1,2 --alpha 2", vec!["--alpha", "must be left out"]),
         ("steady --omega 1e-9:1:3 --alpha 2", vec!["--omega 1e-9", "≥"]),
         (
             "response --omega 1:2:5 --alpha 2 --outputs omega,speed",

@@ -207,7 +207,7 @@ fn machines_over_a_range() {
         "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm \
          --outputs \
          max_displacement[m]",
-        &["--outputs max_displacement[m]", "choose from omega,"],
+        &["--outputs max_displacement[m]", "Choose from omega,"],
     );
     let map = stdout(
         "map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 \

@@ -168,7 +168,7 @@ fn agree(omega: f64, alpha: f64) {
         Ok(Some(stops)) => {
             assert_eq!(stops.sticks > 0, answer.regime == Regime::Sticking, "({omega:?}, {alpha:?})")
         }
-        Ok(None) => assert_eq!(answer.regime, Regime::Stuck),
+        Ok(None) => assert!(matches!(answer.regime, Regime::Stuck | Regime::Unbounded)),
         Err(Error::Undecided { .. } | Error::NotSettled { .. }) => {
             assert!(seen.by_border, "({omega:?}, {alpha:?})")
         }

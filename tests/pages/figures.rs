@@ -242,7 +242,10 @@ fn figure_7_shows_eq_49_too_large_above_resonance_only() {
             if omega > 1.0 {
                 assert!(printed > exact * (1.0 + 1e-9), "{omega} {alpha}");
             } else if omega > 0.75 {
-                assert!((printed / exact - 1.0).abs() < 1e-8, "{omega} {alpha}: {printed} {exact}");
+                // As printed the second root is that of a difference of two squares, each 4/(π(1 − Ω))² with a
+                // rounding of four units in the last place.
+                let lost = (8.0 * f64::EPSILON).sqrt() / (std::f64::consts::PI * (1.0 - omega)).powi(2);
+                assert!((printed - exact).abs() < 1e-8 * exact + lost, "{omega} {alpha}: {printed} {exact}");
             }
         }
     }

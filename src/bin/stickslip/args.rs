@@ -58,7 +58,7 @@ Units:
   `stickslip outputs` defines every output.
 
 Exit status:
-  0    success; also if the pipe was closed, or standard output is closed (>&-) and the answer discarded
+  0    success, also if the pipe was closed, or standard output is closed (>&-) and the answer discarded
   1    an identity of verify fails, or a system error such as a full disk
   2    invalid input, described by one line on standard error
   130  interrupted by Ctrl-C, SIGTERM or SIGHUP, within 0.3 s. The output ends at a complete record. A second

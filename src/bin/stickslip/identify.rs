@@ -62,7 +62,7 @@ fn body(given: &Given<f64>) -> Result<Oscillator<f64>, Failure> {
 fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
     match given.one_of(&P::DRIVES)? {
         Some((P::BaseVelocity | P::BaseDisplacement, _)) => Err(Failure::Input(
-            "--base-velocity and --base-displacement: their force changes with the frequency; measure at one \
+            "--base-velocity and --base-displacement: their force changes with the frequency. Measure at one \
              --base-acceleration"
                 .to_owned(),
         )),
@@ -95,7 +95,7 @@ impl Column {
             let Some((column, (name, kind))) = named else {
                 // A misspelt column must not be ignored silently.
                 if let Some((name, _)) = known.iter().find(|(name, _)| is_misspelt(own, name)) {
-                    return refused(&format!("is unknown; spell it {name}, or rename it"));
+                    return refused(&format!("is unknown. Spell it {name}, or rename it"));
                 }
                 others.push(own.to_owned());
                 continue;
@@ -126,7 +126,7 @@ impl Column {
         // 2π with three decimals.
         if phase.abs() > 6.284 {
             return Err(Failure::Input(format!(
-                "{at}: phase {text}: must be ≥ -2π and ≤ 2π because it has no unit and is in radians; for \
+                "{at}: phase {text}: must be ≥ -2π and ≤ 2π because it has no unit and is in radians. For \
                  degrees the column is phase[deg]"
             )));
         }
@@ -154,7 +154,7 @@ impl Measured {
         let due = |column: Option<Column>, which: &str| {
             column.ok_or_else(|| {
                 let found = header.iter().collect::<Vec<_>>().join(",");
-                Failure::Input(format!("{name}: column {which} is missing; the header is “{found}”"))
+                Failure::Input(format!("{name}: column {which} is missing in the header “{found}”"))
             })
         };
         let (frequency, amplitude) = (due(frequency, "frequency")?, due(amplitude, "amplitude")?);

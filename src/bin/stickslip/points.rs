@@ -6,6 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::input::number;
 use crate::interrupt;
+use crate::outputs;
 use crate::progress;
 use crate::record::Record;
 use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
@@ -193,7 +194,10 @@ fn columns<F: Value>(
             if let Some(p) = known().find(|p| is_misspelt(&plain, &p.column())) {
                 return refused(&format!("is unknown. Spell it {}, or rename it", p.column()));
             }
-            unread.push(own);
+            // The answers of an earlier run are no input, and nobody takes them for one.
+            if outputs::entry(&plain).is_none() {
+                unread.push(own);
+            }
             continue;
         };
         if !parameter.is_column(&plain) {

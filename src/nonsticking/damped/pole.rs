@@ -156,9 +156,9 @@ mod tests {
     #[cfg(feature = "mp")]
     #[test]
     fn its_quantities_are_those_of_the_definition() {
+        use crate::float::Field;
         use crate::float::mp::Mp;
         use crate::float::pair::Pair;
-        use crate::float::Field;
         type Wide = Mp<12>;
         let wide = |x: Pair<f64>| Wide::from(x.hi) + Wide::from(x.lo);
         for off in [-0.24, -1e-3, -1e-9, -1.2e-16, 0.0, 2.3e-16, 1e-12, 1e-5, 0.3, 0.6] {

@@ -41,7 +41,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ),
         (
             "response --mass 1 --stiffness 1 --omega 1 --friction 1 --frequency 1 --force 1",
-            vec!["--omega and --stiffness"],
+            vec!["--omega, --frequency and --stiffness: give two of the three"],
         ),
         #[cfg(not(feature = "mp"))]
         ("response --omega 1 --alpha 2 --bits 256", vec!["--bits 256", "mp"]),

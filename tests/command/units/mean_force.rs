@@ -41,10 +41,10 @@ fn places_and_friction_are_those_of_small_time_steps() {
         }
         let row = &rows[step as usize / 2500];
         let of = |name: &str| row[place(name)];
-        assert!((of("displacement") + MEAN - x).abs() < 1e-3, "{step}: {x} {row:?}");
-        assert!((of("velocity") - v).abs() < 1e-2, "{step}: {v} {row:?}");
+        assert!((of("displacement[m]") + MEAN - x).abs() < 1e-3, "{step}: {x} {row:?}");
+        assert!((of("velocity[m/s]") - v).abs() < 1e-2, "{step}: {v} {row:?}");
         if v.abs() > 0.05 {
-            assert_eq!(of("friction_force"), friction, "{step}");
+            assert_eq!(of("friction_force[N]"), friction, "{step}");
             compared += 1;
         }
     });
@@ -88,7 +88,7 @@ fn steady_states_and_decays_are_those_of_small_time_steps() {
 fn a_mean_force_is_given_in_units_in_rows_and_in_sweeps() {
     let text = stdout(&format!("response {BODY} --frequency 4 --force 12 --mean-force 9"));
     for line in
-        ["4 N = (5 forward + 3 backward)/2", "mean force p̄             9 N", "mean displacement        1 m;"]
+        ["4 N = (5 forward + 3 backward)/2", "mean force p̄             9 N", "mean displacement        1 m ("]
     {
         assert!(text.contains(line), "{text}");
     }

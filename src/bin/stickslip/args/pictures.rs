@@ -22,13 +22,13 @@ Examples:
   stickslip figures --all --dir /tmp/data --format csv";
 
 pub(crate) const MAP_EXAMPLES: &str = "\
-Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (their number, from 16 starts); an output
+Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (their number, from 16 starts), an output
 of `response`, such as loop_size_stiffness, or steady:NAME for one of `steady`, from rest, such as
 steady:max_displacement. For a machine, a quantity with a unit is in the machine's units.
 
 Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default:
 --omega 0.0525:1.9975:390 --alpha 0.025:7.975:160]. The horizontal axis is Ω or the frequency. A picture has columns
-added at Ω = 1 down to a pixel, and a line where the motion is unbounded; the rows of CSV are those of the grids.
+added at Ω = 1 down to a pixel, and a line where the motion is unbounded. The rows of CSV are those of the grids.
 
 Examples:
   stickslip map --out regime.svg

@@ -27,7 +27,7 @@ omega and alpha all rows are computed again to compare them. Rows of CSV and JSO
 are computed. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
 loses at most the last second of rows.
 
-Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B; phases are ω_d t in rad. For a machine there
+Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, and phases are ω_d t in rad. For a machine there
 are columns in its own units as well, such as max_displacement[mm], which --outputs calls physical.max_displacement.";
 
 /// What is swept.
