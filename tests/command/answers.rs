@@ -121,7 +121,7 @@ fn the_force_ratios_without_a_stop() {
 /// of a family.
 #[test]
 fn numbers_that_no_machine_can_use_are_said_to_be_so() {
-    let says = |arguments: &str| stdout(arguments).contains("for any machine");
+    let says = |arguments: &str| stdout(arguments).contains("no machine holds");
     assert!(says("response --omega 0.2 --alpha 300") && says("border --omega 0.2"));
     assert!(
         says("response --omega 0.16666666666666666 --alpha 70") || !says("response --omega 0.3 --alpha 70")

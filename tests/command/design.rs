@@ -228,7 +228,10 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ),
         ("design bands --alpha nan --from 1 --to 2", vec!["--alpha nan", "finite"]),
         ("design bands --alpha 12 --to 2", vec!["--from is missing"]),
-        ("design bands --alpha 3 --from 2 --to 0.1", vec!["--from 2 --to 0.1", "2 must be ≤ 0.1"]),
+        (
+            "design bands --alpha 3 --from 2 --to 0.1",
+            vec!["--from 2 --to 0.1", "the lower end must be ≤ the upper end"],
+        ),
         ("design displacement --omega 1.5 --target 0", vec!["--target 0", "must be > 0"]),
         ("design velocity --omega 1.5 --target -1", vec!["--target -1", "must be > 0"]),
         ("design stiffness --alpha 2 --from 0 --to 1", vec!["--from 0", "must be > 0"]),

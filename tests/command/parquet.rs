@@ -225,7 +225,7 @@ fn what_is_beside_the_file_is_left_alone() {
     std::fs::create_dir(parts(&file)).unwrap();
     std::fs::write(parts(&file).join("notes"), "notes").unwrap();
     refused(&sweep, &["Continue it with --resume"]);
-    refused(&format!("{sweep} --resume"), &["notes", "is no part of a sweep"]);
+    refused(&format!("{sweep} --resume"), &["notes", "is not a part of a sweep"]);
     assert_eq!(std::fs::read_to_string(parts(&file).join("notes")).unwrap(), "notes");
     // The same for a part of another sweep.
     std::fs::remove_file(parts(&file).join("notes")).unwrap();

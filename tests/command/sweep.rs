@@ -111,7 +111,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("steady --omega 1e-9:1:3 --alpha 2", vec!["--omega 1e-9", "≥"]),
         (
             "response --omega 1:2:5 --alpha 2 --outputs omega,speed",
-            vec!["--outputs speed", "choose from omega,"],
+            vec!["--outputs speed", "Choose from omega,"],
         ),
         ("response --omega 1:2:5 --alpha 2 --format text", vec!["--format", "csv, jsonl, parquet"]),
         ("response --omega 1:2:5 --alpha 2 --shard 0/3", vec!["--shard 0/3", "1 ≤ I ≤ N"]),

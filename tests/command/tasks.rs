@@ -222,7 +222,7 @@ fn machines_over_a_range() {
     for (arguments, parts) in [
         (
             "map --mass 1kg --period 2s --friction 1N --force 1N:3N:4 --frequency 2Hz",
-            vec!["1 of the quantities", "must be two"],
+            vec!["1 grid", "must be two"],
         ),
         (
             "sweep response --mass 1kg --period 2s --friction 1N --force 1N:3N:4",

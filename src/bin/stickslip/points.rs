@@ -195,7 +195,8 @@ fn columns<F: Value>(
                 return refused(&format!("is unknown. Spell it {}, or rename it", p.column()));
             }
             // The answers of an earlier run are no input, and nobody takes them for one.
-            if outputs::entry(&plain).is_none() {
+            let is_input = Parameter::ALL.iter().any(|p| p.is_column(&plain));
+            if is_input || outputs::entry(&plain).is_none() {
                 unread.push(own);
             }
             continue;

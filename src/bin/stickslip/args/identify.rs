@@ -54,7 +54,7 @@ impl From<Phase> for PhaseKind {
 
 #[derive(Debug, Args)]
 pub(crate) struct IdentifyArgs {
-    /// CSV of a measured response curve; - is standard input
+    /// CSV of a measured response curve, - for standard input
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     #[command(flatten)]
