@@ -26,6 +26,7 @@ mod command {
     pub(crate) mod progress;
     pub(crate) mod record;
     pub(crate) mod response;
+    pub(crate) mod rows;
     pub(crate) mod sink;
     pub(crate) mod style;
 }
@@ -33,7 +34,7 @@ mod command {
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
     args, bits, border, decay, design, enclose, failure, given, grid, input, interrupt, machine, note,
-    outputs, physical, points, progress, record, response, sink, style,
+    outputs, physical, points, progress, record, response, rows, sink, style,
 };
 use failure::Failure;
 use std::path::PathBuf;

@@ -25,6 +25,7 @@ mod command {
     pub(crate) mod progress;
     pub(crate) mod record;
     pub(crate) mod response;
+    pub(crate) mod rows;
     pub(crate) mod sink;
     pub(crate) mod style;
 }
@@ -32,7 +33,7 @@ mod command {
 use command::args::{Command, NoCommand};
 use command::{
     args, bits, border, enclose, failure, given, input, interrupt, machine, note, outputs, physical, points,
-    progress, record, response, sink, style,
+    progress, record, response, rows, sink, style,
 };
 use csv::{ReaderBuilder, StringRecord, Trim};
 use failure::{Failure, Outcome};

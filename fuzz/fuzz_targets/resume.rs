@@ -27,6 +27,7 @@ mod command {
     pub(crate) mod record;
     pub(crate) mod response;
     pub(crate) mod resume;
+    pub(crate) mod rows;
     pub(crate) mod sink;
     pub(crate) mod steady;
     pub(crate) mod style;
@@ -36,7 +37,7 @@ mod command {
 use command::args::{Command, NoCommand};
 use command::{
     args, axes, bits, border, enclose, failure, given, grid, input, interrupt, machine, note, output,
-    outputs, physical, points, progress, record, response, resume, sink, steady, style, sweep,
+    outputs, physical, points, progress, record, response, resume, rows, sink, steady, style, sweep,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;
