@@ -308,7 +308,7 @@ impl At<'_> {
             return None;
         }
         let is_bounded = self.is_bounded();
-        if !is_bounded && !(self.omega.is_exact() && self.is_undamped()) {
+        if !(is_bounded || self.omega.is_exact() && self.is_undamped()) {
             return None;
         }
         let without_stop = if is_bounded { Regime::NonSticking } else { Regime::Unbounded };

@@ -61,7 +61,8 @@ pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_disp
 #[cfg(feature = "batch")]
 pub(crate) use border::border_near;
 pub(crate) use dissipation::{
-    best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_stiffness,
+    best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
+    loop_size_stiffness,
 };
 pub(crate) use peaks::dynamic_amplification;
 #[cfg(feature = "mp")]
@@ -70,6 +71,8 @@ pub(crate) use {
     peaks::{arrival_acceleration, transmitted_force},
 };
 // The paper's other forms, for the proofs and for `verify`.
+#[cfg(any(test, feature = "matching", feature = "mp"))]
+pub(crate) use displacement::max_displacement;
 #[cfg(all(any(test, feature = "matching"), not(feature = "mp")))]
 pub(crate) use displacement::{cos_displacement_phase, sin_displacement_phase};
 #[cfg(feature = "mp")]
@@ -81,8 +84,6 @@ pub(crate) use phase::velocity_phase;
 pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
-#[cfg(any(test, feature = "matching", feature = "mp"))]
-pub(crate) use {displacement::max_displacement, dissipation::loop_size_inertia};
 #[cfg(any(test, feature = "matching"))]
 pub(crate) use {
     displacement::{displacement_phase, max_displacement_from_amplitude},

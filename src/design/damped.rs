@@ -9,9 +9,9 @@
 //! adjacent numbers.
 //!
 //! **Proved to rounding:** where `e^{−ζT}` is below the rounding, G = 1 and H = 0, and the border has no
-//! structure: `α_min = 2q/Ω²`, which falls with Ω. For Ω < d/2 the turning point decides, because with x = dτ
-//! > 2y, y = Ωτ, `ρ(τ)/ρ(0⁺) = e^{−ζτ} (sin x/x)(y/sin y)` is at most cos y for x ≤ π, at most ½ beyond up to y
-//! = π/2, and as small as the free vibration from there on.
+//! structure: `α_min = 2q/Ω²`, which falls with Ω. For Ω < d/2 the turning point decides: with x = dτ and
+//! y = Ωτ < x/2, `ρ(τ)/ρ(0⁺) = e^{−ζτ} (sin x/x)(y/sin y)` is at most cos y for x ≤ π, at most ½ beyond, up to
+//! `y = π/2`, and as small as the free vibration from there on.
 //!
 //! **Searched:** all else. The border is evaluated on a mesh: 32 points for each additional half turn of the
 //! free vibration in half a period of the drive. The mesh is finer towards the border's peaks at dT/π = 3, 5,

@@ -39,14 +39,11 @@ const HARMONICS: i32 = 64;
 pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> Result<Optimum<F>, Error> {
     let none = F::int(0);
     bands(alpha, none, low, high)?;
-    best_frequency_ratio(alpha, none, low.or_larger(Lobe::new(u16::MAX).low_pole()), high).map_err(|error| {
-        match error {
-            Error::SticksThroughout { alpha, least, high, .. } => {
-                Error::SticksThroughout { alpha, least, low: written(low), high }
-            }
-            other => other,
-        }
-    })
+    let mut best = best_frequency_ratio(alpha, none, low.or_larger(Lobe::new(u16::MAX).low_pole()), high);
+    if let Err(Error::SticksThroughout { low: named, .. }) = &mut best {
+        *named = written(low);
+    }
+    best
 }
 
 /// The same with the damping constant `γ = c/(2mω_d) ≥ 0`, in a valid range.

@@ -112,7 +112,7 @@ fn force_ratio(random: &mut Random) -> f64 {
         0 => random.between(1.2, 1.4),
         1 => {
             4.0 / std::f64::consts::PI
-                + random.scale(1e-9, 0.1) * if random.bits() % 2 == 0 { 1.0 } else { -1.0 }
+                + random.scale(1e-9, 0.1) * if random.bits().is_multiple_of(2) { 1.0 } else { -1.0 }
         }
         2 => random.scale(1.3, 10.0),
         _ => random.scale(2.0, 3e3),

@@ -134,10 +134,7 @@ pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
     if matches!(error.quantity(), Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio)) {
         return given.at_fault(error);
     }
-    match Failure::from(error) {
-        Failure::Input(text) => Failure::Input(format!("--omega or --frequency: {text}")),
-        failure => failure,
-    }
+    Failure::from(error).about("--omega or --frequency")
 }
 
 /// All outputs of a steady state; the peaks only if requested.

@@ -52,11 +52,9 @@ impl Answer<'_> {
     /// Whether a motion without a stop certainly exists, or certainly does not. Motions of six reversals below
     /// the border are not enclosed.
     fn has_motion_without_stop(&self) -> Option<bool> {
-        match self.found.regime? {
-            Regime::Stuck => Some(false),
-            Regime::NonSticking | Regime::Unbounded | Regime::DependsOnStart => Some(true),
-            _ => None,
-        }
+        let regime = self.found.regime?;
+        let exists = matches!(regime, Regime::NonSticking | Regime::Unbounded | Regime::DependsOnStart);
+        (exists || regime == Regime::Stuck).then_some(exists)
     }
 }
 

@@ -76,9 +76,10 @@ pub(super) fn note<F: Value>(
         }
         LongRun::NotConverged { residual, periods, .. } => {
             let (periods, left) = (digits(periods.to_f64()), in_words(*residual));
-            let limit = match seen.regime {
-                Regime::DependsOnStart => "The borders do not decide its limit.".to_owned(),
-                regime => format!("By the borders its limit is {}.", regime.name()),
+            let limit = if seen.regime == Regime::DependsOnStart {
+                "The borders do not decide its limit.".to_owned()
+            } else {
+                format!("By the borders its limit is {}.", seen.regime.name())
             };
             let sentence = format!(
                 "Undecided: after {periods} periods the motion still changes by {left} in half a cycle. Allow \

@@ -56,6 +56,7 @@ impl<F: Value> Rows<F> {
     }
 
     /// A row without its motion, with the names of all rows.
+    #[cfg(feature = "parquet")]
     pub(crate) const fn form(&self) -> &Record<F> {
         &self.form
     }
