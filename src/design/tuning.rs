@@ -3,7 +3,7 @@
 //! At fixed m, c, p₀, r_y and ω_d the energy `4 r_y Δ₀` that friction dissipates in a cycle is A₂ p₀²/(2 m
 //! ω_d²) (eq. 67), a function of `v = k/(mω_d²) = 1/Ω²` alone. In each band of frequencies in which the body
 //! slides its greatest value is proved, with and without a damper ([`work`]). The bands are proved without a
-//! damper and searched with one ([`super::bands`]).
+//! damper and searched with one ([`super::bands()`]).
 //!
 //! Bands are taken from high frequencies to low ones, a part of the range at a time: below the resonance A₂ is at most
 //! `8/(α √((v − 1)² + 4γ²))`, which falls with Ω, so that the rest is skipped once the bound is below the best
