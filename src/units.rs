@@ -102,6 +102,11 @@ impl Reader {
         !digits.is_empty() && !unit.is_empty()
     }
 
+    /// Whether any value had a unit.
+    pub fn has_converted(&self) -> bool {
+        self.first_with_unit.borrow().is_some()
+    }
+
     fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, UnitError> {
         let read = table::parse(unit);
         let found = read.iter().find(|read| read.dimension == kind.dimension());
