@@ -18,7 +18,7 @@ radians of the drive. `Machine` and `Drive` convert from and to physical units.
 >>> ss.response(omega=1.5, alpha=2.5).max_displacement
 1.6329...
 >>> ss.response(omega=[0.7, 1.5], alpha=2.5).regime
-array(['non-sticking', 'non-sticking'], dtype='<U12')
+array(['non-sticking', 'non-sticking'], dtype='<U16')
 >>> ss.steady(omega=0.4, alpha=6).sticks_per_cycle
 2
 """

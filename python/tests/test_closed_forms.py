@@ -136,7 +136,7 @@ def test_out_of_the_wrong_kind(out: dict[str, Any], text: str) -> None:
 
 def test_out_beside_others() -> None:
     room = np.zeros(3)
-    with pytest.raises(ss.Error, match="leave outputs"):
+    with pytest.raises(ss.Error, match="outputs and bits must be left out"):
         ss.response(np.ones(3), 2.0, outputs=["margin"], out={"margin": room})
     with pytest.raises(ss.Error, match="single numbers"):
         ss.response(0.7, 2.0, out={"margin": room})
