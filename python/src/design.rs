@@ -116,7 +116,10 @@ fn identify<'py>(
     dict.set_item("noise", found.noise)?;
     dict.set_item("phase_noise", found.phase_noise)?;
     dict.set_item("residuals", residuals.iter().map(|r| r.amplitude).collect::<Vec<_>>())?;
-    dict.set_item("phase_residuals", residuals.iter().map(|r| r.phase.unwrap_or(f64::NAN)).collect::<Vec<_>>())?;
+    dict.set_item(
+        "phase_residuals",
+        residuals.iter().map(|r| r.phase.unwrap_or(f64::NAN)).collect::<Vec<_>>(),
+    )?;
     dict.set_item("suspect", residuals.iter().map(|r| r.is_suspect()).collect::<Vec<_>>())?;
     dict.set_item("stops", residuals.iter().map(|r| r.stops).collect::<Vec<_>>())?;
     dict.set_item("phase_kind", found.phase.map(PhaseKind::name))?;
