@@ -69,15 +69,21 @@ struct Symmetric<F> {
 }
 
 impl<F: Float> Symmetric<F> {
+    /// `f = det(1 + J)`.
     fn f(&self) -> F {
         let m = self.derivative;
         F::int(1) + m.trace() + m.determinant()
     }
 
-    /// Whether `det(1 − J)` is next to zero.
-    fn is_folding(&self) -> bool {
+    /// `det(1 − J) = (1 − λ₁)(1 − λ₂)`, which vanishes where two symmetric motions meet.
+    fn fold(&self) -> F {
         let m = self.derivative;
-        (F::int(1) - m.trace() + m.determinant()).abs() < F::exp2i(-12)
+        F::int(1) - m.trace() + m.determinant()
+    }
+
+    /// Whether no multiplier has passed −1 or +1, by a margin. A multiplier that jumps past +1 leaves f above 0.
+    fn is_stable_by(&self, margin: F) -> bool {
+        self.f() > margin && self.fold() > margin
     }
 
     /// Velocity zeros and stops in a cycle.
@@ -225,7 +231,7 @@ fn lost<F: Float>(
     let is_stable_above = motion.alpha > to;
     let (mut before, mut last) = (*motion, *motion);
     for _ in 0..MOST_SHAPES {
-        if machine.continued((&before, &last), to)?.is_some_and(|there| there.f() > zero) {
+        if machine.continued((&before, &last), to)?.is_some_and(|there| there.is_stable_by(zero)) {
             return Ok(None);
         }
         // The last two that were stable, from which the next is sought.
@@ -235,7 +241,7 @@ fn lost<F: Float>(
                 failure = Some(error);
                 None
             });
-            let Some(found) = found.filter(|found| found.f() > zero) else { return -one };
+            let Some(found) = found.filter(|found| found.is_stable_by(zero)) else { return -one };
             (before, last) = (last, found);
             one
         });
@@ -246,12 +252,12 @@ fn lost<F: Float>(
         let next = machine.symmetric(beyond, last.y)?;
         let loss = match next.filter(|next| next.is_near(&last)) {
             Some(_) if beyond == to => return Ok(None),
-            Some(next) if next.f() > F::exp2i(-20) => {
+            Some(next) if next.is_stable_by(F::exp2i(-20)) => {
                 (before, last) = (last, next);
                 continue;
             }
-            Some(next) if next.shape() == last.shape() => Loss::Multiplier,
-            _ if last.is_folding() => Loss::Fold,
+            _ if last.fold() < F::exp2i(-12) => Loss::Fold,
+            Some(next) if next.shape() == last.shape() && next.fold() > zero => Loss::Multiplier,
             Some(_) | None => Loss::Jump,
         };
         return Ok(Some(SymmetryBreak { alpha: last.alpha, is_stable_above, loss, motion: last.steady }));

@@ -155,6 +155,22 @@ fn the_edges_are_sharp_at_any_precision() {
     println!("edges at f64: {worst} ulp");
 }
 
+/// Ever closer to a pole, down to the float next to it, where the short arc is lost in rounding.
+#[test]
+fn the_edges_keep_their_digits_up_to_the_pole() {
+    for n in [3.0, 5.0, 15.0, 217.0, 1001.0] {
+        for exponent in 10..54 {
+            for sign in [-1.0, 1.0] {
+                let omega = (1.0 + sign * 2f64.powi(-exponent)) / n;
+                let Some((low, high)) = force_ratios(omega).unwrap() else { continue };
+                let (wide_low, wide_high) = force_ratios(Mp::<8>::from(omega)).unwrap().unwrap();
+                let error = ulps(low, wide_low).max(ulps(high, wide_high));
+                assert!(exponent < 14 || error < 40.0, "{omega}: {error}");
+            }
+        }
+    }
+}
+
 /// `response`, `steady` and `stops_per_cycle` at one point.
 fn agree(omega: f64, alpha: f64) {
     let ratios = Ratios::new(omega, alpha).unwrap();

@@ -109,6 +109,18 @@ fn symmetry_breaks_at_any_precision() {
     assert!(rest < F256::exp2i(-236), "{}", rest.to_f64());
 }
 
+/// Newton's method reaches an unstable motion with a multiplier of 20,000, for which f is above zero as well. The
+/// stable one ends before it, where it meets another.
+#[test]
+fn another_motion_is_not_the_continued_one() {
+    let machine = [1.0, 0.006_823_310_107_631_359, 1.221_081_348_985_493_7, 1.0];
+    let alpha = 1.273_239_544_735_162_8;
+    let all = symmetry_breaks(ratios::<f64>(machine), 0.9 * alpha, 1.1 * alpha, 2).unwrap();
+    let found: Vec<_> = all.iter().map(|found| (found.loss, found.is_stable_above)).collect();
+    assert_eq!(found, [(Loss::Fold, true), (Loss::Jump, true)], "{all:?}");
+    assert!((all[0].alpha - 1.187_955_207_887).abs() < 1e-11, "{}", all[0].alpha);
+}
+
 type F256 = Mp<4>;
 
 /// Random machines: every periodic limit of several starts is among the motions that the search finds from

@@ -1,6 +1,6 @@
 //! The force ratios of the six-reversal cycle at one Ω: its two edges.
 
-use super::equations::Frequency;
+use super::equations::{Frequency, Unknowns};
 use super::newton::polished;
 use super::search::{Edge, Sample};
 use crate::float::Float;
@@ -19,10 +19,8 @@ pub(super) fn edges<F: Float>(p: &PhaseFunction<F>) -> Option<Edges<F>> {
     }
     let frequency = Frequency::of(p);
     let (omega, cotangent) = (frequency.omega.to_f64(), frequency.cotangent().to_f64());
-    // Closer to the pole both edges are those at this distance, the upper one with α, the short arc and cot β
-    // in proportion.
-    let near = cotangent.abs() < NEAREST;
-    let there = if near { NEAREST.copysign(cotangent) } else { cotangent };
+    // Closer to the pole the least α is that at this distance.
+    let there = if cotangent.abs() < NEAREST { NEAREST.copysign(cotangent) } else { cotangent };
     let upper = if cotangent >= 0.0 { Edge::Third } else { Edge::Second };
     let tip = upper.tip(omega);
     let greatest = upper.with_cotangent(omega, there, SHORTEST, tip)?;
@@ -36,25 +34,56 @@ pub(super) fn edges<F: Float>(p: &PhaseFunction<F>) -> Option<Edges<F>> {
         Some(sample) => (Edge::Third, sample),
         None => (Edge::Second, Edge::Second.with_cotangent(omega, there, tip, LONGEST_SECOND)?),
     };
-    let solved = |edge: Edge, sample: &Sample, scale: F| {
-        let mut start = sample.unknowns.map(F::from_f64);
-        if scale != F::int(1) {
-            match edge {
-                Edge::Second => start.before = start.before / scale,
-                Edge::Third => start.after = start.after / scale,
-            }
-            (start.sine, start.cosine, start.swing) =
-                (start.sine * scale, start.cosine * scale, start.swing * scale);
-        }
-        let start_ratio = start.force_ratio(frequency.omega);
-        polished(frequency.omega, start, |y| y.residuals(&frequency, edge.closing()))
-            .map(|found| found.force_ratio(frequency.omega))
-            // Where the two edges meet neither is sharp: within rounding of that the start is as good.
-            .unwrap_or(start_ratio)
-    };
-    let scale = if near { F::from_f64(NEAREST) / frequency.cotangent().abs() } else { F::int(1) };
-    let (low, high) = (solved(edge, &least, F::int(1)), solved(upper, &greatest, scale));
+    let low = polished_from(&frequency, edge, least.unknowns.map(F::from_f64));
+    let high = greatest_at(&frequency, upper, &greatest);
     (low <= high).then_some(Edges { low, high, least: edge, side: upper })
+}
+
+/// α on an edge, from a start close to it.
+fn polished_from<F: Float>(frequency: &Frequency<F>, edge: Edge, start: Unknowns<F>) -> F {
+    polished(frequency.omega, start, |y| y.residuals(frequency, edge.closing()))
+        // Where the two edges meet neither is sharp: within rounding of that the start is as good.
+        .unwrap_or(start)
+        .force_ratio(frequency.omega)
+}
+
+/// The greatest α, from its sample at this cot β or at [`NEAREST`].
+///
+/// At the pole the short arc vanishes as cot β, and the other unknowns increase as 1/cot β, so that the equations
+/// lose the short arc in rounding. There α cot β, which is smooth, is extrapolated: the error of the parabola
+/// through its values at t, 2t and 4t is about (20t)³, below a unit in the last place of p bits for the t taken.
+fn greatest_at<F: Float>(frequency: &Frequency<F>, edge: Edge, sample: &Sample) -> F {
+    let distance = frequency.cotangent().abs();
+    let found = sample.unknowns.map(F::from_f64);
+    let start = |distance: F| {
+        let scale = F::from_f64(sample.cotangent.abs()) / distance;
+        let mut start = found;
+        match edge {
+            Edge::Second => start.before = start.before / scale,
+            Edge::Third => start.after = start.after / scale,
+        }
+        (start.sine, start.cosine, start.swing) =
+            (start.sine * scale, start.cosine * scale, start.swing * scale);
+        start
+    };
+    let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX);
+    let t = F::exp2i(-(bits / 3 + 5));
+    if distance >= t {
+        let near = distance < F::from_f64(NEAREST);
+        return polished_from(frequency, edge, if near { start(distance) } else { found });
+    }
+    let sin_beta = if frequency.cotangent() < F::int(0) { F::int(-1) } else { F::int(1) };
+    let product = |times: i32| {
+        let cos_beta = t * F::int(times);
+        let there = Frequency { sin_beta, cos_beta, ..*frequency };
+        polished_from(&there, edge, start(cos_beta)) * cos_beta
+    };
+    let (one, two, four) = (product(1), product(2), product(4));
+    let x = distance / t;
+    let (by_one, by_two, by_four) = (x - F::int(1), x - F::int(2), x - F::int(4));
+    let sum = by_two * by_four / F::int(3) * one - by_one * by_four / F::int(2) * two
+        + by_one * by_two / F::int(6) * four;
+    sum / distance
 }
 
 /// The edges at one Ω.
