@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use stickslip::exact::{DrivePhase, Kind, Segment, State, Trajectory};
 use stickslip::float::Mp;
 use stickslip::generators::Point;
-use stickslip::{Border, Cycle, Drive, Float, Oscillator, Ratios, Response, Scales};
+use stickslip::{Border, Cycle, Drive, Float, Oscillator, Ratios, Response, Scales, no_stop_force_ratios};
 
 /// Cycles at an ordinary Ω ≠ 1, with α at the border and above.
 fn cycles() -> impl Strategy<Value = Cycle<f64>> {
@@ -155,12 +155,39 @@ proptest! {
     /// The regime at f64 is that at 512 bits, except within rounding of a border.
     #[test]
     fn the_regime_is_that_of_512_bits(bytes in prop::collection::vec(any::<u8>(), 32)) {
-        let Point { omega, alpha } = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
-        let Ok(ratios) = Ratios::new(omega, alpha) else { return Ok(()) };
-        let exact = Response::new(Ratios::<Mp<8>>::new(omega.into(), alpha.into()).unwrap());
-        let ours = Response::new(ratios);
-        let margin = alpha / ours.border.min_force_ratio - 1.0;
-        prop_assert!(ours.regime == exact.regime || margin.abs() < 1e-14, "{margin:e}");
+        regime_of_512_bits(&bytes)?;
+    }
+}
+
+fn regime_of_512_bits(bytes: &[u8]) -> Result<(), TestCaseError> {
+    let Point { omega, alpha } = Point::arbitrary(&mut Unstructured::new(bytes)).unwrap();
+    let Ok(ratios) = Ratios::new(omega, alpha) else { return Ok(()) };
+    let (omega, alpha): (Mp<8>, Mp<8>) = (omega.into(), alpha.into());
+    let exact = Response::new(Ratios::new(omega, alpha).unwrap());
+    let is_near =
+        |border: Mp<8>, units: f64| (alpha / border - Mp::from(1)).to_f64().abs() < units * f64::EPSILON;
+    // An edge of six reversals has an error of 64 units in the last place, and where the two meet half its digits.
+    let edges = no_stop_force_ratios(omega, Mp::ZERO).unwrap().six_reversals;
+    let near_edge = edges.is_some_and(|(low, high)| {
+        let units = if high < low * Mp::from(1.2) { f64::EPSILON.sqrt().recip() } else { 64.0 };
+        is_near(low, units) || is_near(high, units)
+    });
+    prop_assert!(
+        Response::new(ratios).regime == exact.regime
+            || near_edge
+            || is_near(exact.border.min_force_ratio, 45.0),
+        "{ratios:?}"
+    );
+    Ok(())
+}
+
+/// Inputs that failed: next to the pole 1/217, and next to an edge.
+#[test]
+fn regimes_that_differed() {
+    for start in [[125, 216, 44, 52, 152, 136, 128, 0], [136, 163, 15, 0, 152, 145, 157, 0]] {
+        let mut bytes = [0; 32];
+        bytes[..8].copy_from_slice(&start);
+        regime_of_512_bits(&bytes).unwrap();
     }
 }
 
