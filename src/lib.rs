@@ -90,12 +90,9 @@
 //! # Features
 //!
 //! * default: the library, for `f32` and `f64`;
-//! * `cli`: the command `stickslip`; with `parquet` it writes sweeps to Parquet files, too;
 //! * `mp`: the number `float::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links
 //!   GMP and MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which
 //!   needs m4 and make;
-//! * `figures`: the paper's figures from this library's results, as data and as SVG (`figures`); `png`: as
-//!   PNG, with a font;
 //! * `dual`: the number `float::Dual<N>` with derivatives by N parameters, and `sensitivity`: every
 //!   output by every parameter;
 //! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::MonteCarlo`);
@@ -155,15 +152,6 @@ pub mod design;
 pub mod enclosed;
 mod error;
 pub mod exact;
-#[cfg(feature = "figures")]
-#[cfg_attr(
-    not(test),
-    allow(
-        clippy::arithmetic_side_effects,
-        reason = "pixels and places of drawings, whose sizes are their own"
-    )
-)]
-pub mod figures;
 pub mod float;
 #[cfg(feature = "generators")]
 #[doc(hidden)]

@@ -36,8 +36,9 @@ pub(crate) mod matching;
 mod motion;
 mod peaks;
 mod phase;
-#[cfg(any(test, feature = "matching", feature = "figures"))]
-pub(crate) mod printed;
+// For the figure and the checks that show the errors.
+#[doc(hidden)]
+pub mod printed;
 mod reversal;
 pub(crate) mod six_reversals;
 pub(crate) mod stability;

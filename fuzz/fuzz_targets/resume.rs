@@ -5,7 +5,7 @@
 #![no_main]
 
 #[allow(dead_code, unused_imports, unexpected_cfgs, reason = "the subcommands that are left out need them")]
-#[path = "../../src/bin/stickslip"]
+#[path = "../../command/src"]
 mod command {
     pub(crate) mod args;
     pub(crate) mod axes;

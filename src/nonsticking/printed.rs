@@ -9,9 +9,8 @@ use crate::float::Real;
 ///
 /// Wrong where K(Ω) > 0: on (1/3, 1/2), (1/5, 1/4), … the phase is `π/2 − arccos(Δ₀/A)`. Correct form:
 /// [`crate::nonsticking::displacement_phase`]. `ratio` is Δ₀/A.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn displacement_phase<R: Real>(ratio: R) -> R {
+pub fn displacement_phase<R: Real>(ratio: R) -> R {
     // arccos r = atan2(√(1 − r²), r)
     let arc_cosine = ((R::int(1) - ratio) * (R::int(1) + ratio)).sqrt().atan2(ratio);
     R::pi() / R::int(2) + arc_cosine
@@ -25,7 +24,7 @@ pub(crate) fn displacement_phase<R: Real>(ratio: R) -> R {
 ///
 /// Wrong for every Ω > 1 (second root), and near the border for some Ω in (1/2, 1) (first root). Correct
 /// form: [`crate::nonsticking::max_velocity_from_phase`].
-pub(crate) fn max_velocity<R: Real>(omega: R, alpha: R, cos_pi_1: R, deviation: R) -> R {
+pub fn max_velocity<R: Real>(omega: R, alpha: R, cos_pi_1: R, deviation: R) -> R {
     let one = R::int(1);
     let q = crate::phase_function::one_minus_square(omega);
     let first = (alpha.square() - (one + deviation).square()).sqrt() / q.abs();

@@ -12,7 +12,9 @@ pub(crate) struct Kept {
 impl Kept {
     /// The contents of the file kept at this path of the repository.
     pub(crate) fn at(&mut self, path: &str, given: &str) -> String {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+        // The root of the repository is the folder of the crate of this test, or the one above.
+        let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let file = own.ancestors().find(|folder| folder.join("docs").exists()).unwrap().join(path);
         if std::env::var_os("STICKSLIP_WRITE").is_some() {
             std::fs::create_dir_all(file.parent().unwrap()).unwrap();
             std::fs::write(&file, given).unwrap();

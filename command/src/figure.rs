@@ -1,0 +1,122 @@
+//! `stickslip figure` and `figures`.
+
+use crate::args::{FigureArgs, FiguresArgs, Picture};
+use crate::failure::{Failure, Outcome};
+use crate::output::{self, Beside};
+use clap::ValueEnum;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use stickslip_figures::{self as figures, Figure};
+
+/// The width of a PNG in pixels.
+#[cfg(feature = "png")]
+const WIDTH: u32 = 1600;
+
+pub(crate) fn run(args: &FigureArgs, out: &mut impl Write) -> Outcome {
+    let picture = args.out.as_deref().map_or(Ok(Picture::Svg), picture_of)?;
+    let figure = figures::figure(&args.name).ok_or_else(|| {
+        let names = figures::NAMES.join(", ");
+        Failure::Input(format!("figure {}: must be one of {names}", args.name))
+    })?;
+    match &args.out {
+        Some(file) => beside(file, args.overwrite)?.fill(|out| write(&figure, picture, out)),
+        None => write(&figure, picture, out),
+    }
+}
+
+pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
+    if !args.all {
+        for name in figures::NAMES {
+            writeln!(out, "{name}")?;
+        }
+        return Ok(());
+    }
+    let folder = &args.dir;
+    check(args.format, "--format png")?;
+    fs::create_dir_all(folder).map_err(|e| Failure::Input(format!("--dir {}: {e}", folder.display())))?;
+    let extension = args.format.extension();
+    let place = |name: &str| folder.join(format!("{name}.{extension}"));
+    // Either all files are written or none.
+    figures::NAMES.iter().try_for_each(|name| {
+        let place = place(name);
+        output::refuse_existing(&place, &place.display().to_string(), args.overwrite)
+    })?;
+    figures::NAMES.into_par_iter().try_for_each(|name| match figures::figure(name) {
+        Some(figure) => beside(&place(name), args.overwrite)?.fill(|out| write(&figure, args.format, out)),
+        None => Ok(()),
+    })?;
+    Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), folder.display())?)
+}
+
+/// The content of `--out FILE`, by the extension of its name.
+pub(crate) fn picture_of(file: &Path) -> Result<Picture, Failure> {
+    let name = file.display();
+    let known = Picture::value_variants().iter().copied();
+    let end = file.extension().and_then(|e| e.to_str());
+    let picture = known.into_iter().find(|picture| end == Some(picture.extension())).ok_or_else(|| {
+        Failure::Input(format!("--out {name}: the name must end in .svg or .png (drawing) or .csv (data)"))
+    })?;
+    check(picture, &format!("--out {name}"))?;
+    Ok(picture)
+}
+
+/// Fails for a PNG if the build does not support it.
+fn check(picture: Picture, argument: &str) -> Outcome {
+    if picture != Picture::Png || cfg!(feature = "png") {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{argument}: needs a build with the feature png, or a converter of .svg such as rsvg-convert"
+    )))
+}
+
+/// The destination of rows or of a picture, which is known before the work begins.
+pub(crate) struct Target<'a> {
+    file: Option<&'a Path>,
+    picture: Picture,
+    overwrite: bool,
+}
+
+impl<'a> Target<'a> {
+    /// Rows on standard output without a file; otherwise the extension of its name decides.
+    pub(crate) fn new(file: Option<&'a Path>, overwrite: bool) -> Result<Self, Failure> {
+        let picture = file.map_or(Ok(Picture::Csv), picture_of)?;
+        if let Some(file) = file {
+            output::refuse_existing(file, &format!("--out {}", file.display()), overwrite)?;
+        }
+        Ok(Self { file, picture, overwrite })
+    }
+
+    /// Writes the rows, or draws the picture.
+    pub(crate) fn fill(
+        &self,
+        out: &mut impl Write,
+        rows: impl FnOnce(&mut dyn Write) -> Outcome,
+        drawn: impl FnOnce() -> Result<Figure, Failure>,
+    ) -> Outcome {
+        let Some(file) = self.file else { return rows(out) };
+        beside(file, self.overwrite)?.fill(|out| match self.picture {
+            Picture::Csv => rows(out),
+            Picture::Svg | Picture::Png => write(&drawn()?, self.picture, out),
+        })
+    }
+}
+
+/// The temporary file for `--out FILE`, opened before drawing.
+pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<Beside, Failure> {
+    Beside::create(file, &format!("--out {}", file.display()), overwrite)
+}
+
+pub(crate) fn write(figure: &Figure, picture: Picture, out: &mut impl Write) -> Outcome {
+    match picture {
+        Picture::Svg => out.write_all(figure.svg()?.as_bytes())?,
+        #[cfg(feature = "png")]
+        Picture::Png => out.write_all(&figure.png(WIDTH)?)?,
+        #[cfg(not(feature = "png"))]
+        Picture::Png => check(picture, "png")?,
+        Picture::Csv => figure.write_csv(out)?,
+    }
+    Ok(())
+}

@@ -1,0 +1,294 @@
+//! The picture of a map.
+
+use super::resonance::is_unbounded;
+use super::{Map, Quantity, limits, margin, symmetry};
+use crate::failure::{Failure, Outcome};
+use crate::given::Parameter as P;
+use crate::grid::Grid;
+use crate::input;
+use crate::note::digits;
+use crate::outputs;
+use crate::record::Cell;
+use stickslip::Response;
+use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+
+impl Map<'_> {
+    /// The meaning of the colours, in words, with the unit.
+    fn label(&self) -> (String, String) {
+        let words = match self.quantity {
+            Quantity::Regime => "regime".to_owned(),
+            Quantity::Margin => "margin over the border, α/α_min".to_owned(),
+            Quantity::Stops if self.has_static_friction() => "stops in a cycle, from rest".to_owned(),
+            Quantity::Stops => "stops in a cycle".to_owned(),
+            Quantity::Limits => format!("limits from {} starts", limits::STARTS),
+            Quantity::Output(..) => outputs::in_words(self.quantity.name()),
+        };
+        let unit = match self.kind {
+            Some(kind) => self.system.name(kind),
+            None => outputs::unit_of(self.quantity.name()).unwrap_or("1").to_owned(),
+        };
+        let label = if unit == "1" { words.clone() } else { format!("{words} ({unit})") };
+        (words, label)
+    }
+
+    fn has_static_friction(&self) -> bool {
+        let given = self.axes.at(0);
+        given.has_static_friction()
+            && input::point(&given).is_ok_and(|p| p.ratios.has_higher_static_friction())
+    }
+
+    /// The border of sticking, if the vertical axis is α or proportional to it; computed from the border
+    /// itself.
+    fn border(&self) -> Vec<(f64, f64)> {
+        let up = self.up.0;
+        let inverse = matches!(up, P::Friction | P::FrictionCoefficient);
+        if !inverse && !P::DRIVES.contains(&up) {
+            return Vec::new();
+        }
+        let ((left, right), (low, _)) = (self.across.1.ends(), self.up.1.ends());
+        let mut given = self.axes.at(0);
+        let logarithmic = self.across.1.is_logarithmic();
+        let at = |i: u32| {
+            let share = f64::from(i) / f64::from(BORDER_POINTS);
+            if logarithmic { left * (right / left).powf(share) } else { left + (right - left) * share }
+        };
+        let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);
+        let mut points = Vec::new();
+        for x in (0..=BORDER_POINTS).map(at) {
+            given.set(self.across.0, x);
+            given.set(up, low);
+            let Ok(point) = input::point(&given) else { continue };
+            let margin = margin(&Response::new(point.ratios));
+            points.push((x * across, upwards * if inverse { low * margin } else { low / margin }));
+        }
+        points
+    }
+
+    /// As in all pictures, light shades mean motion: the fraction of time at rest has the reverse scale.
+    fn lit(&self, scale: Scale) -> Scale {
+        match scale {
+            Scale::Shades { low, high, logarithmic } if self.quantity.name() == "stick_fraction" => {
+                Scale::Shades { low: high, high: low, logarithmic }
+            }
+            Scale::Shades { .. } | Scale::Names(_) => scale,
+        }
+    }
+
+    /// Fails if a picture would be too large.
+    fn drawable(&self) -> Outcome {
+        let (points, (x, y)) = (self.axes.len(), (self.across.0.option(), self.up.0.option()));
+        if points > MOST {
+            return Err(Failure::Input(format!("{x}, {y}: {points} points, must be ≤ {MOST} in a picture")));
+        }
+        for (parameter, grid) in [&self.across, &self.up] {
+            if grid.len() > MOST_ACROSS {
+                return Err(Failure::Input(format!(
+                    "{}: {} values, must be ≤ {MOST_ACROSS} in a picture",
+                    parameter.option(),
+                    grid.len()
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    fn axis(&self, (parameter, grid): &(P, Grid<f64>), ends: (f64, f64)) -> Axis {
+        let label = match (self.on_axis(*parameter).0, *parameter) {
+            (_, P::Omega) => "frequency ratio Ω = ω_d/ω_n".to_owned(),
+            (_, P::Alpha) => "force ratio α = p₀/r_y".to_owned(),
+            (unit, P::Frequency) => format!("frequency ({unit})"),
+            (unit, _) if unit.is_empty() => parameter.symbol().to_owned(),
+            (unit, _) => format!("{} ({unit})", parameter.symbol()),
+        };
+        if grid.is_logarithmic() {
+            Axis::logarithmic(&label, ends.0, ends.1)
+        } else {
+            Axis::linear(&label, ends.0, ends.1)
+        }
+    }
+
+    pub(super) fn picture(&self) -> Result<Figure, Failure> {
+        self.drawable()?;
+        let values = |(parameter, grid): &(P, Grid<f64>)| -> Vec<f64> {
+            grid.values().map(|v| v * self.on_axis(*parameter).1).collect()
+        };
+        let (Some(across), Some(up)) = (ends(&values(&self.across)), ends(&values(&self.up))) else {
+            let (x, y) = (self.across.0.option(), self.up.0.option());
+            return Err(Failure::Input(format!("{x}, {y}: a picture needs two values or more, ascending")));
+        };
+        let (columns, is_asked) = self.columns();
+        let columns = (self.across.0, Grid::List(columns));
+        let (x, y) = (values(&columns), values(&self.up));
+        let mut axes = self.axes.clone();
+        axes.order([self.up.clone(), columns]);
+        // The names from the lightest colour, for a body that never stops, to the darkest, for one at rest;
+        // others are appended.
+        let regimes: &[&str] = if self.has_static_friction() {
+            &["non-sticking", "unbounded", "depends-on-start", "sticking", "stuck"]
+        } else {
+            &["non-sticking", "unbounded", "sticking", "stuck"]
+        };
+        let known = if matches!(self.quantity, Quantity::Limits) { &limits::NAMES[..] } else { regimes };
+        let mut names: Vec<String> = known.iter().map(|name| (*name).to_owned()).collect();
+        let mut named = false;
+        let mut values = Vec::new();
+        let (mut whole, mut has_absent) = (true, false);
+        // The values at points that were asked for, which alone decide on the shades.
+        let mut asked = Vec::new();
+        let mut asked_so_far = is_asked.iter().cycle();
+        self.cells(&axes, |given, cell| {
+            let value = match cell {
+                // The line of unbounded motion shows them.
+                Cell::Text(_) if matches!(self.quantity, Quantity::Regime) && is_unbounded(&given) => {
+                    f64::NAN
+                }
+                Cell::Text(name) => {
+                    named = true;
+                    place_of(name, &mut names)
+                }
+                Cell::Count(count) => count.map_or(f64::NAN, |n| n as f64),
+                Cell::Number(number) => {
+                    whole = false;
+                    number.unwrap_or(f64::NAN)
+                }
+                Cell::Flag(Some(flag)) => {
+                    named = true;
+                    place_of(if flag { "true" } else { "false" }, &mut names)
+                }
+                Cell::Flag(None) | Cell::Pairs(_) | Cell::Intervals(_) => f64::NAN,
+            };
+            // The line of unbounded motion explains its own points.
+            has_absent |= value.is_nan() && !is_unbounded(&given);
+            values.push(value);
+            if asked_so_far.next() == Some(&true) {
+                asked.push(value);
+            }
+            Ok(())
+        })?;
+        let (words, label) = self.label();
+        let mut title = capital(&words);
+        let scale = match (named, whole) {
+            (true, _) => Scale::Names(names),
+            (false, true) => counted(&mut values),
+            (false, false) => self.lit(clipped(Plane::shades(&values), &asked, &mut title)),
+        };
+        let mut series = Vec::new();
+        let border = self.border();
+        if !border.is_empty() {
+            let name = if self.has_static_friction() {
+                "border of the cycle without a stop"
+            } else {
+                "exact border of sticking"
+            };
+            series.push(Series::new(name, Style::Thick, 0, border));
+        }
+        let unbounded = self.unbounded();
+        if unbounded.iter().any(|(x, y)| y.is_finite() && (across.0..=across.1).contains(x)) {
+            series.push(Series::new("unbounded", Style::Line, 3, unbounded));
+        }
+        let symmetry::Breaks { by_multiplier, others, missing } = self.breaks()?;
+        let lines = [
+            ("symmetry breaks at a multiplier of −1", 1, by_multiplier),
+            ("a symmetric motion ends by a jump or a fold", 3, others),
+        ];
+        for (name, index, points) in lines.into_iter().filter(|(.., points)| !points.is_empty()) {
+            series.push(Series::new(name, Style::Dots, index, points));
+        }
+        if missing > 0 {
+            let note = format!("points missing at {missing} values, where the search reached its bound");
+            series.push(Series::new(note, Style::Note, 0, []));
+        }
+        if has_absent {
+            series.push(Series::new(self.quantity.absence(), Style::Note, 0, []));
+        }
+        Ok(Figure {
+            name: "map".to_owned(),
+            title,
+            caption: String::new(),
+            panels: vec![Panel {
+                title: String::new(),
+                x: self.axis(&self.across, across),
+                y: self.axis(&self.up, up),
+                series,
+                plane: Some(Plane { label, x, y, values, scale }),
+            }],
+        })
+    }
+}
+
+/// The greatest number of points of a picture, in total and in one direction: it must fit in memory, and more
+/// would not be visible.
+const MOST: u64 = 4_000_000;
+const MOST_ACROSS: u64 = 20_000;
+/// The count that stands for all greater ones.
+const MOST_NAMES: f64 = 7.0;
+/// The number of points of the border, more than a picture can show.
+pub(super) const BORDER_POINTS: u32 = 1000;
+/// Shades for values that exceed nearly all others by this factor are cut off as those of a pole.
+const POLE: f64 = 100.0;
+
+/// A name for each count, the last one for all greater counts, because a longer key is hard to read.
+fn counted(values: &mut [f64]) -> Scale {
+    let most = values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
+    let mut names: Vec<String> = (0..=most.min(MOST_NAMES) as u64).map(|n| n.to_string()).collect();
+    if most > MOST_NAMES {
+        // NaN remains without a name.
+        values.iter_mut().filter(|value| **value > MOST_NAMES).for_each(|value| *value = MOST_NAMES);
+        if let Some(last) = names.last_mut() {
+            last.push_str(" or more");
+        }
+    }
+    Scale::Names(names)
+}
+
+/// The shades without values close to a pole, by those at the points asked for; the title mentions the
+/// cut-off.
+fn clipped(scale: Scale, values: &[f64], title: &mut String) -> Scale {
+    let Scale::Shades { low, high, logarithmic: true } = scale else { return scale };
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let at = |share: f64| sorted.get((sorted.len() as f64 * share) as usize).copied();
+    let (Some(few), Some(most)) = (at(0.05), at(0.95)) else { return scale };
+    let (new_low, new_high) = (low.max(few / POLE), high.min(most * POLE));
+    match (new_low > low, new_high < high) {
+        (false, false) => {}
+        (true, false) => title.push_str(&format!(", cut off below {}", digits(round(new_low)))),
+        (false, true) => title.push_str(&format!(", cut off above {}", digits(round(new_high)))),
+        (true, true) => title.push_str(&format!(
+            ", cut off below {} and above {}",
+            digits(round(new_low)),
+            digits(round(new_high))
+        )),
+    }
+    let cut = |new: f64, old: f64| if new == old { old } else { round(new) };
+    Scale::Shades { low: cut(new_low, low), high: cut(new_high, high), logarithmic: true }
+}
+
+/// The nearest power of ten.
+fn round(value: f64) -> f64 {
+    10f64.powf(value.log10().round())
+}
+
+/// The text with an initial capital.
+pub(crate) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The first and the last value, if the values are ascending.
+fn ends(values: &[f64]) -> Option<(f64, f64)> {
+    let ascending = values.windows(2).all(|pair| matches!(pair, [a, b] if a < b));
+    match values {
+        [first, .., last] if ascending => Some((*first, *last)),
+        _ => None,
+    }
+}
+
+/// The index of a name in the list; a new name is appended.
+fn place_of(name: &str, names: &mut Vec<String>) -> f64 {
+    let place = names.iter().position(|n| n == name).unwrap_or_else(|| {
+        names.push(name.to_owned());
+        names.len() - 1
+    });
+    place as f64
+}

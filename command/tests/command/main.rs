@@ -1,0 +1,34 @@
+//! The command `stickslip` from the user's side.
+
+#[path = "../command_line/mod.rs"]
+mod command_line;
+#[path = "../../../tests/drawn/mod.rs"]
+mod drawn;
+#[path = "../../../tests/kept/mod.rs"]
+mod kept;
+#[path = "../../../tests/place/mod.rs"]
+mod place;
+
+mod answers;
+mod curves;
+mod design;
+#[cfg(feature = "mp")]
+mod enclose;
+mod figures;
+mod files;
+mod identify;
+#[cfg(unix)]
+mod interrupt;
+mod messages;
+mod motion;
+mod options;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod points;
+mod round_trips;
+mod shell;
+mod starts;
+mod static_friction;
+mod sweep;
+mod tasks;
+mod units;

@@ -1,0 +1,45 @@
+//! Figure 8: the minimum force ratio without sticking.
+
+use super::{Axis, Figure, Panel, Series, Style, evenly};
+use stickslip::exact::{LongRun, State};
+use stickslip::{Border, Ratios};
+
+/// The exact border, eq. 61, and the points where the exact motion has no stop.
+pub(super) fn least_force() -> Figure {
+    let borders: Vec<Border<f64>> = frequency_ratios().filter_map(|omega| Border::new(omega).ok()).collect();
+    let curve = |value: fn(&Border<f64>) -> f64| {
+        frequency_ratios().zip(borders.iter().map(value)).collect::<Vec<_>>()
+    };
+    let below_half = |points: Vec<(f64, f64)>| points.into_iter().filter(|(omega, _)| *omega <= 0.5);
+    let lattice =
+        evenly(0.1725, 1.9725, 61).flat_map(|omega| evenly(0.5, 15.5, 51).map(move |alpha| (omega, alpha)));
+    let series = vec![
+        Series::new("no stop in the exact motion", Style::Dots, 5, lattice.filter(|p| never_stops(*p))),
+        Series::new("exact border, Ω < 1/2", Style::Thick, 1, below_half(curve(|b| b.min_force_ratio))),
+        Series::new("eq. 61", Style::Line, 0, curve(|b| b.turning_point)),
+    ];
+    Figure {
+        name: "8".to_owned(),
+        title: "Least force ratio without sticking".to_owned(),
+        caption: "Least force ratio α that keeps the body from sticking: eq. 61 (thin line), the exact border where it differs, below Ω = 1/2 \
+            (thick), and the points where the exact motion from rest has no stop in a cycle (dots). No dot lies between the two lines: \
+            eq. 61 does not suffice there."
+            .to_owned(),
+        panels: vec![Panel {
+            title: String::new(),
+            x: Axis::frequency_ratio(0.15, 2.0),
+            y: Axis::linear("force ratio α = p₀/r_y", 0.0, 16.0),
+            plane: None,
+            series,
+        }],
+    }
+}
+
+fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
+    evenly(0.15, 2.0, 926)
+}
+
+fn never_stops((omega, alpha): (f64, f64)) -> bool {
+    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
+    limit.is_ok_and(|limit| limit.steady_state().is_some_and(|steady| steady.sticks_per_cycle == 0))
+}

@@ -1,0 +1,131 @@
+//! Figures 9 and 10: the size of the dissipation loop.
+
+use super::resolve::resonant;
+use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
+use stickslip::{Cycle, Ratios, Response};
+
+/// The answers at Ω that depend on Ω alone.
+fn at(omega: f64) -> Option<Response<f64>> {
+    Ratios::new(omega, 1.0).map(Response::new).ok()
+}
+
+/// A value where the optimum of eq. 65 and 66 does not stick; NaN elsewhere.
+fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
+    frequency_ratios().map(move |omega| {
+        let answer = at(omega).filter(Response::best_is_reached);
+        (omega, answer.as_ref().and_then(value).unwrap_or(f64::NAN))
+    })
+}
+
+/// A value where that optimum would stick, so that the border is the best choice; NaN elsewhere.
+fn where_not_reached(value: impl Fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
+    frequency_ratios().map(move |omega| {
+        let answer = at(omega).filter(|a| !a.best_is_reached());
+        (omega, answer.as_ref().and_then(&value).unwrap_or(f64::NAN))
+    })
+}
+
+fn frequency_ratios() -> impl Iterator<Item = f64> {
+    evenly(0.2005, 1.9995, 1800)
+}
+
+/// A₁ on the border itself.
+fn loop_on_border(answer: &Response<f64>) -> Option<f64> {
+    // The rounded border may lie below the exact one.
+    let alpha = answer.border.min_force_ratio * (1.0 + 4.0 * f64::EPSILON);
+    let cycle = Ratios::new(answer.ratios.omega(), alpha).and_then(Cycle::new);
+    cycle.ok().map(|c| c.loop_size_stiffness())
+}
+
+/// Figure 9(a): the best force ratio.
+pub(super) fn best_force() -> Figure {
+    let series = vec![
+        Series::new("eq. 65, where it holds", Style::Thick, 0, where_reached(|a| Some(a.best_force_ratio))),
+        Series::new(
+            "the border, elsewhere",
+            Style::Dashed,
+            5,
+            where_not_reached(|a| Some(a.border.min_force_ratio)),
+        ),
+    ];
+    single(
+        "9a",
+        "Best force ratio for dissipation",
+        "Force ratio α that makes the loop size A₁ largest at a given Ω: eq. 65 where that motion does not stick (by the exact border); \
+            elsewhere the best without sticking is the border itself (dashed).",
+        Axis::frequency_ratio(0.2, 2.0),
+        Axis::linear("best force ratio α", 0.0, 16.0),
+        series,
+    )
+}
+
+/// Figure 9(b): the largest loop.
+pub(super) fn largest_loop() -> Figure {
+    let series = vec![
+        Series::new("eq. 66, where it holds", Style::Thick, 0, where_reached(|it| it.best_loop_size)),
+        Series::new("on the border, elsewhere", Style::Dashed, 5, where_not_reached(loop_on_border)),
+        Series::unbounded([1.0]),
+    ];
+    single(
+        "9b",
+        "Largest dissipation loop",
+        "The largest loop size A₁ without sticking at a given Ω: eq. 66 where its motion does not stick (by the exact border), \
+            elsewhere A₁ on the border (dashed). At Ω = 1 it has no bound (arrowhead).",
+        Axis::frequency_ratio(0.2, 2.0),
+        Axis::logarithmic("largest loop size A₁", 0.1, 1000.0),
+        series,
+    )
+}
+
+/// Figure 10(a): A₁ against 1/α.
+pub(super) fn loop_by_friction() -> Figure {
+    let curve = |(index, tenth): (usize, u32)| {
+        let omega = f64::from(tenth) / 10.0;
+        let points = evenly(0.002, 0.8, 400)
+            .map(|inverse| (inverse, of_cycle(omega, 1.0 / inverse, |c| c.loop_size_stiffness())));
+        Series::new(format!("Ω = {omega}"), Style::Marked(30 + index), index, points)
+    };
+    single(
+        "10a",
+        "Dissipation against friction",
+        "Loop size A₁ against 1/α = r_y/p₀ for Ω = 1.2 … 1.8, each up to where the motion begins to stick. \
+            The top of each curve is eq. 65 and 66.",
+        Axis::linear("1/α = r_y/p₀", 0.0, 0.8),
+        Axis::linear("loop size A₁", 0.0, 7.0),
+        (12..=18).enumerate().map(curve).collect(),
+    )
+}
+
+/// Figure 10(b): A₂ against Ω.
+pub(super) fn loop_by_frequency() -> Figure {
+    let curve = |(index, alpha, name): (usize, f64, String)| {
+        // The loop grows with the displacement.
+        let at = |omega| {
+            if omega == 1.0 { f64::INFINITY } else { of_cycle(omega, alpha, |c| c.loop_size_inertia()) }
+        };
+        let points = resonant(frequency_ratios(), &[1.0], at);
+        Series::new(name, Style::Marked(130 + index), index, points)
+    };
+    single(
+        "10b",
+        "Dissipation against stiffness",
+        "Loop size A₂ against Ω for 1/α = 0.1 … 0.5, where the motion does not stick: the influence of the stiffness at a given mass, \
+            force and frequency. At Ω = 1 it has no bound (arrowhead).",
+        Axis::frequency_ratio(0.2, 2.0),
+        Axis::logarithmic("loop size A₂", 0.01, 1000.0),
+        inverse_force_ratios(5).map(curve).chain([Series::unbounded([1.0])]).collect(),
+    )
+}
+
+fn of_cycle(omega: f64, alpha: f64, value: fn(&Cycle<f64>) -> f64) -> f64 {
+    Ratios::new(omega, alpha).and_then(Cycle::new).as_ref().map_or(f64::NAN, value)
+}
+
+fn single(name: &str, title: &str, caption: &str, x: Axis, y: Axis, series: Vec<Series>) -> Figure {
+    Figure {
+        name: name.to_owned(),
+        title: title.to_owned(),
+        caption: caption.to_owned(),
+        panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
+    }
+}

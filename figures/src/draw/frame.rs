@@ -1,0 +1,228 @@
+//! One pair of axes and its contents.
+
+use super::line::{arrow, stroke, whole};
+use super::ticks::ticks;
+use super::{Anchor, Canvas, Drawn, UNITS, mark, write};
+use crate::{Axis, Panel, Plane, Series, Style};
+use plotters::element::{PathElement, Rectangle};
+use plotters::style::{BLACK, Color, RGBColor, WHITE};
+
+/// A panel with its place in the drawing, in units of the drawing.
+pub(super) struct Frame<'a> {
+    panel: &'a Panel,
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+}
+
+impl<'a> Frame<'a> {
+    /// The panel with a plot of this size at this upper left corner, both in pixels.
+    pub(super) fn new(panel: &'a Panel, (x, y): (i32, i32), (width, height): (i32, i32)) -> Self {
+        let [left, top, width, height] = [x, y, width, height].map(|pixels| f64::from(pixels * UNITS));
+        Self { panel, left, top, width, height }
+    }
+
+    pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Drawn {
+        let grid = RGBColor(222, 222, 222).stroke_width(UNITS.unsigned_abs());
+        let (right, bottom) = (self.left + self.width, self.top + self.height);
+        let shown = |axis: &Axis| if axis.label.is_empty() { Vec::new() } else { ticks(axis) };
+        let (x_ticks, y_ticks) = (shown(&self.panel.x), shown(&self.panel.y));
+        for (value, _) in &x_ticks {
+            let x = self.place((*value, self.panel.y.low)).0;
+            canvas.draw(&PathElement::new(vec![whole((x, self.top)), whole((x, bottom))], grid))?;
+        }
+        for (value, _) in &y_ticks {
+            let y = self.place((self.panel.x.low, *value)).1;
+            canvas.draw(&PathElement::new(vec![whole((self.left, y)), whole((right, y))], grid))?;
+        }
+        if let Some(plane) = &self.panel.plane {
+            self.plane(plane, canvas)?;
+        }
+        for series in &self.panel.series {
+            self.series(series, canvas)?;
+        }
+        if !(x_ticks.is_empty() && y_ticks.is_empty()) {
+            let corners = [(self.left, self.top), (right, self.top), (right, bottom), (self.left, bottom)];
+            let round = corners.into_iter().chain([(self.left, self.top)]).map(whole).collect::<Vec<_>>();
+            canvas.draw(&PathElement::new(round, BLACK.stroke_width(UNITS.unsigned_abs())))?;
+        }
+        self.words(&x_ticks, &y_ticks, canvas)
+    }
+
+    fn words(&self, x_ticks: &[(f64, String)], y_ticks: &[(f64, String)], canvas: &Canvas<'_>) -> Drawn {
+        let pixels = |at: f64| (at / f64::from(UNITS)).round() as i32;
+        let (left, top) = (pixels(self.left), pixels(self.top));
+        let (middle, bottom) = (left + pixels(self.width) / 2, top + pixels(self.height));
+        for (value, text) in x_ticks {
+            let x = self.place((*value, self.panel.y.low)).0;
+            write(canvas, text, (pixels(x), bottom + 7), 13, Anchor::Above)?;
+        }
+        for (value, text) in y_ticks {
+            let y = self.place((self.panel.x.low, *value)).1;
+            write(canvas, text, (left - 7, pixels(y)), 13, Anchor::Right)?;
+        }
+        write(canvas, &self.panel.x.label, (middle, bottom + 28), 14, Anchor::Above)?;
+        write(canvas, &self.panel.y.label, (left - 56, top + pixels(self.height) / 2), 14, Anchor::Upwards)?;
+        write(canvas, &self.panel.title, (middle, top - 22), 14, Anchor::Above)
+    }
+
+    /// The place of a point of the plot, in units of the drawing; what is infinite is on the upper edge.
+    fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let y = if y == f64::INFINITY { 1.0 } else { share(&self.panel.y, y) };
+        let x = share(&self.panel.x, x);
+        (self.left + self.width * x, self.top + self.height * (1.0 - y))
+    }
+
+    fn holds(&self, (x, y): (f64, f64)) -> bool {
+        let within = |at: f64, low: f64, length: f64| at >= low - 0.5 && at <= low + length + 0.5;
+        within(x, self.left, self.width) && within(y, self.top, self.height)
+    }
+
+    fn series(&self, series: &Series, canvas: &Canvas<'_>) -> Drawn {
+        let places: Vec<(f64, f64)> = series.points.iter().map(|&point| self.place(point)).collect();
+        let shown = || places.iter().copied().filter(|place| self.holds(*place)).map(whole);
+        match series.style {
+            Style::Marks => return shown().try_for_each(|place| mark::draw(canvas, series.index, place)),
+            Style::Dots => return shown().try_for_each(|place| mark::dot(canvas, series.index, place)),
+            Style::Beyond => {
+                let tips = series.points.iter().map(|&(x, _)| self.place((x, f64::INFINITY)));
+                let mut tips = tips.filter(|place| self.holds(*place)).map(whole);
+                return tips.try_for_each(|tip| mark::beyond(canvas, series.index, tip));
+            }
+            Style::Note => return Ok(()),
+            Style::Named => {
+                let named = |(x, y): (i32, i32)| {
+                    write(canvas, &series.name, (x / UNITS, y / UNITS), 15, Anchor::Middle)
+                };
+                return shown().try_for_each(named);
+            }
+            Style::Line | Style::Thick | Style::Dashed | Style::Dotted | Style::Marked(_) | Style::Arrow => {}
+        }
+        let colour = mark::colour(series.index);
+        if series.style == Style::Arrow {
+            return arrow(canvas, &places, colour);
+        }
+        for line in self.clipped(&places) {
+            if self.panel.plane.is_some() && series.style == Style::Thick {
+                let halo = WHITE.stroke_width(6 * UNITS.unsigned_abs());
+                canvas.draw(&PathElement::new(line.clone(), halo))?;
+            }
+            stroke(canvas, line, series.style, colour)?;
+        }
+        if let Style::Marked(every) = series.style {
+            let some = places.iter().copied().skip(every / 2).step_by(every.max(1));
+            for place in some.filter(|place| self.holds(*place)) {
+                mark::draw(canvas, series.index, whole(place))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The parts of a line within the frame.
+    fn clipped(&self, places: &[(f64, f64)]) -> Vec<Vec<(i32, i32)>> {
+        let mut lines: Vec<Vec<(i32, i32)>> = Vec::new();
+        for pair in places.windows(2) {
+            let [from, to] = pair else { continue };
+            let Some((a, b)) = self.within(*from, *to) else { continue };
+            let (a, b) = (whole(a), whole(b));
+            match lines.last_mut() {
+                Some(line) if line.last() == Some(&a) => {
+                    if a != b {
+                        line.push(b);
+                    }
+                }
+                Some(_) | None => lines.push(vec![a, b]),
+            }
+        }
+        lines
+    }
+
+    /// The part of a straight piece within the frame.
+    fn within(&self, (ax, ay): (f64, f64), (bx, by): (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+        if [ax, ay, bx, by].iter().any(|c| !c.is_finite()) {
+            return None;
+        }
+        let (dx, dy) = (bx - ax, by - ay);
+        let (mut enter, mut leave) = (0.0f64, 1.0f64);
+        let sides = [
+            (-dx, ax - self.left),
+            (dx, self.left + self.width - ax),
+            (-dy, ay - self.top),
+            (dy, self.top + self.height - ay),
+        ];
+        for (towards, room) in sides {
+            if towards == 0.0 {
+                if room < 0.0 {
+                    return None;
+                }
+            } else if towards < 0.0 {
+                enter = enter.max(room / towards);
+            } else {
+                leave = leave.min(room / towards);
+            }
+        }
+        let at = |t: f64| (ax + t * dx, ay + t * dy);
+        (enter <= leave).then(|| (at(enter), at(leave)))
+    }
+
+    /// Draws the plane as rows of rectangles; neighbours of the same colour are merged.
+    fn plane(&self, plane: &Plane, canvas: &Canvas<'_>) -> Drawn {
+        let x: Vec<f64> = plane.x.iter().map(|&x| self.place((x, self.panel.y.low)).0).collect();
+        let y: Vec<f64> = plane.y.iter().map(|&y| self.place((self.panel.x.low, y)).1).collect();
+        let across = cells(&x, (self.left, self.left + self.width));
+        let down = cells(&y, (self.top, self.top + self.height));
+        for (row, (low, high)) in plane.values.chunks(plane.x.len().max(1)).zip(down) {
+            let mut steps = row.iter().map(|&value| plane.scale.step(value)).zip(&across).peekable();
+            while let Some((step, &(left, end))) = steps.next() {
+                let mut right = end;
+                while let Some((_, &(_, next))) = steps.next_if(|(other, _)| *other == step) {
+                    right = next;
+                }
+                if let Some(step) = step {
+                    // Rows and cells overlap, because otherwise the background would show between them; the
+                    // next one covers the rest.
+                    let (lap, top) = (f64::from(UNITS), low.min(high));
+                    let corner = ((right + lap).min(self.left + self.width), low.max(high));
+                    let corners = [whole((left, (top - lap).max(self.top))), whole(corner)];
+                    canvas.draw(&Rectangle::new(corners, plane.scale.colour(step).filled()))?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// From 0 at the start of an axis to 1 at its end.
+fn share(axis: &Axis, value: f64) -> f64 {
+    if axis.logarithmic {
+        (value / axis.low).ln() / (axis.high / axis.low).ln()
+    } else {
+        (value - axis.low) / (axis.high - axis.low)
+    }
+}
+
+/// The cell around each place: half way to its neighbours, within the frame.
+fn cells(places: &[f64], (low, high): (f64, f64)) -> Vec<(f64, f64)> {
+    let before = std::iter::once(None).chain(places.iter().copied().map(Some));
+    let after = places.iter().copied().skip(1).map(Some).chain([None]);
+    let cell = |((at, before), after): ((&f64, Option<f64>), Option<f64>)| {
+        let half = |next: Option<f64>, other: Option<f64>| {
+            next.map_or_else(|| other.map_or(*at, |o| at + (at - o) / 2.0), |n| (at + n) / 2.0)
+                .clamp(low, high)
+        };
+        (half(before, after), half(after, before))
+    };
+    places.iter().zip(before).zip(after).map(cell).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cells;
+
+    #[test]
+    fn cells_meet_and_stay_within() {
+        assert_eq!(cells(&[1.0, 2.0, 4.0], (0.0, 4.5)), [(0.5, 1.5), (1.5, 3.0), (3.0, 4.5)]);
+        assert_eq!(cells(&[4.0, 2.0], (0.0, 9.0)), [(5.0, 3.0), (3.0, 1.0)]);
+    }
+}

@@ -1,0 +1,21 @@
+//! Rasterises a drawing, with an embedded font.
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+use std::io;
+use std::sync::Arc;
+
+/// The drawing as PNG, `width` pixels wide.
+pub(crate) fn png(svg: &str, width: u32) -> io::Result<Vec<u8>> {
+    let mut options = Options::default();
+    let fonts = Arc::make_mut(&mut options.fontdb);
+    fonts.load_font_data(dejavu::sans::regular().to_vec());
+    fonts.set_sans_serif_family("DejaVu Sans");
+    let tree = Tree::from_str(svg, &options).map_err(io::Error::other)?;
+    let scale = width as f32 / tree.size().width();
+    let height = (tree.size().height() * scale).round() as u32;
+    let mut pixels = Pixmap::new(width, height)
+        .ok_or_else(|| io::Error::other(format!("{width} × {height} pixels are none, or too many")))?;
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    pixels.encode_png().map_err(io::Error::other)
+}

@@ -1,0 +1,311 @@
+//! The figures of the paper, redrawn from this library's results, and some additional ones.
+//!
+//! | file | figures |
+//! |---|---|
+//! | `oscillator` | 1: the oscillator and its law of friction |
+//! | `cycle` | 2: a cycle without stops in the phase plane |
+//! | `symmetry` | 3: the error measures |
+//! | `response` | 4–7: Δ₀/B, the two phases, Δ₁/B, V₀/(Bω_d) |
+//! | `border` | 8: the least force ratio without sticking |
+//! | `dissipation` | 9a, 9b, 10a, 10b: the loop sizes |
+//! | `stops` | the map of stops per cycle |
+//! | `poles` | the neighbourhood of the poles 1/3 and 1/5 |
+//! | `portrait` | two motions in the phase plane |
+//! | `accuracy` | digits lost near Ω = 1 |
+//! | `multipliers` | how fast the motion settles |
+//! | `damping` | what viscous damping changes |
+//! | `resolve` | curves resolved at their peaks |
+//! | `draw` | a figure as SVG or PNG |
+//!
+//! A figure is data first: [`Figure::write_csv`] writes the data that [`Figure::svg`] draws.
+//!
+//! ```
+//! let border = stickslip_figures::figure("8").unwrap();
+//! assert!(border.svg()?.starts_with("<svg"));
+//! # Ok::<(), std::io::Error>(())
+//! ```
+
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing,
+        clippy::unreachable,
+        clippy::wildcard_enum_match_arm
+    )
+)]
+
+mod accuracy;
+mod border;
+mod cycle;
+mod damping;
+mod dissipation;
+mod draw;
+mod multipliers;
+mod oscillator;
+mod plane;
+mod poles;
+mod portrait;
+mod resolve;
+mod response;
+mod stops;
+mod symmetry;
+
+#[doc(hidden)]
+pub use plane::{Plane, Scale};
+#[doc(hidden)]
+pub use resolve::{Origin, resolved};
+
+use std::io::{self, Write};
+
+/// The names of all figures, in order; those of the paper have their numbers.
+pub const NAMES: [&str; 18] = [
+    "1",
+    "2",
+    "3",
+    "4",
+    "5",
+    "6",
+    "7",
+    "8",
+    "9a",
+    "9b",
+    "10a",
+    "10b",
+    "stops",
+    "portrait",
+    "accuracy",
+    "multipliers",
+    "poles",
+    "damping",
+];
+
+/// The figure with that name, one of [`NAMES`].
+#[must_use]
+pub fn figure(name: &str) -> Option<Figure> {
+    Some(match name {
+        "1" => oscillator::with_friction(),
+        "2" => cycle::in_phase_plane(),
+        "3" => symmetry::errors(),
+        "4" => response::max_displacement(),
+        "5" => response::phases(),
+        "6" => response::deviation(),
+        "7" => response::max_velocity(),
+        "8" => border::least_force(),
+        "9a" => dissipation::best_force(),
+        "9b" => dissipation::largest_loop(),
+        "10a" => dissipation::loop_by_friction(),
+        "10b" => dissipation::loop_by_frequency(),
+        "stops" => stops::per_cycle(),
+        "portrait" => portrait::two_motions(),
+        "accuracy" => accuracy::beside_one(),
+        "multipliers" => multipliers::of_the_cycle(),
+        "poles" => poles::beside(),
+        "damping" => damping::four_ratios(),
+        _ => return None,
+    })
+}
+
+/// A figure: panels side by side, and a caption.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// One of [`NAMES`], or a name chosen by the user for a figure of their own.
+    pub name: String,
+    /// The content in a line.
+    pub title: String,
+    /// The observations to make in it, with the parameters.
+    pub caption: String,
+    /// The panels, row by row.
+    #[doc(hidden)]
+    pub panels: Vec<Panel>,
+}
+
+/// One pair of axes and what is drawn in them.
+#[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
+pub struct Panel {
+    /// The title that distinguishes it from the other panels; empty for a single one.
+    pub title: String,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// Values over the plane of the axes, behind the series.
+    pub plane: Option<Plane>,
+    /// Lines and marks, drawn in this order.
+    pub series: Vec<Series>,
+}
+
+/// An axis: name with unit, and range.
+#[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
+pub struct Axis {
+    /// Quantity and unit; empty for an axis that is not shown.
+    pub label: String,
+    /// Value at its start.
+    pub low: f64,
+    /// Value at its end.
+    pub high: f64,
+    /// Whether the scale is logarithmic.
+    pub logarithmic: bool,
+}
+
+impl Axis {
+    /// An axis with a linear scale.
+    #[must_use]
+    pub fn linear(label: &str, low: f64, high: f64) -> Self {
+        Self { label: label.to_owned(), low, high, logarithmic: false }
+    }
+
+    /// An axis with a logarithmic scale.
+    #[must_use]
+    pub fn logarithmic(label: &str, low: f64, high: f64) -> Self {
+        Self { label: label.to_owned(), low, high, logarithmic: true }
+    }
+
+    /// An axis of Ω from `low` to `high`.
+    pub(crate) fn frequency_ratio(low: f64, high: f64) -> Self {
+        Self::linear("frequency ratio Ω = ω_d/ω_n", low, high)
+    }
+}
+
+/// Points of one kind, with a name.
+#[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
+pub struct Series {
+    /// The name in the data.
+    pub name: String,
+    /// The text in the legend, by default the name. Series with the same text share an entry; those without
+    /// text have none.
+    pub key: String,
+    /// How it is drawn.
+    pub style: Style,
+    /// The index of the colour and the mark.
+    pub index: usize,
+    /// (x, y); a NaN breaks a line, and an infinite y lies on the upper edge.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[doc(hidden)]
+pub enum Style {
+    /// A full line.
+    Line,
+    /// A full line of double width.
+    Thick,
+    /// A dashed line.
+    Dashed,
+    /// A dotted line.
+    Dotted,
+    /// A full line with a mark at every n-th point.
+    Marked(usize),
+    /// Marks without a line.
+    Marks,
+    /// Small dots.
+    Dots,
+    /// An arrowhead on the upper edge at each x, where a line leaves the panel.
+    Beyond,
+    /// A thin line with an arrowhead at its end, not in the legend.
+    Arrow,
+    /// The name itself, written at each point; not in the legend.
+    Named,
+    /// The name as a note in the legend, without points.
+    Note,
+}
+
+impl Series {
+    /// A series; `index` chooses the colour and the mark.
+    pub fn new(
+        name: impl Into<String>,
+        style: Style,
+        index: usize,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        let name = name.into();
+        Self { key: name.clone(), name, style, index, points: points.into_iter().collect() }
+    }
+
+    /// Arrowheads at these x, where curves have no bound.
+    pub fn unbounded(places: impl IntoIterator<Item = f64>) -> Self {
+        Self::new("unbounded", Style::Beyond, 0, places.into_iter().map(|x| (x, f64::INFINITY)))
+    }
+
+    /// The same with another text in the legend.
+    #[must_use]
+    pub(crate) fn with_key(self, key: impl Into<String>) -> Self {
+        Self { key: key.into(), ..self }
+    }
+}
+
+impl Figure {
+    /// Writes the data with the columns panel, series, x, y and value; a plane fills x, y and value, and
+    /// what has no bound has no y.
+    ///
+    /// # Errors
+    ///
+    /// Those of `out`.
+    pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
+        writeln!(out, "panel,series,x,y,value")?;
+        for panel in &self.panels {
+            let title = quoted(&panel.title);
+            if let Some(plane) = &panel.plane {
+                for (x, y, value) in plane.points() {
+                    writeln!(out, "{title},{},{x},{y},{value}", quoted(&plane.label))?;
+                }
+            }
+            for series in &panel.series {
+                let beyond = series.style == Style::Beyond;
+                let is_shown = |(x, y): &&(f64, f64)| x.is_finite() && (beyond || y.is_finite());
+                for (x, y) in series.points.iter().filter(is_shown) {
+                    let y = if beyond { String::new() } else { y.to_string() };
+                    writeln!(out, "{title},{},{x},{y},", quoted(&series.name))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The drawing as an SVG file without embedded fonts.
+    ///
+    /// # Errors
+    ///
+    /// Those of the drawing library, none of which are known to occur.
+    pub fn svg(&self) -> io::Result<String> {
+        draw::svg(self)
+    }
+
+    /// The drawing as PNG, `width` pixels wide, in DejaVu Sans.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::Other`] where the width is 0, or too large for an image in memory.
+    #[cfg(feature = "png")]
+    pub fn png(&self, width: u32) -> io::Result<Vec<u8>> {
+        draw::png(&self.svg()?, width)
+    }
+}
+
+/// A field of CSV, quoted if necessary.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+/// `count` numbers from `low` to `high`, both included.
+pub(crate) fn evenly(low: f64, high: f64, count: u32) -> impl Iterator<Item = f64> + Clone {
+    let last = f64::from(count.max(2) - 1);
+    (0..count).map(move |i| low + (high - low) * f64::from(i) / last)
+}
+
+/// The values of 1/α in the paper's figures 4 to 7, with their names and places in the palette.
+pub(crate) fn inverse_force_ratios(greatest: u32) -> impl Iterator<Item = (usize, f64, String)> {
+    (1..=greatest).map(|tenth| {
+        let inverse = f64::from(tenth) / 10.0;
+        (tenth as usize - 1, 1.0 / inverse, format!("1/α = {inverse}"))
+    })
+}

@@ -1,0 +1,68 @@
+//! The rate at which a disturbance decays.
+
+use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
+use stickslip::nonsticking::Multipliers;
+use stickslip::{Cycle, Ratios};
+
+/// The contraction per cycle over Ω, and the multipliers per half cycle in the complex plane.
+pub(super) fn of_the_cycle() -> Figure {
+    let contraction = |(index, alpha, name): (usize, f64, String)| {
+        let points = frequency_ratios()
+            .map(move |omega| (omega, at(omega, alpha).map_or(f64::NAN, |m| m.contraction())));
+        Series::new(name, Style::Marked(36 + index), index, points)
+    };
+    let locus = |(index, alpha, name): (usize, f64, String)| {
+        let one = move |which: Part| {
+            frequency_ratios()
+                .map(move |omega| at(omega, alpha).map_or((f64::NAN, f64::NAN), |m| which(m.half_cycle())))
+        };
+        let points = one(|[first, _]| first).chain([(f64::NAN, f64::NAN)]).chain(one(|[_, second]| second));
+        let marked = at(MARKED, alpha).map(|m| m.half_cycle());
+        [
+            Series::new(name.clone(), Style::Dots, index, points),
+            Series::new(name, Style::Marks, index, marked.into_iter().flatten()),
+        ]
+    };
+    let circle = evenly(0.0, std::f64::consts::TAU, 181).map(|t| (t.cos(), t.sin()));
+    let mut loci = vec![Series::new("modulus 1", Style::Dotted, 0, circle)];
+    loci.extend(inverse_force_ratios(6).flat_map(locus));
+    Figure {
+        name: "multipliers".to_owned(),
+        title: "How fast the motion settles".to_owned(),
+        caption: "Left: what a cycle leaves of a small disturbance, max |λ|², against Ω for 1/α = 0.1 … 0.6 where the motion does not stick; \
+            it reaches 1 at Ω = 1/n only. Right: the two multipliers λ per half cycle in the complex plane, \
+            for Ω from 0.2 to 2, with marks at Ω = 3/2: all within the unit circle."
+            .to_owned(),
+        panels: vec![
+            Panel {
+                title: "contraction per cycle".to_owned(),
+                x: Axis::frequency_ratio(0.2, 2.0),
+                y: Axis::linear("contraction max |λ|²", 0.0, 1.1),
+                plane: None,
+                series: inverse_force_ratios(6).map(contraction).collect(),
+            },
+            Panel {
+                title: "multipliers per half cycle".to_owned(),
+                x: Axis::linear("real part of λ", -1.1, 1.1),
+                y: Axis::linear("imaginary part of λ", -1.1, 1.1),
+                plane: None,
+                series: loci,
+            },
+        ],
+    }
+}
+
+/// One of two multipliers, each as (re, im).
+type Part = fn([(f64, f64); 2]) -> (f64, f64);
+
+/// The frequency ratio of the marks.
+const MARKED: f64 = 1.5;
+
+/// Ω from 0.2 to 2.
+fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
+    evenly(0.2025, 1.9975, 360)
+}
+
+fn at(omega: f64, alpha: f64) -> Option<Multipliers<f64>> {
+    Ratios::new(omega, alpha).and_then(Cycle::new).ok().map(|cycle| cycle.multipliers())
+}

@@ -1,0 +1,171 @@
+//! Figures 4 to 7: maximum displacement, phases and maximum velocity.
+
+use super::resolve::resonant;
+use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
+use stickslip::exact::{LongRun, State, SteadyState};
+use stickslip::nonsticking::printed;
+use stickslip::{Cycle, Ratios};
+
+/// Ω from 0.1025 to 2, 0.005 apart: between the frequencies 1/n, where the motion depends on its start.
+fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
+    evenly(0.1025, 1.9975, 380)
+}
+
+/// Ω of the marks.
+fn marked_frequency_ratios() -> impl Iterator<Item = f64> + Clone {
+    evenly(0.1325, 1.9825, 38)
+}
+
+/// A value of the exact steady state from rest; NaN where there is none, infinite where the motion is
+/// unbounded.
+fn exact(omega: f64, alpha: f64, value: fn(&SteadyState<f64>) -> f64) -> f64 {
+    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
+    match limit {
+        Ok(LongRun::Unbounded { .. }) => f64::INFINITY,
+        limit => limit.ok().as_ref().and_then(LongRun::steady_state).map_or(f64::NAN, value),
+    }
+}
+
+/// A value of the closed-form cycle; NaN where it would stick.
+fn closed(omega: f64, alpha: f64, value: fn(&Cycle<f64>) -> f64) -> f64 {
+    Ratios::new(omega, alpha).and_then(Cycle::new).as_ref().map_or(f64::NAN, value)
+}
+
+/// The curve of a value of the closed-form cycle for each 1/α.
+fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
+    let curve = |(index, alpha, name): (usize, f64, String)| {
+        let mut points: Vec<_> =
+            frequency_ratios().map(|omega| (omega, closed(omega, alpha, value))).collect();
+        // The phases jump at Ω = 1.
+        let below = points.iter().take_while(|(omega, _)| *omega < 1.0).count();
+        points.insert(below, (1.0, f64::NAN));
+        // Offset so that the marks of coinciding curves do not coincide.
+        Series::new(name, Style::Marked(26 + index), index, points)
+    };
+    inverse_force_ratios(6).map(curve).collect()
+}
+
+/// For each 1/α, a line of the exact motion, resolved at its peaks, and marks of the closed form. The legend
+/// has each line, and the marks once.
+fn lines_and_marks(
+    of_motion: fn(&SteadyState<f64>) -> f64,
+    of_cycle: fn(&Cycle<f64>) -> f64,
+    closed_form: &str,
+) -> Vec<Series> {
+    let lines = inverse_force_ratios(6).map(|(index, alpha, name)| {
+        let points = resonant(frequency_ratios(), &[1.0], |omega| exact(omega, alpha, of_motion));
+        Series::new(format!("{name}, exact"), Style::Line, index, points).with_key(name)
+    });
+    let marks = inverse_force_ratios(6).map(|(index, alpha, name)| {
+        let points = marked_frequency_ratios().map(|omega| (omega, closed(omega, alpha, of_cycle)));
+        let series = Series::new(format!("{name}, {closed_form}"), Style::Marks, index, points);
+        series.with_key(format!("marks: {closed_form}"))
+    });
+    lines.chain(marks).collect()
+}
+
+/// Figure 4: Δ₀/B, exact and by eq. 44.
+pub(super) fn max_displacement() -> Figure {
+    let mut series = lines_and_marks(|s| s.max_displacement.value, |c| c.max_displacement, "eq. 44");
+    series.push(Series::unbounded([1.0]));
+    single(
+        "4",
+        "Maximum displacement",
+        "Maximum displacement Δ₀/B of the exact steady motion (lines, sticking included) and by eq. 44 where it does not stick \
+            (marks), for 1/α = 0.1 … 0.6. Every mark is on its line; to the left of its first mark a line is of motions with stops. \
+            At Ω = 1 there is no bound (arrowhead).",
+        Axis::logarithmic("maximum displacement Δ₀/B", 0.1, 1000.0),
+        series,
+    )
+}
+
+/// Figure 5: the phases of the maxima.
+pub(super) fn phases() -> Figure {
+    let panel = |title: &str, value| Panel {
+        title: title.to_owned(),
+        x: Axis::frequency_ratio(0.3, 2.0),
+        y: Axis::linear("phase (rad)", 0.0, 5.0),
+        plane: None,
+        series: closed_curves(value),
+    };
+    Figure {
+        name: "5".to_owned(),
+        title: "Phases of the maximum velocity and the maximum displacement".to_owned(),
+        caption: "Phase ω_d t₁ of the maximum velocity (the root of eq. 46) and ω_d t₂ of the maximum displacement (eq. 43, in \
+            the right half where K > 0), for 1/α = 0.1 … 0.6 where the motion does not stick."
+            .to_owned(),
+        panels: vec![
+            panel("maximum velocity, ω_d t₁", |c| signed(c.velocity_phase)),
+            panel("maximum displacement, ω_d t₂", |c| c.displacement_phase),
+        ],
+    }
+}
+
+/// A phase near 2π as the negative one of which it is the continuation.
+fn signed(phase: f64) -> f64 {
+    if phase > 1.5 * std::f64::consts::PI { phase - std::f64::consts::TAU } else { phase }
+}
+
+/// Figure 6: Δ₁/B.
+pub(super) fn deviation() -> Figure {
+    single(
+        "6",
+        "Displacement at the maximum velocity",
+        "Deviation Δ₁/B, the displacement at which the velocity is greatest, for 1/α = 0.1 … 0.6 where the motion does not stick. \
+            For 1/2 < Ω < 1 it grows with α in units of B; above Ω = 1 the curves merge and tend to zero.",
+        Axis::linear("deviation Δ₁/B", 0.0, 2.5),
+        closed_curves(|c| c.deviation()),
+    )
+}
+
+/// Figure 7: V₀/(Bω_d), exact, by the corrected eq. 49, and as printed.
+pub(super) fn max_velocity() -> Figure {
+    let mut series = lines_and_marks(|s| s.max_velocity.value, |c| c.max_velocity, "closed form");
+    for (index, alpha, _) in inverse_force_ratios(6) {
+        let at = |omega| if omega == 1.0 { f64::INFINITY } else { as_printed(omega, alpha) };
+        let dashed = resonant(frequency_ratios().filter(|&omega| omega > 0.5), &[1.0], at);
+        series.push(Series::new("eq. 49 as printed", Style::Dashed, index, dashed));
+    }
+    series.push(Series::unbounded([1.0]));
+    single(
+        "7",
+        "Maximum velocity",
+        "Maximum velocity V₀/(Bω_d) of the exact steady motion (lines), by eq. 49 with the signs of its roots corrected (marks), and \
+            by eq. 49 as printed (dashed, Ω > 1/2), for 1/α = 0.1 … 0.6. As printed it is too large for every Ω > 1. \
+            At Ω = 1 there is no bound (arrowhead).",
+        Axis::logarithmic("maximum velocity V₀/(Bω_d)", 0.1, 1000.0),
+        series,
+    )
+}
+
+fn as_printed(omega: f64, alpha: f64) -> f64 {
+    let deviation = closed(omega, alpha, |c| c.deviation());
+    printed::max_velocity(omega, alpha, (std::f64::consts::PI / omega).cos(), deviation)
+}
+
+fn single(name: &str, title: &str, caption: &str, y: Axis, series: Vec<Series>) -> Figure {
+    let x = Axis::frequency_ratio(0.0, 2.0);
+    Figure {
+        name: name.to_owned(),
+        title: title.to_owned(),
+        caption: caption.to_owned(),
+        panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{phases, signed};
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_phase_before_the_crest_of_the_drive_is_negative() {
+        for phase in [0.0, 1.0, 4.7] {
+            assert_eq!(signed(phase).to_bits(), phase.to_bits());
+        }
+        assert!((signed(TAU - 0.08) + 0.08).abs() < 1e-15);
+        for series in &phases().panels[0].series {
+            assert!(!series.points.iter().any(|(_, phase)| *phase >= 4.72), "{}", series.name);
+        }
+    }
+}

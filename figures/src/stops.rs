@@ -1,0 +1,45 @@
+//! A map of the number of stops per cycle over Ω and α.
+
+use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly};
+use stickslip::exact::{LongRun, State};
+use stickslip::{Border, Ratios};
+
+/// Names of the numbers of stops, from light to dark: as in all figures, the lightest colour means no stop,
+/// and the darkest means rest.
+const NAMES: [&str; 6] =
+    ["no stop", "1 or 2 stops", "3 or 4 stops", "5 or 6 stops", "7 stops or more", "at rest"];
+
+/// Stops per cycle of the exact motion from rest, with the border.
+pub(super) fn per_cycle() -> Figure {
+    let (x, y): (Vec<f64>, Vec<f64>) =
+        (evenly(0.0525, 1.4975, 290).collect(), evenly(0.05, 7.95, 159).collect());
+    let places = y.iter().flat_map(|&alpha| x.iter().map(move |&omega| (omega, alpha)));
+    let values = places.map(|(omega, alpha)| class(omega, alpha)).collect();
+    let names = NAMES.map(str::to_owned).to_vec();
+    let border = evenly(0.05, 1.5, 2901)
+        .filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio)));
+    Figure {
+        name: "stops".to_owned(),
+        title: "Stops per cycle".to_owned(),
+        caption: "Stops in a cycle of the exact motion in the long run, from rest, over the plane of Ω and α, with the exact border (line). \
+            At low frequencies and forces the body stops more and more often; at α ≤ 1 it does not move."
+            .to_owned(),
+        panels: vec![Panel {
+            title: String::new(),
+            x: Axis::frequency_ratio(0.05, 1.5),
+            y: Axis::linear("force ratio α = p₀/r_y", 0.0, 8.0),
+            plane: Some(Plane { label: "stops per cycle".to_owned(), x, y, values, scale: Scale::Names(names) }),
+            series: vec![Series::new("exact border α_min", Style::Thick, 0, border)],
+        }],
+    }
+}
+
+/// The index in the list of names; NaN where the motion did not settle.
+fn class(omega: f64, alpha: f64) -> f64 {
+    match Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default())) {
+        Ok(LongRun::Rest(_)) => 5.0,
+        Ok(LongRun::Periodic(s) | LongRun::Family(s)) => f64::from(s.sticks_per_cycle.div_ceil(2).min(4)),
+        Ok(LongRun::Unbounded { .. }) => 0.0,
+        Ok(LongRun::Irregular(_) | LongRun::NotConverged { .. }) | Err(_) => f64::NAN,
+    }
+}

@@ -1,0 +1,75 @@
+//! Figure 3: the error measures of section 3.
+
+use super::{Axis, Figure, Panel, Series, Style, evenly};
+use stickslip::Ratios;
+use stickslip::exact::{ErrorMeasures, LongRun, State, errors_after};
+
+/// The number of cycles from rest before the motion is measured; the paper does not state it.
+const CYCLES: u32 = 20;
+
+/// Errors 1–4 for 1/α = 0.3, 0.4 and 0.5, some cycles after rest and in the steady state.
+pub(super) fn errors() -> Figure {
+    let measures: [(&str, Measure); 4] = [
+        ("error 1, of the extreme displacements", |e| e.error_1),
+        ("error 2, of their instants", |e| e.error_2.abs()),
+        ("error 3, of the extreme velocities", |e| e.error_3),
+        ("error 4, of their instants", |e| e.error_4.abs()),
+    ];
+    let inverses = [0.3, 0.4, 0.5];
+    let motions: Vec<_> =
+        inverses.iter().enumerate().map(|(i, &inverse)| (i, inverse, along(1.0 / inverse))).collect();
+    let panel = |(title, measure): (&str, Measure)| {
+        let mut series = Vec::new();
+        for (i, inverse, errors) in &motions {
+            let points = |of: fn(&Pair) -> Option<ErrorMeasures<f64>>| {
+                errors.iter().map(move |pair| (pair.omega, of(pair).map_or(f64::NAN, |e| measure(&e))))
+            };
+            let name = format!("1/α = {inverse}, 20 cycles from rest");
+            series.push(Series::new(name, Style::Line, *i, points(|p| p.early)));
+            series.push(Series::new(
+                format!("1/α = {inverse}, settled"),
+                Style::Dots,
+                *i,
+                points(|p| p.settled),
+            ));
+        }
+        Panel {
+            title: title.to_owned(),
+            x: Axis::frequency_ratio(0.6, 2.0),
+            y: Axis::logarithmic("error", 1e-17, 1.0),
+            plane: None,
+            series,
+        }
+    };
+    Figure {
+        name: "3".to_owned(),
+        title: "Figure 3 again: how symmetric the motion is".to_owned(),
+        caption: "The paper's error measures 1–4 for 1/α = 0.3, 0.4, 0.5: of the first cycle after 20 cycles from rest (lines), \
+            and of the settled motion (dots). The paper's peaks at Ω = 1 are the lines', left over from the start; \
+            settled, the motion is symmetric to rounding."
+            .to_owned(),
+        panels: measures.map(panel).into(),
+    }
+}
+
+/// One of the four measures.
+type Measure = fn(&ErrorMeasures<f64>) -> f64;
+
+/// The measures at one Ω.
+struct Pair {
+    omega: f64,
+    early: Option<ErrorMeasures<f64>>,
+    settled: Option<ErrorMeasures<f64>>,
+}
+
+/// The measures at one α for Ω from 0.6 to 2, without Ω = 1, where the amplitude grows without bound.
+fn along(alpha: f64) -> Vec<Pair> {
+    evenly(0.6025, 1.9975, 280)
+        .map(|omega| {
+            let ratios = Ratios::new(omega, alpha).ok();
+            let early = ratios.and_then(|r| errors_after(r, State::default(), CYCLES).ok());
+            let limit = ratios.and_then(|r| LongRun::from_start(r, State::default()).ok());
+            Pair { omega, early, settled: limit.and_then(|l| l.steady_state()?.errors().ok()) }
+        })
+        .collect()
+}
