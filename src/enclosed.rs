@@ -48,12 +48,14 @@ mod motion;
 mod root;
 mod widen;
 
+// The arithmetic in which the command checks the equations.
+#[doc(hidden)]
+pub use crate::float::ball::Ball;
 pub use enclosure::Enclosure;
 pub use known::Known;
 pub use motion::{Event, Steady, Unproved, steady};
 
 use crate::error::{Error, Quantity};
-use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::output::Output;

@@ -102,8 +102,7 @@
 //! * `generators`: adversarial inputs for property tests and fuzzing of code that uses this library
 //!   (`generators`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra
-//!   (`nonsticking::matching::newton`), over `Mp` too with `mp`; and every equation and answer compared with
-//!   it and with the exact motion (`verify`).
+//!   (`nonsticking::matching::newton`), over `Mp` too with `mp`.
 
 #![cfg_attr(
     not(test),
@@ -190,8 +189,6 @@ pub mod uncertainty;
 )]
 #[doc(hidden)]
 pub mod units;
-#[cfg(feature = "matching")]
-pub mod verify;
 
 /// The crates whose types and traits occur in this API, in the required versions.
 pub mod dependencies {

@@ -24,14 +24,12 @@ mod arrival;
 pub(crate) mod border;
 mod cycle;
 pub(crate) mod damped;
-#[cfg(any(test, feature = "matching"))]
 pub(crate) mod den_hartog;
 mod deviation;
 pub(crate) mod displacement;
 mod dissipation;
 mod half_cycle;
 mod low;
-#[cfg(any(test, feature = "matching"))]
 pub(crate) mod matching;
 mod motion;
 mod peaks;
@@ -48,7 +46,6 @@ mod waves;
 
 pub use border::{Border, Minimum, Shortfall};
 pub use cycle::Cycle;
-#[cfg(any(test, feature = "matching"))]
 pub use matching::Unknowns;
 #[cfg(feature = "matching")]
 pub use matching::newton::{BorderSolution, MatchingError, Solution, Solvable};
@@ -57,6 +54,25 @@ pub use matching::newton::{BorderSolution, MatchingError, Solution, Solvable};
 pub use reversal::Reversal;
 pub use six_reversals::SixReversals;
 pub use stability::Multipliers;
+
+/// The paper's equations by their numbers, and its forms that lose digits: for the checks of the answers.
+#[doc(hidden)]
+pub mod equations {
+    pub use super::border::{slip_excess, turning_point_border, turning_point_residual};
+    pub use super::den_hartog::{FallingHalf, cosine_coefficient, phase_lag, sine_coefficient};
+    pub use super::displacement::{
+        cos_displacement_phase, displacement_phase, max_displacement, max_displacement_from_amplitude,
+        sin_displacement_phase,
+    };
+    pub use super::dissipation::{
+        best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness,
+    };
+    pub use super::matching::damped::System;
+    pub use super::matching::{Given, half_period_later, pi_1};
+    pub use super::stability::{characteristic_polynomial, multiplier_product};
+    pub use super::velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
+    pub use crate::phase_function::phase_function_of_tangent;
+}
 
 pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_displacement};
 #[cfg(feature = "batch")]
@@ -71,11 +87,6 @@ pub(crate) use {
     displacement::{cos_displacement_phase, sin_displacement_phase},
     peaks::{arrival_acceleration, transmitted_force},
 };
-// The paper's other forms, for the proofs and for `verify`.
-#[cfg(any(test, feature = "matching", feature = "mp"))]
-pub(crate) use displacement::max_displacement;
-#[cfg(all(any(test, feature = "matching"), not(feature = "mp")))]
-pub(crate) use displacement::{cos_displacement_phase, sin_displacement_phase};
 #[cfg(feature = "mp")]
 pub(crate) use half_cycle::{HalfCycle, free_swing};
 #[cfg(feature = "batch")]
@@ -85,9 +96,5 @@ pub(crate) use phase::velocity_phase;
 pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
-#[cfg(any(test, feature = "matching"))]
-pub(crate) use {
-    displacement::{displacement_phase, max_displacement_from_amplitude},
-    dissipation::loop_size,
-    velocity::{deviation, max_velocity_from_phase, velocity_phase_residual},
-};
+#[cfg(any(test, feature = "mp"))]
+pub(crate) use displacement::max_displacement;

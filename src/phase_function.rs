@@ -42,7 +42,7 @@ pub(crate) use value::phase_function_beside_one;
 /// This is the definition, for any number that has the field operations. [`PhaseFunction::value`] is the form
 /// that is smooth through Ω = 1.
 #[inline(always)]
-pub(crate) fn phase_function_of_tangent<R: Field>(omega: R, tangent: R) -> R {
+pub fn phase_function_of_tangent<R: Field>(omega: R, tangent: R) -> R {
     // K = (1 − Ω²) T/Ω
     one_minus_square(omega) * tangent / omega
 }
@@ -114,7 +114,8 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. It is infinite only at Ω = 1, since no other float is a pole.
     #[inline]
-    pub(crate) fn tangent(&self) -> F {
+    #[doc(hidden)]
+    pub fn tangent(&self) -> F {
         tangent(self.quarter, self.remainder.hi)
     }
 

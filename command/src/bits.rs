@@ -3,12 +3,12 @@
 use crate::failure::{Failure, Outcome};
 use num_traits::Pow;
 use std::str::FromStr;
-use stickslip::nonsticking::Solvable;
+use stickslip::Float;
 
 /// A number type that the command can read, write and space evenly.
-pub(crate) trait Value: Solvable + FromStr + Pow<Self, Output = Self> + Send + Sync {}
+pub(crate) trait Value: Float + FromStr + Pow<Self, Output = Self> + Send + Sync {}
 
-impl<F: Solvable + FromStr + Pow<Self, Output = Self> + Send + Sync> Value for F {}
+impl<F: Float + FromStr + Pow<Self, Output = Self> + Send + Sync> Value for F {}
 
 /// A command for any number type.
 pub(crate) trait Task {
@@ -35,7 +35,7 @@ fn run_wide(bits: u32, task: impl Task) -> Outcome {
 
         fn run<F>(self) -> Outcome
         where
-            F: Solvable
+            F: Float
                 + FromStr<Err = ParseError>
                 + Pow<F, Output = F>
                 + Display

@@ -1,4 +1,23 @@
-//! `stickslip verify`.
+//! `stickslip verify`: the equations of the paper and the answers of the library, checked against each other
+//! and against the exact motion, at any precision.
+//!
+//! | file | content |
+//! |---|---|
+//! | `points` | where the statements are checked |
+//! | `case` | the answers at a point, and the terms of the equations |
+//! | `statements` | the equations with the answers put in, in any arithmetic |
+//! | `plain` | in plain numbers, and the answers against the exact motion |
+//! | `balls` | in ball arithmetic, and the answers against motions that are proved to exist |
+//!
+//! A true statement leaves the rounding of its operations; a false one is off by about `2^PRECISION` units.
+//! Statements that are wrong as printed are included, and must fail.
+
+#[cfg(feature = "mp")]
+mod balls;
+mod case;
+mod plain;
+mod points;
+mod statements;
 
 use crate::args::{Format, VerifyArgs};
 use crate::bits::{self, Task, Value};
@@ -7,10 +26,32 @@ use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::progress;
 use serde::Serialize;
-use std::convert::Infallible;
+use statements::Standing;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
-use stickslip::verify::{Standing, Verdict, verify};
+
+/// The result of a statement over all points.
+#[derive(Debug, Clone, PartialEq)]
+struct Verdict {
+    /// The equation's number.
+    equation: &'static str,
+    /// The statement in words.
+    statement: &'static str,
+    /// Whether it must hold or fail.
+    standing: Standing,
+    /// The number of points where it applies.
+    points: usize,
+    /// For a statement that holds: the largest residual, in units of the last place of its terms, or of their
+    /// square root for a difference quotient. For one that is refuted: the smallest residual, relative to its
+    /// terms.
+    worst: f64,
+    /// Ω and α at that point, with all digits.
+    at: Option<(String, String)>,
+    /// The damping ratio ζ at that point, if there is a damper.
+    damping_ratio: Option<String>,
+    /// Whether it holds within the rounding of its terms, or is refuted by more than that.
+    passed: bool,
+}
 
 /// The command with its arguments and its output.
 struct Run<'a, W>(&'a VerifyArgs, &'a mut W);
@@ -22,13 +63,12 @@ pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
     bits::run(args.bits, Run(args, out))
 }
 
-/// `verify --enclose`: the identities in balls.
+/// `verify --enclose`: the statements in balls.
 #[cfg(feature = "mp")]
 fn enclosed(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
     let bits = args.bits.unwrap_or(enclose::BITS);
-    let verdicts = watched(|step| stickslip::verify::verify_enclosed(bits, step))
-        .map_err(|e| Failure::Input(format!("--bits {bits}: {e}")))?;
-    answer(&verdicts?, Residuals { bits, are_balls: true }, args, out)
+    let verdicts = watched(|step| balls::verdicts(bits, step))?;
+    answer(&verdicts, Residuals { bits, are_balls: true }, args, out)
 }
 
 #[cfg(not(feature = "mp"))]
@@ -47,18 +87,17 @@ struct Residuals {
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
-        let verdicts = watched(|step| Ok::<_, Infallible>(verify::<F, Failure>(step)));
-        let Ok(verdicts) = verdicts;
-        answer(&verdicts?, Residuals { bits: F::PRECISION, are_balls: false }, args, out)
+        let verdicts = watched(|step| Ok(plain::verdicts::<F, Failure>(step)))?;
+        answer(&verdicts, Residuals { bits: F::PRECISION, are_balls: false }, args, out)
     }
 }
 
 /// The verdicts, with a progress bar, unless interrupted.
-fn watched<E>(
+fn watched(
     verify: impl FnOnce(
         &mut dyn FnMut(usize, usize) -> ControlFlow<Failure>,
-    ) -> Result<ControlFlow<Failure, Vec<Verdict>>, E>,
-) -> Result<Result<Vec<Verdict>, Failure>, E> {
+    ) -> Result<ControlFlow<Failure, Vec<Verdict>>, Failure>,
+) -> Result<Vec<Verdict>, Failure> {
     interrupt::listen();
     let bar = progress::bar(0, "points");
     let found = verify(&mut |done, all| {
@@ -68,15 +107,15 @@ fn watched<E>(
             Ok(()) => ControlFlow::Continue(()),
             Err(failure) => ControlFlow::Break(failure),
         }
-    });
-    let verdicts = match found? {
-        ControlFlow::Continue(verdicts) => verdicts,
-        ControlFlow::Break(failure) => return Ok(Err(failure)),
-    };
-    bar.finish_and_clear();
-    Ok(Ok(verdicts))
+    })?;
+    match found {
+        ControlFlow::Continue(verdicts) => {
+            bar.finish_and_clear();
+            Ok(verdicts)
+        }
+        ControlFlow::Break(failure) => Err(failure),
+    }
 }
-
 fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &mut impl Write) -> Outcome {
     match args.format {
         Format::Json => json(verdicts, residuals, out)?,
@@ -200,7 +239,7 @@ fn json(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> Out
 mod tests {
     use super::{Residuals, conclusion, text};
     use crate::failure::Failure;
-    use stickslip::verify::{Standing, Verdict};
+    use super::{Standing, Verdict};
 
     #[test]
     fn one_failure_is_enough_and_says_where() {

@@ -19,6 +19,8 @@ use crate::greatest::Jet;
 use crate::nonsticking::damped::best_of;
 use crate::nonsticking::damped::free::{Free, Waves};
 use crate::nonsticking::damped::half_period::HalfPeriod;
+use crate::nonsticking::Unknowns;
+use crate::nonsticking::equations::System;
 use crate::nonsticking::damped::rising::{Moment, Rising};
 use crate::nonsticking::{dynamic_amplification, loop_size_inertia, loop_size_stiffness, max_displacement};
 use crate::output::Output;
@@ -46,6 +48,20 @@ pub(crate) fn waves<const W: usize>(free: &Free<Ball<W>>, t: Ball<W>) -> Waves<B
             Waves { cosine: slow * (one + gap) * half, sine: slow * (one - gap) * half / free.frequency }
         }
         None => Waves { cosine: Ball::entire(), sine: Ball::entire() },
+    }
+}
+
+impl<const W: usize> System<Ball<W>> {
+    /// Eq. 21–25 in balls: left less right.
+    #[must_use]
+    pub fn residuals_of_balls(&self, u: &Unknowns<Ball<W>>) -> [Ball<W>; 5] {
+        self.equations_by(u, waves).0
+    }
+
+    /// [`System::falling`] in balls.
+    #[must_use]
+    pub fn falling_of_balls(&self, u: &Unknowns<Ball<W>>, turn: Ball<W>) -> (Ball<W>, Ball<W>) {
+        self.falling_by(u, turn, waves)
     }
 }
 

@@ -1,6 +1,7 @@
 //! An enclosure of an output, at the precision at which it was found.
 
-use crate::float::ball::{Ball, Written, written};
+use crate::float::ball::{Ball, Radius, Written, written};
+use crate::float::mp::Mp;
 use core::fmt;
 use rug::{Float, float::Round};
 
@@ -26,9 +27,21 @@ impl Default for Enclosure {
 
 impl Enclosure {
     /// The numbers of a ball; `None` for the whole line.
-    pub(super) fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
         let (mid, rad) = (ball.mid().to_rug(), ball.rad().value::<1>().to_rug());
         (!ball.is_entire() && rad.is_finite()).then_some(Self { mid, rad })
+    }
+
+    /// The same numbers as a ball.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn ball<const W: usize>(&self) -> Ball<W> {
+        let mid = Mp::from_rug(&self.mid);
+        let rounding = mid.to_rug() - &self.mid;
+        let rounding = Radius::above(Mp::<2>::from_rug(&rounding)).scaled(1);
+        Ball::new(mid, Radius::above(Mp::<2>::from_rug(&self.rad)).plus(rounding))
     }
 
     /// The same with a midpoint of `bits` bits, and a radius that includes its rounding.

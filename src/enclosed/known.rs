@@ -39,7 +39,8 @@ impl Known {
     }
 
     /// A ratio that is exactly this number.
-    pub(crate) fn rational(x: Rational) -> Self {
+    #[doc(hidden)]
+    pub fn rational(x: Rational) -> Self {
         Self { low: x.clone(), high: x }
     }
 
@@ -92,7 +93,9 @@ impl Known {
     }
 
     /// A ball that contains these numbers.
-    pub(crate) fn ball<const W: usize>(&self) -> Ball<W> {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn ball<const W: usize>(&self) -> Ball<W> {
         let end = |x: &Rational| {
             let mid = Mp::from_rational(x);
             let rest = mid.to_rational().map(|mid| mid - x);

@@ -91,7 +91,8 @@ impl<F: Float> DrivePhase<F> {
 
     /// `θ − θ′`: exact in whole half turns up to one rounding.
     #[inline]
-    pub(crate) fn since(&self, earlier: Self) -> F {
+    #[doc(hidden)]
+    pub fn since(&self, earlier: Self) -> F {
         let turns = self.half_turns.saturating_sub(earlier.half_turns);
         let angle = self.angle - earlier.angle;
         // An exact product needs no fused operation, which is a function call unless the target is known to
@@ -129,7 +130,8 @@ impl<F: Float> DrivePhase<F> {
 
     /// The phase n half turns later: the same angle.
     #[inline]
-    pub(crate) const fn later_by_half_turns(&self, half_turns: i64) -> Self {
+    #[doc(hidden)]
+    pub const fn later_by_half_turns(&self, half_turns: i64) -> Self {
         Self { half_turns: self.half_turns.saturating_add(half_turns), angle: self.angle }
     }
 

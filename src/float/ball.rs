@@ -34,7 +34,7 @@ pub(crate) use text::{Written, written};
 
 /// All real numbers within a radius of a midpoint; or the whole line.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ball<const LIMBS: usize> {
+pub struct Ball<const LIMBS: usize> {
     mid: Mp<LIMBS>,
     rad: Radius,
 }
@@ -45,7 +45,7 @@ const UNDERFLOW: Radius = Radius::power_of_two(1 - (1 << 30));
 impl<const LIMBS: usize> Ball<LIMBS> {
     /// The whole line.
     #[must_use]
-    pub(crate) const fn entire() -> Self {
+    pub const fn entire() -> Self {
         Self { mid: Mp::ZERO, rad: Radius::INFINITE }
     }
 
@@ -118,7 +118,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// The sign, where it is certain; `Equal` only for the number 0.
     #[must_use]
-    pub(crate) fn sign(&self) -> Option<Ordering> {
+    pub fn sign(&self) -> Option<Ordering> {
         let zero = Mp::ZERO;
         if self.rad.is_zero() || !self.contains_zero() { self.mid.partial_cmp(&zero) } else { None }
     }
@@ -137,7 +137,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// Whether every number of `self` is below every number of `other`.
     #[must_use]
-    pub(crate) fn is_below(&self, other: &Self) -> bool {
+    pub fn is_below(&self, other: &Self) -> bool {
         self.upper() < other.lower()
     }
 

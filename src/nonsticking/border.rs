@@ -58,9 +58,8 @@ use stationary::inner_maximum;
 pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
 #[cfg(test)]
 pub(crate) use turning_point::turning_point_criterion;
-pub(crate) use turning_point::{border_force_ratio, turning_point_border};
-#[cfg(any(test, feature = "matching"))]
-pub(crate) use turning_point::{slip_excess, turning_point_residual};
+pub(crate) use turning_point::border_force_ratio;
+pub use turning_point::{slip_excess, turning_point_border, turning_point_residual};
 
 /// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.
 ///

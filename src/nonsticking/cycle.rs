@@ -1,6 +1,6 @@
 //! All of one non-sticking cycle.
 
-#[cfg(any(test, feature = "matching"))]
+#[cfg(test)]
 mod matching;
 
 use super::border::Border;

@@ -8,37 +8,37 @@ use crate::float::Real;
 
 /// Phase lag `φ = ω_d t₂ − π/2` of Den Hartog's drive, with ω_d t₂ from eq. 43.
 #[inline]
-pub(crate) fn phase_lag<R: Real>(displacement_phase: R) -> R {
+pub fn phase_lag<R: Real>(displacement_phase: R) -> R {
     displacement_phase - R::pi() / R::int(2)
 }
 
 /// `C₁ = Ω A sin φ = −B sin π₁/(1 + cos π₁)` (eq. 55), from B and T = sin π₁/(1 + cos π₁).
 #[inline]
-pub(crate) fn sine_coefficient<R: Real>(b: R, tangent: R) -> R {
+pub fn sine_coefficient<R: Real>(b: R, tangent: R) -> R {
     -(b * tangent)
 }
 
 /// `C₂ = Δ₀ − B − A cos φ = −B` (eq. 56).
 #[inline]
-pub(crate) fn cosine_coefficient<R: Real>(b: R) -> R {
+pub fn cosine_coefficient<R: Real>(b: R) -> R {
     -b
 }
 
 /// One falling half cycle (eq. 54): amplitude A, friction displacement B, Ω, φ, C₁ and C₂.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct FallingHalf<R> {
+pub struct FallingHalf<R> {
     /// A (eq. 5).
-    pub(crate) amplitude: R,
+    pub amplitude: R,
     /// B (eq. 6).
-    pub(crate) friction_displacement: R,
+    pub friction_displacement: R,
     /// Ω (eq. 9).
-    pub(crate) omega: R,
+    pub omega: R,
     /// φ ([`phase_lag`]).
-    pub(crate) phase_lag: R,
+    pub phase_lag: R,
     /// C₁ ([`sine_coefficient`]).
-    pub(crate) c1: R,
+    pub c1: R,
     /// C₂ ([`cosine_coefficient`]).
-    pub(crate) c2: R,
+    pub c2: R,
 }
 
 impl<R: Real> FallingHalf<R> {
@@ -47,7 +47,7 @@ impl<R: Real> FallingHalf<R> {
     ///
     /// It is 0/0 at Ω = 1 and loses digits near it; [`crate::nonsticking::Cycle::displacement_at`] is the
     /// same motion without.
-    pub(crate) fn displacement(&self, phase: R) -> R {
+    pub fn displacement(&self, phase: R) -> R {
         let (s, c) = (phase / self.omega).sin_cos();
         self.amplitude * (phase + self.phase_lag).cos()
             + self.friction_displacement
@@ -57,7 +57,7 @@ impl<R: Real> FallingHalf<R> {
 
     /// Velocity over ω_n at the phase ω_d t, in `[0, π]`: the derivative of eq. 54. Nowhere positive is Den
     /// Hartog's condition for a cycle without stops ([`crate::nonsticking::border`]).
-    pub(crate) fn velocity(&self, phase: R) -> R {
+    pub fn velocity(&self, phase: R) -> R {
         let (s, c) = (phase / self.omega).sin_cos();
         self.c1 * c - self.c2 * s - self.amplitude * self.omega * (phase + self.phase_lag).sin()
     }

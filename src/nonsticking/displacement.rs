@@ -15,7 +15,7 @@ use crate::float::{Field, Float};
 /// infinite at Ω = 1. Source: Hong & Liu 2001, eq. 44; Den Hartog 1931 has the same. Accuracy at f64: a
 /// relative error of `α²/(α² − K²)` times that of K.
 #[inline(always)]
-pub(crate) fn max_displacement<R: Field>(phase_function: R, alpha: R, one_minus_square: R) -> R {
+pub fn max_displacement<R: Field>(phase_function: R, alpha: R, one_minus_square: R) -> R {
     // Δ₀/B = √(α² − K²) / |1 − Ω²|
     displacement_of_leg(alpha.leg(phase_function), one_minus_square)
 }
@@ -38,23 +38,22 @@ pub(crate) fn squared_sine<R: Field>(phase_function: R, alpha: R) -> R {
 ///
 /// `a` is A, `b` is B, `tangent` is T = sin π₁/(1 + cos π₁); any consistent unit of length. The
 /// difference of squares cancels near Ω = 1: [`max_displacement`] is the form to compute with.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn max_displacement_from_amplitude<R: Field>(a: R, b: R, tangent: R, omega: R) -> R {
+pub fn max_displacement_from_amplitude<R: Field>(a: R, b: R, tangent: R, omega: R) -> R {
     // Δ₀ = √[A² − (B T/Ω)²]
     (a.square() - (b * tangent / omega).square()).sqrt()
 }
 
 /// Sine of the phase of the maximum displacement (eq. 40): `sin ω_d t₂ = Δ₀/A = (1 − Ω²)(Δ₀/B)/α`.
 #[inline(always)]
-pub(crate) fn sin_displacement_phase<R: Field>(max_displacement: R, alpha: R, one_minus_square: R) -> R {
+pub fn sin_displacement_phase<R: Field>(max_displacement: R, alpha: R, one_minus_square: R) -> R {
     // sin ω_d t₂ = (1 − Ω²)(Δ₀/B)/α
     one_minus_square * max_displacement / alpha
 }
 
 /// Cosine of the phase of the maximum displacement (eq. 41): `cos ω_d t₂ = B T/(A Ω) = K/α`.
 #[inline(always)]
-pub(crate) fn cos_displacement_phase<R: Field>(phase_function: R, alpha: R) -> R {
+pub fn cos_displacement_phase<R: Field>(phase_function: R, alpha: R) -> R {
     // cos ω_d t₂ = K/α
     phase_function / alpha
 }
@@ -67,9 +66,8 @@ pub(crate) fn cos_displacement_phase<R: Field>(phase_function: R, alpha: R) -> R
 /// it is 1.33529…, where eq. 43 as printed gives 1.80630… ([`crate::nonsticking::printed`]).
 ///
 /// NaN where α < |K|. Source: Hong & Liu 2001, eq. 40, 41, 43. Accuracy at f64: 4 ulp away from α = |K|.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn displacement_phase<F: Float>(phase_function: F, alpha: F, omega: F) -> F {
+pub fn displacement_phase<F: Float>(phase_function: F, alpha: F, omega: F) -> F {
     let sine = squared_sine(phase_function, alpha).sqrt() / alpha;
     let cosine = cos_displacement_phase(phase_function, alpha);
     phase(if omega < F::int(1) { sine } else { -sine }, cosine)

@@ -6,9 +6,8 @@ use crate::phase_function::PhaseFunction;
 /// Energy dissipated in a cycle, `s = 4 r_y Δ₀` (eq. 63): the area of the friction loop.
 ///
 /// `friction_bound` is r_y and `max_displacement` is Δ₀, in consistent units.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
+pub fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
     // s = 4 r_y Δ₀
     R::int(4) * friction_bound * max_displacement
 }
@@ -17,7 +16,7 @@ pub(crate) fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
 ///
 /// `max_displacement` is Δ₀/B. It compares frictions at given k, p₀ and Ω. Source: Hong & Liu 2001, eq. 64.
 #[inline(always)]
-pub(crate) fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
+pub fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
     // A₁ = 8(Δ₀/B)/α²
     (max_displacement / alpha / alpha).times(8)
 }
@@ -26,7 +25,7 @@ pub(crate) fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R 
 ///
 /// It compares stiffnesses at given m, p₀, ω_d and α. Source: Hong & Liu 2001, eq. 67.
 #[inline(always)]
-pub(crate) fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R {
+pub fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R {
     // A₂ = Ω² A₁
     omega.square() * loop_size_stiffness
 }
@@ -37,7 +36,7 @@ pub(crate) fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R
 /// α* ≥ α_min(Ω): for Ω ≥ 1/2 that is `Ω|T| ≥ 1`. Elsewhere the best non-sticking force ratio is the border
 /// itself. At Ω = 1/(2n) K = 0, and this formula gives 0. Source: Hong & Liu 2001, eq. 65.
 #[inline]
-pub(crate) fn best_force_ratio<R: Field>(phase_function: R) -> R {
+pub fn best_force_ratio<R: Field>(phase_function: R) -> R {
     // α* = √2 |K|
     R::int(2).sqrt() * phase_function.abs()
 }
@@ -46,7 +45,7 @@ pub(crate) fn best_force_ratio<R: Field>(phase_function: R) -> R {
 ///
 /// It holds under the same condition. Infinite at Ω = 1 and at Ω = 1/(2n). Source: Hong & Liu 2001, eq. 66.
 #[inline]
-pub(crate) fn best_loop_size<R: Field>(phase_function: R, one_minus_square: R) -> R {
+pub fn best_loop_size<R: Field>(phase_function: R, one_minus_square: R) -> R {
     // A₁max = 4/(|K| |1 − Ω²|)
     R::int(4) / (phase_function.abs() * one_minus_square.abs())
 }

@@ -13,17 +13,15 @@
 use crate::float::{Field, Float};
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
-#[cfg(any(test, feature = "matching", feature = "mp"))]
 #[inline]
-pub(crate) fn multiplier_product<R: Field>(omega: R, max_displacement: R) -> R {
+pub fn multiplier_product<R: Field>(omega: R, max_displacement: R) -> R {
     let g = omega.square() * max_displacement;
     (g - R::int(1)) / (g + R::int(1))
 }
 
 /// `λ² + (1 + s) cos(π/Ω) λ + s`: zero for a multiplier λ of the half-cycle map.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn characteristic_polynomial<R: Field>(lambda: R, product: R, cos_pi_1: R) -> R {
+pub fn characteristic_polynomial<R: Field>(lambda: R, product: R, cos_pi_1: R) -> R {
     lambda.square() + (R::int(1) + product) * cos_pi_1 * lambda + product
 }
 
@@ -170,7 +168,7 @@ impl<F: Float> Multipliers<F> {
     }
 
     /// λ, with its kind.
-    #[cfg(any(test, feature = "matching"))]
+    #[cfg(test)]
     pub(crate) const fn pair(&self) -> MultiplierPair<F> {
         self.half_cycle
     }

@@ -40,7 +40,6 @@ use super::half_cycle::HalfCycle;
 use super::low::{LowCircular, LowWaves};
 use super::undamped::half_cycle;
 use super::waves::{Circular, Waves};
-#[cfg(any(test, feature = "matching"))]
 use crate::float::{Field, Real};
 use crate::float::{Float, Task, pair::Pair};
 use crate::phase_function::{Frequency, Offset, PhaseFunction};
@@ -51,9 +50,8 @@ use iteration::{fastest_and_displacement, from_centre_or_afar};
 /// The deviation increases with α at a given friction (0.3728, 0.4665, 0.6597 at Ω = 0.7 for α = 1.6, 2, 10);
 /// at a given force p₀ the length Δ₁ decreases with α. The paper's remarks on Figure 6 and in its conclusion
 /// refer to one case each. Source: Hong & Liu 2001, eq. 47.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn deviation<R: Field>(alpha: R, sin_velocity_phase: R) -> R {
+pub fn deviation<R: Field>(alpha: R, sin_velocity_phase: R) -> R {
     // Δ₁/B = α sin ω_d t₁ − 1
     alpha * sin_velocity_phase - R::int(1)
 }
@@ -62,9 +60,8 @@ pub(crate) fn deviation<R: Field>(alpha: R, sin_velocity_phase: R) -> R {
 ///
 /// `(1 + cos π₁) cos θ + sin π₁ sin θ + (A/B) Ω² (1 + cos π₁) sin ω_d t₁` with θ = ω_n(t₂ − t₁).
 /// `amplitude` is A/B = α/(1 − Ω²).
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn velocity_phase_residual<R: Real>(
+pub fn velocity_phase_residual<R: Real>(
     amplitude: R,
     omega: R,
     sin_cos_pi_1: (R, R),
@@ -90,9 +87,8 @@ pub(crate) fn velocity_phase_residual<R: Real>(
 ///
 /// `sign` is sgn(1 − Ω), `amplitude` is A/B = α/(1 − Ω²). Two large terms cancel near Ω = 1 near the
 /// border; [`crate::nonsticking::Cycle`] takes another way there. Source: Hong & Liu 2001, eq. 49.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn max_velocity_from_phase<R: Field>(
+pub fn max_velocity_from_phase<R: Field>(
     amplitude: R,
     omega: R,
     cos_pi_1: R,

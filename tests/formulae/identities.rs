@@ -6,7 +6,6 @@
 use crate::drawn::cases;
 use proptest::prelude::*;
 use stickslip::nonsticking::{self, border};
-use stickslip::verify::{self, Case, Standing};
 use stickslip::{Border, Cycle, PhaseFunction, Ratios};
 
 const TOLERANCE: f64 = 1e-10;
@@ -66,21 +65,6 @@ fn equations_57_to_62_met_here_too() {
 
 proptest! {
     #![proptest_config(cases(3000))]
-
-    /// Every identity of the library's own list holds, and the misprints fail where they must.
-    #[test]
-    fn the_identities_hold(c in cycles()) {
-        let case = Case::new(c);
-        for identity in verify::identities::<f64>() {
-            if let Some(residual) = identity.relative_residual(&case) {
-                let (equation, at) = (identity.equation, c.ratios);
-                match identity.standing {
-                    Standing::Holds => prop_assert!(residual <= TOLERANCE, "{equation}: {residual:e} at {at:?}"),
-                    Standing::Refuted => prop_assert!(residual > TOLERANCE, "{equation}: {residual:e} at {at:?}"),
-                }
-            }
-        }
-    }
 
     #[test]
     fn equations_15_16_and_54_are_one_waveform(c in cycles(), part in 0.0f64..1.0) {

@@ -56,7 +56,7 @@ fn items(module: &str, file: &Path, found: &mut BTreeSet<String>) {
 fn all_items() -> BTreeSet<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = BTreeSet::new();
-    for (folder, prefix) in [("src", ""), ("tests", "tests::")] {
+    for (folder, prefix) in [("src", ""), ("tests", "tests::"), ("command/src", "command::")] {
         let mut files = Vec::new();
         rust_files(&root.join(folder), &mut files);
         for file in files {

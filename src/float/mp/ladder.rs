@@ -1,10 +1,7 @@
 //! A precision chosen at run time: the least of several widths that has enough bits.
 
 use super::Mp;
-#[cfg(not(feature = "matching"))]
-use crate::float::Float as Number;
-#[cfg(feature = "matching")]
-use crate::nonsticking::matching::newton::Solvable as Number;
+use crate::float::Float;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
 use num_traits::Pow;
@@ -16,7 +13,7 @@ pub trait WithPrecision {
     /// Runs the computation over `F`.
     fn run<F>(self) -> Self::Output
     where
-        F: Number
+        F: Float
             + FromStr<Err = super::ParseError>
             + Pow<F, Output = F>
             + Display

@@ -3,15 +3,13 @@
 use crate::float::Field;
 #[cfg(test)]
 use crate::float::Float;
-#[cfg(any(test, feature = "matching"))]
 use crate::phase_function::one_minus_square;
 
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
 ///
 /// The body slides on where it is ≥ 0; eq. 58 and 59 put it to 0 at t₂, where x = Δ₀ and x′ = 0.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
+pub fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
     // |p₀ sin ω_d t − k x| − r_y
     (p0 * sin_phase - stiffness * x).abs() - friction_bound
 }
@@ -20,9 +18,8 @@ pub(crate) fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, fri
 /// `B² [(αΩ/(1−Ω²))² − T²] (k/r_y − p₀/(r_y A))² − Ω²`.
 ///
 /// `k/r_y = 1/B` and `p₀/(r_y A) = (1−Ω²)/B`. Zero on eq. 61.
-#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub(crate) fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) -> R {
+pub fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) -> R {
     let q = one_minus_square(omega);
     let stiffness_to_friction = R::int(1) / b;
     let force_to_amplitude = q / b;
@@ -39,7 +36,7 @@ pub(crate) fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent
 /// body sticks up to 6.949… ([`super::Border`]). Tends to 4/π at Ω = 1, to √(1 + π²/4) as Ω → ∞. Source: Hong
 /// & Liu 2001, eq. 61. Accuracy at f64: 5 ulp.
 #[inline(always)]
-pub(crate) fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
+pub fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
     // α = hypot(K, (1 − Ω²)/Ω²)
     border_force_ratio(phase_function, one_minus_square / omega.square())
 }
