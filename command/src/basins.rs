@@ -13,8 +13,8 @@ use crate::note::digits;
 use crate::starts::Starts;
 use std::io::Write;
 use stickslip::exact::{Attractors, State};
-use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 use stickslip::units::Kind;
+use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
 /// The number of values of a grid that is not given.
 const COUNT: u64 = 101;

@@ -6,7 +6,6 @@ use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::input::BorderPoint;
 use crate::record::Record;
-use crate::response::single_format;
 use crate::{enclose, input, note, points};
 use std::io::Write;
 use stickslip::{Error, Ratios, Response};
@@ -79,7 +78,7 @@ impl<W: Write> Task for Run<'_, W> {
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note::border(&answer, found.as_ref(), point.physical, &given.system, out)?),
             Format::Json => record.write_pretty(out),
-            Format::Jsonl | Format::Csv => Err(single_format()),
+            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
         }
     }
 }

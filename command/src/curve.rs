@@ -19,7 +19,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
-use stickslip::figures::{Origin, resolved};
+use stickslip_figures::{Origin, resolved};
 use stickslip::units::{Reader, System};
 
 /// The greatest number of curves in a picture: with the border, the resonance and the dashes, the key then

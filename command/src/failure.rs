@@ -40,6 +40,11 @@ impl Failure {
         if let Self::Input(text) = self { Self::Input(format!("{what}: {text}")) } else { self }
     }
 
+    /// The failure for `jsonl` and `csv`, which are for streams.
+    pub(crate) fn single_format() -> Self {
+        Self::Input("--format: must be text or json for a single answer, jsonl or csv with --points".to_owned())
+    }
+
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),

@@ -9,8 +9,8 @@ use crate::machine::Machine;
 use crate::steady::of_motion;
 use std::io::Write;
 use stickslip::exact::{Instant, LongRun, Trajectory};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 use stickslip::units::Kind;
+use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 /// The number of samples in a cycle.
 const PER_CYCLE: u32 = 600;

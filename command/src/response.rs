@@ -38,7 +38,7 @@ impl<W: Write> Task for Run<'_, W> {
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note::response(&response, point.machine.as_ref(), &given.system, out)?),
             Format::Json => record.write_pretty(out),
-            Format::Jsonl | Format::Csv => Err(single_format()),
+            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
         }
     }
 }
@@ -58,11 +58,4 @@ pub(crate) fn answer<F: Value>(
         None => record,
     };
     Ok((response, record))
-}
-
-/// The failure for `jsonl` and `csv`, which are for streams.
-pub(crate) fn single_format() -> Failure {
-    Failure::Input(
-        "--format: must be text or json for a single answer, jsonl or csv with --points".to_owned(),
-    )
 }

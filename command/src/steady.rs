@@ -13,7 +13,6 @@ use crate::machine::Machine;
 use crate::physical::Physical;
 use crate::points;
 use crate::record::{Cell, Record};
-use crate::response::single_format;
 use std::io::Write;
 use stickslip::exact::{Irregular, LongRun, State, SteadyState};
 use stickslip::observed;
@@ -56,7 +55,7 @@ impl<W: Write> Task for Run<'_, W> {
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note(&point, &limit, &given.system, out)?),
             Format::Json => record.write_pretty(out),
-            Format::Jsonl | Format::Csv => Err(single_format()),
+            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
         }
     }
 }

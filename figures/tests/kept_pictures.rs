@@ -7,8 +7,8 @@ mod kept;
 
 use kept::Kept;
 use std::fmt::Write;
-use stickslip_figures::{Figure, NAMES, Series, Style, figure};
 use stickslip::{Border, Cycle, Ratios};
+use stickslip_figures::{Figure, NAMES, Series, Style, figure};
 
 fn all() -> impl Iterator<Item = Figure> {
     NAMES.into_iter().map(|name| figure(name).unwrap())

@@ -6,7 +6,8 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::design::{self, AmplitudeKind, Edge, Measurement, OptimumKind, PhaseKind, Reading};
-use stickslip::{Drive, Error, figures};
+use stickslip::{Drive, Error};
+use stickslip_figures as figures;
 
 /// The minimum amplitude of an excitation at which the body does not stick, at a given frequency.
 #[pyfunction]

@@ -4,7 +4,6 @@ use super::Others;
 use crate::args::{Format, OutputArgs};
 use crate::failure::{Failure, Outcome};
 use crate::outputs::unit_of;
-use crate::response::single_format;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
@@ -133,7 +132,7 @@ impl Answer<'_> {
                 serde_json::to_writer_pretty(&mut *out, self)?;
                 Ok(out.write_all(b"\n")?)
             }
-            Format::Jsonl | Format::Csv => Err(single_format()),
+            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
         }
     }
 

@@ -3,8 +3,7 @@
 use super::Others;
 use super::found::{bits, fault, known, known_others, options, typed_others};
 use crate::args::{Format, OutputArgs};
-use crate::failure::Outcome;
-use crate::response::single_format;
+use crate::failure::{Failure, Outcome};
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
@@ -39,7 +38,7 @@ pub(crate) fn steady(
             serde_json::to_writer_pretty(&mut *out, &answer)?;
             Ok(out.write_all(b"\n")?)
         }
-        Format::Jsonl | Format::Csv => Err(single_format()),
+        Format::Jsonl | Format::Csv => Err(Failure::single_format()),
     }
 }
 
