@@ -81,16 +81,11 @@ pub(crate) use dissipation::{
     best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
     loop_size_stiffness,
 };
-pub(crate) use peaks::dynamic_amplification;
-#[cfg(feature = "mp")]
-pub(crate) use {
-    displacement::{cos_displacement_phase, sin_displacement_phase},
-    peaks::{arrival_acceleration, transmitted_force},
-};
 #[cfg(feature = "mp")]
 pub(crate) use half_cycle::{HalfCycle, free_swing};
 #[cfg(feature = "batch")]
 pub(crate) use low::{LowCircular, LowWaves};
+pub(crate) use peaks::dynamic_amplification;
 pub(crate) use phase::velocity_phase;
 #[cfg(feature = "mp")]
 pub(crate) use velocity::fastest;
@@ -98,3 +93,8 @@ pub(crate) use velocity::fastest;
 pub(crate) use waves::{Circular, Waves};
 #[cfg(any(test, feature = "mp"))]
 pub(crate) use displacement::max_displacement;
+#[cfg(feature = "mp")]
+pub(crate) use {
+    displacement::{cos_displacement_phase, sin_displacement_phase},
+    peaks::{arrival_acceleration, transmitted_force},
+};

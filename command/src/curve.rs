@@ -19,8 +19,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
-use stickslip_figures::{Origin, resolved};
 use stickslip::units::{Reader, System};
+use stickslip_figures::{Origin, resolved};
 
 /// The greatest number of curves in a picture: with the border, the resonance and the dashes, the key then
 /// has eight lines.

@@ -42,7 +42,9 @@ impl Failure {
 
     /// The failure for `jsonl` and `csv`, which are for streams.
     pub(crate) fn single_format() -> Self {
-        Self::Input("--format: must be text or json for a single answer, jsonl or csv with --points".to_owned())
+        Self::Input(
+            "--format: must be text or json for a single answer, jsonl or csv with --points".to_owned(),
+        )
     }
 
     pub(crate) fn exit_code(&self) -> ExitCode {

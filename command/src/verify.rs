@@ -238,8 +238,8 @@ fn json(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> Out
 #[cfg(test)]
 mod tests {
     use super::{Residuals, conclusion, text};
-    use crate::failure::Failure;
     use super::{Standing, Verdict};
+    use crate::failure::Failure;
 
     #[test]
     fn one_failure_is_enough_and_says_where() {

@@ -56,9 +56,9 @@ pub use shortfall::Shortfall;
 use stationary::inner_maximum;
 #[cfg(feature = "mp")]
 pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
+pub(crate) use turning_point::border_force_ratio;
 #[cfg(test)]
 pub(crate) use turning_point::turning_point_criterion;
-pub(crate) use turning_point::border_force_ratio;
 pub use turning_point::{slip_excess, turning_point_border, turning_point_residual};
 
 /// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.

@@ -79,11 +79,14 @@ fn places() -> Vec<Place> {
             Some(Place { with_motion: ordinary, with_border: ordinary && i == 0, ..place })
         })
     });
-    let pairs = points::OMEGA.into_iter().flat_map(|omega| points::ZETA.into_iter().map(move |zeta| (omega, zeta)));
-    let damped = pairs.zip(points::OVER.into_iter().cycle()).enumerate().filter_map(|(i, ((omega, zeta), over))| {
-        let place = Place::above_border(Rational::from((omega, 100)), Rational::from((zeta, 1000)), over)?;
-        Some(Place { with_border: i % 5 == 0, ..place })
-    });
+    let pairs =
+        points::OMEGA.into_iter().flat_map(|omega| points::ZETA.into_iter().map(move |zeta| (omega, zeta)));
+    let damped =
+        pairs.zip(points::OVER.into_iter().cycle()).enumerate().filter_map(|(i, ((omega, zeta), over))| {
+            let place =
+                Place::above_border(Rational::from((omega, 100)), Rational::from((zeta, 1000)), over)?;
+            Some(Place { with_border: i % 5 == 0, ..place })
+        });
     plain.chain(damped).collect()
 }
 
@@ -111,11 +114,8 @@ fn case<const W: usize>(place: &Place, answers: &enclosed::Response) -> Option<C
         is_late: is_below(answer(Output::DisplacementPhase)?, answer(Output::VelocityPhase)?)?,
     };
     let circular = Circular { k: (one - omega) * (one + omega) * tangent / omega, tangent, cos_beta };
-    let arithmetic = Arithmetic {
-        residuals: System::residuals_of_balls,
-        falling: System::falling_of_balls,
-        is_below,
-    };
+    let arithmetic =
+        Arithmetic { residuals: System::residuals_of_balls, falling: System::falling_of_balls, is_below };
     Case::new(arithmetic, (omega, alpha, zeta), found.collect(), circular, signs)
 }
 

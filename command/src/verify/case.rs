@@ -212,9 +212,8 @@ impl<R: Real> Case<R> {
         let (m11, sine) = (there.0 - here.0, here.1 - there.1);
         let m22 = m11 - R::int(2) * self.zeta * sine;
         let (k, amplitude, shift) = self.amplitudes();
-        let r = self.omega.square() * amplitude
-            - shift
-            - R::int(2) * self.zeta * self.omega * k / self.linear.0;
+        let r =
+            self.omega.square() * amplitude - shift - R::int(2) * self.zeta * self.omega * k / self.linear.0;
         let s = (r - one) / (r + one);
         (-(m11 + s * m22), s * (m11 * m22 + sine.square()))
     }

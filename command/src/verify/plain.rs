@@ -412,6 +412,7 @@ mod tests {
     use crate::verify::{Verdict, points};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
+
     use std::ops::ControlFlow;
     use stickslip::{Border, Float, Output, Ratios, Response};
 
@@ -459,13 +460,13 @@ mod tests {
     /// in closed form, or by one about the exact motion.
     #[test]
     fn every_wrong_answer_is_told() {
-        let told_by_the_motion =
-            [Output::MaxAcceleration, Output::MaxAbsoluteDisplacement];
+        let told_by_the_motion = [Output::MaxAcceleration, Output::MaxAbsoluteDisplacement];
         for output in Output::ALL.into_iter().filter(|o| !told_by_the_motion.contains(o)) {
             for is_damped in [false, true] {
                 let places = points::all::<f64>().into_iter().map(|place| place.ratios);
                 let told = places.filter(|ratios| ratios.is_damped() == is_damped).any(|ratios| {
-                    most_off(ratios, output, 1.0) < TOLERANCE && most_off(ratios, output, 1.000_001) > TOLERANCE
+                    most_off(ratios, output, 1.0) < TOLERANCE
+                        && most_off(ratios, output, 1.000_001) > TOLERANCE
                 });
                 assert!(told, "{output}, with a damper: {is_damped}");
             }
@@ -479,8 +480,7 @@ mod tests {
         let passed = |standing, residuals: &[f64]| {
             let mut tally = Tally { points: 0, worst: None };
             residuals.iter().for_each(|&residual| tally.add(standing, residual, ratios));
-            let statement =
-                Statement { equation: "0", words: "", standing, residual: |_: &()| None::<f64> };
+            let statement = Statement { equation: "0", words: "", standing, residual: |_: &()| None::<f64> };
             let verdict = tally.verdict(&statement);
             assert_eq!(verdict.points, residuals.len());
             verdict.passed
@@ -494,7 +494,11 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(1), ..ProptestConfig::with_cases(500) })]
+        #![proptest_config(ProptestConfig {
+            rng_seed: RngSeed::Fixed(1),
+            failure_persistence: None,
+            ..ProptestConfig::with_cases(500)
+        })]
 
         /// Between the points, too, and the misprints fail. Closer to Ω = 1 and 1/(2n+1) the paper's forms,
         /// unlike the library's, lose digits.

@@ -54,10 +54,11 @@ pub(super) fn all<F: Float>() -> Vec<Point<F>> {
         })
     });
     let pairs = OMEGA.into_iter().flat_map(|omega| ZETA.into_iter().map(move |zeta| (omega, zeta)));
-    let damped = pairs.zip(OVER.into_iter().cycle()).enumerate().filter_map(|(number, ((omega, zeta), over))| {
-        let ratios = above_border(F::ratio(omega, 100), F::ratio(zeta, 1000), over)?;
-        Some(Point { ratios, with_motion: in_turn(number), with_border: in_turn(number) })
-    });
+    let damped =
+        pairs.zip(OVER.into_iter().cycle()).enumerate().filter_map(|(number, ((omega, zeta), over))| {
+            let ratios = above_border(F::ratio(omega, 100), F::ratio(zeta, 1000), over)?;
+            Some(Point { ratios, with_motion: in_turn(number), with_border: in_turn(number) })
+        });
     plain.chain(damped).collect()
 }
 

@@ -4,8 +4,8 @@
 //! ζ = 0; the others apply at every ζ.
 
 use super::case::Case;
-use stickslip::{Output, Real};
 use stickslip::nonsticking::{equations as eq, printed};
+use stickslip::{Output, Real};
 
 /// Whether an equation of the paper holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

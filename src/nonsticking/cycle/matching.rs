@@ -19,7 +19,7 @@ impl<F: Float> Cycle<F> {
 
     /// The solution of the matching problem (eq. 21–25), lengths in units of B, with ω_d t₁ taken so that
     /// t₂ − π/ω_d < t₁ < t₂.
-        pub(crate) fn unknowns(&self) -> matching::Unknowns<F> {
+    pub(crate) fn unknowns(&self) -> matching::Unknowns<F> {
         let early = self.velocity_phase > self.displacement_phase;
         let turn = if early { F::int(2) * F::pi() } else { F::int(0) };
         matching::Unknowns {
@@ -32,7 +32,7 @@ impl<F: Float> Cycle<F> {
     }
 
     /// Den Hartog's half cycle of the same motion (eq. 54), in units of B. NaN with damping.
-        pub(crate) fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
+    pub(crate) fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
         let one = F::int(1);
         den_hartog::FallingHalf {
             amplitude: self.undamped_amplitude(),

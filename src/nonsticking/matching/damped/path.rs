@@ -112,7 +112,9 @@ fn settled(system: &System<f64>, from: &Unknowns<f64>) -> Option<Unknowns<f64>> 
 }
 
 /// Solves eq. 21–25 at (Ω, α, ζ), ζ > 0.
-pub(in crate::nonsticking::matching) fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
+pub(in crate::nonsticking::matching) fn solve<F: Float + RealField>(
+    ratios: Ratios<F>,
+) -> Result<Solution<F>, MatchingError> {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let one = <F as Field>::int(1);
     let system = System::new(omega, ratios.damping_ratio(), one / alpha);
