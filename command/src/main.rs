@@ -22,6 +22,9 @@ mod border;
 mod curve;
 mod decay;
 mod design;
+#[cfg(test)]
+#[path = "../../tests/drawn/mod.rs"]
+mod drawn;
 mod enclose;
 mod failure;
 mod figure;

@@ -18,7 +18,7 @@ fn printed_velocity(c: &Cycle<f64>) -> f64 {
 
 fn corrected_velocity(c: &Cycle<f64>) -> f64 {
     let g = c.given();
-    nonsticking::max_velocity_from_phase(
+    nonsticking::equations::max_velocity_from_phase(
         g.amplitude,
         g.omega,
         matching::pi_1(g.omega).cos(),
@@ -77,7 +77,7 @@ fn erratum_4_equation_61_does_not_suffice_below_one_half() {
     let alpha = 6.0;
     assert!(nonsticking::border::turning_point_criterion(p.value(), 0.4, alpha));
     let delta = nonsticking::max_displacement(p.value(), alpha, 1.0 - 0.16);
-    let phase = nonsticking::displacement_phase(p.value(), alpha, 0.4);
+    let phase = nonsticking::equations::displacement_phase(p.value(), alpha, 0.4);
     let half = nonsticking::den_hartog::FallingHalf {
         amplitude: alpha / (1.0 - 0.16),
         friction_displacement: 1.0,

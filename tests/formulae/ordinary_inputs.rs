@@ -112,7 +112,7 @@ fn tiny_force_is_at_rest_and_formulae_outside_their_domain_say_nan() {
         assert_eq!(response(0.7, alpha).regime, Regime::Stuck);
     }
     assert!(nonsticking::max_displacement(2.0f64, 1.5, 0.5).is_nan());
-    assert!(nonsticking::displacement_phase(2.0f64, 1.5, 0.5).is_nan());
+    assert!(nonsticking::equations::displacement_phase(2.0f64, 1.5, 0.5).is_nan());
     let cycle = *response(0.7, 2.0).cycle.as_ref().unwrap();
     assert!(cycle.displacement_at(f64::NAN).is_nan() && cycle.velocity_at(f64::INFINITY).is_nan());
     assert_eq!(matching::pi_1(0.5f64), std::f64::consts::TAU);

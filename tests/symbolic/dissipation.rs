@@ -4,7 +4,7 @@ use super::ideal::Ideal;
 use super::scalar::{Symbol, free, reset};
 use super::setting::int;
 use stickslip::Field;
-use stickslip::nonsticking::{
+use stickslip::nonsticking::equations::{
     best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness, max_displacement,
 };
 use stickslip::phase_function::one_minus_square;

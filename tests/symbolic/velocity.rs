@@ -3,10 +3,11 @@
 use super::ideal::Ideal;
 use super::scalar::{Symbol, free};
 use super::setting::{Matching, int};
-use stickslip::nonsticking::{
-    deviation, max_displacement, max_displacement_from_amplitude, max_velocity_from_phase, printed,
+use stickslip::nonsticking::equations::{
+    deviation, max_displacement, max_displacement_from_amplitude, max_velocity_from_phase,
     velocity_phase_residual,
 };
+use stickslip::nonsticking::printed;
 use stickslip::phase_function::one_minus_square;
 use stickslip::{Field, Real};
 

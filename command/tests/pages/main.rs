@@ -6,5 +6,7 @@
 mod book_pages;
 #[path = "../../../tests/kept/mod.rs"]
 mod kept;
+#[path = "../../../tests/place/mod.rs"]
+mod place;
 
 mod readme;

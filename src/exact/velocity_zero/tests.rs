@@ -5,7 +5,7 @@ use crate::exact::event::next_zero;
 use crate::exact::search::{Found, Verdict};
 use crate::exact::slide::{Direction, Slide};
 use crate::exact::{Kind, State, Trajectory};
-use crate::nonsticking::{displacement_phase, max_displacement};
+use crate::nonsticking::equations::{displacement_phase, max_displacement};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::{Border, Ratios};
 use std::cell::Cell;
