@@ -328,6 +328,7 @@ impl<F: Float> Tally<F> {
         self.points += 1;
         // For either kind, a residual of NaN is the worst of all.
         let worse = self.worst.as_ref().is_none_or(|(worst, _)| match standing {
+            _ if worst.partial_cmp(worst).is_none() => false,
             Standing::Holds => !(residual <= *worst),
             Standing::Refuted => !(residual >= *worst),
         });
