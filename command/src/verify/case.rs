@@ -28,13 +28,17 @@ pub(super) struct Signs {
     pub(super) is_late: bool,
 }
 
-/// What plain numbers and balls do differently: decisions, and the free vibration of a damped body.
+/// Left less right sides of eq. 21–25.
+type Residuals<R> = fn(&System<R>, &Unknowns<R>) -> [R; 5];
+
+/// Displacement and velocity of the falling half at a phase after t₂.
+type Falling<R> = fn(&System<R>, &Unknowns<R>, R) -> (R, R);
+
+/// The operations of plain numbers that differ from those of balls: decisions, and the free vibration of a damped body.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Arithmetic<R> {
-    /// Left less right sides of eq. 21–25.
-    pub(super) residuals: fn(&System<R>, &Unknowns<R>) -> [R; 5],
-    /// Displacement and velocity of the falling half at a phase after t₂.
-    pub(super) falling: fn(&System<R>, &Unknowns<R>, R) -> (R, R),
+    pub(super) residuals: Residuals<R>,
+    pub(super) falling: Falling<R>,
     /// Whether one number is certainly below another; `None` where that is open.
     pub(super) is_below: fn(R, R) -> Option<bool>,
 }

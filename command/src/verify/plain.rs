@@ -4,6 +4,7 @@
 use super::case::{Arithmetic, Case, Circular, Signs};
 use super::statements::{self, Standing, Statement, statements};
 use super::{Verdict, points};
+use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use stickslip::exact::{LongRun, Peaks, Segment, State, SteadyState, Trajectory};
 use stickslip::nonsticking::equations::System;
@@ -194,9 +195,11 @@ fn half_cycle<F: Float>(p: &Point<F>) -> (F, F) {
     (a + c, a * c - b * d)
 }
 
+type Statements<F> = Vec<Statement<Point<F>, F>>;
+
 /// Statements about the exact motion, the waveform and the border. Those by difference quotients keep half of
 /// the digits.
-fn of_motion<F: Float>() -> (Vec<Statement<Point<F>, F>>, Vec<Statement<Point<F>, F>>) {
+fn of_motion<F: Float>() -> (Statements<F>, Statements<F>) {
     let all = statements![any, Point<F>:
         "15, 16" "the waveform and its velocity are the matched branches": |p| {
             let (c, turn) = (&p.case, F::pi() / F::int(3));
@@ -329,8 +332,8 @@ impl<F: Float> Tally<F> {
         // For either kind, a residual of NaN is the worst of all.
         let worse = self.worst.as_ref().is_none_or(|(worst, _)| match standing {
             _ if worst.partial_cmp(worst).is_none() => false,
-            Standing::Holds => !(residual <= *worst),
-            Standing::Refuted => !(residual >= *worst),
+            Standing::Holds => residual.partial_cmp(worst).is_none_or(Ordering::is_gt),
+            Standing::Refuted => residual.partial_cmp(worst).is_none_or(Ordering::is_lt),
         });
         if worse {
             self.worst = Some((residual, at));
