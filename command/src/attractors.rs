@@ -3,11 +3,12 @@
 mod others;
 
 use crate::args::{AttractorsArgs, Format, Header};
+use crate::bits::digits;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::Given;
 use crate::input;
-use crate::note::{both, decay, digits, measured_from};
+use crate::note::{both, decay, measured_from};
 use crate::physical::Physical;
 use crate::progress;
 use crate::record::{Cell, Record};

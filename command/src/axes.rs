@@ -1,11 +1,10 @@
 //! Points over grids: each argument is a single value or a grid of values.
 
 use crate::args::{ForceArgs, MachineArgs};
-use crate::bits::Value;
+use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter, note_percentage};
 use crate::grid::Grid;
-use crate::note;
 use stickslip::units::Reader;
 
 /// The points of all grids, each computed from its number alone; the last grid varies fastest.
@@ -76,7 +75,7 @@ impl<F: Value> Axes<F> {
     pub(crate) fn named_at(&self, point: u64) -> Given<F> {
         let mut given = self.fixed.clone();
         self.each(point, |parameter, value| {
-            given.set_typed(parameter, value, &note::all_digits(value));
+            given.set_typed(parameter, value, &all_digits(value));
         });
         given
     }
@@ -99,7 +98,7 @@ impl<F: Value> Axes<F> {
             for (i, (parameter, grid)) in self.grids.iter().enumerate() {
                 let (low, high) = grid.ends();
                 let value = if corner >> i & 1 == 0 { low } else { high };
-                given.set_typed(*parameter, value, &note::all_digits(value));
+                given.set_typed(*parameter, value, &all_digits(value));
             }
             check(&given)?;
         }

@@ -2,6 +2,7 @@
 
 use crate::args::BasinsArgs;
 use crate::attractors::{described, reach};
+use crate::bits::digits;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
@@ -9,7 +10,6 @@ use crate::given::Given;
 use crate::grid::Grid;
 use crate::input;
 use crate::machine::Machine;
-use crate::note::digits;
 use crate::starts::Starts;
 use std::io::Write;
 use stickslip::exact::{Attractors, State};

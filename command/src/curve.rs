@@ -4,6 +4,7 @@ mod amplitude;
 mod picture;
 
 use crate::args::{Curve, CurveArgs};
+use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::given::{Given, Parameter as P};
@@ -11,7 +12,6 @@ use crate::grid::Grid;
 use crate::input::{self, Point};
 use crate::interrupt;
 use crate::map::margin;
-use crate::note::digits;
 use crate::record::Cell;
 use amplitude::{UNBOUNDED, words};
 use clap::ValueEnum;

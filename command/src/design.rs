@@ -6,9 +6,9 @@ mod no_stop;
 mod static_friction;
 
 use crate::args::{Format, Question, QuestionArgs};
+use crate::bits::digits;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::note::digits;
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;

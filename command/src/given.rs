@@ -189,7 +189,7 @@ pub(crate) fn in_typed_unit(error: &Error, typed: &str) -> String {
 /// A note where a damping ratio without % is so large that a percentage was probably meant.
 pub(crate) fn note_percentage<F: Value>(parameter: Parameter, text: &str, value: F) {
     if parameter == P::DampingRatio && value >= F::int(1) && !text.contains('%') {
-        let (option, percent) = (parameter.option(), crate::note::digits(F::int(100) * value));
+        let (option, percent) = (parameter.option(), crate::bits::digits(F::int(100) * value));
         progress::note(&format!(
             "{option} {text} is {percent} % of critical damping. A damping ratio of {text} percent is {option} {text}%"
         ));

@@ -1,9 +1,9 @@
 //! `stickslip identify`: friction and damping from a measured response curve.
 
 use crate::args::{Format, IdentifyArgs};
+use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P};
-use crate::note::digits;
 use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::Serialize;

@@ -211,3 +211,6 @@ impl<'a> Map<'a> {
 pub(crate) fn margin(response: &Response<f64>) -> f64 {
     Output::Margin.of(response).unwrap_or(f64::NAN)
 }
+
+/// The number of points of the border, more than a picture can show.
+const BORDER_POINTS: u32 = 1000;

@@ -91,8 +91,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         name: "motion".to_owned(),
         title: format!(
             "Steady motion at Ω = {}, α = {}",
-            crate::note::digits(point.ratios.omega()),
-            crate::note::digits(point.ratios.alpha())
+            crate::bits::digits(point.ratios.omega()),
+            crate::bits::digits(point.ratios.alpha())
         ),
         caption: String::new(),
         panels: vec![

@@ -3,7 +3,7 @@
 mod force;
 mod static_friction;
 
-use crate::bits::Value;
+use crate::bits::{Value, digits};
 use crate::machine::{Machine, base_motion};
 use crate::style;
 use std::io::{self, Write};
@@ -12,26 +12,6 @@ use stickslip::{Cycle, PhaseFunction, Regime, Response};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
-
-/// Seven significant digits at f64, without trailing zeros; all digits of a wider number.
-pub(crate) fn digits<F: Value>(x: F) -> String {
-    if F::PRECISION > f64::MANTISSA_DIGITS {
-        return x.to_string();
-    }
-    let x = x.to_f64();
-    let rounded: f64 = format!("{x:.6e}").parse().unwrap_or(x);
-    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
-}
-
-/// All digits, with a power of ten where there would be many zeros.
-pub(crate) fn all_digits<F: Value>(x: F) -> String {
-    let size = x.to_f64().abs();
-    if size == 0.0 || (1e-5..1e16).contains(&size) { x.to_string() } else { format!("{x:e}") }
-}
 
 /// A number in its dimensionless unit and, if there is a machine, in the user's unit.
 pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {

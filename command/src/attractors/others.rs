@@ -1,10 +1,9 @@
 //! Periodic motions that no start leads to, such as unstable ones.
 
 use super::{Row, shape};
-use crate::bits::Value;
+use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
-use crate::note::digits;
 use crate::progress;
 use crate::record::Record;
 use std::io::Write;

@@ -1,9 +1,9 @@
 //! The picture of response curves.
 
 use super::{Asked, Line, Place, Source, words};
+use crate::bits::digits;
 use crate::failure::Failure;
 use crate::map::capital;
-use crate::note::digits;
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 /// The part of the usual value below which a curve is cut off.

@@ -2,12 +2,11 @@
 
 use super::{Answer, Named, Row};
 use crate::args::QuestionArgs;
-use crate::bits::Value;
+use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P, in_typed_unit};
 use crate::input::completed;
 use crate::machine::base_motion;
-use crate::note::digits;
 use crate::record::Cell;
 use std::io::Write;
 use stickslip::units::{self, Kind, Reader, System};

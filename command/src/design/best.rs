@@ -1,10 +1,9 @@
 //! `stickslip design dissipation` and `stiffness`: the optimum, and the reason why it is one.
 
 use super::{Answer, Asked, Row, searched_field, some};
-use crate::bits::Value;
+use crate::bits::{Value, digits};
 use crate::failure::Failure;
 use crate::given::Parameter as P;
-use crate::note::digits;
 use crate::record::Cell;
 use stickslip::design::{self, OptimumKind};
 use stickslip::units::Kind;

@@ -1,12 +1,13 @@
 //! The picture of a map.
 
+use super::BORDER_POINTS;
 use super::resonance::is_unbounded;
 use super::{Map, Quantity, limits, margin, symmetry};
+use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::given::Parameter as P;
 use crate::grid::Grid;
 use crate::input;
-use crate::note::digits;
 use crate::outputs;
 use crate::record::Cell;
 use stickslip::Response;
@@ -222,8 +223,6 @@ const MOST: u64 = 4_000_000;
 const MOST_ACROSS: u64 = 20_000;
 /// The count that stands for all greater ones.
 const MOST_NAMES: f64 = 7.0;
-/// The number of points of the border, more than a picture can show.
-pub(super) const BORDER_POINTS: u32 = 1000;
 /// Shades for values that exceed nearly all others by this factor are cut off as those of a pole.
 const POLE: f64 = 100.0;
 

@@ -1,6 +1,6 @@
 //! The columns beside resonance in a picture of a map, and the line on which the motion is unbounded.
 
-use super::picture::BORDER_POINTS;
+use super::BORDER_POINTS;
 use super::{Map, Quantity};
 use crate::failure::Failure;
 use crate::given::{Given, Parameter as P};

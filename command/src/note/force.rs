@@ -1,7 +1,7 @@
 //! The note on forces: the minimum without sticking, the optimum for dissipation, and the border.
 
-use super::{both, digits, static_friction};
-use crate::bits::Value;
+use super::{both, static_friction};
+use crate::bits::{Value, digits};
 use crate::input::BorderScales;
 use crate::machine::{Machine, transmitted};
 use std::io::{self, Write};

@@ -1,8 +1,7 @@
 //! One value of a record, in each format.
 
-use crate::bits::Value;
+use crate::bits::{self, Value};
 use crate::failure::{Failure, Outcome};
-use crate::note;
 use serde::ser::{Serialize, Serializer};
 
 /// A value of a record.
@@ -46,18 +45,18 @@ impl<F: Value> Cell<F> {
         let dash = || "–".to_owned();
         match self {
             Self::Text(text) => (*text).to_owned(),
-            Self::Number(number) => number.map_or_else(dash, note::digits),
+            Self::Number(number) => number.map_or_else(dash, bits::digits),
             Self::Count(count) => count.map_or_else(dash, |n| n.to_string()),
             Self::Flag(flag) => flag.map_or_else(dash, |flag| flag.to_string()),
             Self::Intervals(intervals) => {
                 let text = |&(low, high): &(F, Option<F>)| match high {
-                    Some(high) => format!("{} to {}", note::digits(low), note::digits(high)),
-                    None => format!("{} and more", note::digits(low)),
+                    Some(high) => format!("{} to {}", bits::digits(low), bits::digits(high)),
+                    None => format!("{} and more", bits::digits(low)),
                 };
                 intervals.iter().flatten().map(text).collect::<Vec<_>>().join(", ")
             }
             Self::Pairs(pairs) => pairs.map_or_else(dash, |pairs| {
-                pairs.map(|(re, im)| format!("{} {} i", note::digits(re), note::digits(im))).join(", ")
+                pairs.map(|(re, im)| format!("{} {} i", bits::digits(re), bits::digits(im))).join(", ")
             }),
         }
     }

@@ -1,9 +1,10 @@
 //! The note on a steady state.
 
 use crate::bits::Value;
+use crate::bits::digits;
 use crate::input::Point;
 use crate::machine::{Machine, base_motion, transmitted};
-use crate::note::{both, both_in_words, decay, digits, measured_from, without_mean_force};
+use crate::note::{both, both_in_words, decay, measured_from, without_mean_force};
 use crate::style;
 use std::io::{self, Write};
 use stickslip::Regime;
