@@ -56,7 +56,7 @@ impl<R: Real> FallingHalf<R> {
     }
 
     /// Velocity over ω_n at the phase ω_d t, in `[0, π]`: the derivative of eq. 54. Nowhere positive is Den
-    /// Hartog's condition for a cycle without stops ([`crate::nonsticking::border`]).
+    /// Hartog's condition for a cycle without stops ([`crate::Border`]).
     pub fn velocity(&self, phase: R) -> R {
         let (s, c) = (phase / self.omega).sin_cos();
         self.c1 * c - self.c2 * s - self.amplitude * self.omega * (phase + self.phase_lag).sin()

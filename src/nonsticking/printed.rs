@@ -8,7 +8,7 @@ use crate::float::Real;
 /// Phase `ω_d t₂` by eq. 43 as printed: `π/2 + arccos(Δ₀/A)`, in (π/2, 3π/2).
 ///
 /// Wrong where K(Ω) > 0: on (1/3, 1/2), (1/5, 1/4), … the phase is `π/2 − arccos(Δ₀/A)`. Correct form:
-/// [`crate::nonsticking::displacement_phase`]. `ratio` is Δ₀/A.
+/// [`crate::nonsticking::equations::displacement_phase`]. `ratio` is Δ₀/A.
 #[inline]
 pub fn displacement_phase<R: Real>(ratio: R) -> R {
     // arccos r = atan2(√(1 − r²), r)
@@ -23,7 +23,7 @@ pub fn displacement_phase<R: Real>(ratio: R) -> R {
 /// ```
 ///
 /// Wrong for every Ω > 1 (second root), and near the border for some Ω in (1/2, 1) (first root). Correct
-/// form: [`crate::nonsticking::max_velocity_from_phase`].
+/// form: [`crate::nonsticking::equations::max_velocity_from_phase`].
 pub fn max_velocity<R: Real>(omega: R, alpha: R, cos_pi_1: R, deviation: R) -> R {
     let one = R::int(1);
     let q = crate::phase_function::one_minus_square(omega);
