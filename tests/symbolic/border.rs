@@ -5,7 +5,7 @@ use super::scalar::{Symbol, free, reset};
 use super::setting::{Matching, int};
 use stickslip::Real;
 use stickslip::nonsticking::border::{slip_excess, turning_point_border, turning_point_residual};
-use stickslip::nonsticking::max_displacement;
+use stickslip::nonsticking::equations::max_displacement;
 use stickslip::phase_function::{one_minus_square, phase_function_of_tangent};
 
 #[test]

@@ -4,7 +4,7 @@ use super::ideal::Ideal;
 use super::polynomial::Polynomial;
 use super::scalar::{Symbol, angle, angle_with, free};
 use super::setting::{Matching, int};
-use stickslip::nonsticking::cos_displacement_phase;
+use stickslip::nonsticking::equations::cos_displacement_phase;
 use stickslip::nonsticking::matching::half_period_later;
 use stickslip::phase_function::one_minus_square;
 use stickslip::{Field, Real};
