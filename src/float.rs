@@ -70,9 +70,9 @@ pub use field::{Field, Real};
 pub use foreign::Foreign;
 #[cfg(feature = "mp")]
 pub use mp::{Inexact, Mp, ParseError, PrecisionError, WIDTHS, WithPrecision, with_precision};
-use task::SinCosOfPair;
-#[doc(hidden)]
 pub use task::{AtPrecision, Task};
+#[doc(hidden)]
+pub(crate) use task::{at_precision, fused};
 
 /// The operations that decisions need: order, precision, range.
 pub trait Float: Real + PartialOrd + Display + LowerExp {
@@ -145,7 +145,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         if Self::PRECISION <= f64::MANTISSA_DIGITS {
             TO_HALF_PI.of().wide(angle)
         } else {
-            Self::guarded(SinCosOfPair(angle))
+            task::sin_cos_of_pair(angle)
         }
     }
 

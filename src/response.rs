@@ -1,6 +1,6 @@
 //! The complete answer at one (Ω, α): the regime, and the outputs that exist there.
 
-use crate::float::{AtPrecision, Float, Task};
+use crate::float::{Float, at_precision, fused};
 use crate::nonsticking::six_reversals;
 use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at, damped};
 use crate::phase_function::PhaseFunction;
@@ -55,9 +55,12 @@ impl<F: Float> Response<F> {
             return Self::damped(ratios);
         }
         if ratios.has_higher_static_friction() {
-            return F::fused(WithStaticFriction(ratios));
+            return fused!(<F>(ratios: Ratios<F>) -> Response<F> {
+                let p = PhaseFunction::of_valid(ratios.omega());
+                Response::above(&p, ratios, Border::with_static_friction(&p, ratios.static_friction_ratio()))
+            });
         }
-        F::fused(NewResponse(ratios))
+        fused!(<F>(ratios: Ratios<F>) -> Response<F> { Response::of(ratios) })
     }
 
     #[inline(always)]
@@ -117,15 +120,10 @@ impl<F: Float> Response<F> {
     ///
     /// The regime is decided with these bits, too.
     pub fn guarded(ratios: Ratios<F>) -> Self {
-        struct Task<F>(Ratios<F>);
-
-        impl<F: Float> AtPrecision<F> for Task<F> {
-            type Output = Response<F>;
-
-            fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Response<F> {
-                let found = Response::new(self.0.map(there));
+        at_precision!(guarded, <F>(ratios: Ratios<F>) -> Response<F>, |there, back: G| {
+                let found = Response::<G>::new(ratios.map(there));
                 Response {
-                    ratios: self.0,
+                    ratios,
                     regime: found.regime,
                     border: found.border.map(&back),
                     cycle: found.cycle.map(|cycle| cycle.map(&back)),
@@ -134,10 +132,7 @@ impl<F: Float> Response<F> {
                     best_force_ratio: back(found.best_force_ratio),
                     best_loop_size: found.best_loop_size.map(&back).and_then(finite),
                 }
-            }
-        }
-
-        F::guarded(Task(ratios))
+        })
     }
 
     /// Reversals in the cycle without a stop: 2, or 6 near a pole below the border, where the closed forms do
@@ -173,32 +168,6 @@ impl<F: Float> Response<F> {
 #[inline(always)]
 fn finite<F: Float>(x: F) -> Option<F> {
     if x.is_finite() { Some(x) } else { None }
-}
-
-/// The task of [`Response::new`].
-struct NewResponse<F>(Ratios<F>);
-
-impl<F: Float> Task for NewResponse<F> {
-    type Output = Response<F>;
-
-    #[inline(always)]
-    fn run(self) -> Response<F> {
-        Response::of(self.0)
-    }
-}
-
-/// The task of [`Response::new`] without damping, for a static friction above the kinetic one.
-struct WithStaticFriction<F>(Ratios<F>);
-
-impl<F: Float> Task for WithStaticFriction<F> {
-    type Output = Response<F>;
-
-    #[inline(always)]
-    fn run(self) -> Response<F> {
-        let ratios = self.0;
-        let p = PhaseFunction::of_valid(ratios.omega());
-        Response::above(&p, ratios, Border::with_static_friction(&p, ratios.static_friction_ratio()))
-    }
 }
 
 #[cfg(test)]

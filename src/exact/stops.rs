@@ -26,12 +26,12 @@ use super::state::Point;
 use super::steady::{Found, SteadyState, Summary};
 use super::stick::Stick;
 use super::stop_map::{Expected, Passage, Station, passage};
-use crate::float::{Float, Task};
+use crate::float::{Float, fused};
 use crate::nonsticking::Border;
 use crate::nonsticking::damped::border::is_far_below;
 use crate::nonsticking::damped::half_period::HalfPeriod;
 use crate::nonsticking::damped::rising::Rising;
-use crate::nonsticking::damped::{AtTurningPoint, border};
+use crate::nonsticking::damped::{at_turning_point, border};
 use crate::nonsticking::displacement::max_displacement;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use miss::Miss;
@@ -61,7 +61,11 @@ impl<F: Float> Sticking<F> {
     /// At η = 1 and α > 1.
     #[inline]
     pub(crate) fn new(equation: Equation<F>) -> Self {
-        if equation.is_damped() { Self::damped(equation) } else { F::fused(Undamped(equation)) }
+        if equation.is_damped() {
+            Self::damped(equation)
+        } else {
+            fused!(<F>(equation: Equation<F>) -> Sticking<F> { Sticking::undamped(equation) })
+        }
     }
 
     #[inline(always)]
@@ -82,7 +86,7 @@ impl<F: Float> Sticking<F> {
         let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
         let rising = Rising::of_force(half, equation.alpha);
         // Below the condition at the turning point no border has to be searched for.
-        let turns = equation.alpha >= F::fused(AtTurningPoint(&half)).0;
+        let turns = equation.alpha >= at_turning_point(&half).0;
         let slides =
             || is_far_below(&half, rising.amplitude) || equation.alpha >= border(&half).min_force_ratio;
         let rising = (turns && slides()).then_some(rising);
@@ -126,18 +130,6 @@ impl<F: Float> Sticking<F> {
         let by_cycle = self.shift - self.amplitude;
         let is_damped = self.equation.is_damped();
         [is_damped.then_some(-alpha), (is_damped && by_cycle > F::int(1) - alpha).then_some(by_cycle)]
-    }
-}
-
-/// [`Sticking::undamped`].
-struct Undamped<F>(Equation<F>);
-
-impl<F: Float> Task for Undamped<F> {
-    type Output = Sticking<F>;
-
-    #[inline(always)]
-    fn run(self) -> Sticking<F> {
-        Sticking::undamped(self.0)
     }
 }
 

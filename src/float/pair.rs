@@ -51,6 +51,15 @@ impl<F: Float> Pair<F> {
         Self { hi, lo }
     }
 
+    /// A number of another type, given the conversions there and back, rounded to twice the digits of F.
+    pub(crate) fn rounded<G: Float>(x: G, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self
+    where
+        F: Float,
+    {
+        let hi = back(x);
+        Self::new(hi, back(x - there(hi)))
+    }
+
     /// `x` exactly.
     #[inline(always)]
     #[must_use]

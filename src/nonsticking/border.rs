@@ -44,7 +44,7 @@ mod stationary;
 mod turning_point;
 
 use crate::error::Error;
-use crate::float::{Field, Float, Task, pair::Pair};
+use crate::float::{Field, Float, fused, pair::Pair};
 use crate::phase_function::PhaseFunction;
 pub(crate) use lobe::Lobe;
 pub use lobe::Minimum;
@@ -100,7 +100,7 @@ impl<F: Float> Border<F> {
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
     pub fn new(omega: F) -> Result<Self, Error> {
         let (omega, eta) = (crate::ratios::frequency_ratio(omega)?, F::int(1));
-        Ok(F::fused(Undamped { omega, eta }))
+        Ok(without_damping(omega, eta))
     }
 
     /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
@@ -121,7 +121,7 @@ impl<F: Float> Border<F> {
         if ratios.is_damped() {
             super::damped::border(&super::damped::half_period(ratios))
         } else {
-            F::fused(Undamped { omega: ratios.omega(), eta: ratios.static_friction_ratio() })
+            without_damping(ratios.omega(), ratios.static_friction_ratio())
         }
     }
 
@@ -224,19 +224,12 @@ impl<F: Float> Border<F> {
 }
 
 /// The border without damping at Ω and η.
-struct Undamped<F> {
-    omega: F,
-    eta: F,
-}
-
-impl<F: Float> Task for Undamped<F> {
-    type Output = Border<F>;
-
-    #[inline(always)]
-    fn run(self) -> Border<F> {
-        let p = PhaseFunction::of_valid(self.omega);
-        if self.eta > F::int(1) { Border::with_static_friction(&p, self.eta) } else { Border::at(&p) }
-    }
+#[inline]
+fn without_damping<F: Float>(omega: F, eta: F) -> Border<F> {
+    fused!(<F>(omega: F, eta: F) -> Border<F> {
+        let p = PhaseFunction::of_valid(omega);
+        if eta > F::int(1) { Border::with_static_friction(&p, eta) } else { Border::at(&p) }
+    })
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use super::reversal::Reversal;
 use super::undamped::Undamped;
 use super::{Multipliers, velocity, velocity_phase};
 use crate::error::{Error, written};
-use crate::float::{Float, Task};
+use crate::float::{Float, fused};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
@@ -59,16 +59,29 @@ impl<F: Float> Cycle<F> {
             return Self::damped(ratios);
         }
         if ratios.has_higher_static_friction() {
-            return F::fused(WithStaticFriction(ratios));
+            return fused!(<F>(ratios: Ratios<F>) -> Result<Cycle<F>, Error> {
+                let p = PhaseFunction::of_valid(ratios.omega());
+                let least = Border::with_static_friction(&p, ratios.static_friction_ratio()).min_force_ratio;
+                if ratios.alpha() < least || ratios.omega() == F::int(1) {
+                    return Err(no_cycle(ratios, least));
+                }
+                Ok(Cycle::at(&p, ratios))
+            });
         }
-        F::fused(NewCycle(ratios))
+        fused!(<F>(ratios: Ratios<F>) -> Result<Cycle<F>, Error> {
+            cycle_or_least(ratios).map_err(|least| no_cycle(ratios, least))
+        })
     }
 
     /// The same as an `Option`, without the reason.
     #[inline]
     pub(crate) fn find(ratios: Ratios<F>) -> Option<Self> {
         let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
-        if is_plain { F::fused(FindCycle(ratios)) } else { Self::new(ratios).ok() }
+        if is_plain {
+            fused!(<F>(ratios: Ratios<F>) -> Option<Cycle<F>> { cycle_or_least(ratios).ok() })
+        } else {
+            Self::new(ratios).ok()
+        }
     }
 
     /// The cycle with damping.
@@ -160,12 +173,18 @@ impl<F: Float> Cycle<F> {
 
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
     pub fn loop_size_stiffness(&self) -> F {
-        F::fused(LoopSizes(self)).0
+        self.fused_loop_sizes().0
     }
 
     /// Loop size `A₂ = Ω² A₁` (eq. 67). Accuracy at f64: 2 ulp.
     pub fn loop_size_inertia(&self) -> F {
-        F::fused(LoopSizes(self)).1
+        self.fused_loop_sizes().1
+    }
+
+    #[inline(always)]
+    fn fused_loop_sizes(&self) -> (F, F) {
+        let cycle = self;
+        fused!(<'a, F>(cycle: &'a Cycle<F>) -> (F, F) { cycle.loop_sizes() })
     }
 
     /// (A₁, A₂).
@@ -198,60 +217,6 @@ impl<F: Float> Cycle<F> {
     /// Velocity `x′/(Bω_d)` at any phase ω_d t: the derivative of [`Cycle::displacement_at`].
     pub fn velocity_at(&self, phase: F) -> F {
         self.motion.at(self.ratios.omega(), phase - self.displacement_phase).1
-    }
-}
-
-/// [`Cycle::new`].
-struct NewCycle<F>(Ratios<F>);
-
-impl<F: Float> Task for NewCycle<F> {
-    type Output = Result<Cycle<F>, Error>;
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        cycle_or_least(self.0).map_err(|least| no_cycle(self.0, least))
-    }
-}
-
-struct FindCycle<F>(Ratios<F>);
-
-impl<F: Float> Task for FindCycle<F> {
-    type Output = Option<Cycle<F>>;
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        cycle_or_least(self.0).ok()
-    }
-}
-
-/// The cycle without damping for a static friction above the kinetic one: the same motion, from a higher
-/// border on.
-struct WithStaticFriction<F>(Ratios<F>);
-
-impl<F: Float> Task for WithStaticFriction<F> {
-    type Output = Result<Cycle<F>, Error>;
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        let ratios = self.0;
-        let p = PhaseFunction::of_valid(ratios.omega());
-        let least = Border::with_static_friction(&p, ratios.static_friction_ratio()).min_force_ratio;
-        if ratios.alpha() < least || ratios.omega() == F::int(1) {
-            return Err(no_cycle(ratios, least));
-        }
-        Ok(Cycle::at(&p, ratios))
-    }
-}
-
-/// [`Cycle::loop_sizes`].
-struct LoopSizes<'a, F>(&'a Cycle<F>);
-
-impl<F: Float> Task for LoopSizes<'_, F> {
-    type Output = (F, F);
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        self.0.loop_sizes()
     }
 }
 

@@ -30,7 +30,7 @@ use super::displacement::max_displacement;
 use super::phase::reduce;
 use super::stability::MultiplierPair;
 use super::{Border, loop_size_inertia, loop_size_stiffness};
-use crate::float::{Field, Float, Task, pair::Pair};
+use crate::float::{Field, Float, fused, pair::Pair};
 use crate::ratios::Ratios;
 use border::{least_displacement, needed_at, supremum, turning_point};
 use half_period::HalfPeriod;
@@ -135,7 +135,7 @@ impl<F: Float> Rising<F> {
     /// Beside the pole at Ω = 1 a and G are large and nearly equal, and α² − K² and q²G² with them: there
     /// `Δ₀/B = (α² − Q²)/(q² (a + G))`, `a² = (α² − Q²)/q² + G²`, Q² = K² + q²G² ([`Pole`]).
     pub(crate) fn of_force(half: HalfPeriod<F>, alpha: F) -> Self {
-        F::fused(OfForce { half, alpha })
+        fused!(<F>(half: HalfPeriod<F>, alpha: F) -> Rising<F> { Rising::at_force(half, alpha) })
     }
 
     #[inline(always)]
@@ -211,25 +211,10 @@ impl<F: Field> HalfPeriod<F> {
     }
 }
 
-/// The task of [`Rising::of_force`].
-struct OfForce<F> {
-    half: HalfPeriod<F>,
-    alpha: F,
-}
-
-impl<F: Float> Task for OfForce<F> {
-    type Output = Rising<F>;
-
-    #[inline(always)]
-    fn run(self) -> Rising<F> {
-        Rising::at_force(self.half, self.alpha)
-    }
-}
-
 /// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
 pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
     let found = supremum(half);
-    let turning_point = F::fused(AtTurningPoint(half));
+    let turning_point = at_turning_point(half);
     let Some(touch) = found.touch else {
         return Border::of_parts(turning_point.0, turning_point.0, F::int(0), turning_point.1);
     };
@@ -245,17 +230,13 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
 }
 
 /// The force ratio from which on the body does not stick at its turning points, and the least Δ₀/B there.
-pub(crate) struct AtTurningPoint<'a, F>(pub(crate) &'a HalfPeriod<F>);
-
-impl<F: Float> Task for AtTurningPoint<'_, F> {
-    type Output = (F, F);
-
-    #[inline(always)]
-    fn run(self) -> (F, F) {
-        let half = self.0.wide();
+#[inline(always)]
+pub(crate) fn at_turning_point<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
+    fused!(<'a, F>(half: &'a HalfPeriod<F>) -> (F, F) {
+        let half = half.wide();
         let force_ratio = half.k.hypot(half.stiffness * turning_point(&half));
         (force_ratio.value(), least_displacement(&half).value())
-    }
+    })
 }
 
 /// The force ratio of the largest loop A₁ and that loop, to the digits of the half period.

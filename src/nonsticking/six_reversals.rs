@@ -67,7 +67,7 @@ mod newton;
 mod range;
 mod search;
 
-use crate::float::{AtPrecision, Float};
+use crate::float::{Float, at_precision};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use equations::{Closing, Frequency, Unknowns};
@@ -228,13 +228,7 @@ impl<F: Float> SixReversals<F> {
 
 /// The solution for a force followed from the pole, where it is a closed form, in steps of cot β.
 fn followed<F: Float>(frequency: Frequency<F>, force: F) -> Option<Unknowns<F>> {
-    struct Task<F>(Frequency<F>, F);
-
-    impl<F: Float> AtPrecision<F> for Task<F> {
-        type Output = Option<Unknowns<F>>;
-
-        fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Option<Unknowns<F>> {
-            let Self(frequency, force) = self;
+    at_precision!(narrowed, <F>(frequency: Frequency<F>, force: F) -> Option<Unknowns<F>>, |there, back: G| {
             let (omega, force) = (there(frequency.omega), there(force));
             let (sin_beta, cos_beta) = (there(frequency.sin_beta), there(frequency.cos_beta));
             let mut y = at_the_pole(omega, force)?;
@@ -243,10 +237,7 @@ fn followed<F: Float>(frequency: Frequency<F>, force: F) -> Option<Unknowns<F>> 
                 y = newton::polished(omega, y, |y| y.residuals(&frequency, Closing::Force(force)))?;
             }
             Some(y.map(back))
-        }
-    }
-
-    F::narrowed(Task(frequency, force))
+    })
 }
 
 /// Steps from the pole.

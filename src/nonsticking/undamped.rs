@@ -7,7 +7,7 @@ use super::half_cycle::HalfCycle;
 use super::reversal::Reversal;
 use super::stability::{Multipliers, contraction};
 use super::waves::Circular;
-use crate::float::{Float, Task, pair::Pair};
+use crate::float::{Float, fused, pair::Pair};
 use crate::phase_function::{Frequency, Offset, PhaseFunction};
 
 /// A cycle without damping with known Δ₀, ω_d t₂, V₀ and ω_d t₁.
@@ -63,7 +63,13 @@ impl<F: Float> Undamped<F> {
     pub(super) fn deviation(&self, omega: F) -> F {
         match self.deviation {
             Some(known) => known,
-            None => F::fused(DeviationAt { omega, k: self.reversal.phase_function(), psi: self.psi }),
+            None => {
+                let (k, psi) = (self.reversal.phase_function(), self.psi);
+                fused!(<F>(omega: F, k: Pair<F>, psi: F) -> F {
+                    let beta = Frequency::new(&Offset::new(), omega, k).sin_cos_beta();
+                    Circular::new().deviation(omega, beta, k, psi)
+                })
+            }
         }
     }
 
@@ -72,11 +78,13 @@ impl<F: Float> Undamped<F> {
     pub(super) fn contraction(&self, omega: F) -> F {
         match self.rounded {
             Some(rounded) => rounded.contraction,
-            None => F::fused(ContractionAt {
-                omega,
-                k: self.reversal.phase_function(),
-                max_displacement: self.displacement.hi,
-            }),
+            None => {
+                let (k, max_displacement) = (self.reversal.phase_function(), self.displacement.hi);
+                fused!(<F>(omega: F, k: Pair<F>, max_displacement: F) -> F {
+                    let p = PhaseFunction::of_known(omega, k);
+                    contraction(omega, max_displacement, p.sin_cos_of_cycle())
+                })
+            }
         }
     }
 
@@ -89,39 +97,4 @@ impl<F: Float> Undamped<F> {
 /// remainder.
 pub(super) fn half_cycle<F: Float>(p: &PhaseFunction<F>, displacement: Pair<F>) -> HalfCycle<F> {
     HalfCycle::new(p, displacement.hi).with_rest(displacement.lo)
-}
-
-/// Δ₁/B from Ω ≥ 1/2, K and the centred time of the maximum velocity.
-struct DeviationAt<F> {
-    omega: F,
-    k: Pair<F>,
-    psi: F,
-}
-
-impl<F: Float> Task for DeviationAt<F> {
-    type Output = F;
-
-    #[inline(always)]
-    fn run(self) -> F {
-        let Self { omega, k, psi } = self;
-        let beta = Frequency::new(&Offset::new(), omega, k).sin_cos_beta();
-        Circular::new().deviation(omega, beta, k, psi)
-    }
-}
-
-/// `max |λ|` from Ω, K and Δ₀/B.
-struct ContractionAt<F> {
-    omega: F,
-    k: Pair<F>,
-    max_displacement: F,
-}
-
-impl<F: Float> Task for ContractionAt<F> {
-    type Output = F;
-
-    #[inline(always)]
-    fn run(self) -> F {
-        let p = PhaseFunction::of_known(self.omega, self.k);
-        contraction(self.omega, self.max_displacement, p.sin_cos_of_cycle())
-    }
 }

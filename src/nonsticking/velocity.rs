@@ -41,7 +41,7 @@ use super::low::{LowCircular, LowWaves};
 use super::undamped::half_cycle;
 use super::waves::{Circular, Waves};
 use crate::float::{Field, Real};
-use crate::float::{Float, Task, pair::Pair};
+use crate::float::{Float, fused, pair::Pair};
 use crate::phase_function::{Frequency, Offset, PhaseFunction};
 use iteration::{fastest_and_displacement, from_centre_or_afar};
 
@@ -198,32 +198,20 @@ fn by_waves<F: Float>(omega: F, displacement: Pair<F>, k: Pair<F>) -> Option<Fas
 /// Not inlined, so that the path above 1/2 keeps everything in registers.
 #[inline(never)]
 fn by_low_waves<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> Option<(Fastest<F>, F)> {
-    F::fused(ByLowWaves { p, given })
-}
-
-struct ByLowWaves<F> {
-    p: PhaseFunction<F>,
-    given: Given<F>,
-}
-
-impl<F: Float> Task for ByLowWaves<F> {
-    type Output = Option<(Fastest<F>, F)>;
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        let Given { alpha, displacement, displacement_phase, .. } = self.given;
-        let (omega, circular) = (self.p.omega(), LowCircular::new());
+    fused!(<F>(p: PhaseFunction<F>, given: Given<F>) -> Option<(Fastest<F>, F)> {
+        let Given { alpha, displacement, displacement_phase, .. } = given;
+        let (omega, circular) = (p.omega(), LowCircular::new());
         let waves = LowWaves {
             omega,
             inverse: F::int(1) / omega,
             max_displacement: displacement.hi,
             rest: displacement.lo,
-            beta: self.p.sin_cos_of_cycle(),
+            beta: p.sin_cos_of_cycle(),
         };
         let theta = waves.start(&circular, alpha, displacement_phase);
         let (found, velocity) = waves.arrive(&circular, displacement_phase, theta);
         found.is_found.then_some((Fastest { psi: found.psi, velocity }, found.displacement))
-    }
+    })
 }
 
 impl<F: Float> Fastest<F> {

@@ -20,7 +20,7 @@ use super::{
     phase_function_of_tangent, reduced, tangent,
 };
 use crate::float::circular::polynomial;
-use crate::float::{AtPrecision, Float, Real, Task, pair::Pair};
+use crate::float::{Float, Real, at_precision, fused, pair::Pair};
 
 /// `8/π`, to twice the digits of f64; G's leading term is its negative.
 const EIGHT_OVER_PI: (f64, f64) = (2.546_479_089_470_325_5, -1.5742941340145989e-16);
@@ -161,41 +161,25 @@ pub(super) fn of_remainder<F: Float>(omega: F, is_even: bool, w: Pair<F>) -> Pai
 #[cold]
 #[inline(never)]
 fn refined_parts<F: Float>(omega: F) -> (u8, Pair<F>, Pair<F>) {
-    F::fused(Refined(omega))
-}
-
-/// The task of [`refined_parts`].
-struct Refined<F>(F);
-
-impl<F: Float> Task for Refined<F> {
-    type Output = (u8, Pair<F>, Pair<F>);
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        let (quarter, w) = reduced(self.0);
+    fused!(<F>(omega: F) -> (u8, Pair<F>, Pair<F>) {
+        let (quarter, w) = reduced(omega);
         let value = if F::PRECISION > f64::MANTISSA_DIGITS {
-            F::guarded(Guarded(self.0))
+            guarded(omega)
         } else {
-            of_remainder(self.0, quarter & 1 == 0, w)
+            of_remainder(omega, quarter & 1 == 0, w)
         };
         (quarter, w, value)
-    }
+    })
 }
 
-/// A task that computes K(Ω) with guard digits, as a pair.
-struct Guarded<F>(F);
-
-impl<F: Float> AtPrecision<F> for Guarded<F> {
-    type Output = Pair<F>;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Pair<F> {
-        let omega = there(self.0);
+/// K(Ω) with guard digits, as a pair.
+fn guarded<F: Float>(omega: F) -> Pair<F> {
+    at_precision!(guarded, <F>(omega: F) -> Pair<F>, |there, back: G| {
+        let omega = there(omega);
         let (quarter, rest) = nearest_quarter(omega);
         let remainder = G::pi() * rest / (G::int(2) * omega);
-        let value = phase_function(omega, quarter, remainder);
-        let hi = back(value);
-        Pair::new(hi, back(value - there(hi)))
-    }
+        Pair::rounded(phase_function(omega, quarter, remainder), there, back)
+    })
 }
 
 /// `y cot y`, smooth through y = 0.

@@ -2,7 +2,7 @@
 
 use super::static_friction::every_start;
 use crate::error::Error;
-use crate::float::{AtPrecision, Float};
+use crate::float::{Float, at_precision};
 use crate::nonsticking::Border;
 use crate::nonsticking::six_reversals::{self, damped};
 use crate::phase_function::PhaseFunction;
@@ -43,7 +43,7 @@ impl<F: Float> NoStop<F> {
                 every_start: if eta > F::int(1) { every_start(ratios) } else { Some(border) },
             };
         }
-        F::guarded(WithoutDamping(ratios.omega()))
+        without_damping(ratios.omega())
     }
 
     /// The minimum force ratio without a stop.
@@ -102,20 +102,16 @@ pub fn no_stop_force_ratios<F: Float>(omega: F, damping_ratio: F) -> Result<NoSt
 }
 
 /// At ζ = 0 and η = 1, and at this Ω.
-struct WithoutDamping<F>(F);
-
-impl<F: Float> AtPrecision<F> for WithoutDamping<F> {
-    type Output = NoStop<F>;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> NoStop<F> {
-        let p = PhaseFunction::of_valid(there(self.0));
+fn without_damping<F: Float>(omega: F) -> NoStop<F> {
+    at_precision!(guarded, <F>(omega: F) -> NoStop<F>, |there, back: G| {
+        let p = PhaseFunction::<G>::of_valid(there(omega));
         let border = back(Border::at(&p).min_force_ratio);
         NoStop {
             six_reversals: six_reversals::force_ratios_at(&p).map(|(low, high)| (back(low), back(high))),
             border,
             every_start: Some(border),
         }
-    }
+    })
 }
 
 #[cfg(test)]

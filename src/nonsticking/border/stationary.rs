@@ -3,7 +3,7 @@
 
 use super::near::{Known, near};
 use super::{border_force_ratio, is_stationary_value_larger};
-use crate::float::{AtPrecision, Field, Float, Real, Task, pair::Pair};
+use crate::float::{Field, Float, Real, at_precision, fused, pair::Pair};
 use crate::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 
@@ -48,18 +48,8 @@ impl<F: Float> Inner<F> {
 /// Takes a copy, so that the path above 1/2 keeps everything in registers.
 #[inline(never)]
 pub(super) fn inner_maximum<F: Float>(p: PhaseFunction<F>) -> Option<Inner<F>> {
-    F::fused(InnerMaximum(p))
-}
-
-/// [`inner_maximum`].
-struct InnerMaximum<F>(PhaseFunction<F>);
-
-impl<F: Float> Task for InnerMaximum<F> {
-    type Output = Option<Inner<F>>;
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        let (p, omega) = (self.0, self.0.omega());
+    fused!(<F>(p: PhaseFunction<F>) -> Option<Inner<F>> {
+        let omega = p.omega();
         if p.is_even_subharmonic() {
             return None;
         }
@@ -75,7 +65,7 @@ impl<F: Float> Task for InnerMaximum<F> {
         let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
         let width = Pair::new(hi, width.lo.constant());
         Some(Inner { width, omega, gamma: known.gamma, eta, rises: angle.is_tangent_positive() })
-    }
+    })
 }
 
 /// The derivative of `(1 − Ω²) S` by Ω.
@@ -147,24 +137,12 @@ pub(crate) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
         let g = |eta| stationarity(omega, gamma, eta).0;
         F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))
     } else {
-        F::narrowed(Start { omega, gamma })
+        at_precision!(narrowed, <F>(omega: F, gamma: F) -> F, |there, back: G| {
+            back(stationary_point(there(omega), there(gamma)))
+        })
     };
     let condition = |eta| stationarity(omega, gamma, eta);
     root::newton(start, F::int(0), F::pi(), condition).implicit_root(condition)
-}
-
-/// The stationary point at a lower precision.
-struct Start<F> {
-    omega: F,
-    gamma: F,
-}
-
-impl<F: Float> AtPrecision<F> for Start<F> {
-    type Output = F;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
-        back(stationary_point(there(self.omega), there(self.gamma)))
-    }
 }
 
 /// Ω S′ on the bands below Ω = 1/2 where S is the inner stationary value.

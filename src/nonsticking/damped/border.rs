@@ -33,7 +33,7 @@
 use super::free::{Free, Waves};
 use super::half_period::{HalfPeriod, wide_sin_cos};
 use super::rising::Moment;
-use crate::float::{AtPrecision, Field, Float, pair::Pair};
+use crate::float::{Field, Float, at_precision, pair::Pair};
 use crate::root::newton_within;
 
 /// The supremum S and where it is.
@@ -80,7 +80,7 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
         let found = greatest(half, turning_point).touch;
         found.map(|touch| Touch { time: refined(half, touch), ..touch })
     } else {
-        F::narrowed(AtLess(*half)).and_then(|near| polished(half, near))
+        narrowed(*half).and_then(|near| polished(half, near))
     };
     let Some(Touch { from, time }) = touch else { return turning_point };
     let time = time.implicit_root(|time| rise(half, from, &at(half, from, time)));
@@ -118,15 +118,11 @@ pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
 }
 
 /// The search at a lower precision.
-struct AtLess<F>(HalfPeriod<F>);
-
-impl<F: Float> AtPrecision<F> for AtLess<F> {
-    type Output = Option<Touch<F>>;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Option<Touch<F>> {
-        let found = supremum(&self.0.map(there)).touch?;
+fn narrowed<F: Float>(half: HalfPeriod<F>) -> Option<Touch<F>> {
+    at_precision!(narrowed, <F>(half: HalfPeriod<F>) -> Option<Touch<F>>, |there, back: G| {
+        let found: Touch<G> = supremum(&half.map(there)).touch?;
         Some(Touch { from: found.from, time: back(found.time) })
-    }
+    })
 }
 
 /// The maximum next to one found at a lower precision: it is the only one between the zeros of p around it.

@@ -7,7 +7,7 @@
 //! is no sampling and no counting of maxima, for any Ω and ζ; the result is proved up to rounding.
 
 use super::rising::{Moment, Vibration};
-use crate::float::{AtPrecision, Float};
+use crate::float::{Float, at_precision};
 use crate::root::{newton, newton_within};
 
 /// The time τ of the maximum velocity.
@@ -19,7 +19,10 @@ pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
     let start = if F::PRECISION <= f64::MANTISSA_DIGITS {
         Search::new(motion).run()
     } else {
-        F::narrowed(AtLess(*motion))
+        let motion = *motion;
+        at_precision!(narrowed, <F>(motion: Vibration<F>) -> F, |there, back: G| {
+            back(fastest_time::<G>(&motion.map(there)))
+        })
     };
     let polished = newton(start, F::int(0), motion.end, slope);
     // Where the velocity is so flat that a step goes astray, the start is as good as the type can tell.
@@ -28,17 +31,6 @@ pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
     let noise = F::int(64) * F::epsilon() * (motion.swing() + start_bound);
     let time = if speed(polished) + noise >= speed(start) { polished } else { start };
     time.implicit_root(slope)
-}
-
-/// The search at a lower precision.
-struct AtLess<F>(Vibration<F>);
-
-impl<F: Float> AtPrecision<F> for AtLess<F> {
-    type Output = F;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
-        back(fastest_time(&self.0.map(there)))
-    }
 }
 
 /// The velocity at one end of a part.

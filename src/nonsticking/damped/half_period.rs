@@ -3,7 +3,7 @@
 
 use super::free::Free;
 use super::pole::Pole;
-use crate::float::{AtPrecision, Field, Float, Real, Task, pair::Pair};
+use crate::float::{Field, Float, Real, at_precision, fused, pair::Pair};
 use crate::phase_function::{
     PhaseFunction, modulo_four, one_minus_square, one_minus_square_wide, reduced, turned,
 };
@@ -55,7 +55,7 @@ pub(crate) struct HalfPeriod<F> {
 impl<F: Float> HalfPeriod<F> {
     /// At a frequency ratio and a damping ratio ζ > 0 that are in their domains.
     pub(crate) fn new(omega: F, zeta: F) -> Self {
-        F::fused(New { omega, zeta })
+        fused!(<F>(omega: F, zeta: F) -> HalfPeriod<F> { HalfPeriod::at_ratios(omega, zeta) })
     }
 
     #[inline(always)]
@@ -109,21 +109,6 @@ impl<F: Float> HalfPeriod<F> {
             k: stiffness * h,
             ..self.map(Pair::exact)
         }
-    }
-}
-
-/// The task of [`HalfPeriod::new`].
-struct New<F> {
-    omega: F,
-    zeta: F,
-}
-
-impl<F: Float> Task for New<F> {
-    type Output = HalfPeriod<F>;
-
-    #[inline(always)]
-    fn run(self) -> HalfPeriod<F> {
-        HalfPeriod::at_ratios(self.omega, self.zeta)
     }
 }
 
@@ -218,7 +203,21 @@ fn half<F: Float>(omega: F, zeta: F) -> Half<Pair<F>, F> {
         is_short: F::pi() * zeta.or_larger(one) <= two * omega,
     };
     if F::PRECISION > f64::MANTISSA_DIGITS {
-        return F::guarded(Guarded { omega, zeta, kind });
+        return at_precision!(guarded, <F>(omega: F, zeta: F, kind: Kind) -> Half<Pair<F>, F>, |there, back: G| {
+            let (omega, free) = (there(omega), Free::new(there(zeta)));
+            let middle = G::pi() / (G::int(2) * omega);
+            // Towards ζ = 1 d vanishes, and a difference would lose it; there no pole is near enough to ask for
+            // more.
+            let angle = if free.zeta * G::int(2) > G::int(1) {
+                (free.frequency * middle).sin_cos()
+            } else {
+                half_angle(&free, omega, middle)
+            };
+            let exp = |x: G| (x.exp_m1(), x.exp());
+            let Half { shift, h, waves } = at_middle(&free, (omega, middle), angle, kind, exp, series_rest);
+            let pair = |x| Pair::rounded(x, &there, &back);
+            Half { shift: pair(shift), h: pair(h), waves: waves.map(&back) }
+        });
     }
     let (wide, free) = (omega.wide(), Free::new(zeta.wide()));
     let middle = Pair::pi() / (wide * two);
@@ -226,36 +225,6 @@ fn half<F: Float>(omega: F, zeta: F) -> Half<Pair<F>, F> {
     let rest = |u: Pair<F>, v: Pair<F>| Pair::exact(series_rest(u.hi, v.hi));
     let Half { shift, h, waves } = at_middle(&free, (wide, middle), angle, kind, Pair::exp_falling, rest);
     Half { shift, h, waves: waves.map(Pair::value) }
-}
-
-/// The same with guard digits.
-struct Guarded<F> {
-    omega: F,
-    zeta: F,
-    kind: Kind,
-}
-
-impl<F: Float> AtPrecision<F> for Guarded<F> {
-    type Output = Half<Pair<F>, F>;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output {
-        let (omega, free) = (there(self.omega), Free::new(there(self.zeta)));
-        let middle = G::pi() / (G::int(2) * omega);
-        // Towards ζ = 1 d vanishes, and a difference would lose it; there no pole is near enough to ask for
-        // more.
-        let angle = if free.zeta * G::int(2) > G::int(1) {
-            (free.frequency * middle).sin_cos()
-        } else {
-            half_angle(&free, omega, middle)
-        };
-        let exp = |x: G| (x.exp_m1(), x.exp());
-        let Half { shift, h, waves } = at_middle(&free, (omega, middle), angle, self.kind, exp, series_rest);
-        let pair = |x: G| {
-            let hi = back(x);
-            Pair::new(hi, back(x - there(hi)))
-        };
-        Half { shift: pair(shift), h: pair(h), waves: waves.map(&back) }
-    }
 }
 
 /// `(sin, cos)` of dT/2 for ζ < 1 as pairs; `middle` is T/2.

@@ -20,7 +20,7 @@
 
 use super::free::Waves;
 use super::rising::{Moment, Rising, Vibration};
-use crate::float::{Float, Task};
+use crate::float::{Float, fused};
 use crate::nonsticking::arrival::{Arrived, Nearby, Reciprocals};
 
 /// The time of the maximum velocity, and its value.
@@ -38,7 +38,7 @@ impl<F: Float> Rising<F> {
     /// The maximum velocity.
     pub(crate) fn summit(&self) -> Summit<F> {
         if F::PRECISION <= f64::MANTISSA_DIGITS
-            && let Some(found) = F::fused(OneSummit(self))
+            && let Some(found) = self.one_summit()
         {
             return found.differentiated(self);
         }
@@ -125,15 +125,13 @@ impl<F: Float> Vibration<F> {
     }
 }
 
-/// The maximum velocity, if it is known to be the only stationary one, and close enough.
-struct OneSummit<'a, F>(&'a Rising<F>);
-
-impl<F: Float> Task for OneSummit<'_, F> {
-    type Output = Option<Summit<F>>;
-
+impl<F: Float> Rising<F> {
+    /// The maximum velocity, if it is known to be the only stationary one, and close enough.
     #[inline(always)]
-    fn run(self) -> Self::Output {
-        let (rising, motion) = (self.0, self.0.vibration());
+    fn one_summit(&self) -> Option<Summit<F>> {
+        let rising = self;
+        fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
+        let motion = rising.vibration();
         if !rising.has_one_summit(&motion) {
             return None;
         }
@@ -155,6 +153,7 @@ impl<F: Float> Task for OneSummit<'_, F> {
             }
         }
         None
+        })
     }
 }
 
@@ -175,9 +174,7 @@ impl<F: Float> Summit<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::OneSummit;
     use crate::drawn::cases;
-    use crate::float::{Float, Task};
     use crate::nonsticking::damped::fastest::fastest_time;
     use crate::nonsticking::damped::rising::Rising;
     use crate::nonsticking::damped::{border, half_period_at};
@@ -203,7 +200,7 @@ mod tests {
         /// The result without a search agrees with that of the search.
         #[test]
         fn it_is_that_of_the_search(rising in halves()) {
-            if let Some(found) = OneSummit(&rising).run() {
+            if let Some(found) = &rising.one_summit() {
                 let tau = fastest_time(&rising.vibration());
                 let [velocity, _, curvature] = rising.velocity(&rising.at(tau));
                 let noise = 64.0 * f64::EPSILON * (rising.swing() + 1.0 + rising.half.h.abs());
@@ -243,7 +240,7 @@ mod tests {
                 for over in [1.05, 1.5, 3.0] {
                     let rising = rising(0.5 * 10f64.powf(f64::from(i) / 40.0), zeta, over);
                     all += 1;
-                    found += usize::from(f64::fused(OneSummit(&rising)).is_some());
+                    found += usize::from(rising.one_summit().is_some());
                 }
             }
         }

@@ -45,7 +45,7 @@ mod equations;
 
 use super::equations::{Closing, Unknowns};
 use super::{at_the_pole, newton};
-use crate::float::{AtPrecision, Float};
+use crate::float::{Float, at_precision};
 use crate::ratios::Ratios;
 pub(crate) use edges::force_ratios;
 pub(super) use equations::Problem;
@@ -78,22 +78,14 @@ fn solved<F: Float>(problem: &Problem<F>, closing: Closing<F>, start: Unknowns<F
 /// The solution for a force followed from the pole without damping, where it is a closed form, in steps of ζ
 /// and of the distance.
 fn followed<F: Float>(problem: &Problem<F>, force: F) -> Option<Unknowns<F>> {
-    struct Task<'a, F>(&'a Problem<F>, F);
-
-    impl<F: Float> AtPrecision<F> for Task<'_, F> {
-        type Output = Option<Unknowns<F>>;
-
-        fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Option<Unknowns<F>> {
-            let (problem, force) = (self.0.map(&there), there(self.1));
+    at_precision!(narrowed, <'a, F>(problem: &'a Problem<F>, force: F) -> Option<Unknowns<F>>, |there, back: G| {
+            let (problem, force) = (problem.map(&there), there(force));
             let mut y = at_the_pole(problem.omega, force)?;
             for step in 1..=STEPS {
                 y = solved(&problem.towards_the_pole(G::ratio(step, STEPS)), Closing::Force(force), y)?;
             }
             Some(y.map(back))
-        }
-    }
-
-    F::narrowed(Task(problem, force))
+    })
 }
 
 /// Steps from the pole.

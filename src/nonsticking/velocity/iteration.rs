@@ -4,7 +4,7 @@
 use super::centre::from_centre;
 use super::step::{arrive, householder, is_final};
 use super::{Fastest, fastest};
-use crate::float::{AtPrecision, Float, Real};
+use crate::float::{Float, Real, at_precision};
 use crate::nonsticking::displacement::squared_sine;
 use crate::nonsticking::half_cycle::{HalfCycle, Jet};
 use crate::phase_function::PhaseFunction;
@@ -27,7 +27,7 @@ pub(super) fn from_centre_or_afar<F: Float>(
 /// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions
 /// of its own, which are the cost at high precision.
 pub(super) fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
-    polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }))
+    polish(half, start(half.in_range(), k, alpha))
 }
 
 /// Householder steps from the bracketed root.
@@ -41,17 +41,9 @@ fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest
 }
 
 /// The ψ of the maximum velocity at a lower precision.
-struct Start<F> {
-    half: HalfCycle<F>,
-    k: F,
-    alpha: F,
-}
-
-impl<F: Float> AtPrecision<F> for Start<F> {
-    type Output = F;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
-        let (half, k, alpha) = (self.half.map(&there), there(self.k), there(self.alpha));
+fn start<F: Float>(half: HalfCycle<F>, k: F, alpha: F) -> F {
+    at_precision!(narrowed, <F>(half: HalfCycle<F>, k: F, alpha: F) -> F, |there, back: G| {
+        let (half, k, alpha) = (half.map(&there), there(k), there(alpha));
         if G::PRECISION > f64::MANTISSA_DIGITS {
             return back(fastest(&half, k, alpha).psi);
         }
@@ -62,7 +54,7 @@ impl<F: Float> AtPrecision<F> for Start<F> {
         let bracketed =
             || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64()))).0;
         back(centred.unwrap_or_else(bracketed).psi)
-    }
+    })
 }
 
 /// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final;
