@@ -103,6 +103,7 @@ pub use samples::Samples;
 pub use starts::Starts;
 pub use state::{Instant, State};
 pub use steady::{SteadyState, errors_after};
+pub use steady_outputs::SteadyOutput;
 pub use symmetry::{Loss, SymmetryBreak, symmetry_breaks};
 pub use trajectory::{End, Kind, Segment, Trajectory};
 
@@ -112,4 +113,5 @@ pub use trajectory::{End, Kind, Segment, Trajectory};
 pub use {
     attractors::Signature,
     periodic::{PeriodicMotions, periodic_motions_from},
+    steady_outputs::SteadyAnswer,
 };

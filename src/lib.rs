@@ -207,7 +207,10 @@ pub use error::{Error, Number, Quantity};
 pub use float::{Field, Float, Real};
 pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Excitation, Oscillator, Scales};
-pub use output::{Output, UnknownOutput};
+pub use output::{Definition, Measure, Output, UnknownOutput};
+// The values of whole answers, for the command and the Python package.
+#[doc(hidden)]
+pub use output::{Column, ResponseAnswer, Value, When, definitions};
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
 pub use regime::{Family, NoStop, Regime, Stops, Verdict, no_stop_force_ratios, regime, stops_per_cycle};

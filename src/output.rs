@@ -1,43 +1,56 @@
-//! The outputs of a [`Response`] by name, for batches, sensitivities and the analysis of uncertain
-//! parameters.
+//! The outputs of a [`Response`] as one table, for batches, sensitivities, the analysis of uncertain
+//! parameters, the command and the Python package.
 
-use crate::float::{Field, Float};
+mod answer;
+mod definition;
+#[allow(missing_docs, reason = "each has its meaning")]
+pub mod definitions;
+
+use crate::float::{Float, Real};
 #[cfg(feature = "serde")]
 use crate::nonsticking::Cycle;
 use crate::nonsticking::dynamic_amplification;
 use crate::oscillator::Scales;
 use crate::response::Response;
 
-/// Defines the outputs from one row each: the description, the names in Rust and in the command, the
-/// dimensionless value, and the physical size of one unit of it.
+pub(crate) use answer::number;
+pub use answer::{Column, ResponseAnswer, Value, When};
+pub use definition::{Definition, Measure};
+
+/// Defines the outputs from one row each: the names in Rust and in the command, the measure, the meaning, the
+/// other columns of a [`Definition`], and the dimensionless value.
 ///
 /// The value is computed from the `cycle` and exists where the cycle does, from the `border`, or from the
 /// whole `response` as an `Option`.
 macro_rules! outputs {
     ($(
-        $(#[$doc:meta])*
-        $output:ident $name:literal: $from:ident => $value:expr, in $scales:ident => $unit:expr;
+        $output:ident($name:literal, $measure:ident, $meaning:literal) $(.$column:ident($($fact:expr)?))*:
+            $from:ident => $value:expr;
     )*) => {
         /// One output of a [`Response`].
         ///
-        /// [`Output::of`] gives the dimensionless value, in the units of the table. Multiply it by
-        /// [`Output::unit`] for physical units.
+        /// [`Output::of`] gives the dimensionless value. Multiply it by [`Output::unit`] for physical units.
+        /// [`Output::definition`] has its symbol, its equation, its unit and its accuracy.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Output {
-            $($(#[$doc])* $output,)*
+            $(
+                #[doc = concat!("`", $name, "`: ", $meaning, " ([`Measure::", stringify!($measure), "`]).")]
+                $output,
+            )*
         }
 
         impl Output {
             /// All outputs, in order.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$output),*];
 
-            /// The output's name, as [`Display`](core::fmt::Display) prints it.
-            #[doc(hidden)]
+            /// The output's name, symbol, equation, unit, accuracy and meaning.
             #[must_use]
-            pub const fn name(self) -> &'static str {
+            pub const fn definition(self) -> &'static Definition {
                 match self {
-                    $(Self::$output => $name,)*
+                    $(Self::$output => const {
+                        &Definition::new($name, Measure::$measure, $meaning)$(.$column($($fact)?))*
+                    },)*
                 }
             }
 
@@ -63,16 +76,6 @@ macro_rules! outputs {
                     $(Self::$output => outputs!(@of_cycle cycle, $from $from, $value),)*
                 }
             }
-
-            /// The physical size of one unit of the output.
-            pub fn unit<F: Field>(self, scales: &Scales<F>) -> F {
-                match self {
-                    $(Self::$output => {
-                        let $scales = scales;
-                        $unit
-                    })*
-                }
-            }
         }
     };
     (@is_of_cycle cycle) => { true };
@@ -96,55 +99,88 @@ macro_rules! outputs {
 }
 
 outputs! {
-    /// Maximum displacement Δ₀ (B; length).
-    MaxDisplacement "max_displacement": cycle => cycle.max_displacement, in scales => scales.length;
-    /// Phase ω_d t₂ of the maximum displacement (rad; time).
-    DisplacementPhase "displacement_phase": cycle => cycle.displacement_phase, in scales => scales.time;
-    /// Maximum velocity V₀ (Bω_d; velocity).
-    MaxVelocity "max_velocity": cycle => cycle.max_velocity, in scales => scales.velocity;
-    /// Phase ω_d t₁ of the maximum velocity (rad; time).
-    VelocityPhase "velocity_phase": cycle => cycle.velocity_phase, in scales => scales.time;
-    /// Deviation Δ₁ (B; length).
-    Deviation "deviation": cycle => cycle.deviation(), in scales => scales.length;
-    /// Loop size A₁ (p₀²/2k; the energy dissipated in a cycle).
-    LoopSizeStiffness "loop_size_stiffness": cycle => cycle.loop_size_stiffness(),
-        in scales => scales.energy_stiffness;
-    /// Loop size A₂ (p₀²/(2mω_d²); the energy dissipated in a cycle).
-    LoopSizeInertia "loop_size_inertia": cycle => cycle.loop_size_inertia(),
-        in scales => scales.energy_inertia;
-    /// Contraction per half cycle (1; 1).
-    Contraction "contraction": cycle => cycle.contraction(), in _scales => F::int(1);
-    /// Margin α/α_min (1; 1).
-    Margin "margin": response => Some(response.ratios.alpha() / response.border.min_force_ratio),
-        in _scales => F::int(1);
-    /// Minimum force ratio without sticking, α_min (1; the minimum force p₀).
-    MinForceRatio "min_force_ratio": border => border.min_force_ratio, in scales => scales.force;
-    /// Minimum force ratio without sticking by eq. 61 (1; force).
-    TurningPointForceRatio "min_force_ratio_turning_point": border => border.turning_point,
-        in scales => scales.force;
-    /// Minimum Δ₀, S, of a cycle that does not stick (B; length).
-    LeastDisplacement "least_displacement": border => border.min_displacement, in scales => scales.length;
-    /// Phase τ* where the velocity first touches zero on the border (rad; time).
-    TouchingPhase "border_phase": border => border.touching_phase, in scales => scales.time;
-    /// Force ratio α* of the largest loop (1; force).
-    BestForceRatio "best_force_ratio": response => Some(response.best_force_ratio),
-        in scales => scales.force;
-    /// Loop size A₁max at that force ratio (p₀²/2k; energy).
-    BestLoopSize "best_loop_size": response => response.best_loop_size,
-        in scales => scales.energy_stiffness;
-    /// Dynamic amplification k Δ₀/p₀ (1; 1).
-    DynamicAmplification "dynamic_amplification": cycle => dynamic_amplification(cycle.max_displacement, cycle.ratios.alpha()),
-        in _scales => F::int(1);
-    /// Maximum acceleration |x″| (B ω_d²; acceleration).
-    MaxAcceleration "max_acceleration": cycle => cycle.max_acceleration(),
-        in scales => scales.velocity / scales.time;
-    /// Maximum force of spring and friction on their support (r_y; force).
-    TransmittedForce "transmitted_force": cycle => cycle.transmitted_force(), in scales => scales.force;
-    /// Maximum transmitted force over p₀ (1; 1).
-    Transmissibility "transmissibility": cycle => cycle.transmitted_force() / cycle.ratios.alpha(), in _scales => F::int(1);
-    /// Maximum absolute displacement under a base that carries the surface (B; length).
-    MaxAbsoluteDisplacement "max_absolute_displacement": cycle => cycle.max_absolute_displacement(),
-        in scales => scales.length;
+    MaxDisplacement("max_displacement", Length, "maximum displacement Δ₀")
+        .symbol("Δ₀").equation(44).ulps(2):
+        cycle => cycle.max_displacement;
+    DisplacementPhase("displacement_phase", Angle, "phase ω_d t₂ of the maximum displacement")
+        .symbol("ω_d t₂").equation(43).ulps(2)
+        .title("phase of the maximum displacement").physical("displacement_time"):
+        cycle => cycle.displacement_phase;
+    MaxVelocity("max_velocity", Velocity, "maximum velocity V₀")
+        .symbol("V₀").equation(49).ulps(4):
+        cycle => cycle.max_velocity;
+    VelocityPhase("velocity_phase", Angle, "phase ω_d t₁ of the maximum velocity")
+        .symbol("ω_d t₁").equation(46).ulps(4)
+        .title("phase of the maximum velocity").physical("velocity_time"):
+        cycle => cycle.velocity_phase;
+    Deviation("deviation", Length, "displacement Δ₁ at the maximum velocity")
+        .symbol("Δ₁").equation(47).ulps(4).title("displacement at the maximum velocity"):
+        cycle => cycle.deviation();
+    LoopSizeStiffness("loop_size_stiffness", EnergyStiffness, "friction's energy in a cycle per p₀²/(2k), A₁")
+        .symbol("A₁").equation(64).ulps(2).title("loop size A₁").physical("energy_per_cycle"):
+        cycle => cycle.loop_size_stiffness();
+    LoopSizeInertia("loop_size_inertia", EnergyInertia, "the same per p₀²/(2 m ω_d²), A₂")
+        .symbol("A₂").equation(67).ulps(2).title("loop size A₂").without_physical():
+        cycle => cycle.loop_size_inertia();
+    Contraction("contraction", One, "fraction of a disturbance that remains after half a cycle")
+        .symbol("λ").title("fraction of a disturbance that remains after half a cycle"):
+        cycle => cycle.contraction();
+    Margin("margin", One, "force over the minimum force without sticking, α/α_min")
+        .symbol("α/α_min"):
+        response => Some(response.ratios.alpha() / response.border.min_force_ratio);
+    MinForceRatio("min_force_ratio", ForceRatio, "minimum force ratio α_min without sticking")
+        .symbol("α_min").ulps(2).title("minimum force ratio without sticking").physical("min_force"):
+        border => border.min_force_ratio;
+    TurningPointForceRatio("min_force_ratio_turning_point", ForceRatio,
+            "the same by eq. 61, which falls short below Ω = 1/2")
+        .symbol("eq. 61").equation(61).ulps(2).title("minimum force ratio by eq. 61")
+        .physical("min_force_turning_point"):
+        border => border.turning_point;
+    LeastDisplacement("least_displacement", Length, "maximum displacement on the border")
+        .symbol("S").title("maximum displacement on the border"):
+        border => border.min_displacement;
+    TouchingPhase("border_phase", Angle,
+            "phase after the maximum displacement at which the velocity first touches zero, on the border")
+        .symbol("τ*").title("phase of the first stop on the border").physical("border_time"):
+        border => border.touching_phase;
+    BestForceRatio("best_force_ratio", ForceRatio, "force ratio α* of the largest A₁")
+        .symbol("α*").equation(65).ulps(2).title("force ratio of the largest loop").physical("best_force"):
+        response => Some(response.best_force_ratio);
+    BestLoopSize("best_loop_size", EnergyOfLargestLoop, "that largest A₁")
+        .symbol("A₁max").equation(66).ulps(2).title("size of the largest loop").physical("best_force_energy"):
+        response => response.best_loop_size;
+    DynamicAmplification("dynamic_amplification", One,
+            "maximum displacement over p₀/k: compares machines of different friction"):
+        cycle => dynamic_amplification(cycle.max_displacement, cycle.ratios.alpha());
+    MaxAcceleration("max_acceleration", Acceleration, "maximum acceleration |x″|")
+        .symbol("|x″|").searched():
+        cycle => cycle.max_acceleration();
+    TransmittedForce("transmitted_force", Force,
+            "maximum force of spring, damper and friction on their support, or m x″ with a moving foot")
+        .searched():
+        cycle => cycle.transmitted_force();
+    Transmissibility("transmissibility", One,
+            "that force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or base")
+        .searched():
+        cycle => cycle.transmitted_force() / cycle.ratios.alpha();
+    MaxAbsoluteDisplacement("max_absolute_displacement", Length,
+            "maximum absolute displacement, with a base that carries the surface")
+        .searched().over_base():
+        cycle => cycle.max_absolute_displacement();
+}
+
+impl Output {
+    /// The output's name, as [`Display`](core::fmt::Display) prints it.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.definition().name
+    }
+
+    /// The physical size of one unit of the output.
+    pub fn unit<F: Real>(self, scales: &Scales<F>) -> F {
+        self.definition().measure.size(scales)
+    }
 }
 
 /// The error for a name that no output has.

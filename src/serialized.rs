@@ -3,7 +3,7 @@
 
 #[cfg(feature = "mp")]
 use crate::enclosed::{self, Enclosure};
-use crate::exact::{FreeDecay, SteadyState};
+use crate::exact::{FreeDecay, SteadyOutput, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::{Border, Cycle};
 use crate::output::Output;
@@ -74,7 +74,7 @@ impl<F: Float + Serialize> Serialize for Border<F> {
     }
 }
 
-/// Every one of [`SteadyState::OUTPUTS`], the counts of a cycle, and the multipliers as pairs of a real and
+/// Every [`SteadyOutput`], the counts of a cycle, and the multipliers as pairs of a real and
 /// an imaginary part.
 impl<F: Float + Serialize> Serialize for SteadyState<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -85,8 +85,8 @@ impl<F: Float + Serialize> Serialize for SteadyState<F> {
             map.serialize_entry("symmetric", &self.is_symmetric)?;
             map.serialize_entry("stable", &self.is_stable())?;
             map.serialize_entry("multipliers", &self.multipliers)?;
-            for (name, output) in Self::OUTPUTS {
-                map.serialize_entry(name, &output(self))?;
+            for output in SteadyOutput::ALL {
+                map.serialize_entry(output.definition().name, &output.of(self))?;
             }
             map.serialize_entry("periods", &self.periods)?;
             map.serialize_entry("state", &self.state)

@@ -9,7 +9,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given::Given;
 use crate::input;
 use crate::note::{both, decay, measured_from};
-use crate::physical::Physical;
+use crate::outputs::{ATTRACTOR, FIRST_V, FIRST_X, MIRROR, REST_FROM, REST_TO, SHARE, STARTS};
 use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
@@ -19,7 +19,11 @@ use others::Others;
 use serde::Serialize;
 use std::io::Write;
 use stickslip::Ratios;
-use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyState};
+use stickslip::definitions::{
+    LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR, MULTIPLIERS, STICKS_PER_CYCLE, SYMMETRIC,
+    TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
+};
+use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyOutput, SteadyState};
 
 /// The greatest number of starts, whose limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -147,28 +151,27 @@ impl<F: Value> Row<'_, F> {
     pub(crate) fn record(&self) -> Record<F> {
         let steady = self.steady;
         let count = |of: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(of(s))));
-        let fields = vec![
-            ("attractor", Cell::Count(Some(self.number as u64))),
-            ("limit", Cell::Text(self.limit)),
-            ("share", Cell::Number(Some(F::from_f64(self.share)))),
-            ("starts", Cell::Count(Some(self.starts))),
-            ("first_x", Cell::Number(self.first.map(|s| s.x))),
-            ("first_v", Cell::Number(self.first.map(|s| s.v))),
-            ("mirror", Cell::Count(self.mirror.map(|number| number as u64))),
-            ("symmetric", Cell::Flag(steady.map(|s| s.is_symmetric))),
-            ("turns_per_cycle", count(|s| s.turns_per_cycle)),
-            ("max_displacement", Cell::Number(self.extrema.map(|(_, most)| most))),
-            ("min_displacement", Cell::Number(self.extrema.map(|(least, _)| least))),
-            ("sticks_per_cycle", count(|it| it.sticks_per_cycle)),
-            ("velocity_zeros_per_cycle", count(|it| it.velocity_zeros_per_cycle)),
-            ("stick_fraction", Cell::Number(steady.map(|it| it.stick_fraction))),
-            ("multipliers", Cell::Pairs(steady.map(|it| it.multipliers))),
-            ("lyapunov_exponent", Cell::Number(self.exponent.map(|(mean, _)| mean))),
-            ("lyapunov_exponent_error", Cell::Number(self.exponent.map(|(_, error)| error))),
-            ("rest_from", Cell::Number(self.range.map(|(low, _)| low))),
-            ("rest_to", Cell::Number(self.range.map(|(_, high)| high))),
-        ];
-        Record { fields, physical: Physical::default() }
+        Record::of(vec![
+            (ATTRACTOR, Cell::Count(Some(self.number as u64))),
+            (LIMIT, Cell::Text(self.limit)),
+            (SHARE, Cell::Number(Some(F::from_f64(self.share)))),
+            (STARTS, Cell::Count(Some(self.starts))),
+            (FIRST_X, Cell::Number(self.first.map(|s| s.x))),
+            (FIRST_V, Cell::Number(self.first.map(|s| s.v))),
+            (MIRROR, Cell::Count(self.mirror.map(|number| number as u64))),
+            (SYMMETRIC, Cell::Flag(steady.map(|s| s.is_symmetric))),
+            (TURNS_PER_CYCLE, count(|s| s.turns_per_cycle)),
+            (SteadyOutput::MaxDisplacement.definition(), Cell::Number(self.extrema.map(|(_, most)| most))),
+            (SteadyOutput::MinDisplacement.definition(), Cell::Number(self.extrema.map(|(least, _)| least))),
+            (STICKS_PER_CYCLE, count(|it| it.sticks_per_cycle)),
+            (VELOCITY_ZEROS_PER_CYCLE, count(|it| it.velocity_zeros_per_cycle)),
+            (SteadyOutput::StickFraction.definition(), Cell::Number(steady.map(|it| it.stick_fraction))),
+            (MULTIPLIERS, Cell::Pairs(steady.map(|it| it.multipliers))),
+            (LYAPUNOV_EXPONENT, Cell::Number(self.exponent.map(|(mean, _)| mean))),
+            (LYAPUNOV_EXPONENT_ERROR, Cell::Number(self.exponent.map(|(_, error)| error))),
+            (REST_FROM, Cell::Number(self.range.map(|(low, _)| low))),
+            (REST_TO, Cell::Number(self.range.map(|(_, high)| high))),
+        ])
     }
 }
 

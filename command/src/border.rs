@@ -43,13 +43,7 @@ pub(crate) fn record<F: Value>(
     let answer = Response::guarded(point.ratios);
     let found = with_no_stop.then(|| no_stop(point.ratios)).transpose();
     let found = found.map_err(|e| given.at_fault(e))?;
-    let mut record = Record::of_border(&answer);
-    if given.has_damper() {
-        record = record.with_damping(&answer);
-    }
-    if given.has_static_friction() {
-        record = record.with_static_friction_ratio(point.ratios.static_friction_ratio());
-    }
+    let mut record = Record::of_border(given, &answer);
     if let Some(found) = &found {
         record = record.with_no_stop(found);
     }

@@ -5,12 +5,14 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P};
 use crate::note::{self, both};
+use crate::outputs::{DAMPING_RATIO, Key, STATIC_FRICTION_RATIO, key};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use std::io::Write;
+use stickslip::definitions::REST_POSITION;
 use stickslip::exact::FreeDecay;
 use stickslip::units::{Kind, System};
-use stickslip::{Drive, Oscillator, Quantity};
+use stickslip::{Definition, Drive, Excitation, Measure, Oscillator, Quantity};
 
 /// The command with its arguments and its output.
 struct Run<'a, W>(&'a DecayArgs, &'a mut W);
@@ -93,24 +95,23 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
+const FIRST_TURN: Key = &Definition::new("first_turn", Measure::Length, "");
+const REST_TIME: Key = &Definition::new("rest_time", Measure::Angle, "");
+
 fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions: &Frictions<F>) -> Record<F> {
     let number = |x: F| Cell::Number(Some(x));
-    let repeated =
-        [("damping_ratio", frictions.damping), ("static_friction_ratio", frictions.static_friction)];
-    let mut fields: Vec<_> = repeated.into_iter().filter_map(|(name, x)| Some((name, number(x?)))).collect();
+    let repeated = [(DAMPING_RATIO, frictions.damping), (STATIC_FRICTION_RATIO, frictions.static_friction)];
+    let mut fields: Vec<_> = repeated.into_iter().filter_map(|(key, x)| Some((key, number(x?)))).collect();
     fields.extend([
-        ("half_cycles", Cell::Count(Some(decay.half_cycles))),
-        ("first_turn", number(decay.first_turn)),
-        ("rest_position", number(decay.rest_position)),
-        ("rest_time", Cell::Number(Some(decay.rest_time).filter(|time| time.is_finite()))),
+        (key!("half_cycles"), Cell::Count(Some(decay.half_cycles))),
+        (FIRST_TURN, number(decay.first_turn)),
+        (REST_POSITION, number(decay.rest_position)),
+        (REST_TIME, Cell::Number(Some(decay.rest_time).filter(|time| time.is_finite()))),
     ]);
-    let mut record = Record { fields, physical: Physical::default() };
+    let mut record = Record::of(fields);
     if let Some(scales) = scales {
-        record.physical = Physical::of(scales.system).with(&record.fields, |name| match name {
-            "first_turn" => Some(("first_turn", Kind::Length, scales.length)),
-            "rest_position" => Some(("rest_position", Kind::Length, scales.length)),
-            "rest_time" => Some(("rest_time", Kind::Time, scales.time)),
-            _ => None,
+        record.physical = Physical::of(scales.system).with(&record.fields, Excitation::Force, |measure| {
+            if measure == Measure::Length { scales.length } else { scales.time }
         });
         if let Some(mean) = scales.mean_displacement {
             record.physical.values.push(("mean_displacement", Kind::Length, number(mean)));

@@ -13,9 +13,9 @@ use crate::given::{Given, Parameter as P};
 use crate::grid::Grid;
 use crate::input;
 use crate::interrupt;
-use crate::outputs::plain;
+use crate::outputs::{self, plain};
 use crate::progress;
-use crate::record::{Cell, PEAKS};
+use crate::record::Cell;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -78,13 +78,13 @@ impl<'a> Quantity<'a> {
         if matches!(self, Self::Limits) {
             return Ok(Some((None, Cell::Text(limits::of(input::point(given)?.ratios)?))));
         }
-        let peaks = PEAKS.contains(&self.name());
+        let peaks = outputs::is_searched(self.name());
         let record = rows::answer(self.question(), given, peaks)?;
         let physical = record.physical.values.iter().find(|(name, ..)| *name == self.name());
         let found = match physical {
             Some((_, kind, cell)) => Some((Some(*kind), *cell)),
             None => {
-                record.fields.iter().find(|(name, _)| *name == self.name()).map(|(_, cell)| (None, *cell))
+                record.fields.iter().find(|(key, _)| key.name == self.name()).map(|(_, cell)| (None, *cell))
             }
         };
         Ok(found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_))))

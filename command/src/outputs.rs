@@ -1,177 +1,132 @@
-//! The table of outputs: every column and key, with its unit and its meaning.
+//! The table of outputs: the library's definitions, and those of the command's own columns.
 
 use crate::failure::Outcome;
 use std::fmt::Write as _;
 use std::io::Write;
+use stickslip::exact::SteadyAnswer;
+use stickslip::{Definition, Measure, Output as O, ResponseAnswer, definitions as d};
 
-/// Name, unit and meaning of an output.
-pub(crate) type Entry = (&'static str, &'static str, &'static str);
+/// The name of a column, with its unit and its meaning.
+pub(crate) type Key = &'static Definition;
+
+/// A column without a unit, which the table of outputs does not list.
+macro_rules! key {
+    ($name:literal) => {
+        const { &stickslip::Definition::new($name, stickslip::Measure::Plain, "") }
+    };
+}
+pub(crate) use key;
+
+pub(crate) const OMEGA: Key =
+    &Definition::new("omega", Measure::One, "frequency ratio Ω = ω_d/ω_n").title("frequency ratio Ω");
+pub(crate) const ALPHA: Key =
+    &Definition::new("alpha", Measure::One, "force ratio α = p₀/r_y").title("force ratio α");
+pub(crate) const DAMPING_RATIO: Key =
+    &Definition::new("damping_ratio", Measure::One, "damping ratio ζ = c/(2√(k m)), where damping was given");
+pub(crate) const STATIC_FRICTION_RATIO: Key = &Definition::new(
+    "static_friction_ratio",
+    Measure::One,
+    "static friction ratio η = r_s/r_y, where static friction was given",
+);
+pub(crate) const ATTRACTOR: Key = &Definition::new(
+    "attractor",
+    Measure::Plain,
+    "its number, in the order of the first starts (limit is unstable where a multiplier is beyond 1)",
+);
+pub(crate) const SHARE: Key =
+    &Definition::new("share", Measure::One, "fraction of the starts that lead to it");
+pub(crate) const STARTS: Key = &Definition::new("starts", Measure::Plain, "number of these starts");
+pub(crate) const FIRST_X: Key =
+    &Definition::new("first_x", Measure::Length, "displacement of the first of them, at ω_d t = 0");
+pub(crate) const FIRST_V: Key = &Definition::new("first_v", Measure::Velocity, "its velocity");
+pub(crate) const MIRROR: Key =
+    &Definition::new("mirror", Measure::Plain, "number of the limit that is the mirror image of this one");
+pub(crate) const REST_FROM: Key = &Definition::new(
+    "rest_from",
+    Measure::Length,
+    "lowest position of rest, or middle of a member of a family",
+);
+pub(crate) const REST_TO: Key = &Definition::new("rest_to", Measure::Length, "highest position of rest");
+pub(crate) const KIND: Key =
+    &Definition::new("kind", Measure::Plain, "slide-forward, slide-backward or stick");
+pub(crate) const ENDS_BY: Key =
+    &Definition::new("ends_by", Measure::Plain, "reversal, stop, grazing, release or never");
+pub(crate) const START_CYCLE: Key = &Definition::new(
+    "start_cycle",
+    Measure::Plain,
+    "whole cycles of the drive before the start, likewise end_cycle and cycle",
+);
+pub(crate) const START_PHASE: Key = &Definition::new(
+    "start_phase",
+    Measure::Angle,
+    "phase ω_d t of the start in its cycle, likewise end_phase and phase",
+);
+pub(crate) const DURATION: Key =
+    &Definition::new("duration", Measure::Angle, "length of the segment, in ω_d t");
+pub(crate) const START_X: Key =
+    &Definition::new("start_x", Measure::Length, "displacement at the start, likewise end_x and x");
+pub(crate) const START_V: Key =
+    &Definition::new("start_v", Measure::Velocity, "velocity at the start, likewise v");
+pub(crate) const FRICTION: Key = &Definition::new("friction", Measure::Force, "force of friction");
+pub(crate) const R: Key = &Definition::new("r", Measure::Force, "force of spring and friction");
+
+/// The outputs of the closed forms, those of the border among them.
+const CLOSED_FORMS: [Key; 20] = [
+    d::REGIME,
+    d::MOTION_WITHOUT_STOP,
+    d::MOVES_FROM_REST,
+    O::MaxDisplacement.definition(),
+    O::DisplacementPhase.definition(),
+    O::MaxVelocity.definition(),
+    O::VelocityPhase.definition(),
+    O::Deviation.definition(),
+    O::MinForceRatio.definition(),
+    O::TurningPointForceRatio.definition(),
+    O::LoopSizeStiffness.definition(),
+    O::LoopSizeInertia.definition(),
+    O::BestForceRatio.definition(),
+    O::BestLoopSize.definition(),
+    d::BEST_FORCE_RATIO_SLIDES,
+    O::Contraction.definition(),
+    d::DAMPER_WORK,
+    O::TouchingPhase.definition(),
+    O::LeastDisplacement.definition(),
+    d::NO_STOP_FORCE_RATIOS,
+];
 
 /// The outputs in ratios, by the first command that has them.
-pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
-    (
-        "What was asked",
-        &[
-            ("omega", "1", "frequency ratio Ω = ω_d/ω_n"),
-            ("alpha", "1", "force ratio α = p₀/r_y"),
-            ("damping_ratio", "1", "damping ratio ζ = c/(2√(k m)), where damping was given"),
-            (
-                "static_friction_ratio",
-                "1",
-                "static friction ratio η = r_s/r_y, where static friction was given",
-            ),
-        ],
-    ),
-    (
-        "response, border: the steady motion with two reversals a cycle, in closed form",
-        &[
-            (
-                "regime",
-                "",
-                "what the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static \
-                 friction leaves it to the start",
-            ),
-            (
-                "motion_without_stop",
-                "",
-                "whether a motion without a stop exists and attracts its neighbourhood, where static friction was given",
-            ),
-            (
-                "moves_from_rest",
-                "",
-                "whether a body at rest is released, α > η, where static friction was given",
-            ),
-            ("max_displacement", "B", "maximum displacement Δ₀ (eq. 44)"),
-            ("displacement_phase", "rad", "phase ω_d t₂ of the maximum displacement (eq. 43)"),
-            ("max_velocity", "B ω_d", "maximum velocity V₀ (eq. 49)"),
-            ("velocity_phase", "rad", "phase ω_d t₁ of the maximum velocity (eq. 46)"),
-            ("deviation", "B", "displacement Δ₁ at the maximum velocity (eq. 47)"),
-            ("min_force_ratio", "1", "minimum force ratio α_min without sticking"),
-            ("min_force_ratio_turning_point", "1", "the same by eq. 61, which falls short below Ω = 1/2"),
-            ("loop_size_stiffness", "1", "friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64)"),
-            ("loop_size_inertia", "1", "the same per p₀²/(2 m ω_d²), A₂ (eq. 67)"),
-            ("best_force_ratio", "1", "force ratio α* of the largest A₁ (eq. 65)"),
-            ("best_loop_size", "1", "that largest A₁ (eq. 66)"),
-            ("best_force_ratio_slides", "", "whether the body slides at α*"),
-            ("contraction", "1", "fraction of a disturbance that remains after half a cycle"),
-            ("damper_work", "r_y B", "energy that the damper dissipates in a cycle, where damping was given"),
-            (
-                "border_phase",
-                "rad",
-                "phase after the maximum displacement at which the velocity first touches zero, on the border",
-            ),
-            ("least_displacement", "B", "maximum displacement on the border"),
-            ("no_stop_force_ratios", "1", "force ratios without any stop, as intervals (border --no-stop)"),
-        ],
-    ),
-    (
-        "response, steady: the loads on the machine and its support",
-        &[
-            ("reversals_per_cycle", "", "reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, …"),
-            (
-                "dynamic_amplification",
-                "1",
-                "maximum displacement over p₀/k: compares machines of different friction",
-            ),
-            ("max_acceleration", "B ω_d²", "maximum acceleration |x″|"),
-            (
-                "transmitted_force",
-                "r_y",
-                "maximum force of spring, damper and friction on their support, or m x″ with a moving foot",
-            ),
-            (
-                "transmissibility",
-                "1",
-                "that force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or base",
-            ),
-            (
-                "max_absolute_displacement",
-                "B",
-                "maximum absolute displacement, with a base that carries the surface",
-            ),
-        ],
-    ),
-    (
-        "steady: the exact steady motion, stops included",
-        &[
-            (
-                "limit",
-                "",
-                "periodic, family (one of many, by the start), rest, irregular, none or not-converged",
-            ),
-            ("max_displacement_phase", "rad", "phase ω_d t of the maximum displacement"),
-            ("min_displacement", "B", "minimum displacement"),
-            ("min_displacement_phase", "rad", "its phase"),
-            ("max_velocity_phase", "rad", "phase of the maximum velocity"),
-            ("min_velocity", "B ω_d", "minimum velocity"),
-            ("min_velocity_phase", "rad", "its phase"),
-            ("sticks_per_cycle", "", "stops in a cycle"),
-            ("velocity_zeros_per_cycle", "", "instants of zero velocity in a cycle, a stop being one"),
-            ("stick_fraction", "1", "fraction of time at rest"),
-            ("error_1", "1", "|max x + min x|/max x: 0 for a symmetric motion, as are the other three"),
-            ("error_2", "1", "difference of the phases of max x and min x, less half a turn, in turns"),
-            ("error_3", "1", "|max x′ + min x′|/max x′"),
-            ("error_4", "1", "error_2 of the velocities"),
-            ("energy_in", "r_y B", "work of the drive in a cycle"),
-            (
-                "energy_out",
-                "r_y B",
-                "work against friction in a cycle, without damper_work where damping was given",
-            ),
-            ("multipliers", "1", "Floquet multipliers of a cycle, as pairs of real and imaginary part"),
-            ("distance", "B", "estimated distance of the motion found from the limit"),
-            ("rest_position", "B", "where the body comes to rest for good"),
-            ("periods", "2π/ω_d", "periods of the drive that were followed"),
-            (
-                "turns_per_cycle",
-                "",
-                "turns of the drive in a cycle (this and the next four outputs where static friction was given)",
-            ),
-            ("symmetric", "", "whether half a cycle is the mirror image of the other half: true or false"),
-            ("lyapunov_exponent", "1", "Lyapunov exponent of an irregular motion, per turn of the drive"),
-            ("lyapunov_exponent_error", "1", "its standard error"),
-            ("turns_observed", "", "turns of the drive over which an irregular motion was observed"),
-        ],
-    ),
-    (
-        "attractors: one limit a row, with --unstable also motions that no start leads to",
-        &[
-            (
-                "attractor",
-                "",
-                "its number, in the order of the first starts (limit is unstable where a multiplier is beyond 1)",
-            ),
-            ("share", "1", "fraction of the starts that lead to it"),
-            ("starts", "", "number of these starts"),
-            ("first_x", "B", "displacement of the first of them, at ω_d t = 0"),
-            ("first_v", "B ω_d", "its velocity"),
-            ("mirror", "", "number of the limit that is the mirror image of this one"),
-            ("rest_from", "B", "lowest position of rest, or middle of a member of a family"),
-            ("rest_to", "B", "highest position of rest"),
-        ],
-    ),
-    (
-        "simulate: one segment a row, or one sample with --samples",
-        &[
-            ("kind", "", "slide-forward, slide-backward or stick"),
-            ("ends_by", "", "reversal, stop, grazing, release or never"),
-            ("start_cycle", "", "whole cycles of the drive before the start, likewise end_cycle and cycle"),
-            ("start_phase", "rad", "phase ω_d t of the start in its cycle, likewise end_phase and phase"),
-            ("duration", "rad", "length of the segment, in ω_d t"),
-            ("start_x", "B", "displacement at the start, likewise end_x and x"),
-            ("start_v", "B ω_d", "velocity at the start, likewise v"),
-            ("friction", "r_y", "force of friction"),
-            ("r", "r_y", "force of spring and friction"),
-        ],
-    ),
-    (
-        "map: in addition",
-        &[
-            ("margin", "1", "force over the minimum force without sticking, α/α_min"),
-            ("stops", "", "stops in a cycle of the exact motion"),
-        ],
-    ),
-];
+fn groups() -> [(&'static str, Vec<Key>); 7] {
+    let others =
+        |key: &Key, listed: &[Key]| !CLOSED_FORMS.iter().chain(listed).any(|own| own.name == key.name);
+    let response = ResponseAnswer::<f64>::COLUMNS.map(|column| column.definition);
+    let loads: Vec<_> = response.into_iter().filter(|key| others(key, &[])).collect();
+    let steady = SteadyAnswer::<f64>::COLUMNS.map(|column| column.definition);
+    let steady = steady.into_iter().filter(|key| others(key, &loads)).collect();
+    [
+        ("What was asked", vec![OMEGA, ALPHA, DAMPING_RATIO, STATIC_FRICTION_RATIO]),
+        (
+            "response, border: the steady motion with two reversals a cycle, in closed form",
+            CLOSED_FORMS.to_vec(),
+        ),
+        ("response, steady: the loads on the machine and its support", loads),
+        ("steady: the exact steady motion, stops included", steady),
+        (
+            "attractors: one limit a row, with --unstable also motions that no start leads to",
+            vec![ATTRACTOR, SHARE, STARTS, FIRST_X, FIRST_V, MIRROR, REST_FROM, REST_TO],
+        ),
+        (
+            "simulate: one segment a row, or one sample with --samples",
+            vec![KIND, ENDS_BY, START_CYCLE, START_PHASE, DURATION, START_X, START_V, FRICTION, R],
+        ),
+        (
+            "map: in addition",
+            vec![
+                O::Margin.definition(),
+                const { &Definition::new("stops", Measure::Plain, "stops in a cycle of the exact motion") },
+            ],
+        ),
+    ]
+}
 
 /// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets after the
 /// column's name.
@@ -217,59 +172,24 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("followed_for", "time for which the exact motion was followed"),
 ];
 
-/// Text for the title of a picture, where the name itself is not clear.
-const TITLES: &[(&str, &str)] = &[
-    ("omega", "frequency ratio Ω"),
-    ("alpha", "force ratio α"),
-    ("displacement_phase", "phase of the maximum displacement"),
-    ("velocity_phase", "phase of the maximum velocity"),
-    ("deviation", "displacement at the maximum velocity"),
-    ("min_force_ratio", "minimum force ratio without sticking"),
-    ("min_force_ratio_turning_point", "minimum force ratio by eq. 61"),
-    ("loop_size_stiffness", "loop size A₁"),
-    ("loop_size_inertia", "loop size A₂"),
-    ("best_force_ratio", "force ratio of the largest loop"),
-    ("best_loop_size", "size of the largest loop"),
-    ("best_force_ratio_slides", "sliding at the force ratio of the largest loop"),
-    ("contraction", "fraction of a disturbance that remains after half a cycle"),
-    ("damper_work", "energy dissipated by the damper in a cycle"),
-    ("border_phase", "phase of the first stop on the border"),
-    ("least_displacement", "maximum displacement on the border"),
-    ("sticks_per_cycle", "stops in a cycle"),
-    ("velocity_zeros_per_cycle", "velocity zeros in a cycle"),
-    ("reversals_per_cycle", "reversals in a cycle"),
-    ("stick_fraction", "fraction of time at rest"),
-    ("error_1", "asymmetry of the displacements"),
-    ("error_2", "asymmetry of the displacement phases"),
-    ("error_3", "asymmetry of the velocities"),
-    ("error_4", "asymmetry of the velocity phases"),
-    ("energy_in", "work of the drive in a cycle"),
-    ("energy_out", "work against friction in a cycle"),
-    ("distance", "distance from the limit"),
-    ("periods", "periods of the drive followed"),
-];
+/// The definition of an output in ratios.
+pub(crate) fn find(name: &str) -> Option<Key> {
+    groups().into_iter().flat_map(|(_, keys)| keys).find(|key| key.name == name)
+}
+
+/// Whether an output needs a search of its own: its name, or in a machine's units `physical.NAME` or
+/// `NAME[unit]`.
+pub(crate) fn is_searched(wanted: &str) -> bool {
+    let name = wanted.strip_prefix("physical.").unwrap_or(wanted);
+    name.split('[').next().and_then(find).is_some_and(|key| key.is_searched)
+}
 
 /// The name of an output as text for a title.
 pub(crate) fn in_words(name: &str) -> String {
-    match TITLES.iter().find(|(own, _)| *own == name) {
-        Some((_, words)) => (*words).to_owned(),
+    match find(name).map(|key| key.title).filter(|title| !title.is_empty()) {
+        Some(title) => title.to_owned(),
         None => name.replace('_', " ").replace("max ", "maximum ").replace("min ", "minimum "),
     }
-}
-
-/// The entry of an output in ratios.
-pub(crate) fn entry(name: &str) -> Option<&'static Entry> {
-    GROUPS.iter().flat_map(|(_, entries)| *entries).find(|(own, ..)| *own == name)
-}
-
-/// The unit of an output in ratios, by its name; `None` for text and counts.
-pub(crate) fn unit_of(name: &str) -> Option<&'static str> {
-    let whole = entry(name).or_else(|| {
-        // Parts of a pair or of an interval.
-        let ends = ["_1_re", "_1_im", "_2_re", "_2_im", "_1_low", "_1_high", "_2_low", "_2_high"];
-        ends.iter().find_map(|end| entry(name.strip_suffix(end)?))
-    });
-    whole.map(|(_, unit, _)| *unit).filter(|unit| !unit.is_empty())
 }
 
 /// A unit in plain characters, for the columns of a table.
@@ -280,10 +200,11 @@ pub(crate) fn plain(unit: &str) -> String {
 /// The whole table as text.
 pub(crate) fn text() -> String {
     let mut text = String::new();
-    for (title, entries) in GROUPS {
+    for (title, keys) in groups() {
         let _ = writeln!(text, "{title}\n");
-        for (name, unit, meaning) in *entries {
-            let _ = writeln!(text, "  {name:<31}{:<9}{meaning}", if unit.is_empty() { "–" } else { unit });
+        for key in keys {
+            let unit = if key.measure == Measure::Plain { "–" } else { key.measure.unit() };
+            let _ = writeln!(text, "  {:<31}{unit:<9}{}", key.name, key.text());
         }
         text.push('\n');
     }
@@ -305,12 +226,12 @@ pub(crate) fn run(out: &mut impl Write) -> Outcome {
 
 #[cfg(test)]
 mod tests {
-    use super::{TITLES, entry, in_words};
+    use super::in_words;
 
     #[test]
-    fn titles_are_of_outputs_and_in_words() {
-        assert!(TITLES.iter().all(|(name, _)| entry(name).is_some()));
+    fn titles_are_in_words() {
         assert_eq!(in_words("stick_fraction"), "fraction of time at rest");
         assert_eq!(in_words("max_acceleration"), "maximum acceleration");
+        assert_eq!(in_words("damper_energy_per_cycle"), "damper energy per cycle");
     }
 }

@@ -3,11 +3,11 @@
 use crate::bits::Value;
 use crate::input::BorderScales;
 use crate::machine::Machine;
-use crate::outputs::plain;
+use crate::outputs::{Key, plain};
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use stickslip::Excitation;
 use stickslip::units::{Kind, System};
+use stickslip::{Excitation, Measure};
 
 /// Values with their units.
 #[derive(Debug, Clone)]
@@ -107,14 +107,16 @@ impl<F: Value> Physical<F> {
         physical
     }
 
-    /// Adds each number of `fields` that has a name, a kind and a scale here.
+    /// Adds each number of `fields` that has a name under this excitation, with the size of its unit.
     pub(crate) fn with(
         mut self,
-        fields: &[(&'static str, Cell<F>)],
-        scale: impl Fn(&str) -> Option<(&'static str, Kind, F)>,
+        fields: &[(Key, Cell<F>)],
+        excitation: Excitation,
+        size: impl Fn(Measure) -> F,
     ) -> Self {
-        for &(field, cell) in fields {
-            let Some((name, kind, unit)) = scale(field) else { continue };
+        for (key, cell) in fields {
+            let Some(name) = key.physical_name(excitation) else { continue };
+            let unit = size(key.measure);
             let scaled = match cell {
                 Cell::Number(value) => Cell::Number(value.map(|v| v * unit)),
                 Cell::Intervals(intervals) => {
@@ -123,7 +125,7 @@ impl<F: Value> Physical<F> {
                 }
                 Cell::Text(_) | Cell::Count(_) | Cell::Flag(_) | Cell::Pairs(_) => continue,
             };
-            self.values.push((name, kind, scaled));
+            self.values.push((name, key.measure.kind(), scaled));
         }
         self
     }

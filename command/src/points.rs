@@ -196,7 +196,7 @@ fn columns<F: Value>(
             }
             // The answers of an earlier run are no input, and nobody takes them for one.
             let is_input = Parameter::ALL.iter().any(|p| p.is_column(&plain));
-            if is_input || outputs::entry(&plain).is_none() {
+            if is_input || outputs::find(&plain).is_none() {
                 unread.push(own);
             }
             continue;

@@ -8,7 +8,7 @@ use crate::input::Point;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
-use stickslip::Response;
+use stickslip::{Excitation, Response, ResponseAnswer};
 
 /// The command with its arguments and its output.
 struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
@@ -50,9 +50,9 @@ pub(crate) fn answer<F: Value>(
     peaks: bool,
 ) -> Result<(Response<F>, Record<F>), Failure> {
     let response = Response::guarded(point.ratios);
-    let record = Record::of_response(&response, peaks);
-    let record = if given.has_damper() { record.with_damping(&response) } else { record };
-    let record = if given.has_static_friction() { record.with_static_friction(&response) } else { record };
+    let excitation = point.machine.as_ref().map_or(Excitation::Force, |machine| machine.drive.excitation());
+    let found = ResponseAnswer { response: &response, excitation, peaks };
+    let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
     let record = match &point.machine {
         Some(machine) => record.with_machine(machine).finite().map_err(|e| given.behind_all(e))?,
         None => record,

@@ -7,6 +7,7 @@ use crate::given::Given;
 use crate::input;
 use crate::interrupt;
 use crate::machine::Machine;
+use crate::outputs::{DURATION, ENDS_BY, FRICTION, KIND, R, START_CYCLE, START_PHASE, START_V, START_X, key};
 use crate::physical::Physical;
 use crate::progress;
 use crate::record::{Cell, Record};
@@ -170,16 +171,16 @@ fn of_phase<F: Value>(phase: &Segment<F>, machine: Option<&Machine<F>>) -> Recor
     let (end_cycle, end_phase) = end.map_or((Cell::Count(None), Cell::Number(None)), |e| when(e.phase));
     let number = |x: F| Cell::Number(Some(x));
     let fields = vec![
-        ("kind", Cell::Text(kind)),
-        ("ends_by", Cell::Text(ends_by)),
-        ("start_cycle", start_cycle),
-        ("start_phase", start_phase),
-        ("end_cycle", end_cycle),
-        ("end_phase", end_phase),
-        ("duration", Cell::Number(phase.duration())),
-        ("start_x", number(start.x)),
-        ("start_v", number(start.v)),
-        ("end_x", Cell::Number(end.map(|e| e.x))),
+        (KIND, Cell::Text(kind)),
+        (ENDS_BY, Cell::Text(ends_by)),
+        (START_CYCLE, start_cycle),
+        (START_PHASE, start_phase),
+        (key!("end_cycle"), end_cycle),
+        (key!("end_phase"), end_phase),
+        (DURATION, Cell::Number(phase.duration())),
+        (START_X, number(start.x)),
+        (START_V, number(start.v)),
+        (key!("end_x"), Cell::Number(end.map(|e| e.x))),
     ];
     let physical = machine.map_or_else(Physical::default, |machine| {
         let scales = &machine.scales;
@@ -202,12 +203,12 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
     let (cycle, phase) = when(state.phase);
     let number = |x: F| Cell::Number(Some(x));
     let fields = vec![
-        ("cycle", cycle),
-        ("phase", phase),
-        ("x", number(state.x)),
-        ("v", number(state.v)),
-        ("friction", number(instant.friction)),
-        ("r", number(instant.friction + instant.state.x)),
+        (key!("cycle"), cycle),
+        (key!("phase"), phase),
+        (key!("x"), number(state.x)),
+        (key!("v"), number(state.v)),
+        (FRICTION, number(instant.friction)),
+        (R, number(instant.friction + instant.state.x)),
     ];
     let physical = machine.map_or_else(Physical::default, |machine| {
         let scales = &machine.scales;

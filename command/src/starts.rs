@@ -6,7 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given::Given;
 use crate::interrupt;
 use crate::output::{Lines, named};
-use crate::physical::Physical;
+use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO, key};
 use crate::record::{Cell, Record, csv_text};
 use crate::resume::{self, not_this};
 use crate::steady::of_motion;
@@ -14,7 +14,8 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 use stickslip::Ratios;
-use stickslip::exact::{Attractors, LongRun, Signature, State, Trajectory};
+use stickslip::definitions::LIMIT;
+use stickslip::exact::{Attractors, LongRun, Signature, State, SteadyOutput, Trajectory};
 
 /// A number of starts of one machine, each computed from its number.
 pub(crate) struct Starts<F, S> {
@@ -105,18 +106,18 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
     }
 
     /// The columns that identify the row of a start.
-    fn of_start(&self, number: u64) -> Result<Vec<(&'static str, Cell<F>)>, Failure> {
+    fn of_start(&self, number: u64) -> Result<Vec<(Key, Cell<F>)>, Failure> {
         let start = (self.at)(number)?;
         let number = |x: F| Cell::Number(Some(x));
         Ok(vec![
-            ("omega", number(self.ratios.omega())),
-            ("alpha", number(self.ratios.alpha())),
-            ("damping_ratio", number(self.ratios.damping_ratio())),
-            ("static_friction_ratio", number(self.ratios.static_friction_ratio())),
-            ("max_periods", Cell::Count(Some(self.periods.into()))),
-            ("bits", Cell::Count(Some(F::PRECISION.into()))),
-            ("x0", number(start.x)),
-            ("v0", number(start.v)),
+            (OMEGA, number(self.ratios.omega())),
+            (ALPHA, number(self.ratios.alpha())),
+            (DAMPING_RATIO, number(self.ratios.damping_ratio())),
+            (STATIC_FRICTION_RATIO, number(self.ratios.static_friction_ratio())),
+            (key!("max_periods"), Cell::Count(Some(self.periods.into()))),
+            (key!("bits"), Cell::Count(Some(F::PRECISION.into()))),
+            (key!("x0"), number(start.x)),
+            (key!("v0"), number(start.v)),
         ])
     }
 
@@ -141,16 +142,16 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         }
         let mut fields = self.of_start(number)?;
         fields.extend([
-            ("limit", Cell::Text(kind)),
-            ("half_turns", Cell::Count(half_turns)),
-            ("x", Cell::Number(x)),
-            ("v", Cell::Number(v)),
-            ("distance", Cell::Number(off.map(|(x, _)| x))),
-            ("velocity_distance", Cell::Number(off.map(|(_, v)| v))),
-            ("max_displacement", Cell::Number(most)),
-            ("min_displacement", Cell::Number(least)),
+            (LIMIT, Cell::Text(kind)),
+            (key!("half_turns"), Cell::Count(half_turns)),
+            (key!("x"), Cell::Number(x)),
+            (key!("v"), Cell::Number(v)),
+            (SteadyOutput::Distance.definition(), Cell::Number(off.map(|(x, _)| x))),
+            (key!("velocity_distance"), Cell::Number(off.map(|(_, v)| v))),
+            (SteadyOutput::MaxDisplacement.definition(), Cell::Number(most)),
+            (SteadyOutput::MinDisplacement.definition(), Cell::Number(least)),
         ]);
-        Ok(Record { fields, physical: Physical::default() })
+        Ok(Record::of(fields))
     }
 }
 
@@ -171,7 +172,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for 
     }
 
     fn is_on_grid(&self, line: &[u8], number: u64) -> Result<bool, Failure> {
-        let record = Record { fields: self.of_start(number)?, physical: Physical::default() };
+        let record = Record::of(self.of_start(number)?);
         let due = csv_text(|writer| record.write_row(writer))?;
         let rest = line.strip_prefix(due.trim_ascii_end());
         Ok(rest.is_some_and(|rest| rest.starts_with(b",")))

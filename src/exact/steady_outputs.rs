@@ -1,37 +1,222 @@
-//! The numbers of a steady state as one table.
+//! The outputs of a steady state as one table, and those of a limit.
 
-use super::SteadyState;
+use super::{ErrorMeasures, Extreme, LongRun, Peaks, SteadyState};
+use crate::error::Error;
 use crate::float::Float;
+use crate::oscillator::Excitation;
+use crate::output::definitions::{
+    DAMPER_WORK, ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR,
+    MULTIPLIERS, PERIODS, REGIME, REST_POSITION, REVERSALS_PER_CYCLE, STICKS_PER_CYCLE, SYMMETRIC,
+    TURNS_OBSERVED, TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
+};
+use crate::output::{Column, Definition, Measure, Output, Value, When, number};
+use crate::ratios::Ratios;
+use crate::regime::{Observed, observed};
 
-/// Name and value of an output.
-type Output<F> = (&'static str, fn(&SteadyState<F>) -> F);
+/// Defines the outputs from one row each: the name in Rust, the definition, and the value.
+macro_rules! steady_outputs {
+    ($($output:ident: $definition:expr, $steady:ident => $value:expr;)*) => {
+        /// One output of a [`SteadyState`] that is a number of its type.
+        ///
+        /// ```
+        /// use stickslip::{Ratios, exact::{LongRun, State, SteadyOutput}};
+        /// let limit = LongRun::from_start(Ratios::new(0.4, 6.0)?, State::default())?;
+        /// let steady = limit.steady_state().ok_or("none")?;
+        /// let output = SteadyOutput::ALL[0];
+        /// assert_eq!(output.definition().name, "max_displacement");
+        /// assert_eq!(output.of(steady), steady.max_displacement.value);
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        #[allow(missing_docs, reason = "each is the field or the method of that name")]
+        pub enum SteadyOutput {
+            $($output,)*
+        }
 
-impl<F: Float> SteadyState<F> {
-    /// Name and value of each output that is a number of its type; units and accuracy are those of the
-    /// field of that name.
-    ///
-    /// ```
-    /// use stickslip::{Ratios, exact::{LongRun, State, SteadyState}};
-    /// let limit = LongRun::from_start(Ratios::new(0.4, 6.0)?, State::default())?;
-    /// let steady = limit.steady_state().ok_or("none")?;
-    /// let (name, max_displacement) = SteadyState::<f64>::OUTPUTS[0];
-    /// assert_eq!((name, max_displacement(steady)), ("max_displacement", steady.max_displacement.value));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub const OUTPUTS: [Output<F>; 14] = [
-        ("max_displacement", |s| s.max_displacement.value),
-        ("max_displacement_phase", |s| s.max_displacement.phase.reduced()),
-        ("min_displacement", |s| s.min_displacement.value),
-        ("min_displacement_phase", |s| s.min_displacement.phase.reduced()),
-        ("max_velocity", |s| s.max_velocity.value),
-        ("max_velocity_phase", |s| s.max_velocity.phase.reduced()),
-        ("min_velocity", |s| s.min_velocity.value),
-        ("min_velocity_phase", |s| s.min_velocity.phase.reduced()),
-        ("stick_fraction", |s| s.stick_fraction),
-        ("energy_in", |s| s.energy_in),
-        ("energy_out", |s| s.energy_out),
-        ("damper_work", |s| s.damper_work),
-        ("contraction", |s| s.contraction()),
-        ("distance", |s| s.distance.0),
+        impl SteadyOutput {
+            /// All outputs, in order.
+            pub const ALL: [Self; [$(stringify!($output)),*].len()] = [$(Self::$output),*];
+
+            /// The output's name, unit and meaning; its accuracy is that of the field of this name.
+            #[must_use]
+            pub const fn definition(self) -> &'static Definition {
+                match self {
+                    $(Self::$output => const { &$definition },)*
+                }
+            }
+
+            /// The value.
+            pub fn of<F: Float>(self, steady: &SteadyState<F>) -> F {
+                match self {
+                    $(Self::$output => {
+                        let $steady = steady;
+                        $value
+                    })*
+                }
+            }
+        }
+    };
+}
+
+/// The definition of the phase of an extreme.
+const fn phase(name: &'static str, meaning: &'static str, physical: &'static str) -> Definition {
+    Definition::new(name, Measure::Angle, meaning).physical(physical)
+}
+
+steady_outputs! {
+    MaxDisplacement: *Output::MaxDisplacement.definition(), steady => steady.max_displacement.value;
+    MaxDisplacementPhase: phase(
+        "max_displacement_phase", "phase ω_d t of the maximum displacement", "max_displacement_time",
+    ), steady => steady.max_displacement.phase.reduced();
+    MinDisplacement: Definition::new("min_displacement", Measure::Length, "minimum displacement"),
+        steady => steady.min_displacement.value;
+    MinDisplacementPhase: phase("min_displacement_phase", "its phase", "min_displacement_time"),
+        steady => steady.min_displacement.phase.reduced();
+    MaxVelocity: *Output::MaxVelocity.definition(), steady => steady.max_velocity.value;
+    MaxVelocityPhase: phase("max_velocity_phase", "phase of the maximum velocity", "max_velocity_time"),
+        steady => steady.max_velocity.phase.reduced();
+    MinVelocity: Definition::new("min_velocity", Measure::Velocity, "minimum velocity"),
+        steady => steady.min_velocity.value;
+    MinVelocityPhase: phase("min_velocity_phase", "its phase", "min_velocity_time"),
+        steady => steady.min_velocity.phase.reduced();
+    StickFraction: Definition::new("stick_fraction", Measure::One, "fraction of time at rest")
+        .title("fraction of time at rest"), steady => steady.stick_fraction;
+    EnergyIn: Definition::new("energy_in", Measure::Work, "work of the drive in a cycle")
+        .title("work of the drive in a cycle").unless_damped_foot("energy_in"), steady => steady.energy_in;
+    EnergyOut: Definition::new(
+        "energy_out",
+        Measure::Work,
+        "work against friction in a cycle, without damper_work where damping was given",
+    ).title("work against friction in a cycle"), steady => steady.energy_out;
+    DamperWork: *DAMPER_WORK, steady => steady.damper_work;
+    Contraction: Definition::new("contraction", Measure::One, "fraction of a disturbance that remains after a cycle"),
+        steady => steady.contraction();
+    Distance: Definition::new("distance", Measure::Length, "estimated distance of the motion found from the limit")
+        .title("distance from the limit"), steady => steady.distance.0;
+}
+
+/// A limit with everything that is stated of it.
+#[derive(Debug)]
+#[doc(hidden)]
+pub struct SteadyAnswer<'a, F> {
+    pub ratios: Ratios<F>,
+    pub excitation: Excitation,
+    pub limit: &'a LongRun<F>,
+    pub seen: Observed,
+    pub errors: Option<ErrorMeasures<F>>,
+    /// The peaks, if they were asked for.
+    pub peaks: Option<Peaks<F>>,
+}
+
+#[doc(hidden)]
+impl<'a, F: Float> SteadyAnswer<'a, F> {
+    /// Every column, in the order of the command.
+    pub const COLUMNS: [Column<Self, F>; 35] = [
+        Column::new(REGIME, |answer| Value::Text(answer.seen.regime.name())),
+        Column::new(LIMIT, |answer| Value::Text(answer.limit.name())),
+        Column::new(SteadyOutput::MaxDisplacement.definition(), |answer| {
+            Value::Number(answer.limit.extrema().map(|(_, most)| most))
+        }),
+        number!(SteadyOutput::MaxDisplacementPhase),
+        Column::new(SteadyOutput::MinDisplacement.definition(), |answer| {
+            Value::Number(answer.limit.extrema().map(|(least, _)| least))
+        }),
+        number!(SteadyOutput::MinDisplacementPhase),
+        number!(SteadyOutput::MaxVelocity),
+        number!(SteadyOutput::MaxVelocityPhase),
+        number!(SteadyOutput::MinVelocity),
+        number!(SteadyOutput::MinVelocityPhase),
+        Column::new(STICKS_PER_CYCLE, |answer| Value::Count(answer.seen.sticks.map(u64::from))),
+        Column::new(VELOCITY_ZEROS_PER_CYCLE, |answer| {
+            answer.count(|steady| steady.velocity_zeros_per_cycle)
+        }),
+        number!(SteadyOutput::StickFraction),
+        Column::new(ERROR_1, |answer| Value::Number(answer.errors.map(|errors| errors.error_1))),
+        Column::new(ERROR_2, |answer| Value::Number(answer.errors.map(|errors| errors.error_2))),
+        Column::new(ERROR_3, |answer| Value::Number(answer.errors.map(|errors| errors.error_3))),
+        Column::new(ERROR_4, |answer| Value::Number(answer.errors.map(|errors| errors.error_4))),
+        number!(SteadyOutput::EnergyIn),
+        number!(SteadyOutput::EnergyOut),
+        Column::new(MULTIPLIERS, |answer| {
+            Value::Pairs(answer.limit.steady_state().map(|steady| steady.multipliers))
+        }),
+        number!(SteadyOutput::Distance),
+        Column::new(REST_POSITION, |answer| Value::Number(answer.limit.rest_position())),
+        Column::new(PERIODS, |answer| Value::Number(answer.limit.periods())),
+        Column::new(REVERSALS_PER_CYCLE, |answer| Value::Count(answer.seen.reversals.map(u64::from))),
+        Column::new(Output::DynamicAmplification.definition(), |answer| {
+            Value::Number(answer.amplitude().map(|most| most / answer.ratios.alpha()))
+        }),
+        Column::new(Output::MaxAcceleration.definition(), |answer| {
+            Value::Number(answer.peaks.map(|peaks| peaks.acceleration))
+        }),
+        Column::new(Output::TransmittedForce.definition(), |answer| {
+            Value::Number(answer.transmitted().map(|(force, _)| force))
+        }),
+        Column::new(Output::Transmissibility.definition(), |answer| {
+            Value::Number(answer.transmitted().map(|(_, ratio)| ratio))
+        }),
+        Column::new(Output::MaxAbsoluteDisplacement.definition(), |answer| {
+            Value::Number(answer.peaks.and_then(|peaks| match answer.excitation.moves_foot() {
+                // The surface is fixed.
+                true => answer.amplitude(),
+                false => Some(peaks.absolute_displacement),
+            }))
+        }),
+        Column::only(When::Damping, SteadyOutput::DamperWork.definition(), |answer| {
+            Value::Number(answer.number(SteadyOutput::DamperWork))
+        }),
+        Column::only(When::StaticFriction, TURNS_PER_CYCLE, |answer| {
+            answer.count(|steady| steady.turns_per_cycle)
+        }),
+        Column::only(When::StaticFriction, SYMMETRIC, |answer| {
+            Value::Flag(answer.limit.steady_state().map(|steady| steady.is_symmetric))
+        }),
+        Column::only(When::StaticFriction, LYAPUNOV_EXPONENT, |answer| {
+            Value::Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent))
+        }),
+        Column::only(When::StaticFriction, LYAPUNOV_EXPONENT_ERROR, |answer| {
+            Value::Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent_error))
+        }),
+        Column::only(When::StaticFriction, TURNS_OBSERVED, |answer| {
+            Value::Count(answer.limit.irregular().map(|motion| motion.turns))
+        }),
     ];
+
+    /// The answer at these ratios; the search for the peaks only if they are asked for.
+    ///
+    /// # Errors
+    /// As for [`SteadyState::errors`] and [`SteadyState::peaks`].
+    pub fn new(
+        ratios: Ratios<F>,
+        excitation: Excitation,
+        limit: &'a LongRun<F>,
+        with_peaks: bool,
+    ) -> Result<Self, Error> {
+        let steady = limit.steady_state();
+        let errors = steady.map(SteadyState::errors).transpose()?;
+        let peaks = steady.filter(|_| with_peaks).map(SteadyState::peaks).transpose()?;
+        Ok(Self { ratios, excitation, limit, seen: observed(ratios, limit), errors, peaks })
+    }
+
+    fn number(&self, output: SteadyOutput) -> Option<F> {
+        self.limit.steady_state().map(|steady| output.of(steady))
+    }
+
+    fn count(&self, of: fn(&SteadyState<F>) -> u32) -> Value<F> {
+        Value::Count(self.limit.steady_state().map(|steady| u64::from(of(steady))))
+    }
+
+    /// The maximum absolute displacement relative to the surface.
+    fn amplitude(&self) -> Option<F> {
+        let size = |extreme: Extreme<F>| extreme.value.abs();
+        self.limit.steady_state().map(|s| size(s.max_displacement).or_larger(size(s.min_displacement)))
+    }
+
+    /// The force on the support and the transmissibility.
+    fn transmitted(&self) -> Option<(F, F)> {
+        let peaks = self.peaks?;
+        Some(self.excitation.transmitted(&self.ratios, peaks.transmitted_force, peaks.acceleration))
+    }
 }

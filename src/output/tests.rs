@@ -1,5 +1,6 @@
-use super::Output;
-use crate::{Ratios, Response, Scales};
+use super::{Measure, Output, definitions};
+use crate::units::Kind;
+use crate::{Excitation, Ratios, Response, Scales};
 
 #[test]
 fn each_is_read_by_its_name() {
@@ -13,9 +14,9 @@ fn each_is_read_by_its_name() {
     );
 }
 
-/// Each unit must have the dimension written out here by hand; no two dimensions share a scale.
+/// A unit in ratios and its physical size agree: 3 m, 5 m/s, 7 s, 11 N; no two dimensions share a scale.
 #[test]
-fn each_has_the_unit_of_its_dimension() {
+fn each_measure_has_the_size_of_its_unit() {
     let scales = Scales::<f64> {
         length: 3.0,
         velocity: 5.0,
@@ -26,29 +27,49 @@ fn each_has_the_unit_of_its_dimension() {
         mean_displacement: 19.0,
         mean_friction: 23.0,
     };
-    let expected = [
-        ("max_displacement", 3.0),
-        ("displacement_phase", 7.0),
-        ("max_velocity", 5.0),
-        ("velocity_phase", 7.0),
-        ("deviation", 3.0),
-        ("loop_size_stiffness", 13.0),
-        ("loop_size_inertia", 17.0),
-        ("contraction", 1.0),
-        ("margin", 1.0),
-        ("min_force_ratio", 11.0),
-        ("min_force_ratio_turning_point", 11.0),
-        ("least_displacement", 3.0),
-        ("border_phase", 7.0),
-        ("best_force_ratio", 11.0),
-        ("best_loop_size", 13.0),
-        ("dynamic_amplification", 1.0),
-        ("max_acceleration", 5.0 / 7.0),
-        ("transmitted_force", 11.0),
-        ("transmissibility", 1.0),
-        ("max_absolute_displacement", 3.0),
-    ];
-    assert_eq!(Output::ALL.map(|output| (output.name(), output.unit(&scales))), expected);
+    for (measure, unit, kind, size) in [
+        (Measure::Plain, "", Kind::Ratio, 1.0),
+        (Measure::One, "1", Kind::Ratio, 1.0),
+        (Measure::Angle, "rad", Kind::Time, 7.0),
+        (Measure::Turns, "2π/ω_d", Kind::Time, 14.0 * std::f64::consts::PI),
+        (Measure::Length, "B", Kind::Length, 3.0),
+        (Measure::Velocity, "B ω_d", Kind::Velocity, 5.0),
+        (Measure::Acceleration, "B ω_d²", Kind::Acceleration, 5.0 / 7.0),
+        (Measure::Force, "r_y", Kind::Force, 11.0),
+        (Measure::ForceRatio, "1", Kind::Force, 11.0),
+        (Measure::Work, "r_y B", Kind::Energy, 33.0),
+        (Measure::EnergyStiffness, "1", Kind::Energy, 13.0),
+        (Measure::EnergyInertia, "1", Kind::Energy, 17.0),
+        (Measure::EnergyOfLargestLoop, "1", Kind::Energy, 13.0),
+    ] {
+        assert_eq!((measure.unit(), measure.kind()), (unit, kind), "{measure:?}");
+        assert!((measure.size(&scales) / size - 1.0_f64).abs() < 1e-15, "{measure:?}");
+    }
+    assert_eq!(Output::MaxAcceleration.unit(&scales), 5.0 / 7.0);
+}
+
+/// Of a value in physical units: none of a plain number, and by the excitation.
+#[test]
+fn each_quantity_has_a_physical_name() {
+    let under = |output: Output, excitation| output.definition().physical_name(excitation);
+    for output in Output::ALL {
+        let is_quantity = output.definition().measure.kind() != Kind::Ratio;
+        // Both loop sizes are the same energy.
+        let expected = is_quantity && output != Output::LoopSizeInertia;
+        assert_eq!(under(output, Excitation::SurfaceMotion).is_some(), expected, "{output}");
+    }
+    assert_eq!(under(Output::MinForceRatio, Excitation::Force), Some("min_force"));
+    assert_eq!(under(Output::MaxAbsoluteDisplacement, Excitation::Force), None);
+    let work = |excitation| definitions::DAMPER_WORK.physical_name(excitation);
+    assert_eq!(work(Excitation::FootMotion), Some("damper_energy_per_cycle"));
+    assert_eq!(work(Excitation::DampedFootMotion), None);
+}
+
+#[test]
+fn the_equation_is_named_once() {
+    assert_eq!(Output::MaxDisplacement.definition().text(), "maximum displacement Δ₀ (eq. 44)");
+    let turning_point = Output::TurningPointForceRatio.definition();
+    assert_eq!((turning_point.equation, turning_point.text()), (Some(61), turning_point.meaning.to_owned()));
 }
 
 /// The margin uses the exact border, which exceeds eq. 61 at Ω = 0.4.

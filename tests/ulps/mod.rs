@@ -30,32 +30,31 @@ pub(crate) struct Output {
     pub(crate) allowed: f64,
 }
 
-const fn output(
-    name: &'static str,
-    symbol: &'static str,
-    unit: Unit,
-    goal: Option<f64>,
-    allowed: f64,
-) -> Output {
+const fn output(output: stickslip::Output, unit: Unit, allowed: f64) -> Output {
+    let stickslip::Definition { name, symbol, ulps, .. } = *output.definition();
+    let goal = match ulps {
+        Some(ulps) => Some(ulps as f64),
+        None => None,
+    };
     Output { name, symbol, unit, goal, allowed }
 }
 
 /// Every output, in the order of [`reference::answers`].
 pub(crate) const OUTPUTS: [Output; COUNT] = [
-    output("max_displacement", "Δ₀", Unit::Own, Some(2.0), 1.5),
-    output("displacement_phase", "ω_d t₂", Unit::Phase, Some(2.0), 1.9),
-    output("max_velocity", "V₀", Unit::Own, Some(4.0), 4.0),
-    output("velocity_phase", "ω_d t₁", Unit::Phase, Some(4.0), 4.0),
-    output("deviation", "Δ₁", Unit::Velocity, Some(4.0), 4.0),
-    output("min_force_ratio", "α_min", Unit::Own, Some(2.0), 1.0),
-    output("min_force_ratio_turning_point", "eq. 61", Unit::Own, Some(2.0), 1.0),
-    output("border_phase", "τ*", Unit::Phase, None, 3.3),
-    output("loop_size_stiffness", "A₁", Unit::Own, Some(2.0), 2.0),
-    output("loop_size_inertia", "A₂", Unit::Own, Some(2.0), 1.0),
-    output("best_force_ratio", "α*", Unit::Own, Some(2.0), 1.0),
-    output("best_loop_size", "A₁max", Unit::Own, Some(2.0), 1.0),
-    output("contraction", "λ", Unit::Own, None, f64::INFINITY),
-    output("phase_function", "K", Unit::Own, None, 1.0),
+    output(stickslip::Output::MaxDisplacement, Unit::Own, 1.5),
+    output(stickslip::Output::DisplacementPhase, Unit::Phase, 1.9),
+    output(stickslip::Output::MaxVelocity, Unit::Own, 4.0),
+    output(stickslip::Output::VelocityPhase, Unit::Phase, 4.0),
+    output(stickslip::Output::Deviation, Unit::Velocity, 4.0),
+    output(stickslip::Output::MinForceRatio, Unit::Own, 1.0),
+    output(stickslip::Output::TurningPointForceRatio, Unit::Own, 1.0),
+    output(stickslip::Output::TouchingPhase, Unit::Phase, 3.3),
+    output(stickslip::Output::LoopSizeStiffness, Unit::Own, 2.0),
+    output(stickslip::Output::LoopSizeInertia, Unit::Own, 1.0),
+    output(stickslip::Output::BestForceRatio, Unit::Own, 1.0),
+    output(stickslip::Output::BestLoopSize, Unit::Own, 1.0),
+    output(stickslip::Output::Contraction, Unit::Own, f64::INFINITY),
+    Output { name: "phase_function", symbol: "K", unit: Unit::Own, goal: None, allowed: 1.0 },
 ];
 
 pub(crate) const COUNT: usize = 14;

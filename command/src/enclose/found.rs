@@ -3,7 +3,6 @@
 use super::Others;
 use crate::args::{Format, OutputArgs};
 use crate::failure::{Failure, Outcome};
-use crate::outputs::unit_of;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
@@ -154,8 +153,10 @@ impl Answer<'_> {
         }
         for &output in &self.outputs {
             if let Some(value) = self.found.get(output) {
-                let unit = unit_of(output.name()).filter(|unit| *unit != "1");
-                let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
+                let unit = match output.definition().measure.unit() {
+                    "1" => String::new(),
+                    unit => format!(" {unit}"),
+                };
                 writeln!(out, "  {:<31}{value}{unit}", output.name())?;
             }
         }

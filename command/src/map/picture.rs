@@ -26,9 +26,10 @@ impl Map<'_> {
         };
         let unit = match self.kind {
             Some(kind) => self.system.name(kind),
-            None => outputs::unit_of(self.quantity.name()).unwrap_or("1").to_owned(),
+            None => outputs::find(self.quantity.name()).map_or("", |key| key.measure.unit()).to_owned(),
         };
-        let label = if unit == "1" { words.clone() } else { format!("{words} ({unit})") };
+        let label =
+            if matches!(unit.as_str(), "" | "1") { words.clone() } else { format!("{words} ({unit})") };
         (words, label)
     }
 

@@ -20,6 +20,18 @@ pub(crate) enum Cell<F> {
     Pairs(Option<[(F, F); 2]>),
 }
 
+impl<F> From<stickslip::Value<F>> for Cell<F> {
+    fn from(value: stickslip::Value<F>) -> Self {
+        match value {
+            stickslip::Value::Number(number) => Self::Number(number),
+            stickslip::Value::Count(count) => Self::Count(count),
+            stickslip::Value::Flag(flag) => Self::Flag(flag),
+            stickslip::Value::Text(text) => Self::Text(text),
+            stickslip::Value::Pairs(pairs) => Self::Pairs(pairs),
+        }
+    }
+}
+
 impl<F: Value> Cell<F> {
     /// An error with that name if a number is infinite.
     pub(crate) fn finite(&self, name: &str) -> Outcome {

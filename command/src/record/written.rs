@@ -4,7 +4,7 @@ use super::{Cell, Record};
 use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::Outcome;
-use crate::outputs::{plain, unit_of};
+use crate::outputs::plain;
 use std::io::{self, Write};
 
 impl<F: Value> Record<F> {
@@ -41,18 +41,18 @@ impl<F: Value> Record<F> {
 
     /// The names of these cells.
     pub(crate) fn names(&self) -> Vec<String> {
-        let own = self.fields.iter().flat_map(|(name, cell)| cell.part_names(name));
+        let own = self.fields.iter().flat_map(|(key, cell)| cell.part_names(key.name));
         own.chain(self.physical.names()).collect()
     }
 
     /// The same, with the unit in brackets after each dimensionless name that has one.
     fn names_with_units(&self) -> Vec<String> {
-        let with_unit = |name: String| match unit_of(&name) {
-            _ if name.ends_with(']') => name,
-            Some(unit) => format!("{name}[{}]", plain(unit)),
-            None => name,
-        };
-        self.names().into_iter().map(with_unit).collect()
+        let own = self.fields.iter().flat_map(|(key, cell)| {
+            let unit = plain(key.measure.unit());
+            let unit = if unit.is_empty() { unit } else { format!("[{unit}]") };
+            cell.part_names(key.name).into_iter().map(move |name| name + &unit)
+        });
+        own.chain(self.physical.names()).collect()
     }
 
     /// One row of a table for reading, with seven digits and columns of equal width.
@@ -68,7 +68,7 @@ impl<F: Value> Record<F> {
 
     /// The header of a table for reading.
     pub(crate) fn write_table_header(&self, out: &mut impl Write) -> io::Result<()> {
-        let own = self.fields.iter().map(|(name, _)| (*name).to_owned());
+        let own = self.fields.iter().map(|(key, _)| key.name.to_owned());
         let beside = self.physical.names().take(self.physical.values_beside().len());
         let names: Vec<String> = own.chain(beside).map(|name| format!("{name:>COLUMN$}")).collect();
         writeln!(out, "{}", names.join("  "))

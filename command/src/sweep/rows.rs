@@ -6,8 +6,8 @@ use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::interrupt;
-use crate::physical::Physical;
-use crate::record::{Cell, PEAKS, Record, csv_text};
+use crate::outputs::{self, ALPHA, Key, OMEGA};
+use crate::record::{Cell, Record, csv_text};
 use crate::resume;
 use crate::{border, input, response, steady};
 use stickslip::exact::{DEFAULT_BUDGET, State, Trajectory};
@@ -31,8 +31,7 @@ impl<F: Value> Rows<F> {
     pub(crate) fn new(args: &SweepArgs, axes: Axes<F>) -> Result<Self, Failure> {
         let csv = args.format() == Some(SweepFormat::Csv);
         let outputs = args.outputs.clone();
-        let is_peak = |name: &String| PEAKS.iter().any(|peak| name.contains(peak));
-        let peaks = outputs.as_ref().is_none_or(|names| names.iter().any(is_peak));
+        let peaks = outputs.as_ref().is_none_or(|names| names.iter().any(|name| outputs::is_searched(name)));
         let (question, header) = (args.question, args.header);
         check(question, &axes)?;
         let form = form(question, &axes.named_at(0), peaks)?;
@@ -114,20 +113,17 @@ impl<F: Value> resume::Rows for Rows<F> {
     /// Whether Ω and, if there is one, α are among the columns. For a machine they distinguish the rows,
     /// though not one machine from another.
     fn hold_their_grid(&self) -> bool {
-        let among = |name: &str| self.columns.iter().any(|column| column == name);
-        among("omega") && (self.question == Swept::Border || among("alpha"))
+        let among = |key: Key| self.columns.iter().any(|column| column == key.name);
+        among(OMEGA) && (self.question == Swept::Border || among(ALPHA))
     }
 
     /// Whether the Ω and α in a written row, as far as it contains them, are those of a point of the grid.
     fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
         let (omega, alpha) = self.ratios(point)?;
-        let due = [("omega", omega), ("alpha", alpha)];
-        for (name, value) in
-            due.into_iter().filter(|(name, _)| *name == "omega" || self.question != Swept::Border)
-        {
-            let Some(place) = self.columns.iter().position(|n| n == name) else { continue };
-            let cell =
-                Record { fields: vec![(name, Cell::Number(Some(value)))], physical: Physical::default() };
+        let due = [Some((OMEGA, omega)), (self.question != Swept::Border).then_some((ALPHA, alpha))];
+        for (key, value) in due.into_iter().flatten() {
+            let Some(place) = self.columns.iter().position(|name| name == key.name) else { continue };
+            let cell = Record::of(vec![(key, Cell::Number(Some(value)))]);
             let same = if self.csv {
                 let due = csv_text(|writer| cell.write_row(writer))?;
                 let found = line.trim_ascii_end().split(|byte| *byte == b',').nth(place);
