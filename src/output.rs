@@ -13,7 +13,7 @@ use crate::nonsticking::dynamic_amplification;
 use crate::oscillator::Scales;
 use crate::response::Response;
 
-pub(crate) use answer::number;
+pub(crate) use answer::columns;
 pub use answer::{Column, ResponseAnswer, Value, When};
 pub use definition::{Definition, Measure};
 
@@ -165,7 +165,7 @@ outputs! {
         cycle => cycle.transmitted_force() / cycle.ratios.alpha();
     MaxAbsoluteDisplacement("max_absolute_displacement", Length,
             "maximum absolute displacement, with a base that carries the surface")
-        .searched().over_base():
+        .searched().over_base("max_absolute_displacement"):
         cycle => cycle.max_absolute_displacement();
 }
 

@@ -5,14 +5,14 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P};
 use crate::note::{self, both};
-use crate::outputs::{DAMPING_RATIO, Key, STATIC_FRICTION_RATIO, key};
+use crate::outputs::{DAMPING_RATIO, STATIC_FRICTION_RATIO, key};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use std::io::Write;
 use stickslip::definitions::REST_POSITION;
 use stickslip::exact::FreeDecay;
 use stickslip::units::{Kind, System};
-use stickslip::{Definition, Drive, Excitation, Measure, Oscillator, Quantity};
+use stickslip::{Drive, Excitation, Measure, Oscillator, Quantity};
 
 /// The command with its arguments and its output.
 struct Run<'a, W>(&'a DecayArgs, &'a mut W);
@@ -95,8 +95,10 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
-const FIRST_TURN: Key = &Definition::new("first_turn", Measure::Length, "");
-const REST_TIME: Key = &Definition::new("rest_time", Measure::Angle, "");
+stickslip::define! {
+    FIRST_TURN("first_turn", Length, "");
+    REST_TIME("rest_time", Angle, "");
+}
 
 fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions: &Frictions<F>) -> Record<F> {
     let number = |x: F| Cell::Number(Some(x));

@@ -17,58 +17,31 @@ macro_rules! key {
 }
 pub(crate) use key;
 
-pub(crate) const OMEGA: Key =
-    &Definition::new("omega", Measure::One, "frequency ratio Ω = ω_d/ω_n").title("frequency ratio Ω");
-pub(crate) const ALPHA: Key =
-    &Definition::new("alpha", Measure::One, "force ratio α = p₀/r_y").title("force ratio α");
-pub(crate) const DAMPING_RATIO: Key =
-    &Definition::new("damping_ratio", Measure::One, "damping ratio ζ = c/(2√(k m)), where damping was given");
-pub(crate) const STATIC_FRICTION_RATIO: Key = &Definition::new(
-    "static_friction_ratio",
-    Measure::One,
-    "static friction ratio η = r_s/r_y, where static friction was given",
-);
-pub(crate) const ATTRACTOR: Key = &Definition::new(
-    "attractor",
-    Measure::Plain,
-    "its number, in the order of the first starts (limit is unstable where a multiplier is beyond 1)",
-);
-pub(crate) const SHARE: Key =
-    &Definition::new("share", Measure::One, "fraction of the starts that lead to it");
-pub(crate) const STARTS: Key = &Definition::new("starts", Measure::Plain, "number of these starts");
-pub(crate) const FIRST_X: Key =
-    &Definition::new("first_x", Measure::Length, "displacement of the first of them, at ω_d t = 0");
-pub(crate) const FIRST_V: Key = &Definition::new("first_v", Measure::Velocity, "its velocity");
-pub(crate) const MIRROR: Key =
-    &Definition::new("mirror", Measure::Plain, "number of the limit that is the mirror image of this one");
-pub(crate) const REST_FROM: Key = &Definition::new(
-    "rest_from",
-    Measure::Length,
-    "lowest position of rest, or middle of a member of a family",
-);
-pub(crate) const REST_TO: Key = &Definition::new("rest_to", Measure::Length, "highest position of rest");
-pub(crate) const KIND: Key =
-    &Definition::new("kind", Measure::Plain, "slide-forward, slide-backward or stick");
-pub(crate) const ENDS_BY: Key =
-    &Definition::new("ends_by", Measure::Plain, "reversal, stop, grazing, release or never");
-pub(crate) const START_CYCLE: Key = &Definition::new(
-    "start_cycle",
-    Measure::Plain,
-    "whole cycles of the drive before the start, likewise end_cycle and cycle",
-);
-pub(crate) const START_PHASE: Key = &Definition::new(
-    "start_phase",
-    Measure::Angle,
-    "phase ω_d t of the start in its cycle, likewise end_phase and phase",
-);
-pub(crate) const DURATION: Key =
-    &Definition::new("duration", Measure::Angle, "length of the segment, in ω_d t");
-pub(crate) const START_X: Key =
-    &Definition::new("start_x", Measure::Length, "displacement at the start, likewise end_x and x");
-pub(crate) const START_V: Key =
-    &Definition::new("start_v", Measure::Velocity, "velocity at the start, likewise v");
-pub(crate) const FRICTION: Key = &Definition::new("friction", Measure::Force, "force of friction");
-pub(crate) const R: Key = &Definition::new("r", Measure::Force, "force of spring and friction");
+stickslip::define! {
+    pub(crate) OMEGA("omega", One, "frequency ratio Ω = ω_d/ω_n").title("frequency ratio Ω");
+    pub(crate) ALPHA("alpha", One, "force ratio α = p₀/r_y").title("force ratio α");
+    pub(crate) DAMPING_RATIO("damping_ratio", One, "damping ratio ζ = c/(2√(k m)), where damping was given");
+    pub(crate) STATIC_FRICTION_RATIO("static_friction_ratio", One,
+        "static friction ratio η = r_s/r_y, where static friction was given");
+    pub(crate) ATTRACTOR("attractor", Plain,
+        "its number, in the order of the first starts (limit is unstable where a multiplier is beyond 1)");
+    pub(crate) SHARE("share", One, "fraction of the starts that lead to it");
+    pub(crate) STARTS("starts", Plain, "number of these starts");
+    pub(crate) FIRST_X("first_x", Length, "displacement of the first of them, at ω_d t = 0");
+    pub(crate) FIRST_V("first_v", Velocity, "its velocity");
+    pub(crate) MIRROR("mirror", Plain, "number of the limit that is the mirror image of this one");
+    pub(crate) REST_FROM("rest_from", Length, "lowest position of rest, or middle of a member of a family");
+    pub(crate) REST_TO("rest_to", Length, "highest position of rest");
+    pub(crate) KIND("kind", Plain, "slide-forward, slide-backward or stick");
+    pub(crate) ENDS_BY("ends_by", Plain, "reversal, stop, grazing, release or never");
+    pub(crate) START_CYCLE("start_cycle", Plain, "whole cycles of the drive before the start, likewise end_cycle and cycle");
+    pub(crate) START_PHASE("start_phase", Angle, "phase ω_d t of the start in its cycle, likewise end_phase and phase");
+    pub(crate) DURATION("duration", Angle, "length of the segment, in ω_d t");
+    pub(crate) START_X("start_x", Length, "displacement at the start, likewise end_x and x");
+    pub(crate) START_V("start_v", Velocity, "velocity at the start, likewise v");
+    pub(crate) FRICTION("friction", Force, "force of friction");
+    pub(crate) R("r", Force, "force of spring and friction");
+}
 
 /// The outputs of the closed forms, those of the border among them.
 const CLOSED_FORMS: [Key; 20] = [

@@ -4,12 +4,13 @@ use super::{ErrorMeasures, Extreme, LongRun, Peaks, SteadyState};
 use crate::error::Error;
 use crate::float::Float;
 use crate::oscillator::Excitation;
+use crate::output::Value::{self, Count, Flag, Number, Pairs, Text};
 use crate::output::definitions::{
     DAMPER_WORK, ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR,
     MULTIPLIERS, PERIODS, REGIME, REST_POSITION, REVERSALS_PER_CYCLE, STICKS_PER_CYCLE, SYMMETRIC,
     TURNS_OBSERVED, TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
 };
-use crate::output::{Column, Definition, Measure, Output, Value, When, number};
+use crate::output::{Column, Definition, Measure, Output, When, columns};
 use crate::ratios::Ratios;
 use crate::regime::{Observed, observed};
 
@@ -111,78 +112,51 @@ pub struct SteadyAnswer<'a, F> {
 
 #[doc(hidden)]
 impl<'a, F: Float> SteadyAnswer<'a, F> {
-    /// Every column, in the order of the command.
-    pub const COLUMNS: [Column<Self, F>; 35] = [
-        Column::new(REGIME, |answer| Value::Text(answer.seen.regime.name())),
-        Column::new(LIMIT, |answer| Value::Text(answer.limit.name())),
-        Column::new(SteadyOutput::MaxDisplacement.definition(), |answer| {
-            Value::Number(answer.limit.extrema().map(|(_, most)| most))
-        }),
-        number!(SteadyOutput::MaxDisplacementPhase),
-        Column::new(SteadyOutput::MinDisplacement.definition(), |answer| {
-            Value::Number(answer.limit.extrema().map(|(least, _)| least))
-        }),
-        number!(SteadyOutput::MinDisplacementPhase),
-        number!(SteadyOutput::MaxVelocity),
-        number!(SteadyOutput::MaxVelocityPhase),
-        number!(SteadyOutput::MinVelocity),
-        number!(SteadyOutput::MinVelocityPhase),
-        Column::new(STICKS_PER_CYCLE, |answer| Value::Count(answer.seen.sticks.map(u64::from))),
-        Column::new(VELOCITY_ZEROS_PER_CYCLE, |answer| {
-            answer.count(|steady| steady.velocity_zeros_per_cycle)
-        }),
-        number!(SteadyOutput::StickFraction),
-        Column::new(ERROR_1, |answer| Value::Number(answer.errors.map(|errors| errors.error_1))),
-        Column::new(ERROR_2, |answer| Value::Number(answer.errors.map(|errors| errors.error_2))),
-        Column::new(ERROR_3, |answer| Value::Number(answer.errors.map(|errors| errors.error_3))),
-        Column::new(ERROR_4, |answer| Value::Number(answer.errors.map(|errors| errors.error_4))),
-        number!(SteadyOutput::EnergyIn),
-        number!(SteadyOutput::EnergyOut),
-        Column::new(MULTIPLIERS, |answer| {
-            Value::Pairs(answer.limit.steady_state().map(|steady| steady.multipliers))
-        }),
-        number!(SteadyOutput::Distance),
-        Column::new(REST_POSITION, |answer| Value::Number(answer.limit.rest_position())),
-        Column::new(PERIODS, |answer| Value::Number(answer.limit.periods())),
-        Column::new(REVERSALS_PER_CYCLE, |answer| Value::Count(answer.seen.reversals.map(u64::from))),
-        Column::new(Output::DynamicAmplification.definition(), |answer| {
-            Value::Number(answer.amplitude().map(|most| most / answer.ratios.alpha()))
-        }),
-        Column::new(Output::MaxAcceleration.definition(), |answer| {
-            Value::Number(answer.peaks.map(|peaks| peaks.acceleration))
-        }),
-        Column::new(Output::TransmittedForce.definition(), |answer| {
-            Value::Number(answer.transmitted().map(|(force, _)| force))
-        }),
-        Column::new(Output::Transmissibility.definition(), |answer| {
-            Value::Number(answer.transmitted().map(|(_, ratio)| ratio))
-        }),
-        Column::new(Output::MaxAbsoluteDisplacement.definition(), |answer| {
-            Value::Number(answer.peaks.and_then(|peaks| match answer.excitation.moves_foot() {
-                // The surface is fixed.
-                true => answer.amplitude(),
-                false => Some(peaks.absolute_displacement),
-            }))
-        }),
-        Column::only(When::Damping, SteadyOutput::DamperWork.definition(), |answer| {
-            Value::Number(answer.number(SteadyOutput::DamperWork))
-        }),
-        Column::only(When::StaticFriction, TURNS_PER_CYCLE, |answer| {
-            answer.count(|steady| steady.turns_per_cycle)
-        }),
-        Column::only(When::StaticFriction, SYMMETRIC, |answer| {
-            Value::Flag(answer.limit.steady_state().map(|steady| steady.is_symmetric))
-        }),
-        Column::only(When::StaticFriction, LYAPUNOV_EXPONENT, |answer| {
-            Value::Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent))
-        }),
-        Column::only(When::StaticFriction, LYAPUNOV_EXPONENT_ERROR, |answer| {
-            Value::Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent_error))
-        }),
-        Column::only(When::StaticFriction, TURNS_OBSERVED, |answer| {
-            Value::Count(answer.limit.irregular().map(|motion| motion.turns))
-        }),
-    ];
+    columns! {
+        answer;
+        (REGIME) => Text(answer.seen.regime.name());
+        (LIMIT) => Text(answer.limit.name());
+        (SteadyOutput::MaxDisplacement.definition()) => Number(answer.limit.extrema().map(|(_, most)| most));
+        [SteadyOutput::MaxDisplacementPhase];
+        (SteadyOutput::MinDisplacement.definition()) => Number(answer.limit.extrema().map(|(least, _)| least));
+        [SteadyOutput::MinDisplacementPhase];
+        [SteadyOutput::MaxVelocity];
+        [SteadyOutput::MaxVelocityPhase];
+        [SteadyOutput::MinVelocity];
+        [SteadyOutput::MinVelocityPhase];
+        (STICKS_PER_CYCLE) => Count(answer.seen.sticks.map(u64::from));
+        (VELOCITY_ZEROS_PER_CYCLE) => answer.count(|steady| steady.velocity_zeros_per_cycle);
+        [SteadyOutput::StickFraction];
+        (ERROR_1) => Number(answer.errors.map(|errors| errors.error_1));
+        (ERROR_2) => Number(answer.errors.map(|errors| errors.error_2));
+        (ERROR_3) => Number(answer.errors.map(|errors| errors.error_3));
+        (ERROR_4) => Number(answer.errors.map(|errors| errors.error_4));
+        [SteadyOutput::EnergyIn];
+        [SteadyOutput::EnergyOut];
+        (MULTIPLIERS) => Pairs(answer.limit.steady_state().map(|steady| steady.multipliers));
+        [SteadyOutput::Distance];
+        (REST_POSITION) => Number(answer.limit.rest_position());
+        (PERIODS) => Number(answer.limit.periods());
+        (REVERSALS_PER_CYCLE) => Count(answer.seen.reversals.map(u64::from));
+        (Output::DynamicAmplification.definition()) =>
+            Number(answer.amplitude().map(|most| most / answer.ratios.alpha()));
+        (Output::MaxAcceleration.definition()) => Number(answer.peaks.map(|peaks| peaks.acceleration));
+        (Output::TransmittedForce.definition()) => Number(answer.transmitted().map(|(force, _)| force));
+        (Output::Transmissibility.definition()) => Number(answer.transmitted().map(|(_, ratio)| ratio));
+        (Output::MaxAbsoluteDisplacement.definition()) => Number(answer.peaks.and_then(|peaks| {
+            // The surface is fixed where the foot moves.
+            let is_fixed = answer.excitation.moves_foot();
+            if is_fixed { answer.amplitude() } else { Some(peaks.absolute_displacement) }
+        }));
+        (DAMPER_WORK) if Damping => Number(answer.number(SteadyOutput::DamperWork));
+        (TURNS_PER_CYCLE) if StaticFriction => answer.count(|steady| steady.turns_per_cycle);
+        (SYMMETRIC) if StaticFriction => Flag(answer.limit.steady_state().map(|steady| steady.is_symmetric));
+        (LYAPUNOV_EXPONENT) if StaticFriction =>
+            Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent));
+        (LYAPUNOV_EXPONENT_ERROR) if StaticFriction =>
+            Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent_error));
+        (TURNS_OBSERVED) if StaticFriction => Count(answer.limit.irregular().map(|motion| motion.turns));
+    }
 
     /// The answer at these ratios; the search for the peaks only if they are asked for.
     ///
@@ -205,7 +179,7 @@ impl<'a, F: Float> SteadyAnswer<'a, F> {
     }
 
     fn count(&self, of: fn(&SteadyState<F>) -> u32) -> Value<F> {
-        Value::Count(self.limit.steady_state().map(|steady| u64::from(of(steady))))
+        Count(self.limit.steady_state().map(|steady| u64::from(of(steady))))
     }
 
     /// The maximum absolute displacement relative to the surface.

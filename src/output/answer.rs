@@ -8,6 +8,7 @@ use crate::float::Float;
 use crate::nonsticking::Cycle;
 use crate::oscillator::Excitation;
 use crate::response::Response;
+use Value::{Count, Flag, Number, Text};
 
 /// A value of an answer; `None` where it does not exist.
 #[doc(hidden)]
@@ -41,24 +42,24 @@ pub struct Column<A, F> {
     pub of: fn(&A) -> Value<F>,
 }
 
-impl<A, F> Column<A, F> {
-    pub(crate) const fn new(definition: &'static Definition, of: fn(&A) -> Value<F>) -> Self {
-        Self { definition, when: When::Always, of }
-    }
-
-    /// A column for some machines.
-    pub(crate) const fn only(when: When, definition: &'static Definition, of: fn(&A) -> Value<F>) -> Self {
-        Self { definition, when, of }
-    }
-}
-
-/// The column of an output that is a number, by the `number` of the answer.
-macro_rules! number {
-    ($output:expr) => {
-        Column::new($output.definition(), |answer| Value::Number(answer.number($output)))
+/// Defines the columns of an answer from one row each: an output in brackets, which the answer's `number`
+/// computes, or a definition with the machines that have it and its value.
+macro_rules! columns {
+    ($answer:ident; $($([$output:expr])? $(($definition:expr) $(if $when:ident)? => $value:expr)?;)*) => {
+        /// Every column, in the order of the command.
+        pub const COLUMNS: [Column<Self, F>; [$(columns!(@one $($output)? $($definition)?)),*].len()] = [$(
+            Column {
+                definition: $($output.definition())? $($definition)?,
+                when: $(columns!(@when, $output))? $(columns!(@when $($when)?))?,
+                of: |$answer| $(Number($answer.number($output)))? $($value)?,
+            },
+        )*];
     };
+    (@one $of:expr) => { () };
+    (@when $(, $output:expr)?) => { When::Always };
+    (@when $when:ident) => { When::$when };
 }
-pub(crate) use number;
+pub(crate) use columns;
 
 /// A response with the excitation of its machine.
 #[doc(hidden)]
@@ -72,40 +73,32 @@ pub struct ResponseAnswer<'a, F> {
 
 #[doc(hidden)]
 impl<F: Float> ResponseAnswer<'_, F> {
-    /// Every column, in the order of the command.
-    pub const COLUMNS: [Column<Self, F>; 23] = [
-        Column::new(REGIME, |answer| Value::Text(answer.response.regime.name())),
-        Column::only(When::StaticFriction, MOTION_WITHOUT_STOP, |answer| {
-            Value::Flag(Some(answer.response.has_motion_without_stop()))
-        }),
-        Column::only(When::StaticFriction, MOVES_FROM_REST, |answer| {
-            Value::Flag(Some(answer.response.ratios.moves_from_rest()))
-        }),
-        number!(Output::MaxDisplacement),
-        number!(Output::DisplacementPhase),
-        number!(Output::MaxVelocity),
-        number!(Output::VelocityPhase),
-        number!(Output::Deviation),
-        number!(Output::MinForceRatio),
-        number!(Output::TurningPointForceRatio),
-        number!(Output::LoopSizeStiffness),
-        number!(Output::LoopSizeInertia),
-        number!(Output::BestForceRatio),
-        number!(Output::BestLoopSize),
-        number!(Output::Contraction),
-        Column::new(REVERSALS_PER_CYCLE, |answer| {
-            Value::Count(answer.response.reversals_per_cycle().map(u64::from))
-        }),
-        Column::new(BEST_FORCE_RATIO_SLIDES, |answer| Value::Flag(Some(answer.response.best_is_reached()))),
-        number!(Output::DynamicAmplification),
-        number!(Output::MaxAcceleration),
-        number!(Output::TransmittedForce),
-        number!(Output::Transmissibility),
-        number!(Output::MaxAbsoluteDisplacement),
-        Column::only(When::Damping, DAMPER_WORK, |answer| {
-            Value::Number(answer.response.cycle.as_ref().map(Cycle::damper_work))
-        }),
-    ];
+    columns! {
+        answer;
+        (REGIME) => Text(answer.response.regime.name());
+        (MOTION_WITHOUT_STOP) if StaticFriction => Flag(Some(answer.response.has_motion_without_stop()));
+        (MOVES_FROM_REST) if StaticFriction => Flag(Some(answer.response.ratios.moves_from_rest()));
+        [Output::MaxDisplacement];
+        [Output::DisplacementPhase];
+        [Output::MaxVelocity];
+        [Output::VelocityPhase];
+        [Output::Deviation];
+        [Output::MinForceRatio];
+        [Output::TurningPointForceRatio];
+        [Output::LoopSizeStiffness];
+        [Output::LoopSizeInertia];
+        [Output::BestForceRatio];
+        [Output::BestLoopSize];
+        [Output::Contraction];
+        (REVERSALS_PER_CYCLE) => Count(answer.response.reversals_per_cycle().map(u64::from));
+        (BEST_FORCE_RATIO_SLIDES) => Flag(Some(answer.response.best_is_reached()));
+        [Output::DynamicAmplification];
+        [Output::MaxAcceleration];
+        [Output::TransmittedForce];
+        [Output::Transmissibility];
+        [Output::MaxAbsoluteDisplacement];
+        (DAMPER_WORK) if Damping => Number(answer.response.cycle.as_ref().map(Cycle::damper_work));
+    }
 
     /// An output. Where the spring's foot moves, the loads on the support are those of [`Excitation`].
     fn number(&self, output: Output) -> Option<F> {

@@ -4,91 +4,75 @@ use crate::float::Real;
 use crate::oscillator::{Excitation, Scales};
 use crate::units::Kind;
 
-/// The unit of an output: in ratios, and in the units of a machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Measure {
-    /// A count, a flag or a text, without a unit.
-    Plain,
-    /// A plain number.
-    One,
-    /// A phase in rad; 1/ω_d.
-    Angle,
-    /// Turns of the drive, 2π/ω_d.
-    Turns,
-    /// B = r_y/k.
-    Length,
-    /// B ω_d.
-    Velocity,
-    /// B ω_d².
-    Acceleration,
-    /// r_y.
-    Force,
-    /// A force over r_y as a plain number.
-    ForceRatio,
-    /// r_y B.
-    Work,
-    /// A plain number; an energy in p₀²/(2k).
-    EnergyStiffness,
-    /// A plain number; an energy in p₀²/(2 m ω_d²).
-    EnergyInertia,
-    /// A plain number; the energy of the largest loop, in p₀²/(2k).
-    EnergyOfLargestLoop,
-}
-
-impl Measure {
-    /// The unit in ratios as a text, which is empty for counts, flags and texts.
-    #[must_use]
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Plain => "",
-            Self::One
-            | Self::ForceRatio
-            | Self::EnergyStiffness
-            | Self::EnergyInertia
-            | Self::EnergyOfLargestLoop => "1",
-            Self::Angle => "rad",
-            Self::Turns => "2π/ω_d",
-            Self::Length => "B",
-            Self::Velocity => "B ω_d",
-            Self::Acceleration => "B ω_d²",
-            Self::Force => "r_y",
-            Self::Work => "r_y B",
+/// Defines the measures from one row each: the unit in ratios as a text, the kind of the quantity in the units
+/// of a machine, and the physical size of one unit.
+macro_rules! measures {
+    ($($(#[$doc:meta])* $measure:ident: $unit:literal, $kind:ident, $scales:ident => $size:expr;)*) => {
+        /// The unit of an output: in ratios, and in the units of a machine.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        #[non_exhaustive]
+        pub enum Measure {
+            $($(#[$doc])* $measure,)*
         }
-    }
 
-    /// The kind of the quantity in the units of a machine.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn kind(self) -> Kind {
-        match self {
-            Self::Plain | Self::One => Kind::Ratio,
-            Self::Angle | Self::Turns => Kind::Time,
-            Self::Length => Kind::Length,
-            Self::Velocity => Kind::Velocity,
-            Self::Acceleration => Kind::Acceleration,
-            Self::Force | Self::ForceRatio => Kind::Force,
-            Self::Work | Self::EnergyStiffness | Self::EnergyInertia | Self::EnergyOfLargestLoop => {
-                Kind::Energy
+        impl Measure {
+            /// The unit in ratios as a text, which is empty for counts, flags and texts.
+            #[must_use]
+            pub const fn unit(self) -> &'static str {
+                match self {
+                    $(Self::$measure => $unit,)*
+                }
+            }
+
+            /// The kind of the quantity in the units of a machine.
+            #[doc(hidden)]
+            #[must_use]
+            pub const fn kind(self) -> Kind {
+                match self {
+                    $(Self::$measure => Kind::$kind,)*
+                }
+            }
+
+            /// The physical size of one unit.
+            pub fn size<F: Real>(self, scales: &Scales<F>) -> F {
+                match self {
+                    $(Self::$measure => {
+                        let $scales = scales;
+                        $size
+                    })*
+                }
             }
         }
-    }
+    };
+}
 
-    /// The physical size of one unit.
-    pub fn size<F: Real>(self, scales: &Scales<F>) -> F {
-        match self {
-            Self::Plain | Self::One => F::int(1),
-            Self::Angle => scales.time,
-            Self::Turns => F::int(2) * F::pi() * scales.time,
-            Self::Length => scales.length,
-            Self::Velocity => scales.velocity,
-            Self::Acceleration => scales.velocity / scales.time,
-            Self::Force | Self::ForceRatio => scales.force,
-            Self::Work => scales.force * scales.length,
-            Self::EnergyStiffness | Self::EnergyOfLargestLoop => scales.energy_stiffness,
-            Self::EnergyInertia => scales.energy_inertia,
-        }
-    }
+measures! {
+    /// A count, a flag or a text, without a unit.
+    Plain: "", Ratio, _scales => F::int(1);
+    /// A plain number.
+    One: "1", Ratio, _scales => F::int(1);
+    /// A phase in rad; 1/ω_d.
+    Angle: "rad", Time, scales => scales.time;
+    /// Turns of the drive, 2π/ω_d.
+    Turns: "2π/ω_d", Time, scales => F::int(2) * F::pi() * scales.time;
+    /// B = r_y/k.
+    Length: "B", Length, scales => scales.length;
+    /// B ω_d.
+    Velocity: "B ω_d", Velocity, scales => scales.velocity;
+    /// B ω_d².
+    Acceleration: "B ω_d²", Acceleration, scales => scales.velocity / scales.time;
+    /// r_y.
+    Force: "r_y", Force, scales => scales.force;
+    /// A force over r_y as a plain number.
+    ForceRatio: "1", Force, scales => scales.force;
+    /// r_y B.
+    Work: "r_y B", Energy, scales => scales.force * scales.length;
+    /// A plain number; an energy in p₀²/(2k).
+    EnergyStiffness: "1", Energy, scales => scales.energy_stiffness;
+    /// A plain number; an energy in p₀²/(2 m ω_d²).
+    EnergyInertia: "1", Energy, scales => scales.energy_inertia;
+    /// A plain number; the energy of the largest loop, in p₀²/(2k).
+    EnergyOfLargestLoop: "1", Energy, scales => scales.energy_stiffness;
 }
 
 /// The name of an output in the units of a machine.
@@ -128,6 +112,18 @@ pub struct Definition {
     pub is_searched: bool,
 }
 
+/// Defines a function for each column that has a value by default.
+macro_rules! columns {
+    ($($column:ident($($value:ident: $type:ty)?) => $field:ident = $set:expr;)*) => {
+        $(
+            #[must_use]
+            pub const fn $column(self $(, $value: $type)?) -> Self {
+                Self { $field: $set, ..self }
+            }
+        )*
+    };
+}
+
 /// The columns of the table, for constants.
 #[doc(hidden)]
 impl Definition {
@@ -151,49 +147,16 @@ impl Definition {
         }
     }
 
-    #[must_use]
-    pub const fn symbol(self, symbol: &'static str) -> Self {
-        Self { symbol, ..self }
-    }
-
-    #[must_use]
-    pub const fn equation(self, number: u8) -> Self {
-        Self { equation: Some(number), ..self }
-    }
-
-    #[must_use]
-    pub const fn ulps(self, ulps: u8) -> Self {
-        Self { ulps: Some(ulps), ..self }
-    }
-
-    #[must_use]
-    pub const fn title(self, title: &'static str) -> Self {
-        Self { title, ..self }
-    }
-
-    #[must_use]
-    pub const fn searched(self) -> Self {
-        Self { is_searched: true, ..self }
-    }
-
-    #[must_use]
-    pub const fn physical(self, name: &'static str) -> Self {
-        Self { physical: Physical::Named(name), ..self }
-    }
-
-    #[must_use]
-    pub const fn without_physical(self) -> Self {
-        Self { physical: Physical::Absent, ..self }
-    }
-
-    #[must_use]
-    pub const fn over_base(self) -> Self {
-        Self { physical: Physical::OverBase(self.name), ..self }
-    }
-
-    #[must_use]
-    pub const fn unless_damped_foot(self, name: &'static str) -> Self {
-        Self { physical: Physical::UnlessDampedFoot(name), ..self }
+    columns! {
+        symbol(symbol: &'static str) => symbol = symbol;
+        equation(number: u8) => equation = Some(number);
+        ulps(ulps: u8) => ulps = Some(ulps);
+        title(title: &'static str) => title = title;
+        searched() => is_searched = true;
+        physical(name: &'static str) => physical = Physical::Named(name);
+        without_physical() => physical = Physical::Absent;
+        over_base(name: &'static str) => physical = Physical::OverBase(name);
+        unless_damped_foot(name: &'static str) => physical = Physical::UnlessDampedFoot(name);
     }
 }
 
@@ -218,4 +181,18 @@ impl Definition {
             Some(_) | None => self.meaning.to_owned(),
         }
     }
+}
+
+/// Defines constants from one row each: the name in Rust, and the [`Definition`] as in the table of [`super::Output`].
+#[doc(hidden)]
+#[macro_export]
+macro_rules! define {
+    ($(
+        $visible:vis $constant:ident($name:literal, $measure:ident, $meaning:expr) $(.$column:ident($($fact:expr)?))*;
+    )*) => {
+        $(
+            $visible const $constant: &$crate::Definition =
+                &$crate::Definition::new($name, $crate::Measure::$measure, $meaning)$(.$column($($fact)?))*;
+        )*
+    };
 }
