@@ -151,27 +151,24 @@ impl<F: Value> Record<F> {
             Some((_, Cell::Number(Some(ratio)))) => *ratio * scales.force,
             _ => F::int(0),
         };
-        self.physical =
-            Physical::of_machine(machine).with(&self.fields, machine.drive.excitation(), |measure| {
-                match measure {
-                    // A₁ is stated in units of p₀²/(2k) for that force.
-                    Measure::EnergyOfLargestLoop => {
-                        F::ratio(1, 2) * best_force * (best_force / machine.oscillator.stiffness())
-                    }
-                    _ => measure.size(scales),
-                }
-            });
+        let size = |measure| {
+            if measure == Measure::EnergyOfLargestLoop {
+                // A₁ is stated in units of p₀²/(2k) for that force.
+                return F::ratio(1, 2) * best_force * (best_force / machine.oscillator.stiffness());
+            }
+            Measure::size(measure, scales)
+        };
+        self.physical = Physical::of_machine(machine).with(&self.fields, machine.drive.excitation(), size);
         self
     }
 
     /// The border in the machine's units.
     pub(crate) fn with_border_scales(mut self, scales: &BorderScales<F>) -> Self {
-        self.physical =
-            Physical::of_border(scales).with(&self.fields, Excitation::Force, |measure| match measure {
-                Measure::Angle => scales.time,
-                Measure::Length => scales.length,
-                _ => scales.force,
-            });
+        let BorderScales { length, force, time, .. } = *scales;
+        let sizes = [(Measure::Angle, time), (Measure::Length, length)];
+        let size =
+            |measure| sizes.into_iter().find(|(own, _)| *own == measure).map_or(force, |(_, size)| size);
+        self.physical = Physical::of_border(scales).with(&self.fields, Excitation::Force, size);
         self
     }
 

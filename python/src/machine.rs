@@ -5,8 +5,10 @@ use crate::table::Table;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::collections::HashMap;
+use stickslip::exact::SteadyOutput;
 use stickslip::units::{Kind, Reader, System, UnitError};
-use stickslip::{Drive, Error, Excitation, Oscillator, Output, Ratios, Scales};
+use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales, definitions};
 
 /// Mass, stiffness, friction bound of forward motion, that of backward motion (NaN if equal), damping
 /// constant and static friction ratio.
@@ -100,22 +102,25 @@ fn gravity(units: &str) -> PyResult<f64> {
     Ok(units.parse::<System>().map_err(refused)?.gravity())
 }
 
+/// The kinds of quantities by their names.
+const KINDS: [(&str, Kind); 11] = [
+    ("ratio", Kind::Ratio),
+    ("mass", Kind::Mass),
+    ("length", Kind::Length),
+    ("time", Kind::Time),
+    ("frequency", Kind::Frequency),
+    ("velocity", Kind::Velocity),
+    ("acceleration", Kind::Acceleration),
+    ("force", Kind::Force),
+    ("stiffness", Kind::Stiffness),
+    ("damping", Kind::Damping),
+    ("energy", Kind::Energy),
+];
+
 /// The kind of a quantity by its name.
 fn kind(name: &str) -> PyResult<Kind> {
-    Ok(match name {
-        "ratio" => Kind::Ratio,
-        "mass" => Kind::Mass,
-        "length" => Kind::Length,
-        "time" => Kind::Time,
-        "frequency" => Kind::Frequency,
-        "velocity" => Kind::Velocity,
-        "acceleration" => Kind::Acceleration,
-        "force" => Kind::Force,
-        "stiffness" => Kind::Stiffness,
-        "damping" => Kind::Damping,
-        "energy" => Kind::Energy,
-        _ => return Err(refused(format!("kind {name}: is unknown"))),
-    })
+    let found = KINDS.iter().find(|(own, _)| *own == name);
+    found.map(|(_, kind)| *kind).ok_or_else(|| refused(format!("kind {name}: is unknown")))
 }
 
 /// Ω, α, ζ and the scales of one body under many drives.
@@ -176,39 +181,47 @@ fn machine_columns<'py>(
     table.into_dict(py)
 }
 
-/// The scale of each output by its name: a column of [`machine_columns`], or empty for a pure number.
-fn units() -> Vec<(&'static str, &'static str)> {
-    // Each dimension has a different scale, so that a unit identifies its dimension.
-    let marks = Scales {
-        length: 2.0,
-        velocity: 3.0,
-        time: 5.0,
-        force: 7.0,
-        energy_stiffness: 11.0,
-        energy_inertia: 13.0,
-        mean_displacement: 0.0,
-        mean_friction: 0.0,
-    };
-    let names = [
-        (marks.length, "length"),
-        (marks.velocity, "velocity"),
-        (marks.time, "time"),
-        (marks.force, "force"),
-        (marks.energy_stiffness, "energy"),
-        (marks.energy_inertia, "energy_inertia"),
-        (marks.velocity / marks.time, "acceleration"),
-    ];
-    let name = |unit: f64| names.iter().find(|(mark, _)| *mark == unit).map_or("", |(_, name)| name);
-    Output::ALL.map(|output| (output.name(), name(output.unit(&marks)))).to_vec()
+/// The size of a measure by its name: a column of [`machine_columns`], or one that follows from these.
+const fn scale(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Angle => "time",
+        Measure::Turns => "period",
+        Measure::Length => "length",
+        Measure::Velocity => "velocity",
+        Measure::Acceleration => "acceleration",
+        Measure::Force | Measure::ForceRatio => "force",
+        Measure::Work => "work",
+        Measure::EnergyStiffness | Measure::EnergyOfLargestLoop => "energy",
+        Measure::EnergyInertia => "energy_inertia",
+        _ => "",
+    }
+}
+
+/// The outputs that have a value in physical units under an excitation: for each name that of this value, its
+/// scale and its kind.
+#[pyfunction]
+fn physical_outputs(
+    excited: &str,
+) -> PyResult<HashMap<&'static str, (&'static str, &'static str, &'static str)>> {
+    let excited = excitation(excited)?;
+    let outputs = Output::ALL.map(Output::definition).into_iter();
+    let steady = SteadyOutput::ALL.map(SteadyOutput::definition).into_iter();
+    let all = outputs.chain(steady).chain([definitions::PERIODS, definitions::REST_POSITION]);
+    let named = all.filter_map(|output| {
+        let (name, kind) = (output.physical_name(excited)?, output.measure.kind());
+        let (kind, _) = KINDS.iter().find(|(_, own)| *own == kind)?;
+        Some((output.name, (name, scale(output.measure), *kind)))
+    });
+    Ok(named.collect())
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("UNITS", units())?;
     module.add_function(wrap_pyfunction!(damping_constant, module)?)?;
     module.add_function(wrap_pyfunction!(static_friction_ratio, module)?)?;
     module.add_function(wrap_pyfunction!(transmitted, module)?)?;
     module.add_function(wrap_pyfunction!(read_values, module)?)?;
     module.add_function(wrap_pyfunction!(unit_of, module)?)?;
     module.add_function(wrap_pyfunction!(gravity, module)?)?;
+    module.add_function(wrap_pyfunction!(physical_outputs, module)?)?;
     module.add_function(wrap_pyfunction!(machine_columns, module)?)
 }

@@ -10,8 +10,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use stickslip::Error;
-use stickslip::exact::{DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::{Observed, observed};
+use stickslip::exact::{
+    DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory,
+};
+use stickslip::{Excitation, Observed, Value, observed};
 
 /// The maximum number of rows of a simulation, which memory limits.
 const MOST_ROWS: usize = 1 << 28;
@@ -64,11 +66,11 @@ const OF_STATIC_FRICTION: [(&str, Number); 2] = [
 ];
 
 /// A number of a cycle, or the extremes of an irregular motion.
-fn number(limit: &LongRun<f64>, name: &str, of_cycle: fn(&SteadyState<f64>) -> f64) -> Option<f64> {
-    match name {
-        "max_displacement" => limit.extrema().map(|(_, most)| most),
-        "min_displacement" => limit.extrema().map(|(least, _)| least),
-        _ => limit.steady_state().map(of_cycle),
+fn number(limit: &LongRun<f64>, output: SteadyOutput) -> Option<f64> {
+    match output {
+        SteadyOutput::MaxDisplacement => limit.extrema().map(|(_, most)| most),
+        SteadyOutput::MinDisplacement => limit.extrema().map(|(least, _)| least),
+        _ => limit.steady_state().map(|steady| output.of(steady)),
     }
 }
 
@@ -98,46 +100,30 @@ fn steady_at<'py>(
         return Err(signal);
     }
     let found = found.map_err(refused)?;
-    let limit = &found.limit;
+    let (limit, seen) = (&found.limit, found.seen);
     let steady = limit.steady_state();
-    let dict = PyDict::new(py);
-    dict.set_item("regime", found.seen.regime.name())?;
-    dict.set_item("limit", limit.name())?;
-    for (name, value) in SteadyState::OUTPUTS {
-        dict.set_item(name, number(limit, name, value))?;
-    }
-    for (name, value) in NUMBERS.into_iter().chain(OF_STATIC_FRICTION) {
-        dict.set_item(name, value(limit))?;
-    }
-    dict.set_item("velocity_zeros_per_cycle", steady.map(|s| s.velocity_zeros_per_cycle))?;
-    dict.set_item("sticks_per_cycle", found.seen.sticks)?;
-    dict.set_item("reversals_per_cycle", found.seen.reversals)?;
-    dict.set_item("turns_per_cycle", steady.map(|s| s.turns_per_cycle))?;
-    dict.set_item("symmetric", steady.map(|s| s.is_symmetric))?;
-    dict.set_item("turns_observed", limit.irregular().map(|m| m.turns))?;
     // A cycle under a slow drive has so many oscillations that the computation of its peaks takes seconds.
     let peaks = match steady.copied() {
         Some(steady) if point.0 < SLOW => left_behind(py, move || Some(steady.peaks()))?,
         steady => steady.map(|steady| steady.peaks()),
     };
     let peaks = peaks.transpose().map_err(refused)?;
-    let alpha = point.1;
-    let amplitude = steady.map(|s| s.max_displacement.value.abs().max(s.min_displacement.value.abs()));
-    for (name, value) in [
-        ("dynamic_amplification", amplitude.map(|x| x / alpha)),
-        ("max_acceleration", peaks.map(|p| p.acceleration)),
-        ("transmitted_force", peaks.map(|p| p.transmitted_force)),
-        ("transmissibility", peaks.map(|p| p.transmitted_force / alpha)),
-        ("max_absolute_displacement", peaks.map(|p| p.absolute_displacement)),
-    ] {
-        dict.set_item(name, value)?;
-    }
-    dict.set_item("multipliers", steady.map(|s| s.multipliers.to_vec()))?;
     let errors = steady.map(SteadyState::errors).transpose().map_err(refused)?;
-    let errors = errors.map(|e| [e.error_1, e.error_2, e.error_3, e.error_4]);
-    for (i, name) in ["error_1", "error_2", "error_3", "error_4"].into_iter().enumerate() {
-        dict.set_item(name, errors.and_then(|e| e.get(i).copied()))?;
+    let ratios = ratios(point).map_err(refused)?;
+    let answer = SteadyAnswer { ratios, excitation: Excitation::Force, limit, seen, errors, peaks };
+    let dict = PyDict::new(py);
+    for column in SteadyAnswer::COLUMNS {
+        let name = column.definition.name;
+        match (column.of)(&answer) {
+            Value::Number(number) => dict.set_item(name, number)?,
+            Value::Count(count) => dict.set_item(name, count)?,
+            Value::Flag(flag) => dict.set_item(name, flag)?,
+            Value::Text(text) => dict.set_item(name, text)?,
+            Value::Pairs(pairs) => dict.set_item(name, pairs.map(|pairs| pairs.to_vec()))?,
+        }
     }
+    let contraction = SteadyOutput::Contraction;
+    dict.set_item(contraction.definition().name, number(limit, contraction))?;
     Ok(dict)
 }
 
@@ -185,8 +171,8 @@ fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result
     let mut table = Table::default();
     table.code("regime", found().map(|f| code(f.map(|f| f.seen.regime))).collect(), &REGIMES);
     table.code("limit", found().map(|f| limit_code(f.map(|f| &f.limit))).collect(), &LIMITS);
-    for (name, value) in SteadyState::OUTPUTS {
-        table.number(name, numbers(&|limit| number(limit, name, value)));
+    for output in SteadyOutput::ALL {
+        table.number(output.definition().name, numbers(&|limit| number(limit, output)));
     }
     table.count("velocity_zeros_per_cycle", of_cycle(|s| s.velocity_zeros_per_cycle));
     table.count("sticks_per_cycle", counts(&|f| f.seen.sticks.map(u64::from)));

@@ -6,18 +6,33 @@ use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::exact::{LongRun, State, SteadyState};
+use stickslip::definitions::TURNS_OBSERVED;
+use stickslip::exact::{LongRun, State, SteadyAnswer, SteadyOutput};
 use stickslip::float::{Mp, ParseError};
-use stickslip::{Float, Output, Ratios, Response};
-use stickslip::{no_stop_force_ratios, observed};
+use stickslip::{Definition, Excitation, Float, Output, Ratios, Response, Value, When, no_stop_force_ratios};
 
 /// A value on its way to Python.
 enum Cell {
     Word(&'static str),
     Digits(Option<String>),
-    Count(Option<u32>),
+    Count(Option<u64>),
     Flag(Option<bool>),
     Pairs(Vec<(String, Option<String>)>),
+}
+
+impl<F: Display> From<Value<F>> for Cell {
+    fn from(value: Value<F>) -> Self {
+        match value {
+            Value::Number(number) => digits(number),
+            Value::Count(count) => Self::Count(count),
+            Value::Flag(flag) => Self::Flag(flag),
+            Value::Text(text) => Self::Word(text),
+            Value::Pairs(None) => Self::Digits(None),
+            Value::Pairs(Some(pairs)) => {
+                Self::Pairs(pairs.map(|(re, im)| (re.to_string(), Some(im.to_string()))).to_vec())
+            }
+        }
+    }
 }
 
 type Cells = Vec<(&'static str, Cell)>;
@@ -82,7 +97,7 @@ fn response<F: Float>(ratios: Ratios<F>) -> Cells {
     let answer = Response::guarded(ratios);
     let mut cells = vec![
         ("regime", Cell::Word(answer.regime.name())),
-        ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
+        ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle().map(u64::from))),
         ("motion_without_stop", Cell::Flag(Some(answer.has_motion_without_stop()))),
         ("moves_from_rest", Cell::Flag(Some(ratios.moves_from_rest()))),
     ];
@@ -103,38 +118,17 @@ fn steady<F: Float>(
     stop: &Stop,
 ) -> Result<Cells, stickslip::Error> {
     let limit = LongRun::within(ratios, start, periods, &mut || stop.asked())?;
-    let seen = observed(ratios, &limit);
-    let steady = limit.steady_state();
-    let errors = steady.map(SteadyState::errors).transpose()?;
-    let multipliers = steady.map(|s| s.multipliers);
-    let pairs = multipliers.map(|m| m.map(|(re, im)| (re.to_string(), Some(im.to_string()))).to_vec());
-    let mut cells = vec![
-        ("regime", Cell::Word(seen.regime.name())),
-        ("limit", Cell::Word(limit.name())),
-        ("sticks_per_cycle", Cell::Count(seen.sticks)),
-        ("velocity_zeros_per_cycle", Cell::Count(steady.map(|s| s.velocity_zeros_per_cycle))),
-        ("reversals_per_cycle", Cell::Count(seen.reversals)),
-        ("multipliers", pairs.map_or(Cell::Digits(None), Cell::Pairs)),
-        ("rest_position", digits(limit.rest_position())),
-        ("periods", digits(limit.periods())),
-        ("error_1", digits(errors.map(|e| e.error_1))),
-        ("error_2", digits(errors.map(|e| e.error_2))),
-        ("error_3", digits(errors.map(|e| e.error_3))),
-        ("error_4", digits(errors.map(|e| e.error_4))),
-    ];
-    cells.extend(SteadyState::OUTPUTS.map(|(name, value)| (name, digits(steady.map(value)))));
-    if ratios.has_higher_static_friction() {
-        let irregular = limit.irregular();
-        let (least, most) = limit.extrema().unzip();
-        cells.extend([
-            ("max_displacement", digits(most)),
-            ("min_displacement", digits(least)),
-            ("turns_per_cycle", Cell::Count(steady.map(|s| s.turns_per_cycle))),
-            ("symmetric", Cell::Flag(steady.map(|s| s.is_symmetric))),
-            ("lyapunov_exponent", digits(irregular.map(|m| m.lyapunov_exponent))),
-            ("lyapunov_exponent_error", digits(irregular.map(|m| m.lyapunov_exponent_error))),
-        ]);
-    }
+    let answer = SteadyAnswer::new(ratios, Excitation::Force, &limit, false)?;
+    let is_left_out = |output: &Definition| {
+        output.is_searched || [Output::DynamicAmplification.definition(), TURNS_OBSERVED].contains(&output)
+    };
+    let is_there = |when| when != When::StaticFriction || ratios.has_higher_static_friction();
+    let columns = SteadyAnswer::COLUMNS.into_iter();
+    let columns = columns.filter(|column| is_there(column.when) && !is_left_out(column.definition));
+    let mut cells: Cells = columns.map(|c| (c.definition.name, (c.of)(&answer).into())).collect();
+    let contraction = SteadyOutput::Contraction;
+    let value = limit.steady_state().map(|steady| contraction.of(steady));
+    cells.push((contraction.definition().name, digits(value)));
     Ok(cells)
 }
 

@@ -10,48 +10,18 @@ from . import _native
 from ._drive import Drive
 from ._result import Physical, Result
 
-#: Names of values in physical units that differ from those in ratios. Both loop sizes are the same energy.
-_PHYSICAL = {
-    "min_force_ratio": "min_force",
-    "min_force_ratio_turning_point": "min_force_turning_point",
-    "loop_size_stiffness": "energy_per_cycle",
-    "best_force_ratio": "best_force",
-    "best_loop_size": "best_force_energy",
-    "damper_work": "damper_energy_per_cycle",
-    "periods": "followed_for",
-    "phase": "time",
-    "friction": "friction_force",
-}
-#: Scales of the outputs of `steady` and `simulate` that `response` does not have.
-_OF_MOTION = {
-    "min_displacement": "length",
-    "rest_position": "length",
-    "distance": "length",
-    "min_velocity": "velocity",
-    "energy_in": "work",
-    "energy_out": "work",
-    "damper_work": "work",
-    "periods": "period",
-    "phase": "time",
-    "duration": "time",
-    "start_displacement": "length",
-    "end_displacement": "length",
-    "displacement": "length",
-    "start_velocity": "velocity",
-    "velocity": "velocity",
-    "friction": "force",
-}
-#: The kind of quantity of each scale, of `_native.machine_columns` or derived from its scales.
-_KIND_OF_SCALE = {
-    "length": "length",
-    "velocity": "velocity",
-    "time": "time",
-    "force": "force",
-    "energy": "energy",
-    "energy_inertia": "energy",
-    "acceleration": "acceleration",
-    "work": "energy",
-    "period": "time",
+#: Physical name, scale and kind of the values of `simulate`.
+_OF_SIMULATION = {
+    "phase": ("time", "time", "time"),
+    "start_phase": ("start_time", "time", "time"),
+    "end_phase": ("end_time", "time", "time"),
+    "duration": ("duration", "time", "time"),
+    "displacement": ("displacement", "length", "length"),
+    "start_displacement": ("start_displacement", "length", "length"),
+    "end_displacement": ("end_displacement", "length", "length"),
+    "velocity": ("velocity", "velocity", "velocity"),
+    "start_velocity": ("start_velocity", "velocity", "velocity"),
+    "friction": ("friction_force", "force", "force"),
 }
 
 
@@ -63,9 +33,7 @@ def names_of(system: Optional[str], kinds: Mapping[str, str]) -> Optional[dict[s
 def in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Mapping[str, Any]) -> Physical:
     """The values of an answer that have units, by their physical names, and those of the drive."""
     sizes = {**scales, "work": scales["force"] * scales["length"], "period": 2 * np.pi * scales["time"]}
-    units = {**dict(_native.UNITS), **_OF_MOTION, "loop_size_inertia": ""}
-    if not drive.excitation.startswith("base_"):
-        units["max_absolute_displacement"] = ""
+    outputs = {**_native.physical_outputs(drive.excitation), **_OF_SIMULATION}
     physical = {
         "angular_frequency": 1.0 / scales["time"],
         "force_amplitude": ratios["alpha"] * scales["force"],
@@ -74,16 +42,12 @@ def in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Ma
     }
     kinds = dict(zip(physical, ("frequency", "force", "length", "length")))
     for name in answer._names:
-        # A damper on the moving foot dissipates by the velocity between body and foot, which is not in these.
-        if drive.excitation == "damped_foot_displacement" and name in ("damper_work", "energy_in"):
-            continue
-        scale = "time" if name.endswith("_phase") else units.get(name, "")
-        value = getattr(answer, name) if scale else None
+        value = getattr(answer, name) if name in outputs else None
         if value is not None:
-            named = _PHYSICAL.get(name, name.replace("_phase", "_time"))
+            named, scale, kind = outputs[name]
             # Friction that differs by direction is symmetric about its mean.
             physical[named] = value * sizes[scale] + (scales["mean_friction"] if name == "friction" else 0.0)
-            kinds[named] = _KIND_OF_SCALE[scale]
+            kinds[named] = kind
     return Physical(physical, names_of(drive.units, kinds))
 
 

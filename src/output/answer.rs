@@ -85,8 +85,9 @@ impl<F: Float> ResponseAnswer<'_, F> {
         [Output::Deviation];
         [Output::MinForceRatio];
         [Output::TurningPointForceRatio];
-        [Output::LoopSizeStiffness];
-        [Output::LoopSizeInertia];
+        // With more digits than those of a cycle that was rounded.
+        (Output::LoopSizeStiffness.definition()) => Number(answer.response.loop_size_stiffness);
+        (Output::LoopSizeInertia.definition()) => Number(answer.response.loop_size_inertia);
         [Output::BestForceRatio];
         [Output::BestLoopSize];
         [Output::Contraction];
@@ -106,21 +107,22 @@ impl<F: Float> ResponseAnswer<'_, F> {
         if output.definition().is_searched && !self.peaks {
             return None;
         }
+        if !self.excitation.moves_foot() {
+            return output.of(response);
+        }
         let felt = |cycle: &Cycle<F>| {
             self.excitation.transmitted(&response.ratios, F::int(0), cycle.max_acceleration())
         };
         let cycle = response.cycle.as_ref();
-        match output {
-            // With more digits than those of a cycle that was rounded.
-            Output::LoopSizeStiffness => response.loop_size_stiffness,
-            Output::LoopSizeInertia => response.loop_size_inertia,
-            Output::TransmittedForce if self.excitation.moves_foot() => cycle.map(|cycle| felt(cycle).0),
-            Output::Transmissibility if self.excitation.moves_foot() => cycle.map(|cycle| felt(cycle).1),
+        if output == Output::TransmittedForce {
+            cycle.map(|cycle| felt(cycle).0)
+        } else if output == Output::Transmissibility {
+            cycle.map(|cycle| felt(cycle).1)
+        } else if output == Output::MaxAbsoluteDisplacement {
             // The surface is fixed.
-            Output::MaxAbsoluteDisplacement if self.excitation.moves_foot() => {
-                cycle.map(|cycle| cycle.max_displacement.abs())
-            }
-            _ => output.of(response),
+            cycle.map(|cycle| cycle.max_displacement.abs())
+        } else {
+            output.of(response)
         }
     }
 }

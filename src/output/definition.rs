@@ -129,10 +129,8 @@ macro_rules! columns {
 impl Definition {
     #[must_use]
     pub const fn new(name: &'static str, measure: Measure, meaning: &'static str) -> Self {
-        let physical = match measure.kind() {
-            Kind::Ratio => Physical::Absent,
-            _ => Physical::Named(name),
-        };
+        let is_plain = matches!(measure.kind(), Kind::Ratio);
+        let physical = if is_plain { Physical::Absent } else { Physical::Named(name) };
         let (symbol, title) = ("", "");
         Self {
             name,
