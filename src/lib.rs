@@ -156,6 +156,8 @@ pub mod float;
 #[doc(hidden)]
 pub mod generators;
 mod greatest;
+#[doc(hidden)]
+pub mod machine;
 #[cfg_attr(
     not(test),
     allow(

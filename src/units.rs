@@ -7,7 +7,7 @@
 //! assert_eq!(stiffness, 12e6);
 //! let error = reader.value::<f64>("mass", "3 s", Kind::Mass).unwrap_err();
 //! assert_eq!(error.to_string(), "mass 3 s: must be a mass (kg, g, t, lb), but “s” is a unit of time");
-//! # Ok::<(), stickslip::units::UnitError>(())
+//! # Ok::<(), stickslip::units::InputError>(())
 //! ```
 //!
 //! Every unit is a ratio of two integers times a power of π, in SI base units with the radian, so that a
@@ -28,10 +28,10 @@ use core::str::FromStr;
 use std::cell::RefCell;
 use table::Unit;
 
-/// The error for a value or a unit that cannot be read: the argument, its text, and the expected form.
+/// The error of an input: the argument, its text, and the condition that it violates.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
-pub struct UnitError(String);
+pub struct InputError(pub(crate) String);
 
 /// Reads values into one system of units.
 ///
@@ -72,7 +72,7 @@ impl Reader {
     /// # Errors
     /// Where the text is no number, its unit is unknown or of another kind, or bare numbers are mixed with
     /// units.
-    pub fn value<F: Float + FromStr>(&self, name: &str, text: &str, kind: Kind) -> Result<F, UnitError> {
+    pub fn value<F: Float + FromStr>(&self, name: &str, text: &str, kind: Kind) -> Result<F, InputError> {
         let (digits, unit) = split(text);
         if unit.is_empty() || digits.is_empty() || unit.starts_with(',') {
             let value = number_of(name, text, text)?;
@@ -89,7 +89,7 @@ impl Reader {
     ///
     /// # Errors
     /// As for [`Reader::value`].
-    pub fn factor_of_column(&self, name: &str, unit: &str, kind: Kind) -> Result<Factor, UnitError> {
+    pub fn factor_of_column(&self, name: &str, unit: &str, kind: Kind) -> Result<Factor, InputError> {
         let factor = self.factor(name, &format!("[{unit}]"), unit, kind)?;
         self.seen(name, &format!("[{unit}]"), kind, true)?;
         Ok(factor)
@@ -107,7 +107,7 @@ impl Reader {
         self.first_with_unit.borrow().is_some()
     }
 
-    fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, UnitError> {
+    fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, InputError> {
         let read = table::parse(unit);
         let found = read.iter().find(|read| read.dimension == kind.dimension());
         match (found, read.first()) {
@@ -119,7 +119,7 @@ impl Reader {
                     Some(None) => "is a unit of another quantity".to_owned(),
                     Some(Some(kind)) => format!("is a unit of {}", kind.name()),
                 };
-                Err(UnitError(format!("{name} {text}: must be {}, but “{unit}” {is}", kind.expected())))
+                Err(InputError(format!("{name} {text}: must be {}, but “{unit}” {is}", kind.expected())))
             }
         }
     }
@@ -130,7 +130,7 @@ impl Reader {
         !table::parse(text).is_empty()
     }
 
-    fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), UnitError> {
+    fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), InputError> {
         if kind.is_dimensionless() {
             return Ok(());
         }
@@ -144,7 +144,7 @@ impl Reader {
             return Ok(());
         }
         let words = |cell: &RefCell<Option<String>>| cell.borrow().clone().unwrap_or_default();
-        Err(UnitError(format!(
+        Err(InputError(format!(
             "{}: has no unit beside {}. Give every value a unit, or name the system of bare numbers by {}",
             words(&self.first_bare),
             words(&self.first_with_unit),
@@ -180,21 +180,21 @@ fn split(text: &str) -> (&str, &str) {
 ///
 /// # Errors
 /// Where the text is no number, with a hint if it has a decimal comma.
-pub fn number<F: FromStr>(name: &str, text: &str) -> Result<F, UnitError> {
+pub fn number<F: FromStr>(name: &str, text: &str) -> Result<F, InputError> {
     number_of(name, text, text)
 }
 
 /// The number given by `digits`, a part of the text.
-fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, UnitError> {
+fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, InputError> {
     let digits = digits.trim();
     digits.parse().map_err(|_| {
         if text.trim().is_empty() {
-            return UnitError(format!("{name}: must be a number, but is empty"));
+            return InputError(format!("{name}: must be a number, but is empty"));
         }
         let with_point = text.replacen(',', ".", 1);
         let has_decimal_comma = text.contains(',') && split(&with_point).0.parse::<F>().is_ok();
         let hint = if has_decimal_comma { ", with a decimal point in place of the comma" } else { "" };
-        UnitError(format!("{name} {text}: must be a number{hint}"))
+        InputError(format!("{name} {text}: must be a number{hint}"))
     })
 }
 

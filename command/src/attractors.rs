@@ -6,7 +6,7 @@ use crate::args::{AttractorsArgs, Format, Header};
 use crate::bits::digits;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::given::Given;
+use crate::given;
 use crate::input;
 use crate::note::{both, decay, measured_from};
 use crate::outputs::{ATTRACTOR, FIRST_V, FIRST_X, MIRROR, REST_FROM, REST_TO, SHARE, STARTS};
@@ -24,6 +24,7 @@ use stickslip::definitions::{
     TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
 };
 use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyOutput, SteadyState};
+use stickslip::machine::{Given, Role};
 
 /// The greatest number of starts, whose limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -40,7 +41,7 @@ impl<W: Write> Task for Run<'_, W> {
         let Self(args, out) = self;
         let periods = input::periods(args.max_periods)?;
         let count = input::count("--starts", &args.starts, MOST_STARTS)?;
-        let given = Given::<F>::of(&args.machine, &args.force, &args.units.reader())?;
+        let given = given::read::<F>(&args.machine, &args.units.reader())?;
         let point = input::point(&given)?;
         let reach = reach(args.reach.as_deref(), &point.ratios)?;
         let at = |number| start(number, reach);
@@ -206,9 +207,9 @@ impl<'a, F: Value> Answer<'a, F> {
         Self {
             omega: number(ratios.omega()),
             alpha: number(ratios.alpha()),
-            damping_ratio: given.has_damper().then(|| number(ratios.damping_ratio())),
+            damping_ratio: given.has_role(Role::Damper).then(|| number(ratios.damping_ratio())),
             static_friction_ratio: given
-                .has_static_friction()
+                .has_role(Role::StaticFriction)
                 .then(|| number(ratios.static_friction_ratio())),
             starts: all.of_start.len() as u64,
             reach: number(reach),

@@ -1,24 +1,25 @@
 //! Points over grids: each argument is a single value or a grid of values.
 
-use crate::args::{ForceArgs, MachineArgs};
+use crate::args::MachineArgs;
 use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter, note_percentage};
+use crate::given::note_percentage;
 use crate::grid::Grid;
+use stickslip::machine::{Given, Input, Naming};
 use stickslip::units::Reader;
 
 /// The points of all grids, each computed from its number alone; the last grid varies fastest.
 #[derive(Clone)]
 pub(crate) struct Axes<F> {
     fixed: Given<F>,
-    grids: Vec<(Parameter, Grid<F>)>,
+    grids: Vec<(Input, Grid<F>)>,
 }
 
 impl<F: Value> Axes<F> {
     /// The typed parameters that the command uses.
-    pub(crate) fn new(machine: &MachineArgs, force: &ForceArgs, reader: &Reader) -> Result<Self, Failure> {
-        let (mut fixed, mut grids) = (Given::empty(reader.system()), Vec::new());
-        for (parameter, text) in Given::<F>::typed(machine, force) {
+    pub(crate) fn new(machine: &MachineArgs, reader: &Reader) -> Result<Self, Failure> {
+        let (mut fixed, mut grids) = (Given::empty(reader, Naming::Option), Vec::new());
+        for &(parameter, ref text) in machine.iter() {
             let grid = Grid::with_units(parameter.option(), text, reader, parameter.kind())?;
             note_percentage(parameter, text, grid.ends().1);
             if grid.len() == 1 {
@@ -36,7 +37,7 @@ impl<F: Value> Axes<F> {
     }
 
     /// The grids, slowest first.
-    pub(crate) fn grids(&self) -> &[(Parameter, Grid<F>)] {
+    pub(crate) fn grids(&self) -> &[(Input, Grid<F>)] {
         &self.grids
     }
 
@@ -46,12 +47,12 @@ impl<F: Value> Axes<F> {
     }
 
     /// Whether a parameter is given, as one value or as a grid.
-    pub(crate) fn has(&self, parameter: Parameter) -> bool {
+    pub(crate) fn has(&self, parameter: Input) -> bool {
         self.fixed.has(parameter) || self.grids.iter().any(|(p, _)| *p == parameter)
     }
 
     /// Replaces a single value, or none, by a grid.
-    pub(crate) fn make_grid(&mut self, parameter: Parameter, grid: Grid<F>) {
+    pub(crate) fn make_grid(&mut self, parameter: Input, grid: Grid<F>) {
         if let Some(value) = self.fixed.take(parameter) {
             self.grids.push((parameter, Grid::List(vec![value])));
         } else {
@@ -60,7 +61,7 @@ impl<F: Value> Axes<F> {
     }
 
     /// The same grids in another order.
-    pub(crate) fn order<const N: usize>(&mut self, grids: [(Parameter, Grid<F>); N]) {
+    pub(crate) fn order<const N: usize>(&mut self, grids: [(Input, Grid<F>); N]) {
         self.grids = grids.into();
     }
 
@@ -80,7 +81,7 @@ impl<F: Value> Axes<F> {
         given
     }
 
-    fn each(&self, point: u64, mut take: impl FnMut(Parameter, F)) {
+    fn each(&self, point: u64, mut take: impl FnMut(Input, F)) {
         let mut rest = point;
         for (parameter, grid) in self.grids.iter().rev() {
             take(*parameter, grid.value(rest % grid.len()));

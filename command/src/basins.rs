@@ -6,7 +6,7 @@ use crate::bits::digits;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::given::Given;
+use crate::given;
 use crate::grid::Grid;
 use crate::input;
 use crate::machine::Machine;
@@ -59,7 +59,7 @@ impl<F: Value> Basins<F> {
     fn new(args: &BasinsArgs) -> Result<Self, Failure> {
         let periods = input::periods(args.max_periods)?;
         let reader = args.units.reader();
-        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
+        let given = given::read::<F>(&args.machine, &reader)?;
         let point = input::point(&given)?;
         let scales = point.machine.as_ref().map(|m| m.scales);
         let reach: F = reach(None, &point.ratios)?;

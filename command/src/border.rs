@@ -1,13 +1,14 @@
 //! `stickslip border`.
 
-use crate::args::{BorderArgs, ForceArgs, Format};
+use crate::args::{BorderArgs, Format, used};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter};
+use crate::given::{self, behind_all};
 use crate::input::BorderPoint;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
+use stickslip::machine::{Given, Role};
 use stickslip::{Error, Ratios, Response};
 use stickslip::{NoStop, no_stop_force_ratios};
 
@@ -42,13 +43,13 @@ pub(crate) fn record<F: Value>(
     // The border does not depend on the force, here r_y.
     let answer = Response::guarded(point.ratios);
     let found = with_no_stop.then(|| no_stop(point.ratios)).transpose();
-    let found = found.map_err(|e| given.at_fault(e))?;
+    let found = found.map_err(|e| given.at_fault(&e))?;
     let mut record = Record::of_border(given, &answer);
     if let Some(found) = &found {
         record = record.with_no_stop(found);
     }
     let record = match &point.physical {
-        Some(scales) => record.with_border_scales(scales).finite().map_err(|e| given.behind_all(e))?,
+        Some(scales) => record.with_border_scales(scales).finite().map_err(|e| behind_all(given, e))?,
         None => record,
     };
     Ok((answer, found, record))
@@ -58,11 +59,11 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
         let reader = args.output.units.reader();
-        let given = Given::<F>::of(&args.machine, &ForceArgs::default(), &reader)?;
+        let given = given::read::<F>(&args.machine, &reader)?;
         if let Some(file) = &args.output.points {
-            let (used, ratios) = (&Parameter::BORDER, &[Parameter::Omega]);
             let (output, reader) = (&args.output, &reader);
-            let asked = points::Asked { file, output, reader, given, used, ratios, start: None };
+            let used = used::columns("border");
+            let asked = points::Asked { file, output, reader, given, used, start: None };
             return points::run(asked, out, |given| {
                 record(given, &input::border_point(given)?, args.no_stop).map(|(_, _, record)| record)
             });

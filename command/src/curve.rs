@@ -7,7 +7,7 @@ use crate::args::{Curve, CurveArgs};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::given::{Given, Parameter as P};
+use crate::given::behind_all;
 use crate::grid::Grid;
 use crate::input::{self, Point};
 use crate::interrupt;
@@ -19,6 +19,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
+use stickslip::machine::{Given, Input, Naming};
 use stickslip::units::{Reader, System};
 use stickslip_figures::{Origin, resolved};
 
@@ -68,9 +69,9 @@ struct Line {
 /// The request: the quantity over one axis, for each value of another.
 struct Asked {
     what: Curve,
-    axis: P,
+    axis: Input,
     grid: Grid<f64>,
-    other: Option<(P, Grid<f64>, Vec<String>)>,
+    other: Option<(Input, Grid<f64>, Vec<String>)>,
     given: Given<f64>,
     system: System,
 }
@@ -93,15 +94,15 @@ impl Place {
 
 impl Asked {
     fn new(args: &CurveArgs, reader: &Reader) -> Result<Self, Failure> {
-        let mut given = Given::empty(reader.system());
+        let mut given = Given::empty(reader, Naming::Option);
         let (mut grid, mut other) = (None, None);
-        for (parameter, text) in Given::<f64>::typed(&args.machine, &args.force) {
+        for &(parameter, ref text) in args.machine.iter() {
             let name = parameter.option();
             let values = Grid::with_units(name, text, reader, parameter.kind())?;
-            let is_axis = matches!(parameter, P::Omega | P::Frequency) && values.len() > 1;
+            let is_axis = matches!(parameter, Input::Omega | Input::Frequency) && values.len() > 1;
             if is_axis {
                 if let Some((first, _)) = grid.replace((parameter, values)) {
-                    let first: P = first;
+                    let first: Input = first;
                     return Err(Failure::Input(format!(
                         "{} and {name}: give one of the two as a grid",
                         first.option()
@@ -116,7 +117,7 @@ impl Asked {
                 }
                 let texts = text.split(',').map(|part| part.trim().to_owned()).collect();
                 if let Some((first, ..)) = other.replace((parameter, values, texts)) {
-                    let first: P = first;
+                    let first: Input = first;
                     return Err(Failure::Input(format!(
                         "{} and {name}: only one of them may be a list",
                         first.option()
@@ -171,8 +172,8 @@ impl Asked {
         }
         let natural = match &first.machine {
             // A machine that is tuned to each frequency has no natural frequency of its own.
-            Some(_) if self.axis == P::Frequency && given.has(P::Omega) => f64::NAN,
-            Some(machine) if self.axis == P::Frequency => machine.oscillator.natural_frequency(),
+            Some(_) if self.axis == Input::Frequency && given.has(Input::Omega) => f64::NAN,
+            Some(machine) if self.axis == Input::Frequency => machine.oscillator.natural_frequency(),
             Some(_) | None => 1.0,
         };
         let xs: Vec<f64> = self.grid.values().collect();
@@ -220,7 +221,7 @@ impl Asked {
         let response = Response::new(point.ratios);
         let margin = margin(&response);
         let (value, regime, sticks) = self.value(&point, &response)?;
-        Cell::Number(value).finite(words(self.what)).map_err(|e| given.behind_all(e))?;
+        Cell::Number(value).finite(words(self.what)).map_err(|e| behind_all(given, e))?;
         Ok(Place { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
     }
 
@@ -243,7 +244,7 @@ impl Asked {
 
     /// A value of the axis in its unit: hertz, or 1 for Ω.
     fn in_units(&self, x: f64) -> f64 {
-        if self.axis == P::Frequency { x / TAU } else { x }
+        if self.axis == Input::Frequency { x / TAU } else { x }
     }
 
     fn is_machine(&self) -> bool {
@@ -257,7 +258,7 @@ impl Asked {
             .label()
             .rsplit_once('(')
             .map_or("p₀".to_owned(), |(_, u)| u.trim_end_matches(')').to_owned());
-        let axis = if self.axis == P::Frequency { "frequency[Hz]" } else { "omega[1]" };
+        let axis = if self.axis == Input::Frequency { "frequency[Hz]" } else { "omega[1]" };
         let mut writer = csv::Writer::from_writer(out);
         writer.write_record(["curve", axis, "regime", &format!("{what}[{unit}]"), "margin[1]", "point"])?;
         for line in lines {

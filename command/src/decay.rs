@@ -1,9 +1,9 @@
 //! `stickslip decay`.
 
-use crate::args::{DecayArgs, ForceArgs, Format};
+use crate::args::{DecayArgs, Format};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter as P};
+use crate::given;
 use crate::note::{self, both};
 use crate::outputs::{DAMPING_RATIO, STATIC_FRICTION_RATIO, key};
 use crate::physical::Physical;
@@ -11,6 +11,7 @@ use crate::record::{Cell, Record};
 use std::io::Write;
 use stickslip::definitions::REST_POSITION;
 use stickslip::exact::FreeDecay;
+use stickslip::machine::{Given, Input, Role};
 use stickslip::units::{Kind, System};
 use stickslip::{Drive, Excitation, Measure, Oscillator, Quantity};
 
@@ -40,7 +41,7 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
         let reader = args.units.reader();
-        let given = Given::<F>::of(&args.machine, &ForceArgs::default(), &reader)?;
+        let given = given::read::<F>(&args.machine, &reader)?;
         let (scales, frictions) = body(&given)?;
         let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
         let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
@@ -53,7 +54,7 @@ impl<W: Write> Task for Run<'_, W> {
         let zeta = frictions.damping.unwrap_or(F::int(0));
         let eta = frictions.static_friction.unwrap_or(F::int(1));
         let decay = FreeDecay::new(x, v, zeta, eta).map_err(|e| match e.quantity() {
-            Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(e),
+            Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(&e).into(),
             Some(Quantity::Velocity) => Failure::Input(format!("--v0 {}: {e}", args.v0)),
             _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
         })?;
@@ -124,16 +125,18 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions:
 
 /// The scales of the machine, if there is one, and its damping and static friction.
 fn body<F: Value>(given: &Given<F>) -> Result<(Option<Scales<F>>, Frictions<F>), Failure> {
-    let (zeta, eta) = (given.get(P::DampingRatio), given.get(P::StaticFrictionRatio));
+    let (zeta, eta) = (given.get(Input::DampingRatio), given.get(Input::StaticFrictionRatio));
     if !given.is_physical() {
         return Ok((None, Frictions { damping: zeta, static_friction: eta }));
     }
     let body = given.oscillator()?;
     let frictions = Frictions {
-        damping: given.has_damper().then(|| zeta.unwrap_or(body.damping_ratio())),
-        static_friction: given.has_static_friction().then(|| eta.unwrap_or(body.static_friction_ratio())),
+        damping: given.has_role(Role::Damper).then(|| zeta.unwrap_or(body.damping_ratio())),
+        static_friction: given
+            .has_role(Role::StaticFriction)
+            .then(|| eta.unwrap_or(body.static_friction_ratio())),
     };
-    let shifted = given.has(P::MeanForce) || given.has(P::FrictionBackward);
+    let shifted = given.has(Input::MeanForce) || given.has(Input::FrictionBackward);
     let scales = Scales {
         length: body.friction_displacement(),
         time: F::int(1) / body.natural_frequency(),
@@ -149,5 +152,5 @@ fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>) -> Result
         .and_then(|drive| given.with_mean_force(drive))
         .and_then(|drive| stickslip::Scales::new(body, &drive))
         .map(|scales| scales.mean_displacement)
-        .map_err(|e| given.at_fault(e))
+        .map_err(|e| given.at_fault(&e).into())
 }

@@ -5,47 +5,38 @@ mod found;
 #[cfg(feature = "mp")]
 mod motion;
 
-use crate::args::{MachineArgs, OutputArgs};
+use crate::args::{BodyArgs, MachineArgs, OutputArgs, Typed};
 use crate::failure::{Failure, Outcome};
 use std::io::Write;
+use stickslip::machine::Input;
 
-/// The typed ratio, or an error if it is missing.
-fn typed<'a>(option: &str, text: &'a Option<String>) -> Result<&'a str, Failure> {
-    text.as_deref().ok_or_else(|| Failure::Input(format!("{option} is missing")))
+/// A ratio as typed, or an error if it is missing.
+fn typed<const PARTS: u8>(machine: &Typed<PARTS>, input: Input) -> Result<&str, Failure> {
+    machine.text(input).ok_or_else(|| Failure::Input(format!("{} is missing", input.option())))
 }
 
 /// `response --enclose`.
-pub(crate) fn response(
-    machine: &MachineArgs,
-    alpha: &Option<String>,
-    output: &OutputArgs,
-    out: &mut impl Write,
-) -> Outcome {
-    let ratios = (typed("--omega", &machine.omega)?, typed("--alpha", alpha)?);
+pub(crate) fn response(machine: &MachineArgs, output: &OutputArgs, out: &mut impl Write) -> Outcome {
+    let ratios = (typed(machine, Input::Omega)?, typed(machine, Input::Alpha)?);
     enclosed_response(ratios, others(machine), output, out)
 }
 
 /// `border --enclose`.
-pub(crate) fn border(machine: &MachineArgs, output: &OutputArgs, out: &mut impl Write) -> Outcome {
-    enclosed_border(typed("--omega", &machine.omega)?, others(machine), output, out)
+pub(crate) fn border(machine: &BodyArgs, output: &OutputArgs, out: &mut impl Write) -> Outcome {
+    enclosed_border(typed(machine, Input::Omega)?, others(machine), output, out)
 }
 
 /// `steady --enclose`.
-pub(crate) fn steady(
-    machine: &MachineArgs,
-    alpha: &Option<String>,
-    output: &OutputArgs,
-    out: &mut impl Write,
-) -> Outcome {
-    let ratios = (typed("--omega", &machine.omega)?, typed("--alpha", alpha)?);
+pub(crate) fn steady(machine: &MachineArgs, output: &OutputArgs, out: &mut impl Write) -> Outcome {
+    let ratios = (typed(machine, Input::Omega)?, typed(machine, Input::Alpha)?);
     enclosed_steady(ratios, others(machine), output, out)
 }
 
 /// The damping ratio and the static friction ratio as typed.
 type Others<'a> = (Option<&'a str>, Option<&'a str>);
 
-fn others(machine: &MachineArgs) -> Others<'_> {
-    (machine.damping_ratio.as_deref(), machine.static_friction_ratio.as_deref())
+fn others<const PARTS: u8>(machine: &Typed<PARTS>) -> Others<'_> {
+    (machine.text(Input::DampingRatio), machine.text(Input::StaticFrictionRatio))
 }
 
 #[cfg(feature = "mp")]

@@ -3,7 +3,7 @@
 use crate::args::{Format, IdentifyArgs};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter as P};
+use crate::given;
 use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::Serialize;
@@ -12,6 +12,7 @@ use std::io::Write;
 use std::iter::zip;
 use std::path::Path;
 use stickslip::design::{self, AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading};
+use stickslip::machine::{Given, Input, Role};
 use stickslip::uncertainty::Estimate;
 use stickslip::units::{Factor, Kind, Reader};
 use stickslip::{Error, Oscillator};
@@ -26,7 +27,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
         return Err(Failure::Input("--format: the answer to identify is text or json".to_owned()));
     }
     let reader = args.units.reader();
-    let given = Given::<f64>::of(&args.machine, &args.force, &reader)?;
+    let given = given::read::<f64>(&args.machine, &reader)?;
     let body = body(&given)?;
     let force = force(&given, &body)?;
     let name = args.file.display().to_string();
@@ -39,7 +40,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
         }
         // The message names the arguments if they are wrong, and otherwise the file.
         match e.quantity() {
-            Some(_) => given.at_fault(e).about(&name),
+            Some(_) => Failure::from(given.at_fault(&e)).about(&name),
             None => Failure::Input(format!("{name}: {e}")),
         }
     })?;
@@ -53,15 +54,14 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
 
 /// Mass and spring; friction is unknown.
 fn body(given: &Given<f64>) -> Result<Oscillator<f64>, Failure> {
-    let missing = || Failure::Input("--stiffness (or --period) is missing".to_owned());
-    let stiffness = given.stiffness()?.ok_or_else(missing)?;
-    Oscillator::new(given.mass()?, stiffness, 1.0).map_err(|e| given.at_fault(e))
+    let stiffness = given.stiffness()?.ok_or_else(|| given.missing(&Input::of_role(Role::Spring)))?;
+    Oscillator::new(given.mass()?, stiffness, 1.0).map_err(|e| given.at_fault(&e).into())
 }
 
 /// The amplitude of the force, which must be the same at every frequency.
 fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
-    match given.one_of(&P::DRIVES)? {
-        Some((P::BaseVelocity | P::BaseDisplacement, _)) => Err(Failure::Input(
+    match given.one_of(Role::Drive)? {
+        Some((Input::BaseVelocity | Input::BaseDisplacement, _)) => Err(Failure::Input(
             "--base-velocity and --base-displacement: their force changes with the frequency. Measure at one \
              --base-acceleration"
                 .to_owned(),

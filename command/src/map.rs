@@ -9,7 +9,6 @@ use crate::args::{MapArgs, Swept};
 use crate::axes::Axes;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::given::{Given, Parameter as P};
 use crate::grid::Grid;
 use crate::input;
 use crate::interrupt;
@@ -19,6 +18,7 @@ use crate::record::Cell;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
+use stickslip::machine::{Given, Input};
 use stickslip::units::{Kind, System};
 use stickslip::{Output, Response};
 
@@ -105,13 +105,13 @@ struct Map<'a> {
     /// The kind of the values, if they are in the machine's units.
     kind: Option<Kind>,
     axes: Axes<f64>,
-    across: (P, Grid<f64>),
-    up: (P, Grid<f64>),
+    across: (Input, Grid<f64>),
+    up: (Input, Grid<f64>),
     system: System,
 }
 
 /// The default grids of a map.
-const DEFAULT: [(P, &str); 2] = [(P::Omega, "0.0525:1.9975:390"), (P::Alpha, "0.025:7.975:160")];
+const DEFAULT: [(Input, &str); 2] = [(Input::Omega, "0.0525:1.9975:390"), (Input::Alpha, "0.025:7.975:160")];
 
 pub(crate) fn run(args: &MapArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new(args.out.as_deref(), args.overwrite)?;
@@ -123,7 +123,7 @@ impl<'a> Map<'a> {
     fn new(args: &'a MapArgs) -> Result<Self, Failure> {
         let quantity = Quantity::parse(&args.quantity);
         let reader = args.units.reader();
-        let mut axes = Axes::new(&args.machine, &args.force, &reader)?;
+        let mut axes = Axes::new(&args.machine, &reader)?;
         if !axes.is_physical() {
             for (parameter, text) in DEFAULT {
                 if axes.grids().len() < 2 && axes.grids().iter().all(|(p, _)| *p != parameter) {
@@ -131,7 +131,7 @@ impl<'a> Map<'a> {
                 }
             }
         }
-        let is_across = |p: P| matches!(p, P::Omega | P::Frequency);
+        let is_across = |p: Input| matches!(p, Input::Omega | Input::Frequency);
         let (across, up) = match axes.grids() {
             [a, b] if is_across(b.0) && !is_across(a.0) => (b.clone(), a.clone()),
             [a, b] => (a.clone(), b.clone()),
@@ -170,7 +170,7 @@ impl<'a> Map<'a> {
     }
 
     /// The unit of a parameter on an axis, and the scale of its values.
-    fn on_axis(&self, parameter: P) -> (String, f64) {
+    fn on_axis(&self, parameter: Input) -> (String, f64) {
         let kind = parameter.kind();
         if kind == Kind::Ratio {
             (String::new(), 1.0)
@@ -185,7 +185,7 @@ impl<'a> Map<'a> {
     }
 
     fn table(&self, quantity: &str, out: &mut impl Write) -> Outcome {
-        let column = |parameter: P| match self.on_axis(parameter).0 {
+        let column = |parameter: Input| match self.on_axis(parameter).0 {
             unit if unit.is_empty() => parameter.column(),
             unit => format!("{}[{}]", parameter.column(), plain(&unit)),
         };

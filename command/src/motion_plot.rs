@@ -3,7 +3,7 @@
 use crate::args::{MotionPlotArgs, Picture};
 use crate::failure::{Failure, Outcome};
 use crate::figure;
-use crate::given::Given;
+use crate::given;
 use crate::input;
 use crate::machine::Machine;
 use crate::steady::of_motion;
@@ -20,7 +20,7 @@ const CYCLES: u32 = 2;
 pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let picture = args.out.as_deref().map_or(Ok(Picture::Svg), figure::picture_of)?;
     let reader = args.units.reader();
-    let given = Given::<f64>::of(&args.machine, &args.force, &reader)?;
+    let given = given::read::<f64>(&args.machine, &reader)?;
     let point = input::point(&given)?;
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let named = |e: stickslip::Error| of_motion(&given, e);

@@ -3,7 +3,6 @@
 use crate::args::{Format, Header, OutputArgs, StartArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter};
 use crate::input::number;
 use crate::interrupt;
 use crate::outputs;
@@ -16,6 +15,7 @@ use std::cell::RefCell;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
+use stickslip::machine::{Given, Input, Role};
 use stickslip::units::{Factor, Kind, Reader};
 
 /// The time after which answers are written, even if more are coming.
@@ -29,10 +29,8 @@ pub(crate) struct Asked<'a, F> {
     /// The quantities that all rows share.
     pub(crate) given: Given<F>,
     /// The columns that are read. A note names all others.
-    pub(crate) used: &'a [Parameter],
-    /// The columns that a file of ratios requires.
-    pub(crate) ratios: &'a [Parameter],
-    /// The arguments of the start, if the command has one; its columns are then read, too.
+    pub(crate) used: Vec<Input>,
+    /// The arguments of the start, if the command has one.
     pub(crate) start: Option<&'a StartArgs>,
 }
 
@@ -64,7 +62,7 @@ pub(crate) fn run<F: Value>(
 
 /// A column that is read.
 struct Column {
-    parameter: Parameter,
+    parameter: Input,
     place: usize,
     name: String,
     kind: Kind,
@@ -92,15 +90,11 @@ fn answer_all<F: Value, W: Write>(
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
     let (columns, is_machine) = columns(&header, name, &asked)?;
-    let Asked { mut given, used, ratios, reader: units, output, .. } = asked;
-    let has = |p: Parameter| given.has(p) || columns.iter().any(|column| column.parameter == p);
-    let needed: Vec<&[Parameter]> = if is_machine {
-        let is_needed = |several: &&[Parameter]| several.iter().any(|p| used.contains(p));
-        Parameter::OF_A_MACHINE.into_iter().filter(is_needed).collect()
-    } else {
-        ratios.chunks(1).collect()
-    };
-    if let Some(missing) = needed.into_iter().find(|several| !several.iter().any(|p| has(*p))) {
+    let Asked { mut given, used, reader: units, output, .. } = asked;
+    let has = |p: Input| given.has(p) || columns.iter().any(|column| column.parameter == p);
+    let needed = if is_machine { of_a_machine() } else { vec![vec![Input::Omega], vec![Input::Alpha]] };
+    let mut needed = needed.into_iter().filter(|several| several.iter().any(|p| used.contains(p)));
+    if let Some(missing) = needed.find(|several| !several.iter().any(|p| has(*p))) {
         let found = header.iter().collect::<Vec<_>>().join(",");
         let names: Vec<_> = missing.iter().map(|p| format!("{} (or {})", p.column(), p.option())).collect();
         let hint = if header.len() == 1 && found.contains([';', '\t']) {
@@ -159,9 +153,16 @@ fn answer_all<F: Value, W: Write>(
     Ok(())
 }
 
+/// The inputs of a machine under its drive: one of each group.
+fn of_a_machine() -> Vec<Vec<Input>> {
+    let tuned = [Input::of_role(Role::Spring), vec![Input::Omega]].concat();
+    let [friction, frequency, drive] = [Role::Friction, Role::Frequency, Role::Drive].map(Input::of_role);
+    vec![vec![Input::Mass], tuned, friction, frequency, drive]
+}
+
 /// A known column of the header.
 struct Named<'a> {
-    parameter: Parameter,
+    parameter: Input,
     place: usize,
     own: &'a str,
     unit: Option<&'a str>,
@@ -176,26 +177,21 @@ fn columns<F: Value>(
     asked: &Asked<'_, F>,
 ) -> Result<(Vec<Column>, bool), Failure> {
     let Asked { used, given, reader, start, .. } = asked;
-    let starts = if start.is_some() { Parameter::START.as_slice() } else { &[] };
-    let known = || used.iter().chain(starts).copied();
-    let is_typed = |p: Parameter| match (p, start) {
-        (Parameter::X0, Some(start)) => start.x0.is_some(),
-        (Parameter::V0, Some(start)) => start.v0.is_some(),
-        (p, _) => given.has(p),
-    };
+    let known = || used.iter().copied();
+    let is_typed = |p: Input| given.has(p) || start.is_some_and(|start| start.text(p).is_some());
     let (mut found, mut unread): (Vec<Named<'_>>, Vec<&str>) = (Vec::new(), Vec::new());
     for (place, text) in header.iter().enumerate() {
         let (own, unit) = name_and_unit(text);
         let plain = own.to_lowercase().replace(['-', ' '], "_");
         let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
-        let by_symbol = || known().find(|p| p.short() == Some(plain.as_str()));
+        let by_symbol = || known().find(|p| p.letter() == Some(plain.as_str()));
         let Some(parameter) = known().find(|p| p.is_column(&plain)).or_else(by_symbol) else {
             // A misspelt column must not be ignored.
             if let Some(p) = known().find(|p| is_misspelt(&plain, &p.column())) {
                 return refused(&format!("is unknown. Spell it {}, or rename it", p.column()));
             }
             // The answers of an earlier run are no input, and nobody takes them for one.
-            let is_input = Parameter::ALL.iter().any(|p| p.is_column(&plain));
+            let is_input = Input::ALL.iter().any(|p| p.is_column(&plain));
             if is_input || outputs::find(&plain).is_none() {
                 unread.push(own);
             }
@@ -216,28 +212,17 @@ fn columns<F: Value>(
         let (columns, are) = if unread.len() == 1 { ("column", "is") } else { ("columns", "are") };
         progress::note(&format!("{name}: {columns} {} {are} not used", unread.join(", ")));
     }
-    let has = |p: Parameter| given.has(p) || found.iter().any(|named| named.parameter == p);
+    let has = |p: Input| given.has(p) || found.iter().any(|named| named.parameter == p);
     let is_machine = known().any(|p| p.is_physical() && has(p));
     let columns = found.into_iter().map(|Named { parameter, place, own, unit }| {
-        let is_ratio = !is_machine && Parameter::START.contains(&parameter);
+        let is_ratio = !is_machine && parameter.role() == Role::Start;
         let kind = if is_ratio { Kind::Ratio } else { parameter.kind() };
-        let unit = unit.filter(|unit| kind != Kind::Ratio || !own_units(parameter).contains(unit));
+        let unit = unit.filter(|unit| kind != Kind::Ratio || !parameter.ratio_units().contains(unit));
         let in_header = |unit| reader.factor_of_column(&format!("{name}: column {own}"), unit, kind);
         let factor = unit.map(in_header).transpose()?;
         Ok(Column { parameter, place, name: own.to_owned(), kind, factor })
     });
     Ok((columns.collect::<Result<_, Failure>>()?, is_machine))
-}
-
-/// The units of a ratio, as other files of this command have them.
-const fn own_units(parameter: Parameter) -> &'static [&'static str] {
-    if matches!(parameter, Parameter::X0) {
-        &["B"]
-    } else if matches!(parameter, Parameter::V0) {
-        &["B ω_d", "B wd"]
-    } else {
-        &["1"]
-    }
 }
 
 /// Flushes the answers before each wait for more input, so that a live pipe sees them at once.

@@ -1,13 +1,14 @@
 //! `stickslip response`.
 
-use crate::args::{Format, ResponseArgs};
+use crate::args::{Format, ResponseArgs, used};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter};
+use crate::given::{self, behind_all};
 use crate::input::Point;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
+use stickslip::machine::Given;
 use stickslip::{Excitation, Response, ResponseAnswer};
 
 /// The command with its arguments and its output.
@@ -15,7 +16,7 @@ struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
 
 pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
-        return enclose::response(&args.machine, &args.force.alpha, &args.output, out);
+        return enclose::response(&args.machine, &args.output, out);
     }
     bits::run(args.output.bits, Run(args, out))
 }
@@ -24,11 +25,11 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
         let reader = args.output.units.reader();
-        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
+        let given = given::read::<F>(&args.machine, &reader)?;
         if let Some(file) = &args.output.points {
-            let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
             let (output, reader) = (&args.output, &reader);
-            let asked = points::Asked { file, output, reader, given, used, ratios, start: None };
+            let used = used::columns("response");
+            let asked = points::Asked { file, output, reader, given, used, start: None };
             return points::run(asked, out, |given| {
                 answer(given, &input::point(given)?, true).map(|(_, record)| record)
             });
@@ -54,7 +55,7 @@ pub(crate) fn answer<F: Value>(
     let found = ResponseAnswer { response: &response, excitation, peaks };
     let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
     let record = match &point.machine {
-        Some(machine) => record.with_machine(machine).finite().map_err(|e| given.behind_all(e))?,
+        Some(machine) => record.with_machine(machine).finite().map_err(|e| behind_all(given, e))?,
         None => record,
     };
     Ok((response, record))

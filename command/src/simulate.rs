@@ -3,7 +3,7 @@
 use crate::args::{Format, Header, SimulateArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::given::Given;
+use crate::given;
 use crate::input;
 use crate::interrupt;
 use crate::machine::Machine;
@@ -45,7 +45,7 @@ impl<W: Write> Task for Run<'_, W> {
             }
         };
         let reader = args.units.reader();
-        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
+        let given = given::read::<F>(&args.machine, &reader)?;
         let point = input::point(&given)?;
         refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
         let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;

@@ -3,7 +3,6 @@
 use crate::args::{Header, RowsArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::Given;
 use crate::interrupt;
 use crate::output::{Lines, named};
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO, key};
@@ -16,6 +15,7 @@ use std::path::Path;
 use stickslip::Ratios;
 use stickslip::definitions::LIMIT;
 use stickslip::exact::{Attractors, LongRun, Signature, State, SteadyOutput, Trajectory};
+use stickslip::machine::Given;
 
 /// A number of starts of one machine, each computed from its number.
 pub(crate) struct Starts<F, S> {

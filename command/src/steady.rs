@@ -2,17 +2,18 @@
 
 mod note;
 
-use crate::args::{Format, SteadyArgs};
+use crate::args::{Format, SteadyArgs, used};
 use crate::bits::{self, Task, Value};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter};
+use crate::given::{self, behind_all};
 use crate::input::{self, Point};
 use crate::interrupt;
 use crate::points;
 use crate::record::Record;
 use std::io::Write;
 use stickslip::exact::{LongRun, State, SteadyAnswer};
+use stickslip::machine::Given;
 use stickslip::{Error, Excitation, Quantity};
 
 use note::note;
@@ -22,7 +23,7 @@ struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
-        return enclose::steady(&args.machine, &args.force.alpha, &args.output, out);
+        return enclose::steady(&args.machine, &args.output, out);
     }
     bits::run(args.output.bits, Run(args, out))
 }
@@ -32,16 +33,15 @@ impl<W: Write> Task for Run<'_, W> {
         let Self(args, out) = self;
         input::periods(args.max_periods)?;
         let reader = args.output.units.reader();
-        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
+        let given = given::read::<F>(&args.machine, &reader)?;
         let answer = |given: &Given<F>, point: &Point<F>| {
             let start = input::start(&args.start, given, point.machine.as_ref(), &reader)?;
             answer(given, point, start, args.max_periods, true)
         };
         if let Some(file) = &args.output.points {
-            let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
-            let start = Some(&args.start);
-            let asked =
-                points::Asked { file, output: &args.output, reader: &reader, given, used, ratios, start };
+            let (used, start) = (used::columns("steady"), Some(&args.start));
+            let (output, reader) = (&args.output, &reader);
+            let asked = points::Asked { file, output, reader, given, used, start };
             return points::run(asked, out, |given| {
                 answer(given, &input::point(given)?).map(|(_, record)| record)
             });
@@ -83,10 +83,10 @@ fn of_limit<F: Value>(
     peaks: bool,
 ) -> Result<Record<F>, Failure> {
     let excitation = point.machine.as_ref().map_or(Excitation::Force, |machine| machine.drive.excitation());
-    let found = SteadyAnswer::new(point.ratios, excitation, limit, peaks).map_err(|e| given.at_fault(e))?;
+    let found = SteadyAnswer::new(point.ratios, excitation, limit, peaks).map_err(|e| given.at_fault(&e))?;
     let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
     match &point.machine {
-        Some(machine) => record.with_machine(machine).finite().map_err(|e| given.behind_all(e)),
+        Some(machine) => record.with_machine(machine).finite().map_err(|e| behind_all(given, e)),
         None => Ok(record),
     }
 }
@@ -94,7 +94,7 @@ fn of_limit<F: Value>(
 /// The failure, preceded by the argument for which the exact motion cannot be computed.
 pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
     if matches!(error.quantity(), Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio)) {
-        return given.at_fault(error);
+        return given.at_fault(&error).into();
     }
     Failure::from(error).about("--omega or --frequency")
 }

@@ -32,7 +32,7 @@ impl<W: Write> Task for Run<'_, W> {
                 "--out {name}: the name must end in .csv, .jsonl or .parquet, or --format be given"
             )));
         };
-        let axes = Axes::new(&args.machine, &args.force, &args.units.reader())?;
+        let axes = Axes::new(&args.machine, &args.units.reader())?;
         let rows = Rows::<F>::new(args, axes)?;
         let part = part(args.shard.as_deref(), rows.len())?;
         if args.resume && args.out.is_none() {

@@ -7,7 +7,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
 use stickslip::exact::SteadyOutput;
-use stickslip::units::{Kind, Reader, System, UnitError};
+use stickslip::machine::{Given, Input, Naming};
+use stickslip::units::{InputError, Kind, Reader, System};
 use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales, definitions};
 
 /// Mass, stiffness, friction bound of forward motion, that of backward motion (NaN if equal), damping
@@ -22,32 +23,51 @@ pub(crate) fn body(
     body.with_damping(damping)?.with_static_friction_ratio(static_friction_ratio)
 }
 
-/// The excitation by the name of the argument that gives its amplitude.
+/// The excitation by the keyword of its amplitude.
 pub(crate) fn excitation(name: &str) -> PyResult<Excitation> {
-    Ok(match name {
-        "force" => Excitation::Force,
-        "foot_displacement" => Excitation::FootMotion,
-        "damped_foot_displacement" => Excitation::DampedFootMotion,
-        "base_displacement" => Excitation::SurfaceMotion,
-        "base_velocity" => Excitation::SurfaceVelocity,
-        "base_acceleration" => Excitation::SurfaceAcceleration,
-        _ => return Err(refused(format!("excitation {name}: is unknown"))),
-    })
+    let known = Input::named(name).and_then(Input::excitation);
+    known.ok_or_else(|| refused(format!("excitation {name}: is unknown")))
 }
 
-/// The damping constant of a damping ratio.
-#[pyfunction]
-fn damping_constant(mass: f64, stiffness: f64, friction: f64, damping_ratio: f64) -> PyResult<f64> {
-    let body =
-        Oscillator::new(mass, stiffness, friction).and_then(|body| body.with_damping_ratio(damping_ratio));
-    Ok(body.map_err(refused)?.damping())
+/// Values by their keywords, as text, in the named system of units or else in SI; and the system, if it is known.
+fn given(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(Given<f64>, Option<String>)> {
+    let reader = reader(units)?;
+    let mut given = Given::empty(&reader, Naming::Keyword);
+    for (name, text) in values {
+        let input = Input::named(&name).ok_or_else(|| refused(format!("{name}: is unknown")))?;
+        given.read(input, &text, &reader).map_err(refused)?;
+    }
+    Ok((given, system(&reader, units)))
 }
 
-/// The ratio of a static friction to the kinetic friction of a body.
+fn reader(units: Option<&str>) -> PyResult<Reader> {
+    let of_units = |e: InputError| refused(format!("units {}: {e}", units.unwrap_or_default()));
+    let system = units.map(|text| text.parse::<System>().map_err(of_units)).transpose()?;
+    Ok(Reader::new(system.as_ref(), "units=\"kN,m\""))
+}
+
+/// The system of units of the values, if it was named or a value has a unit.
+fn system(reader: &Reader, units: Option<&str>) -> Option<String> {
+    (units.is_some() || reader.has_converted()).then(|| reader.system().to_string())
+}
+
+/// The body of the given values, and their system of units.
 #[pyfunction]
-fn static_friction_ratio(of: Body, static_friction: f64) -> PyResult<f64> {
-    let body = body(of).and_then(|body| body.with_static_friction(static_friction));
-    Ok(body.map_err(refused)?.static_friction_ratio())
+fn machine(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(Body, Option<String>)> {
+    let (given, system) = given(values, units)?;
+    let body = given.oscillator().map_err(refused)?;
+    let forward = given.friction().map_err(refused)?.unwrap_or(f64::NAN);
+    let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
+    let (damping, ratio) = (body.damping(), body.static_friction_ratio());
+    Ok(((body.mass(), body.stiffness(), forward, backward, damping, ratio), system))
+}
+
+/// The excitation of the given values by its keyword, its amplitude and the constant force, and their system of units.
+#[pyfunction]
+fn drive(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(String, f64, f64, Option<String>)> {
+    let (given, system) = given(values, units)?;
+    let (input, amplitude) = given.amplitude().map_err(refused)?;
+    Ok((input.column(), amplitude, given.get(Input::MeanForce).unwrap_or(0.0), system))
 }
 
 /// The transmitted force (in r_y) and the transmissibility under an excitation, from the transmitted force
@@ -72,22 +92,17 @@ fn transmitted<'py>(
     Ok([force.into_pyarray(py), ratio.into_pyarray(py)])
 }
 
-/// Reads values, each given by name, text and kind, in the named system of units or else in SI. Also returns
-/// the system, if it is known.
+/// Reads values, each given by name, text and kind, in the named system of units or else in SI.
 #[pyfunction]
 fn read_values(
     values: Vec<(String, String, String)>,
     units: Option<&str>,
 ) -> PyResult<(Vec<f64>, Option<String>)> {
-    let of_units = |e: UnitError| refused(format!("units {}: {e}", units.unwrap_or_default()));
-    let system = units.map(|text| text.parse::<System>().map_err(of_units)).transpose()?;
-    let reader = Reader::new(system.as_ref(), "units=\"kN,m\"");
-    let mut found = Vec::new();
-    for (name, text, of) in values {
-        found.push(reader.value(&name, &text, kind(&of)?).map_err(refused)?);
-    }
-    let is_known = system.is_some() || reader.has_converted();
-    Ok((found, is_known.then(|| reader.system().to_string())))
+    let reader = reader(units)?;
+    let read =
+        |(name, text, of): (String, String, String)| reader.value(&name, &text, kind(&of)?).map_err(refused);
+    let found = values.into_iter().map(read).collect::<PyResult<_>>()?;
+    Ok((found, system(&reader, units)))
 }
 
 /// The name of the unit of a kind of quantity in a system.
@@ -96,31 +111,15 @@ fn unit_of(units: &str, of: &str) -> PyResult<String> {
     Ok(units.parse::<System>().map_err(refused)?.name(kind(of)?))
 }
 
-/// Standard gravity in a system of units.
-#[pyfunction]
-fn gravity(units: &str) -> PyResult<f64> {
-    Ok(units.parse::<System>().map_err(refused)?.gravity())
-}
-
-/// The kinds of quantities by their names.
-const KINDS: [(&str, Kind); 11] = [
-    ("ratio", Kind::Ratio),
-    ("mass", Kind::Mass),
-    ("length", Kind::Length),
-    ("time", Kind::Time),
-    ("frequency", Kind::Frequency),
-    ("velocity", Kind::Velocity),
-    ("acceleration", Kind::Acceleration),
-    ("force", Kind::Force),
-    ("stiffness", Kind::Stiffness),
-    ("damping", Kind::Damping),
-    ("energy", Kind::Energy),
-];
-
 /// The kind of a quantity by its name.
 fn kind(name: &str) -> PyResult<Kind> {
-    let found = KINDS.iter().find(|(own, _)| *own == name);
-    found.map(|(_, kind)| *kind).ok_or_else(|| refused(format!("kind {name}: is unknown")))
+    Kind::named(name).ok_or_else(|| refused(format!("kind {name}: is unknown")))
+}
+
+/// The excitations by the keywords of their amplitudes, with the kinds of these.
+fn excitations() -> Vec<(String, &'static str)> {
+    let inputs = Input::ALL.into_iter().filter(|input| input.excitation().is_some());
+    inputs.map(|input| (input.column(), input.kind().name())).collect()
 }
 
 /// Ω, α, ζ and the scales of one body under many drives.
@@ -216,12 +215,13 @@ fn physical_outputs(
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(damping_constant, module)?)?;
-    module.add_function(wrap_pyfunction!(static_friction_ratio, module)?)?;
+    module.add("UNITS", units())?;
+    module.add("EXCITATIONS", excitations())?;
+    module.add_function(wrap_pyfunction!(machine, module)?)?;
+    module.add_function(wrap_pyfunction!(drive, module)?)?;
     module.add_function(wrap_pyfunction!(transmitted, module)?)?;
     module.add_function(wrap_pyfunction!(read_values, module)?)?;
     module.add_function(wrap_pyfunction!(unit_of, module)?)?;
-    module.add_function(wrap_pyfunction!(gravity, module)?)?;
     module.add_function(wrap_pyfunction!(physical_outputs, module)?)?;
     module.add_function(wrap_pyfunction!(machine_columns, module)?)
 }

@@ -11,29 +11,21 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._result import numbers, one
 
-EXCITATIONS = (
-    "force",
-    "foot_displacement",
-    "damped_foot_displacement",
-    "base_displacement",
-    "base_velocity",
-    "base_acceleration",
-)
-_KINDS = dict(
-    zip(EXCITATIONS, ("force", "length", "length", "length", "velocity", "acceleration")),
-)
+#: The kind of the amplitude of each excitation.
+_KINDS = dict(_native.EXCITATIONS)
 #: A number, or text with a unit such as ``"12 kN"``.
 Quantity = Union[float, str]
 
 
-def read(
-    given: Mapping[str, tuple[Any, str]], units: Optional[str]
-) -> tuple[dict[str, float], Optional[str]]:
+def texts(given: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """The given single values by name, as text with all their digits."""
+    return [(name, value if isinstance(value, str) else repr(one(name, value))) for name, value in given.items()]
+
+
+def read(given: Mapping[str, tuple[Any, str]], units: Optional[str]) -> tuple[dict[str, float], Optional[str]]:
     """The numbers of the given (value, kind) pairs, by name, and their system of units if it is known."""
-    texts = [
-        (name, value if isinstance(value, str) else repr(one(name, value)), kind) for name, (value, kind) in given.items()
-    ]
-    values, system = _native.read_values(texts, units)
+    named = texts({name: value for name, (value, _) in given.items()})
+    values, system = _native.read_values([(*pair, kind) for pair, (_, kind) in zip(named, given.values())], units)
     return dict(zip(given, values)), system
 
 
@@ -96,31 +88,27 @@ class Drive:
         mean_force: Quantity = 0.0,
         units: Optional[str] = None,
     ) -> None:
-        given = dict(
-            zip(
-                EXCITATIONS,
-                (force, foot_displacement, damped_foot_displacement, base_displacement, base_velocity, base_acceleration),
-            )
-        )
-        chosen = [(name, value) for name, value in given.items() if value is not None]
-        if len(chosen) != 1:
-            raise _native.Error(f"give one of {', '.join(EXCITATIONS)} ({len(chosen)} are given)")
-        name, amplitude = chosen[0]
+        amplitudes = {
+            "force": force,
+            "foot_displacement": foot_displacement,
+            "damped_foot_displacement": damped_foot_displacement,
+            "base_displacement": base_displacement,
+            "base_velocity": base_velocity,
+            "base_acceleration": base_acceleration,
+        }
+        given = {name: value for name, value in amplitudes.items() if value is not None}
         if (frequency is None) == (angular_frequency is None):
             raise _native.Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
-        object.__setattr__(self, "excitation", name)
         object.__setattr__(self, "angular_frequency", angular_of(frequency, angular_frequency))
-        # An amplitude that is not text is a number or an array. The first element of an array stands for all when
-        # units are checked.
-        texts: dict[str, tuple[Any, str]] = {}
-        several = None if isinstance(amplitude, str) else numbers(name, amplitude)
-        if several is None or several.size:
-            texts[name] = (amplitude if several is None else several.flat[0], _KINDS[name])
+        # An amplitude that is not text is a number or an array, whose first element stands for all when it is read.
+        arrays = {name: numbers(name, value) for name, value in given.items() if not isinstance(value, str)}
+        values = {**given, **{name: array.flat[0] if array.size else 1.0 for name, array in arrays.items()}}
         if isinstance(mean_force, str) or one("mean_force", mean_force) != 0.0:
-            texts["mean_force"] = (mean_force, "force")
-        values, system = read(texts, units)
-        object.__setattr__(self, "amplitude", values[name] if several is None else _plain(several))
-        object.__setattr__(self, "mean_force", values.get("mean_force", 0.0))
+            values["mean_force"] = mean_force
+        name, amplitude, mean, system = _native.drive(texts(values), units)
+        object.__setattr__(self, "excitation", name)
+        object.__setattr__(self, "amplitude", _plain(arrays[name]) if name in arrays else amplitude)
+        object.__setattr__(self, "mean_force", mean)
         object.__setattr__(self, "units", system)
 
     def _in(self, units: Optional[str]) -> "Drive":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Iterable, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._attractors import Attractors, attractors
 from ._closed_forms import RATIOS, Border, Response, border, response
-from ._drive import Drive, Quantity, angular_of, read
+from ._drive import Drive, Quantity, angular_of, read, texts
 from ._motion import Decay, Phases, Samples, decay, simulate
 from ._physical import felt_around, in_units, names_of
 from ._result import Physical, one, points
@@ -20,22 +20,6 @@ from ._steady import Steady, steady
 
 if TYPE_CHECKING:
     from ._design import Band, BestFriction
-
-_STANDARD_GRAVITY = 9.80665
-
-
-def _one_of(given: Mapping[str, Any], *names: str) -> Optional[str]:
-    """The name of the one that is given among equivalent parameters."""
-    found = [name for name in names if given[name] is not None]
-    if len(found) > 1:
-        raise _native.Error(f"{found[0]} and {found[1]}: give one of the two, the other follows")
-    return found[0] if found else None
-
-
-def _positive(name: str, value: float) -> float:
-    if not (np.isfinite(value) and value > 0):
-        raise _native.Error(f"{name} = {value} must be > 0 and finite")
-    return value
 
 
 @dataclass(frozen=True, init=False)
@@ -116,53 +100,25 @@ class Machine:
         units: Optional[str] = None,
     ) -> None:
         given = {
-            "mass": (mass, "mass"),
-            "stiffness": (stiffness, "stiffness"),
-            "period": (period, "time"),
-            "friction": (friction, "force"),
-            "friction_coefficient": (friction_coefficient, "ratio"),
-            "gravity": (gravity, "acceleration"),
-            "friction_backward": (friction_backward, "force"),
-            "damping": (damping, "damping"),
-            "damping_ratio": (damping_ratio, "ratio"),
-            "static_friction": (static_friction, "force"),
-            "static_friction_ratio": (static_friction_ratio, "ratio"),
+            "mass": mass,
+            "stiffness": stiffness,
+            "period": period,
+            "friction": friction,
+            "friction_coefficient": friction_coefficient,
+            "gravity": gravity,
+            "friction_backward": friction_backward,
+            "damping": damping,
+            "damping_ratio": damping_ratio,
+            "static_friction": static_friction,
+            "static_friction_ratio": static_friction_ratio,
         }
-        raw = {name: value for name, (value, _) in given.items()}
-        spring = _one_of(raw, "stiffness", "period")
-        surface = _one_of(raw, "friction", "friction_coefficient")
-        damper = _one_of(raw, "damping", "damping_ratio")
-        static = _one_of(raw, "static_friction", "static_friction_ratio")
-        for found, names in ((spring, "stiffness (or period)"), (surface, "friction (or friction_coefficient)")):
-            if found is None:
-                raise _native.Error(f"{names} is missing")
-        if gravity is not None and surface == "friction":
-            raise _native.Error("gravity: must be left out without friction_coefficient")
-        values, system = read({name: pair for name, pair in given.items() if pair[0] is not None}, units)
-        own_mass = values["mass"]
-        if spring == "period":
-            natural = 2 * np.pi / _positive("period", values["period"])
-            values["stiffness"] = own_mass * (natural * natural)
-        if surface == "friction_coefficient":
-            standard = _STANDARD_GRAVITY if system is None else _native.gravity(system)
-            weight = own_mass * _positive("gravity", values.get("gravity", standard))
-            values["friction"] = _positive("friction_coefficient", values["friction_coefficient"]) * weight
-        self._set(values, system, 0.0, 1.0)
-        constant, ratio = values.get("damping", 0.0), values.get("static_friction_ratio", 1.0)
-        if damper == "damping_ratio":
-            constant = _native.damping_constant(self.mass, self.stiffness, self.friction, values["damping_ratio"])
-        if static == "static_friction":
-            ratio = _native.static_friction_ratio(self._body, values["static_friction"])
-        self._set(values, system, constant, ratio)
-        # This call refuses bad values, with the messages of the library.
-        _native.machine_columns(self._body, "force", np.ones(0), np.ones(0), 0.0)
-
-    def _set(self, values: Mapping[str, float], system: Optional[str], damping: float, ratio: float) -> None:
-        for name in ("mass", "stiffness", "friction"):
-            object.__setattr__(self, name, values[name])
-        object.__setattr__(self, "friction_backward", values.get("friction_backward"))
-        object.__setattr__(self, "damping", damping)
-        object.__setattr__(self, "static_friction_ratio", ratio)
+        values = texts({name: value for name, value in given.items() if value is not None})
+        body, system = _native.machine(values, units)
+        names = ("mass", "stiffness", "friction", "friction_backward", "damping", "static_friction_ratio")
+        for name, value in zip(names, body):
+            object.__setattr__(self, name, value)
+        if friction_backward is None:
+            object.__setattr__(self, "friction_backward", None)
         object.__setattr__(self, "units", system)
 
     @property

@@ -10,8 +10,14 @@ pub enum Quantity {
     Mass,
     /// Stiffness k of the spring.
     Stiffness,
+    /// Natural period T of the body on its spring.
+    NaturalPeriod,
     /// Friction bound r_y, the maximum force friction can carry.
     FrictionBound,
+    /// Coefficient of friction µ.
+    FrictionCoefficient,
+    /// Gravity g.
+    Gravity,
     /// Friction r₊ against motion with x′ > 0.
     ForwardFriction,
     /// Friction r₋ against motion with x′ < 0.
@@ -86,11 +92,14 @@ pub enum Quantity {
 
 impl Quantity {
     #[must_use]
-    const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Mass => "mass m",
             Self::Stiffness => "stiffness k",
+            Self::NaturalPeriod => "natural period T",
             Self::FrictionBound => "friction bound r_y",
+            Self::FrictionCoefficient => "coefficient of friction µ",
+            Self::Gravity => "gravity g",
             Self::ForwardFriction => "forward friction r₊",
             Self::BackwardFriction => "backward friction r₋",
             Self::Damping => "damping constant c",

@@ -73,13 +73,21 @@ impl Kind {
         Self::ALL.into_iter().find(|kind| kind.dimension() == dimension)
     }
 
+    /// The kind of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
     /// Whether the number is the same in all systems of units.
     #[must_use]
     pub(crate) const fn is_dimensionless(self) -> bool {
         matches!(self, Self::Ratio | Self::Angle)
     }
 
-    pub(super) const fn name(self) -> &'static str {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Ratio => "ratio",
             Self::Mass => "mass",

@@ -1,6 +1,6 @@
 //! A consistent system of units: a force, a length, the second.
 
-use super::UnitError;
+use super::InputError;
 use super::factor::Factor;
 use super::kind::{Dimension, Kind};
 use super::table::{mass_of, symbol};
@@ -25,14 +25,14 @@ impl Default for System {
 }
 
 impl FromStr for System {
-    type Err = UnitError;
+    type Err = InputError;
 
-    fn from_str(text: &str) -> Result<Self, UnitError> {
+    fn from_str(text: &str) -> Result<Self, InputError> {
         let due = "must be a unit of force and one of length separated by a comma, such as kN,mm";
-        let (force, length) = text.split_once(',').ok_or_else(|| UnitError(due.to_owned()))?;
+        let (force, length) = text.split_once(',').ok_or_else(|| InputError(due.to_owned()))?;
         let unit = |name: &str, kind: Kind| {
             symbol(name.trim(), kind.dimension()).ok_or_else(|| {
-                UnitError(format!("{due}, but “{}” is not a unit of {}", name.trim(), kind.name()))
+                InputError(format!("{due}, but “{}” is not a unit of {}", name.trim(), kind.name()))
             })
         };
         let (force, length) = (unit(force, Kind::Force)?, unit(length, Kind::Length)?);

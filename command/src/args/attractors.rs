@@ -1,6 +1,6 @@
 //! The arguments of `stickslip attractors` and `basins`.
 
-use super::{ForceArgs, Format, MachineArgs, UnitArgs};
+use super::{Format, MachineArgs, UnitArgs};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -34,8 +34,6 @@ and start of every row are compared, and as many whole rows, evenly spaced, as a
 pub(crate) struct AttractorsArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     /// Number of starts
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value = "1000")]
     pub(crate) starts: String,
@@ -75,8 +73,6 @@ The starts are at ω_d t = 0. Each row has the start, the number of its limit an
 pub(crate) struct BasinsArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     /// Initial displacements, FROM:TO:COUNT [default: 101 values over the range of the starts of attractors]
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: Option<String>,

@@ -1,6 +1,6 @@
 //! The arguments of what the closed forms answer.
 
-use super::{ForceArgs, Format, MachineArgs, OutputArgs};
+use super::{BodyArgs, Format, MachineArgs, OutputArgs};
 use clap::Args;
 
 pub(crate) const RESPONSE_EXAMPLES: &str = "\
@@ -29,8 +29,6 @@ Examples:
 pub(crate) struct ResponseArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     /// Guaranteed digits: each output with an error bound, rounding included, for --omega and --alpha exactly
     /// as typed (needs a build with the feature mp)
     #[arg(long)]
@@ -42,7 +40,7 @@ pub(crate) struct ResponseArgs {
 #[derive(Debug, Args)]
 pub(crate) struct BorderArgs {
     #[command(flatten)]
-    pub(crate) machine: MachineArgs,
+    pub(crate) machine: BodyArgs,
     /// Guaranteed digits: each output with an error bound, rounding included, for --omega exactly as typed
     /// (needs a build with the feature mp)
     #[arg(long, conflicts_with = "no_stop")]

@@ -1,6 +1,6 @@
 //! The arguments of response curves and plots of a motion.
 
-use super::{ForceArgs, MachineArgs, StartArgs, UnitArgs};
+use super::{MachineArgs, StartArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -50,8 +50,6 @@ pub(crate) struct CurveArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
-    pub(crate) force: ForceArgs,
-    #[command(flatten)]
     pub(crate) units: UnitArgs,
     /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
@@ -65,8 +63,6 @@ pub(crate) struct CurveArgs {
 pub(crate) struct MotionPlotArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) start: StartArgs,
     #[command(flatten)]

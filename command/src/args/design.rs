@@ -1,6 +1,6 @@
 //! The arguments of the inverse problems.
 
-use super::{ForceArgs, Format, MachineArgs, UnitArgs};
+use super::{Format, MachineArgs, UnitArgs};
 use clap::{Args, Subcommand};
 
 pub(crate) const DESIGN_EXAMPLES: &str = "\
@@ -36,8 +36,6 @@ pub(crate) enum Question {
 pub(crate) struct QuestionArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     /// Lower end of the range: of Ω or, in physical units, of the frequency or the stiffness
     #[arg(long, value_name = "LOW", allow_hyphen_values = true)]
     pub(crate) from: Option<String>,

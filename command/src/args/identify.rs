@@ -1,6 +1,6 @@
 //! The arguments of identification.
 
-use super::{ForceArgs, Format, MachineArgs, UnitArgs};
+use super::{Format, MachineArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use stickslip::design::{AmplitudeKind, PhaseKind};
@@ -59,8 +59,6 @@ pub(crate) struct IdentifyArgs {
     pub(crate) file: PathBuf,
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     /// The kind of the amplitudes: peak (half of peak to peak), rms, or peak-to-peak
     #[arg(long, value_enum, value_name = "KIND", default_value = "peak", hide_possible_values = true)]
     pub(crate) amplitude: Amplitude,

@@ -1,6 +1,6 @@
 //! The arguments of what the exact motion answers.
 
-use super::{ForceArgs, Format, MachineArgs, OutputArgs, UnitArgs};
+use super::{BodyArgs, Format, MachineArgs, OutputArgs, StartArgs, UnitArgs};
 use clap::Args;
 
 pub(crate) const STEADY_EXAMPLES: &str = "\
@@ -24,23 +24,10 @@ Examples:
   stickslip decay --mass 2 --stiffness 800 --friction 4 --x0 0.3 --v0 0 --format json
   stickslip decay --mass 800kg --period 2.2s --friction-coefficient 0.06 --static-friction 600N --x0 200mm";
 
-/// Where the motion starts, at ω_d t = 0.
-#[derive(Debug, Args)]
-pub(crate) struct StartArgs {
-    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    pub(crate) x0: Option<String>,
-    /// Velocity at the start: in units of B ω_d, or of length per time [default: 0]
-    #[arg(long, value_name = "V", allow_hyphen_values = true)]
-    pub(crate) v0: Option<String>,
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct SteadyArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) start: StartArgs,
     /// Maximum number of periods to follow the motion in search of a limit
@@ -58,8 +45,6 @@ pub(crate) struct SteadyArgs {
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) start: StartArgs,
     /// Cycles of the drive to follow
@@ -81,7 +66,7 @@ pub(crate) struct SimulateArgs {
 #[derive(Debug, Args)]
 pub(crate) struct DecayArgs {
     #[command(flatten)]
-    pub(crate) machine: MachineArgs,
+    pub(crate) machine: BodyArgs,
     /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: String,

@@ -1,6 +1,6 @@
 //! The arguments of figures and maps.
 
-use super::{ForceArgs, MachineArgs, UnitArgs};
+use super::{MachineArgs, UnitArgs};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -97,8 +97,6 @@ pub(crate) struct MapArgs {
     pub(crate) quantity: String,
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
     /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]

@@ -1,6 +1,6 @@
 //! The arguments of sweeps.
 
-use super::{ForceArgs, Header, MachineArgs, UnitArgs};
+use super::{Header, MachineArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -65,8 +65,6 @@ pub(crate) struct SweepArgs {
     pub(crate) question: Swept,
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    #[command(flatten)]
-    pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
     /// The columns to write, among those of the command WHAT [default: all]

@@ -3,6 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
+use stickslip::machine::{Input, Role};
 
 /// The mode of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,144 +28,89 @@ impl Mode {
     }
 }
 
-/// The options that only a machine and its drive have.
-const MACHINE: [&str; 17] = [
-    "mass",
-    "stiffness",
-    "period",
-    "friction",
-    "friction_coefficient",
-    "gravity",
-    "friction_backward",
-    "damping",
-    "static_friction",
-    "mean_force",
-    "frequency",
-    "force",
-    "base_acceleration",
-    "base_velocity",
-    "base_displacement",
-    "foot_displacement",
-    "damped_foot_displacement",
-];
-
 /// The options that a command uses in a mode. A command that is not listed has one mode and uses all of its
 /// options.
 const USED: &[(&str, Mode, &str)] = &[
-    ("response", Ratios, "omega alpha damping_ratio static_friction_ratio enclose format bits"),
-    ("response", Machine, "omega alpha BODY STATIC mean_force frequency DRIVE format bits units"),
-    (
-        "response",
-        Points,
-        "points omega alpha BODY STATIC mean_force frequency DRIVE format header bits units",
-    ),
-    ("border", Ratios, "omega damping_ratio static_friction_ratio no_stop enclose format bits"),
+    ("response", Ratios, "RATIOS enclose format bits"),
+    ("response", Machine, "SHIFTED format bits units"),
+    ("response", Points, "points SHIFTED format header bits units"),
+    ("border", Ratios, "omega FRICTIONS no_stop enclose format bits"),
     ("border", Machine, "omega BODY STATIC frequency no_stop format bits units"),
     ("border", Points, "points omega BODY STATIC frequency no_stop format header bits units"),
-    (
-        "steady",
-        Ratios,
-        "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods enclose format bits",
-    ),
-    (
-        "steady",
-        Machine,
-        "omega alpha BODY STATIC mean_force frequency DRIVE x0 v0 max_periods format bits units",
-    ),
-    (
-        "steady",
-        Points,
-        "points omega alpha BODY STATIC mean_force frequency DRIVE x0 v0 max_periods format header bits units",
-    ),
-    (
-        "attractors",
-        Ratios,
-        "omega alpha damping_ratio static_friction_ratio starts reach max_periods unstable rows resume format bits",
-    ),
-    (
-        "attractors",
-        Machine,
-        "omega alpha BODY STATIC frequency DRIVE starts reach max_periods unstable rows resume format bits units",
-    ),
-    (
-        "basins",
-        Ratios,
-        "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods rows resume bits out overwrite",
-    ),
-    (
-        "basins",
-        Machine,
-        "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods rows resume bits units out overwrite",
-    ),
-    ("simulate", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 cycles samples format bits"),
-    (
-        "simulate",
-        Machine,
-        "omega alpha BODY STATIC mean_force frequency DRIVE x0 v0 cycles samples format bits units",
-    ),
-    (
-        "sweep",
-        Ratios,
-        "question omega alpha damping_ratio static_friction_ratio outputs format out resume shard header no_header bits",
-    ),
-    (
-        "sweep",
-        Machine,
-        "question omega alpha BODY STATIC mean_force frequency DRIVE units outputs format out resume shard header no_header bits",
-    ),
-    ("map", Ratios, "quantity omega alpha damping_ratio static_friction_ratio out overwrite"),
-    ("map", Machine, "quantity omega alpha BODY STATIC frequency DRIVE units out overwrite"),
-    ("response-curve", Ratios, "what omega alpha damping_ratio out overwrite"),
+    ("steady", Ratios, "RATIOS x0 v0 max_periods enclose format bits"),
+    ("steady", Machine, "SHIFTED x0 v0 max_periods format bits units"),
+    ("steady", Points, "points SHIFTED x0 v0 max_periods format header bits units"),
+    ("attractors", Ratios, "RATIOS starts reach max_periods unstable rows resume format bits"),
+    ("attractors", Machine, "DRIVEN starts reach max_periods unstable rows resume format bits units"),
+    ("basins", Ratios, "RATIOS x0 v0 max_periods rows resume bits out overwrite"),
+    ("basins", Machine, "DRIVEN x0 v0 max_periods rows resume bits units out overwrite"),
+    ("simulate", Ratios, "RATIOS x0 v0 cycles samples format bits"),
+    ("simulate", Machine, "SHIFTED x0 v0 cycles samples format bits units"),
+    ("sweep", Ratios, "question RATIOS outputs format out resume shard header no_header bits"),
+    ("sweep", Machine, "question SHIFTED units outputs format out resume shard header no_header bits"),
+    ("map", Ratios, "quantity RATIOS out overwrite"),
+    ("map", Machine, "quantity DRIVEN units out overwrite"),
+    ("response-curve", Ratios, "what omega alpha damping-ratio out overwrite"),
     ("response-curve", Machine, "what omega alpha BODY frequency DRIVE units out overwrite"),
-    ("motion-plot", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 out overwrite"),
-    ("motion-plot", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 units out overwrite"),
+    ("motion-plot", Ratios, "RATIOS x0 v0 out overwrite"),
+    ("motion-plot", Machine, "DRIVEN x0 v0 units out overwrite"),
     (
         "identify",
         Machine,
-        "file mass stiffness period force base_acceleration base_velocity base_displacement \
-         foot_displacement amplitude phase format units",
+        "file mass SPRING force base-acceleration base-velocity base-displacement foot-displacement amplitude phase format units",
     ),
-    ("decay", Ratios, "damping_ratio static_friction_ratio x0 v0 format bits"),
-    ("decay", Machine, "BODY STATIC mean_force x0 v0 format bits units"),
-    ("design force", Ratios, "omega damping_ratio static_friction_ratio no_stop format bits"),
+    ("decay", Ratios, "FRICTIONS x0 v0 format bits"),
+    ("decay", Machine, "BODY STATIC mean-force x0 v0 format bits units"),
+    ("design force", Ratios, "omega FRICTIONS no_stop format bits"),
     ("design force", Machine, "BODY STATIC frequency no_stop format bits units"),
-    ("design friction", Ratios, "omega damping_ratio static_friction_ratio format bits"),
+    ("design friction", Ratios, "omega FRICTIONS format bits"),
     (
         "design friction",
         Machine,
-        "mass stiffness period gravity damping_ratio damping static_friction_ratio frequency DRIVE format bits units",
+        "mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE format bits units",
     ),
-    ("design bands", Ratios, "alpha damping_ratio from to no_stop format bits"),
+    ("design bands", Ratios, "alpha damping-ratio from to no_stop format bits"),
     ("design bands", Machine, "BODY DRIVE from to no_stop format bits units"),
-    ("design displacement", Ratios, "omega damping_ratio target format bits"),
+    ("design displacement", Ratios, "omega damping-ratio target format bits"),
     ("design displacement", Machine, "BODY frequency target format bits units"),
-    ("design velocity", Ratios, "omega damping_ratio target format bits"),
+    ("design velocity", Ratios, "omega damping-ratio target format bits"),
     ("design velocity", Machine, "BODY frequency target format bits units"),
-    ("design dissipation", Ratios, "omega damping_ratio sticking format bits"),
-    (
-        "design dissipation",
-        Machine,
-        "mass stiffness period damping_ratio damping frequency DRIVE sticking format bits units",
-    ),
+    ("design dissipation", Ratios, "omega damping-ratio sticking format bits"),
+    ("design dissipation", Machine, "mass SPRING DAMPER frequency DRIVE sticking format bits units"),
     ("design stiffness", Ratios, "alpha from to format bits"),
     (
         "design stiffness",
         Machine,
-        "mass friction friction_coefficient gravity friction_backward damping_ratio damping frequency DRIVE from to format bits units",
+        "mass FRICTION gravity friction-backward DAMPER frequency DRIVE from to format bits units",
     ),
 ];
 
-/// The single options of an entry, with its groups expanded.
-fn options(used: &str) -> impl Iterator<Item = &str> {
-    used.split(' ').flat_map(|name| match name {
-        "BODY" => {
-            "mass stiffness period friction friction_coefficient gravity friction_backward damping_ratio damping"
-                .split(' ')
-        }
-        "STATIC" => "static_friction_ratio static_friction".split(' '),
-        "DRIVE" => "force base_acceleration base_velocity base_displacement foot_displacement damped_foot_displacement".split(' '),
-        single => single.split(' '),
-    })
+/// The single options of an entry, with its groups of inputs expanded.
+fn options(used: &'static str) -> Vec<&'static str> {
+    let inputs =
+        |role| Input::of_role(role).into_iter().filter(|p| *p != Input::Alpha).map(Input::name).collect();
+    let expanded = |name| match name {
+        "RATIOS" => options("omega alpha FRICTIONS"),
+        "FRICTIONS" => options("damping-ratio static-friction-ratio"),
+        // With a constant force, and without one.
+        "SHIFTED" => options("omega alpha BODY STATIC mean-force frequency DRIVE"),
+        "DRIVEN" => options("omega alpha BODY STATIC frequency DRIVE"),
+        "BODY" => options("mass SPRING FRICTION gravity friction-backward DAMPER"),
+        "SPRING" => inputs(Role::Spring),
+        "FRICTION" => inputs(Role::Friction),
+        "DAMPER" => inputs(Role::Damper),
+        "STATIC" => inputs(Role::StaticFriction),
+        "DRIVE" => inputs(Role::Drive),
+        single => vec![single],
+    };
+    used.split(' ').flat_map(expanded).collect()
+}
+
+/// The inputs that a command reads from the columns of a file of points.
+pub(crate) fn columns(command: &str) -> Vec<Input> {
+    let row = USED.iter().find(|(name, mode, _)| *name == command && *mode == Points);
+    let used: Vec<&str> = row.map(|(.., used)| options(used)).unwrap_or_default();
+    Input::ALL.into_iter().filter(|input| used.contains(&input.name())).collect()
 }
 
 /// The positional arguments.
@@ -186,11 +132,11 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
         .filter(|id| !id.contains(char::is_uppercase))
         .collect();
     // Select the mode in which the fewest options are unused; a file of points leaves no choice.
-    let unused = |used: &str| {
-        let of_use = |id: &&str| *id == "quiet" || options(used).any(|option| option == *id);
+    let unused = |used: &'static str| {
+        let of_use = |id: &&str| *id == "quiet" || options(used).contains(id);
         given.iter().copied().filter(|id| !of_use(id)).collect::<Vec<_>>()
     };
-    let is_machine = given.iter().any(|option| MACHINE.contains(option));
+    let is_machine = given.iter().filter_map(|option| Input::named(option)).any(Input::is_physical);
     let fits = |mode: Mode| given.contains(&"points") == (mode == Points) && (mode != Machine || is_machine);
     let modes = USED.iter().filter(|(name, mode, _)| *name == command && fits(*mode));
     let Some((_, mode, used)) = modes.min_by_key(|(_, _, used)| unused(used).len()) else { return Ok(()) };
@@ -199,7 +145,12 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
             "{}: {command} does not use it {}. It uses {}",
             written(id, matches),
             mode.name(),
-            options(used).filter(|id| !PLACES.contains(id)).map(option).collect::<Vec<_>>().join(", ")
+            options(used)
+                .into_iter()
+                .filter(|id| !PLACES.contains(id))
+                .map(option)
+                .collect::<Vec<_>>()
+                .join(", ")
         )));
     }
     Ok(())
@@ -229,8 +180,7 @@ pub(super) fn hide_unused(command: clap::Command, before: &str) -> clap::Command
     if !USED.iter().any(|(of, ..)| *of == name) {
         return command;
     }
-    let uses =
-        |id: &str| USED.iter().any(|(of, _, used)| *of == name && options(used).any(|option| option == id));
+    let uses = |id: &str| USED.iter().any(|(of, _, used)| *of == name && options(used).contains(&id));
     command.mut_args(|arg| {
         let hidden = arg.is_hide_set() || !(arg.is_global_set() || uses(arg.get_id().as_str()));
         arg.hide(hidden)

@@ -4,13 +4,13 @@ use super::{Answer, Named, Row};
 use crate::args::QuestionArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter as P, in_typed_unit};
-use crate::input::completed;
+use crate::given;
 use crate::machine::base_motion;
 use crate::record::Cell;
 use std::io::Write;
+use stickslip::machine::{Given, Input, Role, in_typed_unit};
 use stickslip::units::{self, Kind, Reader, System};
-use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity, Ratios};
+use stickslip::{Border, Drive, Error, Oscillator, Quantity, Ratios};
 
 /// The arguments of a question, read on demand.
 pub(super) struct Asked<'a, F> {
@@ -23,9 +23,9 @@ pub(super) struct Asked<'a, F> {
 
 impl<'a, F: Value> Asked<'a, F> {
     pub(super) fn new(args: &'a QuestionArgs, reader: &'a Reader) -> Result<Self, Failure> {
-        let given = Given::of(&args.machine, &args.force, reader)?;
+        let given = given::read(&args.machine, reader)?;
         let physical = given.is_physical();
-        if physical && (given.has(P::Omega) || given.has(P::Alpha)) {
+        if physical && (given.has(Input::Omega) || given.has(Input::Alpha)) {
             let text = "--omega and --alpha: must be left out in physical units, where --frequency and --force take their place";
             return Err(Failure::Input(text.to_owned()));
         }
@@ -59,16 +59,8 @@ impl<'a, F: Value> Asked<'a, F> {
 
     /// The kind of base motion of the question, if any.
     pub(super) fn base_motion(&self) -> Option<&'static str> {
-        let given = |several: &[P]| several.iter().any(|p| self.given.has(*p));
-        if given(&[P::FootDisplacement]) {
-            base_motion(Excitation::FootMotion)
-        } else if given(&[P::DampedFootDisplacement]) {
-            base_motion(Excitation::DampedFootMotion)
-        } else if given(&[P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement]) {
-            base_motion(Excitation::SurfaceMotion)
-        } else {
-            None
-        }
+        let (input, _) = self.given.one_of(Role::Drive).ok()??;
+        base_motion(input.excitation()?)
     }
 
     /// The error, preceded by the arguments of the machine, the range or the target that caused it.
@@ -89,15 +81,14 @@ impl<'a, F: Value> Asked<'a, F> {
             .filter(|(_, _, quantities)| quantity.is_some_and(|q| quantities.contains(&q)))
             .filter_map(|(name, value, _)| value.as_ref().map(|v| format!("{name} {v}")))
             .collect();
-        match (named.join(" "), self.given.at_fault(error.clone())) {
-            (arguments, Failure::Input(text)) if !arguments.is_empty() && text == error.to_string() => {
-                Failure::Input(format!("{arguments}: {error}"))
-            }
-            (arguments, Failure::Input(text)) if !arguments.is_empty() => {
-                Failure::Input(text.replacen(": ", &format!(" {arguments}: "), 1))
-            }
-            (_, failure) => failure,
-        }
+        let (arguments, text) = (named.join(" "), self.given.at_fault(&error).to_string());
+        Failure::Input(if arguments.is_empty() {
+            text
+        } else if text == error.to_string() {
+            format!("{arguments}: {text}")
+        } else {
+            text.replacen(": ", &format!(" {arguments}: "), 1)
+        })
     }
 
     /// The error in the units of the arguments as typed, where the library states it in ratios or in the
@@ -128,7 +119,7 @@ impl<'a, F: Value> Asked<'a, F> {
             return at_fault(from, "--from").or_else(|| at_fault(to, "--to"));
         }
         if let (Error::SticksThroughout { alpha, least, .. }, Some((from, to))) = (error, range) {
-            let drive = P::DRIVES.into_iter().find(|p| self.given.has(*p))?;
+            let (drive, _) = self.given.one_of(Role::Drive).ok()??;
             let least = digits(self.one * F::from_f64(least.to_f64() / alpha.to_f64()));
             return Some(format!(
                 "{}: must be at least {least} times as large. The body sticks throughout the range from {from} to {to}",
@@ -137,7 +128,7 @@ impl<'a, F: Value> Asked<'a, F> {
         }
         if let (Error::TargetSticks { value, least, .. }, Some(target)) = (error, target) {
             let least = units::scaled(target, least.to_f64() / value.to_f64())?;
-            let frequency = self.given.label(P::Frequency);
+            let frequency = self.given.label(Input::Frequency);
             return Some(format!(
                 "--target {target}: must be ≥ {least} with {frequency}. In a smaller motion the body sticks"
             ));
@@ -150,17 +141,17 @@ impl<'a, F: Value> Asked<'a, F> {
     }
 
     pub(super) fn omega(&self) -> Result<F, Failure> {
-        self.given.required(P::Omega)
+        Ok(self.given.required(Input::Omega)?)
     }
 
     /// The given damping ratio, or zero.
     pub(super) fn damping_ratio(&self) -> F {
-        self.given.get(P::DampingRatio).unwrap_or(F::int(0))
+        self.given.get(Input::DampingRatio).unwrap_or(F::int(0))
     }
 
     /// Refuses a static friction above the kinetic one where its effect is not known.
     pub(super) fn one_friction(&self) -> Result<(), Failure> {
-        if let Some(eta) = self.given.get(P::StaticFrictionRatio).filter(|eta| *eta != self.one) {
+        if let Some(eta) = self.given.get(Input::StaticFrictionRatio).filter(|eta| *eta != self.one) {
             return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.into() }));
         }
         Ok(())
@@ -169,7 +160,7 @@ impl<'a, F: Value> Asked<'a, F> {
     /// Ω with the given damping ratio and static friction ratio, and a force ratio of 1.
     pub(super) fn ratios(&self, omega: F) -> Result<Ratios<F>, Failure> {
         let ratios = Ratios::new(omega, self.one).map_err(|e| self.fail(e))?;
-        completed(&self.given, ratios)
+        Ok(self.given.completed(ratios)?)
     }
 
     /// The border at Ω with the given damping ratio and static friction ratio.
@@ -178,11 +169,11 @@ impl<'a, F: Value> Asked<'a, F> {
     }
 
     pub(super) fn alpha(&self) -> Result<F, Failure> {
-        self.given.required(P::Alpha)
+        Ok(self.given.required(Input::Alpha)?)
     }
 
     pub(super) fn frequency(&self) -> Result<F, Failure> {
-        self.given.required(P::Frequency)
+        Ok(self.given.required(Input::Frequency)?)
     }
 
     /// `--from` and `--to`, in units of this kind if the question is physical.
@@ -205,19 +196,18 @@ impl<'a, F: Value> Asked<'a, F> {
 
     /// The body; a quantity that the question does not need may be missing, and is then 1.
     pub(super) fn body(&self, needs_stiffness: bool, needs_friction: bool) -> Result<Oscillator<F>, Failure> {
-        let or_one = |found: Option<F>, needed: bool, names: &str| match found {
-            None if needed => Err(Failure::Input(format!("{names} is missing"))),
+        let or_one = |found: Option<F>, needed: bool, role| match found {
+            None if needed => Err(self.given.missing(&Input::of_role(role))),
             found => Ok(found.unwrap_or(self.one)),
         };
         let mass = self.given.mass()?;
-        let stiffness = or_one(self.given.stiffness()?, needs_stiffness, "--stiffness (or --period)")?;
-        let friction =
-            or_one(self.given.friction()?, needs_friction, "--friction (or --friction-coefficient)")?;
+        let stiffness = or_one(self.given.stiffness()?, needs_stiffness, Role::Spring)?;
+        let friction = or_one(self.given.friction()?, needs_friction, Role::Friction)?;
         let body = Oscillator::new(mass, stiffness, friction).map_err(|e| self.fail(e))?;
-        self.given.with_damper(body)
+        Ok(self.given.with_damper(body)?)
     }
 
     pub(super) fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, Failure> {
-        self.given.drive(body, frequency)
+        Ok(self.given.drive(body, frequency)?)
     }
 }

@@ -3,9 +3,9 @@
 use super::{Answer, Asked, Row, searched_field, some};
 use crate::bits::{Value, digits};
 use crate::failure::Failure;
-use crate::given::Parameter as P;
 use crate::record::Cell;
 use stickslip::design::{self, OptimumKind};
+use stickslip::machine::Input;
 use stickslip::units::Kind;
 
 impl<F: Value> Asked<'_, F> {
@@ -66,7 +66,7 @@ impl<F: Value> Asked<'_, F> {
                 best.kind,
             ));
         }
-        if self.given.has(P::DampingRatio) {
+        if self.given.has(Input::DampingRatio) {
             let text = "--damping-ratio: changes with the stiffness that is asked for. Give the damping constant by \
                 --damping";
             return Err(Failure::Input(text.to_owned()));

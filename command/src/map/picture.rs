@@ -5,12 +5,12 @@ use super::resonance::is_unbounded;
 use super::{Map, Quantity, limits, margin, symmetry};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
-use crate::given::Parameter as P;
 use crate::grid::Grid;
 use crate::input;
 use crate::outputs;
 use crate::record::Cell;
 use stickslip::Response;
+use stickslip::machine::{Input, Role};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
 impl Map<'_> {
@@ -35,7 +35,7 @@ impl Map<'_> {
 
     fn has_static_friction(&self) -> bool {
         let given = self.axes.at(0);
-        given.has_static_friction()
+        given.has_role(Role::StaticFriction)
             && input::point(&given).is_ok_and(|p| p.ratios.has_higher_static_friction())
     }
 
@@ -43,8 +43,8 @@ impl Map<'_> {
     /// itself.
     fn border(&self) -> Vec<(f64, f64)> {
         let up = self.up.0;
-        let inverse = matches!(up, P::Friction | P::FrictionCoefficient);
-        if !inverse && !P::DRIVES.contains(&up) {
+        let inverse = matches!(up, Input::Friction | Input::FrictionCoefficient);
+        if !inverse && up.role() != Role::Drive {
             return Vec::new();
         }
         let ((left, right), (low, _)) = (self.across.1.ends(), self.up.1.ends());
@@ -94,11 +94,11 @@ impl Map<'_> {
         Ok(())
     }
 
-    fn axis(&self, (parameter, grid): &(P, Grid<f64>), ends: (f64, f64)) -> Axis {
+    fn axis(&self, (parameter, grid): &(Input, Grid<f64>), ends: (f64, f64)) -> Axis {
         let label = match (self.on_axis(*parameter).0, *parameter) {
-            (_, P::Omega) => "frequency ratio Ω = ω_d/ω_n".to_owned(),
-            (_, P::Alpha) => "force ratio α = p₀/r_y".to_owned(),
-            (unit, P::Frequency) => format!("frequency ({unit})"),
+            (_, Input::Omega) => "frequency ratio Ω = ω_d/ω_n".to_owned(),
+            (_, Input::Alpha) => "force ratio α = p₀/r_y".to_owned(),
+            (unit, Input::Frequency) => format!("frequency ({unit})"),
             (unit, _) if unit.is_empty() => parameter.symbol().to_owned(),
             (unit, _) => format!("{} ({unit})", parameter.symbol()),
         };
@@ -111,7 +111,7 @@ impl Map<'_> {
 
     pub(super) fn picture(&self) -> Result<Figure, Failure> {
         self.drawable()?;
-        let values = |(parameter, grid): &(P, Grid<f64>)| -> Vec<f64> {
+        let values = |(parameter, grid): &(Input, Grid<f64>)| -> Vec<f64> {
             grid.values().map(|v| v * self.on_axis(*parameter).1).collect()
         };
         let (Some(across), Some(up)) = (ends(&values(&self.across)), ends(&values(&self.up))) else {

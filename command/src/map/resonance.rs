@@ -3,8 +3,8 @@
 use super::BORDER_POINTS;
 use super::{Map, Quantity};
 use crate::failure::Failure;
-use crate::given::{Given, Parameter as P};
 use crate::input::{self, Point};
+use stickslip::machine::{Given, Input};
 use stickslip::{Regime, Response};
 
 /// The narrowest column beside resonance, as a part of the axis: a pixel.
@@ -44,15 +44,18 @@ impl Map<'_> {
 
     /// Whether resonance is at the same place in every row, and the quantity changes there.
     fn has_one_resonance(&self) -> bool {
-        let is_same = !matches!(self.up.0, P::Mass | P::Stiffness | P::Period | P::Omega | P::Frequency);
+        let is_same = !matches!(
+            self.up.0,
+            Input::Mass | Input::Stiffness | Input::Period | Input::Omega | Input::Frequency
+        );
         is_same && matches!(self.quantity, Quantity::Regime | Quantity::Output(..))
     }
 
     /// The value across at which Ω = 1, if it is the frequency or Ω.
     fn natural(&self, given: &Given<f64>) -> Result<Option<f64>, Failure> {
         Ok(match (self.across.0, &input::point(given)?.machine) {
-            (P::Omega, _) => Some(1.0),
-            (P::Frequency, Some(machine)) if !given.has(P::Omega) => {
+            (Input::Omega, _) => Some(1.0),
+            (Input::Frequency, Some(machine)) if !given.has(Input::Omega) => {
                 Some(machine.oscillator.natural_frequency())
             }
             _ => None,

@@ -2,11 +2,11 @@
 
 use super::{Map, Quantity};
 use crate::failure::Failure;
-use crate::given::Parameter as P;
 use crate::input;
 use crate::interrupt;
 use crate::progress;
 use stickslip::exact::{Loss, SymmetryBreak, symmetry_breaks};
+use stickslip::machine::Role;
 use stickslip::{Error, Ratios};
 
 /// The points at which a stable symmetric motion is lost, and the number of columns where the search failed.
@@ -23,7 +23,7 @@ impl Map<'_> {
     pub(super) fn breaks(&self) -> Result<Breaks, Failure> {
         let up = self.up.0;
         let ((left, right), (low, high)) = (self.across.1.ends(), self.up.1.ends());
-        if !matches!(self.quantity, Quantity::Limits) || !P::DRIVES.contains(&up) || low < 0.0 {
+        if !matches!(self.quantity, Quantity::Limits) || up.role() != Role::Drive || low < 0.0 {
             return Ok(Breaks::default());
         }
         let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);

@@ -12,7 +12,6 @@ use super::rows::Rows;
 use crate::args::SweepArgs;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter};
 use crate::output::{Beside, Lines};
 use crate::progress;
 use crate::record::Record;
@@ -31,6 +30,7 @@ use std::io;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use stickslip::machine::Input;
 
 /// The greatest number of rows in a group.
 const ROWS: usize = 1 << 17;
@@ -93,7 +93,7 @@ impl<F: Value> Sweep<'_, F> {
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
         let metadata = reader.metadata().file_metadata();
         let found = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);
-        let grids = Parameter::ALL.map(Parameter::column);
+        let grids = Input::ALL.map(Input::column);
         let keys = ["sweep", "outputs", "shard", "bits", "system"].map(str::to_owned);
         for key in keys.iter().chain(&grids) {
             let value = |notes: &[KeyValue]| {
@@ -151,8 +151,7 @@ fn notes(args: &SweepArgs) -> Vec<KeyValue> {
     let note = |key: &str, value: Option<String>| value.map(|value| KeyValue::new(key.to_owned(), value));
     let units = "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad, and a unit in brackets where a column has its own";
     let question = args.question.to_possible_value().map(|value| value.get_name().to_owned());
-    let typed = Given::<f64>::typed(&args.machine, &args.force);
-    let grids = typed.map(|(parameter, text)| KeyValue::new(parameter.column(), text.to_owned()));
+    let grids = args.machine.iter().map(|(input, text)| KeyValue::new(input.column(), text.clone()));
     let notes = [
         note("units", Some(units.to_owned())),
         note("system", args.units.units.map(|system| system.to_string())),

@@ -4,13 +4,13 @@ use crate::args::{Header, SweepArgs, SweepFormat, Swept};
 use crate::axes::Axes;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter};
 use crate::interrupt;
 use crate::outputs::{self, ALPHA, Key, OMEGA};
 use crate::record::{Cell, Record, csv_text};
 use crate::resume;
 use crate::{border, input, response, steady};
 use stickslip::exact::{DEFAULT_BUDGET, State, Trajectory};
+use stickslip::machine::{Given, Input, Role};
 
 /// The command at each point of the grids, and the format of its row.
 pub(crate) struct Rows<F> {
@@ -170,7 +170,7 @@ fn form<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Reco
 /// Fails if a point of the grids has no answer.
 pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
     if question == Swept::Border
-        && let Some(drive) = Parameter::DRIVES.into_iter().find(|p| axes.has(*p))
+        && let Some(drive) = Input::of_role(Role::Drive).into_iter().find(|p| axes.has(*p))
     {
         return Err(Failure::Input(format!(
             "{}: must be left out, because a border has none",
@@ -182,7 +182,7 @@ pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
         Swept::Response => input::point(given).map(|_| ()),
         Swept::Steady => {
             let ratios = input::point(given)?.ratios;
-            Trajectory::new(ratios, State::default()).map(|_| ()).map_err(|e| given.at_fault(e))
+            Trajectory::new(ratios, State::default()).map(|_| ()).map_err(|e| given.at_fault(&e).into())
         }
     })
 }

@@ -1,0 +1,72 @@
+//! The options of machines, made from the library's table of inputs.
+
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use std::ops::Deref;
+use stickslip::machine::{Input, Role};
+
+/// The inputs of these parts as they were typed, in the order of the table. A value may have a unit, such as 800kg. Bare
+/// numbers are in one consistent system.
+#[derive(Debug, Clone)]
+pub(crate) struct Typed<const PARTS: u8>(Vec<(Input, String)>);
+
+/// The body, its frequency, and the ratios but for α.
+const BODY: u8 = 1;
+/// The excitation.
+const DRIVE: u8 = 2;
+/// The start of a motion.
+const START: u8 = 4;
+
+/// A body and its frequency.
+pub(crate) type BodyArgs = Typed<BODY>;
+/// A body under its drive.
+pub(crate) type MachineArgs = Typed<{ BODY | DRIVE }>;
+/// Where a motion starts, at ω_d t = 0.
+pub(crate) type StartArgs = Typed<START>;
+
+impl<const PARTS: u8> Typed<PARTS> {
+    fn inputs() -> impl Iterator<Item = Input> {
+        let part = |role| if role == Role::Drive { DRIVE } else { BODY };
+        let part = move |role| if role == Role::Start { START } else { part(role) };
+        Input::ALL.into_iter().filter(move |input| PARTS & part(input.role()) != 0)
+    }
+
+    /// The text of an input, if it was typed.
+    pub(crate) fn text(&self, input: Input) -> Option<&str> {
+        self.iter().find(|(own, _)| *own == input).map(|(_, text)| text.as_str())
+    }
+}
+
+impl<const PARTS: u8> Deref for Typed<PARTS> {
+    type Target = [(Input, String)];
+
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl<const PARTS: u8> Args for Typed<PARTS> {
+    fn augment_args(command: Command) -> Command {
+        command.args(Self::inputs().map(|input| {
+            let arg = Arg::new(input.name()).long(input.name()).value_name(input.placeholder());
+            let arg = arg.help(input.help()).allow_hyphen_values(true);
+            let arg = input.alias().into_iter().fold(arg, Arg::visible_alias);
+            input.former().into_iter().fold(arg, Arg::alias)
+        }))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl<const PARTS: u8> FromArgMatches for Typed<PARTS> {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let text = |input: Input| Some((input, matches.get_one::<String>(input.name())?.clone()));
+        Ok(Self(Self::inputs().filter_map(text).collect()))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}

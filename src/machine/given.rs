@@ -1,0 +1,531 @@
+//! The given inputs, and the rules by which they determine a machine.
+
+use super::input::{Input, Naming, Role};
+use crate::error::{Error, Number, Quantity};
+use crate::float::Float;
+use crate::oscillator::{Drive, Oscillator, Scales};
+use crate::ratios::{Ratios, positive};
+use crate::units::{InputError, Reader, System, scaled};
+use core::str::FromStr;
+
+/// The given inputs in one system of units, with the text of those that were typed.
+#[derive(Debug, Clone)]
+pub struct Given<F> {
+    /// The system of units of the values.
+    pub system: System,
+    naming: Naming,
+    values: Vec<(Input, F, Option<String>)>,
+}
+
+/// A body under its drive.
+#[derive(Debug, Clone, Copy)]
+pub struct Driven<F> {
+    /// The body.
+    pub oscillator: Oscillator<F>,
+    /// Its drive.
+    pub drive: Drive<F>,
+    /// The scales of the answers.
+    pub scales: Scales<F>,
+    /// The ratios of the answers. A ratio that is given is used as it is, without the rounding of a conversion by k
+    /// and p₀.
+    pub ratios: Ratios<F>,
+}
+
+impl<F: Float + FromStr> Given<F> {
+    /// Nothing given, in the system of a reader.
+    pub const fn empty(reader: &Reader, naming: Naming) -> Self {
+        Self { system: reader.system(), naming, values: Vec::new() }
+    }
+
+    /// Reads a typed value and sets it.
+    ///
+    /// # Errors
+    /// As for [`Reader::value`].
+    pub fn read(&mut self, input: Input, text: &str, reader: &Reader) -> Result<F, InputError> {
+        let value = reader.value(&self.naming.of(input), text, input.kind())?;
+        self.set_typed(input, value, text);
+        Ok(value)
+    }
+
+    /// Sets a typed value.
+    pub fn set_typed(&mut self, input: Input, value: F, text: &str) {
+        let label = format!("{} {text}", self.naming.of(input));
+        self.put(input, value, Some(label));
+    }
+
+    /// Sets a value that was not typed, from a row or a grid.
+    pub fn set(&mut self, input: Input, value: F) {
+        self.put(input, value, None);
+    }
+
+    fn put(&mut self, input: Input, value: F, label: Option<String>) {
+        match self.values.iter_mut().find(|(own, ..)| *own == input) {
+            Some((_, old, text)) => (*old, *text) = (value, label),
+            None => self.values.push((input, value, label)),
+        }
+    }
+
+    /// Removes and returns a value.
+    pub fn take(&mut self, input: Input) -> Option<F> {
+        let place = self.values.iter().position(|(own, ..)| *own == input)?;
+        Some(self.values.swap_remove(place).1)
+    }
+
+    /// Whether nothing is given.
+    pub const fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// The value of an input, if it is given.
+    pub fn get(&self, input: Input) -> Option<F> {
+        self.values.iter().find(|(own, ..)| *own == input).map(|(_, value, _)| *value)
+    }
+
+    /// Whether an input is given.
+    pub fn has(&self, input: Input) -> bool {
+        self.get(input).is_some()
+    }
+
+    /// Whether an input of a role is given.
+    pub fn has_role(&self, role: Role) -> bool {
+        self.values.iter().any(|(input, ..)| input.role() == role)
+    }
+
+    /// Whether the inputs include those of a machine in physical units.
+    pub fn is_physical(&self) -> bool {
+        self.values.iter().any(|(input, ..)| input.is_physical())
+    }
+
+    /// The value of an input.
+    ///
+    /// # Errors
+    /// Where it is not given.
+    pub fn required(&self, input: Input) -> Result<F, InputError> {
+        self.get(input).ok_or_else(|| self.missing(&[input]))
+    }
+
+    /// The error where none of several inputs is given.
+    #[must_use]
+    pub fn missing(&self, inputs: &[Input]) -> InputError {
+        InputError(format!("{} is missing", self.naming.of_several(inputs)))
+    }
+
+    /// The given input of a role, if any.
+    ///
+    /// # Errors
+    /// Where several are given.
+    pub fn one_of(&self, role: Role) -> Result<Option<(Input, F)>, InputError> {
+        let mut found = self.values.iter().filter(|(input, ..)| input.role() == role);
+        let (first, second) = (found.next(), found.next());
+        if second.is_none() {
+            return Ok(first.map(|(input, value, _)| (*input, *value)));
+        }
+        let names = Input::of_role(role).into_iter().filter(|input| self.has(*input)).take(2);
+        let names: Vec<_> = names.map(|input| self.naming.of(input)).collect();
+        Err(InputError(format!(
+            "{}: give one of the two, because it determines the other",
+            names.join(" and ")
+        )))
+    }
+
+    /// An input as typed.
+    #[must_use]
+    pub fn label(&self, input: Input) -> String {
+        let found = self.values.iter().find(|(own, ..)| *own == input);
+        found.and_then(|(.., text)| text.clone()).unwrap_or_else(|| self.naming.of(input))
+    }
+
+    /// All typed inputs: the cause of an answer that overflows in these units.
+    #[must_use]
+    pub fn all_typed(&self) -> String {
+        self.typed(|_| true)
+    }
+
+    fn typed(&self, chosen: impl Fn(Input) -> bool) -> String {
+        let some = self.values.iter().filter(|(input, ..)| chosen(*input));
+        some.filter_map(|(_, _, text)| text.as_deref()).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The library's error, preceded by the input or inputs that caused it.
+    pub fn at_fault(&self, error: &Error) -> InputError {
+        let quantity = error.quantity();
+        let said = match self.values.iter().find(|(input, ..)| *input == Input::Frequency) {
+            Some((.., Some(text))) => in_typed_unit(error, text),
+            Some((.., None)) | None => error.to_string(),
+        };
+        // If no input alone is the cause, all of them are.
+        let blamed = self.typed(|input| quantity.is_some_and(|quantity| input.determines(quantity)));
+        match if blamed.is_empty() { self.all_typed() } else { blamed } {
+            // The caller names the values of a file or a grid.
+            inputs if inputs.is_empty() => InputError(said),
+            inputs => InputError(format!("{inputs}: {said}")),
+        }
+    }
+
+    /// Checks a value that is used only in a product, where its sign would be lost.
+    fn positive(&self, input: Input, value: F) -> Result<F, InputError> {
+        positive(input.quantity(), value).map_err(|e| InputError(format!("{}: {e}", self.label(input))))
+    }
+
+    /// The mass.
+    ///
+    /// # Errors
+    /// Where it is not given.
+    pub fn mass(&self) -> Result<F, InputError> {
+        self.required(Input::Mass).map_err(|missing| self.in_units_beside_ratios().unwrap_or(missing))
+    }
+
+    /// The error for a single input in physical units where all else are ratios.
+    fn in_units_beside_ratios(&self) -> Option<InputError> {
+        let mut physical = self.values.iter().map(|&(input, ..)| input).filter(|input| input.is_physical());
+        let (Some(found), None) = (physical.next(), physical.next()) else { return None };
+        let instead = match (found, found.role()) {
+            (_, role @ (Role::Damper | Role::StaticFriction)) => {
+                let ratio = Input::of_role(role).into_iter().find(|input| !input.is_physical())?;
+                format!(". With ratios give {}", self.naming.of(ratio))
+            }
+            (_, Role::MeanForce) | (Input::FrictionBackward, _) => String::new(),
+            _ => return None,
+        };
+        let (label, mass) = (self.label(found), self.naming.of(Input::Mass));
+        Some(InputError(format!(
+            "{label}: the {} needs a machine in units, and {mass} is missing{instead}",
+            found.symbol()
+        )))
+    }
+
+    /// The stiffness, given directly or by the natural period; `None` where neither is given.
+    ///
+    /// # Errors
+    /// Where both are given, or the period is not > 0.
+    pub fn stiffness(&self) -> Result<Option<F>, InputError> {
+        Ok(match self.one_of(Role::Spring)? {
+            Some((Input::Period, period)) => {
+                let natural = F::int(2) * F::pi() / self.positive(Input::Period, period)?;
+                Some(self.mass()? * natural.square())
+            }
+            found => found.map(|(_, stiffness)| stiffness),
+        })
+    }
+
+    /// The friction bound, given directly or as µ m g; `None` where neither is given.
+    ///
+    /// # Errors
+    /// Where both are given, µ or g is not > 0, or g is given without µ.
+    pub fn friction(&self) -> Result<Option<F>, InputError> {
+        let found = self.one_of(Role::Friction)?;
+        if let Some((Input::FrictionCoefficient, coefficient)) = found {
+            let weight = self.mass()? * self.gravity()?;
+            return Ok(Some(self.positive(Input::FrictionCoefficient, coefficient)? * weight));
+        }
+        if self.has(Input::Gravity) {
+            let [gravity, coefficient] =
+                [Input::Gravity, Input::FrictionCoefficient].map(|input| self.naming.of(input));
+            return Err(InputError(format!("{gravity}: must be left out without {coefficient}")));
+        }
+        Ok(found.map(|(_, friction)| friction))
+    }
+
+    /// Gravity, or the standard one where it is not given.
+    ///
+    /// # Errors
+    /// Where it is not > 0.
+    pub fn gravity(&self) -> Result<F, InputError> {
+        self.get(Input::Gravity)
+            .map_or_else(|| Ok(self.system.gravity()), |g| self.positive(Input::Gravity, g))
+    }
+
+    /// The friction against forward and against backward motion, if they are given apart.
+    ///
+    /// # Errors
+    /// As for [`Given::friction`].
+    pub fn directional_friction(&self) -> Result<Option<(F, F)>, InputError> {
+        Ok(self.friction()?.zip(self.get(Input::FrictionBackward)))
+    }
+
+    /// The body, whose stiffness may follow from Ω and the frequency of the drive: two of Ω, the frequency and the
+    /// spring are given.
+    ///
+    /// # Errors
+    /// Where one of its inputs is missing, wrong or one too many.
+    pub fn oscillator(&self) -> Result<Oscillator<F>, InputError> {
+        let mass = self.mass()?;
+        let friction = self.friction()?.ok_or_else(|| self.missing(&Input::of_role(Role::Friction)))?;
+        let spring = self.one_of(Role::Spring)?;
+        let body = match (self.get(Input::Omega), self.get(Input::Frequency), spring) {
+            (Some(_), Some(_), Some((spring, _))) => {
+                let [omega, frequency, spring] =
+                    [Input::Omega, Input::Frequency, spring].map(|input| self.naming.of(input));
+                return Err(InputError(format!(
+                    "{omega}, {frequency} and {spring}: give two of the three, because they determine the third"
+                )));
+            }
+            (Some(omega), Some(frequency), None) => Oscillator::tuned(mass, friction, frequency, omega),
+            (Some(_), None, None) => {
+                return Err(self.missing(&[&[Input::Frequency], &*Input::of_role(Role::Spring)].concat()));
+            }
+            (_, _, Some(_)) => Oscillator::new(mass, self.stiffness()?.unwrap_or(F::int(0)), friction),
+            (None, _, None) => {
+                return Err(self.missing(&[&*Input::of_role(Role::Spring), &[Input::Omega]].concat()));
+            }
+        };
+        body.map_err(|e| self.at_fault(&e)).and_then(|body| self.with_damper(body))
+    }
+
+    /// The body with its backward friction, its damper and its static friction, where they are given.
+    ///
+    /// # Errors
+    /// Where one of them is wrong or given twice.
+    pub fn with_damper(&self, body: Oscillator<F>) -> Result<Oscillator<F>, InputError> {
+        let static_friction = self.one_of(Role::StaticFriction)?;
+        let body = match self.get(Input::FrictionBackward) {
+            Some(backward) => body.with_directional_friction(body.friction_bound(), backward),
+            None => Ok(body),
+        }
+        .map_err(|e| self.at_fault(&e))?;
+        match self.one_of(Role::Damper)? {
+            Some((Input::Damping, damping)) => body.with_damping(damping),
+            Some((_, ratio)) => body.with_damping_ratio(ratio),
+            None => Ok(body),
+        }
+        .and_then(|body| match static_friction {
+            Some((Input::StaticFriction, force)) => body.with_static_friction(force),
+            Some((_, ratio)) => body.with_static_friction_ratio(ratio),
+            None => Ok(body),
+        })
+        .map_err(|e| self.at_fault(&e))
+    }
+
+    /// The frequency of the drive, given directly or as Ω ω_n of a body with a spring.
+    ///
+    /// # Errors
+    /// Where neither is given, or Ω is not > 0.
+    pub fn frequency(&self, body: &Oscillator<F>) -> Result<F, InputError> {
+        match (self.get(Input::Frequency), self.get(Input::Omega)) {
+            (None, Some(omega)) => Ok(self.positive(Input::Omega, omega)? * body.natural_frequency()),
+            _ => self.required(Input::Frequency),
+        }
+    }
+
+    /// The input that gives the amplitude of the excitation, and its value.
+    ///
+    /// # Errors
+    /// Where none or several are given.
+    pub fn amplitude(&self) -> Result<(Input, F), InputError> {
+        self.one_of(Role::Drive)?.ok_or_else(|| self.missing(&Input::of_role(Role::Drive)))
+    }
+
+    /// The drive of a body at a frequency.
+    ///
+    /// # Errors
+    /// As for [`Given::amplitude`], and where the amplitude, the frequency or the mean force is wrong.
+    pub fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, InputError> {
+        let (input, amplitude) = self.amplitude()?;
+        match input.excitation() {
+            Some(excitation) => Drive::new(excitation, amplitude, frequency),
+            None => Drive::with_force_ratio(body, amplitude, frequency),
+        }
+        .and_then(|drive| self.with_mean_force(drive))
+        .map_err(|e| self.at_fault(&e))
+    }
+
+    /// The drive with its constant force, if it is given.
+    ///
+    /// # Errors
+    /// Where the force is not finite.
+    pub fn with_mean_force(&self, drive: Drive<F>) -> Result<Drive<F>, Error> {
+        self.get(Input::MeanForce).map_or(Ok(drive), |force| drive.with_mean_force(force))
+    }
+
+    /// The machine.
+    ///
+    /// # Errors
+    /// Where one of its inputs is missing, wrong or one too many.
+    pub fn driven(&self) -> Result<Driven<F>, InputError> {
+        let body = self.oscillator()?;
+        self.under(body, self.drive(&body, self.frequency(&body)?)?)
+    }
+
+    /// The machine under a force of r_y, which has α = 1: its scales are those of the border.
+    ///
+    /// # Errors
+    /// As for [`Given::driven`].
+    pub fn on_border(&self) -> Result<Driven<F>, InputError> {
+        let body = self.oscillator()?;
+        let drive = Drive::force(body.friction_bound(), self.frequency(&body)?);
+        self.under(body, drive.map_err(|e| self.at_fault(&e))?)
+    }
+
+    fn under(&self, oscillator: Oscillator<F>, drive: Drive<F>) -> Result<Driven<F>, InputError> {
+        let or = |input, computed| self.get(input).unwrap_or(computed);
+        let ratios = |found: Ratios<F>| {
+            Ratios::new(or(Input::Omega, found.omega()), or(Input::Alpha, found.alpha()))?
+                .with_damping_ratio(or(Input::DampingRatio, found.damping_ratio()))?
+                .with_static_friction_ratio(or(Input::StaticFrictionRatio, found.static_friction_ratio()))
+        };
+        let all = || {
+            let (found, scales) = (drive.ratios(&oscillator)?, Scales::new(&oscillator, &drive)?);
+            Ok(Driven { oscillator, drive, scales, ratios: ratios(found)? })
+        };
+        all().map_err(|e: Error| self.at_fault(&e))
+    }
+
+    /// The ratios with the given damping and static friction.
+    ///
+    /// # Errors
+    /// Where one of them is outside its domain.
+    pub fn completed(&self, ratios: Ratios<F>) -> Result<Ratios<F>, InputError> {
+        let zeta = self.get(Input::DampingRatio).unwrap_or(F::int(0));
+        let eta = self.get(Input::StaticFrictionRatio).unwrap_or(F::int(1));
+        let completed = ratios.with_damping_ratio(zeta).and_then(|r| r.with_static_friction_ratio(eta));
+        completed.map_err(|e| self.at_fault(&e))
+    }
+}
+
+/// The error on a frequency, or on Ω, with its bounds in the unit of the typed frequency `NAME TEXT`.
+#[must_use]
+pub fn in_typed_unit(error: &Error, typed: &str) -> String {
+    if let Error::NotPositive { quantity: Quantity::AngularFrequency, .. } = error {
+        return "the frequency must be > 0".to_owned();
+    }
+    let Error::OutOfRange { quantity, value, least, greatest } = error else { return error.to_string() };
+    let text = typed.split_once(' ').map_or(typed, |(_, text)| text);
+    let bound = |bound: &Number| scaled(text, bound.to_f64() / value.to_f64());
+    let is_frequency = matches!(quantity, Quantity::AngularFrequency | Quantity::FrequencyRatio);
+    match (bound(least), bound(greatest)) {
+        (Some(least), Some(greatest)) if is_frequency && Reader::has_unit(text) => {
+            format!("the frequency must be ≥ {least} and ≤ {greatest}")
+        }
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Driven, Given};
+    use crate::machine::{Input, Naming, Role};
+    use crate::units::Reader;
+
+    fn given(naming: Naming, typed: &[(Input, &str)]) -> Given<f64> {
+        let reader = Reader::new(None, "units");
+        let mut given = Given::empty(&reader, naming);
+        for (input, text) in typed {
+            given.read(*input, text, &reader).unwrap();
+        }
+        given
+    }
+
+    const BODY: [(Input, &str); 3] =
+        [(Input::Mass, "1 kg"), (Input::Stiffness, "4 N/m"), (Input::Friction, "4 N")];
+
+    fn with(more: &[(Input, &str)]) -> Given<f64> {
+        given(Naming::Keyword, &[&BODY, more].concat())
+    }
+
+    /// k = 4, m = 1, r_y = 4: ω_n = 2, 2√(k m) = 4.
+    #[test]
+    fn each_input_of_a_role_gives_the_same_machine() {
+        let plain = with(&[]).oscillator().unwrap();
+        let period = format!("{} s", std::f64::consts::PI);
+        let tuned = [BODY[0], BODY[2], (Input::Omega, "2"), (Input::Frequency, "4 rad/s")];
+        assert_eq!(given(Naming::Keyword, &tuned).oscillator().unwrap(), plain);
+        let by_period = [BODY[0], BODY[2], (Input::Period, &period)];
+        assert_eq!(given(Naming::Keyword, &by_period).oscillator().unwrap(), plain);
+        let by_coefficient =
+            [BODY[0], BODY[1], (Input::FrictionCoefficient, "0.5"), (Input::Gravity, "8 m/s²")];
+        assert_eq!(given(Naming::Keyword, &by_coefficient).oscillator().unwrap(), plain);
+        for (a, b) in [
+            ((Input::DampingRatio, "0.5"), (Input::Damping, "2 N*s/m")),
+            ((Input::StaticFrictionRatio, "1.5"), (Input::StaticFriction, "6 N")),
+        ] {
+            assert_eq!(with(&[a]).oscillator().unwrap(), with(&[b]).oscillator().unwrap());
+        }
+        for drive in [(Input::Force, "12 N"), (Input::Alpha, "3"), (Input::FootDisplacement, "3 m")] {
+            for frequency in [(Input::Omega, "2"), (Input::Frequency, "4 rad/s")] {
+                let Driven { ratios, drive, .. } = with(&[drive, frequency]).driven().unwrap();
+                assert_eq!((ratios.omega(), ratios.alpha()), (2.0, 3.0));
+                assert_eq!((drive.force_amplitude(&plain), drive.angular_frequency()), (12.0, 4.0));
+            }
+        }
+        let border = with(&[(Input::Omega, "2")]).on_border().unwrap();
+        assert_eq!((border.ratios.alpha(), border.drive.amplitude()), (1.0, 4.0));
+    }
+
+    #[test]
+    fn a_given_ratio_is_used_without_a_rounding() {
+        let driven = with(&[(Input::Omega, "0.1"), (Input::Alpha, "0.3")]).driven().unwrap();
+        assert_eq!((driven.ratios.omega(), driven.ratios.alpha()), (0.1, 0.3));
+    }
+
+    #[test]
+    fn the_words_are_the_same_with_the_names_of_each_program() {
+        let two = [(Input::DampingRatio, "5%"), (Input::Damping, "3 N*s/m")];
+        for (naming, words) in [
+            (
+                Naming::Option,
+                "--damping-ratio and --damping: give one of the two, because it determines the other",
+            ),
+            (
+                Naming::Keyword,
+                "damping_ratio and damping: give one of the two, because it determines the other",
+            ),
+        ] {
+            let given = given(naming, &[&BODY[..], &two].concat());
+            assert_eq!(given.oscillator().unwrap_err().to_string(), words);
+        }
+        let missing =
+            |naming, typed: &[(Input, &str)]| given(naming, typed).oscillator().unwrap_err().to_string();
+        let without = [BODY[0], BODY[2]];
+        assert_eq!(missing(Naming::Option, &without), "--stiffness (or --period, or --omega) is missing");
+        assert_eq!(missing(Naming::Keyword, &without), "stiffness (or period) is missing");
+        assert_eq!(missing(Naming::Keyword, &[BODY[1], (Input::Damping, "3 N*s/m")]), "mass is missing");
+        assert_eq!(
+            missing(Naming::Keyword, &[(Input::Damping, "3 N*s/m")]),
+            "damping 3 N*s/m: the damping constant c needs a machine in units, and mass is missing. With ratios give \
+             damping_ratio"
+        );
+    }
+
+    #[test]
+    fn a_wrong_value_is_named_as_it_was_typed() {
+        let error = |more: &[(Input, &str)]| with(more).driven().unwrap_err().to_string();
+        let drive = (Input::Frequency, "2 Hz");
+        let words = [
+            (
+                vec![(Input::StaticFriction, "3 N"), drive],
+                "static_friction 3 N: static friction ratio η = 0.75 must be ≥ 1",
+            ),
+            (
+                vec![(Input::Gravity, "9 m/s²"), drive],
+                "gravity: must be left out without friction_coefficient",
+            ),
+            (vec![(Input::Force, "-1 N"), drive], "force -1 N: force amplitude p₀ = -1 must be > 0"),
+            (
+                vec![(Input::Force, "1 N"), (Input::Frequency, "0 Hz")],
+                "frequency 0 Hz: the frequency must be > 0",
+            ),
+            (
+                vec![(Input::Force, "1 N"), (Input::Omega, "-2")],
+                "omega -2: frequency ratio Ω = -2 must be > 0",
+            ),
+            (
+                vec![(Input::Force, "1 N"), (Input::BaseVelocity, "1 m/s"), drive],
+                "force and base_velocity: give one",
+            ),
+            (vec![drive, (Input::Omega, "2")], "omega, frequency and stiffness: give two of the three"),
+        ];
+        for (more, words) in words {
+            assert!(error(&more).starts_with(words), "{} for {words}", error(&more));
+        }
+    }
+
+    #[test]
+    fn the_names_are_those_of_one_input_each() {
+        for input in Input::ALL {
+            assert_eq!(Input::named(input.name()), Some(input));
+            assert_eq!(Input::named(&input.column()), Some(input));
+            assert!(!input.help().is_empty() && Input::of_role(input.role()).contains(&input));
+            assert!(input.excitation().is_none() || input.role() == Role::Drive);
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! The table of inputs.
+
+use crate::error::Quantity;
+use crate::oscillator::Excitation;
+use crate::units::Kind;
+
+/// The part of an input in a machine. The inputs of one role determine each other, so that one of them is given; only
+/// those of the body itself stand beside each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// The mass, gravity, and the friction of backward motion.
+    Body,
+    /// The spring: by its stiffness or by the natural period.
+    Spring,
+    /// The friction: by its bound or by the coefficient.
+    Friction,
+    /// The damper: by its ratio or by its constant.
+    Damper,
+    /// Static friction above the kinetic one: by its ratio or by the force.
+    StaticFriction,
+    /// The constant force.
+    MeanForce,
+    /// The frequency: by its ratio or in units.
+    Frequency,
+    /// The amplitude of the excitation: of a force or a base motion, or the force ratio.
+    Drive,
+    /// The start of a motion.
+    Start,
+}
+
+/// How a program writes the names of inputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Naming {
+    /// As options: `--damping-ratio`.
+    Option,
+    /// As keywords: `damping_ratio`. Ω and α are keywords of functions that take no machine.
+    Keyword,
+}
+
+impl Naming {
+    /// The name of an input.
+    #[must_use]
+    pub fn of(self, input: Input) -> String {
+        match self {
+            Self::Option => input.option().to_owned(),
+            Self::Keyword => input.column(),
+        }
+    }
+
+    /// The names of inputs of which one is missing: the first, and the others in brackets.
+    pub(super) fn of_several(self, inputs: &[Input]) -> String {
+        let is_known = |input: &Input| self == Self::Option || !matches!(input, Input::Omega | Input::Alpha);
+        let names: Vec<_> = inputs.iter().copied().filter(is_known).map(|input| self.of(input)).collect();
+        match names.split_first() {
+            Some((first, [])) => first.clone(),
+            Some((first, others)) => {
+                let between = if others.len() > 2 { ", " } else { ", or " };
+                format!("{first} (or {})", others.join(between))
+            }
+            None => String::new(),
+        }
+    }
+}
+
+/// Defines a row of the table, with a function of [`Input`] for each of its fields.
+macro_rules! row {
+    ($($(#[$doc:meta])+ $field:ident: $type:ty;)*) => {
+        #[derive(Clone, Copy)]
+        struct Row {
+            $($field: $type,)*
+        }
+
+        impl Input {
+            $(
+                $(#[$doc])+
+                #[must_use]
+                pub const fn $field(self) -> $type {
+                    self.row().$field
+                }
+            )*
+        }
+    };
+}
+
+row! {
+    /// The description, for help.
+    help: &'static str;
+    /// The option.
+    option: &'static str;
+    /// The placeholder of its value in help.
+    placeholder: &'static str;
+    /// The kind of its values.
+    kind: Kind;
+    /// Its part in a machine.
+    role: Role;
+    /// Its quantity.
+    quantity: Quantity;
+    /// Further quantities that it determines.
+    also: &'static [Quantity];
+    /// The excitation whose amplitude it is.
+    excitation: Option<Excitation>;
+    /// Its name in words with its symbol.
+    symbol: &'static str;
+    /// Its letter in Latin script, which a column of a file may have.
+    letter: Option<&'static str>;
+    /// Another name of the option and the column.
+    alias: Option<&'static str>;
+    /// The former name of the option, which help does not show.
+    former: Option<&'static str>;
+    /// The units in which a file of ratios may state it.
+    ratio_units: &'static [&'static str];
+}
+
+/// Defines the inputs from one row each: the description, the option, the placeholder of its value, the kind of its
+/// values, its role, its quantity, and the further quantities that it determines, which an error may be about. Fields
+/// that most inputs do not have follow in braces.
+macro_rules! inputs {
+    ($(
+        $(#[doc = $help:literal])+
+        $input:ident $option:literal $placeholder:literal: $kind:ident, $role:ident, $quantity:ident [$($also:ident)*]
+        $({$($field:ident: $value:expr),+})?;
+    )*) => {
+        /// An input of a machine or of its ratios.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Input {
+            $($(#[doc = $help])+ $input,)*
+        }
+
+        impl Input {
+            /// All inputs, in order.
+            pub const ALL: [Self; [$($option),*].len()] = [$(Self::$input),*];
+
+            const fn row(self) -> &'static Row {
+                match self {
+                    $(Self::$input => {
+                        const ROW: Row = Row {
+                            help: concat!($($help),+).trim_ascii(),
+                            option: $option,
+                            placeholder: $placeholder,
+                            kind: Kind::$kind,
+                            role: Role::$role,
+                            quantity: Quantity::$quantity,
+                            also: &[$(Quantity::$also),*],
+                            excitation: None,
+                            symbol: Quantity::$quantity.name(),
+                            letter: None,
+                            alias: None,
+                            former: None,
+                            ratio_units: &["1"],
+                        };
+                        const { &Row { $($($field: $value,)+)? ..ROW } }
+                    })*
+                }
+            }
+        }
+    };
+}
+
+inputs! {
+    /// Frequency ratio Ω = ω_d/ω_n
+    Omega "--omega" "Ω": Ratio, Frequency, FrequencyRatio [Stiffness];
+    /// Mass m, such as 800kg
+    Mass "--mass" "M": Mass, Body, Mass [FrequencyRatio PseudoStiffness];
+    /// Stiffness k, such as 12kN/mm, or in its place a period, or Ω and a frequency
+    Stiffness "--stiffness" "K": Stiffness, Spring, Stiffness [FrequencyRatio FrictionDisplacement];
+    /// Natural period of the body on its spring, such as 2.2s, in place of the stiffness: k = m (2π/T)²
+    Period "--period" "T": Time, Spring, NaturalPeriod [Stiffness FrequencyRatio FrictionDisplacement];
+    /// Friction bound r_y, such as 5kN
+    Friction "--friction" "RY": Force, Friction, FrictionBound [ForwardFriction ForceRatio FrictionDisplacement];
+    /// Coefficient of friction µ of a body that rests on its surface, in place of the bound: r_y = µ m g
+    FrictionCoefficient "--friction-coefficient" "µ": Ratio, Friction, FrictionCoefficient
+        [FrictionBound ForwardFriction ForceRatio FrictionDisplacement] {letter: Some("mu")};
+    /// Gravity g for the coefficient of friction [default: 9.80665 m/s²]
+    Gravity "--gravity" "G": Acceleration, Body, Gravity [FrictionBound ForwardFriction];
+    /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion (r_y and
+    /// r_s are the means of both directions, and at rest the bounds are η r_y ± (r₊ − r₋)/2)
+    FrictionBackward "--friction-backward" "R": Force, Body, BackwardFriction [];
+    /// Viscous damping ratio ζ = c/(2√(k m)), such as 0.05 or 5% (a bare 5 is 500 %)
+    DampingRatio "--damping-ratio" "ζ": Ratio, Damper, DampingRatio [] {letter: Some("zeta")};
+    /// Damping constant c of a viscous damper, such as 20kN*s/m, in place of the ratio
+    Damping "--damping" "C": Damping, Damper, Damping [DampingRatio];
+    /// Static friction ratio η = r_s/r_y, such as 1.3: a body at rest stays until the force exceeds η r_y
+    /// [default: 1]
+    StaticFrictionRatio "--static-friction-ratio" "η": Ratio, StaticFriction, StaticFrictionRatio []
+        {letter: Some("eta"), alias: Some("static-ratio")};
+    /// Static friction r_s, such as 6.5kN, in place of the ratio
+    StaticFriction "--static-friction" "RS": Force, StaticFriction, StaticFriction [StaticFrictionRatio];
+    /// Constant force on the body, such as a preload of 2kN. It shifts the motion by P/k, and displacements are
+    /// measured from the mean displacement
+    MeanForce "--mean-force" "P": Force, MeanForce, MeanForce [MeanDisplacement];
+    /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s, where a bare number is ω_d in rad/s
+    Frequency "--frequency" "WD": Frequency, Frequency, AngularFrequency
+        [FrequencyRatio VelocityScale TimeScale PseudoStiffness];
+    /// Force ratio α = p₀/r_y
+    Alpha "--alpha" "α": Ratio, Drive, ForceRatio [ForceAmplitude];
+    /// Amplitude p₀ of a force on the body, such as 12kN
+    Force "--force" "P0": Force, Drive, ForceAmplitude [ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::Force)};
+    /// Acceleration amplitude of a base that carries the surface, such as 0.15g: p₀ = m a₀, x relative to the
+    /// base
+    BaseAcceleration "--base-acceleration" "A0": Acceleration, Drive, BaseAcceleration
+        [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::SurfaceAcceleration)};
+    /// Velocity amplitude of a base that carries the surface, such as 30mm/s: p₀ = m ω_d v₀
+    BaseVelocity "--base-velocity" "V0": Velocity, Drive, BaseVelocity
+        [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::SurfaceVelocity)};
+    /// Displacement amplitude of a base that carries the surface, such as 9mm: p₀ = m ω_d² u₀
+    BaseDisplacement "--base-displacement" "U0": Length, Drive, BaseAmplitude
+        [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::SurfaceMotion), symbol: "base amplitude"};
+    /// Displacement amplitude of the spring's foot over a fixed surface, such as 9mm: p₀ = k u₀
+    FootDisplacement "--foot-displacement" "U0": Length, Drive, BaseAmplitude
+        [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::FootMotion), symbol: "amplitude of the foot", former: Some("base-motion")};
+    /// The same with the damper on the moving foot, too: p₀ = √(k² + c²ω_d²) u₀
+    DampedFootDisplacement "--damped-foot-displacement" "U0": Length, Drive, BaseAmplitude
+        [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::DampedFootMotion), symbol: "amplitude of the foot"};
+    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
+    X0 "--x0" "X": Length, Start, Displacement [] {ratio_units: &["B"]};
+    /// Velocity at the start: in units of B ω_d, or of length per time [default: 0]
+    V0 "--v0" "V": Velocity, Start, Velocity [] {ratio_units: &["B ω_d", "B wd"]};
+}
+
+impl Input {
+    /// The input of this name, as an option without its dashes, or as a column.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|input| input.name() == name || input.column() == name)
+    }
+
+    /// The inputs of a role, in order; Ω and α are the last of theirs.
+    #[must_use]
+    pub fn of_role(role: Role) -> Vec<Self> {
+        let mut inputs: Vec<_> = Self::ALL.into_iter().filter(|input| input.role() == role).collect();
+        inputs.sort_by_key(|input| matches!(input, Self::Omega | Self::Alpha));
+        inputs
+    }
+
+    /// The option without its dashes.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.option().trim_start_matches('-')
+    }
+
+    /// The name of its column, and its keyword in Python.
+    #[must_use]
+    pub fn column(self) -> String {
+        self.name().replace('-', "_")
+    }
+
+    /// Whether a column has its name, or that of its alias.
+    #[must_use]
+    pub fn is_column(self, name: &str) -> bool {
+        self.column() == name || self.alias().is_some_and(|alias| alias.replace('-', "_") == name)
+    }
+
+    /// Whether it is a quantity of a machine in physical units.
+    #[must_use]
+    pub const fn is_physical(self) -> bool {
+        // The coefficient of friction is a ratio, but a friction only with mass and gravity.
+        let is_ratio = matches!(self.kind(), Kind::Ratio) && !matches!(self, Self::FrictionCoefficient);
+        !is_ratio && !matches!(self.role(), Role::Start)
+    }
+
+    /// Whether an error about a quantity can have its cause in this input.
+    pub(super) fn determines(self, quantity: Quantity) -> bool {
+        self.quantity() == quantity || self.also().contains(&quantity)
+    }
+}
