@@ -77,6 +77,8 @@ pub mod equations {
 pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_displacement};
 #[cfg(feature = "batch")]
 pub(crate) use border::border_near;
+#[cfg(any(test, feature = "mp"))]
+pub(crate) use displacement::max_displacement;
 pub(crate) use dissipation::{
     best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
     loop_size_stiffness,
@@ -91,8 +93,6 @@ pub(crate) use phase::velocity_phase;
 pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
-#[cfg(any(test, feature = "mp"))]
-pub(crate) use displacement::max_displacement;
 #[cfg(feature = "mp")]
 pub(crate) use {
     displacement::{cos_displacement_phase, sin_displacement_phase},

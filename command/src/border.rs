@@ -8,7 +8,7 @@ use crate::input::BorderPoint;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
-use stickslip::machine::{Given, Role};
+use stickslip::machine::Given;
 use stickslip::{Error, Ratios, Response};
 use stickslip::{NoStop, no_stop_force_ratios};
 

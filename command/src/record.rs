@@ -5,13 +5,13 @@ mod written;
 
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::Given;
 use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
+use stickslip::machine::{Given, Role};
 use stickslip::{Column, Excitation, Measure, NoStop, Output, Ratios, Response, When};
 
 pub(crate) use cell::Cell;
@@ -68,8 +68,8 @@ impl<F: Value> Record<F> {
     fn of_ratios(given: &Given<F>, ratios: &Ratios<F>, has_alpha: bool) -> Self {
         let others = [
             (has_alpha, ALPHA, ratios.alpha()),
-            (given.has_damper(), DAMPING_RATIO, ratios.damping_ratio()),
-            (given.has_static_friction(), STATIC_FRICTION_RATIO, ratios.static_friction_ratio()),
+            (given.has_role(Role::Damper), DAMPING_RATIO, ratios.damping_ratio()),
+            (given.has_role(Role::StaticFriction), STATIC_FRICTION_RATIO, ratios.static_friction_ratio()),
         ];
         let mut fields = vec![(OMEGA, Cell::Number(Some(ratios.omega())))];
         let others = others.into_iter().filter(|(is_there, ..)| *is_there);
@@ -87,8 +87,8 @@ impl<F: Value> Record<F> {
         let mut record = Self::of_ratios(given, ratios, true);
         let columns = columns.into_iter().filter(|column| match column.when {
             When::Always => true,
-            When::Damping => given.has_damper(),
-            When::StaticFriction => given.has_static_friction(),
+            When::Damping => given.has_role(Role::Damper),
+            When::StaticFriction => given.has_role(Role::StaticFriction),
         });
         record.fields.extend(columns.map(|column| (column.definition, (column.of)(answer).into())));
         record

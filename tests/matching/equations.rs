@@ -1,10 +1,10 @@
 //! Eq. 28–49 at a solution of eq. 21–25: the left side minus the right side, and the size of the terms.
 
-use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
 use stickslip::nonsticking::equations::{
     cos_displacement_phase, deviation, displacement_phase, max_displacement, max_velocity_from_phase,
     sin_displacement_phase, velocity_phase_residual,
 };
+use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
 use stickslip::phase_function::one_minus_square;
 use stickslip::{Field, Float, PhaseFunction, Real};
 
