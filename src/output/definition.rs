@@ -161,6 +161,7 @@ impl Definition {
 impl Definition {
     /// The name of its value in the units of a machine under this excitation; `None` where there is no such
     /// value.
+    #[doc(hidden)]
     #[must_use]
     pub fn physical_name(&self, excitation: Excitation) -> Option<&'static str> {
         match self.physical {
@@ -172,6 +173,7 @@ impl Definition {
     }
 
     /// Its meaning, with the number of its equation.
+    #[doc(hidden)]
     #[must_use]
     pub fn text(&self) -> String {
         match self.equation {
