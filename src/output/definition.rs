@@ -183,7 +183,7 @@ impl Definition {
     }
 }
 
-/// Defines constants from one row each: the name in Rust, and the [`Definition`] as in the table of [`super::Output`].
+/// Defines constants from one row each: the name in Rust, and the definition as in the table of outputs.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! define {
