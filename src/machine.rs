@@ -23,6 +23,8 @@
 
 mod given;
 mod input;
+#[cfg(test)]
+mod tests;
 
 pub use given::{Driven, Given, in_typed_unit};
 pub use input::{Input, Naming, Role};

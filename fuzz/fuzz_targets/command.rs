@@ -39,6 +39,7 @@ use command::{
 use failure::Failure;
 use std::path::PathBuf;
 use std::sync::LazyLock;
+use stickslip::machine::Input;
 
 /// The file with the points of a run.
 static POINTS: LazyLock<PathBuf> =
@@ -70,11 +71,11 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         }
         Command::Design(question) => design::run(question, out),
         Command::Sweep(args) => {
-            let omega = args.machine.omega.as_deref().unwrap_or("0.5");
+            let omega = args.machine.text(Input::Omega).unwrap_or("0.5");
             return check_grid(grid::Grid::<f64>::parse("--omega", omega));
         }
         Command::Map(args) => {
-            let alpha = args.force.alpha.as_deref().unwrap_or("2");
+            let alpha = args.machine.text(Input::Alpha).unwrap_or("2");
             return check_grid(grid::Grid::<f64>::parse("--alpha", alpha));
         }
         Command::Steady(_)

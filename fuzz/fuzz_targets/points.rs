@@ -40,6 +40,7 @@ use failure::{Failure, Outcome};
 use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::LazyLock;
+use stickslip::machine::Input;
 
 /// The file with the points of a run.
 static FILE: LazyLock<PathBuf> =
@@ -89,7 +90,7 @@ fn rows(content: &[u8]) -> (StringRecord, Vec<StringRecord>) {
 }
 
 /// The arguments that correspond to the values of a row, of those that the command accepts.
-fn arguments(used: &[given::Parameter], header: &StringRecord, row: &StringRecord) -> Vec<String> {
+fn arguments(used: &[Input], header: &StringRecord, row: &StringRecord) -> Vec<String> {
     let option = |(name, text): (&str, &str)| {
         let name = name.trim_start_matches('\u{feff}').trim();
         let (own, unit) = match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
@@ -120,8 +121,7 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
     let answers: Vec<Value> =
         lines.lines().map(|line| serde_json::from_str(line).expect("an object a line")).collect();
     let (header, rows) = rows(&content);
-    let used: &[given::Parameter] =
-        if command.starts_with("border") { &given::Parameter::BORDER } else { &given::Parameter::ALL };
+    let used = args::used::columns(command.split(' ').next().unwrap_or_default());
     match &outcome {
         Ok(()) => assert_eq!(answers.len(), rows.len(), "{}", String::from_utf8_lossy(&content)),
         Err(failure) => {
@@ -130,7 +130,7 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
         }
     }
     for (row, answer) in rows.iter().zip(&answers).take(20) {
-        let arguments = arguments(used, &header, row);
+        let arguments = arguments(&used, &header, row);
         let words =
             command.split(' ').chain(arguments.iter().map(String::as_str)).chain(["--format", "json"]);
         let (alone, text) = run(words);
