@@ -207,15 +207,13 @@ fn physical_outputs(
     let steady = SteadyOutput::ALL.map(SteadyOutput::definition).into_iter();
     let all = outputs.chain(steady).chain([definitions::PERIODS, definitions::REST_POSITION]);
     let named = all.filter_map(|output| {
-        let (name, kind) = (output.physical_name(excited)?, output.measure.kind());
-        let (kind, _) = KINDS.iter().find(|(_, own)| *own == kind)?;
-        Some((output.name, (name, scale(output.measure), *kind)))
+        let name = output.physical_name(excited)?;
+        Some((output.name, (name, scale(output.measure), output.measure.kind().name())))
     });
     Ok(named.collect())
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("UNITS", units())?;
     module.add("EXCITATIONS", excitations())?;
     module.add_function(wrap_pyfunction!(machine, module)?)?;
     module.add_function(wrap_pyfunction!(drive, module)?)?;

@@ -15,7 +15,6 @@ OUTPUTS: list[str]
 REGIMES: list[str]
 LIMITS: list[str]
 FIGURES: list[str]
-UNITS: list[tuple[str, str]]
 EXCITATIONS: list[tuple[str, str]]
 MAX_PERIODS: int
 
