@@ -223,3 +223,18 @@ proptest! {
         motion::questions(q.point.omega, q.target, q.point.alpha, q.low, q.high);
     }
 }
+
+/// Inputs that failed once: α is above η by a few units in the last place.
+#[test]
+fn a_force_that_hardly_exceeds_static_friction() {
+    let (zeta, theta, x) = (7.693_836_365_796_36, -8.859_375_004_158_21, 1.110_223_024_625_156_5e-15);
+    motion::static_motion(
+        0.333_333_333_333_333_3,
+        1.000_000_000_000_001,
+        zeta,
+        1.0 + 2.0 * f64::EPSILON,
+        theta,
+        x,
+        0.0,
+    );
+}
