@@ -70,8 +70,8 @@ pub use field::{Field, Real};
 pub use foreign::Foreign;
 #[cfg(feature = "mp")]
 pub use mp::{Inexact, Mp, ParseError, PrecisionError, WIDTHS, WithPrecision, with_precision};
-pub use task::{AtPrecision, Task};
 #[doc(hidden)]
+pub use task::{AtPrecision, Task};
 pub(crate) use task::{at_precision, fused};
 
 /// The operations that decisions need: order, precision, range.

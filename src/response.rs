@@ -121,17 +121,17 @@ impl<F: Float> Response<F> {
     /// The regime is decided with these bits, too.
     pub fn guarded(ratios: Ratios<F>) -> Self {
         at_precision!(guarded, <F>(ratios: Ratios<F>) -> Response<F>, |there, back: G| {
-                let found = Response::<G>::new(ratios.map(there));
-                Response {
-                    ratios,
-                    regime: found.regime,
-                    border: found.border.map(&back),
-                    cycle: found.cycle.map(|cycle| cycle.map(&back)),
-                    loop_size_stiffness: found.loop_size_stiffness.map(&back),
-                    loop_size_inertia: found.loop_size_inertia.map(&back),
-                    best_force_ratio: back(found.best_force_ratio),
-                    best_loop_size: found.best_loop_size.map(&back).and_then(finite),
-                }
+            let found = Response::<G>::new(ratios.map(there));
+            Response {
+                ratios,
+                regime: found.regime,
+                border: found.border.map(&back),
+                cycle: found.cycle.map(|cycle| cycle.map(&back)),
+                loop_size_stiffness: found.loop_size_stiffness.map(&back),
+                loop_size_inertia: found.loop_size_inertia.map(&back),
+                best_force_ratio: back(found.best_force_ratio),
+                best_loop_size: found.best_loop_size.map(&back).and_then(finite),
+            }
         })
     }
 

@@ -1,6 +1,6 @@
 //! `stickslip border`.
 
-use crate::args::{BorderArgs, Format, used};
+use crate::args::BorderArgs;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
@@ -60,20 +60,15 @@ impl<W: Write> Task for Run<'_, W> {
         let Self(args, out) = self;
         let reader = args.output.units.reader();
         let given = given::read::<F>(&args.machine, &reader)?;
-        if let Some(file) = &args.output.points {
-            let (output, reader) = (&args.output, &reader);
-            let used = used::columns("border");
-            let asked = points::Asked { file, output, reader, given, used, start: None };
-            return points::run(asked, out, |given| {
-                record(given, &input::border_point(given)?, args.no_stop).map(|(_, _, record)| record)
-            });
-        }
-        let point = input::border_point(&given)?;
-        let (answer, found, record) = record(&given, &point, args.no_stop)?;
-        match args.output.format.unwrap_or(Format::Text) {
-            Format::Text => Ok(note::border(&answer, found.as_ref(), point.physical, &given.system, out)?),
-            Format::Json => record.write_pretty(out),
-            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
-        }
+        let asked =
+            points::Asked { command: "border", output: &args.output, reader: &reader, given, start: None };
+        let answer = |given: &Given<F>| {
+            let point = input::border_point(given)?;
+            let (answer, found, record) = record(given, &point, args.no_stop)?;
+            Ok(((point, answer, found), record))
+        };
+        points::answered(asked, out, answer, |(point, answer, found), units, out| {
+            note::border(answer, found.as_ref(), point.physical, units, out)
+        })
     }
 }

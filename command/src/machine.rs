@@ -43,6 +43,11 @@ impl<F> Machine<F> {
     }
 }
 
+/// The excitation of a machine, or of ratios alone: a force.
+pub(crate) fn excitation<F: Value>(machine: Option<&Machine<F>>) -> Excitation {
+    machine.map_or(Excitation::Force, |machine| machine.drive.excitation())
+}
+
 /// The transmitted force in r_y and the transmissibility of a machine, from those of a body under a force.
 pub(crate) fn transmitted<F: Value>(
     machine: Option<&Machine<F>>,
@@ -50,8 +55,7 @@ pub(crate) fn transmitted<F: Value>(
     force: F,
     acceleration: F,
 ) -> (F, F) {
-    let excitation = machine.map_or(Excitation::Force, |m| m.drive.excitation());
-    excitation.transmitted(ratios, force, acceleration)
+    excitation(machine).transmitted(ratios, force, acceleration)
 }
 
 /// The kind of base motion, and the meaning of x; `None` for a force.

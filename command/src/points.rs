@@ -1,6 +1,6 @@
-//! Many points from a file or standard input, answered row by row in bounded memory.
+//! The answer to one point, or to many from a file or standard input, row by row in bounded memory.
 
-use crate::args::{Format, Header, OutputArgs, StartArgs};
+use crate::args::{Format, Header, OutputArgs, StartArgs, used};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::number;
@@ -16,34 +16,51 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use stickslip::machine::{Given, Input, Role};
-use stickslip::units::{Factor, Kind, Reader};
+use stickslip::units::{Factor, Kind, Reader, System};
 
 /// The time after which answers are written, even if more are coming.
 const UNSEEN: Duration = Duration::from_millis(10);
 
-/// The request for a file of points.
+/// The request for one point, or for a file of points.
 pub(crate) struct Asked<'a, F> {
-    pub(crate) file: &'a Path,
+    pub(crate) command: &'static str,
     pub(crate) output: &'a OutputArgs,
     pub(crate) reader: &'a Reader,
-    /// The quantities that all rows share.
+    /// The quantities of the arguments, which all rows share.
     pub(crate) given: Given<F>,
-    /// The columns that are read. A note names all others.
-    pub(crate) used: Vec<Input>,
     /// The arguments of the start, if the command has one.
     pub(crate) start: Option<&'a StartArgs>,
+}
+
+/// Answers the point of the arguments, in words by `note` or by its record, or with `--points` each row of the file.
+pub(crate) fn answered<F: Value, A, W: Write>(
+    asked: Asked<'_, F>,
+    out: &mut W,
+    answer: impl Fn(&Given<F>) -> Result<(A, Record<F>), Failure>,
+    note: impl FnOnce(&A, &System, &mut W) -> io::Result<()>,
+) -> Outcome {
+    if let Some(file) = &asked.output.points {
+        return rows_of(file, asked, out, |given| answer(given).map(|(_, record)| record));
+    }
+    let (found, record) = answer(&asked.given)?;
+    match asked.output.format.unwrap_or(Format::Text) {
+        Format::Text => Ok(note(&found, &asked.given.system, out)?),
+        Format::Json => record.write_pretty(out),
+        Format::Jsonl | Format::Csv => Err(Failure::single_format()),
+    }
 }
 
 /// Answers each row of a file with the record that `answer` makes of its quantities.
 ///
 /// It stops at a row that cannot be answered: the rows before it are complete, and the failure names the line
 /// and the value.
-pub(crate) fn run<F: Value>(
+fn rows_of<F: Value>(
+    file: &Path,
     asked: Asked<'_, F>,
     out: &mut impl Write,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
-    let Asked { file, output, .. } = asked;
+    let output = asked.output;
     let name = file.display().to_string();
     let source = rows::open(file, &format!("--points {name}"))?;
     let sink = RefCell::new(match output.format.unwrap_or(Format::Jsonl) {
@@ -89,8 +106,9 @@ fn answer_all<F: Value, W: Write>(
 ) -> Outcome {
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
-    let (columns, is_machine) = columns(&header, name, &asked)?;
-    let Asked { mut given, used, reader: units, output, .. } = asked;
+    let used = used::columns(asked.command);
+    let (columns, is_machine) = columns(&header, name, &used, &asked)?;
+    let Asked { mut given, reader: units, output, .. } = asked;
     let has = |p: Input| given.has(p) || columns.iter().any(|column| column.parameter == p);
     let needed = if is_machine { of_a_machine() } else { vec![vec![Input::Omega], vec![Input::Alpha]] };
     let mut needed = needed.into_iter().filter(|several| several.iter().any(|p| used.contains(p)));
@@ -168,15 +186,16 @@ struct Named<'a> {
     unit: Option<&'a str>,
 }
 
-/// The columns that are read, and whether they and the arguments are those of a machine.
+/// The columns that are read, those of `used`, and whether they and the arguments are those of a machine.
 ///
 /// Each must occur once, and none may also be an argument. A note names the columns that are not read.
 fn columns<F: Value>(
     header: &StringRecord,
     name: &str,
+    used: &[Input],
     asked: &Asked<'_, F>,
 ) -> Result<(Vec<Column>, bool), Failure> {
-    let Asked { used, given, reader, start, .. } = asked;
+    let Asked { given, reader, start, .. } = asked;
     let known = || used.iter().copied();
     let is_typed = |p: Input| given.has(p) || start.is_some_and(|start| start.text(p).is_some());
     let (mut found, mut unread): (Vec<Named<'_>>, Vec<&str>) = (Vec::new(), Vec::new());

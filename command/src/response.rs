@@ -1,15 +1,16 @@
 //! `stickslip response`.
 
-use crate::args::{Format, ResponseArgs, used};
+use crate::args::ResponseArgs;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
 use crate::input::Point;
+use crate::machine::excitation;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
 use stickslip::machine::Given;
-use stickslip::{Excitation, Response, ResponseAnswer};
+use stickslip::{Response, ResponseAnswer};
 
 /// The command with its arguments and its output.
 struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
@@ -26,21 +27,16 @@ impl<W: Write> Task for Run<'_, W> {
         let Self(args, out) = self;
         let reader = args.output.units.reader();
         let given = given::read::<F>(&args.machine, &reader)?;
-        if let Some(file) = &args.output.points {
-            let (output, reader) = (&args.output, &reader);
-            let used = used::columns("response");
-            let asked = points::Asked { file, output, reader, given, used, start: None };
-            return points::run(asked, out, |given| {
-                answer(given, &input::point(given)?, true).map(|(_, record)| record)
-            });
-        }
-        let point = input::point(&given)?;
-        let (response, record) = answer(&given, &point, true)?;
-        match args.output.format.unwrap_or(Format::Text) {
-            Format::Text => Ok(note::response(&response, point.machine.as_ref(), &given.system, out)?),
-            Format::Json => record.write_pretty(out),
-            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
-        }
+        let asked =
+            points::Asked { command: "response", output: &args.output, reader: &reader, given, start: None };
+        let answer = |given: &Given<F>| {
+            let point = input::point(given)?;
+            let (response, record) = answer(given, &point, true)?;
+            Ok(((point, response), record))
+        };
+        points::answered(asked, out, answer, |(point, response), units, out| {
+            note::response(response, point.machine.as_ref(), units, out)
+        })
     }
 }
 
@@ -51,7 +47,7 @@ pub(crate) fn answer<F: Value>(
     peaks: bool,
 ) -> Result<(Response<F>, Record<F>), Failure> {
     let response = Response::guarded(point.ratios);
-    let excitation = point.machine.as_ref().map_or(Excitation::Force, |machine| machine.drive.excitation());
+    let excitation = excitation(point.machine.as_ref());
     let found = ResponseAnswer { response: &response, excitation, peaks };
     let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
     let record = match &point.machine {

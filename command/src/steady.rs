@@ -2,19 +2,20 @@
 
 mod note;
 
-use crate::args::{Format, SteadyArgs, used};
+use crate::args::SteadyArgs;
 use crate::bits::{self, Task, Value};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
 use crate::input::{self, Point};
 use crate::interrupt;
+use crate::machine::excitation;
 use crate::points;
 use crate::record::Record;
 use std::io::Write;
 use stickslip::exact::{LongRun, State, SteadyAnswer};
 use stickslip::machine::Given;
-use stickslip::{Error, Excitation, Quantity};
+use stickslip::{Error, Quantity};
 
 use note::note;
 
@@ -34,25 +35,15 @@ impl<W: Write> Task for Run<'_, W> {
         input::periods(args.max_periods)?;
         let reader = args.output.units.reader();
         let given = given::read::<F>(&args.machine, &reader)?;
-        let answer = |given: &Given<F>, point: &Point<F>| {
+        let start = Some(&args.start);
+        let asked = points::Asked { command: "steady", output: &args.output, reader: &reader, given, start };
+        let answer = |given: &Given<F>| {
+            let point = input::point(given)?;
             let start = input::start(&args.start, given, point.machine.as_ref(), &reader)?;
-            answer(given, point, start, args.max_periods, true)
+            let (limit, record) = answer(given, &point, start, args.max_periods, true)?;
+            Ok(((point, limit), record))
         };
-        if let Some(file) = &args.output.points {
-            let (used, start) = (used::columns("steady"), Some(&args.start));
-            let (output, reader) = (&args.output, &reader);
-            let asked = points::Asked { file, output, reader, given, used, start };
-            return points::run(asked, out, |given| {
-                answer(given, &input::point(given)?).map(|(_, record)| record)
-            });
-        }
-        let point = input::point(&given)?;
-        let (limit, record) = answer(&given, &point)?;
-        match args.output.format.unwrap_or(Format::Text) {
-            Format::Text => Ok(note(&point, &limit, &given.system, out)?),
-            Format::Json => record.write_pretty(out),
-            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
-        }
+        points::answered(asked, out, answer, |(point, limit), units, out| note(point, limit, units, out))
     }
 }
 
@@ -82,7 +73,7 @@ fn of_limit<F: Value>(
     limit: &LongRun<F>,
     peaks: bool,
 ) -> Result<Record<F>, Failure> {
-    let excitation = point.machine.as_ref().map_or(Excitation::Force, |machine| machine.drive.excitation());
+    let excitation = excitation(point.machine.as_ref());
     let found = SteadyAnswer::new(point.ratios, excitation, limit, peaks).map_err(|e| given.at_fault(&e))?;
     let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
     match &point.machine {

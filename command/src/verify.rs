@@ -116,6 +116,8 @@ fn watched(
         ControlFlow::Break(failure) => Err(failure),
     }
 }
+
+/// Writes the verdicts; a failure if one of them is not as it must be.
 fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &mut impl Write) -> Outcome {
     match args.format {
         Format::Json => json(verdicts, residuals, out)?,

@@ -229,14 +229,14 @@ impl<F: Float> SixReversals<F> {
 /// The solution for a force followed from the pole, where it is a closed form, in steps of cot β.
 fn followed<F: Float>(frequency: Frequency<F>, force: F) -> Option<Unknowns<F>> {
     at_precision!(narrowed, <F>(frequency: Frequency<F>, force: F) -> Option<Unknowns<F>>, |there, back: G| {
-            let (omega, force) = (there(frequency.omega), there(force));
-            let (sin_beta, cos_beta) = (there(frequency.sin_beta), there(frequency.cos_beta));
-            let mut y = at_the_pole(omega, force)?;
-            for step in 1..=STEPS {
-                let frequency = Frequency { omega, sin_beta, cos_beta: cos_beta * G::ratio(step, STEPS) };
-                y = newton::polished(omega, y, |y| y.residuals(&frequency, Closing::Force(force)))?;
-            }
-            Some(y.map(back))
+        let (omega, force) = (there(frequency.omega), there(force));
+        let (sin_beta, cos_beta) = (there(frequency.sin_beta), there(frequency.cos_beta));
+        let mut y = at_the_pole(omega, force)?;
+        for step in 1..=STEPS {
+            let frequency = Frequency { omega, sin_beta, cos_beta: cos_beta * G::ratio(step, STEPS) };
+            y = newton::polished(omega, y, |y| y.residuals(&frequency, Closing::Force(force)))?;
+        }
+        Some(y.map(back))
     })
 }
 

@@ -68,6 +68,11 @@ pub(super) struct Case<R> {
     pub(super) scale: R,
 }
 
+/// An answer among several, if it is there.
+fn among<R: Copy>(answers: &[(Output, R)], output: Output) -> Option<R> {
+    answers.iter().find(|(name, _)| *name == output).map(|(_, value)| *value)
+}
+
 impl<R: Real> Case<R> {
     /// The case at (Ω, α, ζ) with these answers; `None` where an answer is missing.
     pub(super) fn new(
@@ -78,7 +83,7 @@ impl<R: Real> Case<R> {
         signs: Signs,
     ) -> Option<Self> {
         let one = R::int(1);
-        let answer = |output| answers.iter().find(|(name, _)| *name == output).map(|(_, value)| *value);
+        let answer = |output| among(&answers, output);
         let (first, last) = (answer(Output::VelocityPhase)?, answer(Output::DisplacementPhase)?);
         let unknowns = Unknowns {
             velocity_phase: if signs.is_late { first - R::int(2) * R::pi() } else { first },
@@ -125,7 +130,7 @@ impl<R: Real> Case<R> {
 
     /// An answer, if it exists.
     pub(super) fn get(&self, output: Output) -> Option<R> {
-        self.answers.iter().find(|(name, _)| *name == output).map(|(_, value)| *value)
+        among(&self.answers, output)
     }
 
     /// Whether a number is certainly below another.

@@ -131,28 +131,28 @@ impl<F: Float> Rising<F> {
     fn one_summit(&self) -> Option<Summit<F>> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
-        let motion = rising.vibration();
-        if !rising.has_one_summit(&motion) {
-            return None;
-        }
-        let (middle, half) = (rising.middle(), &rising.half);
-        let velocity = half.omega * rising.amplitude + middle.free.v;
-        let slope = half.omega.square() * half.h + middle.free.a;
-        let mut tau = motion.fastest_near(&middle, [velocity, slope]).psi;
-        for _ in 0..4 {
-            if !(tau > F::int(0) && tau < half.period) {
+            let motion = rising.vibration();
+            if !rising.has_one_summit(&motion) {
                 return None;
             }
-            let moment = motion.at(tau);
-            let [velocity, slope, _] = motion.velocity(&moment);
-            let found = motion.fastest_near(&moment, [velocity, slope]);
-            tau = found.psi;
-            if found.is_found {
-                let displacement = rising.displacement_by(&moment, slope) - found.displacement;
-                return Some(Summit { tau, velocity: velocity + found.gain, displacement });
+            let (middle, half) = (rising.middle(), &rising.half);
+            let velocity = half.omega * rising.amplitude + middle.free.v;
+            let slope = half.omega.square() * half.h + middle.free.a;
+            let mut tau = motion.fastest_near(&middle, [velocity, slope]).psi;
+            for _ in 0..4 {
+                if !(tau > F::int(0) && tau < half.period) {
+                    return None;
+                }
+                let moment = motion.at(tau);
+                let [velocity, slope, _] = motion.velocity(&moment);
+                let found = motion.fastest_near(&moment, [velocity, slope]);
+                tau = found.psi;
+                if found.is_found {
+                    let displacement = rising.displacement_by(&moment, slope) - found.displacement;
+                    return Some(Summit { tau, velocity: velocity + found.gain, displacement });
+                }
             }
-        }
-        None
+            None
         })
     }
 }

@@ -79,12 +79,12 @@ fn solved<F: Float>(problem: &Problem<F>, closing: Closing<F>, start: Unknowns<F
 /// and of the distance.
 fn followed<F: Float>(problem: &Problem<F>, force: F) -> Option<Unknowns<F>> {
     at_precision!(narrowed, <'a, F>(problem: &'a Problem<F>, force: F) -> Option<Unknowns<F>>, |there, back: G| {
-            let (problem, force) = (problem.map(&there), there(force));
-            let mut y = at_the_pole(problem.omega, force)?;
-            for step in 1..=STEPS {
-                y = solved(&problem.towards_the_pole(G::ratio(step, STEPS)), Closing::Force(force), y)?;
-            }
-            Some(y.map(back))
+        let (problem, force) = (problem.map(&there), there(force));
+        let mut y = at_the_pole(problem.omega, force)?;
+        for step in 1..=STEPS {
+            y = solved(&problem.towards_the_pole(G::ratio(step, STEPS)), Closing::Force(force), y)?;
+        }
+        Some(y.map(back))
     })
 }
 
