@@ -4,7 +4,7 @@
 
 use std::hint::black_box;
 use std::time::Instant;
-use stickslip::exact::{LongRun, State};
+use stickslip::motion::{LongRun, State};
 use stickslip::{Error, Ratios};
 
 fn greatest(omega: f64, alpha: f64, zeta: f64) -> Result<Option<f64>, Error> {

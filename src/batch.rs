@@ -53,10 +53,10 @@ pub use columns::Columns;
 pub use fixed::FixedOmega;
 pub use level::Level;
 
-use crate::error::Error;
-use crate::exact::LongRun;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use crate::motion::LongRun;
 use crate::output::Output;
-use crate::ratios::Ratios;
 use columns::{Looped, Slices, same_length};
 use kernel::Kernel;
 

@@ -55,12 +55,12 @@ pub use enclosure::Enclosure;
 pub use known::Known;
 pub use motion::{Event, Steady, Unproved, steady};
 
-use crate::error::{Error, Quantity};
+use crate::cycle::regime::sliding_bound;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
+use crate::machine::error::{Error, Quantity};
+use crate::machine::ratios::{valid_damping_ratio, valid_static_friction_ratio, within};
 use crate::output::Output;
-use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio, within};
-use crate::regime::sliding_bound;
 use angle::Angle;
 use border::Border;
 use cycle::Cycle;
@@ -76,7 +76,7 @@ pub enum Regime {
     /// α ≤ 1: the body ends at rest.
     Stuck,
     /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. The body sticks, except at the
-    /// force ratios of six reversals near a pole ([`crate::nonsticking::SixReversals`]), which are not
+    /// force ratios of six reversals near a pole ([`crate::cycle::SixReversals`]), which are not
     /// enclosed. With η > 1 it sticks from every start where α > η, and may end at rest where α ≤ η.
     BelowBorder,
     /// α > α_min(Ω): two reversals a cycle and no stop. With η > 1 only above the bound of

@@ -21,10 +21,6 @@
 //! functions are those of the pinned crate `libm`. A fused operation occurs where the source says
 //! [`Real::mul_add`], and nowhere else.
 
-use circular::TO_HALF_PI;
-use core::fmt::{Display, LowerExp};
-use pair::Pair;
-
 #[cfg(feature = "mp")]
 #[cfg_attr(
     not(test),
@@ -62,6 +58,10 @@ pub mod pair;
 mod pi_digits;
 mod primitive;
 mod task;
+
+use circular::TO_HALF_PI;
+use core::fmt::{Display, LowerExp};
+use pair::Pair;
 
 pub use conformance::{Broken, conformance};
 #[cfg(feature = "dual")]

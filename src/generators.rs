@@ -145,7 +145,7 @@ impl<'a> Arbitrary<'a> for Question {
 #[cfg(test)]
 mod tests {
     use super::{DampingRatio, Machine, Point, Question, Start};
-    use crate::exact::{End, State, Trajectory};
+    use crate::motion::{End, State, Trajectory};
     use crate::{Border, Ratios, Regime, Response};
     use arbitrary::{Arbitrary, Unstructured};
     use std::fmt::Debug;

@@ -49,7 +49,7 @@
 #![doc = include_str!("formulae/deviation.html")]
 //!
 //! The minimum force ratio without sticking ([`Border`]). Eq. 61 is the special case S = 1/Ω², which holds
-//! for Ω ≥ 1/2 (proof in `src/nonsticking/border.rs`):
+//! for Ω ≥ 1/2 (proof in `src/cycle/border.rs`):
 //!
 #![doc = include_str!("formulae/border.html")]
 //!
@@ -59,11 +59,11 @@
 #![doc = include_str!("formulae/dissipation.html")]
 #![doc = include_str!("formulae/best_force_ratio.html")]
 //!
-//! The contraction of a disturbance in half a cycle, max |λ| ([`nonsticking::Multipliers`]):
+//! The contraction of a disturbance in half a cycle, max |λ| ([`cycle::Multipliers`]):
 //!
 #![doc = include_str!("formulae/multipliers.html")]
 //!
-//! The exact motion, for any Ω and α and from any start, is in [`exact`].
+//! The exact motion, for any Ω and α and from any start, is in [`motion`].
 //!
 //! # Symbols
 //!
@@ -102,7 +102,7 @@
 //! * `generators`: adversarial inputs for property tests and fuzzing of code that uses this library
 //!   (`generators`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra
-//!   (`nonsticking::matching::newton`), over `Mp` too with `mp`.
+//!   (`cycle::matching::newton`), over `Mp` too with `mp`.
 
 #![cfg_attr(
     not(test),
@@ -139,6 +139,14 @@ mod symbolic;
     allow(clippy::arithmetic_side_effects, reason = "places within the slices given, and lanes of numbers")
 )]
 pub mod batch;
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "the counters of series and lobes, bounded by the precision and by u16"
+    )
+)]
+pub mod cycle;
 pub mod design;
 #[cfg(feature = "mp")]
 #[cfg_attr(
@@ -149,35 +157,16 @@ pub mod design;
     )
 )]
 pub mod enclosed;
-mod error;
-pub mod exact;
 pub mod float;
 #[cfg(feature = "generators")]
 #[doc(hidden)]
 pub mod generators;
 mod greatest;
-#[doc(hidden)]
-pub mod machine;
-#[cfg_attr(
-    not(test),
-    allow(
-        clippy::arithmetic_side_effects,
-        reason = "the counters of series and lobes, bounded by the precision and by u16"
-    )
-)]
-pub mod nonsticking;
-mod oscillator;
+mod machine;
+pub mod motion;
 mod output;
 #[cfg(doctest)]
 mod pages;
-#[cfg_attr(
-    not(test),
-    allow(clippy::arithmetic_side_effects, reason = "the counters of series, bounded by the precision")
-)]
-mod phase_function;
-mod ratios;
-mod regime;
-mod response;
 mod root;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
@@ -185,12 +174,13 @@ pub mod sensitivity;
 #[cfg(feature = "serde")]
 mod serialized;
 pub mod uncertainty;
-#[cfg_attr(
-    not(test),
-    allow(clippy::arithmetic_side_effects, reason = "places within a text, which its length bounds")
-)]
+
+/// The inputs of a machine with their rules, and numbers with units: for the command and the Python package.
 #[doc(hidden)]
-pub mod units;
+pub mod inputs {
+    pub use crate::machine::units;
+    pub use crate::machine::{Driven, Given, Input, Naming, Role, in_typed_unit};
+}
 
 /// The crates whose types and traits occur in this API, in the required versions.
 pub mod dependencies {
@@ -205,18 +195,19 @@ pub mod dependencies {
     pub use rug;
 }
 
-pub use error::{Error, Number, Quantity};
+pub use cycle::{Border, Cycle};
 pub use float::{Field, Float, Real};
-pub use nonsticking::{Border, Cycle};
-pub use oscillator::{Drive, Excitation, Oscillator, Scales};
+pub use machine::error::{Error, Number, Quantity};
+pub use machine::oscillator::{Drive, Excitation, Oscillator, Scales};
 pub use output::{Definition, Measure, Output, UnknownOutput};
 // The values of whole answers, for the command and the Python package.
+pub use cycle::phase_function::PhaseFunction;
+pub use cycle::regime::{Family, NoStop, Regime, Verdict, no_stop_force_ratios, regime};
+pub use machine::ratios::Ratios;
 #[doc(hidden)]
 pub use output::{Column, ResponseAnswer, Value, When, definitions};
-pub use phase_function::PhaseFunction;
-pub use ratios::Ratios;
-pub use regime::{Family, NoStop, Regime, Stops, Verdict, no_stop_force_ratios, regime, stops_per_cycle};
 // The regime of an exact motion, as the command and the Python package report it.
+pub use cycle::response::Response;
 #[doc(hidden)]
-pub use regime::{Observed, observed};
-pub use response::Response;
+pub use motion::limit::observed::{Observed, observed};
+pub use motion::limit::observed::{Stops, stops_per_cycle};

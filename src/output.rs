@@ -6,12 +6,12 @@ mod definition;
 #[allow(missing_docs, reason = "each has its meaning")]
 pub mod definitions;
 
-use crate::float::{Float, Real};
 #[cfg(feature = "serde")]
-use crate::nonsticking::Cycle;
-use crate::nonsticking::dynamic_amplification;
-use crate::oscillator::Scales;
-use crate::response::Response;
+use crate::cycle::Cycle;
+use crate::cycle::dynamic_amplification;
+use crate::cycle::response::Response;
+use crate::float::{Float, Real};
+use crate::machine::oscillator::Scales;
 
 pub(crate) use answer::columns;
 pub use answer::{Column, ResponseAnswer, Value, When};

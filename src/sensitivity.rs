@@ -19,13 +19,13 @@
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
-use crate::error::Error;
+use crate::cycle::regime::Regime;
+use crate::cycle::response::Response;
 use crate::float::dual::Dual;
-use crate::oscillator::{Drive, Oscillator, Scales};
+use crate::machine::error::Error;
+use crate::machine::oscillator::{Drive, Oscillator, Scales};
+use crate::machine::ratios::Ratios;
 use crate::output::Output;
-use crate::ratios::Ratios;
-use crate::regime::Regime;
-use crate::response::Response;
 
 /// A value and its derivatives with respect to N parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]

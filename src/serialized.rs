@@ -1,13 +1,13 @@
 //! Results with private fields are serialised as maps, with the names of the command's JSON. Results with
 //! public fields derive it.
 
+use crate::cycle::response::Response;
+use crate::cycle::{Border, Cycle};
 #[cfg(feature = "mp")]
 use crate::enclosed::{self, Enclosure};
-use crate::exact::{FreeDecay, SteadyOutput, SteadyState};
 use crate::float::Float;
-use crate::nonsticking::{Border, Cycle};
+use crate::motion::{FreeDecay, SteadyOutput, SteadyState};
 use crate::output::Output;
-use crate::response::Response;
 #[cfg(feature = "dual")]
 use crate::sensitivity::{Sensitivities, Sensitivity};
 #[cfg(feature = "random")]

@@ -29,7 +29,7 @@
 //! | V₀ | Δ₀/B, hence α (rising) | exact for one Ω; sampled over an interval of them |
 //! | K², hence α* = √2 \|K\| | Ω: falling from 1/(2n+1) to 1/(2n), rising from there to 1/(2n−1); for n = 1 to ∞ | exact |
 //!
-//! K² increases for Ω > 1/2 because κ(v) of `src/nonsticking/border/lobe.rs` decreases with v = 1/Ω². Below
+//! K² increases for Ω > 1/2 because κ(v) of `src/cycle/border/lobe.rs` decreases with v = 1/Ω². Below
 //! 1/2 it is monotone because T is, within each half lobe, and `|T′/T| ≥ π` outweighs the other terms
 //! (ibid.). V₀ increases with Δ₀ because ∂V₀/∂(Δ₀/B) = cos Ωψ at its maximum, which is not negative.
 //! **Pieces:** between two neighbouring zeros or poles of K both `K²` and `|1 − Ω²|` are monotone in Ω. Their
@@ -85,9 +85,9 @@ pub use machine::MachineBox;
 pub use random::{Exactly, Independent, MonteCarlo, Parameters};
 pub use ratios::RatioBox;
 
-use crate::error::{Error, Quantity, written};
 use crate::float::Float;
-use crate::ratios::within;
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::ratios::within;
 
 /// The knowledge of a parameter: it lies between two numbers, inclusive.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! The library's side of the comparison, with one function per kernel.
 
+use stickslip::cycle::Reversal;
 use stickslip::float::Task;
-use stickslip::nonsticking::Reversal;
 use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Response};
 
 /// {Δ₀, eq. 61, A₁}

@@ -1,6 +1,6 @@
 //! The kernels of the exact motion.
 
-use stickslip::exact::{LongRun, State, Trajectory};
+use stickslip::motion::{LongRun, State, Trajectory};
 use stickslip::{Cycle, Ratios};
 
 /// The results by which steady states are compared.

@@ -4,7 +4,7 @@ mod others;
 
 use crate::args::{AttractorsArgs, Format, Header};
 use crate::bits::digits;
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::input;
@@ -23,68 +23,53 @@ use stickslip::definitions::{
     LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR, MULTIPLIERS, STICKS_PER_CYCLE, SYMMETRIC,
     TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
 };
-use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyOutput, SteadyState};
-use stickslip::machine::{Given, Role};
+use stickslip::inputs::{Given, Role};
+use stickslip::motion::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyOutput, SteadyState};
 
 /// The greatest number of starts, whose limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
 
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a AttractorsArgs, &'a mut W);
-
 pub(crate) fn run(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
-    bits::run(args.bits, Run(args, out))
+    at_bits!(args.bits, search(args: &AttractorsArgs, out))
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let periods = input::periods(args.max_periods)?;
-        let count = input::count("--starts", &args.starts, MOST_STARTS)?;
-        let given = given::read::<F>(&args.machine, &args.units.reader())?;
-        let point = input::point(&given)?;
-        let reach = reach(args.reach.as_deref(), &point.ratios)?;
-        let at = |number| start(number, reach);
-        let all = Starts { ratios: point.ratios, count, at, periods }.limits(&given, &args.rows)?;
-        let others = match args.unstable {
-            Some(turns) => Others::search(&all, point.ratios, count, at, turns)?,
-            None => Others::none(),
-        };
-        let rows: Vec<Record<F>> = (0..all.limits.len()).map(|place| row(&all, Some(place), reach)).collect();
-        let more = others.rows();
-        match args.format {
-            Format::Text => {
-                let scale = point.machine.as_ref().map(|m| m.scales.length);
-                let length = |x| both(x, "B", scale, given.system.length());
-                measured_from(point.machine.as_ref(), out)?;
-                text(&all, reach, length, out)?;
-                args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
+fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
+    let periods = input::periods(args.max_periods)?;
+    let count = input::count("--starts", &args.starts, MOST_STARTS)?;
+    let given = given::read::<F>(&args.machine, &args.units.reader())?;
+    let point = input::point(&given)?;
+    let reach = reach(args.reach.as_deref(), &point.ratios)?;
+    let at = |number| start(number, reach);
+    let all = Starts { ratios: point.ratios, count, at, periods }.limits(&given, &args.rows)?;
+    let others = match args.unstable {
+        Some(turns) => Others::search(&all, point.ratios, count, at, turns)?,
+        None => Others::none(),
+    };
+    let rows: Vec<Record<F>> = (0..all.limits.len()).map(|place| row(&all, Some(place), reach)).collect();
+    let more = others.rows();
+    match args.format {
+        Format::Text => {
+            let scale = point.machine.as_ref().map(|m| m.scales.length);
+            let length = |x| both(x, "B", scale, given.system.length());
+            measured_from(point.machine.as_ref(), out)?;
+            text(&all, reach, length, out)?;
+            args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
+        }
+        Format::Json => {
+            let answer =
+                Answer::of(&given, &point.ratios, &all, reach, &rows, args.unstable.map(|_| more.as_slice()));
+            serde_json::to_writer_pretty(&mut *out, &answer)?;
+            Ok(out.write_all(b"\n")?)
+        }
+        Format::Jsonl | Format::Csv => {
+            let mut sink =
+                if args.format == Format::Csv { Sink::rows(out, Header::Names) } else { Sink::lines(out) };
+            if rows.is_empty() {
+                sink.write_header(&row(&all, None, reach))?;
+                progress::note(&unsettled(&all));
             }
-            Format::Json => {
-                let answer = Answer::of(
-                    &given,
-                    &point.ratios,
-                    &all,
-                    reach,
-                    &rows,
-                    args.unstable.map(|_| more.as_slice()),
-                );
-                serde_json::to_writer_pretty(&mut *out, &answer)?;
-                Ok(out.write_all(b"\n")?)
-            }
-            Format::Jsonl | Format::Csv => {
-                let mut sink = if args.format == Format::Csv {
-                    Sink::rows(out, Header::Names)
-                } else {
-                    Sink::lines(out)
-                };
-                if rows.is_empty() {
-                    sink.write_header(&row(&all, None, reach))?;
-                    progress::note(&unsettled(&all));
-                }
-                rows.iter().chain(&more).try_for_each(|row| sink.write(row))?;
-                Ok(sink.flush()?)
-            }
+            rows.iter().chain(&more).try_for_each(|row| sink.write(row))?;
+            Ok(sink.flush()?)
         }
     }
 }

@@ -5,8 +5,8 @@ use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
 use crate::given::note_percentage;
 use crate::grid::Grid;
-use stickslip::machine::{Given, Input, Naming};
-use stickslip::units::Reader;
+use stickslip::inputs::units::Reader;
+use stickslip::inputs::{Given, Input, Naming};
 
 /// The points of all grids, each computed from its number alone; the last grid varies fastest.
 #[derive(Clone)]

@@ -3,7 +3,7 @@
 use crate::args::BasinsArgs;
 use crate::attractors::{described, reach};
 use crate::bits::digits;
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::given;
@@ -12,8 +12,8 @@ use crate::input;
 use crate::machine::Machine;
 use crate::starts::Starts;
 use std::io::Write;
-use stickslip::exact::{Attractors, State};
-use stickslip::units::Kind;
+use stickslip::inputs::units::Kind;
+use stickslip::motion::{Attractors, State};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
 /// The number of values of a grid that is not given.
@@ -39,20 +39,14 @@ struct Axed<F> {
     column: String,
 }
 
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a BasinsArgs, &'a mut W);
-
 pub(crate) fn run(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
-    bits::run(args.bits, Run(args, out))
+    at_bits!(args.bits, draw(args: &BasinsArgs, out))
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let target = Target::new(args.out.as_deref(), args.overwrite)?;
-        let basins = Basins::<F>::new(args)?;
-        target.fill(out, |mut out| basins.table(&mut out), || basins.figure())
-    }
+fn draw<F: Value>(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
+    let target = Target::new(args.out.as_deref(), args.overwrite)?;
+    let basins = Basins::<F>::new(args)?;
+    target.fill(out, |mut out| basins.table(&mut out), || basins.figure())
 }
 
 impl<F: Value> Basins<F> {

@@ -10,7 +10,7 @@ pub(crate) trait Value: Float + FromStr + Pow<Self, Output = Self> + Send + Sync
 
 impl<F: Float + FromStr + Pow<Self, Output = Self> + Send + Sync> Value for F {}
 
-/// A command for any number type.
+/// A computation for any number type; [`at_bits`] makes one of a function.
 pub(crate) trait Task {
     fn run<F: Value>(self) -> Outcome;
 }
@@ -22,6 +22,23 @@ pub(crate) fn run(bits: Option<u32>, task: impl Task) -> Outcome {
         Some(bits) => run_wide(bits, task),
     }
 }
+
+/// `at_bits!(bits, function(arguments: &Arguments, out))`: the function, generic over a [`Value`], at f64, or with at
+/// least the requested bits.
+macro_rules! at_bits {
+    ($bits:expr, $function:ident($arguments:ident: &$given:ty, $out:ident)) => {{
+        struct Chosen<'a, W>(&'a $given, &'a mut W);
+
+        impl<W: std::io::Write> $crate::bits::Task for Chosen<'_, W> {
+            fn run<F: $crate::bits::Value>(self) -> $crate::failure::Outcome {
+                $function::<F>(self.0, self.1)
+            }
+        }
+
+        $crate::bits::run($bits, Chosen($arguments, $out))
+    }};
+}
+pub(crate) use at_bits;
 
 #[cfg(feature = "mp")]
 fn run_wide(bits: u32, task: impl Task) -> Outcome {

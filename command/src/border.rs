@@ -1,25 +1,22 @@
 //! `stickslip border`.
 
 use crate::args::BorderArgs;
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
 use crate::input::BorderPoint;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
-use stickslip::machine::Given;
+use stickslip::inputs::Given;
 use stickslip::{Error, Ratios, Response};
 use stickslip::{NoStop, no_stop_force_ratios};
-
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a BorderArgs, &'a mut W);
 
 pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
         return enclose::border(&args.machine, &args.output, out);
     }
-    bits::run(args.output.bits, Run(args, out))
+    at_bits!(args.output.bits, respond(args: &BorderArgs, out))
 }
 
 /// The answer at a point, with the forces without a stop if requested, and its record.
@@ -55,20 +52,17 @@ pub(crate) fn record<F: Value>(
     Ok((answer, found, record))
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let reader = args.output.units.reader();
-        let given = given::read::<F>(&args.machine, &reader)?;
-        let asked =
-            points::Asked { command: "border", output: &args.output, reader: &reader, given, start: None };
-        let answer = |given: &Given<F>| {
-            let point = input::border_point(given)?;
-            let (answer, found, record) = record(given, &point, args.no_stop)?;
-            Ok(((point, answer, found), record))
-        };
-        points::answered(asked, out, answer, |(point, answer, found), units, out| {
-            note::border(answer, found.as_ref(), point.physical, units, out)
-        })
-    }
+fn respond<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
+    let reader = args.output.units.reader();
+    let given = given::read::<F>(&args.machine, &reader)?;
+    let asked =
+        points::Asked { command: "border", output: &args.output, reader: &reader, given, start: None };
+    let answer = |given: &Given<F>| {
+        let point = input::border_point(given)?;
+        let (answer, found, record) = record(given, &point, args.no_stop)?;
+        Ok(((point, answer, found), record))
+    };
+    points::answered(asked, out, answer, |(point, answer, found), units, out| {
+        note::border(answer, found.as_ref(), point.physical, units, out)
+    })
 }

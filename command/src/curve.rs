@@ -19,8 +19,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
-use stickslip::machine::{Given, Input, Naming};
-use stickslip::units::{Reader, System};
+use stickslip::inputs::units::{Reader, System};
+use stickslip::inputs::{Given, Input, Naming};
 use stickslip_figures::{Origin, resolved};
 
 /// The greatest number of curves in a picture: with the border, the resonance and the dashes, the key then

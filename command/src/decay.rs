@@ -1,7 +1,7 @@
 //! `stickslip decay`.
 
 use crate::args::{DecayArgs, Format};
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::note::{self, both};
@@ -10,16 +10,13 @@ use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use std::io::Write;
 use stickslip::definitions::REST_POSITION;
-use stickslip::exact::FreeDecay;
-use stickslip::machine::{Given, Input, Role};
-use stickslip::units::{Kind, System};
+use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Given, Input, Role};
+use stickslip::motion::FreeDecay;
 use stickslip::{Drive, Excitation, Measure, Oscillator, Quantity};
 
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a DecayArgs, &'a mut W);
-
 pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
-    bits::run(args.bits, Run(args, out))
+    at_bits!(args.bits, respond(args: &DecayArgs, out))
 }
 
 /// The scales of free vibration: length B, time 1/ω_n.
@@ -37,61 +34,58 @@ struct Frictions<F> {
     static_friction: Option<F>,
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let reader = args.units.reader();
-        let given = given::read::<F>(&args.machine, &reader)?;
-        let (scales, frictions) = body(&given)?;
-        let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
-        let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
-        let v0: F =
-            if args.v0 == "0" { F::int(0) } else { reader.value("--v0", &args.v0, kind(Kind::Velocity))? };
-        let (x, v) = match &scales {
-            Some(s) => (x0 / s.length, v0 * s.time / s.length),
-            None => (x0, v0),
-        };
-        let zeta = frictions.damping.unwrap_or(F::int(0));
-        let eta = frictions.static_friction.unwrap_or(F::int(1));
-        let decay = FreeDecay::new(x, v, zeta, eta).map_err(|e| match e.quantity() {
-            Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(&e).into(),
-            Some(Quantity::Velocity) => Failure::Input(format!("--v0 {}: {e}", args.v0)),
-            _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
-        })?;
-        let record = record(&decay, scales.as_ref(), &frictions).finite()?;
-        match args.format {
-            Format::Json => record.write_pretty(out),
-            Format::Text => {
-                let length = |x| {
-                    both(
-                        x,
-                        "B",
-                        scales.as_ref().map(|s| s.length),
-                        scales.as_ref().map_or("", |s| s.system.length()),
-                    )
-                };
-                let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");
-                let rests = decay.rest_time.is_finite();
-                if rests {
-                    writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles)?;
-                } else {
-                    writeln!(out, "The body creeps towards rest for ever.\n")?;
-                }
-                writeln!(out, "  first turning point      {}", length(decay.first_turn))?;
-                writeln!(out, "  rest position            {}", length(decay.rest_position))?;
-                if rests {
-                    writeln!(out, "  time to rest             {}", time(decay.rest_time))?;
-                }
-                if let Some((mean, system)) =
-                    scales.as_ref().and_then(|s| Some((s.mean_displacement?, &s.system)))
-                {
-                    note::mean_displacement(mean, system, out)?;
-                }
-                Ok(())
+fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
+    let reader = args.units.reader();
+    let given = given::read::<F>(&args.machine, &reader)?;
+    let (scales, frictions) = body(&given)?;
+    let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
+    let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
+    let v0: F =
+        if args.v0 == "0" { F::int(0) } else { reader.value("--v0", &args.v0, kind(Kind::Velocity))? };
+    let (x, v) = match &scales {
+        Some(s) => (x0 / s.length, v0 * s.time / s.length),
+        None => (x0, v0),
+    };
+    let zeta = frictions.damping.unwrap_or(F::int(0));
+    let eta = frictions.static_friction.unwrap_or(F::int(1));
+    let decay = FreeDecay::new(x, v, zeta, eta).map_err(|e| match e.quantity() {
+        Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(&e).into(),
+        Some(Quantity::Velocity) => Failure::Input(format!("--v0 {}: {e}", args.v0)),
+        _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
+    })?;
+    let record = record(&decay, scales.as_ref(), &frictions).finite()?;
+    match args.format {
+        Format::Json => record.write_pretty(out),
+        Format::Text => {
+            let length = |x| {
+                both(
+                    x,
+                    "B",
+                    scales.as_ref().map(|s| s.length),
+                    scales.as_ref().map_or("", |s| s.system.length()),
+                )
+            };
+            let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");
+            let rests = decay.rest_time.is_finite();
+            if rests {
+                writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles)?;
+            } else {
+                writeln!(out, "The body creeps towards rest for ever.\n")?;
             }
-            Format::Jsonl | Format::Csv => {
-                Err(Failure::Input("--format: the answer to decay is text or json".to_owned()))
+            writeln!(out, "  first turning point      {}", length(decay.first_turn))?;
+            writeln!(out, "  rest position            {}", length(decay.rest_position))?;
+            if rests {
+                writeln!(out, "  time to rest             {}", time(decay.rest_time))?;
             }
+            if let Some((mean, system)) =
+                scales.as_ref().and_then(|s| Some((s.mean_displacement?, &s.system)))
+            {
+                note::mean_displacement(mean, system, out)?;
+            }
+            Ok(())
+        }
+        Format::Jsonl | Format::Csv => {
+            Err(Failure::Input("--format: the answer to decay is text or json".to_owned()))
         }
     }
 }

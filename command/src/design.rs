@@ -7,22 +7,19 @@ mod static_friction;
 
 use crate::args::{Format, Question, QuestionArgs};
 use crate::bits::digits;
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
-use stickslip::units::{Kind, System};
+use stickslip::inputs::units::{Kind, System};
 use stickslip::{Drive, Error, Excitation, NoStop, Oscillator};
 
 use asked::Asked;
 
-/// The question and its output.
-struct Run<'a, W>(&'a Question, &'a mut W);
-
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
-    bits::run(arguments(question).bits, Run(question, out))
+    at_bits!(arguments(question).bits, respond(question: &Question, out))
 }
 
 const fn arguments(question: &Question) -> &QuestionArgs {
@@ -52,38 +49,35 @@ impl<F: Value> Answer<F> {
     }
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(question, out) = self;
-        let args = arguments(question);
-        let reader = args.units.reader();
-        let asked = Asked::<F>::new(args, &reader)?;
-        let answer = match question {
-            Question::Force(_) if args.no_stop => asked.forces_without_stop(),
-            Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
-            Question::Force(_) => asked.min_force(),
-            Question::Friction(_) => asked.max_friction(),
-            Question::Bands(_) => asked.bands(),
-            Question::Displacement(_) => asked.displacement(),
-            Question::Velocity(_) => asked.velocity(),
-            Question::Dissipation(_) => asked.dissipation(),
-            Question::Stiffness(_) => asked.stiffness(),
-        }?;
-        answer.rows.iter().flatten().try_for_each(|(name, _, cell)| cell.finite(name))?;
-        match args.format {
-            Format::Text => asked.text(&answer, out),
-            Format::Json => {
-                let records: Vec<_> = answer.rows.iter().map(|row| asked.named(row)).collect();
-                match (question, records.first()) {
-                    (Question::Bands(_), _) => serde_json::to_writer_pretty(&mut *out, &records)?,
-                    (_, Some(record)) => serde_json::to_writer_pretty(&mut *out, record)?,
-                    (_, None) => {}
-                }
-                Ok(out.write_all(b"\n")?)
+fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
+    let args = arguments(question);
+    let reader = args.units.reader();
+    let asked = Asked::<F>::new(args, &reader)?;
+    let answer = match question {
+        Question::Force(_) if args.no_stop => asked.forces_without_stop(),
+        Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
+        Question::Force(_) => asked.min_force(),
+        Question::Friction(_) => asked.max_friction(),
+        Question::Bands(_) => asked.bands(),
+        Question::Displacement(_) => asked.displacement(),
+        Question::Velocity(_) => asked.velocity(),
+        Question::Dissipation(_) => asked.dissipation(),
+        Question::Stiffness(_) => asked.stiffness(),
+    }?;
+    answer.rows.iter().flatten().try_for_each(|(name, _, cell)| cell.finite(name))?;
+    match args.format {
+        Format::Text => asked.text(&answer, out),
+        Format::Json => {
+            let records: Vec<_> = answer.rows.iter().map(|row| asked.named(row)).collect();
+            match (question, records.first()) {
+                (Question::Bands(_), _) => serde_json::to_writer_pretty(&mut *out, &records)?,
+                (_, Some(record)) => serde_json::to_writer_pretty(&mut *out, record)?,
+                (_, None) => {}
             }
-            Format::Jsonl | Format::Csv => {
-                Err(Failure::Input("--format: the answer to design is text or json".to_owned()))
-            }
+            Ok(out.write_all(b"\n")?)
+        }
+        Format::Jsonl | Format::Csv => {
+            Err(Failure::Input("--format: the answer to design is text or json".to_owned()))
         }
     }
 }

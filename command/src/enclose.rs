@@ -8,7 +8,7 @@ mod motion;
 use crate::args::{BodyArgs, MachineArgs, OutputArgs, Typed};
 use crate::failure::{Failure, Outcome};
 use std::io::Write;
-use stickslip::machine::Input;
+use stickslip::inputs::Input;
 
 /// A ratio as typed, or an error if it is missing.
 fn typed<const PARTS: u8>(machine: &Typed<PARTS>, input: Input) -> Result<&str, Failure> {

@@ -71,8 +71,8 @@ impl From<stickslip::Error> for Failure {
 }
 
 /// A value or a unit that cannot be read.
-impl From<stickslip::units::InputError> for Failure {
-    fn from(error: stickslip::units::InputError) -> Self {
+impl From<stickslip::inputs::units::InputError> for Failure {
+    fn from(error: stickslip::inputs::units::InputError) -> Self {
         Self::Input(error.to_string())
     }
 }

@@ -3,8 +3,8 @@
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::progress;
-use stickslip::machine::{Given, Input, Naming};
-use stickslip::units::Reader;
+use stickslip::inputs::units::Reader;
+use stickslip::inputs::{Given, Input, Naming};
 
 /// The typed inputs, in the system of the reader.
 pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Result<Given<F>, Failure> {

@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::input;
-use stickslip::units::{Kind, Reader};
+use stickslip::inputs::units::{Kind, Reader};
 
 /// The values of one argument.
 #[derive(Debug, Clone)]

@@ -12,9 +12,9 @@ use std::io::Write;
 use std::iter::zip;
 use std::path::Path;
 use stickslip::design::{self, AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading};
-use stickslip::machine::{Given, Input, Role};
+use stickslip::inputs::units::{Factor, Kind, Reader};
+use stickslip::inputs::{Given, Input, Role};
 use stickslip::uncertainty::Estimate;
-use stickslip::units::{Factor, Kind, Reader};
 use stickslip::{Error, Oscillator};
 
 /// The greatest number of measurements.

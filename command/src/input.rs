@@ -4,9 +4,9 @@ use crate::args::StartArgs;
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::machine::Machine;
-use stickslip::exact::State;
-use stickslip::machine::{Driven, Given, Input, Role};
-use stickslip::units::{self, Kind, Reader, System};
+use stickslip::inputs::units::{self, Kind, Reader, System};
+use stickslip::inputs::{Driven, Given, Input, Role};
+use stickslip::motion::State;
 use stickslip::{Error, Quantity, Ratios};
 
 /// The input of `response`: the ratios and, in physical units, the machine.

@@ -1,7 +1,7 @@
 //! A machine in physical units, for the answers.
 
 use crate::bits::Value;
-use stickslip::units::System;
+use stickslip::inputs::units::System;
 use stickslip::{Drive, Excitation, Oscillator, Ratios, Scales};
 
 /// A machine in physical units and the scale of its answers.

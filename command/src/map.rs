@@ -18,8 +18,8 @@ use crate::record::Cell;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::machine::{Given, Input};
-use stickslip::units::{Kind, System};
+use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Given, Input};
 use stickslip::{Output, Response};
 
 pub(crate) use picture::capital;

@@ -8,8 +8,8 @@ use crate::input;
 use crate::machine::Machine;
 use crate::steady::of_motion;
 use std::io::Write;
-use stickslip::exact::{Instant, LongRun, Trajectory};
-use stickslip::units::Kind;
+use stickslip::inputs::units::Kind;
+use stickslip::motion::{Instant, LongRun, Trajectory};
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 /// The number of samples in a cycle.

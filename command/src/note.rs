@@ -7,7 +7,7 @@ use crate::bits::{Value, digits};
 use crate::machine::{Machine, base_motion};
 use crate::style;
 use std::io::{self, Write};
-use stickslip::units::{Kind, System};
+use stickslip::inputs::units::{Kind, System};
 use stickslip::{Cycle, PhaseFunction, Regime, Response};
 
 use force::needed_force;

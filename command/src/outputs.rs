@@ -3,7 +3,7 @@
 use crate::failure::Outcome;
 use std::fmt::Write as _;
 use std::io::Write;
-use stickslip::exact::SteadyAnswer;
+use stickslip::motion::SteadyAnswer;
 use stickslip::{Definition, Measure, Output as O, ResponseAnswer, definitions as d};
 
 /// The name of a column, with its unit and its meaning.

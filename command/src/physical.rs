@@ -6,7 +6,7 @@ use crate::machine::Machine;
 use crate::outputs::{Key, plain};
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use stickslip::units::{Kind, System};
+use stickslip::inputs::units::{Kind, System};
 use stickslip::{Excitation, Measure};
 
 /// Values with their units.

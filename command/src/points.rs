@@ -15,8 +15,8 @@ use std::cell::RefCell;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stickslip::machine::{Given, Input, Role};
-use stickslip::units::{Factor, Kind, Reader, System};
+use stickslip::inputs::units::{Factor, Kind, Reader, System};
+use stickslip::inputs::{Given, Input, Role};
 
 /// The time after which answers are written, even if more are coming.
 const UNSEEN: Duration = Duration::from_millis(10);

@@ -11,7 +11,7 @@ use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
-use stickslip::machine::{Given, Role};
+use stickslip::inputs::{Given, Role};
 use stickslip::{Column, Excitation, Measure, NoStop, Output, Ratios, Response, When};
 
 pub(crate) use cell::Cell;

@@ -1,7 +1,7 @@
 //! `stickslip response`.
 
 use crate::args::ResponseArgs;
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
 use crate::input::Point;
@@ -9,35 +9,29 @@ use crate::machine::excitation;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
-use stickslip::machine::Given;
+use stickslip::inputs::Given;
 use stickslip::{Response, ResponseAnswer};
-
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
 
 pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
         return enclose::response(&args.machine, &args.output, out);
     }
-    bits::run(args.output.bits, Run(args, out))
+    at_bits!(args.output.bits, respond(args: &ResponseArgs, out))
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let reader = args.output.units.reader();
-        let given = given::read::<F>(&args.machine, &reader)?;
-        let asked =
-            points::Asked { command: "response", output: &args.output, reader: &reader, given, start: None };
-        let answer = |given: &Given<F>| {
-            let point = input::point(given)?;
-            let (response, record) = answer(given, &point, true)?;
-            Ok(((point, response), record))
-        };
-        points::answered(asked, out, answer, |(point, response), units, out| {
-            note::response(response, point.machine.as_ref(), units, out)
-        })
-    }
+fn respond<F: Value>(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
+    let reader = args.output.units.reader();
+    let given = given::read::<F>(&args.machine, &reader)?;
+    let asked =
+        points::Asked { command: "response", output: &args.output, reader: &reader, given, start: None };
+    let answer = |given: &Given<F>| {
+        let point = input::point(given)?;
+        let (response, record) = answer(given, &point, true)?;
+        Ok(((point, response), record))
+    };
+    points::answered(asked, out, answer, |(point, response), units, out| {
+        note::response(response, point.machine.as_ref(), units, out)
+    })
 }
 
 /// The response at a point, and its record.

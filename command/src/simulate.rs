@@ -1,7 +1,7 @@
 //! `stickslip simulate`.
 
 use crate::args::{Format, Header, SimulateArgs};
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::input;
@@ -17,73 +17,63 @@ use core::ops::ControlFlow;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
-use stickslip::exact::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
-use stickslip::units::Kind as Quantity;
+use stickslip::inputs::units::Kind as Quantity;
+use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
 const MOST_ROWS: f64 = 1e10;
 
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a SimulateArgs, &'a mut W);
-
 pub(crate) fn run(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
-    bits::run(args.bits, Run(args, out))
+    at_bits!(args.bits, follow(args: &SimulateArgs, out))
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let cycles = input::count("--cycles", &args.cycles, MOST_ROWS as u64)?;
-        let samples = args.samples.as_ref().map(|n| input::count("--samples", n, u64::from(u32::MAX)));
-        let samples = samples.transpose()?;
-        let mut sink = match args.format {
-            Format::Text => Sink::table(out),
-            Format::Jsonl => Sink::lines(out),
-            Format::Csv => Sink::rows(out, Header::Names),
-            Format::Json => {
-                return Err(Failure::Input("--format: must be text, jsonl or csv with simulate".to_owned()));
-            }
-        };
-        let reader = args.units.reader();
-        let given = given::read::<F>(&args.machine, &reader)?;
-        let point = input::point(&given)?;
-        refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
-        let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
-        let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
-        let machine = point.machine.as_ref();
-        let end = i64::try_from(cycles).unwrap_or(i64::MAX);
-        let mut clock = Clock::new(cycles);
-        let outcome = match samples {
-            None => stream(&mut sink, motion, |phase| {
-                let begins = phase.start().phase.cycles();
-                clock.tick(begins);
-                (begins < end).then(|| of_phase(&phase, machine))
-            }),
-            Some(n) => {
-                let mut samples = motion
-                    .samples(u32::try_from(n).unwrap_or(u32::MAX))
-                    .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?;
-                // One sample more than the cycles contain, so that the end is included.
-                let mut left = cycles.saturating_mul(n).saturating_add(1);
-                let heard = || {
-                    if interrupt::check().is_ok() {
-                        ControlFlow::Continue(())
-                    } else {
-                        ControlFlow::Break(())
-                    }
-                };
-                let samples = core::iter::from_fn(|| samples.next_while(heard));
-                stream(&mut sink, samples, |instant| {
-                    clock.tick(instant.state.phase.cycles());
-                    left = left.checked_sub(1)?;
-                    Some(of_instant(&instant, machine))
-                })
-            }
-        };
-        clock.bar.finish_and_clear();
-        sink.flush()?;
-        outcome
-    }
+fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
+    let cycles = input::count("--cycles", &args.cycles, MOST_ROWS as u64)?;
+    let samples = args.samples.as_ref().map(|n| input::count("--samples", n, u64::from(u32::MAX)));
+    let samples = samples.transpose()?;
+    let mut sink = match args.format {
+        Format::Text => Sink::table(out),
+        Format::Jsonl => Sink::lines(out),
+        Format::Csv => Sink::rows(out, Header::Names),
+        Format::Json => {
+            return Err(Failure::Input("--format: must be text, jsonl or csv with simulate".to_owned()));
+        }
+    };
+    let reader = args.units.reader();
+    let given = given::read::<F>(&args.machine, &reader)?;
+    let point = input::point(&given)?;
+    refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
+    let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
+    let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
+    let machine = point.machine.as_ref();
+    let end = i64::try_from(cycles).unwrap_or(i64::MAX);
+    let mut clock = Clock::new(cycles);
+    let outcome = match samples {
+        None => stream(&mut sink, motion, |phase| {
+            let begins = phase.start().phase.cycles();
+            clock.tick(begins);
+            (begins < end).then(|| of_phase(&phase, machine))
+        }),
+        Some(n) => {
+            let mut samples = motion
+                .samples(u32::try_from(n).unwrap_or(u32::MAX))
+                .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?;
+            // One sample more than the cycles contain, so that the end is included.
+            let mut left = cycles.saturating_mul(n).saturating_add(1);
+            let heard = || {
+                if interrupt::check().is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            };
+            let samples = core::iter::from_fn(|| samples.next_while(heard));
+            stream(&mut sink, samples, |instant| {
+                clock.tick(instant.state.phase.cycles());
+                left = left.checked_sub(1)?;
+                Some(of_instant(&instant, machine))
+            })
+        }
+    };
+    clock.bar.finish_and_clear();
+    sink.flush()?;
+    outcome
 }
 
 /// Writes the records until there are no more.

@@ -14,8 +14,8 @@ use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 use stickslip::Ratios;
 use stickslip::definitions::LIMIT;
-use stickslip::exact::{Attractors, LongRun, Signature, State, SteadyOutput, Trajectory};
-use stickslip::machine::Given;
+use stickslip::inputs::Given;
+use stickslip::motion::{Attractors, LongRun, Signature, State, SteadyOutput, Trajectory};
 
 /// A number of starts of one machine, each computed from its number.
 pub(crate) struct Starts<F, S> {

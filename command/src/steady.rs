@@ -3,7 +3,7 @@
 mod note;
 
 use crate::args::SteadyArgs;
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
@@ -13,38 +13,32 @@ use crate::machine::excitation;
 use crate::points;
 use crate::record::Record;
 use std::io::Write;
-use stickslip::exact::{LongRun, State, SteadyAnswer};
-use stickslip::machine::Given;
+use stickslip::inputs::Given;
+use stickslip::motion::{LongRun, State, SteadyAnswer};
 use stickslip::{Error, Quantity};
 
 use note::note;
-
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
         return enclose::steady(&args.machine, &args.output, out);
     }
-    bits::run(args.output.bits, Run(args, out))
+    at_bits!(args.output.bits, respond(args: &SteadyArgs, out))
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        input::periods(args.max_periods)?;
-        let reader = args.output.units.reader();
-        let given = given::read::<F>(&args.machine, &reader)?;
-        let start = Some(&args.start);
-        let asked = points::Asked { command: "steady", output: &args.output, reader: &reader, given, start };
-        let answer = |given: &Given<F>| {
-            let point = input::point(given)?;
-            let start = input::start(&args.start, given, point.machine.as_ref(), &reader)?;
-            let (limit, record) = answer(given, &point, start, args.max_periods, true)?;
-            Ok(((point, limit), record))
-        };
-        points::answered(asked, out, answer, |(point, limit), units, out| note(point, limit, units, out))
-    }
+fn respond<F: Value>(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
+    input::periods(args.max_periods)?;
+    let reader = args.output.units.reader();
+    let given = given::read::<F>(&args.machine, &reader)?;
+    let start = Some(&args.start);
+    let asked = points::Asked { command: "steady", output: &args.output, reader: &reader, given, start };
+    let answer = |given: &Given<F>| {
+        let point = input::point(given)?;
+        let start = input::start(&args.start, given, point.machine.as_ref(), &reader)?;
+        let (limit, record) = answer(given, &point, start, args.max_periods, true)?;
+        Ok(((point, limit), record))
+    };
+    points::answered(asked, out, answer, |(point, limit), units, out| note(point, limit, units, out))
 }
 
 /// The steady state from a start, and its record.

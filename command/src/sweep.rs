@@ -6,7 +6,7 @@ pub(crate) mod rows;
 
 use crate::args::{SweepArgs, SweepFormat};
 use crate::axes::Axes;
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::output::{Lines, named};
 use crate::resume::{self, Rows as _};
@@ -16,32 +16,26 @@ use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
 
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a SweepArgs, &'a mut W);
-
 pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
-    bits::run(args.bits, Run(args, out))
+    at_bits!(args.bits, compute(args: &SweepArgs, out))
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let Some(format) = args.format() else {
-            let name = args.out.as_deref().map_or(String::new(), |file| file.display().to_string());
-            return Err(Failure::Input(format!(
-                "--out {name}: the name must end in .csv, .jsonl or .parquet, or --format be given"
-            )));
-        };
-        let axes = Axes::new(&args.machine, &args.units.reader())?;
-        let rows = Rows::<F>::new(args, axes)?;
-        let part = part(args.shard.as_deref(), rows.len())?;
-        if args.resume && args.out.is_none() {
-            return Err(Failure::Input("--resume: needs the file to continue, --out FILE".to_owned()));
-        }
-        match format {
-            SweepFormat::Csv | SweepFormat::Jsonl => to_text(args, &rows, part, out),
-            SweepFormat::Parquet => to_parquet(args, &rows, part),
-        }
+fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
+    let Some(format) = args.format() else {
+        let name = args.out.as_deref().map_or(String::new(), |file| file.display().to_string());
+        return Err(Failure::Input(format!(
+            "--out {name}: the name must end in .csv, .jsonl or .parquet, or --format be given"
+        )));
+    };
+    let axes = Axes::new(&args.machine, &args.units.reader())?;
+    let rows = Rows::<F>::new(args, axes)?;
+    let part = part(args.shard.as_deref(), rows.len())?;
+    if args.resume && args.out.is_none() {
+        return Err(Failure::Input("--resume: needs the file to continue, --out FILE".to_owned()));
+    }
+    match format {
+        SweepFormat::Csv | SweepFormat::Jsonl => to_text(args, &rows, part, out),
+        SweepFormat::Parquet => to_parquet(args, &rows, part),
     }
 }
 

@@ -20,7 +20,7 @@ mod points;
 mod statements;
 
 use crate::args::{Format, VerifyArgs};
-use crate::bits::{self, Task, Value};
+use crate::bits::{Value, at_bits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -53,14 +53,11 @@ struct Verdict {
     passed: bool,
 }
 
-/// The command with its arguments and its output.
-struct Run<'a, W>(&'a VerifyArgs, &'a mut W);
-
 pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
         return enclosed(args, out);
     }
-    bits::run(args.bits, Run(args, out))
+    at_bits!(args.bits, check(args: &VerifyArgs, out))
 }
 
 /// `verify --enclose`: the statements in balls.
@@ -84,12 +81,9 @@ struct Residuals {
     are_balls: bool,
 }
 
-impl<W: Write> Task for Run<'_, W> {
-    fn run<F: Value>(self) -> Outcome {
-        let Self(args, out) = self;
-        let verdicts = watched(|step| Ok(plain::verdicts::<F, Failure>(step)))?;
-        answer(&verdicts, Residuals { bits: F::PRECISION, are_balls: false }, args, out)
-    }
+fn check<F: Value>(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
+    let verdicts = watched(|step| Ok(plain::verdicts::<F, Failure>(step)))?;
+    answer(&verdicts, Residuals { bits: F::PRECISION, are_balls: false }, args, out)
 }
 
 /// The verdicts, with a progress bar, unless interrupted.

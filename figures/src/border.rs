@@ -1,7 +1,7 @@
 //! Figure 8: the minimum force ratio without sticking.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
-use stickslip::exact::{LongRun, State};
+use stickslip::motion::{LongRun, State};
 use stickslip::{Border, Ratios};
 
 /// The exact border, eq. 61, and the points where the exact motion has no stop.

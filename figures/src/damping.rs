@@ -2,7 +2,7 @@
 
 use super::resolve::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly};
-use stickslip::exact::{LongRun, State, SteadyState};
+use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Border, Ratios};
 
 /// The damping ratios.

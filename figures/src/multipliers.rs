@@ -1,7 +1,7 @@
 //! The rate at which a disturbance decays.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
-use stickslip::nonsticking::Multipliers;
+use stickslip::cycle::Multipliers;
 use stickslip::{Cycle, Ratios};
 
 /// The contraction per cycle over Ω, and the multipliers per half cycle in the complex plane.

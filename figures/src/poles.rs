@@ -1,7 +1,7 @@
 //! The neighbourhood of the poles 1/3 and 1/5, where the body never stops.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
-use stickslip::exact::{LongRun, State};
+use stickslip::motion::{LongRun, State};
 use stickslip::{Border, Ratios, no_stop_force_ratios};
 
 /// The border, the region of six reversals below it, and the points where the exact motion has no stop.

@@ -1,7 +1,7 @@
 //! Motions in the phase plane.
 
 use super::{Axis, Figure, Panel, Series, Style};
-use stickslip::exact::{Instant, Kind, LongRun, State, Trajectory};
+use stickslip::motion::{Instant, Kind, LongRun, State, Trajectory};
 use stickslip::{Cycle, Ratios};
 
 /// A motion without stops, with the points of figure 2, and one that sticks, each with its transient from

@@ -2,8 +2,8 @@
 
 use super::resolve::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
-use stickslip::exact::{LongRun, State, SteadyState};
-use stickslip::nonsticking::printed;
+use stickslip::cycle::printed;
+use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Cycle, Ratios};
 
 /// Ω from 0.1025 to 2, 0.005 apart: between the frequencies 1/n, where the motion depends on its start.

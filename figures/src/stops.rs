@@ -1,7 +1,7 @@
 //! A map of the number of stops per cycle over Ω and α.
 
 use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly};
-use stickslip::exact::{LongRun, State};
+use stickslip::motion::{LongRun, State};
 use stickslip::{Border, Ratios};
 
 /// Names of the numbers of stops, from light to dark: as in all figures, the lightest colour means no stop,

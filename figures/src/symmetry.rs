@@ -2,7 +2,7 @@
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use stickslip::Ratios;
-use stickslip::exact::{ErrorMeasures, LongRun, State, errors_after};
+use stickslip::motion::{ErrorMeasures, LongRun, State, errors_after};
 
 /// The number of cycles from rest before the motion is measured; the paper does not state it.
 const CYCLES: u32 = 20;

@@ -39,7 +39,7 @@ use command::{
 use failure::Failure;
 use std::path::PathBuf;
 use std::sync::LazyLock;
-use stickslip::machine::Input;
+use stickslip::inputs::Input;
 
 /// The file with the points of a run.
 static POINTS: LazyLock<PathBuf> =

@@ -40,7 +40,7 @@ use failure::{Failure, Outcome};
 use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::LazyLock;
-use stickslip::machine::Input;
+use stickslip::inputs::Input;
 
 /// The file with the points of a run.
 static FILE: LazyLock<PathBuf> =

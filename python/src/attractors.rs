@@ -8,7 +8,7 @@ use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
-use stickslip::exact::{Attractor, Attractors, LongRun, Starts, State};
+use stickslip::motion::{Attractor, Attractors, LongRun, Starts, State};
 use stickslip::{Error, Ratios};
 
 /// The requested starts.

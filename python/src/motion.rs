@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use stickslip::Error;
-use stickslip::exact::{
+use stickslip::motion::{
     DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory,
 };
 use stickslip::{Excitation, Observed, Value, observed};
@@ -314,7 +314,7 @@ fn last_phase(start: f64, cycles: f64) -> PyResult<f64> {
 }
 
 /// A phase of the drive as one number.
-fn total(phase: stickslip::exact::DrivePhase<f64>) -> f64 {
+fn total(phase: stickslip::motion::DrivePhase<f64>) -> f64 {
     core::f64::consts::TAU * phase.cycles() as f64 + phase.reduced()
 }
 

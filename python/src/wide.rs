@@ -7,7 +7,7 @@ use core::str::FromStr;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::definitions::TURNS_OBSERVED;
-use stickslip::exact::{LongRun, State, SteadyAnswer, SteadyOutput};
+use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput};
 use stickslip::float::{Mp, ParseError};
 use stickslip::{Definition, Excitation, Float, Output, Ratios, Response, Value, When, no_stop_force_ratios};
 

@@ -1,12 +1,12 @@
 //! The points that the loops cannot compute: the library's answer at a single point.
 
 use super::columns::LOOPED;
+use crate::cycle::phase_function::PhaseFunction;
+use crate::cycle::regime::has_two_reversals;
+use crate::cycle::response::Response;
+use crate::cycle::{Border, Reversal};
 use crate::float::{Float, Task};
-use crate::nonsticking::{Border, Reversal};
-use crate::phase_function::PhaseFunction;
-use crate::ratios::Ratios;
-use crate::regime::has_two_reversals;
-use crate::response::Response;
+use crate::machine::ratios::Ratios;
 
 /// The outputs of [`LOOPED`] at (Ω, α); NaN where one does not exist.
 pub(crate) fn all(omega: f64, alpha: f64) -> [f64; LOOPED.len()] {

@@ -2,10 +2,12 @@
 //! loops.
 
 use super::block::{AtPoint, select};
+use crate::cycle::Reversal;
+use crate::cycle::border::turning_point_border;
+use crate::cycle::phase_function::{Quotient, is_close_to_one, one_minus_moderate_square};
+use crate::float::Float;
 use crate::float::circular::held;
-use crate::float::{Float, pair::Pair};
-use crate::nonsticking::{Reversal, border::turning_point_border};
-use crate::phase_function::{Quotient, is_close_to_one, one_minus_moderate_square};
+use crate::float::pair::Pair;
 
 /// The range of Ω within which nothing overflows or underflows.
 const LEAST_OMEGA: f64 = 0.5;

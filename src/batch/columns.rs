@@ -1,10 +1,10 @@
 //! The requested outputs of a batch, and the slices that receive them.
 
-use crate::error::Error;
+use crate::cycle::regime::Regime;
+use crate::cycle::response::Response;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
 use crate::output::Output;
-use crate::ratios::Ratios;
-use crate::regime::Regime;
-use crate::response::Response;
 
 /// An error unless a slice of length `found` is as long as the first.
 pub(super) const fn same_length(expected: usize, name: &'static str, found: usize) -> Result<(), Error> {

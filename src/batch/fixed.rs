@@ -5,10 +5,10 @@ use super::block::{AtPoint, Block, POINTS, select};
 use super::low::LowOmega;
 use super::stages::{HighParts, LowParts};
 use super::velocity::Parts;
-use crate::error::Error;
+use crate::cycle::Border;
+use crate::cycle::phase_function::{PhaseFunction, is_close_to_one};
 use crate::float::pair::Pair;
-use crate::nonsticking::Border;
-use crate::phase_function::{PhaseFunction, is_close_to_one};
+use crate::machine::error::Error;
 
 /// A frequency ratio with all quantities that depend on it alone, for many force ratios.
 ///

@@ -9,7 +9,7 @@ use super::level::Level;
 use super::low::{LowOmega, has_low_loops};
 use super::stages::{Answer, HighParts, LowParts, Stages, Work};
 use super::velocity::Parts;
-use crate::regime::{Regime, regime_above};
+use crate::cycle::regime::{Regime, regime_above};
 
 /// The requested outputs as functions of Ω and α, or of α in a row of one Ω.
 #[derive(Clone, Copy)]

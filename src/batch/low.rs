@@ -2,11 +2,11 @@
 
 use super::amplitude::{Amplitude, Domain};
 use super::block::{AtPoint, select};
+use crate::cycle::phase_function::{LowAngle, one_minus_square_wide};
+use crate::cycle::stability::contraction;
+use crate::cycle::{LowCircular, LowWaves, border_near, velocity_phase};
 use crate::float::circular::held;
 use crate::float::pair::Pair;
-use crate::nonsticking::stability::contraction;
-use crate::nonsticking::{LowCircular, LowWaves, border_near, velocity_phase};
-use crate::phase_function::{LowAngle, one_minus_square_wide};
 
 /// The least Ω of these loops; below, the angle needs more than one reduction.
 const LEAST_OMEGA: f64 = 1.0 / 1024.0;

@@ -1,9 +1,9 @@
 //! The exact steady state at many points.
 
-use crate::error::Error;
-use crate::exact::{LongRun, State};
-use crate::nonsticking::Cycle;
-use crate::ratios::Ratios;
+use crate::cycle::Cycle;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use crate::motion::{LongRun, State};
 
 /// The steady state that is reached from rest at (Ω, α).
 ///

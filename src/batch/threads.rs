@@ -5,8 +5,8 @@ use super::columns::{Looped, Slices};
 use super::kernel::Kernel;
 use super::level::Level;
 use super::run::run;
+use crate::machine::ratios::Ratios;
 use crate::output::Output;
-use crate::ratios::Ratios;
 
 /// Runs [`run`] on all threads of the current rayon pool. The slices are halved recursively between blocks,
 /// so that the result does not depend on the number of threads.

@@ -1,11 +1,11 @@
 //! The maximum velocity and the contraction, for Ω ≥ 1/2.
 
 use super::block::{AtPoint, select};
+use crate::cycle::phase_function::{Frequency, Offset, Quotient};
+use crate::cycle::stability::contraction;
+use crate::cycle::{Circular, Waves, velocity_phase};
 use crate::float::circular::held;
 use crate::float::pair::Pair;
-use crate::nonsticking::stability::contraction;
-use crate::nonsticking::{Circular, Waves, velocity_phase};
-use crate::phase_function::{Frequency, Offset, Quotient};
 
 /// The quantities that depend on Ω alone.
 #[derive(Clone, Copy)]

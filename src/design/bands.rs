@@ -3,7 +3,7 @@
 //! Sliding is the motion that reverses twice a cycle and does not stop. A body that reverses more often
 //! without stopping, which happens near the poles ([`super::bands_without_stop`]), is outside the bands. In
 //! each lobe of the border, `α_min(Ω) ≤ α` holds on at most one interval, because α_min decreases strictly to
-//! one minimum and then increases strictly (`src/nonsticking/border/lobe.rs`). The interval is empty in every
+//! one minimum and then increases strictly (`src/cycle/border/lobe.rs`). The interval is empty in every
 //! lobe n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens at most √(1+α)/2 + 1 bands.
 //! One search in each of those lobes therefore finds all bands without sampling. With a damper there is no
 //! such proof, and the bands are searched (`damped`).
@@ -11,13 +11,13 @@
 use super::band::{Band, Edge};
 use super::damped::{Damper, Search};
 use super::force::ratios_of;
-use crate::error::{Error, Quantity, written};
+use crate::cycle::Border;
+use crate::cycle::border::{Lobe, ordered_lobes};
+use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
-use crate::nonsticking::Border;
-use crate::nonsticking::border::{Lobe, ordered_lobes};
-use crate::oscillator::{Drive, Oscillator};
-use crate::phase_function::PhaseFunction;
-use crate::ratios::{Ratios, positive};
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::ratios::{Ratios, positive};
 use crate::root;
 
 /// The bands of a range, by increasing frequency: see [`bands`].

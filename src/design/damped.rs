@@ -20,10 +20,10 @@
 //! located.
 
 use super::band::{Band, Edge};
-use crate::error::{Error, Quantity, written};
+use crate::cycle::border::Lobe;
+use crate::cycle::damped::{border, half_period_at};
 use crate::float::Float;
-use crate::nonsticking::border::Lobe;
-use crate::nonsticking::damped::{border, half_period_at};
+use crate::machine::error::{Error, Quantity, written};
 use crate::root;
 use std::collections::VecDeque;
 

@@ -13,12 +13,12 @@
 
 use super::force::ratios_of;
 use super::optimum::{Optimum, OptimumKind};
-use crate::error::{Error, Quantity};
+use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
+use crate::cycle::{Border, best_force_ratio, best_loop_size, damped, loop_size_stiffness};
 use crate::float::Float;
-use crate::nonsticking::{Border, best_force_ratio, best_loop_size, damped, loop_size_stiffness};
-use crate::oscillator::{Drive, Oscillator};
-use crate::phase_function::{PhaseFunction, one_minus_square};
-use crate::ratios::{Ratios, positive};
+use crate::machine::error::{Error, Quantity};
+use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::ratios::{Ratios, positive};
 
 /// The force ratio without sticking that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥
 /// 0: `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where only the loop

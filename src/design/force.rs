@@ -1,10 +1,10 @@
 //! The minimum drive that keeps the body sliding at a given frequency.
 
-use crate::error::{Error, Quantity};
+use crate::cycle::Border;
 use crate::float::Float;
-use crate::nonsticking::Border;
-use crate::oscillator::{Drive, Excitation, Oscillator};
-use crate::ratios::{Ratios, positive};
+use crate::machine::error::{Error, Quantity};
+use crate::machine::oscillator::{Drive, Excitation, Oscillator};
+use crate::machine::ratios::{Ratios, positive};
 
 /// The minimum amplitude of an excitation that keeps `body` sliding at the angular frequency ω_d, for which
 /// `p₀ = r_y α_min(Ω)`.

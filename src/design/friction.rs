@@ -1,10 +1,10 @@
 //! The maximum friction that lets the body slide under a given drive.
 
 use super::force::border_of;
-use crate::error::{Error, Quantity};
 use crate::float::Float;
-use crate::oscillator::{Drive, Oscillator};
-use crate::ratios::positive;
+use crate::machine::error::{Error, Quantity};
+use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::ratios::positive;
 
 /// The maximum friction bound r_y with which the cycle without a stop exists under `drive`: `r_y = p₀/α_min(Ω)`.
 ///

@@ -20,10 +20,10 @@ mod model;
 mod outliers;
 mod search;
 
-use crate::error::{Error, Quantity, written};
-use crate::exact::{State, Trajectory};
-use crate::oscillator::{Drive, Excitation, Oscillator};
-use crate::ratios::{Ratios, finite, positive};
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::oscillator::{Drive, Excitation, Oscillator};
+use crate::machine::ratios::{Ratios, finite, positive};
+use crate::motion::{State, Trajectory};
 use crate::uncertainty::Estimate;
 use core::f64::consts::{SQRT_2, TAU};
 use outliers::{Judged, is_larger, judge};

@@ -4,14 +4,14 @@ use super::band::Edge;
 use super::bands::{bands, frequency_bands};
 use super::damped::highest;
 use super::force::ratios_of;
-use crate::error::{Error, Quantity};
+use crate::cycle::border::Lobe;
+use crate::cycle::phase_function::PhaseFunction;
+use crate::cycle::regime::NoStop;
+use crate::cycle::six_reversals::{self, damped};
 use crate::float::Float;
-use crate::nonsticking::border::Lobe;
-use crate::nonsticking::six_reversals::{self, damped};
-use crate::oscillator::{Drive, Oscillator};
-use crate::phase_function::PhaseFunction;
-use crate::ratios::positive;
-use crate::regime::NoStop;
+use crate::machine::error::{Error, Quantity};
+use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::ratios::positive;
 use crate::root;
 
 /// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::no_stop_force_ratios`].
@@ -52,7 +52,7 @@ pub struct NoStopBand<F> {
 ///
 /// They are the bands of [`bands`], of two reversals a cycle, and one of six around or just below each pole
 /// 1/(2n+1) where α is at least `5 (1/Ω² − 1)` or slightly more. Without damping the list of the former is
-/// proved to be complete, and that of the latter rests on a search ([`crate::nonsticking::SixReversals`]).
+/// proved to be complete, and that of the latter rests on a search ([`crate::cycle::SixReversals`]).
 /// With damping both are searched, the latter on a mesh of 64 frequencies near each pole. The ends are
 /// accurate to a few floats.
 ///
@@ -229,7 +229,8 @@ fn lowest<F: Float>(pole: F, from: F) -> F {
 #[cfg(test)]
 mod tests {
     use super::{bands_without_stop, forces_without_stop, frequency_bands_without_stop};
-    use crate::{Drive, Oscillator, Regime, regime};
+    use crate::cycle::regime::regime;
+    use crate::{Drive, Oscillator, Regime};
 
     #[test]
     fn inside_and_at_its_ends_the_body_never_stops_and_outside_it_does() {

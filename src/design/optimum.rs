@@ -43,7 +43,7 @@ pub struct BoundedOptimum<F> {
     /// [`OptimumKind::Sticking`], or the kind among the motions that do not stick.
     pub kind: OptimumKind,
     /// An upper bound on the value at any argument, rounding included. It is proven if each exact motion is
-    /// within its [`crate::exact::SteadyState::distance`] of the limit.
+    /// within its [`crate::motion::SteadyState::distance`] of the limit.
     pub bound: F,
     /// The optimum among the motions that do not stick.
     pub non_sticking: Optimum<F>,

@@ -32,7 +32,7 @@
 //!
 //! The second bound is sharper where a cycle is long, Ω ≪ 1, since it does not grow with T. Wherever A₁
 //! bounds an interval, it is increased by the smaller of the two and by the rounding of the sum. The bound
-//! relies on d, which is [`crate::exact::SteadyState::distance`]: an estimate by the linearised half turn,
+//! relies on d, which is [`crate::motion::SteadyState::distance`]: an estimate by the linearised half turn,
 //! not an enclosure.
 //!
 //! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1
@@ -41,12 +41,12 @@
 use super::dissipation::most_dissipating_force_ratio;
 use super::force::ratios_of;
 use super::optimum::{BoundedOptimum, Optimum, OptimumKind};
-use crate::error::{Error, Quantity, written};
-use crate::exact::{LongRun, State, SteadyState};
+use crate::cycle::{Border, loop_size_stiffness};
 use crate::float::Float;
-use crate::nonsticking::{Border, loop_size_stiffness};
-use crate::oscillator::{Drive, Oscillator};
-use crate::ratios::{Ratios, positive, within};
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::ratios::{Ratios, positive, within};
+use crate::motion::{LongRun, State, SteadyState};
 
 /// A computed loop size and an upper bound of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -219,7 +219,7 @@ const COARSE: i32 = 32;
 /// # Errors
 /// [`Error::AtResonance`] at Ω = 1 for ζ = 0, [`Error::NotSettled`] where a motion creeps too long for its
 /// work to be known (Ω near 1/n), where `tolerance` is not in [ε^½, 1] or ζ is outside the domain of
-/// [`Ratios`], and as for [`crate::exact::Trajectory::new`].
+/// [`Ratios`], and as for [`crate::motion::Trajectory::new`].
 pub fn most_dissipating_force_ratio_of_all<F: Float>(
     omega: F,
     damping_ratio: F,

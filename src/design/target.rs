@@ -1,13 +1,15 @@
 //! The force for a target displacement or velocity.
 
 use super::force::ratios_of;
-use crate::error::{Error, Quantity, written};
+use crate::cycle::damped::fastest::fastest_time;
+use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::rising::Rising;
+use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
+use crate::cycle::{Border, damped, force_ratio_from_displacement, max_velocity_from_displacement};
 use crate::float::Float;
-use crate::nonsticking::damped::{fastest::fastest_time, half_period::HalfPeriod, rising::Rising};
-use crate::nonsticking::{Border, damped, force_ratio_from_displacement, max_velocity_from_displacement};
-use crate::oscillator::Oscillator;
-use crate::phase_function::{PhaseFunction, one_minus_square};
-use crate::ratios::{Ratios, positive};
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::oscillator::Oscillator;
+use crate::machine::ratios::{Ratios, positive};
 
 /// The force ratio whose non-sticking cycle has the maximum displacement Δ₀/B: eq. 44 solved for α.
 ///
@@ -54,7 +56,7 @@ pub fn force_for_displacement<F: Float>(
 /// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
 ///
 /// For ζ = 0, V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0
-/// (`src/nonsticking/velocity.rs`), so that it increases with Δ₀ and is convex in it. Moreover, `V₀/(Bω_d) ≥
+/// (`src/cycle/velocity.rs`), so that it increases with Δ₀ and is convex in it. Moreover, `V₀/(Bω_d) ≥
 /// Δ₀/B`, its value at ψ = 0. The target itself, taken as Δ₀, is therefore at or beyond the only solution,
 /// and Newton's method descends to it without a bracket. With damping, V₀ increases with the amplitude of the
 /// driven part in the same way. Accuracy at f64 for ζ = 0: 16 ulp.

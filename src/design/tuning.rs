@@ -17,11 +17,11 @@ use super::bands::{bands, bands_with};
 use super::damped::Damper;
 use super::optimum::{Optimum, OptimumKind};
 use crate::Cycle;
-use crate::error::{Error, Number, Quantity, written};
+use crate::cycle::border::{Lobe, border_range};
 use crate::float::Float;
-use crate::nonsticking::border::{Lobe, border_range};
-use crate::oscillator::{Drive, Oscillator};
-use crate::ratios::{Ratios, positive};
+use crate::machine::error::{Error, Number, Quantity, written};
+use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::ratios::{Ratios, positive};
 use work::Work;
 
 /// The number of harmonics of the friction, even ones included, whose resonances lie in the first part of the

@@ -1,11 +1,11 @@
 //! The angle β = π/2Ω reduced by a multiple of π/2, and K(Ω), in balls.
 
 use super::Known;
+use crate::cycle::phase_function::{phase_function_beside_one, phase_function_of_tangent, tangent, turned};
+use crate::cycle::{best_force_ratio, best_loop_size};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
-use crate::nonsticking::{best_force_ratio, best_loop_size};
-use crate::phase_function::{phase_function_beside_one, phase_function_of_tangent, tangent, turned};
 use core::cmp::Ordering;
 use rug::{Integer, Rational};
 

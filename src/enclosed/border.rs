@@ -3,11 +3,11 @@
 use super::Known;
 use super::angle::Angle;
 use super::root::only_zero;
-use crate::float::ball::Ball;
-use crate::float::{Field, Real};
-use crate::nonsticking::border::{
+use crate::cycle::border::{
     border_force_ratio, condition, condition_slope, stationary_point, stationary_value,
 };
+use crate::float::ball::Ball;
+use crate::float::{Field, Real};
 use core::cmp::Ordering;
 
 /// The border at one Ω.
@@ -48,7 +48,7 @@ impl<const W: usize> Border<W> {
         if *angle.known.low() >= half
             || angle.remainder.sign() == Some(Ordering::Equal) && angle.quarter & 1 == 0
         {
-            // Proved in the documentation of `crate::nonsticking::border`; here also T = 0.
+            // Proved in the documentation of `crate::cycle::border`; here also T = 0.
             return at_turning_point;
         }
         if *angle.known.high() > half {

@@ -4,15 +4,15 @@ use super::angle::Angle;
 use super::certain::{not_negative, reduced};
 use super::damped::undamped_peaks;
 use super::root::only_zero;
-use crate::float::ball::Ball;
-use crate::float::{Field, Real};
-use crate::nonsticking::stability::{multiplier_product, real_contraction};
-use crate::nonsticking::{
+use crate::cycle::phase_function::PhaseFunction;
+use crate::cycle::stability::{multiplier_product, real_contraction};
+use crate::cycle::{
     HalfCycle, arrival_acceleration, cos_displacement_phase, dynamic_amplification, fastest, free_swing,
     loop_size_inertia, loop_size_stiffness, max_displacement, sin_displacement_phase, transmitted_force,
 };
+use crate::float::ball::Ball;
+use crate::float::{Field, Real};
 use crate::output::Output;
-use crate::phase_function::PhaseFunction;
 
 /// Displacement and maximum velocity of the cycle.
 pub(crate) struct Cycle<const W: usize> {
@@ -97,7 +97,7 @@ fn bend<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> Ball<
 }
 
 /// The centred time of the maximum velocity: the only zero of v′ in a ball. The ball lies where
-/// `crate::nonsticking::velocity` proves that v′ has one zero, and that the zero is the maximum velocity.
+/// `crate::cycle::velocity` proves that v′ has one zero, and that the zero is the maximum velocity.
 fn fastest_psi<const W: usize>(angle: &Angle<W>, alpha: Ball<W>, delta: Ball<W>) -> Option<Ball<W>> {
     let p = PhaseFunction::of_valid(angle.omega.mid());
     let start = fastest(&HalfCycle::new(&p, delta.mid()), p.value(), alpha.mid()).psi;

@@ -1,7 +1,7 @@
 //! The closed forms with damping, or with static friction above the kinetic one, in balls.
 //!
 //! The half period ([`HalfPeriod`]) is computed from its definition, with as many bits as its cancellations
-//! cost; all further steps are the formulae of `crate::nonsticking::damped`. The maximum velocity,
+//! cost; all further steps are the formulae of `crate::cycle::damped`. The maximum velocity,
 //! acceleration and force of the half cycle are found by branch and bound (`greatest`), for any Ω and ζ.
 
 mod border;
@@ -12,17 +12,17 @@ use super::border::Border;
 use super::certain::{not_negative, reduced};
 use super::greatest::{greatest, greatest_size};
 use super::root::only_zero;
+use crate::cycle::Unknowns;
+use crate::cycle::damped::best_of;
+use crate::cycle::damped::free::{Free, Waves};
+use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::rising::{Moment, Rising};
+use crate::cycle::equations::System;
+use crate::cycle::{dynamic_amplification, loop_size_inertia, loop_size_stiffness, max_displacement};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::greatest::Jet;
-use crate::nonsticking::Unknowns;
-use crate::nonsticking::damped::best_of;
-use crate::nonsticking::damped::free::{Free, Waves};
-use crate::nonsticking::damped::half_period::HalfPeriod;
-use crate::nonsticking::damped::rising::{Moment, Rising};
-use crate::nonsticking::equations::System;
-use crate::nonsticking::{dynamic_amplification, loop_size_inertia, loop_size_stiffness, max_displacement};
 use crate::output::Output;
 use core::cmp::Ordering;
 
@@ -228,7 +228,7 @@ fn contraction<const W: usize>(rising: &Rising<Ball<W>>) -> Ball<W> {
 /// The maximum acceleration below Ω = 1/2 and the greatest absolute displacement of the cycle without
 /// damping; `None` where they are not found.
 ///
-/// As in `crate::nonsticking::peaks`: |x″| is greatest on arrival, or within a fast period of an end or of
+/// As in `crate::cycle::peaks`: |x″| is greatest on arrival, or within a fast period of an end or of
 /// the maximum of the slow wave; and y′ has one zero.
 pub(super) fn undamped_peaks<const W: usize>(
     angle: &Angle<W>,

@@ -3,7 +3,8 @@
 use crate::float::ball::{Ball, Radius, Written, written};
 use crate::float::mp::Mp;
 use core::fmt;
-use rug::{Float, float::Round};
+use rug::Float;
+use rug::float::Round;
 
 /// All numbers within a radius of a midpoint, one of which is the output.
 ///

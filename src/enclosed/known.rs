@@ -1,12 +1,13 @@
 //! A ratio that is a rational number or lies between two of them.
 
-use crate::error::{Error, Number, Quantity, written};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::{Mp, ParseError};
 use crate::float::{Field, Float};
-use crate::ratios::{positive, within};
+use crate::machine::error::{Error, Number, Quantity, written};
+use crate::machine::ratios::{positive, within};
 use core::str::FromStr;
-use rug::{Integer, Rational, ops::Pow};
+use rug::ops::Pow;
+use rug::{Integer, Rational};
 
 /// The knowledge of a ratio: its exact value, or that it lies between two numbers.
 ///

@@ -1,9 +1,9 @@
 //! The precision is increased until the answers are sharp or the limit is reached.
 
 use super::{Enclosure, Regime};
-use crate::error::{Error, written};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
+use crate::machine::error::{Error, written};
 use crate::output::Output;
 
 /// The greatest number of bits.

@@ -23,8 +23,6 @@ mod circular;
 mod faults;
 mod field;
 mod radius;
-#[cfg(test)]
-mod tests;
 mod text;
 
 use super::mp::Mp;
@@ -211,3 +209,6 @@ fn bound<const N: usize>(parts: [Radius; N]) -> Radius {
     let parts = faults::injected(parts, core::panic::Location::caller());
     parts.into_iter().fold(Radius::ZERO, Radius::plus)
 }
+
+#[cfg(test)]
+mod tests;

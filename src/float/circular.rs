@@ -13,7 +13,8 @@
 //! | cos x | \|x\| ≤ 0.28125 | 1 − x²/2 + x⁴ C₃(x²) | 4.0e-18 |
 //! | atan t | \|t\| ≤ tan π/8 | t (1 + t² A₁₀(t²)) | 7.1e-18 of it |
 
-use super::{Float, pair::Pair};
+use super::Float;
+use super::pair::Pair;
 
 /// Coefficients of S and C in the table, from the constant term up.
 #[derive(Clone, Copy)]

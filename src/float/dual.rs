@@ -9,7 +9,7 @@ use num_dual::DualSVec64;
 
 /// An f64 with its first derivatives by N parameters, on which every closed form of the crate runs.
 ///
-/// The exact motion (`exact`) also runs on it, with the values of f64. Its events and its limit are found by
+/// The exact motion (`motion`) also runs on it, with the values of f64. Its events and its limit are found by
 /// iterations that do not apply the implicit function theorem, so derivatives of a steady state are not
 /// reliable.
 ///
@@ -22,8 +22,8 @@ use num_dual::DualSVec64;
 ///   the side taken: `|x|` at 0 is differentiated as x, `√x` at 0 has an infinite derivative or none (NaN).
 /// * **Roots found by iteration** get the derivatives of the implicit function, [`Float::implicit_root`], and
 ///   a maximum those of the function at the fixed point (the envelope theorem): the phase of the border and
-///   its minimum displacement (`nonsticking::border`), the phase of the maximum velocity
-///   (`nonsticking::velocity`).
+///   its minimum displacement (`cycle::border`), the phase of the maximum velocity
+///   (`cycle::velocity`).
 /// * **K(Ω)** is differentiated by its own closed form, which keeps its digits through Ω = 1 and far above
 ///   it.
 ///

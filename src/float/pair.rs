@@ -257,7 +257,8 @@ mod tests {
         pi_has_twice_the_digits::<f64>();
         #[cfg(feature = "mp")]
         {
-            use crate::float::{Real, mp::Mp};
+            use crate::float::Real;
+            use crate::float::mp::Mp;
             pi_has_twice_the_digits::<Mp<1>>();
             pi_has_twice_the_digits::<Mp<4>>();
             let (second, third) = Mp::<2>::pi_rest();

@@ -1,6 +1,7 @@
 //! Computations that a number type runs in its own way: with the fused operation, or at another precision.
 
-use super::{Float, pair::Pair};
+use super::Float;
+use super::pair::Pair;
 
 /// A computation to be compiled for the processor's fused operation ([`Float::fused`]).
 ///

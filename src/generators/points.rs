@@ -1,8 +1,8 @@
 //! Frequency and force ratios, and targets of inverse problems.
 
 use super::numbers::{any_bits, beside, magnitude, ordinary};
-use crate::nonsticking::{Border, max_velocity_from_displacement};
-use crate::phase_function::PhaseFunction;
+use crate::cycle::phase_function::PhaseFunction;
+use crate::cycle::{Border, max_velocity_from_displacement};
 use arbitrary::{Arbitrary, Result, Unstructured};
 use std::f64::consts::{PI, SQRT_2};
 

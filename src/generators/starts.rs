@@ -2,8 +2,8 @@
 
 use super::Point;
 use super::numbers::{any_bits, beside, magnitude, ordinary};
-use crate::nonsticking::Cycle;
-use crate::ratios::Ratios;
+use crate::cycle::Cycle;
+use crate::machine::ratios::Ratios;
 use arbitrary::{Arbitrary, Result, Unstructured};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,11 +1,11 @@
 //! The given inputs, and the rules by which they determine a machine.
 
 use super::input::{Input, Naming, Role};
-use crate::error::{Error, Number, Quantity};
 use crate::float::Float;
-use crate::oscillator::{Drive, Oscillator, Scales};
-use crate::ratios::{Ratios, positive};
-use crate::units::{InputError, Reader, System, scaled};
+use crate::machine::error::{Error, Number, Quantity};
+use crate::machine::oscillator::{Drive, Oscillator, Scales};
+use crate::machine::ratios::{Ratios, positive};
+use crate::machine::units::{InputError, Reader, System, scaled};
 use core::str::FromStr;
 
 /// The given inputs in one system of units, with the text of those that were typed.

@@ -1,8 +1,8 @@
 //! The table of inputs.
 
-use crate::error::Quantity;
-use crate::oscillator::Excitation;
-use crate::units::Kind;
+use crate::machine::error::Quantity;
+use crate::machine::oscillator::Excitation;
+use crate::machine::units::Kind;
 
 /// The part of an input in a machine. The inputs of one role determine each other, so that one of them is given; only
 /// those of the body itself stand beside each other.

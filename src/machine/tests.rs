@@ -1,7 +1,7 @@
 //! The rules of input, and the names of the inputs.
 
 use super::{Driven, Given, Input, Naming, Role};
-use crate::units::Reader;
+use crate::machine::units::Reader;
 
 fn given(naming: Naming, typed: &[(Input, &str)]) -> Given<f64> {
     let reader = Reader::new(None, "units");

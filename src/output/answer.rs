@@ -4,10 +4,10 @@ use super::definitions::{
     BEST_FORCE_RATIO_SLIDES, DAMPER_WORK, MOTION_WITHOUT_STOP, MOVES_FROM_REST, REGIME, REVERSALS_PER_CYCLE,
 };
 use super::{Definition, Output};
+use crate::cycle::Cycle;
+use crate::cycle::response::Response;
 use crate::float::Float;
-use crate::nonsticking::Cycle;
-use crate::oscillator::Excitation;
-use crate::response::Response;
+use crate::machine::oscillator::Excitation;
 use Value::{Count, Flag, Number, Text};
 
 /// A value of an answer; `None` where it does not exist.

@@ -1,8 +1,8 @@
 //! The definition of an output: its name, its equation, its units and its meaning.
 
 use crate::float::Real;
-use crate::oscillator::{Excitation, Scales};
-use crate::units::Kind;
+use crate::machine::oscillator::{Excitation, Scales};
+use crate::machine::units::Kind;
 
 /// Defines the measures from one row each: the unit in ratios as a text, the kind of the quantity in the units
 /// of a machine, and the physical size of one unit.

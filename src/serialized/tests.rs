@@ -1,4 +1,5 @@
-use crate::exact::{FreeDecay, LongRun, State, attractors};
+use crate::motion::attractors;
+use crate::motion::{FreeDecay, LongRun, State};
 use crate::{Border, Cycle, Output, Ratios, Response, Verdict};
 use serde_json::{Value, json, to_value};
 

@@ -6,13 +6,14 @@ mod parts;
 mod verdict;
 
 use super::{Interval, Known, Range, RatioBox};
+use crate::cycle::regime::{Regime as Decided, Verdict};
 use crate::enclosed::{self, Enclosure, Regime, Response};
-use crate::error::Error;
 use crate::float::Float;
+use crate::machine::error::Error;
 use crate::output::Output;
-use crate::regime::{Regime as Decided, Verdict};
 use parts::{Ends, Over};
-use rug::{Rational, float::Round};
+use rug::Rational;
+use rug::float::Round;
 
 /// Bits of the balls: the box widens them far more than rounding does.
 const BITS: u32 = 64;

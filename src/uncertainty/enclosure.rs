@@ -1,8 +1,8 @@
 //! Guaranteed ranges where the body does not stick, by pieces of Ω on which K² and |1 − Ω²| are monotone.
 
 use super::{Interval, Known, Range};
+use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
 use crate::float::Float;
-use crate::phase_function::{PhaseFunction, one_minus_square};
 
 /// A piece of Ω: the bounds of K² and of 1/|1 − Ω²| on it.
 #[derive(Debug, Clone, Copy)]

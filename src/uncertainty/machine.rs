@@ -2,12 +2,12 @@
 
 use super::enclosure::{Piece, hull, pieces};
 use super::{Interval, Known, Range, RatioBox, samples};
-use crate::error::Error;
+use crate::cycle::regime::Verdict;
+use crate::cycle::response::Response;
 use crate::float::Float;
-use crate::oscillator::{Drive, Oscillator, Scales};
+use crate::machine::error::Error;
+use crate::machine::oscillator::{Drive, Oscillator, Scales};
 use crate::output::Output;
-use crate::regime::Verdict;
-use crate::response::Response;
 
 /// Mass, stiffness, friction bound, amplitude and angular frequency in independent intervals, and a damper if
 /// there is one ([`MachineBox::with_damping`]).

@@ -1,10 +1,10 @@
 //! Monte-Carlo: parameters drawn from distributions.
 
-use crate::error::{Error, Quantity, written};
-use crate::oscillator::{Drive, Excitation, Oscillator, Scales};
+use crate::cycle::regime::Regime;
+use crate::cycle::response::Response;
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
 use crate::output::Output;
-use crate::regime::Regime;
-use crate::response::Response;
 use crate::uncertainty::Estimate;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -2,15 +2,15 @@
 
 use super::enclosure::{Piece, hull, pieces};
 use super::{Interval, Known, Range, samples};
-use crate::error::Error;
-use crate::float::Float;
-use crate::nonsticking::border::border_range;
-use crate::output::Output;
-use crate::ratios::Ratios;
+use crate::cycle::border::border_range;
 #[cfg(not(feature = "mp"))]
-use crate::regime::Regime;
-use crate::regime::Verdict;
-use crate::response::Response;
+use crate::cycle::regime::Regime;
+use crate::cycle::regime::Verdict;
+use crate::cycle::response::Response;
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use crate::output::Output;
 
 /// The greatest number of parts for a verdict with damping.
 #[cfg(feature = "mp")]

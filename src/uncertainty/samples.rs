@@ -1,8 +1,8 @@
 //! Ranges by sampling: every corner of a box, its middle, and points spread over it.
 
 use super::{Known, Range};
-use crate::error::Error;
 use crate::float::Float;
+use crate::machine::error::Error;
 
 /// The least and the greatest value of a function of N shares in [0, 1]; `None` where it exists at no point.
 ///

@@ -4,7 +4,7 @@
 use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use stickslip::design::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, identify, identify_as};
-use stickslip::exact::{LongRun, State, Trajectory};
+use stickslip::motion::{LongRun, State, Trajectory};
 use stickslip::{Cycle, Drive, Error, Oscillator, Ratios};
 
 /// A standard normal number, by Box and Muller's method.

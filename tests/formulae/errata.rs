@@ -1,6 +1,6 @@
 //! Each erratum of `docs/errata.md`: the form as printed, the corrected one, and the reference value.
 
-use stickslip::nonsticking::{self, matching, printed};
+use stickslip::cycle::{self, matching, printed};
 use stickslip::{Border, Cycle, Drive, Oscillator, PhaseFunction, Ratios, Response};
 
 fn cycle(omega: f64, alpha: f64) -> Cycle<f64> {
@@ -18,7 +18,7 @@ fn printed_velocity(c: &Cycle<f64>) -> f64 {
 
 fn corrected_velocity(c: &Cycle<f64>) -> f64 {
     let g = c.given();
-    nonsticking::equations::max_velocity_from_phase(
+    cycle::equations::max_velocity_from_phase(
         g.amplitude,
         g.omega,
         matching::pi_1(g.omega).cos(),
@@ -75,16 +75,16 @@ fn erratum_4_equation_61_does_not_suffice_below_one_half() {
     close(Border::at(&p).min_force_ratio, 6.949_737_755_908_733, 1e-15);
     // Between the two, eq. 62 holds, but the motion of eq. 54 runs backwards and is impossible.
     let alpha = 6.0;
-    assert!(nonsticking::border::turning_point_criterion(p.value(), 0.4, alpha));
-    let delta = nonsticking::max_displacement(p.value(), alpha, 1.0 - 0.16);
-    let phase = nonsticking::equations::displacement_phase(p.value(), alpha, 0.4);
-    let half = nonsticking::den_hartog::FallingHalf {
+    assert!(cycle::border::turning_point_criterion(p.value(), 0.4, alpha));
+    let delta = cycle::max_displacement(p.value(), alpha, 1.0 - 0.16);
+    let phase = cycle::equations::displacement_phase(p.value(), alpha, 0.4);
+    let half = cycle::den_hartog::FallingHalf {
         amplitude: alpha / (1.0 - 0.16),
         friction_displacement: 1.0,
         omega: 0.4,
-        phase_lag: nonsticking::den_hartog::phase_lag(phase),
-        c1: nonsticking::den_hartog::sine_coefficient(1.0, p.tangent()),
-        c2: nonsticking::den_hartog::cosine_coefficient(1.0),
+        phase_lag: cycle::den_hartog::phase_lag(phase),
+        c1: cycle::den_hartog::sine_coefficient(1.0, p.tangent()),
+        c2: cycle::den_hartog::cosine_coefficient(1.0),
     };
     close(half.displacement(0.0), delta, 1e-14);
     assert!(half.velocity(0.47) > 0.1, "x′ > 0 in a half cycle that is to fall: {}", half.velocity(0.47));

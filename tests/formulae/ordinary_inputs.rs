@@ -1,8 +1,8 @@
 //! Inputs that break straightforward code and must be ordinary here: the floats next to Ω = 1 and 1/n, huge
 //! and tiny ratios.
 
+use stickslip::cycle::{self, matching};
 use stickslip::generators::neighbours;
-use stickslip::nonsticking::{self, matching};
 use stickslip::{Border, Cycle, Error, PhaseFunction, Ratios, Regime, Response};
 
 fn response(omega: f64, alpha: f64) -> Response<f64> {
@@ -111,8 +111,8 @@ fn tiny_force_is_at_rest_and_formulae_outside_their_domain_say_nan() {
     for alpha in [f64::from_bits(1), f64::MIN_POSITIVE, 1e-300, 0.5, 1.0] {
         assert_eq!(response(0.7, alpha).regime, Regime::Stuck);
     }
-    assert!(nonsticking::max_displacement(2.0f64, 1.5, 0.5).is_nan());
-    assert!(nonsticking::equations::displacement_phase(2.0f64, 1.5, 0.5).is_nan());
+    assert!(cycle::max_displacement(2.0f64, 1.5, 0.5).is_nan());
+    assert!(cycle::equations::displacement_phase(2.0f64, 1.5, 0.5).is_nan());
     let cycle = *response(0.7, 2.0).cycle.as_ref().unwrap();
     assert!(cycle.displacement_at(f64::NAN).is_nan() && cycle.velocity_at(f64::INFINITY).is_nan());
     assert_eq!(matching::pi_1(0.5f64), std::f64::consts::TAU);

@@ -57,7 +57,7 @@ fn throughout(
 
 /// Eq. 61 suffices: `f(τ) < 1/Ω²` for every Ω in [1/2, 20] and τ in [0.15, π/2].
 ///
-/// The rest is at the ends, where `src/nonsticking/border.rs` derives the sign: as τ → 0, f → 1/Ω², and as Ω
+/// The rest is at the ends, where `src/cycle/border.rs` derives the sign: as τ → 0, f → 1/Ω², and as Ω
 /// → ∞ both sides vanish.
 #[test]
 fn equation_61_suffices_over_a_whole_range() {
@@ -99,7 +99,7 @@ fn the_velocity_falls_in_the_middle_above_resonance() {
 ///
 /// and for Ω < 1, in the second half, v′ ≤ m/Ω < 0 elsewhere, with `m = [cos ψ − Ω sin β cos Ωψ]/cos β − sin
 /// Ωψ`; v′(0) < 0 there. So v′ has at most one zero. This covers every Ω in [0.52, 50] and |ψ| ≤ 0.9 β; the
-/// rest is derived in `src/nonsticking/velocity.rs`.
+/// rest is derived in `src/cycle/velocity.rs`.
 #[test]
 fn the_velocity_has_one_stationary_point_over_a_whole_range() {
     let quarter = || B::pi() * B::ratio(1, 2);

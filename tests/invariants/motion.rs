@@ -4,7 +4,7 @@
 
 use core::ops::ControlFlow;
 use stickslip::design;
-use stickslip::exact::{End, Kind, LongRun, State, Trajectory, periodic_motions_from, symmetry_breaks};
+use stickslip::motion::{End, Kind, LongRun, State, Trajectory, periodic_motions_from, symmetry_breaks};
 use stickslip::{Border, Cycle, Error, Ratios, Regime, regime};
 
 /// The first phases of the motion from any state: each begins where the last ended, friction respects its

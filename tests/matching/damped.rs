@@ -1,8 +1,8 @@
 //! The matching equations with damping, solved without the closed forms and compared with them.
 
 use nalgebra::RealField;
+use stickslip::cycle::matching::newton::{self, MatchingError};
 use stickslip::float::{Field, Real};
-use stickslip::nonsticking::matching::newton::{self, MatchingError};
 use stickslip::{Border, Cycle, Float, Ratios};
 
 /// Damping ratios below, at and above ζ = 1, in thousandths.

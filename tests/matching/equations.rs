@@ -1,11 +1,11 @@
 //! Eq. 28–49 at a solution of eq. 21–25: the left side minus the right side, and the size of the terms.
 
-use stickslip::nonsticking::equations::{
+use stickslip::cycle::equations::{
     cos_displacement_phase, deviation, displacement_phase, max_displacement, max_velocity_from_phase,
     sin_displacement_phase, velocity_phase_residual,
 };
-use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
-use stickslip::phase_function::one_minus_square;
+use stickslip::cycle::matching::{Given, Unknowns, pi_1};
+use stickslip::cycle::phase_function::one_minus_square;
 use stickslip::{Field, Float, PhaseFunction, Real};
 
 /// The name, the residual, the size of its terms, and whether it compares with a closed form, for each

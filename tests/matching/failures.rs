@@ -1,6 +1,6 @@
 //! Where there is no solution, the solver reports it.
 
-use stickslip::nonsticking::matching::newton::{self, MatchingError};
+use stickslip::cycle::matching::newton::{self, MatchingError};
 use stickslip::{Border, Cycle, PhaseFunction, Ratios};
 
 #[test]

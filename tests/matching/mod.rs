@@ -11,7 +11,7 @@ mod points;
 mod precision;
 
 use points::Worst;
-use stickslip::nonsticking::matching::newton;
+use stickslip::cycle::matching::newton;
 use stickslip::{Border, Cycle, Ratios};
 
 #[test]

@@ -3,7 +3,7 @@
 use super::equations::equations;
 use nalgebra::RealField;
 use std::collections::BTreeMap;
-use stickslip::nonsticking::matching::newton;
+use stickslip::cycle::matching::newton;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios};
 
 /// `10⁻ᵏ`.

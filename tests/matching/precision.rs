@@ -2,8 +2,8 @@
 
 use super::points::{Worst, special, tenth_power};
 use nalgebra::RealField;
+use stickslip::cycle::matching::newton;
 use stickslip::float::Mp;
-use stickslip::nonsticking::matching::newton;
 use stickslip::{Border, Field, Float, Ratios, Real};
 
 /// Ω in thousandths: both sides of Ω = 1, (1/3, 1/2), (1/5, 1/4) and between.

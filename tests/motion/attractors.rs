@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 use stickslip::Ratios;
-use stickslip::exact::{LongRun, Starts, State, attractors};
+use stickslip::motion::{LongRun, Starts, State, attractors};
 
 /// Each start, at any phase, is counted for the limit that it leads to, and not for the mirror image of that
 /// limit.

@@ -8,8 +8,8 @@ mod laws;
 
 use crate::random::{Random, sampled};
 use std::f64::consts::{PI, TAU};
-use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::float::{Field, Float, Mp, Real};
+use stickslip::motion::{Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::{Border, Cycle, Ratios};
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {

@@ -3,7 +3,7 @@
 use crate::drawn::cases;
 use proptest::prelude::*;
 use stickslip::design;
-use stickslip::exact::{LongRun, State, SteadyState};
+use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Border, Ratios};
 
 /// The steady motion from rest.

@@ -3,7 +3,7 @@
 mod limits;
 
 use crate::random::Random;
-use stickslip::exact::{End, Kind, LongRun, State, SteadyState, Trajectory};
+use stickslip::motion::{End, Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::{Border, Cycle, PhaseFunction, Ratios};
 
 fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
@@ -139,7 +139,7 @@ fn every_motion_obeys_the_laws() {
             }
             for i in 0..=20 {
                 let theta = first.phase.reduced() + duration * f64::from(i) / 20.0;
-                let at = stickslip::exact::DrivePhase::new(first.phase.cycles(), theta).unwrap();
+                let at = stickslip::motion::DrivePhase::new(first.phase.cycles(), theta).unwrap();
                 let now = phase.at(at);
                 let size = 1.0 + alpha + now.state.x.abs() + now.state.v.abs() * omega;
                 assert!(now.friction.abs() <= 1.0, "{now:?}");

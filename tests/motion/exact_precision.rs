@@ -4,8 +4,8 @@
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
 use super::random::Random;
-use stickslip::exact::{LongRun, State, SteadyState, Trajectory};
 use stickslip::float::Mp;
+use stickslip::motion::{LongRun, State, SteadyState, Trajectory};
 use stickslip::{Cycle, Field, Float, Ratios};
 
 fn ratios<F: Float>((p, q): (i32, i32), (r, s): (i32, i32)) -> Ratios<F> {

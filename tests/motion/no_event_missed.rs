@@ -6,7 +6,7 @@
 
 use crate::random::{Random, sampled};
 use stickslip::Ratios;
-use stickslip::exact::{Kind, LongRun, Segment, State, Trajectory};
+use stickslip::motion::{Kind, LongRun, Segment, State, Trajectory};
 
 const MOTIONS: u64 = 100_000;
 const SAMPLES: usize = 10_000;
@@ -119,7 +119,7 @@ fn brute_force_finds_no_other_stop_with_static_friction() {
         let phases: Vec<_> = Trajectory::new(ratios, start).unwrap().take(4).map(Result::unwrap).collect();
         let at = || format!("motion {number}, Ω = {omega}, α = {alpha}, η = {eta}, {start:?}");
         let left_over =
-            |phase: stickslip::exact::DrivePhase<f64>, x: f64| (alpha * phase.reduced().sin() - x).abs();
+            |phase: stickslip::motion::DrivePhase<f64>, x: f64| (alpha * phase.reduced().sin() - x).abs();
         for (phase, next) in phases.iter().zip(phases.iter().skip(1)) {
             let Some(end) = phase.end() else { continue };
             let room = 1e-9 * (eta + alpha + end.x.abs());
@@ -142,7 +142,7 @@ fn brute_force_finds_no_other_stop_with_static_friction() {
                     assert!((left - eta).abs() <= room, "{}: released at {left}", at());
                     let length = phase.duration().unwrap();
                     for i in 0..1000 {
-                        let within = phase.at(stickslip::exact::DrivePhase::new(
+                        let within = phase.at(stickslip::motion::DrivePhase::new(
                             0,
                             phase.start().phase.reduced() + length * f64::from(i) / 1000.0,
                         )

@@ -8,9 +8,9 @@ use crate::drawn::cases;
 use arbitrary::{Arbitrary, Unstructured};
 use proptest::prelude::*;
 use std::f64::consts::PI;
-use stickslip::exact::{DrivePhase, Kind, Segment, State, Trajectory};
 use stickslip::float::Mp;
 use stickslip::generators::Point;
+use stickslip::motion::{DrivePhase, Kind, Segment, State, Trajectory};
 use stickslip::{Border, Cycle, Drive, Float, Oscillator, Ratios, Response, Scales, no_stop_force_ratios};
 
 /// Cycles at an ordinary Ω ≠ 1, with α at the border and above.

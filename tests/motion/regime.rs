@@ -1,7 +1,7 @@
 //! The verdict and the closed-form multipliers, compared with the exact motion.
 
 use crate::random::Random;
-use stickslip::exact::{LongRun, State};
+use stickslip::motion::{LongRun, State};
 use stickslip::{Border, Cycle, Ratios, Response, Verdict};
 
 fn verdict(omega: f64, alpha: f64) -> Verdict<f64> {
@@ -128,7 +128,7 @@ fn the_multipliers_are_those_of_the_motion() {
 /// limit.
 #[test]
 fn a_few_floats_from_a_pole_the_motion_settles() {
-    use stickslip::exact::{LongRun, State};
+    use stickslip::motion::{LongRun, State};
     for (odd, alphas) in
         [(3.0, [2.0, 15.0, 30.0, 60.0]), (5.0, [5.0, 40.0, 150.0, 151.0]), (7.0, [60.0, 100.0, 150.0, 300.0])]
     {

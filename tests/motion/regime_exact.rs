@@ -4,8 +4,8 @@
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
 use crate::random::Random;
-use stickslip::exact::{LongRun, State};
 use stickslip::float::Mp;
+use stickslip::motion::{LongRun, State};
 use stickslip::{Border, Cycle, Error, Float, Ratios, Regime, Verdict};
 use stickslip::{Stops, stops_per_cycle};
 

@@ -8,9 +8,9 @@ mod damped;
 use super::random::Random;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
-use stickslip::exact::{Kind, LongRun, State, Trajectory};
+use stickslip::cycle::SixReversals;
 use stickslip::float::Mp;
-use stickslip::nonsticking::SixReversals;
+use stickslip::motion::{Kind, LongRun, State, Trajectory};
 use stickslip::{Border, Error, Float, Ratios, Regime, Response, regime};
 use stickslip::{no_stop_force_ratios, observed, stops_per_cycle};
 

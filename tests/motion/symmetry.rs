@@ -2,8 +2,8 @@
 //! bits.
 #![allow(clippy::print_stdout, reason = "a campaign reports with --nocapture")]
 
-use stickslip::exact::{DrivePhase, LongRun, State, SteadyState, Trajectory, attractors, periodic_motions};
 use stickslip::float::Mp;
+use stickslip::motion::{DrivePhase, LongRun, State, SteadyState, Trajectory, attractors, periodic_motions};
 use stickslip::{Field, Float, Ratios};
 
 type F128 = Mp<2>;
@@ -125,7 +125,7 @@ fn limits(machine: Machine, starts: &[State<f64>]) -> (u64, u64, Vec<String>) {
             }
         }
         // Two limits with the same extrema are one.
-        let extrema = |found: &stickslip::exact::Attractor<f64>| {
+        let extrema = |found: &stickslip::motion::Attractor<f64>| {
             found.limit.steady_state().map(|s| (s.max_displacement.value, s.min_displacement.value))
         };
         let own = extrema(found).unwrap();

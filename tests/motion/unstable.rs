@@ -4,11 +4,11 @@
 #![allow(clippy::print_stdout, reason = "what a campaign finds, shown with --nocapture")]
 
 use std::ops::ControlFlow;
-use stickslip::exact::{
+use stickslip::float::Mp;
+use stickslip::motion::{
     DrivePhase, Loss, PeriodicMotion, State, SteadyState, Trajectory, attractors, periodic_motions,
     periodic_motions_from, symmetry_breaks,
 };
-use stickslip::float::Mp;
 use stickslip::{Float, Ratios};
 
 fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {

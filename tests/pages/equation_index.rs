@@ -93,7 +93,7 @@ fn every_item_named_exists() {
             assert!(item == "not yet" || known.contains(&item), "equation {number}: {item} does not exist");
         }
     }
-    assert!(!known.contains("nonsticking::velocity::no_such_item"));
+    assert!(!known.contains("cycle::velocity::no_such_item"));
 }
 
 /// The numbers after each “eq.” of a text, with ranges expanded: “eq. 21–25, 58 and 59”.

@@ -20,7 +20,7 @@ mod resonance;
 mod sensitivities;
 
 use std::f64::consts::TAU;
-use stickslip::exact::{LongRun, State};
+use stickslip::motion::{LongRun, State};
 use stickslip::{Drive, Oscillator, Ratios};
 
 /// The output of an example in docs/examples.md.

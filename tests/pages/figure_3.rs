@@ -3,7 +3,7 @@
 //! The table of `docs/figure-3.md` is compared with the library. `STICKSLIP_WRITE=1 cargo test --test pages
 //! figure_3` writes it.
 
-use stickslip::exact::{ErrorMeasures, LongRun, State, errors_after};
+use stickslip::motion::{ErrorMeasures, LongRun, State, errors_after};
 use stickslip::{Cycle, Ratios};
 
 const CYCLES: u32 = 20;

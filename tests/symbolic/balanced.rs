@@ -4,10 +4,10 @@ use super::ideal::Ideal;
 use super::scalar::{Symbol, angle, free, reset};
 use super::setting::int;
 use stickslip::Real;
-use stickslip::nonsticking::border::slip_excess;
-use stickslip::nonsticking::matching::Unknowns;
-use stickslip::nonsticking::matching::balanced::Balanced;
-use stickslip::phase_function::one_minus_square;
+use stickslip::cycle::border::slip_excess;
+use stickslip::cycle::matching::Unknowns;
+use stickslip::cycle::matching::balanced::Balanced;
+use stickslip::cycle::phase_function::one_minus_square;
 
 /// The system and its unknowns in symbols; the angles β = π/2Ω, and therefore π₁ = 2β, are named.
 fn system() -> (Balanced<Symbol>, Unknowns<Symbol>) {

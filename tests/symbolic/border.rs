@@ -4,9 +4,9 @@ use super::ideal::Ideal;
 use super::scalar::{Symbol, free, reset};
 use super::setting::{Matching, int};
 use stickslip::Real;
-use stickslip::nonsticking::border::{slip_excess, turning_point_border, turning_point_residual};
-use stickslip::nonsticking::equations::max_displacement;
-use stickslip::phase_function::{one_minus_square, phase_function_of_tangent};
+use stickslip::cycle::border::{slip_excess, turning_point_border, turning_point_residual};
+use stickslip::cycle::equations::max_displacement;
+use stickslip::cycle::phase_function::{one_minus_square, phase_function_of_tangent};
 
 #[test]
 fn equation_60_follows_from_40_41_and_59() {

@@ -4,7 +4,7 @@ use super::ideal::Ideal;
 use super::scalar::{Symbol, free};
 use super::setting::{Matching, int};
 use stickslip::Real;
-use stickslip::nonsticking::den_hartog::{FallingHalf, cosine_coefficient, phase_lag, sine_coefficient};
+use stickslip::cycle::den_hartog::{FallingHalf, cosine_coefficient, phase_lag, sine_coefficient};
 
 /// The half cycle with φ = ω_d t₂ − π/2 and with free C₁ and C₂.
 fn half(m: &Matching) -> FallingHalf<Symbol> {

@@ -4,10 +4,10 @@ use super::ideal::Ideal;
 use super::scalar::{Symbol, free, reset};
 use super::setting::int;
 use stickslip::Field;
-use stickslip::nonsticking::equations::{
+use stickslip::cycle::equations::{
     best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness, max_displacement,
 };
-use stickslip::phase_function::one_minus_square;
+use stickslip::cycle::phase_function::one_minus_square;
 
 #[test]
 fn equations_63_64_and_67_are_one_loop() {

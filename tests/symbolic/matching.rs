@@ -4,9 +4,9 @@ use super::ideal::Ideal;
 use super::polynomial::Polynomial;
 use super::scalar::{Symbol, angle, angle_with, free};
 use super::setting::{Matching, int};
-use stickslip::nonsticking::equations::cos_displacement_phase;
-use stickslip::nonsticking::matching::half_period_later;
-use stickslip::phase_function::one_minus_square;
+use stickslip::cycle::equations::cos_displacement_phase;
+use stickslip::cycle::matching::half_period_later;
+use stickslip::cycle::phase_function::one_minus_square;
 use stickslip::{Field, Real};
 
 #[test]

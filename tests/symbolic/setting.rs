@@ -4,9 +4,9 @@
 //! A sin ω_d t₂ in place of the sine and cosine. This change of variables keeps the algebra small.
 
 use super::scalar::{Symbol, angle, angle_with, factor, free, reset};
-use stickslip::nonsticking::equations::{cos_displacement_phase, sin_displacement_phase};
-use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
-use stickslip::phase_function::{one_minus_square, phase_function_of_tangent};
+use stickslip::cycle::equations::{cos_displacement_phase, sin_displacement_phase};
+use stickslip::cycle::matching::{Given, Unknowns, pi_1};
+use stickslip::cycle::phase_function::{one_minus_square, phase_function_of_tangent};
 use stickslip::{Field, Real};
 
 pub(crate) fn int(n: i32) -> Symbol {

@@ -3,12 +3,12 @@
 use super::ideal::Ideal;
 use super::scalar::{Symbol, free};
 use super::setting::{Matching, int};
-use stickslip::nonsticking::equations::{
+use stickslip::cycle::equations::{
     deviation, max_displacement, max_displacement_from_amplitude, max_velocity_from_phase,
     velocity_phase_residual,
 };
-use stickslip::nonsticking::printed;
-use stickslip::phase_function::one_minus_square;
+use stickslip::cycle::phase_function::one_minus_square;
+use stickslip::cycle::printed;
 use stickslip::{Field, Real};
 
 /// Eq. 46 in the library's form.

@@ -2,7 +2,7 @@
 
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use std::ops::Deref;
-use stickslip::machine::{Input, Role};
+use stickslip::inputs::{Input, Role};
 
 /// The inputs of these parts as they were typed, in the order of the table. A value may have a unit, such as 800kg. Bare
 /// numbers are in one consistent system.

@@ -31,7 +31,7 @@ pub(crate) struct SteadyArgs {
     #[command(flatten)]
     pub(crate) start: StartArgs,
     /// Maximum number of periods to follow the motion in search of a limit
-    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip::exact::DEFAULT_BUDGET)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip::motion::DEFAULT_BUDGET)]
     pub(crate) max_periods: u32,
     /// Guaranteed digits, and a proof that the motion exists: for --omega, --alpha and --damping-ratio
     /// exactly as typed, from rest (needs a build with the feature mp)

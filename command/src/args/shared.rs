@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
-use stickslip::units::{Reader, System};
+use stickslip::inputs::units::{Reader, System};
 
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {

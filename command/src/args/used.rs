@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use stickslip::machine::{Input, Role};
+use stickslip::inputs::{Input, Role};
 
 /// The mode of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

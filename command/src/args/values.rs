@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, Outcome};
 use std::ffi::OsString;
-use stickslip::units::Reader;
+use stickslip::inputs::units::Reader;
 
 /// Fails at an option whose number is followed by a unit, as in `--force 30 N`.
 pub(super) fn check(words: &[OsString]) -> Outcome {

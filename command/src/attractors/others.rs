@@ -8,7 +8,7 @@ use crate::progress;
 use crate::record::Record;
 use std::io::Write;
 use stickslip::Ratios;
-use stickslip::exact::{
+use stickslip::motion::{
     Attractors, LongRun, PeriodicMotions, Signature, State, SteadyState, periodic_motions_from,
 };
 

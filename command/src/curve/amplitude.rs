@@ -5,8 +5,8 @@ use crate::args::Curve;
 use crate::failure::Failure;
 use crate::input::Point;
 use crate::machine::transmitted;
-use stickslip::exact::{LongRun, State};
-use stickslip::units::Kind;
+use stickslip::inputs::units::Kind;
+use stickslip::motion::{LongRun, State};
 use stickslip::{Error, Regime, Response, observed};
 
 impl Asked {

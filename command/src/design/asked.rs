@@ -8,8 +8,8 @@ use crate::given;
 use crate::machine::base_motion;
 use crate::record::Cell;
 use std::io::Write;
-use stickslip::machine::{Given, Input, Role, in_typed_unit};
-use stickslip::units::{self, Kind, Reader, System};
+use stickslip::inputs::units::{self, Kind, Reader, System};
+use stickslip::inputs::{Given, Input, Role, in_typed_unit};
 use stickslip::{Border, Drive, Error, Oscillator, Quantity, Ratios};
 
 /// The arguments of a question, read on demand.

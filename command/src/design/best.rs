@@ -5,8 +5,8 @@ use crate::bits::{Value, digits};
 use crate::failure::Failure;
 use crate::record::Cell;
 use stickslip::design::{self, OptimumKind};
-use stickslip::machine::Input;
-use stickslip::units::Kind;
+use stickslip::inputs::Input;
+use stickslip::inputs::units::Kind;
 
 impl<F: Value> Asked<'_, F> {
     pub(super) fn dissipation(&self) -> Result<Answer<F>, Failure> {

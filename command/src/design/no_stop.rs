@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::note::no_stop;
 use crate::record::{Cell, Record};
 use stickslip::design::{self, Edge};
+use stickslip::inputs::units::Kind;
 use stickslip::no_stop_force_ratios;
-use stickslip::units::Kind;
 
 impl<F: Value> Asked<'_, F> {
     pub(super) fn forces_without_stop(&self) -> Result<Answer<F>, Failure> {

@@ -3,7 +3,7 @@
 
 use super::{Row, some};
 use crate::bits::Value;
-use stickslip::units::Kind;
+use stickslip::inputs::units::Kind;
 use stickslip::{NoStop, Ratios};
 
 /// The sentences on the force, which `text` gives its unit.

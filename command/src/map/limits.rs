@@ -4,7 +4,7 @@ use crate::attractors::{reach, start};
 use crate::failure::Failure;
 use crate::starts::follow;
 use stickslip::Ratios;
-use stickslip::exact::{Attractors, LongRun};
+use stickslip::motion::{Attractors, LongRun};
 
 /// The number of starts for each point, which are those of `stickslip attractors`.
 pub(super) const STARTS: u64 = 16;

@@ -10,7 +10,7 @@ use crate::input;
 use crate::outputs;
 use crate::record::Cell;
 use stickslip::Response;
-use stickslip::machine::{Input, Role};
+use stickslip::inputs::{Input, Role};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
 impl Map<'_> {

@@ -4,7 +4,7 @@ use super::BORDER_POINTS;
 use super::{Map, Quantity};
 use crate::failure::Failure;
 use crate::input::{self, Point};
-use stickslip::machine::{Given, Input};
+use stickslip::inputs::{Given, Input};
 use stickslip::{Regime, Response};
 
 /// The narrowest column beside resonance, as a part of the axis: a pixel.

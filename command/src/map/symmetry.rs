@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::input;
 use crate::interrupt;
 use crate::progress;
-use stickslip::exact::{Loss, SymmetryBreak, symmetry_breaks};
-use stickslip::machine::Role;
+use stickslip::inputs::Role;
+use stickslip::motion::{Loss, SymmetryBreak, symmetry_breaks};
 use stickslip::{Error, Ratios};
 
 /// The points at which a stable symmetric motion is lost, and the number of columns where the search failed.

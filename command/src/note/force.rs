@@ -5,7 +5,7 @@ use crate::bits::{Value, digits};
 use crate::input::BorderScales;
 use crate::machine::{Machine, transmitted};
 use std::io::{self, Write};
-use stickslip::units::System;
+use stickslip::inputs::units::System;
 use stickslip::{NoStop, Ratios, Response};
 
 /// The minimum force without sticking, and the force of maximum dissipation.

@@ -8,8 +8,8 @@ use crate::note::{both, both_in_words, decay, measured_from, without_mean_force}
 use crate::style;
 use std::io::{self, Write};
 use stickslip::Regime;
-use stickslip::exact::{LongRun, Peaks, SteadyState};
-use stickslip::units::{Kind, System};
+use stickslip::inputs::units::{Kind, System};
+use stickslip::motion::{LongRun, Peaks, SteadyState};
 use stickslip::{Observed, observed};
 
 /// The answer as a note.

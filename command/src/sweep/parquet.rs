@@ -30,7 +30,7 @@ use std::io;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-use stickslip::machine::Input;
+use stickslip::inputs::Input;
 
 /// The greatest number of rows in a group.
 const ROWS: usize = 1 << 17;

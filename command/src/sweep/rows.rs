@@ -9,8 +9,8 @@ use crate::outputs::{self, ALPHA, Key, OMEGA};
 use crate::record::{Cell, Record, csv_text};
 use crate::resume;
 use crate::{border, input, response, steady};
-use stickslip::exact::{DEFAULT_BUDGET, State, Trajectory};
-use stickslip::machine::{Given, Input, Role};
+use stickslip::inputs::{Given, Input, Role};
+use stickslip::motion::{DEFAULT_BUDGET, State, Trajectory};
 
 /// The command at each point of the grids, and the format of its row.
 pub(crate) struct Rows<F> {

@@ -11,11 +11,11 @@ use super::statements::{self, Standing, Statement};
 use super::{Verdict, points};
 use crate::failure::Failure;
 use std::ops::ControlFlow;
+use stickslip::cycle::equations::System;
 use stickslip::dependencies::rug::float::Round;
 use stickslip::dependencies::rug::{Float, Integer, Rational, ops::Pow};
 use stickslip::enclosed::{self, Ball, Enclosure, Known, Steady};
 use stickslip::float::Mp;
-use stickslip::nonsticking::equations::System;
 use stickslip::{Field, Output, Real};
 
 /// The greatest number of bits: near the poles, the computation uses more bits than requested.

@@ -1,8 +1,8 @@
 //! A point with its answers, and the terms of the equations with the answers put in: in plain numbers, or in
 //! balls.
 
-use stickslip::nonsticking::Unknowns;
-use stickslip::nonsticking::equations::{
+use stickslip::cycle::Unknowns;
+use stickslip::cycle::equations::{
     FallingHalf, Given, System, cosine_coefficient, phase_lag, sine_coefficient,
 };
 use stickslip::{Output, Real};

@@ -6,8 +6,8 @@ use super::statements::{self, Standing, Statement, statements};
 use super::{Verdict, points};
 use std::cmp::Ordering;
 use std::ops::ControlFlow;
-use stickslip::exact::{LongRun, Peaks, Segment, State, SteadyState, Trajectory};
-use stickslip::nonsticking::equations::System;
+use stickslip::cycle::equations::System;
+use stickslip::motion::{LongRun, Peaks, Segment, State, SteadyState, Trajectory};
 use stickslip::{Cycle, Float, Output, PhaseFunction, Ratios, Response};
 
 /// The greatest residual that rounding may leave of a true identity, in units of the last place of its
@@ -155,7 +155,7 @@ impl<F: Float> Beside<F> {
 }
 
 /// Stops of the exact motion at α (1 − 2⁻¹⁶) and at α (1 + 2⁻¹⁶). Next to a pole the body need not stop below
-/// the border ([errata](stickslip::nonsticking::printed) 4), and the stops are not checked.
+/// the border ([errata](stickslip::cycle::printed) 4), and the stops are not checked.
 fn stops_beside<F: Float>(ratios: Ratios<F>, alpha: F) -> Option<(u32, u32)> {
     let (one, two) = (F::int(1), F::int(2));
     let turns = one / ratios.omega();

@@ -4,7 +4,7 @@
 //! ζ = 0; the others apply at every ζ.
 
 use super::case::Case;
-use stickslip::nonsticking::{equations as eq, printed};
+use stickslip::cycle::{equations as eq, printed};
 use stickslip::{Output, Real};
 
 /// Whether an equation of the paper holds.

@@ -14,7 +14,7 @@ fn measured() -> Vec<(f64, f64, f64)> {
         let ratios = ::stickslip::Ratios::new(TAU * hertz / 4000f64.sqrt(), 100.0 / 12.0).unwrap();
         let ratios = ratios.with_damping_ratio(0.02).unwrap();
         let limit =
-            ::stickslip::exact::LongRun::from_start(ratios, ::stickslip::exact::State::default()).unwrap();
+            ::stickslip::motion::LongRun::from_start(ratios, ::stickslip::motion::State::default()).unwrap();
         let peak = limit.steady_state().unwrap().max_displacement;
         let noise = 0.01 * (7.0 * f64::from(i)).sin();
         // r_y/k = 0.6 mm

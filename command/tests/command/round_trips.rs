@@ -13,8 +13,8 @@ use named::{
 use proptest::prelude::*;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
-use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::generators::{Machine, Point, Start};
+use stickslip::motion::{LongRun, State, Trajectory};
 use stickslip::{Drive, Oscillator, Ratios, Regime, Response, Scales, no_stop_force_ratios};
 
 /// Random values of a type of `stickslip::generators`.

@@ -1,7 +1,7 @@
 //! Tests of `bands.rs`.
 
 use super::{Edge, bands, frequency_bands};
-use crate::nonsticking::border::Lobe;
+use crate::cycle::border::Lobe;
 use crate::{Border, Drive, Error, Oscillator};
 
 fn all(alpha: f64, low: f64, high: f64) -> Vec<super::Band<f64>> {

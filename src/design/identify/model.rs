@@ -1,8 +1,10 @@
 //! The measured quantities of one steady motion as functions of friction and damping.
 
-use crate::exact::{LongRun, SteadyState, Trajectory};
-use crate::nonsticking::damped::{self, border::turning_point, half_period::HalfPeriod};
-use crate::ratios::Ratios;
+use crate::cycle::damped;
+use crate::cycle::damped::border::turning_point;
+use crate::cycle::damped::half_period::HalfPeriod;
+use crate::machine::ratios::Ratios;
+use crate::motion::{LongRun, SteadyState, Trajectory};
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, TAU};
 
 /// κ = r_y/p₀ and ζ.
@@ -58,7 +60,7 @@ pub(super) fn motion(omega: f64, [kappa, zeta]: Parameters, whole: bool) -> Opti
     }
     let ratios = Ratios::new(omega, 1.0 / kappa).ok()?;
     let ratios = if zeta > LEAST_DAMPING { ratios.with_damping_ratio(zeta).ok()? } else { ratios };
-    let limit = LongRun::from_start(ratios, crate::exact::State::default()).ok()?;
+    let limit = LongRun::from_start(ratios, crate::motion::State::default()).ok()?;
     let Some(steady) = limit.steady_state() else {
         // A body at rest has no amplitude; other limits are not those of a measurement.
         let at_rest = Motion {

@@ -2,7 +2,7 @@
 
 use super::model::Parameters;
 use super::search::{Curve, Fit, Grid, Rule, descend, kept};
-use crate::error::Error;
+use crate::machine::error::Error;
 use crate::uncertainty::student;
 use core::f64::consts::TAU;
 use std::iter::zip;

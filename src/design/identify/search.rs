@@ -2,7 +2,7 @@
 
 use super::model::{Motion, Parameters, motion};
 use super::{AmplitudeKind, PhaseKind};
-use crate::error::Error;
+use crate::machine::error::Error;
 use std::iter::zip;
 
 /// One measurement in ratios: Ω, the amplitude in units of p₀/k, and the phase.

@@ -3,8 +3,8 @@
 use super::model::motion;
 use super::search::reduced;
 use super::{Identified, Measurement, identify};
-use crate::exact::{LongRun, State};
-use crate::nonsticking::damped;
+use crate::cycle::damped;
+use crate::motion::{LongRun, State};
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
 
 const FORCE: f64 = 12.0;

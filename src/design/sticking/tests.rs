@@ -5,7 +5,7 @@ use super::{
     most_dissipating_friction_of_all,
 };
 use crate::design::OptimumKind;
-use crate::exact::{LongRun, State, Trajectory};
+use crate::motion::{LongRun, State, Trajectory};
 use crate::{Drive, Error, Oscillator, Ratios, Response};
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::{most_dissipating_frequency_ratio, most_dissipating_stiffness};
 use crate::design::{OptimumKind, bands};
-use crate::error::Quantity;
+use crate::machine::error::Quantity;
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
 
 fn loop_size(omega: f64, alpha: f64) -> f64 {

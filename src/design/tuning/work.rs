@@ -48,9 +48,9 @@
 //! digits and with log(1/γ).
 
 use super::span::Span;
-use crate::error::{Error, written};
+use crate::cycle::damped::half_period::HalfPeriod;
 use crate::float::Float;
-use crate::nonsticking::damped::half_period::HalfPeriod;
+use crate::machine::error::{Error, written};
 use crate::root;
 
 /// The work of friction at a force ratio and a damping constant, by the stiffness.

@@ -1,18 +1,18 @@
 //! The border with damping, or with static friction above the kinetic one, in balls.
 //!
-//! The documentation of `crate::nonsticking::damped::border` proves that ρ(τ), the function of the condition,
+//! The documentation of `crate::cycle::damped::border` proves that ρ(τ), the function of the condition,
 //! has at most one maximum between two zeros of p, which are known, and none elsewhere. Where ρ′ is certainly
 //! positive at one of them and negative at the other, the maximum is enclosed. Pairs of zeros are examined
 //! from both ends of the half cycle inwards, until no value between them can reach the greatest one found.
 
-use super::super::border::Border;
-use super::super::root::only_zero;
 use super::moment;
+use crate::cycle::border::border_force_ratio;
+use crate::cycle::damped::border::{End, rise, turning_point};
+use crate::cycle::damped::half_period::HalfPeriod;
+use crate::enclosed::border::Border;
+use crate::enclosed::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::{Field, Real};
-use crate::nonsticking::border::border_force_ratio;
-use crate::nonsticking::damped::border::{End, rise, turning_point};
-use crate::nonsticking::damped::half_period::HalfPeriod;
 use core::cmp::Ordering;
 use rug::Integer;
 

@@ -1,9 +1,9 @@
 //! The order of events of a steady motion and their approximate times, computed at f64 without proof.
 
 use super::unproved::{Event, Unproved};
-use crate::error::Error;
-use crate::exact::{End, Kind, LongRun, Segment, State, SteadyState, Trajectory};
-use crate::ratios::Ratios;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use crate::motion::{End, Kind, LongRun, Segment, State, SteadyState, Trajectory};
 
 /// One slide and the event that follows it.
 #[derive(Debug, Clone, Copy)]

@@ -9,12 +9,12 @@
 //!
 //! The free vibration f is that of the closed forms ([`Free`]), below, at and above ζ = 1.
 
-use super::super::damped::{free, waves};
-use super::super::root::only_zero;
+use crate::cycle::damped::free::{Free, Waves};
+use crate::enclosed::damped::{free, waves};
+use crate::enclosed::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
-use crate::nonsticking::damped::free::{Free, Waves};
 
 /// The oscillator and its drive.
 #[derive(Clone, Copy)]

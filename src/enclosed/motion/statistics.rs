@@ -1,8 +1,8 @@
 //! Properties of a proved cycle: its maximum speed and its multipliers.
 
-use super::super::root::only_zero;
 use super::map::Map;
 use super::slide::Slide;
+use crate::enclosed::root::only_zero;
 use crate::float::Field;
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;

@@ -1,16 +1,16 @@
 //! A proved steady motion: its box of uniqueness, extrema, stops and multipliers.
 
-use super::super::{Enclosure, Known, valid};
 use super::map::{Followed, Map, Start};
 use super::outline::outline;
 use super::slide::Machine;
 use super::statistics::{fastest, multipliers};
 use super::unproved::Unproved;
-use crate::error::{Error, Quantity, written};
+use crate::enclosed::{Enclosure, Known, valid};
 use crate::float::Field;
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
-use crate::ratios::Ratios;
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::ratios::Ratios;
 
 /// A periodic motion that exists, with all its properties enclosed.
 ///
@@ -56,7 +56,7 @@ pub struct Steady {
 /// With η > 1 other starts may lead to other motions.
 ///
 /// # Errors
-/// Where a ratio or `bits` is outside its domain ([`crate::exact::Trajectory::new`] for Ω).
+/// Where a ratio or `bits` is outside its domain ([`crate::motion::Trajectory::new`] for Ω).
 pub fn steady(
     omega: &Known,
     alpha: &Known,

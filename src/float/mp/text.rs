@@ -4,7 +4,9 @@
 use super::Mp;
 use core::fmt::{self, Debug, Display, Formatter, LowerExp};
 use core::str::FromStr;
-use rug::{Float, Rational, float::Round, ops::Pow};
+use rug::float::Round;
+use rug::ops::Pow;
+use rug::{Float, Rational};
 use std::cmp::Ordering;
 
 /// The error for text that is not a number.

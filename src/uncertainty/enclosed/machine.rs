@@ -3,13 +3,13 @@
 use super::parts::{self, Ends, Over};
 use super::verdict;
 use super::{bounds, ends, guaranteed, over, response};
+use crate::cycle::regime::{Regime, Verdict};
 use crate::enclosed::{Enclosure, Known};
-use crate::error::Error;
 use crate::float::ball::Ball;
 use crate::float::{Field, Float};
-use crate::oscillator::Scales;
+use crate::machine::error::Error;
+use crate::machine::oscillator::Scales;
 use crate::output::Output;
-use crate::regime::{Regime, Verdict};
 use crate::uncertainty::{MachineBox, Range};
 
 /// A ball precise enough that rounding the parameters does not widen it.

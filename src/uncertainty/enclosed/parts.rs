@@ -1,6 +1,6 @@
 //! The range of a function over a box, from enclosures over its parts.
 
-use crate::error::Error;
+use crate::machine::error::Error;
 use rug::Rational;
 
 /// An interval of rational numbers, from low to high.

@@ -1,9 +1,9 @@
 //! The verdict on all motions of a box from the side of 1 on which the margin lies.
 
 use super::parts::Ends;
-use crate::error::Error;
+use crate::cycle::regime::{Regime, Verdict};
 use crate::float::Float;
-use crate::regime::{Regime, Verdict};
+use crate::machine::error::Error;
 use rug::Rational;
 
 /// The verdict that holds for all ratios [Ω, α, ζ] in these intervals; `is_above_one` tells whether the
@@ -49,7 +49,7 @@ fn may_reverse_six_times(omega: &Ends, zeta: &Ends) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{by_margin, may_reverse_six_times};
-    use crate::regime::{Regime, Verdict};
+    use crate::cycle::regime::{Regime, Verdict};
     use rug::Rational;
 
     fn r(p: i64, q: i64) -> Rational {

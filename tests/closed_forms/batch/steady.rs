@@ -5,7 +5,7 @@ use stickslip::batch::Batch;
 
 #[test]
 fn the_exact_motion() {
-    use stickslip::exact::{LongRun, State};
+    use stickslip::motion::{LongRun, State};
     let omega = [1.5, 0.4, 0.7, 0.5, 1.0, f64::NAN];
     let alpha = [2.5, 6.0, 1.2, 4.0, 2.0, 2.0];
     let answers = Batch::new().steady(&omega, &alpha).unwrap();

@@ -4,7 +4,7 @@ use crate::random::Random;
 use stickslip::float::Mp;
 use stickslip::{Border, Field, Float, Real};
 
-/// Den Hartog's f at τ = Ωζ as it is written in the documentation of `src/nonsticking/border.rs`.
+/// Den Hartog's f at τ = Ωζ as it is written in the documentation of `src/cycle/border.rs`.
 fn den_hartog<F: Real>(omega: F, tangent: F, zeta: F) -> F {
     let ((sine, cosine), (slow_sine, slow_cosine)) = (zeta.sin_cos(), (omega * zeta).sin_cos());
     (sine + tangent * (slow_cosine - cosine)) / (omega * slow_sine)

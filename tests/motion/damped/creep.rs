@@ -3,9 +3,9 @@
 use super::{forced_response, from_rest, ratios};
 use crate::random::Random;
 use std::f64::consts::{PI, TAU};
-use stickslip::exact::{Kind, State, Trajectory};
 use stickslip::float::Mp;
 use stickslip::float::{Field, Float};
+use stickslip::motion::{Kind, State, Trajectory};
 use stickslip::{Border, Cycle};
 
 /// A start far outside on an overdamped spring creeps inwards during many turns of the drive, in a single

@@ -4,8 +4,8 @@ use super::{from_rest, plane, ratios};
 use crate::random::Random;
 use std::f64::consts::TAU;
 use stickslip::Border;
-use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::float::{Field, Float, Mp, Real};
+use stickslip::motion::{LongRun, State, Trajectory};
 
 /// The works of random steady states: the greatest difference between the energy supplied and that taken by
 /// friction and damper, in total and relative to the possible rounding.
@@ -42,7 +42,7 @@ fn multipliers_are_off((omega, zeta, alpha): (f64, f64, f64)) -> f64 {
     let after = |dx: Wide, dv: Wide| {
         let start = State { x: state.x + dx, v: state.v + dv, ..state };
         let from = start.phase.half_turns() + 2;
-        let end = stickslip::exact::DrivePhase::new(
+        let end = stickslip::motion::DrivePhase::new(
             (from - state.phase.half_turns()) / 2,
             Wide::from(state.phase.half_turns() as f64) * Wide::pi() + state.phase.angle(),
         )

@@ -3,7 +3,7 @@
 use super::{ratios, start, steady};
 use crate::random::Random;
 use std::ops::ControlFlow;
-use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
+use stickslip::motion::{Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::{Border, Cycle, Ratios, Regime};
 
 #[test]

@@ -2,8 +2,8 @@
 
 use super::text;
 use stickslip::enclosed::{self, Enclosure, Event, Known, Unproved};
-use stickslip::exact::{LongRun, State};
 use stickslip::float::Mp;
+use stickslip::motion::{LongRun, State};
 use stickslip::{Field as _, Float as _, Ratios};
 
 /// The motions of the exact solver at 256 bits are all proved to exist, with place, stops, extrema and

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
-use stickslip::exact::{End, Kind, LongRun, Segment, SteadyState};
+use stickslip::motion::{End, Kind, LongRun, Segment, SteadyState};
 use stickslip::no_stop_force_ratios;
 use stickslip::{Drive, Float, Oscillator, Ratios, Regime, Response, Scales};
 

@@ -1,6 +1,6 @@
 //! Random balls and sample points of them.
 
-use super::super::{Ball, Radius};
+use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 
 /// The width under test, and a width whose rounding is negligible beside it.

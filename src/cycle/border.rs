@@ -1,0 +1,237 @@
+//! The minimum force ratio that keeps the body from sticking (eq. 57–62, and the exact condition).
+//!
+//! The cycle of eq. 40–56 is a motion of the oscillator only while it slides between its reversals. The paper
+//! requires that only at the turning point (eq. 58, 59), which gives eq. 61. Den Hartog's condition requires
+//! it throughout the half cycle, x′ < 0 for 0 < τ = ω_d(t − t₂) < π:
+//!
+//! ```text
+//! Δ₀/B ≥ S(Ω) = sup f(τ),   f(τ) = [sin(τ/Ω) + T (cos τ − cos(τ/Ω))]/(Ω sin τ),   f(0⁺) = 1/Ω²,
+//! ```
+//!
+//! so that the exact border is `α_min = hypot(K, (1 − Ω²) S)`, and eq. 61 is its value where the
+//! supremum is the limit at the turning point, S = 1/Ω².
+//!
+//! # Where the supremum is, and why it is the global one
+//!
+//! With β = π/2Ω, γ = β mod π ∈ [0, π) and ζ = τ/Ω, `f = [T cos τ + sin(ζ − β)/cos β]/(Ω sin τ)`, and f(π −
+//! τ) = −f(τ), so that it suffices to find the largest |f| on (0, π/2]. Let `f′ sin²τ = G/Ω`. Then `G′ =
+//! −(Ω⁻² − 1) sin τ sin(ζ − β)/cos β`, whose sign is known between known points.
+//!
+//! * **Ω ≥ 1/2.** On (0, π/2], ζ − β runs from −β to 0 within one sign of the sine, and G′ ≤ 0 throughout
+//!   (for Ω > 1 the factor Ω⁻² − 1 changes sign with sin(ζ − β)/cos β). So f falls from 1/Ω² to
+//!   f(π/2) = 0, and S = 1/Ω²: **eq. 61 is exact for Ω ≥ 1/2.**
+//! * **Ω < 1/2.** sin(ζ − β)/cos β = sin(ζ − γ)/cos γ opposes T = tan γ for 0 < ζ < γ, helps it for
+//!   γ < ζ < γ + π, and so on in turn. Up to γ, G′ has one sign and G(0) = 0, so that f is monotonic: its
+//!   values there lie between the limit 1/Ω² and f at γ. Beyond γ + π, cos τ and 1/sin τ were larger one half
+//!   period earlier: a value of |f| where the sine opposes T is exceeded where it was as large and helped,
+//!   and any value one period earlier. So the largest |f| has γ ≤ ζ ≤ γ + π and the sign of T, or is the
+//!   limit 1/Ω² at ζ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and
+//!   has no zero elsewhere in the lobe: f has there **one** stationary point ζ* = γ + η, the only zero on (0,
+//!   π) of `g(η) = cos Ωζ sin η − sin Ωζ cos η/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωζ sin η > 0.
+//!   `S = max(1/Ω², |f(ζ*)|)`.
+//!
+//! For T > 0, Ω in (1/(2n+1), 1/(2n)), f increases from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 is
+//! too low on the whole band; for T < 0 it is too low only next to the pole. There is a single root at any Ω,
+//! and no scanning or sampling.
+
+mod band_end;
+mod lobe;
+mod near;
+mod range;
+mod shortfall;
+mod slope;
+mod stationary;
+mod turning_point;
+
+use crate::cycle::phase_function::PhaseFunction;
+use crate::float::pair::Pair;
+use crate::float::{Field, Float, fused};
+use crate::machine::error::Error;
+pub(crate) use lobe::Lobe;
+pub use lobe::Minimum;
+#[cfg(feature = "batch")]
+pub(crate) use near::border_near;
+pub(crate) use range::ordered_lobes;
+pub(crate) use range::{BorderRange, border_range};
+pub use shortfall::Shortfall;
+use stationary::inner_maximum;
+#[cfg(feature = "mp")]
+pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
+pub(crate) use turning_point::border_force_ratio;
+#[cfg(test)]
+pub(crate) use turning_point::turning_point_criterion;
+pub use turning_point::{slip_excess, turning_point_border, turning_point_residual};
+
+/// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.
+///
+/// For T > 0 (`rises`) it is larger, even if the excess is below rounding.
+#[inline(always)]
+fn is_stationary_value_larger<F: Float>(
+    one_minus_square: Pair<F>,
+    omega: F,
+    width: Pair<F>,
+    rises: bool,
+) -> bool {
+    rises | (width.value() > (one_minus_square / omega.wide().square()).value())
+}
+
+/// The minimum force ratio at a frequency ratio: exact, and by eq. 61.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
+pub struct Border<F> {
+    /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction
+    /// above the kinetic one, other motions that stick may coexist.
+    ///
+    /// Source: Den Hartog's condition, in closed form except for one bracketed root. Accuracy at f64: 2 ulp.
+    pub min_force_ratio: F,
+    /// Eq. 61, `hypot(K, 1/Ω² − 1)`: equal to the exact border for Ω ≥ 1/2, not above it below.
+    pub turning_point: F,
+    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)` up to rounding, where the velocity first touches zero on the
+    /// border; 0 if that is the turning point itself. Eq. 61 is exact where it is 0.
+    pub touching_phase: F,
+    /// `S(Ω)`: the minimum Δ₀/B of a cycle that does not stick.
+    pub min_displacement: F,
+}
+
+impl<F: Float> Border<F> {
+    /// The border at the frequency ratio Ω.
+    ///
+    /// # Errors
+    /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
+    pub fn new(omega: F) -> Result<Self, Error> {
+        let (omega, eta) = (crate::machine::ratios::frequency_ratio(omega)?, F::int(1));
+        Ok(without_damping(omega, eta))
+    }
+
+    /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
+    ///
+    /// Exact: every maximum of Den Hartog's condition is known (`src/cycle/damped/border.rs`). The
+    /// analogue of eq. 61 suffices for `Ω ≥ √(1 − ζ²)/2` and for ζ ≥ 1.
+    ///
+    /// # Errors
+    /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
+    pub fn with_damping(omega: F, damping_ratio: F) -> Result<Self, Error> {
+        crate::Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio).map(|r| Self::of(&r))
+    }
+
+    /// The border at Ω, ζ and η of `ratios`; their α plays no part. With a static friction of η times the
+    /// kinetic one the condition at the turning point is `Δ₀/B ≥ (η + G + 2ζΩH)/Ω² − G`, G = H = 0 without
+    /// damping; inside the half cycle nothing changes.
+    pub fn of(ratios: &crate::Ratios<F>) -> Self {
+        if ratios.is_damped() {
+            super::damped::border(&super::damped::half_period(ratios))
+        } else {
+            without_damping(ratios.omega(), ratios.static_friction_ratio())
+        }
+    }
+
+    /// The border with a static friction of η times the kinetic one, ζ = 0: at the turning point the force
+    /// has to exceed η, so that `Δ₀/B ≥ η/Ω²` there; inside the half cycle nothing changes, because the body
+    /// slides there.
+    #[inline(always)]
+    pub(crate) fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
+        let omega = p.omega();
+        // S = η/Ω²
+        let limit = eta.wide() / omega.wide().square();
+        let turning_point = border_force_ratio(p.wide(), p.one_minus_square() * limit).value();
+        let inner = if omega < F::ratio(1, 2) { inner_maximum(*p) } else { None };
+        if let Some(inner) = inner {
+            let least = inner.force_ratio(p);
+            if least > turning_point {
+                return Self {
+                    min_force_ratio: least,
+                    turning_point,
+                    touching_phase: inner.phase(),
+                    min_displacement: (inner.width / p.one_minus_square()).value(),
+                };
+            }
+        }
+        Self {
+            min_force_ratio: turning_point,
+            turning_point,
+            touching_phase: F::int(0),
+            min_displacement: limit.value(),
+        }
+    }
+
+    /// The border with its parts as found.
+    pub(super) const fn of_parts(
+        min_force_ratio: F,
+        turning_point: F,
+        touching_phase: F,
+        min_displacement: F,
+    ) -> Self {
+        Self { min_force_ratio, turning_point, touching_phase, min_displacement }
+    }
+
+    /// The same border in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Border<G> {
+        Border {
+            min_force_ratio: to(self.min_force_ratio),
+            turning_point: to(self.turning_point),
+            touching_phase: to(self.touching_phase),
+            min_displacement: to(self.min_displacement),
+        }
+    }
+
+    /// The border at the frequency ratio of `p`.
+    #[inline(always)]
+    pub(crate) fn at(p: &PhaseFunction<F>) -> Self {
+        let omega = p.omega();
+        let turning_point = Self::turning_point_at(p);
+        let limit = F::int(1) / omega.square();
+        let at_turning_point = Self {
+            min_force_ratio: turning_point,
+            turning_point,
+            touching_phase: F::int(0),
+            min_displacement: limit,
+        };
+        if omega >= F::ratio(1, 2) {
+            return at_turning_point;
+        }
+        match inner_maximum(*p) {
+            Some(inner) if inner.is_border(p) => Self {
+                min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
+                turning_point,
+                touching_phase: inner.phase(),
+                min_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
+            },
+            _ => at_turning_point,
+        }
+    }
+
+    #[doc(hidden)]
+    /// The border at the turning point (eq. 61), `α = hypot(K, 1/Ω² − 1)`, at the frequency ratio of `p`.
+    ///
+    /// Dimensionless; in compensated pairs. Accuracy at f64: 2 ulp.
+    #[inline(always)]
+    pub fn turning_point_at(p: &PhaseFunction<F>) -> F {
+        turning_point_border(p.wide(), p.one_minus_square(), p.omega().wide()).value()
+    }
+
+    /// [`Border::min_force_ratio`] at the frequency ratio of `p`, without the rest.
+    #[inline(always)]
+    pub(crate) fn least_force_ratio(p: &PhaseFunction<F>) -> F {
+        let turning_point = Self::turning_point_at(p);
+        if p.omega() >= F::ratio(1, 2) {
+            return turning_point;
+        }
+        match inner_maximum(*p) {
+            Some(inner) if inner.is_border(p) => turning_point.or_larger(inner.force_ratio(p)),
+            _ => turning_point,
+        }
+    }
+}
+
+/// The border without damping at Ω and η.
+#[inline]
+fn without_damping<F: Float>(omega: F, eta: F) -> Border<F> {
+    fused!(<F>(omega: F, eta: F) -> Border<F> {
+        let p = PhaseFunction::of_valid(omega);
+        if eta > F::int(1) { Border::with_static_friction(&p, eta) } else { Border::at(&p) }
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,162 @@
+//! The stationary point of the border's function f: where the velocity first touches zero inside the half
+//! cycle.
+
+use super::near::{Known, near};
+use super::{border_force_ratio, is_stationary_value_larger};
+use crate::cycle::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
+use crate::float::pair::Pair;
+use crate::float::{Field, Float, Real, at_precision, fused};
+use crate::root;
+
+/// The stationary value as a width of the cycle, and where it is.
+pub(super) struct Inner<F> {
+    /// `(1 − Ω²) S`.
+    pub(super) width: Pair<F>,
+    omega: F,
+    gamma: Pair<F>,
+    eta: F,
+    /// Whether T > 0, so that τ* lies in the first quarter.
+    rises: bool,
+}
+
+impl<F: Float> Inner<F> {
+    /// The phase τ* in (0, π); the width may require it to lower accuracy than is known.
+    pub(super) fn phase(&self) -> F {
+        let condition = |eta| stationarity(self.omega, self.gamma.value(), eta);
+        let eta = root::newton(self.eta, F::int(0), F::pi(), condition).implicit_root(condition);
+        let tau = ((self.gamma + Pair::exact(eta)) * self.omega).value();
+        if self.rises { tau } else { F::pi() - tau }
+    }
+
+    /// Whether the border is here, and not at the turning point.
+    pub(super) fn is_border(&self, p: &PhaseFunction<F>) -> bool {
+        is_stationary_value_larger(p.one_minus_square(), self.omega, self.width, self.rises)
+    }
+
+    /// `hypot(K, (1 − Ω²) S)`, whose squares can be out of range where Ω is very small.
+    pub(super) fn force_ratio(&self, p: &PhaseFunction<F>) -> F {
+        let (k, width) = (p.wide(), self.width);
+        if p.omega() > F::exp2i(-F::RATIO_EXPONENT / 2) {
+            return border_force_ratio(k, width).value();
+        }
+        let down = F::exp2i(-F::RATIO_EXPONENT);
+        border_force_ratio(k * down, width * down).value() / down
+    }
+}
+
+/// The stationary value below Ω = 1/2; `None` where T = 0.
+///
+/// Takes a copy, so that the path above 1/2 keeps everything in registers.
+#[inline(never)]
+pub(super) fn inner_maximum<F: Float>(p: PhaseFunction<F>) -> Option<Inner<F>> {
+    fused!(<F>(p: PhaseFunction<F>) -> Option<Inner<F>> {
+        let omega = p.omega();
+        if p.is_even_subharmonic() {
+            return None;
+        }
+        let angle = LowAngle::of(&p);
+        let known = Known::new(omega, &angle, p.wide());
+        let eta = match near(&known) {
+            Some(eta) => eta,
+            None => stationary_point(omega, known.gamma.value()),
+        };
+        let width = known.width(eta);
+        // The value is stationary at η only to the accuracy of η; its derivative has a form that requires
+        // less.
+        let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
+        let width = Pair::new(hi, width.lo.constant());
+        Some(Inner { width, omega, gamma: known.gamma, eta, rises: angle.is_tangent_positive() })
+    })
+}
+
+/// The derivative of `(1 − Ω²) S` by Ω.
+fn change_of_width<F: Float>(p: &PhaseFunction<F>, width: F) -> F {
+    let (omega, q) = (p.omega().constant(), one_minus_square(p.omega()).constant());
+    q * inner_change(p).constant() / omega - F::int(2) * omega * width / q
+}
+
+/// `Ω S` of the stationary point η: `[sin γ cos τ + sin η]/(|cos β| sin τ)`, all terms positive.
+#[inline]
+pub(crate) fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
+    let (sin_tau, cos_tau) = tau.sin_cos();
+    (lobe_phase.sin() * cos_tau + eta.sin()) / (cos_beta.abs() * sin_tau)
+}
+
+/// `(g, g′)` at η: the stationarity condition of the border's head and its derivative.
+///
+/// For small ζ = γ + η all of g's terms are small and their sum is of the third order. With γ = ζ − η,
+/// `g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω]`, whose parts are known to full relative
+/// accuracy.
+#[inline]
+fn stationarity<F: Float>(omega: F, lobe_phase: F, eta: F) -> (F, F) {
+    let zeta = lobe_phase + eta;
+    let tau = omega * zeta;
+    let (sin_tau, cos_tau) = tau.sin_cos();
+    let (sin_eta, cos_eta) = eta.sin_cos();
+    let inverse = F::int(1) / omega;
+    let g = if zeta < F::int(1) {
+        let defect = arc_less_sine(zeta) - arc_less_sine(tau) * inverse;
+        sin_eta * fall_of_cosine(tau, zeta) - cos_eta * defect
+    } else {
+        condition(inverse, (sin_tau, cos_tau), (sin_eta, cos_eta), lobe_phase.sin())
+    };
+    (g, condition_slope(omega, inverse, sin_tau, sin_eta))
+}
+
+/// `g = cos τ sin η − sin τ cos η/Ω + sin γ`, zero at the stationary point; `inverse` is 1/Ω.
+#[inline]
+pub(crate) fn condition<R: Field>(
+    inverse: R,
+    (sin_tau, cos_tau): (R, R),
+    (sin_eta, cos_eta): (R, R),
+    sin_gamma: R,
+) -> R {
+    cos_tau * sin_eta - inverse * sin_tau * cos_eta + sin_gamma
+}
+
+/// `g′ = (1/Ω − Ω) sin τ sin η`, positive for η in (0, π).
+#[inline]
+pub(crate) fn condition_slope<R: Field>(omega: R, inverse: R, sin_tau: R, sin_eta: R) -> R {
+    (inverse - omega) * sin_tau * sin_eta
+}
+
+/// `cos τ − cos ζ` as a product: both angles are small near Ω = 1/(2n).
+pub(super) fn fall_of_cosine<F: Float>(tau: F, zeta: F) -> F {
+    let half = F::ratio(1, 2);
+    F::int(2) * (half * (zeta + tau)).sin() * (half * (zeta - tau)).sin()
+}
+
+/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
+///
+/// g is increasing, so every zero in the bracket is the one; Newton only polishes.
+pub(crate) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
+    let start = if gamma * gamma * gamma * gamma < F::from_f64(f64::EPSILON) {
+        // g is lost in rounding at f64; η/γ = 1/2 + O(γ²).
+        gamma / F::int(2)
+    } else if F::PRECISION <= f64::MANTISSA_DIGITS {
+        let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
+        let g = |eta| stationarity(omega, gamma, eta).0;
+        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))
+    } else {
+        at_precision!(narrowed, <F>(omega: F, gamma: F) -> F, |there, back: G| {
+            back(stationary_point(there(omega), there(gamma)))
+        })
+    };
+    let condition = |eta| stationarity(omega, gamma, eta);
+    root::newton(start, F::int(0), F::pi(), condition).implicit_root(condition)
+}
+
+/// Ω S′ on the bands below Ω = 1/2 where S is the inner stationary value.
+pub(super) fn inner_change<F: Float>(p: &PhaseFunction<F>) -> F {
+    let (omega, gamma, tangent) = (p.omega(), p.lobe_phase().value(), p.tangent());
+    let (_, cos_beta) = p.sin_cos();
+    let cosine = cos_beta.abs();
+    let eta = stationary_point(omega, gamma);
+    let zeta = gamma + eta;
+    let tau = omega * zeta;
+    let value = stationary_value(gamma, cos_beta, tau, eta) / omega;
+    let half = F::ratio(1, 2);
+    let fall = fall_of_cosine(tau, zeta);
+    let turning = (F::pi() * half * fall / cosine).with_sign_of(tangent * fall);
+    -(value + (tau * eta.cos() + turning) / (omega.square() * tau.sin() * cosine))
+}

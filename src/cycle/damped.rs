@@ -1,0 +1,268 @@
+//! The non-sticking cycle with viscous damping, ζ > 0, in closed form.
+//!
+//! The equation of motion in natural time, `x″ + 2ζx′ + x + sgn x′ = α sin θ` (units of B = r_y/k), has
+//! between its reversals a driven and a free part, and the cycle with two reversals and no stop follows from
+//! its matching conditions as without damping ([`mod@half_period`]). With `K = qH` the table of ζ = 0 holds
+//! with q for |1 − Ω²| and a shift G of the displacement:
+//!
+//! | | ζ = 0 | ζ > 0 |
+//! |---|---|---|
+//! | Δ₀/B | √(α² − K²)/\|1 − Ω²\| | a − G, a = √(α² − K²)/q |
+//! | ω_d t₂ | cos ω_d t₂ = K/α, sign of the sine that of 1 − Ω | cos(ω_d t₂ − δ) = K/α, sin(ω_d t₂ − δ) = qa/α |
+//! | border | hypot(K, (1 − Ω²) S), S ≥ 1/Ω² | hypot(K, qS), S ≥ (1 + G + 2ζΩH)/Ω² |
+//! | A₁ | 8(Δ₀/B)/α² | the same, friction's part |
+//! | α*, A₁max | √2 \|K\|, 4/(\|K\| \|1 − Ω²\|) | √(2Q(Q + qG)), 4/(q(Q + qG)), Q = hypot(K, qG) |
+//! | λ | λ² + (1 + s) cos(π/Ω) λ + s = 0 | λ² + (M₁₁ + sM₂₂) λ + s e^{−2ζT} = 0 |
+
+pub(crate) mod border;
+pub(crate) mod fastest;
+pub(crate) mod free;
+pub(crate) mod half_period;
+mod peaks;
+mod pole;
+pub(crate) mod resonance;
+pub(crate) mod rising;
+pub(crate) mod squared;
+mod summit;
+mod work;
+
+use super::displacement::max_displacement;
+use super::displacement::reduce;
+use super::stability::MultiplierPair;
+use super::{Border, loop_size_inertia, loop_size_stiffness};
+use crate::float::pair::Pair;
+use crate::float::{Field, Float, fused};
+use crate::machine::ratios::Ratios;
+use border::{least_displacement, needed_at, supremum, turning_point};
+use half_period::HalfPeriod;
+use pole::Pole;
+use rising::Rising;
+use summit::Summit;
+
+/// The steady non-sticking motion with damping: the outputs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct DampedCycle<F> {
+    pub(crate) rising: Rising<F>,
+    pub(crate) max_displacement: F,
+    pub(crate) displacement_phase: F,
+    pub(crate) max_velocity: F,
+    pub(crate) velocity_phase: F,
+    pub(crate) deviation: F,
+}
+
+impl<F: Float> DampedCycle<F> {
+    /// The cycle at ratios on or above the border.
+    pub(crate) fn at(half: HalfPeriod<F>, alpha: F) -> Self {
+        Self::of(Rising::of_force(half, alpha))
+    }
+
+    /// The cycle of equations 21–25 whose half is given, stops or none.
+    pub(crate) fn of(rising: Rising<F>) -> Self {
+        let Rising { half, max_displacement, .. } = rising;
+        let displacement_phase = rising.displacement_phase();
+        let Summit { tau, velocity, displacement } = rising.summit();
+        Self {
+            rising,
+            max_displacement,
+            displacement_phase,
+            max_velocity: velocity / half.omega,
+            velocity_phase: reduce(displacement_phase - F::pi() + half.omega * tau),
+            deviation: displacement,
+        }
+    }
+
+    /// R, the deceleration at the maximum.
+    fn deceleration(&self) -> F {
+        self.rising.deceleration()
+    }
+
+    /// Multipliers per half cycle.
+    ///
+    /// ```text
+    /// λ = [−(RC + Z) ± √(E² − R² S² + Z (Z + 2RC))]/(R + 1),
+    /// ```
+    ///
+    /// with `E = e^{−ζT}`, `C = E cos dT`, `S = E sin dT`, `Z = E (ζ/d) sin dT`.
+    pub(crate) fn multipliers(&self) -> MultiplierPair<F> {
+        let (zero, one) = (F::int(0), F::int(1));
+        let (half, size) = self.rising.half.of_size_one();
+        let inverse = one / self.deceleration();
+        let (mean, discriminant) = half.multipliers(inverse);
+        let spread = discriminant.abs().sqrt() / (one + inverse);
+        if discriminant < zero {
+            return MultiplierPair::Complex { re: size * mean, im: size * spread };
+        }
+        let larger = mean + spread.with_sign_of(mean);
+        let product = (one - inverse) / (one + inverse) * half.decay.square();
+        let smaller = if larger == zero { larger } else { product / larger };
+        MultiplierPair::Real(size * larger, size * smaller)
+    }
+
+    /// The contraction of a small disturbance in half a cycle, max |λ|.
+    pub(crate) fn contraction(&self) -> F {
+        let (half, one) = (&self.rising.half, F::int(1));
+        match self.multipliers() {
+            MultiplierPair::Complex { .. } => {
+                let inverse = one / self.deceleration();
+                half.decay * ((one - inverse) / (one + inverse)).sqrt()
+            }
+            MultiplierPair::Real(larger, _) => larger.abs(),
+        }
+    }
+
+    /// Displacement x/B and velocity x′/(Bω_d) of the rising half cycle, at the phase since its start.
+    pub(crate) fn rising_at(&self, phase: F) -> (F, F) {
+        let half = &self.rising.half;
+        let moment = self.rising.at(phase / half.omega);
+        (self.rising.displacement(&moment), self.rising.velocity(&moment)[0] / half.omega)
+    }
+
+    /// The same cycle in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> DampedCycle<G> {
+        DampedCycle {
+            rising: self.rising.map(&to),
+            max_displacement: to(self.max_displacement),
+            displacement_phase: to(self.displacement_phase),
+            max_velocity: to(self.max_velocity),
+            velocity_phase: to(self.velocity_phase),
+            deviation: to(self.deviation),
+        }
+    }
+}
+
+impl<F: Float> Rising<F> {
+    /// At an α on or above the border.
+    ///
+    /// Beside the pole at Ω = 1 a and G are large and nearly equal, and α² − K² and q²G² with them: there
+    /// `Δ₀/B = (α² − Q²)/(q² (a + G))`, `a² = (α² − Q²)/q² + G²`, Q² = K² + q²G² ([`Pole`]).
+    pub(crate) fn of_force(half: HalfPeriod<F>, alpha: F) -> Self {
+        fused!(<F>(half: HalfPeriod<F>, alpha: F) -> Rising<F> { Rising::at_force(half, alpha) })
+    }
+
+    #[inline(always)]
+    fn at_force(half: HalfPeriod<F>, alpha: F) -> Self {
+        let wide = half.wide();
+        let least = least_displacement(&wide);
+        let (amplitude, displacement) = match half.beyond {
+            Some([hi, lo]) => {
+                let excess = Pole::excess(Pair::new(hi, lo), alpha) / wide.stiffness.square();
+                let amplitude = (excess + wide.shift.square()).sqrt();
+                (amplitude, excess / (amplitude + wide.shift))
+            }
+            None => {
+                let amplitude = max_displacement(wide.k, alpha.wide(), wide.stiffness);
+                (amplitude, amplitude - wide.shift)
+            }
+        };
+        // An α on the rounded border may be below the true one. Δ₀ is then at least its value on the border.
+        let (amplitude, displacement) = if displacement.value() >= least.value() {
+            (amplitude, displacement)
+        } else {
+            (turning_point(&wide), least)
+        };
+        let displacement = displacement.normalised();
+        Self { half, amplitude: amplitude.value(), max_displacement: displacement.hi, rest: displacement.lo }
+    }
+
+    /// A₁ and A₂, friction's part.
+    pub(crate) fn loop_sizes(&self, alpha: F) -> (F, F) {
+        let displacement = Pair::new(self.max_displacement, self.rest);
+        let size = loop_size_stiffness(displacement, alpha.wide());
+        (size.value(), loop_size_inertia(size, self.half.omega.wide()).value())
+    }
+
+    /// ω_d t₂, in [0, 2π).
+    pub(crate) fn displacement_phase(&self) -> F {
+        // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
+        reduce(self.half.phase_lag() + self.amplitude.atan2(self.half.h))
+    }
+}
+
+impl<F: Field> Rising<F> {
+    /// `R = Ω²a − G − 2ζΩH`: the deceleration at the maximum, in which the force of friction is 1.
+    pub(crate) fn deceleration(&self) -> F {
+        let half = &self.half;
+        half.omega.square() * self.amplitude - (half.holding() - F::int(1))
+    }
+}
+
+impl<F: Float> HalfPeriod<F> {
+    /// The same with free waves that are divided by a size, which is 1 unless their squares would underflow.
+    /// The multipliers are proportional to it.
+    fn of_size_one(self) -> (Self, F) {
+        let size = self.decay.or_larger(self.cosine.abs());
+        if size >= F::least_ratio() || size == F::int(0) {
+            return (self, F::int(1));
+        }
+        let (decay, cosine, sine) = (self.decay / size, self.cosine / size, self.sine / size);
+        (Self { decay, cosine, sine, ..self }, size)
+    }
+}
+
+impl<F: Field> HalfPeriod<F> {
+    /// The mean of the two multipliers of half a cycle, and the square of their deviation from it, times
+    /// (1 + 1/R)²; by 1/R.
+    pub(crate) fn multipliers(&self, inverse: F) -> (F, F) {
+        let (c, z) = (self.cosine, self.free.zeta * self.sine);
+        // All divided by R, so that an infinite R gives the limit.
+        let mean = -((c + z * inverse) / (F::int(1) + inverse));
+        let discriminant = (self.decay * inverse).square() - self.free.square * self.sine.square()
+            + z * inverse * (z * inverse + F::int(2) * c);
+        (mean, discriminant)
+    }
+}
+
+/// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
+pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
+    let found = supremum(half);
+    let turning_point = at_turning_point(half);
+    let Some(touch) = found.touch else {
+        return Border::of_parts(turning_point.0, turning_point.0, F::int(0), turning_point.1);
+    };
+    let (wide, amplitude) = (half.wide(), needed_at(half, touch));
+    let inside = wide.k.hypot(wide.stiffness * amplitude).value();
+    let displacement = (amplitude - wide.shift).value();
+    Border::of_parts(
+        turning_point.0.or_larger(inside),
+        turning_point.0,
+        touch.phase(half.omega),
+        displacement,
+    )
+}
+
+/// The force ratio from which on the body does not stick at its turning points, and the least Δ₀/B there.
+#[inline(always)]
+pub(crate) fn at_turning_point<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
+    fused!(<'a, F>(half: &'a HalfPeriod<F>) -> (F, F) {
+        let half = half.wide();
+        let force_ratio = half.k.hypot(half.stiffness * turning_point(&half));
+        (force_ratio.value(), least_displacement(&half).value())
+    })
+}
+
+/// The force ratio of the largest loop A₁ and that loop, to the digits of the half period.
+pub(crate) fn best<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
+    let (force_ratio, loop_size) = best_of(&half.wide());
+    (force_ratio.value(), loop_size.value())
+}
+
+/// The same in any arithmetic, both by `Q = hypot(K, qG)`.
+///
+/// With y = qa, `A₁ = 8(y − qG)/(q(y² + K²))`; `dA₁/dy = 0` is `y² − 2qGy − K² = 0`, y = qG + Q.
+pub(crate) fn best_of<R: Field>(half: &HalfPeriod<R>) -> (R, R) {
+    let shift = half.stiffness * half.shift;
+    let q = half.k.hypot(shift);
+    let two = R::int(2);
+    ((two * q * (q + shift)).sqrt(), R::int(4) / (half.stiffness * (q + shift)))
+}
+
+/// The half period at ratios with ζ > 0.
+pub(crate) fn half_period<F: Float>(ratios: &Ratios<F>) -> HalfPeriod<F> {
+    HalfPeriod::new(ratios.omega(), ratios.damping_ratio())
+        .with_static_friction(ratios.static_friction_ratio())
+}
+
+/// The half period at an Ω and a ζ > 0 that are in their domains.
+pub(crate) fn half_period_at<F: Float>(omega: F, zeta: F) -> HalfPeriod<F> {
+    HalfPeriod::new(omega, zeta)
+}

@@ -1,0 +1,287 @@
+//! The minimum force ratio without sticking with viscous damping, from a complete list of candidates.
+//!
+//! The rising half cycle slides throughout where `x′ > 0` for 0 < τ < T = π/Ω, that is `a ≥ ρ(τ)`,
+//!
+//! ```text
+//! ρ(τ) = n(τ)/(Ω sin Ωτ),   n = b cos Ωτ − h′(τ),   ρ(0⁺) = (1 + G + 2ζb)/Ω²,   b = ΩH.
+//! ```
+//!
+//! So `α_min = q hypot(S, H)`, S = sup ρ, and with ρ(0⁺) alone, the condition at the turning point, it is the
+//! analogue of eq. 61.
+//!
+//! # Where the supremum is
+//!
+//! With `D = Ω sin Ωτ` and `g = n′D − nD′`, ρ′ = g/D². Because `(d²/dτ² + Ω²) cos Ωτ = 0`,
+//!
+//! ```text
+//! g′ = D (n″ + Ω²n) = −D p,   p = h‴ + Ω²h′ = (Ω² + 4ζ² − 1) h′ + 2ζh,
+//! ```
+//!
+//! and p is a free vibration: its zeros are known, π/d apart (d = √(1 − ζ²)), with at most one for ζ ≥ 1.
+//! Between two of them g is monotone, and it vanishes at both ends of the half cycle, n(0) = n(T) = 0. So ρ
+//! has **at most one maximum between two zeros of p in (0, T), where p > 0, and none elsewhere**: each is one
+//! bracketed root. The ends are no candidates: `ρ(T⁻) = ρ(0⁺) − 2/Ω²`.
+//!
+//! **For Ω ≥ d/2 the condition at the turning point suffices**, as eq. 61 does for Ω ≥ 1/2 without damping.
+//! There `dT ≤ 2π`, p has two zeros at most, and a maximum between them needs p < 0 before and after; but
+//! `p(0) + p(T) = 4ζ > 0`.
+//!
+//! For Ω < d/2 lobes are searched from both ends of the half cycle inwards, until the remaining ones cannot
+//! exceed the supremum so far. With `A = hypot(h′, h″)` at the left end, ρ ≤ (max b cos Ωτ + A)/(Ω min sin
+//! Ωτ), because h′ is a free vibration with decreasing energy.
+
+use super::free::{Free, Waves};
+use super::half_period::{HalfPeriod, wide_sin_cos};
+use super::rising::Moment;
+use crate::float::pair::Pair;
+use crate::float::{Field, Float, at_precision};
+use crate::root::newton_within;
+
+/// The supremum S and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Supremum<F> {
+    /// S.
+    pub(crate) amplitude: F,
+    /// Where the velocity first touches zero, if not at the turning point.
+    pub(crate) touch: Option<Touch<F>>,
+}
+
+/// A time within the half cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Touch<F> {
+    from: End,
+    time: F,
+}
+
+/// The end of the half cycle that a time is counted from: from the nearer one it keeps its digits, however
+/// long the half cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum End {
+    First,
+    Last,
+}
+
+impl<F: Float> Touch<F> {
+    /// `Ωτ`.
+    pub(crate) fn phase(&self, omega: F) -> F {
+        match self.from {
+            End::First => omega * self.time,
+            End::Last => F::pi() - omega * self.time,
+        }
+    }
+}
+
+/// S at the half period given.
+pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
+    let turning_point = Supremum { amplitude: turning_point(half), touch: None };
+    if !half.free.swings() || half.omega * F::int(2) >= half.free.frequency {
+        return turning_point;
+    }
+    let touch = if F::PRECISION <= f64::MANTISSA_DIGITS {
+        let found = greatest(half, turning_point).touch;
+        found.map(|touch| Touch { time: refined(half, touch), ..touch })
+    } else {
+        narrowed(*half).and_then(|near| polished(half, near))
+    };
+    let Some(Touch { from, time }) = touch else { return turning_point };
+    let time = time.implicit_root(|time| rise(half, from, &at(half, from, time)));
+    let amplitude = needed(half, from, &at(half, from, time));
+    if amplitude > turning_point.amplitude {
+        Supremum { amplitude, touch: Some(Touch { from, time }) }
+    } else {
+        turning_point
+    }
+}
+
+/// Whether S is below an amplitude a by at least a sixteenth of a, and a is not small compared with H. Then α
+/// is above the border, and lobes that cannot reach S need not be searched.
+pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool {
+    let most = amplitude * F::ratio(15, 16);
+    if !(most > turning_point(half) && most * F::int(1024) > half.h.abs()) {
+        return false;
+    }
+    let has_lobes = half.free.swings() && half.omega * F::int(2) < half.free.frequency;
+    !has_lobes || greatest(half, Supremum { amplitude: most, touch: None }).touch.is_none()
+}
+
+/// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of
+/// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
+#[inline(always)]
+pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
+    (half.holding() + half.static_excess) / half.omega.square()
+}
+
+/// The least Δ₀/B with which it does not stick at its turning points, S − G: `[η + G(1 − Ω²) + 2ζΩH]/Ω²`.
+#[inline(always)]
+pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
+    let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h + half.static_excess;
+    held / half.omega.square()
+}
+
+/// The search at a lower precision.
+fn narrowed<F: Float>(half: HalfPeriod<F>) -> Option<Touch<F>> {
+    at_precision!(narrowed, <F>(half: HalfPeriod<F>) -> Option<Touch<F>>, |there, back: G| {
+        let found: Touch<G> = supremum(&half.map(there)).touch?;
+        Some(Touch { from: found.from, time: back(found.time) })
+    })
+}
+
+/// The maximum next to one found at a lower precision: it is the only one between the zeros of p around it.
+fn polished<F: Float>(half: &HalfPeriod<F>, near: Touch<F>) -> Option<Touch<F>> {
+    let (first, step) = zeros(half, near.from);
+    let low = first + ((near.time - first) / step).floor() * step;
+    maximum_between(half, near.from, low, low + step)
+}
+
+/// The half cycle at a time from one of its ends.
+fn at<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> Moment<F> {
+    match from {
+        End::First => half.at(time),
+        End::Last => half.before_end(time),
+    }
+}
+
+/// The first zero of p at a time > 0 from the end given, and the distance to the next.
+fn zeros<F: Float>(half: &HalfPeriod<F>, from: End) -> (F, F) {
+    let (d, pi) = (half.free.frequency, F::pi());
+    let start = at(half, from, F::int(0)).free;
+    let (p, slope) = (half.weighted(start.v, start.x), half.weighted(start.a, start.v));
+    // p = e^{−ζτ} P cos(dτ − χ); backwards in time the sine changes its sign.
+    let sine = (slope + half.free.zeta * p) / d;
+    let chi = match from {
+        End::First => sine.atan2(p),
+        End::Last => (-sine).atan2(p),
+    };
+    let angle = chi + pi / F::int(2);
+    let angle = if angle <= F::int(0) {
+        angle + pi
+    } else if angle > pi {
+        angle - pi
+    } else {
+        angle
+    };
+    (angle / d, pi / d)
+}
+
+impl<F: Field> HalfPeriod<F> {
+    /// `p = (Ω² + 4ζ² − 1) h′ + 2ζh`.
+    pub(crate) fn weighted(&self, velocity: F, displacement: F) -> F {
+        let zeta = self.free.zeta;
+        (F::int(4) * zeta.square() - self.lag.1) * velocity + F::int(2) * zeta * displacement
+    }
+}
+
+/// ρ(τ).
+fn needed<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> F {
+    let b = half.omega * half.h;
+    let n = match from {
+        End::First => shortfall(half, at),
+        End::Last => b * at.drive.1 - at.free.v,
+    };
+    n / (half.omega * at.drive.0)
+}
+
+/// ρ(τ) where the velocity touches zero, to more digits than the type has.
+pub(super) fn needed_at<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> Pair<F> {
+    let Touch { from, time } = touch;
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return needed(half, from, &at(half, from, time)).wide();
+    }
+    let (wide, at) = (half.wide(), wide_at(half, touch));
+    (wide.omega * wide.h * at.drive.1 - at.free.v) / (wide.omega * at.drive.0)
+}
+
+/// The half cycle in pairs, at up to the precision of f64.
+fn wide_at<F: Float>(half: &HalfPeriod<F>, Touch { from, time }: Touch<F>) -> Moment<Pair<F>> {
+    let (wide, one) = (half.wide(), Pair::int(1));
+    let (free, b) = (Free::new(wide.free.zeta), wide.omega * wide.h);
+    let (_, decay) = (-(free.zeta * time)).exp_falling();
+    let ((s, c), (sine, cosine)) = (wide_sin_cos(wide.omega * time), wide_sin_cos(free.frequency * time));
+    let sine = sine / free.frequency;
+    let tau = time.wide();
+    match from {
+        End::First => {
+            let waves = Waves { cosine: decay * cosine, sine: decay * sine };
+            Moment { tau, drive: (s, c), waves, free: free.after(waves, one + wide.shift, b) }
+        }
+        End::Last => {
+            let waves = Waves { cosine: cosine / decay, sine: -(sine / decay) };
+            let free = free.after(waves, one - wide.shift, -b);
+            Moment { tau: wide.period - tau, drive: (s, -c), waves, free }
+        }
+    }
+}
+
+/// A maximum of ρ found in the arithmetic of the type, by one more step in pairs.
+fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> F {
+    let (value, slope) = rise(&half.wide(), touch.from, &wide_at(half, touch));
+    let step = (value / slope).value();
+    let is_small = step.abs() <= F::epsilon().sqrt() * touch.time;
+    if is_small { touch.time - step } else { touch.time }
+}
+
+/// n(τ) in a form that keeps its digits as τ → 0.
+///
+/// `n = (1 + G + 2ζb) s + b (cos Ωτ − c)`, s = e^{−ζτ} sin(dτ)/d, c = e^{−ζτ} cos dτ + ζs, where
+/// `cos Ωτ − c = −2 sin((Ω+d)τ/2) sin((Ω−d)τ/2) − (e^{−ζτ} − 1) cos dτ − ζs`.
+fn shortfall<F: Float>(half: &HalfPeriod<F>, at: &Moment<F>) -> F {
+    let (two, d, zeta, tau) = (F::int(2), half.free.frequency, half.free.zeta, at.tau);
+    let (sum, difference) = ((half.omega + d) * tau / two, (half.omega - d) * tau / two);
+    let decay = (-(zeta * tau)).exp_m1();
+    let differs = -(two * sum.sin() * difference.sin()) - decay * (d * tau).cos() - zeta * at.waves.sine;
+    half.holding() * at.waves.sine + half.omega * half.h * differs
+}
+
+/// `g/Ω = n′ sin Ωτ − Ω n cos Ωτ`, which has the sign of ρ′, and its derivative `−p sin Ωτ`: by the time from
+/// the end given.
+pub(crate) fn rise<F: Field>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> (F, F) {
+    let ((s, c), omega, b) = (at.drive, half.omega, half.omega * half.h);
+    let (n, slope) = (b * c - at.free.v, -(b * omega * s) - at.free.a);
+    let value = slope * s - omega * n * c;
+    let derivative = -(half.weighted(at.free.v, at.free.x) * s);
+    match from {
+        End::First => (value, derivative),
+        // Rising by the time from the other end is falling, and the derivative of that changes its sign
+        // twice.
+        End::Last => (-value, derivative),
+    }
+}
+
+/// The maximum of ρ between two neighbouring zeros of p in (0, T), by their times from the end given, if
+/// there is one.
+fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: End, low: F, high: F) -> Option<Touch<F>> {
+    let zero = F::int(0);
+    if !(low > zero && high < half.period) {
+        return None;
+    }
+    let slope = |time: F| rise(half, from, &at(half, from, time));
+    let is_maximum = slope(low).0 > zero && slope(high).0 < zero;
+    is_maximum.then(|| Touch { from, time: newton_within(low, high, slope) })
+}
+
+/// The greater of `best` and all maxima of ρ.
+fn greatest<F: Float>(half: &HalfPeriod<F>, best: Supremum<F>) -> Supremum<F> {
+    let mut best = best;
+    let ((mut low, step), (mut before_end, _)) = (zeros(half, End::First), zeros(half, End::Last));
+    // Lobes inwards from both ends; where the two meet both are searched.
+    while low + before_end < half.period && exceeds(half, low, before_end, best.amplitude) {
+        for (from, time) in [(End::First, low), (End::Last, before_end)] {
+            if let Some(touch) = maximum_between(half, from, time, time + step) {
+                let amplitude = needed(half, from, &at(half, from, touch.time));
+                if amplitude > best.amplitude {
+                    best = Supremum { amplitude, touch: Some(touch) };
+                }
+            }
+        }
+        (low, before_end) = (low + step, before_end + step);
+    }
+    best
+}
+
+/// Whether ρ could exceed the supremum so far from the time `low` on to `before_end` before the end.
+fn exceeds<F: Float>(half: &HalfPeriod<F>, low: F, before_end: F, best: F) -> bool {
+    let (start, end, b) = (half.at(low), half.before_end(before_end), half.omega * half.h);
+    let driven = (b * start.drive.1).or_larger(b * end.drive.1);
+    let sine = if start.drive.0 < end.drive.0 { start.drive.0 } else { end.drive.0 };
+    driven + start.free.velocity_bound() > best * half.omega * sine
+}

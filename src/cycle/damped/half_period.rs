@@ -1,0 +1,324 @@
+//! The linear oscillator over half a period of the drive: the quantities of the damped cycle that depend on Ω
+//! and ζ alone.
+
+use super::free::Free;
+use super::pole::Pole;
+use crate::cycle::phase_function::{
+    PhaseFunction, modulo_four, one_minus_square, one_minus_square_wide, reduced, turned,
+};
+use crate::float::pair::Pair;
+use crate::float::{Field, Float, Real, at_precision, fused};
+
+/// Over the half period `T = π/Ω` of natural time, with `d = √(1 − ζ²)`:
+///
+/// ```text
+/// q = √((1 − Ω²)² + 4ζ²Ω²),   N = cosh ζT + cos dT,
+/// G = [sinh ζT − (ζ/d) sin dT]/N,   H = sin dT/(d Ω N),   K = qH.
+/// ```
+///
+/// They solve the matching conditions of the cycle with two reversals, `(−G, −ΩH)ᵀ = tanh(AT/2) (1, 0)ᵀ`, A
+/// being the matrix of free vibration. At ζ = 0 G = 0, q = |1 − Ω²| and H = tan(π/2Ω)/Ω, so that K is the
+/// phase function with the sign of 1 − Ω.
+///
+/// Computed from half the angle, `N/2 = sinh²(ζT/2) + cos²(dT/2)`, a sum of squares, with dT/2 reduced from
+/// π/2Ω, whose reduction is exact, and in pairs: no digit is lost at Ω = 1/n or as ζ → 0. Beside Ω = 1 the
+/// pole is divided out first ([`Pole`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HalfPeriod<F> {
+    pub(crate) omega: F,
+    pub(crate) free: Free<F>,
+    /// T.
+    pub(crate) period: F,
+    /// `q sin δ = 2ζΩ` and `q cos δ = 1 − Ω²`, δ the lag of the linear oscillator.
+    pub(crate) lag: (F, F),
+    /// q.
+    pub(crate) stiffness: F,
+    /// G.
+    pub(crate) shift: F,
+    /// H.
+    pub(crate) h: F,
+    /// K = qH.
+    pub(crate) k: F,
+    /// What rounding took from q, G and H.
+    pub(crate) rest: [F; 3],
+    /// Beside the pole at Ω = 1, `(πQ/2)² − 4` of `Q = q √(G² + H²)`, as the sum of two parts ([`Pole`]).
+    pub(crate) beyond: Option<[F; 2]>,
+    /// `e^{−ζT}`, `e^{−ζT} cos dT` and `e^{−ζT} sin(dT)/d`.
+    pub(crate) decay: F,
+    pub(crate) cosine: F,
+    pub(crate) sine: F,
+    /// `η − 1`, by how much the static friction is above the kinetic one, in r_y.
+    pub(crate) static_excess: F,
+    /// Whether driven and free vibration nearly cancel over the half period.
+    pub(crate) is_resonant: bool,
+}
+
+impl<F: Float> HalfPeriod<F> {
+    /// At a frequency ratio and a damping ratio ζ > 0 that are in their domains.
+    pub(crate) fn new(omega: F, zeta: F) -> Self {
+        fused!(<F>(omega: F, zeta: F) -> HalfPeriod<F> { HalfPeriod::at_ratios(omega, zeta) })
+    }
+
+    #[inline(always)]
+    fn at_ratios(omega: F, zeta: F) -> Self {
+        let (two, free) = (F::int(2), Free::new(zeta));
+        let period = F::pi() / omega;
+        let (found, beyond) = match Pole::beside(omega, zeta) {
+            Some(pole) => {
+                let Pole { stiffness, shift, h, beyond } = pole;
+                (Half { shift, h, waves: waves_at_end(&free, omega) }, Some((stiffness, beyond)))
+            }
+            None => (half(omega, zeta), None),
+        };
+        let stiffness = beyond.map_or_else(
+            || (zeta.wide() * omega).times(2).hypot(one_minus_square_wide(omega)),
+            |(stiffness, _)| stiffness,
+        );
+        let [stiffness, shift, h] = [stiffness, found.shift, found.h].map(Pair::normalised);
+        let [decay, cosine, sine] = found.waves;
+        Self {
+            omega,
+            free,
+            period,
+            lag: (two * zeta * omega, one_minus_square(omega)),
+            stiffness: stiffness.hi,
+            shift: shift.hi,
+            h: h.hi,
+            k: (stiffness * h).value(),
+            rest: [stiffness.lo, shift.lo, h.lo],
+            beyond: beyond.map(|(_, beyond)| [beyond.hi, beyond.lo]),
+            decay,
+            cosine,
+            sine,
+            static_excess: F::int(0),
+            // H = K/q exceeds T.
+            is_resonant: stiffness.hi * period < F::int(1) && zeta * F::int(8) < F::int(1),
+        }
+    }
+
+    /// The same with all digits of q, G, H and K.
+    #[inline(always)]
+    pub(crate) fn wide(&self) -> HalfPeriod<Pair<F>> {
+        let [stiffness, shift, h] = self.rest;
+        let (stiffness, h) = (Pair::new(self.stiffness, stiffness), Pair::new(self.h, h));
+        let damper = (self.free.zeta.wide() * self.omega).times(2);
+        HalfPeriod {
+            lag: (damper, one_minus_square_wide(self.omega)),
+            stiffness,
+            shift: Pair::new(self.shift, shift),
+            h,
+            k: stiffness * h,
+            ..self.map(Pair::exact)
+        }
+    }
+}
+
+impl<F: Field> HalfPeriod<F> {
+    /// The same in another number type, each part converted on its own.
+    #[inline(always)]
+    pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> HalfPeriod<G> {
+        HalfPeriod {
+            omega: to(self.omega),
+            free: self.free.map(&to),
+            period: to(self.period),
+            lag: (to(self.lag.0), to(self.lag.1)),
+            stiffness: to(self.stiffness),
+            shift: to(self.shift),
+            h: to(self.h),
+            k: to(self.k),
+            rest: self.rest.map(&to),
+            beyond: self.beyond.map(|parts| parts.map(&to)),
+            decay: to(self.decay),
+            cosine: to(self.cosine),
+            sine: to(self.sine),
+            static_excess: to(self.static_excess),
+            is_resonant: self.is_resonant,
+        }
+    }
+}
+
+impl<F: Real> HalfPeriod<F> {
+    /// The lag δ of the linear oscillator, in (0, π).
+    pub(crate) fn phase_lag(&self) -> F {
+        self.lag.0.atan2(self.lag.1)
+    }
+}
+
+impl<F: Field> HalfPeriod<F> {
+    /// The same with a static friction of η times the kinetic one.
+    pub(crate) fn with_static_friction(self, eta: F) -> Self {
+        Self { static_excess: eta - F::int(1), ..self }
+    }
+
+    /// `1 + G + 2ζΩH`: the deceleration at the maximum of the cycle that is barely held back there, in units
+    /// of B ω_n².
+    #[inline(always)]
+    pub(crate) fn holding(&self) -> F {
+        F::int(1) + self.shift + self.lag.0 * self.h
+    }
+}
+
+/// `(sin, cos)` of dT/2 for ζ < 1; `half` is T/2.
+pub(crate) fn half_angle<F: Float>(free: &Free<F>, omega: F, half: F) -> (F, F) {
+    // dT/2 = π/2Ω − (1 − d) T/2, 1 − d = ζ²/(1 + d); the first is q π/2 + w with w to full relative accuracy.
+    let p = PhaseFunction::of_valid(omega);
+    let less = free.zeta.square() / (F::int(1) + free.frequency) * half;
+    turned(p.quarter(), (p.remainder() - less).sin_cos())
+}
+
+/// G, H, and e^{−ζT}, e^{−ζT} cos dT and e^{−ζT} sin(dT)/d.
+struct Half<R, F> {
+    shift: R,
+    h: R,
+    waves: [F; 3],
+}
+
+/// The waves at T in the arithmetic of the type, for ζ ≤ 1/2.
+fn waves_at_end<F: Float>(free: &Free<F>, omega: F) -> [F; 3] {
+    let half = F::pi() / (F::int(2) * omega);
+    let (s, c) = half_angle(free, omega, half);
+    let decay = (-(free.zeta * half)).exp();
+    let (s, c) = (decay * s / free.frequency, decay * c);
+    [decay.square(), c.square() - free.square * s.square(), F::int(2) * s * c]
+}
+
+/// Which forms apply: decided once for every arithmetic.
+#[derive(Clone, Copy)]
+struct Kind {
+    /// ζ < 1, = 1 and > 5/4.
+    swings: bool,
+    is_critical: bool,
+    is_stiff: bool,
+    /// T max(ζ, 1) ≤ 2
+    is_short: bool,
+}
+
+/// G and H away from the pole.
+#[inline(always)]
+fn half<F: Float>(omega: F, zeta: F) -> Half<Pair<F>, F> {
+    let (one, two) = (F::int(1), F::int(2));
+    let kind = Kind {
+        swings: zeta < one,
+        is_critical: zeta == one,
+        is_stiff: zeta * F::int(4) > F::int(5),
+        is_short: F::pi() * zeta.or_larger(one) <= two * omega,
+    };
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return at_precision!(guarded, <F>(omega: F, zeta: F, kind: Kind) -> Half<Pair<F>, F>, |there, back: G| {
+            let (omega, free) = (there(omega), Free::new(there(zeta)));
+            let middle = G::pi() / (G::int(2) * omega);
+            // Towards ζ = 1 d vanishes, and a difference would lose it; there no pole is near enough to ask for
+            // more.
+            let angle = if free.zeta * G::int(2) > G::int(1) {
+                (free.frequency * middle).sin_cos()
+            } else {
+                half_angle(&free, omega, middle)
+            };
+            let exp = |x: G| (x.exp_m1(), x.exp());
+            let Half { shift, h, waves } = at_middle(&free, (omega, middle), angle, kind, exp, series_rest);
+            let pair = |x| Pair::rounded(x, &there, &back);
+            Half { shift: pair(shift), h: pair(h), waves: waves.map(&back) }
+        });
+    }
+    let (wide, free) = (omega.wide(), Free::new(zeta.wide()));
+    let middle = Pair::pi() / (wide * two);
+    let angle = if kind.swings { wide_half_angle(&free, omega, middle) } else { (wide, wide) };
+    let rest = |u: Pair<F>, v: Pair<F>| Pair::exact(series_rest(u.hi, v.hi));
+    let Half { shift, h, waves } = at_middle(&free, (wide, middle), angle, kind, Pair::exp_falling, rest);
+    Half { shift, h, waves: waves.map(Pair::value) }
+}
+
+/// `(sin, cos)` of dT/2 for ζ < 1 as pairs; `middle` is T/2.
+#[inline(always)]
+fn wide_half_angle<F: Float>(free: &Free<Pair<F>>, omega: F, middle: Pair<F>) -> (Pair<F>, Pair<F>) {
+    let (quarter, angle) = if free.zeta.hi * F::int(2) > F::int(1) {
+        (0, free.frequency * middle)
+    } else {
+        let (quarter, w) = reduced(omega);
+        (quarter, w - free.zeta.square() / (Pair::int(1) + free.frequency) * middle)
+    };
+    // The waves of so long a time are zero.
+    if angle.hi.abs() > F::int(8192) {
+        return (Pair::int(0), Pair::int(1));
+    }
+    turned(quarter, wide_sin_cos(angle))
+}
+
+/// `(sin, cos)` as pairs, at up to the precision of f64.
+#[inline(always)]
+pub(super) fn wide_sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {
+    let quarter_turn = Pair::pi() * F::ratio(1, 2);
+    let turns = (angle.hi / quarter_turn.hi).round();
+    turned(modulo_four(turns), F::sin_cos_acute(angle - quarter_turn * turns))
+}
+
+/// G and H from the middle of the half period: `(omega, middle)` is (Ω, T/2), `angle` (sin, cos) of dT/2 for
+/// ζ < 1, `exp` is (eˣ − 1, eˣ) for x ≤ 0.
+///
+/// `sinh ζT − (ζ/d) sin dT` is of the order ζT³/6: by its series where T or ζT is small, and far above ζ = 1,
+/// where the two hyperbolic sines are nearly equal, by the half sum and half difference of their arguments.
+#[inline(always)]
+fn at_middle<R: Field>(
+    free: &Free<R>,
+    (omega, middle): (R, R),
+    angle: (R, R),
+    kind: Kind,
+    exp: impl Fn(R) -> (R, R),
+    rest: impl Fn(R, R) -> R,
+) -> Half<R, R> {
+    let (one, two, zeta, d) = (R::int(1), R::int(2), free.zeta, free.frequency);
+    let period = middle.times(2);
+    // e^{−ζT} − 1, e^{−ζT}, and e^{−ζT/2} cos(dT/2), e^{−ζT/2} sin(dT/2)/d
+    let (fall, decay, c, s, creep) = if kind.swings {
+        let (fall, decay) = exp(-(zeta * middle));
+        (fall * (fall + two), decay.square(), decay * angle.1, decay * angle.0 / d, (one, one))
+    } else {
+        // e^{−ζt} cosh |d|t = e^{−t/(ζ+|d|)} (1 + e^{−2|d|t})/2, and so for the sine.
+        let ((slow, left), (fast, rest)) = (exp(-(free.slow_rate() * middle)), exp(-(d * period)));
+        let all = slow * (slow + two);
+        let sine = if kind.is_critical { middle } else { -fast / d.times(2) };
+        (all + fast + all * fast, left.square() * rest, left * (one + fast / two), left * sine, (slow, fast))
+    };
+    let n = (fall / two).square() + c.square();
+    // e^{−ζT} [sinh ζT − (ζ/d) sin dT]/2
+    let numerator = if kind.is_short {
+        // ζT · T² Σ_{j≥1} [U^j − V^j]/(T² (2j+1)!), U = (ζT)², V = (ζ² − 1)T²; U − V = T².
+        let square = period.square();
+        let (u, v) = (zeta.square() * square, -(free.square * square));
+        let sum = R::ratio(1, 6) + (u + v) * R::ratio(1, 120) + rest(u, v);
+        decay * zeta * period * square * sum / two
+    } else if kind.is_stiff {
+        // With r = ζ + |d|, p = rT/2, m = T/2r: [r cosh p sinh m − sinh p cosh m/r]/|d|.
+        let (slow, fast) = creep;
+        let half = slow + fast + slow * fast;
+        let (p, m) = (half * (half + two), slow * (slow + two));
+        (free.slow_rate() * p * (two + m) - (zeta + d) * (two + p) * m) / d.times(8)
+    } else {
+        // (1 − e^{−2ζT})/4 − ζ e^{−ζT} sin(dT/2) cos(dT/2)/d
+        -(fall * (fall + two)) / R::int(4) - zeta * (s * c)
+    };
+    Half {
+        shift: numerator / n,
+        h: s * c / (omega * n),
+        waves: [decay, c.square() - free.square * s.square(), (s * c).times(2)],
+    }
+}
+
+/// `Σ_{j≥3} [U^j − V^j]/((U − V)(2j+1)!)`, the quotients being `Σ U^i V^{j−1−i}`, so that nothing cancels.
+fn series_rest<F: Float>(u: F, v: F) -> F {
+    let most = u.or_larger(v.abs());
+    let (mut quotient, mut power, mut factor) = (u + v, v, F::ratio(1, 120));
+    let mut sum = F::int(0);
+    // U ≤ 4 and |V| ≤ 4: the factorial wins.
+    for j in 3..=i32::try_from(F::PRECISION).unwrap_or(i32::MAX) {
+        power = power * v;
+        quotient = quotient * u + power;
+        factor = factor / F::int((2 * j) * (2 * j + 1));
+        sum = sum + factor * quotient;
+        // No later quotient is larger than j most^{j−1}, and the first term is 1/6.
+        if factor * (quotient.abs() + power.abs()) * most <= F::epsilon() / F::int(8) {
+            break;
+        }
+    }
+    sum
+}

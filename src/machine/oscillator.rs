@@ -1,0 +1,295 @@
+//! The machine in physical units: the body on its spring, damper and friction surface (eq. 1), its drive, and
+//! the scales of the answers.
+
+pub use crate::machine::drive::{Drive, Excitation};
+pub use crate::machine::scales::Scales;
+
+use crate::float::Float;
+use crate::machine::error::{Error, Quantity};
+use crate::machine::ratios::{
+    frequency_ratio, non_negative, one_friction, positive, valid_static_friction_ratio,
+};
+
+/// A body of mass m on a spring of stiffness k, with a viscous damper c, on a surface whose friction is at
+/// most r_y.
+///
+/// Any consistent system of units may be used. m, k and r_y are finite and > 0; c is finite and ≥ 0, and 0 by
+/// default ([`Oscillator::with_damping`]).
+///
+/// **Static friction** r_s = η r_y ≥ r_y is the force at which a body at rest is released; it is r_y by
+/// default ([`Oscillator::with_static_friction`]).
+///
+/// **Friction that differs by direction** ([`Oscillator::with_directional_friction`]): r₊ against motion with
+/// x′ > 0 and r₋ against motion with x′ < 0 are equivalent to the bound `r_y = (r₊ + r₋)/2` and a constant
+/// force `−(r₊ − r₋)/2`. A constant force only shifts the motion, stops included, by
+/// [`Scales::mean_displacement`]; all else is as with r_y in both directions. Static friction then exceeds
+/// the kinetic one by (η − 1) r_y in each direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Oscillator<F> {
+    mass: F,
+    stiffness: F,
+    friction_bound: F,
+    damping: F,
+    friction_offset: F,
+    static_friction_ratio: F,
+}
+
+impl<F: Float> Oscillator<F> {
+    /// An oscillator from mass m, stiffness k and friction bound r_y, without a damper.
+    ///
+    /// # Errors
+    /// Where one of them is not finite or not > 0.
+    pub fn new(mass: F, stiffness: F, friction_bound: F) -> Result<Self, Error> {
+        Ok(Self {
+            mass: positive(Quantity::Mass, mass)?,
+            stiffness: positive(Quantity::Stiffness, stiffness)?,
+            friction_bound: positive(Quantity::FrictionBound, friction_bound)?,
+            damping: F::int(0),
+            friction_offset: F::int(0),
+            static_friction_ratio: F::int(1),
+        })
+    }
+
+    /// The oscillator of given mass m and friction bound r_y whose frequency ratio is Ω when driven at
+    /// ω_d: `ω_n = ω_d/Ω`, `k = m ω_n²` (the way the paper's own examples are set up).
+    ///
+    /// # Errors
+    /// Where an argument is not finite or not > 0, or k is not.
+    pub fn tuned(mass: F, friction_bound: F, angular_frequency: F, omega: F) -> Result<Self, Error> {
+        let omega = frequency_ratio(omega)?;
+        let natural_frequency = positive(Quantity::AngularFrequency, angular_frequency)? / omega;
+        Self::new(mass, mass * natural_frequency.square(), friction_bound)
+    }
+
+    /// The same with a viscous damper: the force −c x′ on the body.
+    ///
+    /// # Errors
+    /// Where c is not finite or < 0.
+    pub fn with_damping(self, damping: F) -> Result<Self, Error> {
+        Ok(Self { damping: non_negative(Quantity::Damping, damping)?, ..self })
+    }
+
+    /// The same with a damper of damping ratio ζ: `c = 2ζ √(k m)`.
+    ///
+    /// # Errors
+    /// Where ζ or c is not finite or < 0.
+    pub fn with_damping_ratio(self, damping_ratio: F) -> Result<Self, Error> {
+        let ratio = non_negative(Quantity::DampingRatio, damping_ratio)?;
+        self.with_damping(ratio * self.critical_damping())
+    }
+
+    /// The same with a static friction r_s: a body at rest stays until the force on it exceeds r_s.
+    ///
+    /// # Errors
+    /// Where r_s is not finite or not > 0, or is below r_y.
+    pub fn with_static_friction(self, static_friction: F) -> Result<Self, Error> {
+        let ratio = positive(Quantity::StaticFriction, static_friction)? / self.friction_bound;
+        self.with_static_friction_ratio(ratio)
+    }
+
+    /// The same with a static friction of η times the kinetic one, r_s = η r_y.
+    ///
+    /// # Errors
+    /// Where η is not finite, < 1 or outside the domain of [`crate::Ratios`].
+    pub fn with_static_friction_ratio(self, static_friction_ratio: F) -> Result<Self, Error> {
+        Ok(Self { static_friction_ratio: valid_static_friction_ratio(static_friction_ratio)?, ..self })
+    }
+
+    /// The same with friction that differs by direction: r₊ against motion with x′ > 0, r₋ against motion
+    /// with x′ < 0. Their mean is r_y, and a body at rest stays until the force on it exceeds η r_y + (r₊ −
+    /// r₋)/2 forwards or η r_y − (r₊ − r₋)/2 backwards.
+    ///
+    /// # Errors
+    /// Where one of them is not finite or not > 0, or their sum overflows.
+    pub fn with_directional_friction(self, forward: F, backward: F) -> Result<Self, Error> {
+        let forward = positive(Quantity::ForwardFriction, forward)?;
+        let backward = positive(Quantity::BackwardFriction, backward)?;
+        let half = F::ratio(1, 2);
+        Ok(Self {
+            friction_bound: positive(Quantity::FrictionBound, forward * half + backward * half)?,
+            friction_offset: (forward - backward) * half,
+            ..self
+        })
+    }
+
+    /// Mass m.
+    pub const fn mass(&self) -> F {
+        self.mass
+    }
+
+    /// Stiffness k.
+    pub const fn stiffness(&self) -> F {
+        self.stiffness
+    }
+
+    /// Friction bound r_y; the mean of both directions, `(r₊ + r₋)/2`, where they differ.
+    pub const fn friction_bound(&self) -> F {
+        self.friction_bound
+    }
+
+    /// Half the difference of friction by direction, `(r₊ − r₋)/2`; 0 by default.
+    pub(crate) const fn friction_offset(&self) -> F {
+        self.friction_offset
+    }
+
+    /// Damping constant c.
+    pub const fn damping(&self) -> F {
+        self.damping
+    }
+
+    /// Static friction ratio η = r_s/r_y; 1 by default.
+    pub const fn static_friction_ratio(&self) -> F {
+        self.static_friction_ratio
+    }
+
+    /// Refuses a body whose static friction is above the kinetic one, for calculations that do not include
+    /// it.
+    pub(crate) fn with_one_friction(&self) -> Result<(), Error> {
+        one_friction(self.static_friction_ratio)
+    }
+
+    /// Damping ratio `ζ = c/(2√(k m))`.
+    pub fn damping_ratio(&self) -> F {
+        if self.damping == F::int(0) { self.damping } else { self.damping / self.critical_damping() }
+    }
+
+    /// `2√(k m)`, the damping constant at which free vibration ceases.
+    fn critical_damping(&self) -> F {
+        F::int(2) * (self.stiffness.sqrt() * self.mass.sqrt())
+    }
+
+    /// Natural angular frequency `ω_n = √(k/m)` (eq. 7), without damper and friction.
+    pub fn natural_frequency(&self) -> F {
+        (self.stiffness / self.mass).sqrt()
+    }
+
+    /// Friction displacement `B = r_y/k` (eq. 6): the deflection at which the spring just overcomes
+    /// friction.
+    pub fn friction_displacement(&self) -> F {
+        self.friction_bound / self.stiffness
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Drive, Excitation, Oscillator, Scales};
+    use crate::machine::error::Error;
+    use crate::machine::ratios::Ratios;
+
+    /// The paper's machine at a chosen Ω: m = 50 kN s²/m, r_y = 5 kN, ω_d = 2π rad/s.
+    fn paper(omega: f64) -> Oscillator<f64> {
+        Oscillator::tuned(50.0, 5.0, std::f64::consts::TAU, omega).unwrap()
+    }
+
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() <= 4.0 * f64::EPSILON * b.abs(), "{a} against {b}");
+    }
+
+    #[test]
+    fn ratios_and_physical_units_are_two_views() {
+        let oscillator = paper(0.8);
+        close(oscillator.natural_frequency(), std::f64::consts::TAU / 0.8);
+        let drive = Drive::with_force_ratio(&oscillator, 2.5, 0.8 * oscillator.natural_frequency()).unwrap();
+        close(drive.force_amplitude(&oscillator), 12.5);
+        close(drive.angular_frequency(), std::f64::consts::TAU);
+        let back = drive.ratios(&oscillator).unwrap();
+        close(back.omega(), 0.8);
+        close(back.alpha(), 2.5);
+    }
+
+    #[test]
+    fn base_motion_is_a_force_k_times_its_amplitude() {
+        let oscillator = Oscillator::new(2.0, 8.0, 4.0).unwrap();
+        let base = Drive::new(crate::Excitation::FootMotion, 1.5, 3.0).unwrap();
+        assert_eq!(base.force_amplitude(&oscillator), 12.0);
+        let ratios = base.ratios(&oscillator).unwrap();
+        assert_eq!((ratios.omega(), ratios.alpha()), (1.5, 3.0));
+    }
+
+    #[test]
+    fn scales_are_the_units_of_the_answers() {
+        let oscillator = Oscillator::new(2.0, 8.0, 4.0).unwrap();
+        let scales = Scales::new(&oscillator, &Drive::force(12.0, 4.0).unwrap()).unwrap();
+        assert_eq!((scales.length, scales.velocity, scales.time, scales.force), (0.5, 2.0, 0.25, 4.0));
+        assert_eq!(scales.energy_stiffness, 9.0);
+        assert_eq!(scales.energy_inertia, 144.0 / 64.0);
+    }
+
+    #[test]
+    fn bad_input_names_the_quantity() {
+        let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
+        assert_eq!(text(Oscillator::new(0.0, 1.0, 1.0)), "mass m = 0 must be > 0");
+        assert_eq!(text(Oscillator::new(1.0, f64::NAN, 1.0)), "stiffness k = NaN must be finite");
+        assert_eq!(text(Oscillator::new(1.0, 1.0, -2.0)), "friction bound r_y = -2 must be > 0");
+        assert!(Drive::force(f64::INFINITY, 1.0).is_err());
+        assert!(Drive::new(crate::Excitation::FootMotion, 1.0, 0.0).is_err());
+        let tiny = Oscillator::new(1.0, 1e300, 1e-300).unwrap();
+        let message = Scales::new(&tiny, &Drive::force(1.0, 1.0).unwrap()).unwrap_err().to_string();
+        assert!(message.starts_with("friction displacement B"), "{message}");
+    }
+
+    #[test]
+    fn a_mean_force_and_one_sided_friction_are_a_shift() {
+        // k = 8, r₊ = 5, r₋ = 3: r_y = 4, offset 1. p̄ = 9: the mean position is (9 − 1)/8 = 1.
+        let body = Oscillator::new(2.0, 8.0, 1.0).unwrap().with_directional_friction(5.0, 3.0).unwrap();
+        let drive = Drive::force(12.0, 4.0).unwrap().with_mean_force(9.0).unwrap();
+        assert_eq!((body.friction_bound(), body.friction_offset()), (4.0, 1.0));
+        let scales = Scales::new(&body, &drive).unwrap();
+        assert_eq!((scales.mean_displacement, scales.length), (1.0, 0.5));
+        assert_eq!(drive.ratios(&body), Ratios::new(2.0, 3.0));
+        assert!(body.with_directional_friction(5.0, 0.0).is_err());
+        assert!(drive.with_mean_force(f64::NAN).is_err());
+    }
+
+    #[test]
+    fn damping_by_constant_and_by_ratio() {
+        // 2√(k m) = 8.
+        let body = Oscillator::new(2.0, 8.0, 4.0).unwrap();
+        close(body.with_damping(0.4).unwrap().damping_ratio(), 0.05);
+        close(body.with_damping_ratio(0.05).unwrap().damping(), 0.4);
+        assert_eq!(body.damping_ratio(), 0.0);
+        let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
+        assert_eq!(text(body.with_damping_ratio(-0.5)), "damping ratio ζ = -0.5 must be ≥ 0");
+        assert_eq!(text(body.with_damping(f64::NAN)), "damping constant c = NaN must be finite");
+    }
+
+    #[test]
+    fn static_friction_by_force_and_by_ratio() {
+        let body = Oscillator::new(2.0, 8.0, 4.0).unwrap();
+        assert_eq!(body.static_friction_ratio(), 1.0);
+        assert_eq!(body.with_static_friction(5.0).unwrap().static_friction_ratio(), 1.25);
+        assert_eq!(body.with_static_friction(5.0), body.with_static_friction_ratio(1.25));
+        let ratios = Drive::force(12.0, 4.0).unwrap().ratios(&body.with_static_friction(5.0).unwrap());
+        assert_eq!(ratios, Ratios::new(2.0, 3.0).unwrap().with_static_friction_ratio(1.25));
+        let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
+        assert_eq!(
+            text(body.with_static_friction(3.0)),
+            "static friction ratio η = 0.75 must be ≥ 1: static friction is not below the kinetic one"
+        );
+        assert_eq!(text(body.with_static_friction(f64::NAN)), "static friction r_s = NaN must be finite");
+    }
+
+    #[test]
+    fn each_base_motion_is_a_force_of_its_own() {
+        // m = 2, k = 8, c = 3, ω_d = 4, u = 1.5: k u = 12, √(k² + c²ω²) u = √208 · 1.5, m ω² u = 48.
+        let body = Oscillator::new(2.0, 8.0, 4.0).unwrap().with_damping(3.0).unwrap();
+        let p0 =
+            |excitation, amplitude| Drive::new(excitation, amplitude, 4.0).unwrap().force_amplitude(&body);
+        close(p0(Excitation::FootMotion, 1.5), 12.0);
+        close(p0(Excitation::DampedFootMotion, 1.5), 208f64.sqrt() * 1.5);
+        for (excitation, amplitude) in [
+            (Excitation::SurfaceMotion, 1.5),
+            (Excitation::SurfaceVelocity, 6.0),
+            (Excitation::SurfaceAcceleration, 24.0),
+        ] {
+            close(p0(excitation, amplitude), 48.0);
+        }
+        let foot = Drive::new(Excitation::DampedFootMotion, 1.5, 4.0).unwrap();
+        close(foot.phase_lead(&body), 1.5f64.atan());
+        assert_eq!(Drive::new(Excitation::SurfaceMotion, 1.5, 4.0).unwrap().phase_lead(&body), 0.0);
+        // A moving surface acts by inertia: the force does not depend on the stiffness.
+        let stiffer = Oscillator::new(2.0, 80.0, 4.0).unwrap();
+        close(Drive::new(Excitation::SurfaceMotion, 1.5, 4.0).unwrap().force_amplitude(&stiffer), 48.0);
+    }
+}

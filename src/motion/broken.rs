@@ -1,0 +1,58 @@
+//! The reason why a calculation along the motion ended early, in one word of memory, and the budget of a search.
+
+use crate::machine::error::Error;
+use core::ops::ControlFlow;
+
+/// Why the calculation of a motion ended early: a boxed [`Error`], so that the result of every slide stays
+/// small.
+#[derive(Debug)]
+pub(crate) struct Broken(Box<Error>);
+
+impl From<Error> for Broken {
+    #[cold]
+    fn from(error: Error) -> Self {
+        Self(Box::new(error))
+    }
+}
+
+impl From<Broken> for Error {
+    #[cold]
+    fn from(Broken(error): Broken) -> Self {
+        *error
+    }
+}
+
+/// The budget of a search: half turns propagated, counted over all attempts, and whether its caller still
+/// waits.
+pub(crate) struct Budget<'a> {
+    pub(crate) half_turns: u64,
+    pub(crate) most: u64,
+    keep_going: Option<&'a mut dyn FnMut() -> ControlFlow<()>>,
+}
+
+impl<'a> Budget<'a> {
+    /// A budget of at most this many half turns.
+    pub(crate) fn of(most: u64) -> Self {
+        Self { half_turns: 0, most, keep_going: None }
+    }
+
+    /// The same, as long as the caller allows.
+    pub(crate) fn with(self, keep_going: &'a mut dyn FnMut() -> ControlFlow<()>) -> Self {
+        Self { keep_going: Some(keep_going), ..self }
+    }
+
+    /// Counts half turns.
+    pub(crate) fn spend(&mut self, half_turns: u64) {
+        self.half_turns = self.half_turns.saturating_add(half_turns);
+    }
+
+    /// Asks the caller, at every slide and stop.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] where the caller breaks off.
+    #[inline]
+    pub(crate) fn ask(&mut self) -> Result<(), Broken> {
+        let goes_on = self.keep_going.as_mut().is_none_or(|keep_going| keep_going().is_continue());
+        if goes_on { Ok(()) } else { Err(Broken::from(Error::Interrupted)) }
+    }
+}

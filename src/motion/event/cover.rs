@@ -1,0 +1,203 @@
+//! The interval around a point on which a vibration with a helping right side is positive (`event`).
+//!
+//! With `f″ + 2ζf′ + f = g ≥ 0`, u = e^{ζφ} f obeys `u″ + d²u = e^{ζφ} g ≥ 0`, d² = 1 − ζ², and therefore
+//! lies above its tangent free vibration for a time of π/d, and for all time if ζ ≥ 1:
+//!
+//! ```text
+//! u(φ ± h) ≥ u cos dh ± u′ sin(dh)/d,   u′ = e^{ζφ} (f′ + ζf).
+//! ```
+//!
+//! The cover is the first zero of this bound. For ζ ≥ 1, with D = √(ζ² − 1), it is `artanh(D f/−(f′ +
+//! ζf))/D`. A lower bound of it is `f/−(f′ + ζf)`, the zero of the tangent of u. There is no zero where `f′ +
+//! ζf ≥ −D f`.
+
+use crate::float::Float;
+use crate::motion::slide::motion::Jet;
+
+/// The parameters of the cover that depend on ζ.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cover<F> {
+    damping: F,
+}
+
+impl<F: Float> Cover<F> {
+    /// `damping` is 2ζ.
+    #[inline]
+    pub(crate) fn new(damping: F) -> Self {
+        Self { damping }
+    }
+
+    /// How far ahead f is positive where g ≥ 0.
+    #[inline]
+    pub(crate) fn forward(self, jet: Jet<F>) -> F {
+        if self.damping == F::int(0) {
+            // The first zero of f cos h + f′ sin h.
+            return jet.value.atan2(-jet.first);
+        }
+        self.damped(jet.value, jet.first + self.half() * jet.value)
+    }
+
+    /// Whether f is positive for as long as that where g ≥ 0.
+    #[inline]
+    pub(crate) fn reaches_forward(self, jet: Jet<F>, length: F) -> bool {
+        if self.damping == F::int(0) {
+            return self.forward(jet) >= length;
+        }
+        self.damped_reaches(jet.value, jet.first + self.half() * jet.value, length)
+    }
+
+    /// The same back.
+    #[inline]
+    pub(crate) fn reaches_back(self, jet: Jet<F>, length: F) -> bool {
+        if self.damping == F::int(0) {
+            return self.backward(jet) >= length;
+        }
+        self.damped_reaches(jet.value, -(jet.first + self.half() * jet.value), length)
+    }
+
+    /// How far back f is positive where g ≥ 0.
+    #[inline]
+    pub(crate) fn backward(self, jet: Jet<F>) -> F {
+        if self.damping == F::int(0) {
+            return jet.value.atan2(jet.first);
+        }
+        self.damped(jet.value, -(jet.first + self.half() * jet.value))
+    }
+
+    /// Whether u = e^{ζφ} f decreases.
+    #[inline]
+    pub(crate) fn falls(self, jet: Jet<F>) -> bool {
+        if self.damping == F::int(0) {
+            return jet.first < F::int(0);
+        }
+        jet.first + self.half() * jet.value < F::int(0)
+    }
+
+    /// The longest stretch that the proof holds on, a little less than π/d; infinite from ζ = 1 on.
+    #[inline]
+    pub(crate) fn longest(self) -> F {
+        let most = F::ratio(25, 8);
+        if self.damping == F::int(0) {
+            return most;
+        }
+        self.damped_longest(most)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn damped_longest(self, most: F) -> F {
+        let square = self.square();
+        if square > F::int(0) { most / square.sqrt() } else { F::int(1) / F::int(0) }
+    }
+
+    /// ζ.
+    fn half(self) -> F {
+        self.damping / F::int(2)
+    }
+
+    /// d² = 1 − ζ².
+    fn square(self) -> F {
+        let (one, zeta) = (F::int(1), self.half());
+        (one - zeta) * (one + zeta)
+    }
+
+    /// Whether the free vibration from (u, u′), u > 0, is positive for a time; usually decided without
+    /// computing its first zero.
+    ///
+    /// If u decreases, its tangent vanishes later. If it increases, the zero comes after a quarter of a
+    /// period, and before half of one by `arctan y ≥ y/(1 + y)`, y = du/u′.
+    #[cold]
+    #[inline(never)]
+    fn damped_reaches(self, value: F, slope: F, length: F) -> bool {
+        let (zero, square) = (F::int(0), self.square());
+        if square > zero && value > zero {
+            let rate = square.sqrt();
+            let (turned, size) = (rate * length, rate * value);
+            if slope < zero && value < -(slope * length) {
+                return false;
+            }
+            if slope >= zero && turned * F::int(2) <= F::int(3) {
+                return true;
+            }
+            // 355/113 > π
+            if slope >= zero && size > (F::ratio(355, 113) - turned) * (slope + size) {
+                return false;
+            }
+        }
+        self.damped(value, slope) >= length
+    }
+
+    /// The first zero of the free vibration from (u, u′).
+    #[cold]
+    #[inline(never)]
+    fn damped(self, value: F, slope: F) -> F {
+        let (zero, square) = (F::int(0), self.square());
+        let rate = square.abs().sqrt();
+        if square > zero {
+            return (rate * value).atan2(-slope) / rate;
+        }
+        if slope >= -(rate * value) { F::int(1) / zero } else { value / -slope }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cover, Jet};
+
+    /// The free vibration itself (g = 0) is positive exactly up to its cover. Where the cover is only a
+    /// bound, it is positive at least up to it.
+    #[test]
+    fn free_vibration_is_positive_as_far_as_its_cover() {
+        for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 1.1, 4.0] {
+            let d = (1.0f64 - zeta * zeta).abs().sqrt();
+            for slope in [-30.0, -3.0, -1.0, -0.4, 0.0, 0.7, 4.0] {
+                let (value, second) = (0.6, -2.0 * zeta * slope - 0.6);
+                let cover = Cover::new(2.0 * zeta);
+                let jet = Jet { value, first: slope, second, third: 0.0 };
+                for (ahead, end) in [(1.0, cover.forward(jet)), (-1.0, cover.backward(jet))] {
+                    let u = |h: f64| {
+                        let (c, s) = if zeta < 1.0 {
+                            ((d * h).cos(), (d * h).sin() / d)
+                        } else if d == 0.0 {
+                            (1.0, h)
+                        } else {
+                            ((d * h).cosh(), (d * h).sinh() / d)
+                        };
+                        value * c + ahead * (slope + zeta * value) * s
+                    };
+                    let far = if end.is_finite() { end } else { 40.0 };
+                    for i in 0..1000 {
+                        let h = far * f64::from(i) / 1000.0;
+                        assert!(u(h) > 0.0, "ζ = {zeta}, {slope} {ahead}: {h} of {end}");
+                    }
+                    assert!(zeta >= 1.0 || u(end * (1.0 + 1e-9)) < 0.0, "ζ = {zeta}, {slope} {ahead}: {end}");
+                }
+            }
+        }
+    }
+
+    /// The shortcuts do not change whether a time is covered.
+    #[test]
+    fn what_is_reached_is_within_the_cover() {
+        let mut reached = [0, 0];
+        for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 4.0] {
+            let cover = Cover::new(2.0 * zeta);
+            for value in [1e-3, 0.6, 7.0] {
+                for slope in [-30.0, -3.0, -1.0, -0.4, -1e-3, 0.0, 1e-3, 0.7, 4.0, 50.0] {
+                    let jet = Jet { value, first: slope, second: 0.0, third: 0.0 };
+                    for i in 1..400 {
+                        let length = 0.0079 * f64::from(i);
+                        let ahead = cover.reaches_forward(jet, length);
+                        let back = cover.reaches_back(jet, length);
+                        assert_eq!(ahead, cover.forward(jet) >= length, "ζ = {zeta}: {jet:?} {length}");
+                        assert_eq!(back, cover.backward(jet) >= length, "ζ = {zeta}: {jet:?} {length}");
+                        for is in [ahead, back] {
+                            reached[usize::from(is)] += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(reached.iter().all(|count| *count > 10_000), "{reached:?}");
+    }
+}

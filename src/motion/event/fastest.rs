@@ -1,0 +1,229 @@
+//! The maximum speed within a slide.
+//!
+//! The acceleration of a slide obeys `f″ + f = g` like the velocity, with `g ∝ −sin θ`. Its zeros are found
+//! in order with the same proof, and the maximum speed is at one of them or at an end. Outside 1/2 ≤ Ω ≤ 2
+//! there can be as many as the fast periods in the slide, but only the neighbourhoods of its ends and of the
+//! crest of the slow wave matter.
+//!
+//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`. For Ω < 1/2 only the neighbourhoods of the crests
+//! of the forced wave matter; their width depends on the size of the free wave (`damped`). These, and short
+//! slides at other ratios, are searched in the same way. Long slides, for Ω > 2 or ζ ≥ 1/2, are searched like
+//! the closed-form cycle, which takes the decay of the free wave into account.
+//!
+//! # Why
+//!
+//! The speed is `a cos(slow angle) + b cos(fast angle)`, a > 0, and the slow angle, counted from its crest,
+//! is within (−π, π) for one period of the slow wave. Say a point of the slide is a fast period P or more
+//! from the crest and from both ends. One of the points P later and P earlier is in the slide, too, and has
+//! the same fast part and a slow angle that is closer to the crest, of the same sign: it is faster. So the
+//! maximum speed is within P of an end or of a crest. A slide holds one crest at most: its speed is positive,
+//! and from a crest of the slow wave to the next there is a zero. (In half of a slow period around its
+//! trough, longer than P, the slow wave is not positive, and the fast one is negative somewhere.)
+
+mod damped;
+
+use super::cover::Cover;
+use super::next_zero;
+use super::search::{Found, Search, Verdict};
+use crate::float::Float;
+use crate::motion::broken::Broken;
+use crate::motion::slide::Slide;
+use crate::motion::slide::motion::Motion;
+
+/// The fastest instant of a slide: its natural time and the velocity there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fastest<F> {
+    pub(crate) phi: F,
+    pub(crate) w: F,
+}
+
+impl<F: Float> Slide<F> {
+    /// The maximum speed for natural times from 0 to `end`, where the motion is `arrival`.
+    ///
+    /// # Errors
+    /// [`crate::Error::SearchBound`].
+    pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Result<Fastest<F>, Broken> {
+        let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+        let omega = self.equation.omega;
+        let mut best = Fastest { phi: zero, w: self.w };
+        let start = self.motion_at_start();
+        if self.equation.is_damped() {
+            return self.fastest_damped(&start, end, arrival);
+        }
+        let fast = two * F::pi() / one.or_larger(omega);
+        // A fast period from both ends can be all there is.
+        if (omega * two >= one && omega <= two) || end <= two * fast {
+            self.scan((zero, &start), (end, arrival), &mut best)?;
+            return Ok(best);
+        }
+        let crest = self.slow_crest();
+        let motion = |phi: F| {
+            if phi == zero {
+                start
+            } else if phi == end {
+                *arrival
+            } else {
+                self.motion(phi)
+            }
+        };
+        for (from, to) in [(zero, fast), (crest - fast, crest + fast), (end - fast, end)] {
+            let from = from.or_larger(zero);
+            let to = if to < end { to } else { end };
+            if from < to {
+                self.scan((from, &motion(from)), (to, &motion(to)), &mut best)?;
+                if to - from >= end {
+                    break;
+                }
+            }
+        }
+        Ok(best)
+    }
+
+    /// The natural time of the crest of the slow wave that lies in the slide, if one does.
+    fn slow_crest(&self) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let omega = self.equation.omega;
+        let (sine, cosine) = self.sin_cos_start();
+        let sign = self.direction.sign::<F>();
+        let crest = if omega < one {
+            // s cos θ = 1
+            (-(sign * sine)).atan2(sign * cosine) / omega
+        } else {
+            let forced = self.equation.alpha * omega / ((one - omega) * (one + omega));
+            let rate = self.acceleration + forced * omega * sine;
+            (sign * rate).atan2(sign * (self.w - forced * cosine))
+        };
+        let period = two * F::pi() / if omega < one { omega } else { one };
+        if crest < F::int(0) { crest + period } else { crest }
+    }
+
+    /// Finds every zero of the acceleration between two instants of known motion, and includes these
+    /// instants.
+    ///
+    /// # Errors
+    /// [`crate::Error::SearchBound`].
+    fn scan(
+        &self,
+        (from, first): (F, &Motion<F>),
+        (to, last): (F, &Motion<F>),
+        best: &mut Fastest<F>,
+    ) -> Result<(), Broken> {
+        let zero = F::int(0);
+        let sign = self.direction.sign::<F>();
+        let mut consider = |phi: F, w: F| {
+            if sign * w > sign * best.w {
+                *best = Fastest { phi, w };
+            }
+        };
+        consider(from, first.w);
+        consider(to, last.w);
+        let damped = self.equation.is_damped();
+        let scale = if damped { self.velocity_scale::<true>() } else { self.velocity_scale::<false>() };
+        let noise = F::int(4) * F::epsilon() * scale * F::int(1).or_larger(self.equation.omega);
+        let (mut at, mut motion) = (from, *first);
+        // At an extremum to within rounding, or at a release, the sign of the jerk decides.
+        let mut from_zero = motion.acceleration.abs() <= noise;
+        let mut speeds_up = sign * if from_zero { motion.jerk } else { motion.acceleration } > zero;
+        for _ in 0..MOST_EXTREMA {
+            let side = if speeds_up { sign } else { -sign };
+            let search = self.acceleration_search(at, to, side, from_zero, noise);
+            let jet = |m: &Motion<F>| m.acceleration_jet(&self.equation, side);
+            let verdict = next_zero(&search, jet(&motion), |phi| {
+                let m = if at + phi >= to { *last } else { self.motion(at + phi) };
+                (jet(&m), m)
+            });
+            let found = match verdict {
+                Verdict::Zero(found) => found,
+                Verdict::Clear(_) => return Ok(()),
+                Verdict::Lost(_) => break,
+            };
+            let Found { at: passed, step, motion: m, .. } = found;
+            at = at + passed + step;
+            if at >= to {
+                return Ok(());
+            }
+            let (half, third) = (step / F::int(2), step / F::int(3));
+            let (fourth, _) = m.higher(&self.equation);
+            let w = m.w + step * (m.acceleration + half * (m.jerk + third * fourth));
+            if speeds_up {
+                consider(at, w);
+            }
+            motion = Motion { acceleration: zero, w, jerk: m.jerk + step * fourth, ..m };
+            (speeds_up, from_zero) = (!speeds_up, true);
+        }
+        Err(self.lost("the greatest speed"))
+    }
+
+    /// The search for the first zero of the acceleration from φ = `at` on, whose sign there is `side`.
+    #[inline]
+    fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> Search<'_, F> {
+        let omega = self.equation.omega;
+        // −sin θ = cos(θ + π/2)
+        let shifted = self.start.advanced(omega * at + F::pi() / F::int(2));
+        Search {
+            omega,
+            pace: self.equation.pace(),
+            cover: Cover::new(self.equation.damping),
+            waves: None,
+            angle: shifted.angle(),
+            helping: shifted.is_even() == (side > F::int(0)),
+            from_zero,
+            limit: Some(to - at),
+            // The end, where the motion is known, is evaluated first.
+            hint: to - at,
+            safe: None,
+            noise,
+            short_noise: None,
+        }
+    }
+}
+
+/// Two fast periods hold four extrema; a slide with Ω in [1/2, 2] at most six.
+const MOST_EXTREMA: u32 = 16;
+
+#[cfg(test)]
+mod tests {
+    use crate::Ratios;
+    use crate::motion::trajectory::Body;
+    use crate::motion::{State, Trajectory};
+
+    #[test]
+    fn no_sample_is_faster() {
+        for (omega, alpha) in [
+            (0.03f64, 3.0f64),
+            (0.1, 3.0),
+            (0.23, 30.0),
+            (0.4, 9.0),
+            (0.5, 4.0),
+            (0.7, 2.0),
+            (1.3, 2.0),
+            (2.5, 3.0),
+            (40.0, 50.0),
+        ] {
+            let start = State::new(0.3, 4.0, -9.0 / omega).unwrap();
+            for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start)
+                .unwrap()
+                .take(12)
+                .map(Result::unwrap)
+            {
+                let Body::Slide(slide, zero) = &phase.body else { continue };
+                // The whole slide, and parts that end earlier.
+                for share in [1.0, 0.83, 0.61, 0.37, 0.12] {
+                    let end = zero.phi * share;
+                    let last = if share == 1.0 { slide.motion_at(zero) } else { slide.motion(end) };
+                    let fastest = slide.fastest(end, &last).unwrap();
+                    let size = fastest.w.abs().max(1.0);
+                    assert!((slide.motion(fastest.phi).w - fastest.w).abs() < 1e-13 * size);
+                    let n = 8_000;
+                    for i in 0..=n {
+                        let w = slide.motion(end * f64::from(i) / f64::from(n)).w;
+                        assert!(
+                            w.abs() <= fastest.w.abs() + 1e-13,
+                            "Ω = {omega}: {w} {fastest:?} in {phase:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Input and result of the search for a zero (`event`).
+
+use super::cover::Cover;
+use super::window::Waves;
+use crate::float::Float;
+use crate::motion::slide::Slide;
+use crate::motion::slide::motion::Jet;
+
+/// The first zero: at `at + step`, where `step` is the last, final one, and `motion` is that of `at`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Found<F, M> {
+    pub(crate) at: F,
+    pub(crate) step: F,
+    pub(crate) motion: M,
+    /// The function touches zero without crossing it.
+    pub(crate) grazes: bool,
+}
+
+/// A window of natural time within which no zero can be: it repeats after `period`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Safe<F> {
+    pub(crate) centre: F,
+    pub(crate) half_width: F,
+    pub(crate) period: F,
+}
+
+impl<F: Float> Safe<F> {
+    /// The window that contains φ or comes next, as (beginning, end), reduced by the rounding of its ends. If
+    /// it is empty, the beginning is not before the end.
+    pub(crate) fn next(&self, phi: F) -> (F, F) {
+        // Each of centre, half width and turns times the period is right to two units of itself, and none
+        // exceeds φ + 2 periods by much.
+        let rounding = F::int(16) * F::epsilon() * (phi + self.period);
+        let half_width = self.half_width - rounding;
+        // A φ at the end of a window belongs to the next one.
+        let turns = ((phi + rounding - self.centre - half_width) / self.period).floor() + F::int(1);
+        let centre = self.centre + turns * self.period;
+        (centre - half_width, centre + half_width)
+    }
+}
+
+/// The properties of the function whose zero is sought.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Search<'a, F> {
+    pub(crate) omega: F,
+    /// The fastest rate of change, [`crate::motion::slide::equation::Equation::pace`].
+    pub(crate) pace: F,
+    pub(crate) cover: Cover<F>,
+    /// The angle of g at φ = 0 within its half turn, in `[−π/2, π/2)`: `|g| ∝ cos`.
+    pub(crate) angle: F,
+    /// Whether g ≥ 0 on that half turn.
+    pub(crate) helping: bool,
+    /// Whether f = 0 at φ = 0 and increases from there.
+    pub(crate) from_zero: bool,
+    /// Where to stop; the zero may be at the limit itself.
+    pub(crate) limit: Option<F>,
+    /// Where the zero is expected.
+    pub(crate) hint: F,
+    /// Where no zero can be, without damping.
+    pub(crate) safe: Option<Safe<F>>,
+    /// The slide, if an examination of the two waves of its velocity costs less than the stretches that it
+    /// clears.
+    pub(crate) waves: Option<&'a Slide<F>>,
+    /// The rounding error of f near a zero.
+    pub(crate) noise: F,
+    /// The same at a short time: the coefficients of 1, φ, φ², φ³.
+    pub(crate) short_noise: Option<[F; 4]>,
+}
+
+impl<F: Float> Search<'_, F> {
+    /// How many half turns of g have passed at φ.
+    pub(crate) fn half_turn_at(&self, phi: F) -> F {
+        ((phi * self.omega + self.angle) / F::pi() + F::ratio(1, 2)).floor()
+    }
+
+    /// The rounding error of f near a zero at φ.
+    pub(crate) fn noise_at(&self, phi: F) -> F {
+        let least = |x: F, y: F| if x < y { x } else { y };
+        let long = self.waves.map_or(self.noise, |slide| least(Waves::of(slide).noise_at(phi), self.noise));
+        let Some([a, b, c, d]) = self.short_noise else { return long };
+        least(a + phi * (b + phi * (c + phi * d)), long)
+    }
+}
+
+/// The result of a stretch: a zero, or none, with the function at its end if that was evaluated.
+pub(crate) enum Verdict<F, M> {
+    Zero(Found<F, M>),
+    Clear(Option<(Jet<F>, M)>),
+    /// A proved bound was exceeded without an answer, at this φ.
+    Lost(F),
+}

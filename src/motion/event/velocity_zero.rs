@@ -1,0 +1,309 @@
+//! The end of a slide: the first zero of its velocity.
+
+use super::cover::Cover;
+use super::next_zero;
+use super::search::{Found, Safe, Search, Verdict};
+use super::stretch::polished_guess;
+use crate::float::Float;
+use crate::motion::broken::Broken;
+use crate::motion::drive::DrivePhase;
+use crate::motion::slide::equation::Equation;
+use crate::motion::slide::motion::Jet;
+use crate::motion::slide::motion::Motion;
+use crate::motion::slide::{Direction, Slide};
+
+/// How a slide ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct VelocityZero<F> {
+    /// Natural time since the start of the slide.
+    pub(crate) phi: F,
+    pub(crate) phase: DrivePhase<F>,
+    pub(crate) x: F,
+    /// `α sin θ − x − s` at the end: not positive along the slide.
+    pub(crate) acceleration: F,
+    /// `w″` at the end.
+    pub(crate) jerk: F,
+    /// The free vibrations, (sin φ, cos φ) without damping.
+    pub(crate) rotation: (F, F),
+    /// The velocity touches zero and keeps its sign.
+    pub(crate) grazes: bool,
+}
+
+/// A search that exceeded its proved bound. It is of zero size, so that results that contain it stay small;
+/// [`Slide::lost`] makes the error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Lost;
+
+/// The first event of a slide: its end, or a limit on the time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Outcome<F> {
+    Zero(VelocityZero<F>),
+    /// The motion at the limit.
+    Onward(Motion<F>),
+}
+
+impl<F: Float> Slide<F> {
+    /// The velocity zero that ends the slide; `hint` is when it is expected (natural time).
+    ///
+    /// # Errors
+    /// [`Lost`].
+    #[inline]
+    pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Lost> {
+        if self.equation.alpha * F::int(8) <= F::epsilon()
+            && let Some(end) = self.end_of_creep()
+        {
+            return Ok(end);
+        }
+        match self.ends(hint, None)? {
+            Outcome::Zero(zero) => Ok(zero),
+            Outcome::Onward(_) => Err(Lost),
+        }
+    }
+
+    /// Without a drive, or one below rounding: the end of a slide that creeps to ∓1 until its velocity is
+    /// rounding, for ever or for a long time.
+    ///
+    /// From ζ = 1 on it turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)` ([`crate::motion::FreeDecay`]). Below ζ = 1 it turns
+    /// after the angle dφ of the point `(s(x + s) + ζ|w|, d|w|)`, half a turn for a body at rest there; d is small
+    /// next to ζ = 1.
+    #[cold]
+    fn end_of_creep(&self) -> Option<VelocityZero<F>> {
+        let (zero, sign) = (F::int(0), self.direction.sign::<F>());
+        let free = self.equation.vibration();
+        let speed = sign * self.w;
+        let (push, swing) = (sign * self.x + F::int(1) + free.zeta * speed, free.frequency * speed);
+        // e^{−n} < 2⁻ⁿ
+        let phi = F::from_f64(f64::from(F::PRECISION)) / free.slow_rate();
+        let turns = if free.swings() {
+            let angle = if speed > zero || push > zero { swing.atan2(push) } else { F::pi() };
+            angle <= free.frequency * phi
+        } else {
+            push > swing
+        };
+        if turns {
+            return None;
+        }
+        Some(VelocityZero {
+            phi,
+            phase: self.start.advanced(self.equation.omega * phi),
+            x: -sign,
+            acceleration: zero,
+            jerk: zero,
+            rotation: (zero, zero),
+            grazes: false,
+        })
+    }
+
+    /// A velocity zero that Householder's method leads to from `hint`: not proved to be the first one.
+    #[inline(never)]
+    pub(crate) fn velocity_zero_near(&self, hint: F) -> Option<VelocityZero<F>> {
+        if self.equation.is_damped() { self.polished::<true>(hint) } else { self.polished::<false>(hint) }
+    }
+
+    #[inline]
+    fn polished<const DAMPED: bool>(&self, hint: F) -> Option<VelocityZero<F>> {
+        let found = polished_guess(
+            hint,
+            self.equation.pace(),
+            (F::int(0), F::int(2) * hint),
+            &self.velocity::<DAMPED>(),
+        );
+        found.map(|found| self.arrival::<DAMPED>(&found))
+    }
+
+    /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.
+    ///
+    /// # Errors
+    /// [`Lost`].
+    #[inline]
+    pub(crate) fn until(&self, hint: F, limit: F) -> Result<Outcome<F>, Lost> {
+        self.ends(hint, Some(limit))
+    }
+
+    /// Both of these: one call of the search, into which the compiler puts the motion of a slide.
+    fn ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
+        if self.equation.is_damped() {
+            self.damped_ends(hint, limit)
+        } else {
+            self.ends_by::<false>(hint, limit)
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn damped_ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
+        self.ends_by::<true>(hint, limit)
+    }
+
+    /// The same, with the presence of damping known at compile time.
+    #[inline]
+    fn ends_by<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
+        let (search, start) =
+            (self.velocity_search::<DAMPED>(hint, limit), self.velocity_at_start::<DAMPED>());
+        match next_zero(&search, start, self.velocity::<DAMPED>()) {
+            Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival::<DAMPED>(&found))),
+            Verdict::Clear(Some((_, motion))) => Ok(Outcome::Onward(motion)),
+            Verdict::Clear(None) => limit.map(|limit| Outcome::Onward(self.motion(limit))).ok_or(Lost),
+            Verdict::Lost(_) => Err(Lost),
+        }
+    }
+
+    /// The error of a search along this slide that exceeded its bound.
+    #[cold]
+    pub(crate) fn lost(&self, search: &'static str) -> Broken {
+        let bound = if self.equation.is_damped() {
+            "3π/Ω of natural time, and what the free vibration takes to turn or to fall below the forced one"
+        } else {
+            "π(1 + 2/Ω) of natural time"
+        };
+        self.equation.lost(search, self.start, bound)
+    }
+
+    /// The speed with its derivatives, and the motion that it is of.
+    #[inline]
+    fn velocity<const DAMPED: bool>(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
+        let sign = self.direction.sign::<F>();
+        move |phi| {
+            let m = self.motion_by::<DAMPED>(phi);
+            (m.velocity_jet::<DAMPED>(&self.equation, sign), m)
+        }
+    }
+
+    #[inline]
+    fn velocity_at_start<const DAMPED: bool>(&self) -> Jet<F> {
+        self.motion_at_start().velocity_jet::<DAMPED>(&self.equation, self.direction.sign::<F>())
+    }
+
+    /// The known properties of the velocity before its evaluation.
+    #[inline]
+    fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Search<'_, F> {
+        let sign = self.direction.sign::<F>();
+        let unit = F::int(4) * F::epsilon();
+        Search {
+            omega: self.equation.omega,
+            pace: self.equation.pace(),
+            cover: Cover::new(if DAMPED { self.equation.damping } else { F::int(0) }),
+            waves: if DAMPED { self.damped_waves() } else { None },
+            angle: self.start.angle(),
+            helping: self.start.is_even() == (self.direction == Direction::Forward),
+            from_zero: sign * self.w <= F::int(0),
+            limit,
+            hint,
+            safe: if DAMPED { None } else { self.safe_window() },
+            noise: unit * self.velocity_scale::<DAMPED>(),
+            short_noise: Some(self.short_velocity_scale().map(|term| unit * term)),
+        }
+    }
+
+    /// The state at a zero found: the last step by Taylor's series, whose next term is below rounding.
+    #[inline]
+    fn arrival<const DAMPED: bool>(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
+        let Found { at, step: h, motion: m, grazes } = *found;
+        let (half, third) = (h / F::int(2), h / F::int(3));
+        let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
+        let (fourth, fifth) = m.higher_by::<DAMPED>(&self.equation);
+        let acceleration = m.acceleration + h * (m.jerk + half * (fourth + third * fifth));
+        let jerk = m.jerk + h * fourth;
+        // s′ = c − 2ζs, s″ = −(s + 2ζs′), s‴ = −(s′ + 2ζs″), and c′ = −s.
+        let ((s, c), damping) = (m.rotation, self.equation.damping);
+        let s1 = if DAMPED { c - damping * s } else { c };
+        let s2 = if DAMPED { s + damping * s1 } else { s };
+        let s3 = if DAMPED { s1 - damping * s2 } else { s1 };
+        let rotation = (s + h * (s1 - half * (s2 + third * s3)), c - h * (s + half * (s1 - third * s2)));
+        VelocityZero {
+            phi: at + h,
+            phase: self.start.advanced(self.equation.omega * (at + h)),
+            x,
+            acceleration,
+            jerk,
+            rotation,
+            grazes,
+        }
+    }
+
+    /// The motion at the velocity zero that ends the slide.
+    pub(crate) fn motion_at(&self, zero: &VelocityZero<F>) -> Motion<F> {
+        Motion {
+            x: zero.x,
+            w: F::int(0),
+            acceleration: zero.acceleration,
+            jerk: zero.jerk,
+            force: zero.acceleration + zero.x + self.direction.sign::<F>(),
+            rotation: zero.rotation,
+        }
+    }
+
+    /// The motion at the start of the slide.
+    pub(crate) fn motion_at_start(&self) -> Motion<F> {
+        let (zero, one) = (F::int(0), F::int(1));
+        Motion {
+            x: self.x,
+            w: self.w,
+            acceleration: self.acceleration,
+            jerk: self.jerk_at_start(),
+            force: self.acceleration + self.x + self.direction.sign::<F>() + self.equation.damping * self.w,
+            rotation: (zero, one),
+        }
+    }
+
+    /// The slide, if windows of the two waves of its velocity cost less than the stretches that they clear:
+    /// for Ω > 2 or Ω < 1/4, and for ζ ≥ 1/2 unless it begins at rest and not far out, when it is short. From
+    /// ζ = 15/16 on the free vibration may take long to turn after any start.
+    #[inline]
+    fn damped_waves(&self) -> Option<&Self> {
+        let (zero, one, two, four) = (F::int(0), F::int(1), F::int(2), F::int(4));
+        let slow = F::ratio(15, 8);
+        let Equation { omega, alpha, damping, .. } = self.equation;
+        let is_short = self.w == zero && self.acceleration.abs() <= F::int(16) * (one + alpha);
+        let is_stiff = damping >= slow || (damping >= one && !is_short);
+        (omega * four < one || omega > two || is_stiff).then_some(self)
+    }
+
+    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω
+    /// outside [1/2, 2] and ζ = 0.
+    ///
+    /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²).
+    ///
+    /// # Rounding
+    /// With the circular functions right to ε, G is right to 3ε|G|, and r to `ε r + 6ε max(1, Ω) |G|`: two
+    /// products and sums of G with cos θ and Ω sin θ, and the hypotenuse. The window is the one for G smaller
+    /// and r larger (or the other way) by 8ε each, which rounding cannot make too wide; [`Safe::next`] takes
+    /// off the rounding of its ends. What is lost of a window is as long as an angle whose cosine is 16ε
+    /// max(1, Ω) from that of its end: some 1e-8 of a period where the window ends far from its crest, and at
+    /// most the root of it.
+    fn safe_window(&self) -> Option<Safe<F>> {
+        let (one, two) = (F::int(1), F::int(2));
+        let Equation { omega, alpha, .. } = self.equation;
+        if (omega * two >= one && omega <= two) || alpha == F::int(0) {
+            return None;
+        }
+        let forced = alpha * omega / ((one - omega) * (one + omega));
+        let (sine, cosine) = self.sin_cos_start();
+        let sign = self.direction.sign::<F>();
+        let free = sign * (self.w - forced * cosine);
+        let free_rate = sign * (self.acceleration + forced * omega * sine);
+        let amplitude = free.hypot(free_rate);
+        let unit = F::int(8) * F::epsilon();
+        let rounding = unit * (amplitude + one.or_larger(omega) * forced.abs());
+        let arccosine = |small: F, large: F| {
+            let y = small / large;
+            (y >= F::int(0) && y < one).then(|| ((one - y) * (one + y)).sqrt().atan2(y))
+        };
+        if omega < one {
+            let half_width = arccosine(amplitude + rounding, forced * (one - unit))? / omega;
+            let helping = self.start.is_even() == (self.direction == Direction::Forward);
+            let crest = if helping { F::int(0) } else { F::pi() };
+            Some(Safe {
+                centre: (crest - self.start.angle()) / omega,
+                half_width,
+                period: two * F::pi() / omega,
+            })
+        } else {
+            let half_width = arccosine(forced.abs() * (one + unit), amplitude - rounding)?;
+            Some(Safe { centre: free_rate.atan2(free), half_width, period: two * F::pi() })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,257 @@
+//! The limit of a motion from one start: which of the searches finds it.
+//!
+//! | file | content |
+//! |---|---|
+//! | `long_run`, `steady`, `irregular`, `measures`, `peaks`, `steady_outputs`, `observed` | the results: what the motion tends to, what a cycle of it amounts to, its regime |
+//! | `propagation`, `matrix`, `section`, `shooting` | half a turn with its derivative, and its fixed point |
+//! | `stop_map`, `stops` | from stop to stop, one number on: the limit where it sticks |
+//! | `validate` | the closed-form cycle shown to be that fixed point |
+//! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
+//! | `followed` | the limit of one start, where η > 1 |
+//! | `period_map`, `orbit` | m half turns with their derivative, and Newton's method for what they bring back; the states of it |
+
+#[cfg(test)]
+pub(crate) mod accounts;
+pub(crate) mod family;
+pub(crate) mod followed;
+pub(crate) mod irregular;
+pub(crate) mod long_run;
+pub(crate) mod matrix;
+pub(crate) mod measures;
+pub(crate) mod observed;
+pub(crate) mod orbit;
+pub(crate) mod peaks;
+pub(crate) mod period_map;
+pub(crate) mod propagation;
+pub(crate) mod rest;
+pub(crate) mod section;
+pub(crate) mod shooting;
+pub(crate) mod steady;
+pub(crate) mod steady_outputs;
+pub(crate) mod stop_map;
+pub(crate) mod stops;
+pub(crate) mod validate;
+
+use super::broken::Broken;
+use super::slide::equation::Equation;
+use super::state::{Point, State};
+use super::trajectory::resolved;
+use crate::cycle::{Cycle, SixReversals};
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use core::ops::ControlFlow;
+use long_run::{DEFAULT_BUDGET, LongRun, unsettled};
+use measures::CycleStatistics;
+use rest::come_to_rest;
+use section::{cycle_guess, fastest_point, middle_of_rise, on_six_reversals, settle_in};
+use shooting::{Budget, Guess, Shot, shoot};
+use steady::{Found, SteadyState, Summary};
+use stops::Sticking;
+use validate::validated;
+
+impl<F: Float> LongRun<F> {
+    /// The limit of the motion at (Ω, α) from a start.
+    ///
+    /// With η = 1 the limit is the same from every start, but for a family and for rest. A motion with stops
+    /// is found from stop to stop, and with damping one without from its closed form, without following this
+    /// one: half a turn of the motion shows that it is the limit.
+    ///
+    /// With η > 1 the result holds for this start: a periodic motion of up to 64 turns of the drive (127, if
+    /// it is symmetric), rest, or an irregular motion.
+    ///
+    /// # Errors
+    /// As for [`super::Trajectory::new`].
+    pub fn from_start(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
+        Self::budgeted(ratios, start, Budget::of(2 * u64::from(DEFAULT_BUDGET)))
+    }
+
+    /// The same for at most `periods` periods of the drive, as long as `keep_going` returns
+    /// [`ControlFlow::Continue`]. It is called at every slide and stop, each of which takes about a
+    /// microsecond at f64.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use stickslip::motion::{LongRun, State};
+    /// use stickslip::{Error, Ratios};
+    /// let mut slides = 0;
+    /// let mut few = || { slides += 1; if slides < 1000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) } };
+    /// let limit = LongRun::within(Ratios::new(1e-5f64, 2.0)?, State::default(), 100, &mut few);
+    /// assert_eq!(limit, Err(Error::Interrupted));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
+    pub fn within(
+        ratios: Ratios<F>,
+        start: State<F>,
+        periods: u32,
+        keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)).with(keep_going))
+    }
+
+    fn budgeted(ratios: Ratios<F>, start: State<F>, mut budget: Budget<'_>) -> Result<Self, Error> {
+        let ratios = resolved(ratios)?;
+        let (one, alpha) = (F::int(1), ratios.alpha());
+        if alpha <= one {
+            return come_to_rest(ratios, start, &mut budget);
+        }
+        if ratios.has_higher_static_friction() {
+            return followed::limit(ratios, start, &mut budget);
+        }
+        if ratios.omega() == one && F::pi() * alpha > F::int(4) && !ratios.is_damped() {
+            return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
+        }
+        let equation = Equation::new(ratios);
+        let sticking = Sticking::new(equation);
+        let is_family = !sticking.is_below() && family::is_one(ratios);
+        if sticking.is_below()
+            && let Some(limit) = sticking.limit(&mut budget)?
+        {
+            return Ok(limit);
+        }
+        if let Some(rising) = sticking.rising() {
+            let (section, hint) = middle_of_rise(rising);
+            let followed = || {
+                let (at, hint) = settle_in(equation, start, &mut Budget::of(0))?;
+                Ok(Some(Guess { at, hint, is_limit: false }))
+            };
+            return Self::shot(equation, section, hint, followed, budget);
+        }
+        let (section, hint) = settle_in(equation, start, &mut budget)?;
+        if is_family {
+            return family::member(equation, section, hint, budget);
+        }
+        let guess = || match Cycle::find(ratios) {
+            Some(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
+            None => {
+                // Below the border, of six reversals or with stops: then the limit is that from rest.
+                let (at, hint) = match SixReversals::new(ratios) {
+                    Some(cycle) => on_six_reversals(equation, &cycle),
+                    None => settle_in(equation, State::default(), &mut Budget::of(0))?,
+                };
+                Ok(Some(Guess { at, hint, is_limit: false }))
+            }
+        };
+        Self::shot(equation, section, hint, guess, budget)
+    }
+
+    pub(crate) fn shot(
+        equation: Equation<F>,
+        section: Point<F>,
+        hint: F,
+        guess: impl FnOnce() -> Result<Option<Guess<F>>, Broken>,
+        mut budget: Budget<'_>,
+    ) -> Result<Self, Error> {
+        match shoot(equation, section, hint, guess, &mut budget)? {
+            Shot::Settled(fixed) => {
+                let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
+                let multipliers = fixed.propagation.monodromy.squared_eigenvalues();
+                let statistics =
+                    CycleStatistics::of_periodic(equation, fixed.start, 1, &fixed.propagation, &mut budget)?
+                        .doubled();
+                Ok(Self::Periodic(SteadyState::of(Found {
+                    equation,
+                    start: fixed.start,
+                    half_turns: 1,
+                    statistics: Summary::of(&statistics, 1),
+                    multipliers,
+                    distance: fixed.distance,
+                    periods,
+                })))
+            }
+            Shot::Unsettled(y, residual) => Ok(unsettled(&equation, &y, residual, &budget)),
+        }
+    }
+}
+
+/// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold, from
+/// half a cycle of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is the
+/// cycle's own proof.
+///
+/// Errors are those of [`crate::motion::Trajectory::new`].
+impl<F: Float> TryFrom<&Cycle<F>> for LongRun<F> {
+    type Error = Error;
+
+    fn try_from(cycle: &Cycle<F>) -> Result<Self, Error> {
+        let ratios = resolved(cycle.ratios)?;
+        let equation = Equation::new(ratios);
+        let is_family = family::is_one(ratios);
+        if !is_family && let Some(steady) = validated(equation, cycle) {
+            return Ok(LongRun::Periodic(steady));
+        }
+        let mut budget = Budget::of(2 * u64::from(DEFAULT_BUDGET));
+        let (section, hint) = fastest_point(equation, cycle);
+        if ratios.has_higher_static_friction() {
+            let start = State { phase: section.phase, x: section.x, v: section.w / equation.omega };
+            return followed::limit(ratios, start, &mut budget);
+        }
+        if is_family {
+            return family::member(equation, section, hint, budget);
+        }
+        LongRun::shot(equation, section, hint, || Ok(Some(cycle_guess(equation, cycle))), budget)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Budget, Equation, settle_in};
+    use crate::motion::{LongRun, State};
+    use crate::{Border, Ratios};
+
+    /// With damping and without stops, the closed form gives the limit of the motion from rest, which is
+    /// computed without it.
+    #[test]
+    fn a_damped_cycle_is_what_the_motion_from_rest_leads_to() {
+        for i in 0..300u32 {
+            let spread = |step: f64| (f64::from(i) * step).fract();
+            let omega = 10f64.powf(2.3 * spread(0.618_034) - 1.1);
+            let zeta = 10f64.powf(3.0 * spread(0.437_016) - 2.5);
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+            let ratios = Ratios::new(omega, least * (1.001 + 3.0 * spread(0.754_878))).unwrap();
+            let ratios = ratios.with_damping_ratio(zeta).unwrap();
+            let here = LongRun::from_start(ratios, State::default()).unwrap();
+            let here = here.steady_state().unwrap_or_else(|| panic!("{ratios:?}"));
+            let equation = Equation::new(ratios);
+            let (at, hint) = settle_in(equation, State::default(), &mut Budget::of(0)).unwrap();
+            let there = LongRun::shot(equation, at, hint, || Ok(None), Budget::of(2000)).unwrap();
+            let there = there.steady_state().unwrap_or_else(|| panic!("{ratios:?}: {there:?}"));
+            let size = 1.0 + here.max_displacement.value + here.max_velocity.value * omega;
+            let off = |s: &crate::motion::SteadyState<f64>| s.distance.0 + s.distance.1 * omega;
+            let room = off(here) + off(there) + 64.0 * f64::EPSILON * size * (1.0 + 1.0 / omega);
+            for (a, b) in [
+                (here.max_displacement.value, there.max_displacement.value),
+                (here.min_displacement.value, there.min_displacement.value),
+                (here.max_velocity.value * omega, there.max_velocity.value * omega),
+            ] {
+                assert!((a - b).abs() <= room, "{ratios:?}: {a} {b} {room:e}");
+            }
+            assert!(here.periods < 3.0, "{ratios:?}: {}", here.periods);
+            assert_eq!((here.sticks_per_cycle, there.sticks_per_cycle), (0, 0), "{ratios:?}");
+            assert_eq!(here.velocity_zeros_per_cycle, 2, "{ratios:?}");
+        }
+    }
+
+    /// The number of periods computed over a grid of ratios and starts; a useless step on the way to the
+    /// limit increases it.
+    #[test]
+    fn the_way_to_the_limit_is_short() {
+        let (mut periods, mut most) = (0.0, 0.0f64);
+        for i in 0..400u32 {
+            let spread = |step: f64| (f64::from(i) * step).fract();
+            let omega = 10f64.powf(2.0 * spread(0.618_034) - 1.3);
+            let alpha = 1.05 + 2.0 * spread(0.754_878) * Border::new(omega).unwrap().min_force_ratio;
+            let ratios = Ratios::new(omega, alpha).unwrap();
+            let far = State::new(7.0 * spread(0.569_840), 3.0 * alpha, -2.0 * alpha / omega).unwrap();
+            for start in [State::default(), far] {
+                let limit = LongRun::from_start(ratios, start).unwrap();
+                let Some(steady) = limit.steady_state() else { panic!("{omega} {alpha} {limit:?}") };
+                (periods, most) = (periods + steady.periods, most.max(steady.periods));
+            }
+        }
+        // The mean is 4.33 periods per start.
+        assert!(periods <= 3490.0 && most <= 44.0, "{periods} {most}");
+    }
+}

@@ -1,0 +1,167 @@
+//! Ω = 1/(2n): a family of periodic motions.
+//!
+//! There the natural period divides half of the drive's, a free vibration of fixed amplitude can ride on the
+//! forced one, and any of a family of motions that do not stick is periodic: extrema `±α/(1 − Ω²) + c` with
+//! `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One multiplier of the cycle is 1. Which member a motion tends to depends
+//! on its start, so it is followed there.
+//!
+//! A motion outside the family sticks slightly less in each cycle, and creeps towards the member at the edge,
+//! which touches the border of sticking: the distance decreases only like 1/cycles. It never grows
+//! (`shooting`), so that a motion close to that member has it as its limit to within that distance.
+
+use super::long_run::{LongRun, unsettled};
+use super::measures::CycleStatistics;
+use super::propagation::{Propagation, propagate};
+use super::shooting::{Budget, Residual, rate_noise};
+use super::steady::{Found, SteadyState, Summary};
+use crate::cycle::Border;
+use crate::cycle::phase_function::PhaseFunction;
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use crate::motion::broken::Broken;
+use crate::motion::drive::DrivePhase;
+use crate::motion::slide::equation::Equation;
+use crate::motion::slide::{Direction, Slide};
+use crate::motion::state::Point;
+
+/// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. A float that is 1/(2n) to within its
+/// rounding only has one limit.
+pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
+    // 1/2 is the greatest such frequency ratio.
+    if ratios.omega() * F::int(3) > F::int(2) || ratios.is_damped() {
+        return false;
+    }
+    let p = PhaseFunction::of_valid(ratios.omega());
+    p.is_even_subharmonic() && ratios.alpha() >= Border::of(&ratios).min_force_ratio
+}
+
+/// The member that the motion through a point tends to.
+///
+/// The change from cycle to cycle shrinks by the other multiplier μ, so that after a change d the remaining
+/// change is `d μ/(1 − μ)`. It is added once it is small enough for the motion to be linear in it.
+///
+/// # Errors
+/// As for [`propagate`].
+pub(crate) fn member<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    hint: F,
+    mut budget: Budget<'_>,
+) -> Result<LongRun<F>, Error> {
+    let one = F::int(1);
+    let mut y = start;
+    let mut parts = Vec::new();
+    let mut added = false;
+    loop {
+        let cycle = propagate(equation, y, 2, hint, parts, &mut budget)?;
+        budget.spend(2);
+        let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
+        let residual = Residual::new(&equation, &y, (dx, dw));
+        let change = residual.norm();
+        let other = cycle.monodromy.determinant().abs();
+        // Friction is too small compared with the motion for the type to resolve, and the remainder is
+        // unknown.
+        let settles = one - other > rate_noise(cycle.count);
+        let in_the_limit = |change: F| if settles { change / (one - other) } else { one / F::int(0) };
+        let left = in_the_limit(change);
+        let size = one + y.x.abs() + y.w.abs();
+        let rounding = F::int(4) * (residual.bound() - change);
+        // A motion far outside loses less in a cycle than its own rounding, so that its repetition proves
+        // nothing.
+        if is_near(&equation, &y) && settles && (left <= rounding || (added && change <= rounding)) {
+            let off = in_the_limit(residual.bound()) + rounding;
+            return Ok(finish(equation, y, &cycle, (off, off), &mut budget)?);
+        }
+        if cycle.sticks && budget.half_turns >= LONG_CREEP {
+            let edge = nearest_edge(equation, &y);
+            let off = (edge.x - y.x).hypot(edge.w - y.w);
+            if off * F::int(16) < size {
+                let cycle = propagate(equation, edge, 2, hint, cycle.parts, &mut budget)?;
+                return Ok(finish(equation, edge, &cycle, (off, off), &mut budget)?);
+            }
+        }
+        if budget.half_turns > budget.most {
+            return Ok(unsettled(&equation, &y, change, &budget));
+        }
+        // The neutral disturbance of the jump is of second order: below rounding for a jump of its root.
+        let jump = !added && left.square() <= F::epsilon() * F::ratio(1, 64) * size.square() && settles;
+        let reach = if jump { one / (one - other) } else { one };
+        y = Point { phase: y.phase, x: y.x + dx * reach, w: y.w + dw * reach };
+        added = added || jump;
+        parts = cycle.parts;
+    }
+}
+
+/// Whether a point is as near as the members of the family are, to within a factor:
+/// `|x| ≤ α(1 + Ω²)/(1 − Ω²) − 1` there.
+fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
+    let (one, omega) = (F::int(1), equation.omega);
+    let reach = equation.alpha * (one + omega.square()) / ((one - omega) * (one + omega));
+    y.x.abs() + y.w.abs() <= F::int(8) * reach
+}
+
+/// The number of half turns after which a motion of a family that still sticks counts as creeping.
+const LONG_CREEP: u64 = 400;
+
+/// The member at the edge of the family that is nearest to y, at the phase of y.
+///
+/// The members are the symmetric cycle and `c cos ω_n(t − t₂)`, |c| up to `αΩ²/(1 − Ω²) − 1`.
+fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
+    let (zero, one) = (F::int(0), F::int(1));
+    let Equation { omega, alpha, .. } = equation;
+    let amplitude = alpha / ((one - omega) * (one + omega));
+    let room = omega.square() * amplitude - one;
+    // t₂ is at π/2: K = 0. The half turn before y begins at an extremum, a maximum where sin θ > 0.
+    let before = DrivePhase::of_half_turn(y.phase.half_turns(), -(F::pi() / F::int(2)));
+    let maximum = !before.is_even();
+    let (side, direction) = if maximum { (one, Direction::Backward) } else { (-one, Direction::Forward) };
+    let phi = y.phase.since(before) / omega;
+    let at = |c: F| {
+        let motion = Slide::new(equation, before, side * amplitude + c, zero, direction).motion(phi);
+        Point { phase: y.phase, x: motion.x, w: motion.w }
+    };
+    let (high, low) = (at(room), at(-room));
+    let distance = |p: &Point<F>| (p.x - y.x).hypot(p.w - y.w);
+    if distance(&high) <= distance(&low) { high } else { low }
+}
+
+/// The member from a point on, by its motion over one turn; symmetric if its middle is zero to within the
+/// distance that it can be off.
+///
+/// # Errors
+/// As for [`propagate`].
+pub(crate) fn finish<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    propagation: &Propagation<F>,
+    distance: (F, F),
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Broken> {
+    let (zero, one) = (F::int(0), F::int(1));
+    // A member reverses twice in a cycle and never stops. The outermost member touches the bound of sticking;
+    // an apparent stop there is rounding, or the remaining creep.
+    let statistics = CycleStatistics {
+        sticks: 0,
+        zeros: 2,
+        rest: zero,
+        ..CycleStatistics::of_periodic(equation, start, 2, propagation, budget)?
+    };
+    // No disturbance grows (`shooting`): an excess above 1 is rounding, where the type cannot resolve
+    // friction compared with the force.
+    let other = propagation.monodromy.determinant();
+    let other = if other.abs() > one { one.with_sign_of(other) } else { other };
+    let shift = (statistics.max_x.value + statistics.min_x.value).abs();
+    Ok(LongRun::Family(SteadyState::of(Found {
+        equation,
+        start,
+        half_turns: if shift <= F::int(2) * distance.0 { 1 } else { 2 },
+        statistics: Summary::of(&statistics, 1),
+        multipliers: [(one, zero), (other, zero)],
+        distance,
+        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+    })))
+}
+
+#[cfg(test)]
+mod tests;

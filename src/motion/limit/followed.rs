@@ -1,0 +1,170 @@
+//! The limit of a motion from one start, with a static friction above the kinetic one.
+//!
+//! Friction is then not monotone: a body at rest resists more than a moving one, two motions under the same
+//! drive can diverge, and the proof in `shooting` for every start does not hold. Limits can coexist, be
+//! asymmetric, take several turns of the drive, or be irregular. The motion itself is therefore computed, and
+//! the result holds for this start only.
+//!
+//! H advances the state by half a turn and changes its sign (`shooting`). Let m be the least number with
+//! `Hᵐ(y) = y`.
+//!
+//! * m odd: the motion is symmetric, `x(t + mT/2) = −x(t)`, and takes m turns.
+//! * m even: it is not, and takes m/2 turns; `H(y)` is on its mirror image, another motion.
+//!
+//! # How a periodic motion is recognised
+//!
+//! The state is compared with a reference, which is renewed after 16, 32, 64, 128, 256, 384 … half turns, so
+//! that m up to [`LONGEST`] is found. Where it returns to the reference within 2⁻²⁰ of its size, Newton's
+//! method on Hᵐ gives the periodic motion, with its derivative J along it. It is the limit of this start
+//! where all of these hold:
+//!
+//! * its multipliers are within the unit circle;
+//! * it is within 2⁻¹² of the motion followed, relative to its size, and both have the same sequence of
+//!   slides and stops over m half turns;
+//! * the distance after those is that of the linearised motion, J times that before, to an eighth of itself.
+//!
+//! Then the motion is in the range of the linearised map, which contracts. Otherwise it is followed further.
+//! A state that returns after m half turns can return after fewer, and an even m alone does not mean an
+//! asymmetric motion: `Trial::earliest` decides.
+//!
+//! # How an irregular motion is recognised
+//!
+//! A disturbance is carried along by the exact linearised motion from a quarter of the budget on; its mean
+//! logarithmic growth is the Lyapunov exponent. Where no periodic motion was found by the end of the budget,
+//! the motion does not come back to its last reference and the exponent is not below zero by more than four
+//! times its standard error, the motion is irregular as far as it was followed: chaotic where the exponent is
+//! above that, and otherwise one whose neighbours neither leave it nor approach it. Such motions exist: with
+//! one stop in a cycle the state is one number, and the map of a turn can be a map of a circle onto itself,
+//! with breaks where a stop begins or ends. Then the motion is quasi-periodic.
+
+mod observed;
+
+use super::family;
+use super::long_run::{LongRun, Rest, unsettled};
+use super::matrix::Matrix;
+use super::period_map::{Trial, distance, half_turns, size};
+use super::propagation::propagate;
+use super::shooting::{Budget, rate_noise};
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use crate::motion::broken::Broken;
+use crate::motion::slide::equation::Equation;
+use crate::motion::state::{Point, State};
+use observed::{GrowthAtResonance, Observed};
+
+/// Half turns that a periodic motion may take.
+const LONGEST: u64 = 128;
+
+/// The limit of the motion from a start, α > 1, η > 1.
+///
+/// # Errors
+/// [`Error::SearchBound`], [`Error::Interrupted`].
+pub(crate) fn limit<F: Float>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Error> {
+    let equation = Equation::new(ratios);
+    let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
+    let mut reference = y;
+    let (mut lag, mut next_reference) = (0u64, 16u64);
+    // Whether the motion returned to this reference, and to the one before.
+    let (mut is_tried, mut was_tried) = (false, false);
+    let mut observed = Observed::new(budget.most);
+    let mut change = F::int(0);
+    let grows = GrowthAtResonance::of(&ratios);
+    while budget.half_turns < budget.most {
+        let step = half_turns(equation, &y, 1, budget, |part| observed.add(part))?;
+        if let Some(position) = step.rest {
+            let position = if observed.is_upside_down { -position } else { position };
+            let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
+            return Ok(LongRun::Rest(Rest { position, slides: Some(observed.slides), periods }));
+        }
+        observed.stretch(&step.derivative, budget.half_turns);
+        change = distance(&step.end, &y);
+        if let Some(growth) = grows.as_ref().and_then(|grows| grows.seen(&y, &step.end)) {
+            return Ok(LongRun::Unbounded { growth });
+        }
+        y = step.end;
+        lag = lag.saturating_add(1);
+        let is_back = distance(&y, &reference) <= F::exp2i(-20) * size(&reference);
+        if is_back && !is_tried {
+            is_tried = true;
+            for half_turns in [lag, lag.saturating_mul(2)] {
+                let here = observed.upright(&y);
+                if let Some(found) = periodic(ratios, &here, half_turns, budget)? {
+                    return Ok(found);
+                }
+            }
+        }
+        if budget.half_turns >= next_reference {
+            next_reference = budget.half_turns.saturating_add(budget.half_turns.min(LONGEST));
+            (reference, lag, was_tried, is_tried) = (y, 0, is_tried, false);
+        }
+    }
+    let here = observed.upright(&y);
+    let irregular = if is_tried || was_tried { None } else { observed.irregular(&equation, &here, budget) };
+    Ok(irregular.map_or_else(|| unsettled(&equation, &here, change, budget), LongRun::Irregular))
+}
+
+/// The periodic motion of m half turns next to a point of the motion followed, where it is the limit.
+fn periodic<F: Float>(
+    ratios: Ratios<F>,
+    near: &Point<F>,
+    m: u64,
+    budget: &mut Budget<'_>,
+) -> Result<Option<LongRun<F>>, Broken> {
+    let equation = Equation::new(ratios);
+    let begun = Trial::at(equation, *near, m, budget)?;
+    let (begin, arrived, pattern) = (begun.y, begun.step.end, begun.step.pattern);
+    if family::is_one(ratios) && !is_within(&begun.step.derivative, -F::exp2i(-20)) {
+        // One multiplier is 1: Newton's step is undefined, and the motion is followed until its own change is
+        // rounding.
+        let is_settled = begun.left.is_rounding(4) && is_within(&begun.step.derivative, rate_noise(m));
+        return if is_settled { member(equation, &begun, budget).map(Some) } else { Ok(None) };
+    }
+    let found = begun.newton(equation, budget)?;
+    let Trial { y, step, left, .. } = &found;
+    if !(found.is_periodic(16) && step.rest.is_none() && is_within(&step.derivative, F::int(0))) {
+        return Ok(None);
+    }
+    let (before, room) = ((begin.x - y.x, begin.w - y.w), left.bound());
+    let away = before.0.hypot(before.1);
+    let linear = step.derivative.times(before);
+    let off = (arrived.x - y.x - linear.0).hypot(arrived.w - y.w - linear.1);
+    let is_followed = away <= F::exp2i(-12) * size(y)
+        && pattern == step.pattern
+        && off <= away / F::int(8) + F::int(64) * room;
+    if !is_followed {
+        return Ok(None);
+    }
+    let found = found.earliest(equation, 16, budget)?;
+    if !is_within(&found.step.derivative, F::int(0)) {
+        return Ok(None);
+    }
+    Ok(Some(LongRun::Periodic(found.steady(equation, budget)?)))
+}
+
+/// The member of a family at Ω = 1/(2n) that a motion has settled on.
+fn member<F: Float>(
+    equation: Equation<F>,
+    settled: &Trial<F>,
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Broken> {
+    let other = settled.step.derivative.determinant().abs();
+    let off = settled.left.bound() / (F::int(1) - other);
+    let cycle = propagate(equation, settled.y, 2, F::pi() / equation.omega, Vec::new(), budget)?;
+    family::finish(equation, settled.y, &cycle, (off, off), budget)
+}
+
+/// Whether the multipliers are within the unit circle, with that much room.
+fn is_within<F: Float>(derivative: &Matrix<F>, room: F) -> bool {
+    let [(a, b), (c, d)] = derivative.eigenvalues();
+    let most = F::int(1) + room;
+    let (first, second) = (a.hypot(b), c.hypot(d));
+    if room == F::int(0) { first < most && second < most } else { first <= most && second <= most }
+}
+
+#[cfg(test)]
+mod tests;

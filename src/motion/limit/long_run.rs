@@ -1,0 +1,147 @@
+//! The limit of a motion.
+
+use super::irregular::Irregular;
+use super::shooting::Budget;
+use super::steady::SteadyState;
+use crate::float::Float;
+use crate::motion::slide::equation::Equation;
+use crate::motion::state::{Point, State};
+
+/// The limit of a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[must_use]
+pub enum LongRun<F> {
+    /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md).
+    /// Where Ω is 1/(2n) to within rounding only, one multiplier rounds to 1: no start comes close to the
+    /// limit in any time that a machine runs.
+    ///
+    /// With a static friction above the kinetic one (η > 1) it is the limit of this start: others can have
+    /// another, and it need not be symmetric nor take one turn of the drive only
+    /// ([`SteadyState::turns_per_cycle`]).
+    Periodic(SteadyState<F>),
+    /// Ω = 1/(2n) exactly, without damping and without sticking: one of a family of periodic motions, the one
+    /// that this start leads to.
+    Family(SteadyState<F>),
+    /// Rest: from every start where α ≤ 1, and from this one where 1 < α ≤ η.
+    Rest(Rest<F>),
+    /// η > 1: the motion from this start did not become periodic in the turns followed, and neighbours do not
+    /// approach it.
+    Irregular(Irregular<F>),
+    /// Ω = 1 and α > 4/π without damping: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle,
+    /// once it is large.
+    Unbounded {
+        /// Growth of the maximum displacement in a cycle, in the limit.
+        growth: F,
+    },
+    /// No limit within the budget: the state of the motion, and its displacement in half a cycle. This also
+    /// occurs at Ω = 1/(2n) where friction is so small compared with the motion that the type cannot resolve
+    /// the rate of convergence.
+    NotConverged {
+        /// The state reached.
+        state: State<F>,
+        /// `hypot(δx, δv Ω)` of half a cycle: the remaining change.
+        residual: F,
+        /// Periods of the drive that were followed.
+        periods: F,
+    },
+}
+
+/// Where a body ends at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Rest<F> {
+    /// Place of rest x/B, `|x| ≤ η − α`.
+    pub position: F,
+    /// The number of slides until permanent rest; `None` if the body creeps for ever towards
+    /// [`Rest::position`].
+    pub slides: Option<u64>,
+    /// Periods of the drive that were followed.
+    pub periods: F,
+}
+
+impl<F: Float> LongRun<F> {
+    /// The periodic motion, where there is one.
+    pub const fn steady_state(&self) -> Option<&SteadyState<F>> {
+        match self {
+            Self::Periodic(steady) | Self::Family(steady) => Some(steady),
+            Self::Rest(_) | Self::Irregular(_) | Self::Unbounded { .. } | Self::NotConverged { .. } => None,
+        }
+    }
+
+    /// [`Display`](core::fmt::Display) as a static text: one of [`LongRun::NAMES`].
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Periodic(_) => Self::NAMES[0],
+            Self::Family(_) => Self::NAMES[1],
+            Self::Rest(_) => Self::NAMES[2],
+            Self::Irregular(_) => Self::NAMES[3],
+            Self::Unbounded { .. } => Self::NAMES[4],
+            Self::NotConverged { .. } => Self::NAMES[5],
+        }
+    }
+
+    /// The names of all kinds of limit.
+    #[doc(hidden)]
+    pub const NAMES: [&'static str; 6] = ["periodic", "family", "rest", "irregular", "none", "not-converged"];
+
+    /// Periods of the drive that the motion was followed for; `None` where it grows without bound, which
+    /// takes none.
+    pub const fn periods(&self) -> Option<F> {
+        match self {
+            Self::Periodic(steady) | Self::Family(steady) => Some(steady.periods),
+            Self::Rest(rest) => Some(rest.periods),
+            Self::Irregular(motion) => Some(motion.periods),
+            Self::Unbounded { .. } => None,
+            Self::NotConverged { periods, .. } => Some(*periods),
+        }
+    }
+
+    /// The place of rest, x/B; `None` for all other limits.
+    pub const fn rest_position(&self) -> Option<F> {
+        if let Self::Rest(rest) = self { Some(rest.position) } else { None }
+    }
+
+    /// The irregular motion, where it is one.
+    pub const fn irregular(&self) -> Option<&Irregular<F>> {
+        if let Self::Irregular(motion) = self { Some(motion) } else { None }
+    }
+
+    /// The minimum and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an
+    /// irregular motion that were observed.
+    pub fn extrema(&self) -> Option<(F, F)> {
+        let of_cycle =
+            |steady: &SteadyState<F>| (steady.min_displacement.value, steady.max_displacement.value);
+        let irregular = self.irregular().map(|motion| (motion.min_displacement, motion.max_displacement));
+        irregular.or_else(|| self.steady_state().map(of_cycle))
+    }
+}
+
+/// Displays the kind of limit, as the command prints it.
+impl<F: Float> core::fmt::Display for LongRun<F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// Periods of the drive that a motion is followed for unless said otherwise.
+pub const DEFAULT_BUDGET: u32 = 20_000;
+
+/// [`LongRun::NotConverged`] at a point.
+pub(crate) fn unsettled<F: Float>(
+    equation: &Equation<F>,
+    y: &Point<F>,
+    residual: F,
+    budget: &Budget<'_>,
+) -> LongRun<F> {
+    LongRun::NotConverged {
+        state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
+        residual,
+        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+    }
+}

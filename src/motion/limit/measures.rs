@@ -1,0 +1,269 @@
+//! The properties of a cycle of the motion: extrema, stops, work, and the paper's error measures.
+
+use super::propagation::{Part, Propagation, follow};
+use super::shooting::Budget;
+use crate::float::Float;
+use crate::motion::broken::Broken;
+use crate::motion::drive::DrivePhase;
+use crate::motion::event::velocity_zero::VelocityZero;
+use crate::motion::slide::Slide;
+use crate::motion::slide::equation::Equation;
+use crate::motion::slide::motion::Motion;
+use crate::motion::state::Point;
+
+/// An extreme value and its phase.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Extreme<F> {
+    /// The value: x/B or x′/(Bω_d).
+    pub value: F,
+    /// Where it is taken first; [`DrivePhase::reduced`] gives it in [0, 2π).
+    pub phase: DrivePhase<F>,
+}
+
+impl<F: Float> Extreme<F> {
+    /// The same with the opposite sign, half a turn later.
+    #[inline]
+    pub(crate) fn mirrored(self) -> Self {
+        Self { value: -self.value, phase: self.phase.later_by_half_turns(1) }
+    }
+}
+
+/// Extrema, stops and work over some time.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CycleStatistics<F> {
+    pub(crate) max_x: Extreme<F>,
+    pub(crate) min_x: Extreme<F>,
+    pub(crate) max_v: Extreme<F>,
+    pub(crate) min_v: Extreme<F>,
+    pub(crate) sticks: u32,
+    pub(crate) zeros: u32,
+    /// Time at rest, as a phase.
+    pub(crate) rest: F,
+    /// Work done by the drive, ∫ α sin θ dx, in r_y B.
+    pub(crate) work_in: F,
+    /// Work done against friction, ∫ |dx|, in r_y B.
+    pub(crate) work_out: F,
+    /// Work done against the damper, ∫ 2ζw dx, in r_y B.
+    pub(crate) damper: F,
+}
+
+impl<F: Float> CycleStatistics<F> {
+    /// Nothing yet: at `start`.
+    pub(crate) fn at(start: &Point<F>, omega: F) -> Self {
+        let zero = F::int(0);
+        let x = Extreme { value: start.x, phase: start.phase };
+        let v = Extreme { value: start.w / omega, phase: start.phase };
+        Self {
+            max_x: x,
+            min_x: x,
+            max_v: v,
+            min_v: v,
+            sticks: 0,
+            zeros: 0,
+            rest: zero,
+            work_in: zero,
+            work_out: zero,
+            damper: zero,
+        }
+    }
+
+    /// The statistics of `half_turns` of a periodic motion through `start`, `propagation` being those from
+    /// there.
+    ///
+    /// Stops and velocity zeros are counted from a point in the middle of a slide on, so that neither is at
+    /// the seam: there a stop is cut in two, and rounding says on which side of it a velocity zero is.
+    ///
+    /// # Errors
+    /// As for [`follow`].
+    pub(crate) fn of_periodic(
+        equation: Equation<F>,
+        start: Point<F>,
+        half_turns: i64,
+        propagation: &Propagation<F>,
+        budget: &mut Budget<'_>,
+    ) -> Result<Self, Broken> {
+        let omega = equation.omega;
+        let mut statistics = Self::at(&start, omega);
+        propagation.each_part(equation, start, half_turns, budget, |part| statistics.add(part))?;
+        let most = if statistics.max_v.value > -statistics.min_v.value {
+            statistics.max_v.value
+        } else {
+            -statistics.min_v.value
+        };
+        if start.w.abs() * F::int(1024) > most * omega {
+            return Ok(statistics);
+        }
+        let mut longest: Option<(Slide<F>, F)> = None;
+        propagation.each_part(equation, start, half_turns, budget, |part| {
+            if let Part::Slide(slide, VelocityZero { phi, .. }) | Part::Onward(slide, phi, ..) = part
+                && longest.is_none_or(|(_, length)| *phi > length)
+            {
+                longest = Some((*slide, *phi));
+            }
+            Ok(())
+        })?;
+        let Some((slide, length)) = longest else { return Ok(statistics) };
+        let half = length / F::int(2);
+        let seam = slide.point(half);
+        let mut statistics = Self::at(&seam, omega);
+        follow(equation, seam, half_turns, half, budget, |part| statistics.add(&part))?;
+        Ok(statistics)
+    }
+
+    /// Counts a part of the motion in.
+    ///
+    /// # Errors
+    /// As for [`Slide::fastest`].
+    pub(crate) fn add(&mut self, part: &Part<F>) -> Result<(), Broken> {
+        match part {
+            Part::Slide(slide, end) => {
+                self.zeros = self.zeros.saturating_add(1);
+                self.slide(slide, end.phi, end.phase, &slide.motion_at(end))
+            }
+            Part::Onward(slide, phi, phase, end) => self.slide(slide, *phi, *phase, end),
+            Part::Stick(_, length) => {
+                self.sticks = self.sticks.saturating_add(1);
+                self.rest = self.rest + *length;
+                Ok(())
+            }
+        }
+    }
+
+    fn slide(
+        &mut self,
+        slide: &Slide<F>,
+        phi: F,
+        phase: DrivePhase<F>,
+        end: &Motion<F>,
+    ) -> Result<(), Broken> {
+        let omega = slide.equation.omega;
+        self.displaced(Extreme { value: end.x, phase });
+        let fastest = slide.fastest(phi, end)?;
+        let v = fastest.w / omega;
+        if v > self.max_v.value || v < self.min_v.value {
+            self.moved(Extreme { value: v, phase: slide.start.advanced(omega * fastest.phi) });
+        }
+        self.work_out = self.work_out + (end.x - slide.x).abs();
+        let works = slide.works(phi, end);
+        self.work_in = self.work_in + works.drive;
+        self.damper = self.damper + works.damper;
+        Ok(())
+    }
+
+    fn displaced(&mut self, x: Extreme<F>) {
+        if x.value > self.max_x.value {
+            self.max_x = x;
+        }
+        if x.value < self.min_x.value {
+            self.min_x = x;
+        }
+    }
+
+    fn moved(&mut self, v: Extreme<F>) {
+        if v.value > self.max_v.value {
+            self.max_v = v;
+        }
+        if v.value < self.min_v.value {
+            self.min_v = v;
+        }
+    }
+
+    /// The statistics of a whole turn from those of its first half, if the second half is the first with the
+    /// opposite sign.
+    pub(crate) fn doubled(mut self) -> Self {
+        let two = F::int(2);
+        for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
+            self.displaced(extreme);
+        }
+        for extreme in [self.max_v.mirrored(), self.min_v.mirrored()] {
+            self.moved(extreme);
+        }
+        Self {
+            sticks: self.sticks.saturating_mul(2),
+            zeros: self.zeros.saturating_mul(2),
+            rest: two * self.rest,
+            work_in: two * self.work_in,
+            work_out: two * self.work_out,
+            damper: two * self.damper,
+            ..self
+        }
+    }
+
+    /// The paper's error measures of this cycle of `turns` turns.
+    pub(crate) fn errors(&self, turns: u32) -> ErrorMeasures<F> {
+        let half = F::from_f64(f64::from(turns)) * F::pi();
+        let cycle = F::int(2) * half;
+        let size = |max: F, min: F| (max + min).abs() / max;
+        let shift = |max: DrivePhase<F>, min: DrivePhase<F>| (min.since(max).abs() - half) / cycle;
+        ErrorMeasures {
+            error_1: size(self.max_x.value, self.min_x.value),
+            error_2: shift(self.max_x.phase, self.min_x.phase),
+            error_3: size(self.max_v.value, self.min_v.value),
+            error_4: shift(self.max_v.phase, self.min_v.phase),
+        }
+    }
+}
+
+/// How far a cycle is from symmetry: the four error measures of Hong & Liu 2001, section 3.
+///
+/// ```text
+/// Error 1 = |max x + min x|/max x        Error 2 = (|t₄ − t₂| − π/ω_d)/T
+/// Error 3 = |max x′ + min x′|/max x′     Error 4 = (|t₃ − t₁| − π/ω_d)/T
+/// ```
+///
+/// with t₂, t₄ the times of max x, min x and t₁, t₃ those of max x′, min x′ within the cycle, T = 2π/ω_d. All
+/// are zero for a motion with `x(t + π/ω_d) = −x(t)`. For a cycle of several turns T is the length of the
+/// cycle, and T/2 replaces π/ω_d.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ErrorMeasures<F> {
+    /// Of the displacements.
+    pub error_1: F,
+    /// Of the phases of the displacements.
+    pub error_2: F,
+    /// Of the velocities.
+    pub error_3: F,
+    /// Of the phases of the velocities.
+    pub error_4: F,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CycleStatistics, Extreme};
+    use crate::motion::drive::DrivePhase;
+    use crate::motion::state::Point;
+
+    fn phase(theta: f64) -> DrivePhase<f64> {
+        DrivePhase::of(theta).unwrap()
+    }
+
+    #[test]
+    fn error_measures_of_a_lopsided_cycle() {
+        let start = Point { phase: phase(0.0), x: 0.0, w: 0.0 };
+        let extreme = |value, theta| Extreme { value, phase: phase(theta) };
+        let statistics = CycleStatistics {
+            max_x: extreme(4.0, 1.0),
+            min_x: extreme(-3.0, 1.0 + 1.5 * std::f64::consts::PI),
+            max_v: extreme(2.0, 5.0),
+            min_v: extreme(-2.5, 5.0 - std::f64::consts::PI),
+            ..CycleStatistics::at(&start, 0.5)
+        };
+        let errors = statistics.errors(1);
+        assert_eq!((errors.error_1, errors.error_3), (0.25, 0.25));
+        assert!((errors.error_2 - 0.25).abs() < 1e-15 && errors.error_4.abs() < 1e-15, "{errors:?}");
+    }
+
+    #[test]
+    fn a_tally_begins_at_the_start() {
+        let statistics = CycleStatistics::at(&Point { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5);
+        let (x, v) = (Extreme { value: 1.5, phase: phase(0.3) }, Extreme { value: 4.0, phase: phase(0.3) });
+        assert_eq!((statistics.max_x, statistics.min_x, statistics.max_v, statistics.min_v), (x, x, v, v));
+        assert_eq!(
+            (statistics.sticks, statistics.zeros, statistics.work_in, statistics.work_out),
+            (0, 0, 0.0, 0.0)
+        );
+    }
+}

@@ -1,0 +1,54 @@
+//! The states of a periodic motion at the phases nπ of the drive, which identify it.
+
+use super::period_map::{Located, Trial, half_turns};
+use super::shooting::Budget;
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::motion::drive::DrivePhase;
+use crate::motion::slide::equation::Equation;
+use crate::motion::state::Point;
+
+/// How one motion is like another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Likeness {
+    Same,
+    /// The mirror image: the opposite sign, half a turn of the drive later.
+    Mirrored,
+    Other,
+}
+
+/// The states of a cycle at the phases nπ, with the opposite sign at odd ones.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Orbit<F> {
+    states: Vec<Located<F>>,
+}
+
+impl<F: Float> Orbit<F> {
+    /// From one of them on, x/B and x′ in B ω_n, of a motion that repeats after this number of half turns.
+    ///
+    /// # Errors
+    /// As for [`half_turns`].
+    pub(crate) fn of(equation: Equation<F>, count: u32, (x, w): (F, F)) -> Result<Self, Error> {
+        let budget = &mut Budget::of(0);
+        let mut y = Point { phase: DrivePhase::of_half_turn(0, F::int(0)), x, w };
+        let mut states = Vec::new();
+        for _ in 0..count {
+            states.push(Trial::at(equation, y, u64::from(count), budget)?.located());
+            y = half_turns(equation, &y, 1, budget, |_| {})?.end;
+        }
+        Ok(Self { states })
+    }
+
+    /// Compares the motion with one that has this state and repeats after this number of half turns.
+    pub(crate) fn compare(&self, half_turns: u32, state: &Located<F>) -> Likeness {
+        if self.states.len() as u64 != u64::from(half_turns) {
+            return Likeness::Other;
+        }
+        match self.states.iter().position(|known| known.agrees(state)) {
+            // Every second state of a motion that is not symmetric is on its mirror image.
+            Some(place) if half_turns % 2 == 1 || place % 2 == 0 => Likeness::Same,
+            Some(_) => Likeness::Mirrored,
+            None => Likeness::Other,
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! The steady state of the motion.
+
+use super::measures::{CycleStatistics, ErrorMeasures, Extreme};
+use super::propagation::follow;
+use super::shooting::Budget;
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
+use crate::motion::slide::equation::Equation;
+use crate::motion::state::{Point, State};
+use crate::motion::trajectory::resolved;
+
+/// Turns of the drive in a cycle of a motion with this period in half turns: as many if it is odd, when the
+/// motion is symmetric, and half as many if it is even.
+fn turns<F: Float>(half_turns: u32) -> F {
+    F::from_f64(f64::from(if half_turns % 2 == 1 { half_turns } else { half_turns / 2 }))
+}
+
+/// The parts of the statistics of a cycle that a steady state keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Summary<F> {
+    max_x: Extreme<F>,
+    min_x: Extreme<F>,
+    max_v: Extreme<F>,
+    min_v: Extreme<F>,
+    sticks: u32,
+    zeros: u32,
+    stick_fraction: F,
+    energy_in: F,
+    energy_out: F,
+    damper_work: F,
+}
+
+impl<F: Float> Summary<F> {
+    /// From the statistics of one whole cycle, which repeats after this number of half turns.
+    pub(crate) fn of(statistics: &CycleStatistics<F>, half_turns: u32) -> Self {
+        Self {
+            max_x: statistics.max_x,
+            min_x: statistics.min_x,
+            max_v: statistics.max_v,
+            min_v: statistics.min_v,
+            sticks: statistics.sticks,
+            zeros: statistics.zeros,
+            stick_fraction: statistics.rest / (F::int(2) * F::pi() * turns(half_turns)),
+            energy_in: statistics.work_in,
+            energy_out: statistics.work_out,
+            damper_work: statistics.damper,
+        }
+    }
+
+    /// Of a symmetric cycle of two slides without damping: its maximum displacement and velocity, and the
+    /// work of the drive and against friction.
+    #[inline]
+    pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, energy_in: F, energy_out: F) -> Self {
+        Self {
+            max_x,
+            min_x: max_x.mirrored(),
+            max_v,
+            min_v: max_v.mirrored(),
+            sticks: 0,
+            zeros: 2,
+            stick_fraction: F::int(0),
+            energy_in,
+            energy_out,
+            damper_work: F::int(0),
+        }
+    }
+}
+
+/// A periodic motion, with or without stops.
+///
+/// Displacements in units of B = r_y/k, velocities in B ω_d, energies in r_y B, phases ω_d t in [0, 2π).
+///
+/// ```
+/// use stickslip::Ratios;
+/// use stickslip::motion::{LongRun, State};
+/// let motion = LongRun::from_start(Ratios::new(0.4f64, 6.0)?, State::default())?;
+/// let steady = motion.steady_state().unwrap();
+/// assert!((steady.max_displacement.value - 6.79382).abs() < 1e-5);
+/// assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (2, 4));
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
+pub struct SteadyState<F> {
+    /// Maximum displacement x/B; its phase is where the body arrives at it.
+    pub max_displacement: Extreme<F>,
+    /// Minimum displacement x/B; its phase is where the body arrives at it.
+    pub min_displacement: Extreme<F>,
+    /// Maximum velocity x′/(Bω_d).
+    pub max_velocity: Extreme<F>,
+    /// Minimum velocity x′/(Bω_d).
+    pub min_velocity: Extreme<F>,
+    /// Stops in a cycle.
+    pub sticks_per_cycle: u32,
+    /// The number of velocity zeros in a cycle, which are the ends of slides. A stop counts once.
+    pub velocity_zeros_per_cycle: u32,
+    /// The part of a cycle that the body is at rest, in [0, 1).
+    pub stick_fraction: F,
+    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B. Where its own closed form is accurate,
+    /// that is used, and its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`]
+    /// with damping, is a check. Elsewhere (near Ω = 1, and where a motion is small compared with the force)
+    /// it follows from the energy balance of each slide. The relative accuracy at f64 is 1e-13 (1 + Δ₀/B)(1 +
+    /// 1/Ω), where Δ₀ is the maximum displacement.
+    pub energy_in: F,
+    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are
+    /// reversals. As accurate as the displacements are.
+    pub energy_out: F,
+    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum
+    /// with [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
+    pub damper_work: F,
+    /// The Floquet multipliers of the cycle, each (re, im): the factors of a small disturbance in one period.
+    /// If the body stops, one is zero.
+    pub multipliers: [(F, F); 2],
+    /// Turns of the drive in a cycle of the motion: 1, except for some motions with a static friction above
+    /// the kinetic one.
+    pub turns_per_cycle: u32,
+    /// Whether each half of a cycle is the mirror image of the other: always, except for members of a family
+    /// at Ω = 1/(2n) and some motions with a static friction above the kinetic one. The mirror image of an
+    /// asymmetric motion is a motion, too.
+    pub is_symmetric: bool,
+    /// A state on the motion, from which [`crate::motion::Trajectory::new`] follows it.
+    pub state: State<F>,
+    /// Estimated distance of the motion found from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
+    /// the residual of half a turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the
+    /// half-turn map at that state.
+    ///
+    /// This is no proven bound, because the map is curved and has kinks. In 27,557 pairs of starts the
+    /// computed motions were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n)
+    /// to within rounding, the limit is the closed form, and the estimate is rounding.
+    pub distance: (F, F),
+    /// Periods of the drive that were followed to find it.
+    pub periods: F,
+    pub(crate) equation: Equation<F>,
+    pub(crate) start: Point<F>,
+}
+
+/// A periodic motion as it was found.
+pub(crate) struct Found<F> {
+    pub(crate) equation: Equation<F>,
+    pub(crate) start: Point<F>,
+    /// The number of half turns after which the state repeats, mirrored if the number is odd.
+    pub(crate) half_turns: u32,
+    pub(crate) statistics: Summary<F>,
+    pub(crate) multipliers: [(F, F); 2],
+    /// (x, w), where w = Ω x′.
+    pub(crate) distance: (F, F),
+    pub(crate) periods: F,
+}
+
+impl<F: Float> SteadyState<F> {
+    #[inline]
+    pub(crate) fn of(found: Found<F>) -> Self {
+        let (statistics, start, omega) = (found.statistics, found.start, found.equation.omega);
+        let is_symmetric = found.half_turns % 2 == 1;
+        Self {
+            max_displacement: statistics.max_x,
+            min_displacement: statistics.min_x,
+            max_velocity: statistics.max_v,
+            min_velocity: statistics.min_v,
+            sticks_per_cycle: statistics.sticks,
+            velocity_zeros_per_cycle: statistics.zeros,
+            stick_fraction: statistics.stick_fraction,
+            energy_in: statistics.energy_in,
+            energy_out: statistics.energy_out,
+            damper_work: statistics.damper_work,
+            multipliers: found.multipliers,
+            turns_per_cycle: if is_symmetric { found.half_turns } else { found.half_turns / 2 },
+            is_symmetric,
+            state: State { phase: start.phase, x: start.x, v: start.w / omega },
+            distance: (found.distance.0, found.distance.1 / omega),
+            periods: found.periods,
+            equation: found.equation,
+            start,
+        }
+    }
+
+    /// The number of half turns after which the state repeats, mirrored if the number is odd.
+    pub(crate) const fn half_turns(&self) -> u32 {
+        if self.is_symmetric { self.turns_per_cycle } else { self.turns_per_cycle.saturating_mul(2) }
+    }
+
+    /// Whether its neighbours approach it: both multipliers are within the unit circle. Every limit of a
+    /// motion is stable; a search for periodic motions ([`crate::motion::periodic_motions()`]) also finds unstable
+    /// ones.
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
+    }
+
+    /// Contraction per cycle: the modulus of the larger multiplier.
+    pub fn contraction(&self) -> F {
+        let [(a, b), (c, d)] = self.multipliers;
+        a.hypot(b).or_larger(c.hypot(d))
+    }
+
+    /// The paper's error measures, over one cycle that is followed for this purpose, with both halves
+    /// computed independently.
+    ///
+    /// # Errors
+    /// [`Error::SearchBound`].
+    pub fn errors(&self) -> Result<ErrorMeasures<F>, Error> {
+        error_measures(self.equation, &self.start, self.turns_per_cycle)
+    }
+}
+
+/// The error measures of the cycle of `turns` turns that begins at a point.
+fn error_measures<F: Float>(
+    equation: Equation<F>,
+    start: &Point<F>,
+    turns: u32,
+) -> Result<ErrorMeasures<F>, Error> {
+    let usual = F::pi() / equation.omega;
+    let mut statistics = CycleStatistics::at(start, equation.omega);
+    let half_turns = i64::from(turns).saturating_mul(2);
+    follow(equation, *start, half_turns, usual, &mut Budget::of(0), |part| statistics.add(&part))?;
+    Ok(statistics.errors(turns))
+}
+
+/// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles`
+/// cycles from a start, as in its Figure 3.
+///
+/// # Errors
+/// As for [`crate::motion::Trajectory::new`].
+pub fn errors_after<F: Float>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    cycles: u32,
+) -> Result<ErrorMeasures<F>, Error> {
+    let equation = Equation::new(resolved(ratios)?);
+    let usual = F::pi() / equation.omega;
+    let mut point = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
+    for _ in 0..cycles {
+        (point, _) = follow(equation, point, 2, usual, &mut Budget::of(0), |_| Ok(()))?;
+    }
+    error_measures(equation, &point, 1)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,196 @@
+//! The outputs of a steady state as one table, and those of a limit.
+
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::machine::oscillator::Excitation;
+use crate::machine::ratios::Ratios;
+use crate::motion::limit::observed::{Observed, observed};
+use crate::motion::{ErrorMeasures, Extreme, LongRun, Peaks, SteadyState};
+use crate::output::Value::{self, Count, Flag, Number, Pairs, Text};
+use crate::output::definitions::{
+    DAMPER_WORK, ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR,
+    MULTIPLIERS, PERIODS, REGIME, REST_POSITION, REVERSALS_PER_CYCLE, STICKS_PER_CYCLE, SYMMETRIC,
+    TURNS_OBSERVED, TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
+};
+use crate::output::{Column, Definition, Measure, Output, When, columns};
+
+/// Defines the outputs from one row each: the name in Rust, the definition, and the value.
+macro_rules! steady_outputs {
+    ($($output:ident: $definition:expr, $steady:ident => $value:expr;)*) => {
+        /// One output of a [`SteadyState`] that is a number of its type.
+        ///
+        /// ```
+        /// use stickslip::{Ratios, motion::{LongRun, State, SteadyOutput}};
+        /// let limit = LongRun::from_start(Ratios::new(0.4, 6.0)?, State::default())?;
+        /// let steady = limit.steady_state().ok_or("none")?;
+        /// let output = SteadyOutput::ALL[0];
+        /// assert_eq!(output.definition().name, "max_displacement");
+        /// assert_eq!(output.of(steady), steady.max_displacement.value);
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        #[allow(missing_docs, reason = "each is the field or the method of that name")]
+        pub enum SteadyOutput {
+            $($output,)*
+        }
+
+        impl SteadyOutput {
+            /// All outputs, in order.
+            pub const ALL: [Self; [$(stringify!($output)),*].len()] = [$(Self::$output),*];
+
+            /// The output's name, unit and meaning; its accuracy is that of the field of this name.
+            #[must_use]
+            pub const fn definition(self) -> &'static Definition {
+                match self {
+                    $(Self::$output => const { &$definition },)*
+                }
+            }
+
+            /// The value.
+            pub fn of<F: Float>(self, steady: &SteadyState<F>) -> F {
+                match self {
+                    $(Self::$output => {
+                        let $steady = steady;
+                        $value
+                    })*
+                }
+            }
+        }
+    };
+}
+
+/// The definition of the phase of an extreme.
+const fn phase(name: &'static str, meaning: &'static str, physical: &'static str) -> Definition {
+    Definition::new(name, Measure::Angle, meaning).physical(physical)
+}
+
+steady_outputs! {
+    MaxDisplacement: *Output::MaxDisplacement.definition(), steady => steady.max_displacement.value;
+    MaxDisplacementPhase: phase(
+        "max_displacement_phase", "phase ω_d t of the maximum displacement", "max_displacement_time",
+    ), steady => steady.max_displacement.phase.reduced();
+    MinDisplacement: Definition::new("min_displacement", Measure::Length, "minimum displacement"),
+        steady => steady.min_displacement.value;
+    MinDisplacementPhase: phase("min_displacement_phase", "its phase", "min_displacement_time"),
+        steady => steady.min_displacement.phase.reduced();
+    MaxVelocity: *Output::MaxVelocity.definition(), steady => steady.max_velocity.value;
+    MaxVelocityPhase: phase("max_velocity_phase", "phase of the maximum velocity", "max_velocity_time"),
+        steady => steady.max_velocity.phase.reduced();
+    MinVelocity: Definition::new("min_velocity", Measure::Velocity, "minimum velocity"),
+        steady => steady.min_velocity.value;
+    MinVelocityPhase: phase("min_velocity_phase", "its phase", "min_velocity_time"),
+        steady => steady.min_velocity.phase.reduced();
+    StickFraction: Definition::new("stick_fraction", Measure::One, "fraction of time at rest")
+        .title("fraction of time at rest"), steady => steady.stick_fraction;
+    EnergyIn: Definition::new("energy_in", Measure::Work, "work of the drive in a cycle")
+        .title("work of the drive in a cycle").unless_damped_foot("energy_in"), steady => steady.energy_in;
+    EnergyOut: Definition::new(
+        "energy_out",
+        Measure::Work,
+        "work against friction in a cycle, without damper_work where damping was given",
+    ).title("work against friction in a cycle"), steady => steady.energy_out;
+    DamperWork: *DAMPER_WORK, steady => steady.damper_work;
+    Contraction: Definition::new("contraction", Measure::One, "fraction of a disturbance that remains after a cycle"),
+        steady => steady.contraction();
+    Distance: Definition::new("distance", Measure::Length, "estimated distance of the motion found from the limit")
+        .title("distance from the limit"), steady => steady.distance.0;
+}
+
+/// A limit with everything that is stated of it.
+#[derive(Debug)]
+#[doc(hidden)]
+pub struct SteadyAnswer<'a, F> {
+    pub ratios: Ratios<F>,
+    pub excitation: Excitation,
+    pub limit: &'a LongRun<F>,
+    pub seen: Observed,
+    pub errors: Option<ErrorMeasures<F>>,
+    /// The peaks, if they were asked for.
+    pub peaks: Option<Peaks<F>>,
+}
+
+#[doc(hidden)]
+impl<'a, F: Float> SteadyAnswer<'a, F> {
+    columns! {
+        answer;
+        (REGIME) => Text(answer.seen.regime.name());
+        (LIMIT) => Text(answer.limit.name());
+        (SteadyOutput::MaxDisplacement.definition()) => Number(answer.limit.extrema().map(|(_, most)| most));
+        [SteadyOutput::MaxDisplacementPhase];
+        (SteadyOutput::MinDisplacement.definition()) => Number(answer.limit.extrema().map(|(least, _)| least));
+        [SteadyOutput::MinDisplacementPhase];
+        [SteadyOutput::MaxVelocity];
+        [SteadyOutput::MaxVelocityPhase];
+        [SteadyOutput::MinVelocity];
+        [SteadyOutput::MinVelocityPhase];
+        (STICKS_PER_CYCLE) => Count(answer.seen.sticks.map(u64::from));
+        (VELOCITY_ZEROS_PER_CYCLE) => answer.count(|steady| steady.velocity_zeros_per_cycle);
+        [SteadyOutput::StickFraction];
+        (ERROR_1) => Number(answer.errors.map(|errors| errors.error_1));
+        (ERROR_2) => Number(answer.errors.map(|errors| errors.error_2));
+        (ERROR_3) => Number(answer.errors.map(|errors| errors.error_3));
+        (ERROR_4) => Number(answer.errors.map(|errors| errors.error_4));
+        [SteadyOutput::EnergyIn];
+        [SteadyOutput::EnergyOut];
+        (MULTIPLIERS) => Pairs(answer.limit.steady_state().map(|steady| steady.multipliers));
+        [SteadyOutput::Distance];
+        (REST_POSITION) => Number(answer.limit.rest_position());
+        (PERIODS) => Number(answer.limit.periods());
+        (REVERSALS_PER_CYCLE) => Count(answer.seen.reversals.map(u64::from));
+        (Output::DynamicAmplification.definition()) =>
+            Number(answer.amplitude().map(|most| most / answer.ratios.alpha()));
+        (Output::MaxAcceleration.definition()) => Number(answer.peaks.map(|peaks| peaks.acceleration));
+        (Output::TransmittedForce.definition()) => Number(answer.transmitted().map(|(force, _)| force));
+        (Output::Transmissibility.definition()) => Number(answer.transmitted().map(|(_, ratio)| ratio));
+        (Output::MaxAbsoluteDisplacement.definition()) => Number(answer.peaks.and_then(|peaks| {
+            // The surface is fixed where the foot moves.
+            let is_fixed = answer.excitation.moves_foot();
+            if is_fixed { answer.amplitude() } else { Some(peaks.absolute_displacement) }
+        }));
+        (DAMPER_WORK) if Damping => Number(answer.number(SteadyOutput::DamperWork));
+        (TURNS_PER_CYCLE) if StaticFriction => answer.count(|steady| steady.turns_per_cycle);
+        (SYMMETRIC) if StaticFriction => Flag(answer.limit.steady_state().map(|steady| steady.is_symmetric));
+        (LYAPUNOV_EXPONENT) if StaticFriction =>
+            Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent));
+        (LYAPUNOV_EXPONENT_ERROR) if StaticFriction =>
+            Number(answer.limit.irregular().map(|motion| motion.lyapunov_exponent_error));
+        (TURNS_OBSERVED) if StaticFriction => Count(answer.limit.irregular().map(|motion| motion.turns));
+    }
+
+    /// The answer at these ratios; the search for the peaks only if they are asked for.
+    ///
+    /// # Errors
+    /// As for [`SteadyState::errors`] and [`SteadyState::peaks`].
+    pub fn new(
+        ratios: Ratios<F>,
+        excitation: Excitation,
+        limit: &'a LongRun<F>,
+        with_peaks: bool,
+    ) -> Result<Self, Error> {
+        let steady = limit.steady_state();
+        let errors = steady.map(SteadyState::errors).transpose()?;
+        let peaks = steady.filter(|_| with_peaks).map(SteadyState::peaks).transpose()?;
+        Ok(Self { ratios, excitation, limit, seen: observed(ratios, limit), errors, peaks })
+    }
+
+    fn number(&self, output: SteadyOutput) -> Option<F> {
+        self.limit.steady_state().map(|steady| output.of(steady))
+    }
+
+    fn count(&self, of: fn(&SteadyState<F>) -> u32) -> Value<F> {
+        Count(self.limit.steady_state().map(|steady| u64::from(of(steady))))
+    }
+
+    /// The maximum absolute displacement relative to the surface.
+    fn amplitude(&self) -> Option<F> {
+        let size = |extreme: Extreme<F>| extreme.value.abs();
+        self.limit.steady_state().map(|s| size(s.max_displacement).or_larger(size(s.min_displacement)))
+    }
+
+    /// The force on the support and the transmissibility.
+    fn transmitted(&self) -> Option<(F, F)> {
+        let peaks = self.peaks?;
+        Some(self.excitation.transmitted(&self.ratios, peaks.transmitted_force, peaks.acceleration))
+    }
+}

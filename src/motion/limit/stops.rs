@@ -1,0 +1,272 @@
+//! The periodic motion with stops, by the map from stop to stop (`stop_map`).
+//!
+//! The limit is the same from every start (`shooting`), so that none has to be followed: the fixed point of G
+//! is sought in the whole range of displacements at which a body can rest and be released,
+//! `−(1 + α) < x < α − 1` for a release forward.
+//!
+//! **G(x) − x never increases.** Two bodies at rest at x and y under the same drive, and again half a turn
+//! later, have not moved apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs found bracket a zero. In
+//! the bracket the zero of the cubic through the last two points with their slopes G′ − 1 is tried next,
+//! which converges with the order 1 + √3. If that does not halve the residual, the bracket is halved. Only
+//! the passages that can be the last need a proof (`event`); the others end where they are predicted to.
+//! Stops that do not overlap in time can break the bracket: that costs a search, but never gives a wrong
+//! answer.
+//!
+//! The result is judged as in `shooting`, by the residual of half a turn and its rounding. If there are no
+//! such stops half a turn apart, this search has no answer, and `shooting` has to find the motion.
+
+use super::long_run::LongRun;
+use super::measures::CycleStatistics;
+use super::propagation::Part;
+use super::shooting::{Budget, Residual};
+use super::steady::{Found, SteadyState, Summary};
+use super::stop_map::{Expected, Passage, Station, passage};
+use crate::cycle::Border;
+use crate::cycle::damped::border::is_far_below;
+use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::rising::Rising;
+use crate::cycle::damped::{at_turning_point, border};
+use crate::cycle::displacement::max_displacement;
+use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
+use crate::float::{Float, fused};
+use crate::motion::broken::Broken;
+use crate::motion::limit::stop_map::Miss;
+use crate::motion::slide::Direction;
+use crate::motion::slide::equation::Equation;
+use crate::motion::slide::stick::Stick;
+use crate::motion::state::Point;
+
+/// The search uses stops that are released forward, around θ = 0.
+const STATION: Station = Station { half_turn: 0, direction: Direction::Forward };
+
+/// Passages that are tried.
+const MOST_PASSAGES: u32 = 40;
+
+/// Prediction of the closed form without stops for a motion that may stick.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sticking<F> {
+    equation: Equation<F>,
+    /// `a = √(α² − K²)/q`; NaN where α < |K|, infinite at Ω = 1.
+    amplitude: F,
+    /// G, by which the extremum a − G is less.
+    shift: F,
+    is_below: bool,
+    /// With damping, the rising half of the cycle without stops, from its border on.
+    rising: Option<Rising<F>>,
+}
+
+impl<F: Float> Sticking<F> {
+    /// At η = 1 and α > 1.
+    #[inline]
+    pub(crate) fn new(equation: Equation<F>) -> Self {
+        if equation.is_damped() {
+            Self::damped(equation)
+        } else {
+            fused!(<F>(equation: Equation<F>) -> Sticking<F> { Sticking::undamped(equation) })
+        }
+    }
+
+    #[inline(always)]
+    fn undamped(equation: Equation<F>) -> Self {
+        let Equation { omega, alpha, .. } = equation;
+        let p = PhaseFunction::of_valid(omega);
+        let amplitude = max_displacement(p.value(), alpha, one_minus_square(omega));
+        // Where a is below 1/Ω² by more than rounding no border has to be searched for.
+        let is_far = amplitude * omega.square() < F::ratio(15, 16) || !amplitude.is_finite();
+        let is_below = is_far || alpha < Border::least_force_ratio(&p);
+        Self { equation, amplitude, shift: F::int(0), is_below, rising: None }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn damped(equation: Equation<F>) -> Self {
+        let half = HalfPeriod::new(equation.omega, equation.zeta());
+        let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
+        let rising = Rising::of_force(half, equation.alpha);
+        // Below the condition at the turning point no border has to be searched for.
+        let turns = equation.alpha >= at_turning_point(&half).0;
+        let slides =
+            || is_far_below(&half, rising.amplitude) || equation.alpha >= border(&half).min_force_ratio;
+        let rising = (turns && slides()).then_some(rising);
+        Self { equation, amplitude, shift: half.shift, is_below: rising.is_none(), rising }
+    }
+
+    /// Whether the motion is known to stick, or to reverse more than twice.
+    pub(crate) const fn is_below(&self) -> bool {
+        self.is_below
+    }
+
+    /// With damping, the rising half of the cycle without stops, from its border on: it is the limit of every
+    /// start.
+    pub(crate) const fn rising(&self) -> Option<&Rising<F>> {
+        self.rising.as_ref()
+    }
+
+    /// The limit, where it has stops half a turn apart that are found.
+    ///
+    /// # Errors
+    /// As for [`passage`].
+    pub(crate) fn limit(&self, budget: &mut Budget<'_>) -> Result<Option<LongRun<F>>, Broken> {
+        let equation = self.equation;
+        let found = fixed_point(equation, self.guess(), self.other_guesses(), budget)?;
+        found.map_or(Ok(None), |passage| steady(equation, &passage, budget))
+    }
+
+    /// The minimum displacement by the closed form, as if the motion did not stick; where there is none, the
+    /// position at which a slow drive would leave the body.
+    fn guess(&self) -> F {
+        let (one, alpha) = (F::int(1), self.equation.alpha);
+        let (by_cycle, slow) = (self.shift - self.amplitude, one - alpha);
+        if by_cycle > -(one + alpha) && by_cycle < slow { by_cycle } else { slow }
+    }
+
+    /// With damping, the positions to try if there is no stop at the first guess. One is where the spring
+    /// balances the drive's amplitude, beyond which a body stops after a slide of a whole free period. The
+    /// other is the minimum of the closed form, where a fast drive leaves the body.
+    fn other_guesses(&self) -> [Option<F>; 2] {
+        let alpha = self.equation.alpha;
+        let by_cycle = self.shift - self.amplitude;
+        let is_damped = self.equation.is_damped();
+        [is_damped.then_some(-alpha), (is_damped && by_cycle > F::int(1) - alpha).then_some(by_cycle)]
+    }
+}
+
+/// The passage from the fixed point of G.
+fn fixed_point<F: Float>(
+    equation: Equation<F>,
+    guess: F,
+    others: [Option<F>; 2],
+    budget: &mut Budget<'_>,
+) -> Result<Option<Passage<F>>, Broken> {
+    let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+    let (mut low, mut high) = (-(one + equation.alpha), equation.alpha - one);
+    let mut x = guess;
+    let mut best: Option<Passage<F>> = None;
+    let mut before: Option<Miss<F>> = None;
+    let mut spare = Vec::with_capacity(8);
+    let mut is_proved = true;
+    let mut failures = 0..MOST_FAILURES;
+    let mut others = others.into_iter().flatten();
+    for _ in 0..MOST_PASSAGES {
+        if budget.half_turns > budget.most {
+            break;
+        }
+        let expected = Expected { by: best.as_ref(), is_proved };
+        let Some(tried) = passage(equation, STATION, x, expected, spare, budget)? else {
+            // No such stop here: back towards the last one, or from elsewhere.
+            let Some(last) = &best else {
+                let Some(other) = others.next() else { break };
+                (x, spare) = (other, Vec::new());
+                continue;
+            };
+            if failures.next().is_none() {
+                break;
+            }
+            if x > last.from {
+                high = x;
+            } else {
+                low = x;
+            }
+            x = (x + last.from) / two;
+            spare = Vec::new();
+            is_proved = true;
+            continue;
+        };
+        if tried.left.is_rounding(1) {
+            if tried.is_proved {
+                return Ok(Some(tried));
+            }
+            // Once more, with proofs.
+            spare = best.replace(tried).map_or_else(Vec::new, |passage| passage.parts);
+            is_proved = true;
+            continue;
+        }
+        let here = Miss { x, value: tried.left.x, slope: tried.rate - one };
+        if here.value > zero {
+            low = x;
+        } else {
+            high = x;
+        }
+        // The cubic does not apply to a motion with other slides. Without damping it is kept, so that the
+        // digits stay the same.
+        if equation.is_damped() && best.as_ref().is_some_and(|last| last.parts.len() != tried.parts.len()) {
+            before = None;
+        }
+        let is_other = before.is_none() && equation.is_damped();
+        let halves = is_other || best.as_ref().is_none_or(|last| here.value.abs() * two <= last.left.x.abs());
+        let next = x + here.step(before);
+        x = if halves && next > low && next < high { next } else { (low + high) / two };
+        let is_closed = x <= low || x >= high;
+        before = Some(here);
+        // With a residual of more than ε^¼ the next passage is not the last one, and with more than ε^⅓ it
+        // rarely is. A proof is more expensive for a slower drive; without damping the digits stay the same.
+        let share = (here.value / (one + x.abs())).abs();
+        let power = if equation.is_damped() { share * share.square() } else { share.square().square() };
+        is_proved = power <= F::epsilon();
+        let last = best.replace(tried);
+        if is_closed {
+            // The residual is rounding, a little more of it than expected.
+            let nearest = last.filter(|last| last.left.x.abs() < here.value.abs()).or(best);
+            return Ok(nearest.filter(|found| found.is_proved && found.left.is_rounding(64)));
+        }
+        spare = last.map_or_else(Vec::new, |passage| passage.parts);
+    }
+    Ok(None)
+}
+
+/// Maximum number of displacements without a stop before the search ends.
+const MOST_FAILURES: u32 = 4;
+
+/// The steady state that a fixed point of G is.
+fn steady<F: Float>(
+    equation: Equation<F>,
+    found: &Passage<F>,
+    budget: &Budget<'_>,
+) -> Result<Option<LongRun<F>>, Broken> {
+    let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+    // The stop at the beginning of the passage is the one at its end with the opposite sign.
+    let stop = Stick {
+        start: found.stop.start.later_by_half_turns(-1),
+        x: -found.stop.x,
+        release: Some((found.release, STATION.direction)),
+        ..found.stop
+    };
+    let mut statistics =
+        CycleStatistics::at(&Point { phase: stop.start, x: stop.x, w: zero }, equation.omega);
+    let length = found.release.since(stop.start);
+    statistics.add(&Part::Stick(stop, length))?;
+    let mut longest = None;
+    for part in &found.parts {
+        statistics.add(part)?;
+        if let Part::Slide(slide, end) = part
+            && longest.is_none_or(|(_, most)| end.phi > most)
+        {
+            longest = Some((slide, end.phi));
+        }
+    }
+    let Some((slide, phi)) = longest else { return Ok(None) };
+    let off = (found.left.bounds().0 / (one - found.rate)).abs();
+    // The middle of the longest slide, with its own rounding; mirrored and half a turn later, so that the
+    // next stop is this one again.
+    let middle = slide.motion(phi / two);
+    let phase = slide.start.advanced(equation.omega * phi / two).later_by_half_turns(1);
+    let y = Point { phase, x: -middle.x, w: -middle.w };
+    let distance = Residual::new(&equation, &y, (off, off)).bounds();
+    let size = y.x.abs() + y.w.abs();
+    let is_known = F::int(16) * distance.0 <= size && F::int(16) * distance.1 <= size;
+    if !is_known || length < zero {
+        return Ok(None);
+    }
+    Ok(Some(LongRun::Periodic(SteadyState::of(Found {
+        equation,
+        start: y,
+        half_turns: 1,
+        statistics: Summary::of(&statistics.doubled(), 1),
+        multipliers: [(found.rate.square(), zero), (zero, zero)],
+        distance,
+        periods: F::from_f64(budget.half_turns as f64) / two,
+    }))))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,8 @@
+//! The limits of many starts: all limits of a machine, periodic motions that no start leads to, and the loss of symmetry.
+//!
+//! It uses the limit of one start and its maps (`limit`), and nothing of `motion` uses it.
+
+pub(crate) mod attractors;
+pub(crate) mod periodic;
+pub(crate) mod starts;
+pub(crate) mod symmetry;

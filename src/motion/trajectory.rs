@@ -1,0 +1,283 @@
+//! The motion as a sequence of segments: slide, stick, slide …
+
+use super::drive::DrivePhase;
+use super::event::velocity_zero::{Lost, VelocityZero};
+use super::slide::equation::Equation;
+use super::slide::stick::{Stick, force_rounding};
+use super::slide::{Direction, Slide};
+use super::state::{Instant, State};
+use crate::float::Float;
+use crate::machine::error::{Error, Quantity};
+use crate::machine::ratios::Ratios;
+
+/// How a segment of the motion ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum End {
+    /// The velocity goes through zero and the body slides back at once.
+    Reversal,
+    /// The velocity reaches zero and the body stays.
+    Stop,
+    /// The velocity touches zero and the body slides on the same way.
+    Grazing,
+    /// A release of the body.
+    Release,
+    /// Never.
+    Never,
+}
+
+/// The kind of a segment of the motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Kind {
+    /// It slides towards larger x: friction is +r_y.
+    SlideForward,
+    /// It slides towards smaller x: friction is −r_y.
+    SlideBackward,
+    /// It is at rest.
+    Stick,
+}
+
+impl From<Direction> for Kind {
+    #[inline]
+    fn from(direction: Direction) -> Self {
+        match direction {
+            Direction::Forward => Self::SlideForward,
+            Direction::Backward => Self::SlideBackward,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Body<F> {
+    Slide(Slide<F>, VelocityZero<F>),
+    Stick(Stick<F>),
+}
+
+/// One segment of the motion, from one change of its kind or direction to the next, exact at every instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
+pub struct Segment<F> {
+    /// Sliding in one direction, or sticking.
+    pub kind: Kind,
+    /// The event that ends it.
+    pub ends_by: End,
+    pub(crate) body: Body<F>,
+}
+
+impl<F: Float> Segment<F> {
+    /// The state at its start.
+    pub fn start(&self) -> State<F> {
+        match &self.body {
+            Body::Slide(s, _) => State { phase: s.start, x: s.x, v: s.w / s.equation.omega },
+            Body::Stick(s) => State { phase: s.start, x: s.x, v: F::int(0) },
+        }
+    }
+
+    /// The state at its end, where the velocity is zero; `None` for a stop that never ends.
+    pub fn end(&self) -> Option<State<F>> {
+        let v = F::int(0);
+        match &self.body {
+            Body::Slide(_, zero) => Some(State { phase: zero.phase, x: zero.x, v }),
+            Body::Stick(s) => s.release.map(|(phase, _)| State { phase, x: s.x, v }),
+        }
+    }
+
+    /// The duration as a phase ω_d Δt; `None` if it never ends.
+    pub fn duration(&self) -> Option<F> {
+        match &self.body {
+            Body::Slide(s, zero) => Some(zero.phi * s.equation.omega),
+            Body::Stick(s) => s.duration(),
+        }
+    }
+
+    /// The motion at a phase θ between its start and its end.
+    ///
+    /// Outside of them it is the continuation of this segment's own formula, not the motion.
+    pub fn at(&self, phase: DrivePhase<F>) -> Instant<F> {
+        match &self.body {
+            Body::Slide(s, _) => {
+                let omega = s.equation.omega;
+                let m = s.motion(phase.since(s.start) / omega);
+                Instant {
+                    state: State { phase, x: m.x, v: m.w / omega },
+                    acceleration: m.acceleration / omega.square(),
+                    friction: s.direction.sign(),
+                }
+            }
+            Body::Stick(s) => {
+                let zero = F::int(0);
+                let friction = s.equation.alpha * phase.sin_cos().0 - s.x;
+                // Rounding may carry the force at the release beyond its bound.
+                let most = s.equation.static_friction;
+                let friction = if friction.abs() > most { most.with_sign_of(friction) } else { friction };
+                Instant { state: State { phase, x: s.x, v: zero }, acceleration: zero, friction }
+            }
+        }
+    }
+}
+
+/// The next segment, decided at every velocity zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Next<F> {
+    Slide(Slide<F>),
+    Stick(Stick<F>),
+}
+
+impl<F: Float> Next<F> {
+    /// Slide or stick at a velocity zero: by `|α sin θ − x|` against the static friction.
+    ///
+    /// Within rounding of the bound the first derivative that is not zero decides: a rising force releases
+    /// the body, a falling one holds it.
+    #[inline]
+    pub(crate) fn at_rest(equation: Equation<F>, phase: DrivePhase<F>, x: F) -> Self {
+        let sin_cos = phase.sin_cos();
+        let force = equation.alpha * sin_cos.0 - x;
+        let bound = equation.static_friction + force_rounding(&equation, x);
+        if force.abs() > bound {
+            let direction = Direction::of(force);
+            return Self::Slide(Slide::from_rest(equation, phase, sin_cos, x, direction));
+        }
+        let stick = Stick::new(equation, phase, x);
+        match stick.release {
+            Some((end, direction)) if end.since(phase) <= F::int(0) => {
+                Self::Slide(Slide::released(equation, phase, x, direction))
+            }
+            _ => Self::Stick(stick),
+        }
+    }
+
+    /// The next segment from a state; `w = Ωv`.
+    pub(crate) fn from(equation: Equation<F>, phase: DrivePhase<F>, x: F, w: F) -> Self {
+        if w == F::int(0) {
+            Self::at_rest(equation, phase, x)
+        } else {
+            Self::Slide(Slide::new(equation, phase, x, w, Direction::of(w)))
+        }
+    }
+
+    /// The motion after a velocity zero, and the kind of event there.
+    ///
+    /// A slide can be too short for its phase to change, so that the next one begins at the same phase. A
+    /// body released there is held until the force increases again. Hence **no more than three slides** begin
+    /// at a phase: one that a negligible speed continues, one back, and one after a release.
+    #[inline]
+    pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
+        let (equation, direction) = (slide.equation, slide.direction);
+        // A velocity that touches zero has a minimum there. A static friction above the kinetic one holds the
+        // body.
+        let goes_on = zero.grazes && !equation.has_higher_static_friction();
+        if goes_on && direction.sign::<F>() * zero.jerk > F::int(0) {
+            return (Self::Slide(Slide::grazing(equation, zero.phase, zero.x, direction)), End::Grazing);
+        }
+        let next = if zero.phase.since(slide.start) <= F::int(0) && slide.begins_at_bound() {
+            Self::Stick(Stick::held(equation, zero.phase, zero.x))
+        } else {
+            Self::at_rest(equation, zero.phase, zero.x)
+        };
+        let end = match &next {
+            Self::Slide(s) if s.direction == direction => End::Grazing,
+            Self::Slide(_) => End::Reversal,
+            Self::Stick(_) => End::Stop,
+        };
+        (next, end)
+    }
+}
+
+/// The motion from a start, segment by segment: an iterator that ends only when the body rests permanently,
+/// or after an error.
+///
+/// The error is [`Error::SearchBound`]: the search for the end of a slide exceeded its proved bound. No input
+/// is known that causes it.
+///
+/// ```
+/// use stickslip::Ratios;
+/// use stickslip::motion::{Kind, State, Trajectory};
+/// let mut motion = Trajectory::new(Ratios::new(0.4f64, 6.0)?, State::default())?;
+/// let first = motion.next().unwrap()?;
+/// assert_eq!(first.kind, Kind::Stick); // until the force reaches the friction bound
+/// assert!((first.duration().unwrap() - (1.0f64 / 6.0).asin()).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Trajectory<F> {
+    pub(crate) equation: Equation<F>,
+    next: Option<Next<F>>,
+    /// Natural length expected of the next slide, from the last one.
+    hint: F,
+}
+
+impl<F: Float> Trajectory<F> {
+    /// The motion at (Ω, α) from a start.
+    ///
+    /// # Errors
+    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps
+    /// few digits. Where ζ or η is above 2²⁰.
+    pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
+        let equation = Equation::new(resolved(ratios)?);
+        Ok(Self::of(equation, start))
+    }
+
+    pub(crate) fn of(equation: Equation<F>, start: State<F>) -> Self {
+        let hint = F::pi() / equation.omega;
+        let next = Next::from(equation, start.phase, start.x, start.v * equation.omega);
+        Self { equation, next: Some(next), hint }
+    }
+}
+
+impl<F: Float> Iterator for Trajectory<F> {
+    type Item = Result<Segment<F>, Error>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Result<Segment<F>, Error>> {
+        match self.next? {
+            Next::Stick(stick) => {
+                self.next = stick.release.map(|(phase, direction)| {
+                    Next::Slide(Slide::released(self.equation, phase, stick.x, direction))
+                });
+                let end = if self.next.is_some() { End::Release } else { End::Never };
+                Some(Ok(Segment { kind: Kind::Stick, ends_by: end, body: Body::Stick(stick) }))
+            }
+            Next::Slide(slide) => {
+                let zero = match slide.velocity_zero(self.hint) {
+                    Ok(zero) => zero,
+                    Err(Lost) => {
+                        self.next = None;
+                        return Some(Err(slide.lost("the velocity zero").into()));
+                    }
+                };
+                let (next, end) = Next::after(&slide, &zero);
+                self.hint = match &next {
+                    Next::Slide(back) if end == End::Reversal => slide.expected_next(&zero, back),
+                    Next::Slide(_) | Next::Stick(_) => zero.phi,
+                };
+                self.next = Some(next);
+                Some(Ok(Segment {
+                    kind: slide.direction.into(),
+                    ends_by: end,
+                    body: Body::Slide(slide, zero),
+                }))
+            }
+        }
+    }
+}
+
+impl<F: Float> core::iter::FusedIterator for Trajectory<F> {}
+
+/// (Ω, α, ζ, η) with Ω where phases keep their digits, ζ where velocities do and η where forces do.
+pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {
+    let (least, greatest) = (F::exp2i(-20), F::exp2i(20));
+    crate::machine::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest)?;
+    if ratios.is_damped() {
+        let zeta = ratios.damping_ratio();
+        crate::machine::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), greatest)?;
+    }
+    if ratios.has_higher_static_friction() {
+        let eta = ratios.static_friction_ratio();
+        crate::machine::ratios::within(Quantity::StaticFrictionRatio, eta, F::int(1), greatest)?;
+    }
+    Ok(ratios)
+}
