@@ -80,7 +80,7 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
     }
     if ratios.alpha() <= F::int(1) {
         Regime::Stuck
-    } else if ratios.alpha() >= border.min_force_ratio || six_reversals::damped::is_within(&ratios) {
+    } else if ratios.alpha() >= border.min_force_ratio || six_reversals::is_within(&ratios) {
         Regime::NonSticking
     } else {
         Regime::Sticking
@@ -94,7 +94,8 @@ pub(crate) fn regime_above<F: Float>(omega: F, alpha: F, least: F) -> Regime {
     if alpha <= one {
         Regime::Stuck
     } else if alpha < least {
-        if six_reversals::is_within(omega, alpha) { Regime::NonSticking } else { Regime::Sticking }
+        let slides = six_reversals::is_within_at(omega, alpha, F::int(0), one);
+        if slides { Regime::NonSticking } else { Regime::Sticking }
     } else if omega == one {
         Regime::Unbounded
     } else {

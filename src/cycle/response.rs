@@ -144,7 +144,7 @@ impl<F: Float> Response<F> {
             (Regime::NonSticking, None) => Some(6),
             (Regime::DependsOnStart, None) => {
                 let is_below = self.ratios.alpha() < self.border.min_force_ratio;
-                (is_below && six_reversals::damped::is_within(&self.ratios)).then_some(6)
+                (is_below && six_reversals::is_within(&self.ratios)).then_some(6)
             }
             (Regime::Stuck | Regime::Sticking | Regime::Unbounded, None) => None,
         }

@@ -5,9 +5,8 @@ use super::bands::{bands, frequency_bands};
 use super::damped::highest;
 use super::force::ratios_of;
 use crate::cycle::border::Lobe;
-use crate::cycle::phase_function::PhaseFunction;
 use crate::cycle::regime::NoStop;
-use crate::cycle::six_reversals::{self, damped};
+use crate::cycle::six_reversals::force_ratios_at;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::{Drive, Oscillator};
@@ -152,13 +151,7 @@ fn reach<F: Float>(pole: F) -> (F, F) {
 /// damping ratio.
 fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
     let (zero, is_damped) = (F::int(0), zeta > F::int(0));
-    let edges = |omega: F| {
-        if is_damped {
-            damped::force_ratios(omega, zeta, F::int(1))
-        } else {
-            six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega))
-        }
-    };
+    let edges = |omega: F| force_ratios_at(omega, zeta, F::int(1));
     // The excess is not negative within the edges; it is relative to α.
     let excess = |omega: F| match edges(omega) {
         Some((low, high)) => {
@@ -205,8 +198,7 @@ const MESH: i32 = 64;
 /// The least α decreases from the pole to the corner and increases beyond. The search is ternary, down to a
 /// few floats of the corner's own sharpness.
 fn lowest<F: Float>(pole: F, from: F) -> F {
-    let least =
-        |omega: F| six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega)).map(|(low, _)| low);
+    let least = |omega: F| force_ratios_at(omega, F::int(0), F::int(1)).map(|(low, _)| low);
     let (mut low, mut high) = (from, pole);
     for _ in 0..F::PRECISION.saturating_mul(2) {
         let third = (high - low) / F::int(3);

@@ -3,32 +3,10 @@
 
 use super::{Regime, Verdict};
 use crate::cycle::Border;
-use crate::cycle::six_reversals::{EDGE_ERROR, Within, damped};
+use crate::cycle::six_reversals::{Within, force_ratios, within_edges};
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
-
-/// Whether the cycle of six reversals exists at ratios below the border; undecided where α is next to an edge.
-pub(crate) fn within<F: Float>(ratios: Ratios<F>) -> Within {
-    within_edges(edges(&ratios), ratios.alpha())
-}
-
-/// The least and the greatest force ratio of six reversals.
-fn edges<F: Float>(ratios: &Ratios<F>) -> Option<(F, F)> {
-    damped::force_ratios_of(ratios)
-}
-
-fn within_edges<F: Float>(edges: Option<(F, F)>, alpha: F) -> Within {
-    let (one, error) = (F::int(1), F::int(EDGE_ERROR) * F::epsilon());
-    let Some((low, high)) = edges else { return Within::None };
-    if alpha > low * (one + error) && alpha < high * (one - error) {
-        Within::All
-    } else if alpha < low * (one - error) || alpha > high * (one + error) {
-        Within::None
-    } else {
-        Within::Some
-    }
-}
 
 /// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α,
 /// four of ζ. `error` is the border's own relative error bound.
@@ -66,7 +44,7 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
     }
     if is_below {
         let mut found = points.iter().flat_map(|at| {
-            let edges = edges(at);
+            let edges = force_ratios(at);
             [weakest, strongest].map(|alpha| within_edges(edges, alpha))
         });
         let first = found.next().unwrap_or(Within::Some);
@@ -84,9 +62,8 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
 
 #[cfg(test)]
 mod tests {
-    use super::{verdict_around, within_edges};
-    use crate::cycle::six_reversals::Within;
-    use crate::cycle::six_reversals::damped::is_within;
+    use super::verdict_around;
+    use crate::cycle::six_reversals::{Within, force_ratios, is_within, within_edges};
     use crate::motion::{LongRun, State};
     use crate::{Border, Ratios, Regime, Response, Verdict};
 
@@ -115,7 +92,7 @@ mod tests {
         );
         assert_eq!(within_edges(None, 8.0), Within::None);
         // The rounded edges themselves count as non-sticking.
-        let (low, high) = super::edges(&ratios(0.331, 1.0, 1e-3)).unwrap();
+        let (low, high) = force_ratios(&ratios(0.331, 1.0, 1e-3)).unwrap();
         let slides = |alpha| is_within(&ratios(0.331, alpha, 1e-3));
         assert!(slides(low) && slides(high) && slides(60.0));
         assert!(!slides(low.next_down()) && !slides(high.next_up()));
@@ -146,7 +123,7 @@ mod tests {
             assert_eq!(at(0.7, alpha), verdict, "{alpha:?}");
         }
         let six = |alpha| verdict_around(ratios(0.331, alpha, 1e-3), 16.0 * f64::EPSILON).unwrap();
-        let (low, high) = super::edges(&ratios(0.331, 1.0, 1e-3)).unwrap();
+        let (low, high) = force_ratios(&ratios(0.331, 1.0, 1e-3)).unwrap();
         let due = [Verdict::Sticking, EITHER, Verdict::SixReversals, EITHER, Verdict::Sticking];
         assert_eq!([low * 0.999, low, 60.0, high, high * 1.001].map(six), due);
     }

@@ -4,7 +4,7 @@ use super::{Family, Regime, Verdict, damped, static_friction};
 use crate::cycle::Border;
 use crate::cycle::border::{BorderRange, border_range};
 use crate::cycle::phase_function::PhaseFunction;
-use crate::cycle::six_reversals::{Within, within};
+use crate::cycle::six_reversals::{Within, within, within_box};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Oscillator};
@@ -56,7 +56,7 @@ impl<F: Float> Verdict<F> {
         if alpha <= one {
             Verdict::AtRest
         } else if alpha < least * (one - error) {
-            match damped::within(ratios) {
+            match within(&ratios) {
                 Within::All => Verdict::SixReversals,
                 Within::None => Verdict::Sticking,
                 Within::Some => Verdict::Undecided(Regime::Sticking, Regime::NonSticking),
@@ -86,7 +86,7 @@ impl<F: Float> Verdict<F> {
         let error = F::int(if ratios.is_damped() { Self::DAMPED_BORDER_ERROR } else { Self::BORDER_ERROR });
         let room = error * F::epsilon() * least;
         let exists = if alpha < least - room {
-            damped::within(ratios)
+            within(&ratios)
         } else if alpha > least + room {
             Within::All
         } else {
@@ -166,14 +166,14 @@ fn decide<F: Float>(omega: (F, F), alpha: (F, F), border: &BorderRange<F>) -> Ve
         return Verdict::AtRest;
     }
     if alpha.0 <= one {
-        return if alpha.1 < border.least && within(omega, alpha) == Within::None {
+        return if alpha.1 < border.least && within_box(omega, alpha) == Within::None {
             Verdict::Undecided(Regime::Stuck, Regime::Sticking)
         } else {
             Verdict::Undecided(Regime::Stuck, Regime::NonSticking)
         };
     }
     if alpha.1 < border.least * (one - error) {
-        return match within(omega, alpha) {
+        return match within_box(omega, alpha) {
             Within::None => Verdict::Sticking,
             Within::All => Verdict::SixReversals,
             Within::Some => Verdict::Undecided(Regime::Sticking, Regime::NonSticking),

@@ -2,8 +2,7 @@
 
 use super::static_friction::every_start;
 use crate::cycle::Border;
-use crate::cycle::phase_function::PhaseFunction;
-use crate::cycle::six_reversals::{self, damped};
+use crate::cycle::six_reversals::force_ratios;
 use crate::float::{Float, at_precision};
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
@@ -35,15 +34,16 @@ impl<F: Float> NoStop<F> {
     ///
     /// The accuracy is that of [`no_stop_force_ratios`].
     pub fn of(ratios: &Ratios<F>) -> Self {
-        if ratios.is_damped() || ratios.has_higher_static_friction() {
-            let (border, eta) = (Border::of(ratios).min_force_ratio, ratios.static_friction_ratio());
-            return Self {
-                six_reversals: damped::force_ratios_of(ratios),
+        at_precision!(guarded, <'a, F>(ratios: &'a Ratios<F>) -> NoStop<F>, |there, back: G| {
+            let ratios = ratios.map(&there);
+            let border = back(Border::of(&ratios).min_force_ratio);
+            let has_one_friction = !ratios.has_higher_static_friction();
+            NoStop {
+                six_reversals: force_ratios(&ratios).map(|(low, high)| (back(low), back(high))),
                 border,
-                every_start: if eta > F::int(1) { every_start(ratios) } else { Some(border) },
-            };
-        }
-        without_damping(ratios.omega())
+                every_start: if has_one_friction { Some(border) } else { every_start(&ratios).map(&back) },
+            }
+        })
     }
 
     /// The minimum force ratio without a stop.
@@ -92,26 +92,13 @@ impl<F: Float> NoStop<F> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
-/// The accuracy is that of [`Border::min_force_ratio`], and 40 ulp for six reversals; without damping the
+/// The accuracy is that of [`Border::min_force_ratio`], and 64 ulp for six reversals; the
 /// computation uses the type's guard bits.
 ///
 /// # Errors
 /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
 pub fn no_stop_force_ratios<F: Float>(omega: F, damping_ratio: F) -> Result<NoStop<F>, Error> {
     Ok(NoStop::of(&Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?))
-}
-
-/// At ζ = 0 and η = 1, and at this Ω.
-fn without_damping<F: Float>(omega: F) -> NoStop<F> {
-    at_precision!(guarded, <F>(omega: F) -> NoStop<F>, |there, back: G| {
-        let p = PhaseFunction::<G>::of_valid(there(omega));
-        let border = back(Border::at(&p).min_force_ratio);
-        NoStop {
-            six_reversals: six_reversals::force_ratios_at(&p).map(|(low, high)| (back(low), back(high))),
-            border,
-            every_start: Some(border),
-        }
-    })
 }
 
 #[cfg(test)]

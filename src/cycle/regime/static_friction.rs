@@ -38,7 +38,7 @@
 
 use super::Regime;
 use crate::cycle::Border;
-use crate::cycle::six_reversals::damped;
+use crate::cycle::six_reversals;
 use crate::float::{Float, Real};
 use crate::machine::ratios::Ratios;
 
@@ -50,7 +50,8 @@ pub(super) fn regime<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime 
         Regime::Stuck
     } else if leads_from_every_start(&ratios) {
         if is_at_resonance { Regime::Unbounded } else { Regime::NonSticking }
-    } else if ratios.moves_from_rest() && alpha < border.min_force_ratio && !damped::is_within(&ratios) {
+    } else if ratios.moves_from_rest() && alpha < border.min_force_ratio && !six_reversals::is_within(&ratios)
+    {
         Regime::Sticking
     } else {
         Regime::DependsOnStart

@@ -1,13 +1,15 @@
-//! Over intervals of Ω and α: whether the six-reversal cycle exists for all of them, or for none.
+//! Whether the six-reversal cycle exists: at a point, and over intervals of Ω and α for all of them or for none.
 //!
 //! Every line of constant Ω, and every line of constant α, meets the region near a pole in one interval, so
 //! that the region contains a box if it contains its corners. On one side of the pole the greatest α
 //! increases towards the pole, and the least is monotone on each of the two edges that it consists of. Both
 //! are observed on the curves themselves, not proved.
 
-use super::edges::{Edges, edges, is_strong_enough};
+use super::edges::{Edges, edges};
+use super::is_strong_enough;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
+use crate::machine::ratios::Ratios;
 
 /// The statement that holds over a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,14 +22,36 @@ pub(crate) enum Within {
     Some,
 }
 
-/// Over `omega` × `alpha`, each (low, high).
-pub(crate) fn within<F: Float>(omega: (F, F), alpha: (F, F)) -> Within {
+/// At one point; [`Within::Some`] within the error of an edge.
+pub(crate) fn within<F: Float>(ratios: &Ratios<F>) -> Within {
+    within_edges(super::force_ratios(ratios), ratios.alpha())
+}
+
+/// At an α with these edges.
+pub(crate) fn within_edges<F: Float>(edges: Option<(F, F)>, alpha: F) -> Within {
+    edges.map_or(Within::None, |(low, high)| compared((low, low), (high, high), (alpha, alpha)))
+}
+
+/// Of α, the least and the greatest force ratio, each (low, high).
+fn compared<F: Float>(low: (F, F), high: (F, F), alpha: (F, F)) -> Within {
+    let (one, error) = (F::int(1), F::int(EDGE_ERROR) * F::epsilon());
+    if alpha.0 > low.1 * (one + error) && alpha.1 < high.0 * (one - error) {
+        Within::All
+    } else if alpha.1 < low.0 * (one - error) || alpha.0 > high.1 * (one + error) {
+        Within::None
+    } else {
+        Within::Some
+    }
+}
+
+/// Over `omega` × `alpha`, each (low, high), without a damper and with one friction.
+pub(crate) fn within_box<F: Float>(omega: (F, F), alpha: (F, F)) -> Within {
     if !is_strong_enough(omega.1, alpha.1) || omega.0 * F::int(2) >= F::int(1) || !meets_a_pole(omega) {
         return Within::None;
     }
     let at = |omega: F| {
-        let p = PhaseFunction::of_valid(omega);
-        (edges(&p), p.tangent() > F::int(0))
+        let is_above = PhaseFunction::of_valid(omega).tangent() > F::int(0);
+        (edges(omega, F::int(0), F::int(1)), is_above)
     };
     let ((left, left_side), (right, right_side)) = (at(omega.0), at(omega.1));
     // Between two neighbouring integers 1/Ω: the box is on one side of one pole, to which the region extends.
@@ -41,24 +65,15 @@ pub(crate) fn within<F: Float>(omega: (F, F), alpha: (F, F)) -> Within {
 }
 
 fn between<F: Float>(left: &Edges<F>, right: &Edges<F>, alpha: (F, F), is_one_side: bool) -> Within {
-    let error = F::int(EDGE_ERROR) * F::epsilon();
-    let (one, larger) = (F::int(1), |a: F, b: F| a.or_larger(b));
-    let smaller = |a: F, b: F| if b < a { b } else { a };
-    let low = (smaller(left.low, right.low), larger(left.low, right.low));
-    let high = (smaller(left.high, right.high), larger(left.high, right.high));
-    if alpha.0 > low.1 * (one + error) && alpha.1 < high.0 * (one - error) {
-        Within::All
-    } else if !is_one_side || left.least != right.least {
-        Within::Some
-    } else if alpha.1 < low.0 * (one - error) || alpha.0 > high.1 * (one + error) {
-        Within::None
-    } else {
-        Within::Some
+    let ordered = |a: F, b: F| if a < b { (a, b) } else { (b, a) };
+    match compared(ordered(left.low, right.low), ordered(left.high, right.high), alpha) {
+        Within::None if !is_one_side || left.least != right.least => Within::Some,
+        other => other,
     }
 }
 
 /// Relative error bound of the edges, in units of [`Float::epsilon`].
-pub(crate) const EDGE_ERROR: i32 = 64;
+const EDGE_ERROR: i32 = 64;
 
 /// Whether 1/Ω comes within reach of an odd integer, 3 or more: 0.0213 below and 0.0375 above it.
 ///
