@@ -4,8 +4,8 @@
 //! of the drive; the angle ω_n(t₂ − t₁) is their difference over Ω. Lengths (A, B, Δ₀, Δ₁, V₀/ω_n) share one
 //! unit.
 //!
-//! [`balanced`] has eq. 21–25 in a well-conditioned form, with the Jacobian; `newton` (feature `matching`)
-//! solves them.
+//! [`balanced`] has eq. 21–25 in a well-conditioned form, with the Jacobian, and [`damped`] the same conditions for a
+//! damped body; `newton` (feature `matching`) solves either by one method from one start.
 
 #[cfg(feature = "matching")]
 mod accuracy;

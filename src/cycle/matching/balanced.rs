@@ -19,6 +19,8 @@
 //! closed form is in it: it is eq. 21–25 times a regular matrix, which a symbolic test checks.
 
 use super::{Given, Unknowns};
+#[cfg(feature = "matching")]
+use crate::float::Float;
 use crate::float::Real;
 
 /// Eq. 21–25 and 59 at one frequency ratio; unknowns in units of A.
@@ -115,5 +117,43 @@ impl<R: Real> Balanced<R> {
         let zero = R::int(0);
         let cos_t2 = u.displacement_phase.cos();
         [zero, self.one_minus_square * cos_t2, zero, R::int(-1), zero, self.sin_cos_beta.1]
+    }
+}
+
+#[cfg(feature = "matching")]
+impl<F: Float> super::start::Equations<F> for Balanced<F> {
+    fn omega(&self) -> F {
+        self.omega
+    }
+
+    fn friction(&self) -> F {
+        self.friction
+    }
+
+    fn with_friction(self, friction: F) -> Self {
+        Self { friction, ..self }
+    }
+
+    /// `x = A sin ω_d t`: maximum velocity at t₁ = 0, maximum displacement at π/2; half a turn later where A < 0.
+    fn without_friction(&self) -> Unknowns<F> {
+        let (zero, one) = (F::int(0), F::int(1));
+        let is_below = (self.friction > zero) == (self.sin_cos_beta.1 > zero);
+        let (sign, turn) = if is_below { (one, zero) } else { (-one, F::pi()) };
+        Unknowns {
+            velocity_phase: turn,
+            displacement_phase: turn + F::pi() / F::int(2),
+            max_velocity: sign * self.omega,
+            max_displacement: sign,
+            deviation: zero,
+        }
+    }
+
+    fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
+        (self.residuals(u), self.jacobian(u))
+    }
+
+    fn rising(&self, u: &Unknowns<F>, phase: F) -> (F, F) {
+        let given = self.given();
+        (given.rising_displacement(u, phase), given.rising_velocity(u, phase))
     }
 }

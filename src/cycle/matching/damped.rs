@@ -18,14 +18,9 @@
 //! the second and the fourth being the paper's, followed forward from t₂ to t₃ = t₁ + π/ω_d and not backward,
 //! where a free vibration would grow.
 
-#[cfg(feature = "matching")]
-mod path;
-
 use super::Unknowns;
 use crate::cycle::damped::free::{self, Free};
 use crate::float::{Field, Float, Real};
-#[cfg(feature = "matching")]
-pub(super) use path::solve;
 
 /// The parameters of the equations; lengths are in units of p₀/k.
 #[derive(Debug, Clone, Copy)]
@@ -139,5 +134,58 @@ impl<F: Float> System<F> {
     /// Displacement and velocity of the falling half at the phase since t₂.
     pub fn falling(&self, u: &Unknowns<F>, turn: F) -> (F, F) {
         self.falling_by(u, turn, Free::waves)
+    }
+}
+
+#[cfg(feature = "matching")]
+impl<F: Float> System<F> {
+    /// The largest of the lengths in the equations.
+    pub(super) fn largest_term(&self, u: &Unknowns<F>) -> F {
+        let amplitude = self.forced.0.hypot(self.forced.1);
+        let parts = [F::int(1), amplitude, u.max_displacement, u.max_velocity, self.omega * amplitude];
+        parts.into_iter().fold(self.friction, F::or_larger)
+    }
+
+    /// The same at f64.
+    pub(super) fn to_f64(self) -> System<f64> {
+        System::new(self.omega.to_f64(), self.free.zeta.to_f64(), self.friction.to_f64())
+    }
+}
+
+#[cfg(feature = "matching")]
+impl<F: Float> super::start::Equations<F> for System<F> {
+    fn omega(&self) -> F {
+        self.omega
+    }
+
+    fn friction(&self) -> F {
+        self.friction
+    }
+
+    fn with_friction(self, friction: F) -> Self {
+        Self { friction, ..self }
+    }
+
+    /// `x = F`.
+    fn without_friction(&self) -> Unknowns<F> {
+        let (p, q) = self.forced;
+        let (lag, amplitude) = (q.atan2(p), p.hypot(q));
+        Unknowns {
+            velocity_phase: lag,
+            displacement_phase: lag + F::pi() / F::int(2),
+            max_velocity: self.omega * amplitude,
+            max_displacement: amplitude,
+            deviation: F::int(0),
+        }
+    }
+
+    fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
+        self.equations_by(u, Free::waves)
+    }
+
+    /// The falling half is the rising one with the opposite sign, half a turn later.
+    fn rising(&self, u: &Unknowns<F>, phase: F) -> (F, F) {
+        let (x, w) = self.falling(u, phase - (u.displacement_phase - F::pi()));
+        (-x, -w)
     }
 }

@@ -10,11 +10,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Start.** Without friction the motion is `x = A sin ω_d t`, with t₁ = 0, t₂ = π/2 (half a turn later
-//! above the natural frequency). From there the friction grows to its value at f64, with each step predicted
-//! along the tangent and corrected by Newton's method. The resulting motion is the forced response with
-//! friction, not another root. Where eq. 46 has several roots (Ω < 1/2), t₁ is the fastest instant of the
-//! rising branch, searched on a grid. Newton's method at full precision then doubles the digits.
+//! **Start.** Without friction the motion is the linear oscillator's, undamped `x = A sin ω_d t` with t₁ = 0,
+//! t₂ = π/2 (half a turn later above the natural frequency). From there the friction grows to its value at f64, each
+//! step corrected by Newton's method. The resulting motion is the forced response with friction, not another root.
+//! Where eq. 46 has several roots (Ω < 1/2), t₁ is the fastest instant of the rising branch, searched on a grid.
+//! Newton's method at full precision then doubles the digits.
+//!
+//! **Two systems.** With a damper [`System`] follows the body forward, because a free vibration grows backward.
+//! Without one [`Balanced`] is solved, whose divisions by cos β keep the digits beside Ω = 1 and 1/(2n+1), where
+//! those of [`System`] cancel.
 //!
 //! **Digits.** [`Balanced`] is solved, which has no cancellation near Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
 //! keep the digits of the type where they are of the order of A. Where they are smaller, near the border, the
@@ -22,8 +26,10 @@
 //! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how
 //! many, so that a result of N bits takes N + `lost_bits` of them.
 
-use super::accuracy::{in_last_places, largest_term, lost_bits};
+use super::accuracy::{in_last_places, largest_term, lost_bits, lost_bits_of};
 use super::balanced::Balanced;
+use super::damped::System;
+use super::start::Equations;
 use super::step::{Found, in_order, iterate, largest, most_iterations, positive, unknowns};
 use super::{Given, Unknowns, start};
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
@@ -67,45 +73,61 @@ impl<F: Float + RealField> Solvable for F {
 
 /// [`Solvable::solve`].
 pub(crate) fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
-    if ratios.is_damped() {
-        return super::damped::solve(ratios);
-    }
-    let (omega, alpha) = (ratios.omega(), ratios.alpha());
-    if omega == <F as Field>::int(1) {
+    let (omega, alpha, one) = (ratios.omega(), ratios.alpha(), <F as Field>::int(1));
+    let (unknowns, residuals, lost_bits, limit, found) = if ratios.is_damped() {
+        let system = System::new(omega, ratios.damping_ratio(), one / alpha);
+        let (u, found) = matched(&ratios, &system, &system.to_f64())?;
+        let ((residuals, jacobian), size) = (system.equations(&u), system.largest_term(&u));
+        let lost_bits = lost_bits_of(&jacobian, Float::to_f64(size), &u);
+        let residuals = residuals.map(|r| in_last_places(r, size));
+        (in_units_of_b(&u, alpha), residuals, lost_bits, <F as Field>::int(4) * rounding(omega), found)
+    } else if omega == one {
         return Err(MatchingError::Resonance);
-    }
-    let phase_function = PhaseFunction::new(omega)?;
-    let q = one_minus_square(omega);
-    let sin_cos_beta = phase_function.sin_cos();
-    let friction = q / (alpha * sin_cos_beta.1);
-    let system = Balanced { omega, one_minus_square: q, sin_cos_beta, friction };
-    let start = start::with_friction(&to_f64(&system), Float::to_f64(friction))
-        .map_err(|part| MatchingError::NoCycle { omega: written(omega), alpha: written(alpha), part })?;
-    let mut start = start.map(<F as Float>::from_f64);
-    let mut iterations = 0;
-    // Where f64 could not tell which stationary point is the fastest, the full precision can.
-    let (u, found, faster) = loop {
-        let found = iterate(start, |x| {
-            let u = unknowns(x);
-            (system.residuals(&u), system.jacobian(&u))
-        })?;
-        iterations += found.iterations;
-        let u = unknowns(&found.at);
-        match start::on_a_grid(&system, &u, 16.0) {
-            Some(faster) if iterations <= most_iterations::<F>() => start = in_order(&faster),
-            faster => break (u, found, faster),
-        }
+    } else {
+        let (sin_cos_beta, q) = (PhaseFunction::new(omega)?.sin_cos(), one_minus_square(omega));
+        let friction = q / (alpha * sin_cos_beta.1);
+        let system = Balanced { omega, one_minus_square: q, sin_cos_beta, friction };
+        let (u, found) = matched(&ratios, &system, &to_f64(&system))?;
+        let unknowns = in_units_of_b(&u, alpha / q);
+        let given = Given { amplitude: alpha / q, friction_displacement: one, omega };
+        let size = largest_term(&given, &unknowns);
+        let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
+        (unknowns, residuals, lost_bits(&system, &u), rounding(omega), found)
     };
-    let unknowns = in_units_of_b(&u, alpha / q);
     positive("Δ₀/B", unknowns.max_displacement)?;
-    let given = Given { amplitude: alpha / q, friction_displacement: <F as Field>::int(1), omega };
-    let size = largest_term(&given, &unknowns);
-    let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
-    if faster.is_some() || largest(&residuals) > rounding(omega) {
-        return Err(MatchingError::NoConvergence { iterations, step: found.step, residual: found.residual });
+    let Found { iterations, .. } = found;
+    if largest(&residuals) > limit {
+        Err(found.failure())
+    } else {
+        Ok(Solution { unknowns, residuals, iterations, lost_bits })
     }
-    let lost_bits = lost_bits(&system, &u);
-    Ok(Solution { unknowns, residuals, iterations, lost_bits })
+}
+
+/// The solution of the system in its own unit of length; `less` is the system at f64.
+fn matched<F: Float + RealField>(
+    ratios: &Ratios<F>,
+    system: &impl Equations<F>,
+    less: &impl Equations<f64>,
+) -> Result<(Unknowns<F>, Found<F, 5>), MatchingError> {
+    let start = start::with_friction(less).map_err(|part| MatchingError::NoCycle {
+        omega: written(ratios.omega()),
+        alpha: written(ratios.alpha()),
+        part,
+    })?;
+    let mut start = start.map(<F as Float>::from_f64);
+    let mut before = 0;
+    // Where f64 could not tell which stationary point is the fastest, the full precision can.
+    loop {
+        let mut found = iterate(start, |x| system.equations(&unknowns(x)))?;
+        found.iterations += before;
+        before = found.iterations;
+        let u = unknowns(&found.at);
+        match start::faster(system, &u, 16.0) {
+            Some(faster) if before <= most_iterations::<F>() => start = in_order(&faster),
+            Some(_) => return Err(found.failure()),
+            None => return Ok((u, found)),
+        }
+    }
 }
 
 /// [`Solvable::solve_border`].
@@ -113,7 +135,11 @@ pub(crate) fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolut
     let phase_function = PhaseFunction::new(omega)?;
     let q = one_minus_square(omega);
     let system = Balanced { omega, one_minus_square: q, sin_cos_beta: phase_function.sin_cos(), friction: q };
-    let start = start::on_the_border(&to_f64(&system), friction_sign(omega, &phase_function));
+    // More friction than any border has: the force left over is gone, or the path at its end, long before.
+    let beyond = <F as Field>::int(8) * (<F as Field>::int(1) + omega).square();
+    let less = to_f64(&Balanced { friction: beyond, ..system });
+    let less = Balanced { friction: less.friction * friction_sign(omega, &phase_function), ..less };
+    let start = start::on_the_border(&less, Balanced::turning_point);
     let found = iterate(start.map(<F as Float>::from_f64), |x| {
         let [t1, t2, v, d, e, friction] = *x;
         let (system, u) = (Balanced { friction, ..system }, unknowns(&[t1, t2, v, d, e]));
@@ -140,11 +166,10 @@ pub(crate) fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolut
     let sine = Real::sin(unknowns.displacement_phase);
     let e59 = crate::cycle::border::slip_excess(force_ratio, sine, one, unknowns.max_displacement, one);
     let residuals = [r1, r2, r3, r4, r5, e59].map(|r| in_last_places(r, size));
-    let Found { iterations, step, residual, .. } = found;
     if largest(&residuals) > rounding(omega) {
-        return Err(MatchingError::NoConvergence { iterations, step, residual });
+        return Err(found.failure());
     }
-    Ok(BorderSolution { force_ratio, unknowns, residuals, iterations })
+    Ok(BorderSolution { force_ratio, unknowns, residuals, iterations: found.iterations })
 }
 
 /// The sign of κ = (1 − Ω²)/(α cos β).

@@ -89,6 +89,14 @@ pub(super) struct Found<F, const N: usize> {
     pub(super) residual: f64,
 }
 
+impl<F, const N: usize> Found<F, N> {
+    /// The error where this is no solution.
+    pub(super) const fn failure(&self) -> MatchingError {
+        let Self { iterations, step, residual, .. } = *self;
+        MatchingError::NoConvergence { iterations, step, residual }
+    }
+}
+
 pub(super) fn positive<F: Float>(what: &'static str, value: F) -> Result<(), MatchingError> {
     if value > F::int(0) { Ok(()) } else { Err(MatchingError::NotACycle { what, value: written(value) }) }
 }

@@ -66,10 +66,9 @@ pub(crate) fn within_box<F: Float>(omega: (F, F), alpha: (F, F)) -> Within {
 
 fn between<F: Float>(left: &Edges<F>, right: &Edges<F>, alpha: (F, F), is_one_side: bool) -> Within {
     let ordered = |a: F, b: F| if a < b { (a, b) } else { (b, a) };
-    match compared(ordered(left.low, right.low), ordered(left.high, right.high), alpha) {
-        Within::None if !is_one_side || left.least != right.least => Within::Some,
-        other => other,
-    }
+    let found = compared(ordered(left.low, right.low), ordered(left.high, right.high), alpha);
+    let is_one_curve = is_one_side && left.least == right.least;
+    if found == Within::None && !is_one_curve { Within::Some } else { found }
 }
 
 /// Relative error bound of the edges, in units of [`Float::epsilon`].
