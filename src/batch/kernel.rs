@@ -86,7 +86,7 @@ impl<'a> Kernel<'a> {
     ) {
         let points = omega.iter().zip(alpha).zip(borders);
         for (slot, ((&omega, &alpha), &border)) in slots.into_iter().flatten().zip(points) {
-            *slot = (!border.is_nan()).then(|| regime_above(self.omega(omega), alpha, border));
+            *slot = (!border.is_nan()).then(|| regime_above(self.omega(omega), alpha, 0.0, border));
         }
     }
 }

@@ -75,28 +75,19 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
     if ratios.has_higher_static_friction() {
         return static_friction::regime(ratios, border);
     }
-    if !ratios.is_damped() {
-        return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio);
-    }
-    if ratios.alpha() <= F::int(1) {
-        Regime::Stuck
-    } else if ratios.alpha() >= border.min_force_ratio || six_reversals::is_within(&ratios) {
-        Regime::NonSticking
-    } else {
-        Regime::Sticking
-    }
+    regime_above(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), border.min_force_ratio)
 }
 
-/// The regime at (Ω, α) where the border of the two-reversal cycle is `least`.
+/// The regime at (Ω, α, ζ) where the border of the two-reversal cycle is `least`.
 #[inline]
-pub(crate) fn regime_above<F: Float>(omega: F, alpha: F, least: F) -> Regime {
+pub(crate) fn regime_above<F: Float>(omega: F, alpha: F, zeta: F, least: F) -> Regime {
     let one = F::int(1);
     if alpha <= one {
         Regime::Stuck
     } else if alpha < least {
-        let slides = six_reversals::is_within_at(omega, alpha, F::int(0), one);
+        let slides = six_reversals::is_within_at(omega, alpha, zeta, one);
         if slides { Regime::NonSticking } else { Regime::Sticking }
-    } else if omega == one {
+    } else if omega == one && zeta == F::int(0) {
         Regime::Unbounded
     } else {
         Regime::NonSticking
