@@ -36,6 +36,7 @@ mod alone;
 mod amplitude;
 mod block;
 mod columns;
+mod damped;
 mod fixed;
 mod kernel;
 mod level;
@@ -134,8 +135,12 @@ impl Batch {
         Ok(())
     }
 
-    /// Computes the requested outputs at `n` points whose ratios may have damping and static friction, point
-    /// by point; NaN where there are no ratios.
+    /// Computes the requested outputs at `n` points whose ratios may have damping and static friction; NaN where
+    /// there are no ratios.
+    ///
+    /// If nothing but {Δ₀, α_min, A₁} and the regime is requested, one loop computes the points with 1/2 ≤ Ω ≤ 2²⁰
+    /// and 0 < ζ ≤ 7/8, except those within 10⁻⁶ or so of Ω = 1 with as little damping, and those with a large ζ/Ω.
+    /// All others, and all other outputs, are computed point by point.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] where a slice does not have `n` elements.
@@ -183,7 +188,7 @@ impl Batch {
     fn each(
         &self,
         n: usize,
-        mut columns: Slices<'_, { Output::ALL.len() }>,
+        columns: Slices<'_, { Output::ALL.len() }>,
         ratios: &(impl Fn(usize) -> Option<Ratios<f64>> + Sync),
     ) {
         if columns.is_empty() {
@@ -191,8 +196,8 @@ impl Batch {
         }
         #[cfg(feature = "rayon")]
         if self.threads {
-            return threads::each(0, n, columns, ratios);
+            return threads::each(self.level, 0, n, columns, ratios);
         }
-        (0..n).for_each(|i| columns.put(i, ratios(i)));
+        damped::run(self.level, 0, n, columns, ratios);
     }
 }

@@ -4,15 +4,29 @@ use super::columns::LOOPED;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::cycle::regime::has_two_reversals;
 use crate::cycle::response::Response;
-use crate::cycle::{Border, Reversal};
+use crate::cycle::{Border, Reversal, damped};
 use crate::float::{Float, Task};
 use crate::machine::ratios::Ratios;
+use crate::output::Output;
 
 /// The outputs of [`LOOPED`] at (Ω, α); NaN where one does not exist.
 pub(crate) fn all(omega: f64, alpha: f64) -> [f64; LOOPED.len()] {
     let Ok(ratios) = Ratios::new(omega, alpha) else { return [f64::NAN; LOOPED.len()] };
     let answer = Response::new(ratios);
     LOOPED.map(|output| output.of(&answer).unwrap_or(f64::NAN))
+}
+
+/// {Δ₀, α_min, A₁} of a point that may have a damper and static friction; NaN where one does not exist.
+pub(crate) fn amplitude_of(ratios: Ratios<f64>) -> [f64; 3] {
+    if ratios.is_damped() {
+        return damped::amplitude(&ratios);
+    }
+    if ratios.has_higher_static_friction() {
+        let answer = Response::new(ratios);
+        let of = |output: Output| output.of(&answer).unwrap_or(f64::NAN);
+        return [Output::MaxDisplacement, Output::MinForceRatio, Output::LoopSizeStiffness].map(of);
+    }
+    f64::fused(Amplitude(ratios))
 }
 
 /// {Δ₀, α_min, A₁}, without the rest of the answer.

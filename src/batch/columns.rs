@@ -87,6 +87,13 @@ impl<'a> Columns<'a> {
 }
 
 impl<'a> Slices<'a, { Output::ALL.len() }> {
+    /// Whether no number is requested but {Δ₀, α_min, A₁}.
+    pub(super) fn is_amplitude(&self) -> bool {
+        let [a, b, c, ..] = LOOPED;
+        let mut columns = self.numbers.iter().zip(Output::ALL);
+        columns.all(|(slice, output)| slice.is_none() || [a, b, c].contains(&output))
+    }
+
     /// Removes the slices that the loops fill; the others are computed point by point.
     pub(super) fn take_looped(&mut self) -> Looped<'a> {
         let mut looped = Looped { regime: self.regime.take(), ..Looped::default() };

@@ -2,6 +2,7 @@
 
 use super::block::POINTS;
 use super::columns::{Looped, Slices};
+use super::damped;
 use super::kernel::Kernel;
 use super::level::Level;
 use super::run::run;
@@ -32,17 +33,21 @@ pub(crate) fn run_on_threads(
     );
 }
 
-/// Computes each point by itself on all threads, by recursive halving. The first point is the one at `start`.
+/// Runs [`damped::run`] on all threads, by recursive halving. The first point is the one at `start`.
 pub(crate) fn each(
+    level: Level,
     start: usize,
     n: usize,
-    mut columns: Slices<'_, { Output::ALL.len() }>,
+    columns: Slices<'_, { Output::ALL.len() }>,
     ratios: &(impl Fn(usize) -> Option<Ratios<f64>> + Sync),
 ) {
-    let half = n / 2;
-    if half < POINTS {
-        return (0..n).for_each(|i| columns.put(i, ratios(start + i)));
+    let half = n / 2 / POINTS * POINTS;
+    if half == 0 {
+        return damped::run(level, start, n, columns, ratios);
     }
     let (left, right) = columns.split_at(half);
-    rayon::join(|| each(start, half, left, ratios), || each(start + half, n - half, right, ratios));
+    rayon::join(
+        || each(level, start, half, left, ratios),
+        || each(level, start + half, n - half, right, ratios),
+    );
 }

@@ -24,6 +24,7 @@ pub(crate) mod resonance;
 pub(crate) mod rising;
 pub(crate) mod squared;
 mod summit;
+pub(crate) mod tangent;
 mod work;
 
 use super::displacement::max_displacement;
@@ -33,7 +34,7 @@ use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
 use crate::machine::ratios::Ratios;
-use border::{least_displacement, needed_at, supremum, turning_point};
+use border::{has_lobes, least_displacement, needed_at, supremum, turning_point};
 use half_period::HalfPeriod;
 use pole::Pole;
 use rising::Rising;
@@ -165,6 +166,7 @@ impl<F: Float> Rising<F> {
     }
 
     /// A₁ and A₂, friction's part.
+    #[inline(always)]
     pub(crate) fn loop_sizes(&self, alpha: F) -> (F, F) {
         let displacement = Pair::new(self.max_displacement, self.rest);
         let size = loop_size_stiffness(displacement, alpha.wide());
@@ -235,9 +237,43 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
 pub(crate) fn at_turning_point<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
     fused!(<'a, F>(half: &'a HalfPeriod<F>) -> (F, F) {
         let half = half.wide();
-        let force_ratio = half.k.hypot(half.stiffness * turning_point(&half));
-        (force_ratio.value(), least_displacement(&half).value())
+        (force_ratio_at_turning_point(&half), least_displacement(&half).value())
     })
+}
+
+/// `hypot(K, qS)` with S of the turning point.
+#[inline(always)]
+fn force_ratio_at_turning_point<F: Float>(half: &HalfPeriod<Pair<F>>) -> F {
+    half.k.hypot(half.stiffness * turning_point(half)).value()
+}
+
+/// {Δ₀, α_min, A₁} where the turning point decides the border: from Ω = d/2 on.
+///
+/// It has no branches, for loops; Δ₀ and A₁ are meaningless below the border.
+#[inline(always)]
+pub(crate) fn amplitude_from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> [F; 3] {
+    let border = force_ratio_at_turning_point(&half.wide());
+    let rising = Rising::at_force(half, alpha);
+    [rising.max_displacement, border, rising.loop_sizes(alpha).0]
+}
+
+/// {Δ₀, α_min, A₁} without the rest of the answer; NaN where there is no cycle.
+pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
+    let (omega, alpha, zeta) = (ratios.omega(), ratios.alpha(), ratios.damping_ratio());
+    let eta = ratios.static_friction_ratio();
+    fused!(<F>(omega: F, alpha: F, zeta: F, eta: F) -> [F; 3] {
+        let half = HalfPeriod::of_amplitude(omega, zeta).with_static_friction(eta);
+        let [displacement, at_turning_point, size] = amplitude_from_turning_point(half, alpha);
+        let least = if has_lobes(&half) { border(&half).min_force_ratio } else { at_turning_point };
+        let nan = F::int(0) / F::int(0);
+        if exists(alpha, least) { [displacement, least, size] } else { [nan, least, nan] }
+    })
+}
+
+/// Whether there is a cycle without a stop at α, given the border.
+#[inline(always)]
+pub(crate) fn exists<F: Float>(alpha: F, border: F) -> bool {
+    (alpha >= border) & (alpha > F::int(1))
 }
 
 /// The force ratio of the largest loop A₁ and that loop, to the digits of the half period.

@@ -70,12 +70,12 @@ impl Regime {
     }
 }
 
-/// The regime at these ratios, given the border there.
-pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
+/// The regime at these ratios, where the border of the two-reversal cycle is `least`.
+pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, least: F) -> Regime {
     if ratios.has_higher_static_friction() {
-        return static_friction::regime(ratios, border);
+        return static_friction::regime(ratios, least);
     }
-    regime_above(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), border.min_force_ratio)
+    regime_above(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), least)
 }
 
 /// The regime at (Ω, α, ζ) where the border of the two-reversal cycle is `least`.
@@ -108,7 +108,7 @@ pub(crate) fn has_two_reversals<F: Float>(omega: F, alpha: F, least: F) -> bool 
 /// Where a ratio is outside its domain.
 pub fn regime<F: Float>(omega: F, alpha: F) -> Result<Regime, Error> {
     let ratios = Ratios::new(omega, alpha)?;
-    Ok(regime_of(ratios, &Border::new(omega)?))
+    Ok(regime_of(ratios, Border::new(omega)?.min_force_ratio))
 }
 
 #[cfg(test)]

@@ -72,7 +72,7 @@ impl<F: Float> Response<F> {
     /// The answer without damping, given the border.
     #[inline(always)]
     fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
-        let regime = regime_of(ratios, &border);
+        let regime = regime_of(ratios, border.min_force_ratio);
         let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio);
         // There are no closures: they would be compiled separately, without the processor's fused operation.
         let (cycle, loop_size_stiffness, loop_size_inertia) = if slides {
@@ -99,7 +99,7 @@ impl<F: Float> Response<F> {
     fn damped(ratios: Ratios<F>) -> Self {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
-        let regime = regime_of(ratios, &border);
+        let regime = regime_of(ratios, border.min_force_ratio);
         let cycle = (ratios.alpha() >= border.min_force_ratio && regime != Regime::Stuck)
             .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
         let (best_force_ratio, best_loop_size) = damped::best(&half);

@@ -71,10 +71,16 @@ impl<F: Float> Touch<F> {
     }
 }
 
+/// Whether the supremum may be away from the turning point.
+#[inline(always)]
+pub(crate) fn has_lobes<F: Float>(half: &HalfPeriod<F>) -> bool {
+    half.free.swings() && half.omega * F::int(2) < half.free.frequency
+}
+
 /// S at the half period given.
 pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
     let turning_point = Supremum { amplitude: turning_point(half), touch: None };
-    if !half.free.swings() || half.omega * F::int(2) >= half.free.frequency {
+    if !has_lobes(half) {
         return turning_point;
     }
     let touch = if F::PRECISION <= f64::MANTISSA_DIGITS {
@@ -100,8 +106,7 @@ pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool
     if !(most > turning_point(half) && most * F::int(1024) > half.h.abs()) {
         return false;
     }
-    let has_lobes = half.free.swings() && half.omega * F::int(2) < half.free.frequency;
-    !has_lobes || greatest(half, Supremum { amplitude: most, touch: None }).touch.is_none()
+    !has_lobes(half) || greatest(half, Supremum { amplitude: most, touch: None }).touch.is_none()
 }
 
 /// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of

@@ -3,6 +3,7 @@
 
 use super::free::Free;
 use super::pole::Pole;
+use super::tangent::Tangent;
 use crate::cycle::phase_function::{
     PhaseFunction, modulo_four, one_minus_square, one_minus_square_wide, reduced, turned,
 };
@@ -61,35 +62,64 @@ impl<F: Float> HalfPeriod<F> {
 
     #[inline(always)]
     fn at_ratios(omega: F, zeta: F) -> Self {
-        let (two, free) = (F::int(2), Free::new(zeta));
-        let period = F::pi() / omega;
-        let (found, beyond) = match Pole::beside(omega, zeta) {
-            Some(pole) => {
-                let Pole { stiffness, shift, h, beyond } = pole;
-                (Half { shift, h, waves: waves_at_end(&free, omega) }, Some((stiffness, beyond)))
-            }
-            None => (half(omega, zeta), None),
-        };
-        let stiffness = beyond.map_or_else(
-            || (zeta.wide() * omega).times(2).hypot(one_minus_square_wide(omega)),
-            |(stiffness, _)| stiffness,
-        );
-        let [stiffness, shift, h] = [stiffness, found.shift, found.h].map(Pair::normalised);
-        let [decay, cosine, sine] = found.waves;
+        if let Some(half) = Self::by_tangent(omega, zeta) {
+            return half.with_waves(waves_at_end(&half.free, omega));
+        }
+        if let Some(Pole { stiffness, shift, h, beyond }) = Pole::beside(omega, zeta) {
+            let half = Self::of_pairs(omega, zeta, [stiffness, shift, h]);
+            let half = half.with_waves(waves_at_end(&half.free, omega));
+            return Self { beyond: Some([beyond.hi, beyond.lo]), ..half };
+        }
+        let Half { shift, h, waves } = half(omega, zeta);
+        Self::of_pairs(omega, zeta, [stiffness(omega, zeta), shift, h]).with_waves(waves)
+    }
+
+    /// All that Δ₀ and the border at the turning point need: without the waves at T, which are NaN.
+    #[inline(always)]
+    pub(super) fn of_amplitude(omega: F, zeta: F) -> Self {
+        Self::by_tangent(omega, zeta).unwrap_or_else(|| Self::at_ratios(omega, zeta))
+    }
+
+    /// The half period by [`Tangent`] where that is accurate; the waves at T are NaN.
+    #[inline(always)]
+    fn by_tangent(omega: F, zeta: F) -> Option<Self> {
+        if F::PRECISION > f64::MANTISSA_DIGITS {
+            return None;
+        }
+        let tangent = Tangent::at(omega, zeta);
+        tangent.is_accurate.then(|| Self::of_tangent(omega, zeta, &tangent))
+    }
+
+    /// The half period by [`Tangent`]; the waves at T are NaN.
+    #[inline(always)]
+    pub(crate) fn of_tangent(omega: F, zeta: F, tangent: &Tangent<F>) -> Self {
+        Self::of_pairs(omega, zeta, [stiffness(omega, zeta), tangent.shift, tangent.h])
+    }
+
+    #[inline(always)]
+    fn with_waves(self, [decay, cosine, sine]: [F; 3]) -> Self {
+        Self { decay, cosine, sine, ..self }
+    }
+
+    /// From q, G and H; the waves at T are NaN.
+    #[inline(always)]
+    fn of_pairs(omega: F, zeta: F, parts: [Pair<F>; 3]) -> Self {
+        let [stiffness, shift, h] = parts.map(Pair::normalised);
+        let (period, nan) = (F::pi() / omega, F::int(0) / F::int(0));
         Self {
             omega,
-            free,
+            free: Free::new(zeta),
             period,
-            lag: (two * zeta * omega, one_minus_square(omega)),
+            lag: (F::int(2) * zeta * omega, one_minus_square(omega)),
             stiffness: stiffness.hi,
             shift: shift.hi,
             h: h.hi,
             k: (stiffness * h).value(),
             rest: [stiffness.lo, shift.lo, h.lo],
-            beyond: beyond.map(|(_, beyond)| [beyond.hi, beyond.lo]),
-            decay,
-            cosine,
-            sine,
+            beyond: None,
+            decay: nan,
+            cosine: nan,
+            sine: nan,
             static_excess: F::int(0),
             // H = K/q exceeds T.
             is_resonant: stiffness.hi * period < F::int(1) && zeta * F::int(8) < F::int(1),
@@ -166,6 +196,13 @@ pub(crate) fn half_angle<F: Float>(free: &Free<F>, omega: F, half: F) -> (F, F) 
     turned(p.quarter(), (p.remainder() - less).sin_cos())
 }
 
+/// q.
+#[inline(always)]
+fn stiffness<F: Float>(omega: F, zeta: F) -> Pair<F> {
+    // Where Ω is near 1 the leading digits of 1 − Ω² cancel, and its two parts overlap.
+    (zeta.wide() * omega).times(2).hypot(one_minus_square_wide(omega).normalised())
+}
+
 /// G, H, and e^{−ζT}, e^{−ζT} cos dT and e^{−ζT} sin(dT)/d.
 struct Half<R, F> {
     shift: R,
@@ -173,10 +210,12 @@ struct Half<R, F> {
     waves: [F; 3],
 }
 
-/// The waves at T in the arithmetic of the type, for ζ ≤ 1/2.
+/// The waves at T in the arithmetic of the type, for ζ < 1.
 fn waves_at_end<F: Float>(free: &Free<F>, omega: F) -> [F; 3] {
     let half = F::pi() / (F::int(2) * omega);
-    let (s, c) = half_angle(free, omega, half);
+    // Towards ζ = 1 d vanishes, and a difference would lose it.
+    let is_slow = free.zeta * F::int(2) > F::int(1);
+    let (s, c) = if is_slow { (free.frequency * half).sin_cos() } else { half_angle(free, omega, half) };
     let decay = (-(free.zeta * half)).exp();
     let (s, c) = (decay * s / free.frequency, decay * c);
     [decay.square(), c.square() - free.square * s.square(), F::int(2) * s * c]

@@ -73,7 +73,7 @@ impl<F: Float> Verdict<F> {
     /// reversals.
     fn with_static_friction(ratios: Ratios<F>) -> Self {
         let border = Border::of(&ratios);
-        match static_friction::regime(ratios, &border) {
+        match static_friction::regime(ratios, border.min_force_ratio) {
             Regime::Stuck => return Verdict::AtRest,
             Regime::NonSticking => return Verdict::NonSticking,
             Regime::Unbounded => return Verdict::Unbounded,

@@ -37,21 +37,19 @@
 //!   in each turn.
 
 use super::Regime;
-use crate::cycle::Border;
 use crate::cycle::six_reversals;
 use crate::float::{Float, Real};
 use crate::machine::ratios::Ratios;
 
-/// The regime for η > 1, given the border.
-pub(super) fn regime<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
+/// The regime for η > 1, where the border of the two-reversal cycle is `least`.
+pub(super) fn regime<F: Float>(ratios: Ratios<F>, least: F) -> Regime {
     let alpha = ratios.alpha();
     let is_at_resonance = ratios.omega() == F::int(1) && !ratios.is_damped();
     if alpha <= F::int(1) {
         Regime::Stuck
     } else if leads_from_every_start(&ratios) {
         if is_at_resonance { Regime::Unbounded } else { Regime::NonSticking }
-    } else if ratios.moves_from_rest() && alpha < border.min_force_ratio && !six_reversals::is_within(&ratios)
-    {
+    } else if ratios.moves_from_rest() && alpha < least && !six_reversals::is_within(&ratios) {
         Regime::Sticking
     } else {
         Regime::DependsOnStart

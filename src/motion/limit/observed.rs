@@ -40,7 +40,7 @@ pub struct Observed {
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
     let border = Border::of(&ratios);
-    let expected = regime_of(ratios, &border);
+    let expected = regime_of(ratios, border.min_force_ratio);
     let reversals = if ratios.alpha() >= border.min_force_ratio { 2 } else { 6 };
     let steady = match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,

@@ -1,0 +1,172 @@
+//! The half period by a hyperbolic tangent, without exponentials, circular functions or branches, so that
+//! loops over it can be vectorised.
+//!
+//! With λ = −ζ + id, d = √(1 − ζ²), the matching conditions of the cycle are solved by `t = tanh(λT/2)`: `ΩH =
+//! Im t/d`, `G = −Re t − (ζ/d) Im t`. From λT/2 the nearest multiple of iπ/2 is subtracted:
+//!
+//! ```text
+//! v = λT/2 − qiπ/2 = (T/2)(−ζ + iγ),   γ = d − qΩ = (1 − qΩ) − ζ²/(1 + d),   q = 0, 1 or 2,
+//! t = v/P for even q,   t = P/v for q = 1,   P = v coth v = p + ir = 1 + v²/(3 + v²/(5 + v²/(7 + …))).
+//! ```
+//!
+//! Here 1 − qΩ is exact. With m = ζ² + γ² and `M = |P|² d/(T/2)` for even q, `M = (T/2) m d` for q = 1,
+//!
+//! ```text
+//! ΩH = ±(pγ + rζ)/M,   G = (ζ p A − r B)/M,
+//! A = qΩ, B = 1 − qΩd for even q,   A = 2d − Ω, B = 1 − Ωd − 2ζ² for q = 1,
+//! ```
+//!
+//! with the minus for q = 1. Nothing cancels as ζ → 0 or far above Ω = 1, where G is of the order ζT³/12.
+//!
+//! Only the outer level of the fraction is computed in pairs: an error of the others reaches P with the factor
+//! |v|⁴/45. It vanishes towards the pole at Ω = 1 just as Δ₀ = a − G requires, in which a and G are of the order
+//! of 1/|v|.
+
+use crate::float::pair::Pair;
+use crate::float::{Field, Float};
+
+/// G and H.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Tangent<F> {
+    /// G.
+    pub(super) shift: Pair<F>,
+    /// H.
+    pub(super) h: Pair<F>,
+    /// Whether they are accurate at this Ω and ζ: otherwise they are meaningless.
+    pub(crate) is_accurate: bool,
+}
+
+/// A complex number (real, imaginary).
+type Complex<R> = (R, R);
+
+impl<F: Float> Tangent<F> {
+    /// At a frequency ratio and a damping ratio ζ > 0 that are in their domains, up to the precision of f64.
+    #[inline(always)]
+    pub(crate) fn at(omega: F, zeta: F) -> Self {
+        let (one, zero, two) = (Pair::int(1), F::int(0), F::int(2));
+        let square = Pair::two_prod(zeta, zeta);
+        let d = Pair::fast_two_sum(F::int(1), -square.hi);
+        let d = Pair::new(d.hi, d.lo - square.lo).sqrt();
+        let less = square / Pair::new(F::int(1) + d.hi, ((F::int(1) - (F::int(1) + d.hi)) + d.hi) + d.lo);
+        let (is_above, is_odd) = (omega >= two * d.hi, F::int(3) * omega >= two * d.hi);
+        let is_odd = is_odd & !is_above;
+        let turns = if is_odd { omega } else { two * omega };
+        let turns = if is_above { zero } else { turns };
+        let inverse = one / omega;
+        let middle = inverse * (Pair::pi() * F::ratio(1, 2));
+        let gamma = Pair::exact(F::int(1) - turns) - less;
+        let other = gamma.square();
+        let (scale, m) = (middle.square(), square + other);
+        let v2 = (scale * (square - other), -(scale * (gamma * zeta)).times(2));
+        let size = scale.hi * m.hi;
+        let (p, r) = quotient(v2, tail((v2.0.hi, v2.1.hi)));
+        let p = one + p;
+        let turned = d * turns;
+        let doubled = d.times(2);
+        let (a, less) = if is_odd {
+            (doubled - Pair::exact(omega), square.times(2))
+        } else {
+            (Pair::exact(turns), Pair::exact(zero))
+        };
+        let b = (one - turned) - less;
+        let height = gamma * p + r * zeta;
+        let factor = if is_odd { (Pair::int(2) / Pair::pi()) * omega } else { middle };
+        let denominator = if is_odd { m } else { p.square() + r.square() };
+        let factor = factor / (denominator * d);
+        let height = if is_odd { -height } else { height };
+        Self {
+            shift: ((p * zeta) * a - r * b) * factor,
+            h: height * factor * inverse,
+            is_accurate: (omega >= F::ratio(1, 2))
+                & (omega <= F::exp2i(20))
+                & (zeta <= F::ratio(7, 8))
+                & (size <= F::ratio(3, 2))
+                & (!is_odd | (size >= F::exp2i(-36))),
+        }
+    }
+}
+
+/// `z/(5 + z/(7 + …))`: the convergent of level 19.
+#[inline(always)]
+fn tail<F: Float>(z: Complex<F>) -> Complex<F> {
+    let n = F::int;
+    // A polynomial with real coefficients is divided by (x − z)(x − z̄): x² = 2 Re z x − |z|².
+    let (twice, size) = (z.0 + z.0, z.0.mul_add(z.0, z.1 * z.1));
+    // 52 z³ + 21450 z² + 1969110 z + 43648605
+    let n3 = n(52);
+    let n2 = n3.mul_add(twice, n(21_450));
+    let n1 = n2.mul_add(twice, n3.mul_add(-size, n(1_969_110)));
+    let n0 = n2.mul_add(-size, n(43_648_605));
+    let numerator = (n1.mul_add(z.0, n0), n1 * z.1);
+    // z⁴ + 1430 z³ + 289575 z² + 16081065 z + 218243025
+    let d3 = twice + n(1430);
+    let d2 = d3.mul_add(twice, n(289_575) - size);
+    let d1 = d2.mul_add(twice, d3.mul_add(-size, n(16_081_065)));
+    let d0 = d2.mul_add(-size, n(218_243_025));
+    let denominator = (d1.mul_add(z.0, d0), d1 * z.1);
+    let numerator =
+        (numerator.0.mul_add(z.0, -(numerator.1 * z.1)), numerator.0.mul_add(z.1, numerator.1 * z.0));
+    let inverse = n(1) / denominator.0.mul_add(denominator.0, denominator.1 * denominator.1);
+    (
+        numerator.0.mul_add(denominator.0, numerator.1 * denominator.1) * inverse,
+        numerator.1.mul_add(denominator.0, -(numerator.0 * denominator.1)) * inverse,
+    )
+}
+
+/// `z/(3 + tail)`, to twice the digits of the type.
+#[inline(always)]
+fn quotient<F: Float>(z: Complex<Pair<F>>, tail: Complex<F>) -> Complex<Pair<F>> {
+    let real = Pair::fast_two_sum(F::int(3), tail.0);
+    let (c, d) = (real.hi, tail.1);
+    let inverse = F::int(1) / c.mul_add(c, d * d);
+    let times_conjugate = |a: F, b: F| (a.mul_add(c, b * d) * inverse, b.mul_add(c, -(a * d)) * inverse);
+    let (x, y) = times_conjugate(z.0.hi, z.1.hi);
+    let rest = |whole: Pair<F>, first: Pair<F>, second: Pair<F>, small: F| {
+        let sum = Pair::two_sum(whole.hi, -first.hi);
+        (sum.hi - second.hi) + ((sum.lo - first.lo) - (second.lo - small) + whole.lo)
+    };
+    let re = rest(z.0, Pair::two_prod(x, c), -Pair::two_prod(y, d), -(x * real.lo));
+    let im = rest(z.1, Pair::two_prod(x, d), Pair::two_prod(y, c), -(y * real.lo));
+    let (u, v) = times_conjugate(re, im);
+    (Pair::new(x, u), Pair::new(y, v))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Tangent;
+
+    /// They agree with the definitions at twelve times the digits, the better the nearer to the pole.
+    #[cfg(feature = "mp")]
+    #[test]
+    fn its_quantities_are_those_of_the_definition() {
+        use crate::float::Field;
+        use crate::float::mp::Mp;
+        use crate::float::pair::Pair;
+        type Wide = Mp<12>;
+        let wide = |x: Pair<f64>| Wide::from(x.hi) + Wide::from(x.lo);
+        for i in 0..400 {
+            let off = f64::from(i % 20 - 10) * 0.77f64.powi(i / 4);
+            let omega = if i % 4 == 0 { 0.5 * 1.1f64.powi(i / 4) } else { 1.0 + 0.15 * off };
+            for zeta in [1e-60, 1e-12, 1e-6, 1e-3, 0.1, 0.3, 0.6, 0.85] {
+                let found = Tangent::at(omega, zeta);
+                if !found.is_accurate {
+                    continue;
+                }
+                let (o, z, one, two) = (Wide::from(omega), Wide::from(zeta), Wide::int(1), Wide::int(2));
+                let d = (one - z * z).sqrt();
+                let t = Wide::pi() / o;
+                let (e, (s, c)) = ((-(z * t)).exp(), (d * t).sin_cos());
+                let n = (one / e + e) / two + c;
+                let (g, h) = (((one / e - e) / two - z / d * s) / n, s / (d * o * n));
+                let near = |found: Pair<f64>, due: Wide, unit: f64| {
+                    let off = ((wide(found) - due) / due).abs().to_f64();
+                    assert!(off <= unit, "{omega} {zeta}: {off:e} for {due}");
+                };
+                let size = (omega - 1.0f64).hypot(zeta).min(1.0);
+                let unit = 0.15 * f64::EPSILON * size.powi(4) + 1e-30;
+                near(found.shift, g, unit);
+                near(found.h, h, unit);
+            }
+        }
+    }
+}
