@@ -192,6 +192,53 @@ fn with_damping_each_point_is_that_alone() {
     assert_same(&found, &due, |i| format!("{} {} {}", omega[i], alpha[i], zeta[i]));
 }
 
+/// The loop of {Δ₀, α_min, A₁}: at its bounds, beside the pole and ζ = 1, with and without static friction, and
+/// with points among them that it cannot compute.
+#[test]
+fn with_damping_the_loop_has_the_bits_of_the_points_alone() {
+    let (omega, alpha) = points_and_others(6000);
+    let mut random = Random(36);
+    let zeta: Vec<_> = (0..omega.len())
+        .map(|i| match i % 9 {
+            0 => 0.0,
+            1 => 0.875,
+            2 => 0.875f64.next_up(),
+            3 => 1.0,
+            4 => random.scale(1e-75, 1e-6),
+            5 => random.scale(1e-9, 40.0),
+            6 => (omega[i] - 1.0).abs(),
+            _ => random.between(0.0, 0.9),
+        })
+        .collect();
+    let eta: Vec<_> = (0..omega.len()).map(|i| [1.0, 1.0, 1.2, random.scale(1.0, 1e9)][i % 4]).collect();
+    // Half of the force ratios in relation to the border with damping.
+    let at = |i: usize, alpha: f64| {
+        let ratios = Ratios::new(omega[i], alpha).ok()?.with_damping_ratio(zeta[i]).ok()?;
+        ratios.with_static_friction_ratio(eta[i]).ok()
+    };
+    let force = |i: usize| {
+        let border = Border::of(&at(i, 2.0)?).min_force_ratio;
+        Some([border, border.next_down(), 1.5 * border, border * (1.0 + 1e-12)][i / 2 % 4])
+    };
+    let alpha: Vec<_> =
+        (0..omega.len()).map(|i| if i % 2 == 0 { alpha[i] } else { force(i).unwrap_or(f64::NAN) }).collect();
+    let ratios = |i: usize| at(i, alpha[i]);
+    let due = alone((0..omega.len()).map(ratios), THREE);
+    for level in levels() {
+        for n in [omega.len(), 129, 7] {
+            let batch = Batch::new().at_level(level);
+            let found = Answer::of(n, THREE, |wanted| batch.run_each(n, ratios, wanted));
+            let due = Answer {
+                regime: due.regime[..n].to_vec(),
+                columns: due.columns.iter().map(|column| column[..n].to_vec()).collect(),
+            };
+            assert_same(&found, &due, |i| {
+                format!("{level:?}: {} {} {} {}", omega[i], alpha[i], zeta[i], eta[i])
+            });
+        }
+    }
+}
+
 /// Outputs that are not requested are not written, and neither is the regime.
 #[test]
 fn columns_without_the_regime() {

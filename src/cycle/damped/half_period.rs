@@ -71,7 +71,7 @@ impl<F: Float> HalfPeriod<F> {
             return Self { beyond: Some([beyond.hi, beyond.lo]), ..half };
         }
         let Half { shift, h, waves } = half(omega, zeta);
-        Self::of_pairs(omega, zeta, [stiffness(omega, zeta), shift, h]).with_waves(waves)
+        Self::of_response(omega, zeta, shift, h).with_waves(waves)
     }
 
     /// All that Δ₀ and the border at the turning point need: without the waves at T, which are NaN.
@@ -86,14 +86,14 @@ impl<F: Float> HalfPeriod<F> {
         if F::PRECISION > f64::MANTISSA_DIGITS {
             return None;
         }
-        let tangent = Tangent::at(omega, zeta);
-        tangent.is_accurate.then(|| Self::of_tangent(omega, zeta, &tangent))
+        let Tangent { shift, h, is_accurate } = Tangent::at(omega, zeta);
+        if is_accurate { Some(Self::of_response(omega, zeta, shift, h)) } else { None }
     }
 
-    /// The half period by [`Tangent`]; the waves at T are NaN.
+    /// From G and H; the waves at T are NaN.
     #[inline(always)]
-    pub(crate) fn of_tangent(omega: F, zeta: F, tangent: &Tangent<F>) -> Self {
-        Self::of_pairs(omega, zeta, [stiffness(omega, zeta), tangent.shift, tangent.h])
+    pub(crate) fn of_response(omega: F, zeta: F, shift: Pair<F>, h: Pair<F>) -> Self {
+        Self::of_pairs(omega, zeta, [stiffness(omega, zeta), shift, h])
     }
 
     #[inline(always)]

@@ -25,15 +25,23 @@
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
-/// G and H.
+/// G and H, computed in three parts, which are loops of their own in a batch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tangent<F> {
     /// G.
-    pub(super) shift: Pair<F>,
+    pub(crate) shift: Pair<F>,
     /// H.
-    pub(super) h: Pair<F>,
+    pub(crate) h: Pair<F>,
     /// Whether they are accurate at this Ω and ζ: otherwise they are meaningless.
     pub(crate) is_accurate: bool,
+}
+
+/// `λT/2 − qiπ/2` by d, γ and 1/Ω.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Angle<F> {
+    pub(crate) d: Pair<F>,
+    pub(crate) gamma: Pair<F>,
+    pub(crate) inverse: Pair<F>,
 }
 
 /// A complex number (real, imaginary).
@@ -43,46 +51,76 @@ impl<F: Float> Tangent<F> {
     /// At a frequency ratio and a damping ratio ζ > 0 that are in their domains, up to the precision of f64.
     #[inline(always)]
     pub(crate) fn at(omega: F, zeta: F) -> Self {
-        let (one, zero, two) = (Pair::int(1), F::int(0), F::int(2));
+        let angle = Angle::at(omega, zeta);
+        let (fraction, is_accurate) = angle.fraction(omega, zeta);
+        let (shift, h) = angle.tangent(omega, zeta, fraction);
+        Self { shift, h, is_accurate }
+    }
+}
+
+impl<F: Float> Angle<F> {
+    #[inline(always)]
+    pub(crate) fn at(omega: F, zeta: F) -> Self {
+        let one = F::int(1);
         let square = Pair::two_prod(zeta, zeta);
-        let d = Pair::fast_two_sum(F::int(1), -square.hi);
-        let d = Pair::new(d.hi, d.lo - square.lo).sqrt();
-        let less = square / Pair::new(F::int(1) + d.hi, ((F::int(1) - (F::int(1) + d.hi)) + d.hi) + d.lo);
-        let (is_above, is_odd) = (omega >= two * d.hi, F::int(3) * omega >= two * d.hi);
-        let is_odd = is_odd & !is_above;
-        let turns = if is_odd { omega } else { two * omega };
-        let turns = if is_above { zero } else { turns };
-        let inverse = one / omega;
+        let rest = Pair::fast_two_sum(one, -square.hi);
+        let d = Pair::new(rest.hi, rest.lo - square.lo).sqrt();
+        let sum = Pair::fast_two_sum(one, d.hi);
+        let less = square / Pair::new(sum.hi, sum.lo + d.lo);
+        let inverse = Pair::int(1) / omega;
+        let gamma = Pair::exact(one - Self { d, gamma: less, inverse }.turns(omega).1) - less;
+        Self { d, gamma, inverse }
+    }
+
+    /// Whether q is odd, and qΩ.
+    #[inline(always)]
+    fn turns(&self, omega: F) -> (bool, F) {
+        let (zero, two) = (F::int(0), F::int(2));
+        let twice = two * self.d.hi;
+        let (is_above, is_beyond) = (omega >= twice, F::int(3) * omega >= twice);
+        let turns = if is_beyond { omega } else { two * omega };
+        (is_beyond & !is_above, if is_above { zero } else { turns })
+    }
+
+    /// `P = (p, r)`, and whether G and H are accurate.
+    #[inline(always)]
+    pub(crate) fn fraction(&self, omega: F, zeta: F) -> (Complex<Pair<F>>, bool) {
+        let Self { gamma, inverse, .. } = *self;
         let middle = inverse * (Pair::pi() * F::ratio(1, 2));
-        let gamma = Pair::exact(F::int(1) - turns) - less;
-        let other = gamma.square();
-        let (scale, m) = (middle.square(), square + other);
+        let (scale, square, other) = (middle.square(), Pair::two_prod(zeta, zeta), gamma.square());
+        let size = scale.hi * (square.hi + other.hi);
         let v2 = (scale * (square - other), -(scale * (gamma * zeta)).times(2));
-        let size = scale.hi * m.hi;
         let (p, r) = quotient(v2, tail((v2.0.hi, v2.1.hi)));
-        let p = one + p;
-        let turned = d * turns;
-        let doubled = d.times(2);
+        let (is_odd, _) = self.turns(omega);
+        // The digits of a pair suffice for α² − K² down to about |v|³ = ε.
+        let nearest = F::exp2i(-((2 * F::PRECISION / 3) as i32));
+        let is_accurate = (omega >= F::ratio(1, 2))
+            & (omega <= F::exp2i(20))
+            & (zeta <= F::ratio(7, 8))
+            & (size <= F::ratio(3, 2))
+            & (!is_odd | (size >= nearest));
+        ((Pair::int(1) + p, r), is_accurate)
+    }
+
+    /// G and H.
+    #[inline(always)]
+    pub(crate) fn tangent(&self, omega: F, zeta: F, (p, r): Complex<Pair<F>>) -> (Pair<F>, Pair<F>) {
+        let Self { d, gamma, inverse } = *self;
+        let (one, square) = (Pair::int(1), Pair::two_prod(zeta, zeta));
+        let (is_odd, turns) = self.turns(omega);
         let (a, less) = if is_odd {
-            (doubled - Pair::exact(omega), square.times(2))
+            (d.times(2) - Pair::exact(omega), square.times(2))
         } else {
-            (Pair::exact(turns), Pair::exact(zero))
+            (Pair::exact(turns), Pair::int(0))
         };
-        let b = (one - turned) - less;
+        let b = (one - d * turns) - less;
         let height = gamma * p + r * zeta;
-        let factor = if is_odd { (Pair::int(2) / Pair::pi()) * omega } else { middle };
-        let denominator = if is_odd { m } else { p.square() + r.square() };
-        let factor = factor / (denominator * d);
         let height = if is_odd { -height } else { height };
-        Self {
-            shift: ((p * zeta) * a - r * b) * factor,
-            h: height * factor * inverse,
-            is_accurate: (omega >= F::ratio(1, 2))
-                & (omega <= F::exp2i(20))
-                & (zeta <= F::ratio(7, 8))
-                & (size <= F::ratio(3, 2))
-                & (!is_odd | (size >= F::exp2i(-36))),
-        }
+        let half_pi = Pair::pi() * F::ratio(1, 2);
+        let over = if is_odd { one / half_pi * omega } else { inverse * half_pi };
+        let under = if is_odd { square + gamma.square() } else { p.square() + r.square() };
+        let factor = over / (under * d);
+        (((p * zeta) * a - r * b) * factor, height * factor * inverse)
     }
 }
 
@@ -162,8 +200,11 @@ mod tests {
                     let off = ((wide(found) - due) / due).abs().to_f64();
                     assert!(off <= unit, "{omega} {zeta}: {off:e} for {due}");
                 };
-                let size = (omega - 1.0f64).hypot(zeta).min(1.0);
-                let unit = 0.15 * f64::EPSILON * size.powi(4) + 1e-30;
+                // Some six roundings of the inner levels, and |P| is above 1/2.
+                let size =
+                    (0..3).map(|q| d.to_f64() - f64::from(q) * omega).map(f64::abs).fold(9.0, f64::min);
+                let size = (std::f64::consts::FRAC_PI_2 / omega).powi(2) * (size * size + zeta * zeta);
+                let unit = 0.2 * f64::EPSILON * size * size + 1e-29;
                 near(found.shift, g, unit);
                 near(found.h, h, unit);
             }
