@@ -200,11 +200,12 @@ mod tests {
                     let off = ((wide(found) - due) / due).abs().to_f64();
                     assert!(off <= unit, "{omega} {zeta}: {off:e} for {due}");
                 };
-                // Some six roundings of the inner levels, and |P| is above 1/2.
-                let size =
-                    (0..3).map(|q| d.to_f64() - f64::from(q) * omega).map(f64::abs).fold(9.0, f64::min);
-                let size = (std::f64::consts::FRAC_PI_2 / omega).powi(2) * (size * size + zeta * zeta);
-                let unit = 0.2 * f64::EPSILON * size * size + 1e-29;
+                // Some six roundings of the inner levels, |v|²/15 of which reach r, and |v|⁴/45 P.
+                let d = d.to_f64();
+                let is_odd = 3.0 * omega >= 2.0 * d && omega < 2.0 * d;
+                let gamma = (0..3).map(|q| (d - f64::from(q) * omega).abs()).fold(9.0, f64::min);
+                let size = (std::f64::consts::FRAC_PI_2 / omega).powi(2) * (gamma * gamma + zeta * zeta);
+                let unit = 0.4 * f64::EPSILON * if is_odd { size * size } else { size } + 1e-29;
                 near(found.shift, g, unit);
                 near(found.h, h, unit);
             }
