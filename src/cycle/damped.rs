@@ -250,6 +250,7 @@ fn force_ratio_at_turning_point<F: Float>(half: &HalfPeriod<Pair<F>>) -> F {
 /// {Δ₀, α_min, A₁} where the turning point decides the border: from Ω = d/2 on.
 ///
 /// It has no branches, for loops; Δ₀ and A₁ are meaningless below the border.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn amplitude_from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> [F; 3] {
     let border = force_ratio_at_turning_point(&half.wide());
@@ -258,6 +259,7 @@ pub(crate) fn amplitude_from_turning_point<F: Float>(half: HalfPeriod<F>, alpha:
 }
 
 /// {Δ₀, α_min, A₁} without the rest of the answer; NaN where there is no cycle.
+#[cfg(feature = "batch")]
 pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
     let (omega, alpha, zeta) = (ratios.omega(), ratios.alpha(), ratios.damping_ratio());
     let eta = ratios.static_friction_ratio();
@@ -271,6 +273,7 @@ pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
 }
 
 /// Whether there is a cycle without a stop at α, given the border.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn exists<F: Float>(alpha: F, border: F) -> bool {
     (alpha >= border) & (alpha > F::int(1))
