@@ -34,7 +34,9 @@ use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
 use crate::machine::ratios::Ratios;
-use border::{has_lobes, least_displacement, needed_at, supremum, turning_point};
+#[cfg(feature = "batch")]
+use border::has_lobes;
+use border::{least_displacement, needed_at, supremum, turning_point};
 use half_period::HalfPeriod;
 use pole::Pole;
 use rising::Rising;
