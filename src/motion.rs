@@ -18,9 +18,9 @@
 //! | `limit` | what the motion of one start tends to, and what a cycle of it amounts to | `slide`, `event` |
 //! | `many` | all limits of a machine, periodic motions that no start leads to, the loss of symmetry | `limit` |
 //!
-//! What several folders use stands beside them: [`DrivePhase`], the phase of the drive, reduced; [`State`]; [`Trajectory`]
-//! and [`Samples`], the motion segment by segment and at evenly spaced phases; [`FreeDecay`], the half cycles and the place of rest
-//! without a drive.
+//! Types that several folders use are files beside them: [`DrivePhase`], the phase of the drive, reduced;
+//! [`State`]; [`Trajectory`] and [`Samples`], the motion segment by segment and at evenly spaced phases;
+//! [`FreeDecay`], the half cycles and the place of rest of a free vibration.
 //!
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
 
@@ -53,8 +53,8 @@ pub use samples::Samples;
 pub use state::{Instant, State};
 pub use trajectory::{End, Kind, Segment, Trajectory};
 
-// For the command and the Python package, which follow many starts on several threads and go on with runs
-// that were broken off.
+// The command and the Python package use these: they follow many starts on several threads and continue
+// interrupted runs.
 #[doc(hidden)]
 pub use {
     limit::steady_outputs::SteadyAnswer,

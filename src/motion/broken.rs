@@ -22,8 +22,8 @@ impl From<Broken> for Error {
     }
 }
 
-/// The budget of a search: half turns propagated, counted over all attempts, and whether its caller still
-/// waits.
+/// The budget of a search: the half turns propagated, counted over all attempts, and a function that says
+/// whether to continue.
 pub(crate) struct Budget<'a> {
     pub(crate) half_turns: u64,
     pub(crate) most: u64,
@@ -31,22 +31,22 @@ pub(crate) struct Budget<'a> {
 }
 
 impl<'a> Budget<'a> {
-    /// A budget of at most this many half turns.
+    /// A budget of at most `most` half turns.
     pub(crate) fn of(most: u64) -> Self {
         Self { half_turns: 0, most, keep_going: None }
     }
 
-    /// The same, as long as the caller allows.
+    /// This budget with a function that is asked at every slide and stop whether to continue.
     pub(crate) fn with(self, keep_going: &'a mut dyn FnMut() -> ControlFlow<()>) -> Self {
         Self { keep_going: Some(keep_going), ..self }
     }
 
-    /// Counts half turns.
+    /// Counts the half turns propagated.
     pub(crate) fn spend(&mut self, half_turns: u64) {
         self.half_turns = self.half_turns.saturating_add(half_turns);
     }
 
-    /// Asks the caller, at every slide and stop.
+    /// Asks the caller whether to continue, at every slide and stop.
     ///
     /// # Errors
     /// [`Error::Interrupted`] where the caller breaks off.

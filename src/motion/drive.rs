@@ -6,7 +6,7 @@
 //! search for velocity zeros relies.
 //!
 //! An initial phase is within 2⁵³ half turns, and no program follows 2⁶⁰ more: the counter does not overflow,
-//! and it would saturate if it did.
+//! and would saturate.
 
 use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity, written};
@@ -76,7 +76,7 @@ impl<F: Float> DrivePhase<F> {
         if turned < F::int(0) { turned + F::int(2) * F::pi() } else { turned }
     }
 
-    /// Whole cycles: `⌊θ/2π⌋`, so that θ = 2π cycles + [`DrivePhase::reduced`].
+    /// The whole cycles `⌊θ/2π⌋`: θ = 2π cycles + [`DrivePhase::reduced`].
     pub fn cycles(&self) -> i64 {
         let whole = self.half_turns.div_euclid(2);
         if self.is_even() && self.angle < F::int(0) { whole.saturating_sub(1) } else { whole }
@@ -89,7 +89,7 @@ impl<F: Float> DrivePhase<F> {
         if self.is_even() { (s, c) } else { (-s, -c) }
     }
 
-    /// `θ − θ′`: exact in whole half turns up to one rounding.
+    /// The difference `θ − θ′`: exact in whole half turns up to one rounding.
     #[inline]
     #[doc(hidden)]
     pub fn since(&self, earlier: Self) -> F {
@@ -154,7 +154,7 @@ impl<F: Float> DrivePhase<F> {
     }
 }
 
-/// `θ − θ′`: exact in whole half turns up to one rounding.
+/// The difference `θ − θ′`: exact in whole half turns up to one rounding.
 impl<F: Float> core::ops::Sub for DrivePhase<F> {
     type Output = F;
 

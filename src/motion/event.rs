@@ -72,7 +72,8 @@ use window::Waves;
 /// The first zero of f after φ = 0 and up to the limit, where `start` is f at φ = 0. If there is none, the
 /// result is clear, and contains f at the limit if that was computed.
 ///
-/// `f` gives the function with whatever else the caller wants to know of that instant.
+/// `f` returns the function at an instant, together with any other value that the caller needs of that
+/// instant.
 pub(crate) fn next_zero<F: Float, M: Copy>(
     search: &Search<'_, F>,
     start: Jet<F>,
@@ -113,7 +114,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             let (begins, ends) = entered.take().unwrap_or_else(|| safe.next(phi));
             let is_empty = begins >= ends;
             if is_empty {
-                // Narrower than its own rounding.
+                // The window is narrower than its rounding.
             } else if begins <= phi {
                 let skipped = search.half_turn_at(ends);
                 if modulo_two(skipped - half_turn) {
@@ -173,7 +174,7 @@ fn is_overdue<F: Float>(search: &Search<'_, F>, phi: F, stretches: u32) -> bool 
     let (one, two, omega) = (F::int(1), F::int(2), search.omega);
     let usual = F::pi() * (one + two / omega);
     let longest = search.waves.map_or(usual, |slide| Waves::of(slide).longest());
-    // As many times as many where a damped slide may last longer.
+    // A damped slide can last longer, and may then have more stretches in proportion.
     let times = if longest > usual { longest / usual } else { one };
     let most = F::int(8) * (F::int(8) + omega + one / omega) * times;
     phi > longest || F::from_f64(f64::from(stretches)) > most

@@ -59,7 +59,7 @@ pub struct FreeDecay<F> {
     eta: F,
     /// The time of the first turn; infinite where there is none.
     first_time: F,
-    /// Half cycles after the first turn.
+    /// The half cycles after the first turn.
     turns: F,
 }
 
@@ -105,7 +105,7 @@ impl<F: Float> FreeDecay<F> {
                 one
             };
         }
-        // Beyond that the half cycles cannot be counted, and the place of rest is rounding.
+        // Above this limit the half cycles cannot be counted, and the place of rest is rounding.
         let most = F::exp2i(i32::try_from(F::PRECISION.min(62)).unwrap_or(62));
         if found.turns * two > most {
             let (quantity, far) =
@@ -148,7 +148,7 @@ impl<F: Float> FreeDecay<F> {
             // artanh(d|v₀|/(y + ζ|v₀|))/d
             ln_1p(two * d * speed / (slowed - d * speed)) / (two * d)
         };
-        // R² = (d v₀)² + (y + ζ|v₀|)², d² < 0 above ζ = 1, where it is (y + |v₀|/μ)(y + μ|v₀|), μ = ζ + |d|.
+        // R² = (d v₀)² + (y + ζ|v₀|)². Above ζ = 1, d² < 0 and R² = (y + |v₀|/μ)(y + μ|v₀|), μ = ζ + |d|.
         let reach = if square > F::int(0) {
             (d * speed).hypot(slowed)
         } else {
@@ -164,14 +164,14 @@ impl<F: Float> FreeDecay<F> {
         self.zeta * F::pi() / ((one - self.zeta) * (one + self.zeta)).sqrt()
     }
 
-    /// `(−1)ⁿ sgn x₁ x_n`.
+    /// The displacement after `turns` half cycles, `(−1)ⁿ sgn x₁ x_n`.
     fn left_after(&self, turns: F) -> F {
         let (first, two) = (self.first_turn.abs(), F::int(2));
         if self.zeta == F::int(0) {
             return first - two * turns;
         }
         if self.zeta >= F::int(1) {
-            // Once back, creeping to ±1 on the same side.
+            // After the turn the body creeps to ±1 on the same side.
             return if turns > F::int(0) { -F::int(1) } else { first };
         }
         let decrement = self.decrement();
@@ -224,8 +224,8 @@ impl<F: Float> FreeDecay<F> {
     }
 }
 
-/// The same motion segment by segment, by the machinery of the driven one: phases are ω_n t. A creep ends
-/// when its velocity is rounding.
+/// A free vibration as a trajectory, segment by segment; its phases are ω_n t. A creep ends when its velocity
+/// is rounding.
 impl<F: Float> From<FreeDecay<F>> for Trajectory<F> {
     fn from(decay: FreeDecay<F>) -> Self {
         Self::of(Equation::free(decay.zeta, decay.eta), decay.start)
@@ -238,7 +238,7 @@ fn ln_1p<F: Float>(y: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let mut x = F::from_f64(y.to_f64().ln_1p());
     for _ in 0..F::PRECISION.ilog2() {
-        // Halley's: 2 (y − (eˣ − 1))/(y + 1 + eˣ)
+        // Halley's step: 2 (y − (eˣ − 1))/(y + 1 + eˣ).
         let e = x.exp_m1();
         let step = two * (y - e) / (y + two + e);
         x = x + step;

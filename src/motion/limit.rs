@@ -53,9 +53,10 @@ use validate::validated;
 impl<F: Float> LongRun<F> {
     /// The limit of the motion at (Ω, α) from a start.
     ///
-    /// With η = 1 the limit is the same from every start, but for a family and for rest. A motion with stops
-    /// is found from stop to stop, and with damping one without from its closed form, without following this
-    /// one: half a turn of the motion shows that it is the limit.
+    /// With η = 1 the limit is the same from every start, except for a family and for rest. A motion with
+    /// stops is found from stop to stop, and a damped motion without stops from its closed form. Neither
+    /// search follows the motion from this start: half a turn of the motion shows that the result is the
+    /// limit.
     ///
     /// With η > 1 the result holds for this start: a periodic motion of up to 64 turns of the drive (127, if
     /// it is symmetric), rest, or an irregular motion.
@@ -66,9 +67,9 @@ impl<F: Float> LongRun<F> {
         Self::budgeted(ratios, start, Budget::of(2 * u64::from(DEFAULT_BUDGET)))
     }
 
-    /// The same for at most `periods` periods of the drive, as long as `keep_going` returns
-    /// [`ControlFlow::Continue`]. It is called at every slide and stop, each of which takes about a
-    /// microsecond at f64.
+    /// The limit of the motion at (Ω, α) from a start, within at most `periods` periods of the drive, as long
+    /// as `keep_going` returns [`ControlFlow::Continue`]. `keep_going` is called at every slide and stop,
+    /// each of which takes about a microsecond at f64.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -82,7 +83,7 @@ impl<F: Float> LongRun<F> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
+    /// [`Error::Interrupted`] where `keep_going` ends the search, and as for [`super::Trajectory::new`].
     pub fn within(
         ratios: Ratios<F>,
         start: State<F>,
@@ -127,7 +128,8 @@ impl<F: Float> LongRun<F> {
         let guess = || match Cycle::find(ratios) {
             Some(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
             None => {
-                // Below the border, of six reversals or with stops: then the limit is that from rest.
+                // Below the border the motion has six reversals or stops, and its limit is that of the motion
+                // from rest.
                 let (at, hint) = match SixReversals::new(ratios) {
                     Some(cycle) => on_six_reversals(equation, &cycle),
                     None => settle_in(equation, State::default(), &mut Budget::of(0))?,
@@ -167,9 +169,8 @@ impl<F: Float> LongRun<F> {
     }
 }
 
-/// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold, from
-/// half a cycle of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is the
-/// cycle's own proof.
+/// The exact motion of a non-sticking cycle. It is validated where the closed forms hold, by half a cycle of
+/// the motion itself. The cycle proves that the motion is nowhere faster than at ω_d t₁.
 ///
 /// Errors are those of [`crate::motion::Trajectory::new`].
 impl<F: Float> TryFrom<&Cycle<F>> for LongRun<F> {

@@ -22,7 +22,7 @@ pub struct Samples<F> {
 }
 
 impl<F: Float> Trajectory<F> {
-    /// Samples of the motion, `per_cycle` of them in a cycle of the drive.
+    /// Samples of the motion, `per_cycle` of them in each cycle of the drive.
     ///
     /// # Errors
     /// Where `per_cycle` is zero, and as for the first item of the trajectory.
@@ -36,7 +36,7 @@ impl<F: Float> Trajectory<F> {
         if let Some(phase) = &current {
             let start = phase.start().phase;
             at.0 = start.cycles();
-            // The search begins at a quotient, less its rounding, so that few samples are skipped.
+            // The search begins at the quotient less its rounding, so that few samples are skipped.
             let turn = start.reduced() / (F::int(2) * F::pi());
             let passed = F::from_f64(f64::from(per_cycle)) * (turn - F::int(8) * F::epsilon()) - F::int(1);
             at.1 = passed.to_f64() as u32;
@@ -48,7 +48,7 @@ impl<F: Float> Trajectory<F> {
     }
 }
 
-/// The sample after one.
+/// The cycle and number of the sample after this one.
 fn after((cycle, number): (i64, u32), per_cycle: u32) -> (i64, u32) {
     match number.saturating_add(1) {
         next if next < per_cycle => (cycle, next),
@@ -59,7 +59,7 @@ fn after((cycle, number): (i64, u32), per_cycle: u32) -> (i64, u32) {
 /// The phase 2π(cycle + k/n), n = `per_cycle`: the nearest half turn and the rest of less than half of one.
 fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> {
     let (k, n) = (i64::from(number), i64::from(per_cycle));
-    // No product of these leaves i64: k < n < 2³².
+    // None of these products overflows an i64: k < n < 2³².
     let half_turn = k.saturating_mul(4).saturating_add(n).div_euclid(n.saturating_mul(2));
     let rest = k.saturating_mul(2).saturating_sub(half_turn.saturating_mul(n));
     let rest = F::from_f64(rest as f64) / F::from_f64(n as f64);
@@ -67,11 +67,11 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 }
 
 impl<F: Float> Samples<F> {
-    /// The next sample, as long as `keep_going` returns [`ControlFlow::Continue`]. It is called at every
-    /// slide and stop on the way, of which a cycle has about 4 + 4/Ω. After an interruption the next call
-    /// continues from there.
+    /// The next sample, as long as `keep_going` returns [`ControlFlow::Continue`]. `keep_going` is called at
+    /// every slide and stop before the sample; a cycle has about 4 + 4/Ω of them. After an interruption the
+    /// next call continues from there.
     ///
-    /// An error is [`Error::Interrupted`] or that of the trajectory.
+    /// An error is [`Error::Interrupted`] or an error of the trajectory.
     #[doc(hidden)]
     pub fn next_while(
         &mut self,

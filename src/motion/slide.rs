@@ -34,7 +34,7 @@ use crate::float::Float;
 use equation::{Equation, Waves};
 use motion::Motion;
 
-/// The way a body slides: the sign of its velocity.
+/// The direction of sliding: the sign of the velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Direction {
     /// Towards larger x: friction is +r_y.
@@ -62,7 +62,7 @@ impl Direction {
 
 /// One slide from `(θ_i, x_i, v_i)` in a given direction: a closed form in time.
 ///
-/// It holds as long as the velocity keeps its sign, which [`crate::motion::Trajectory`] finds out.
+/// The form holds as long as the velocity keeps its sign; [`crate::motion::Trajectory`] finds where it ends.
 /// Displacements in units of B = r_y/k, velocities in B ω_d. Accuracy at f64: a few units in the last place
 /// of the largest term, `|x_i| + |w_i| + α/|1 − Ω²|` (near Ω = 1, αφ for the last), times 1 + φ + Ωφ for the
 /// rounding of the angles.
@@ -93,7 +93,7 @@ impl<F: Float> Slide<F> {
         Self::with_sin_cos(equation, start, start.sin_cos(), x, w, direction)
     }
 
-    /// The same with known (sin θ_i, cos θ_i).
+    /// The slide of [`Slide::new`] from known (sin θ_i, cos θ_i).
     #[inline]
     pub(crate) fn with_sin_cos(
         equation: Equation<F>,
@@ -107,7 +107,7 @@ impl<F: Float> Slide<F> {
         Self { equation, start, direction, x, w, acceleration, sin_start, cos_start }
     }
 
-    /// The same from rest.
+    /// The slide that begins at rest with the force above friction, from known (sin θ_i, cos θ_i).
     #[inline]
     pub(crate) fn from_rest(
         equation: Equation<F>,
@@ -135,7 +135,7 @@ impl<F: Float> Slide<F> {
         Self { acceleration: zero, ..Self::new(equation, start, x, zero, direction) }
     }
 
-    /// Whether it begins at rest with the force at the static friction.
+    /// Whether the slide begins at rest with the force at the static friction.
     pub(crate) fn begins_at_bound(&self) -> bool {
         self.w == F::int(0) && self.acceleration == self.equation.acceleration_at_release(self.direction)
     }
@@ -152,8 +152,8 @@ impl<F: Float> Slide<F> {
         if self.equation.is_damped() { self.damped_motion(phi) } else { self.undamped_motion(phi) }
     }
 
-    /// The same, with the presence of damping known at compile time, so that nothing is computed for a damper
-    /// without one.
+    /// The motion at natural time φ after the start, with the presence of damping known at compile time, so
+    /// that an undamped slide computes nothing for a damper.
     #[inline]
     pub(crate) fn motion_by<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
         if DAMPED { self.damped_motion(phi) } else { self.undamped_motion(phi) }
@@ -213,7 +213,7 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The same as a slow forced wave and a fast free one, for Ω < 1/2 and φ > 1.
+    /// The motion as the sum of a slow forced wave and a fast free one, for Ω < 1/2 and φ > 1.
     ///
     /// ```text
     /// x = A sin θ − s + a cos φ + b sin φ,   a = −(a_i + Ω²A sin θ_i),   b = w_i − ΩA cos θ_i,   A = α/(1 − Ω²)
@@ -242,18 +242,18 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// Whether a damped free vibration has died out by a factor e since the start: x is then no longer a sum
-    /// with the x that it began at.
+    /// Whether a damped free vibration has decayed by a factor e since the start: x is then no longer
+    /// computed as a change of the initial x.
     fn has_forgotten(&self, phi: F) -> bool {
         let free = self.equation.vibration();
         let rate = if free.swings() { free.zeta } else { free.slow_rate() };
         rate * phi > F::int(1)
     }
 
-    /// The same with damping, as the forced wave and a decaying free one, for Ω < 1/2 and φ > 1, or once the
-    /// free wave has decayed by a factor e.
+    /// The damped motion as the sum of the forced wave and a decaying free wave, for Ω < 1/2 and φ > 1, or
+    /// once the free wave has decayed by a factor e.
     ///
-    /// w is their sum, and so is w′. The free ones give x, too: `x_f + 2ζw_f + w_f′ = 0`.
+    /// The sums give w and w′. The free waves also give x: `x_f + 2ζw_f + w_f′ = 0`.
     fn forced_and_free(&self, phi: F) -> Motion<F> {
         let Equation { omega, alpha, damping, .. } = self.equation;
         let (si, ci) = (self.sin_start, self.cos_start);
@@ -286,7 +286,7 @@ impl<F: Float> Slide<F> {
     #[inline]
     pub(crate) fn velocity_scale<const DAMPED: bool>(&self) -> F {
         let Equation { omega, alpha, .. } = self.equation;
-        // |C|, |S| ≤ 2/|1 − Ω²|, and ≤ φ near Ω = 1, where φ ≤ 3π.
+        // |C|, |S| ≤ 2/|1 − Ω²|; near Ω = 1, where φ ≤ 3π, they are ≤ φ.
         let gain = omega * alpha / (F::int(1) + omega.square());
         let mut acceleration = self.acceleration.abs();
         if DAMPED {

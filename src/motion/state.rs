@@ -18,12 +18,12 @@ pub struct State<F> {
 }
 
 impl<F: Float> State<F> {
-    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ. A speed below 2⁻ᵉ,
-    /// e = [`Float::RATIO_EXPONENT`], counts as rest: it would end in a time that underflows.
+    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ. A speed below 2⁻ᵉ, e =
+    /// [`Float::RATIO_EXPONENT`], counts as rest, because the slide would end after a time that underflows.
     ///
     /// # Errors
-    /// Where one of them is not finite, θ is too large for its digits, or |x| or |v| is above 2ᵉ,
-    /// e = [`Float::RATIO_EXPONENT`].
+    /// Where θ, x or v is not finite, θ is too large for its digits, or |x| or |v| is above 2ᵉ, e =
+    /// [`Float::RATIO_EXPONENT`].
     pub fn new(theta: F, x: F, v: F) -> Result<Self, Error> {
         let bounded = |quantity, value: F| {
             let most = F::exp2i(F::RATIO_EXPONENT);

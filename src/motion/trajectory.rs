@@ -17,13 +17,13 @@ use crate::machine::ratios::Ratios;
 pub enum End {
     /// The velocity goes through zero and the body slides back at once.
     Reversal,
-    /// The velocity reaches zero and the body stays.
+    /// The velocity reaches zero and the body stops.
     Stop,
-    /// The velocity touches zero and the body slides on the same way.
+    /// The velocity touches zero and the body continues in the same direction.
     Grazing,
-    /// A release of the body.
+    /// The body, at rest, is released.
     Release,
-    /// Never.
+    /// The segment never ends.
     Never,
 }
 
@@ -32,11 +32,11 @@ pub enum End {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Kind {
-    /// It slides towards larger x: friction is +r_y.
+    /// The body slides towards larger x: friction is +r_y.
     SlideForward,
-    /// It slides towards smaller x: friction is −r_y.
+    /// The body slides towards smaller x: friction is −r_y.
     SlideBackward,
-    /// It is at rest.
+    /// The body is at rest.
     Stick,
 }
 
@@ -63,13 +63,13 @@ pub(crate) enum Body<F> {
 pub struct Segment<F> {
     /// Sliding in one direction, or sticking.
     pub kind: Kind,
-    /// The event that ends it.
+    /// The event that ends the segment.
     pub ends_by: End,
     pub(crate) body: Body<F>,
 }
 
 impl<F: Float> Segment<F> {
-    /// The state at its start.
+    /// The state at the start of the segment.
     pub fn start(&self) -> State<F> {
         match &self.body {
             Body::Slide(s, _) => State { phase: s.start, x: s.x, v: s.w / s.equation.omega },
@@ -77,7 +77,7 @@ impl<F: Float> Segment<F> {
         }
     }
 
-    /// The state at its end, where the velocity is zero; `None` for a stop that never ends.
+    /// The state at the end of the segment, where the velocity is zero; `None` for a stop that never ends.
     pub fn end(&self) -> Option<State<F>> {
         let v = F::int(0);
         match &self.body {
@@ -86,7 +86,7 @@ impl<F: Float> Segment<F> {
         }
     }
 
-    /// The duration as a phase ω_d Δt; `None` if it never ends.
+    /// The duration as a phase ω_d Δt; `None` for a stop that never ends.
     pub fn duration(&self) -> Option<F> {
         match &self.body {
             Body::Slide(s, zero) => Some(zero.phi * s.equation.omega),
@@ -94,9 +94,9 @@ impl<F: Float> Segment<F> {
         }
     }
 
-    /// The motion at a phase θ between its start and its end.
+    /// The motion at a phase θ between the start and the end of the segment.
     ///
-    /// Outside of them it is the continuation of this segment's own formula, not the motion.
+    /// At other phases the result continues the formula of this segment and is not the motion.
     pub fn at(&self, phase: DrivePhase<F>) -> Instant<F> {
         match &self.body {
             Body::Slide(s, _) => {
@@ -111,7 +111,7 @@ impl<F: Float> Segment<F> {
             Body::Stick(s) => {
                 let zero = F::int(0);
                 let friction = s.equation.alpha * phase.sin_cos().0 - s.x;
-                // Rounding may carry the force at the release beyond its bound.
+                // Rounding can carry the force at the release beyond its bound.
                 let most = s.equation.static_friction;
                 let friction = if friction.abs() > most { most.with_sign_of(friction) } else { friction };
                 Instant { state: State { phase, x: s.x, v: zero }, acceleration: zero, friction }
@@ -120,7 +120,7 @@ impl<F: Float> Segment<F> {
     }
 }
 
-/// The next segment, decided at every velocity zero.
+/// The next segment, chosen at every velocity zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Next<F> {
     Slide(Slide<F>),
@@ -167,8 +167,8 @@ impl<F: Float> Next<F> {
     #[inline]
     pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
         let (equation, direction) = (slide.equation, slide.direction);
-        // A velocity that touches zero has a minimum there. A static friction above the kinetic one holds the
-        // body.
+        // A velocity that touches zero has a minimum there. A static friction above the kinetic one then
+        // stops the body.
         let goes_on = zero.grazes && !equation.has_higher_static_friction();
         if goes_on && direction.sign::<F>() * zero.jerk > F::int(0) {
             return (Self::Slide(Slide::grazing(equation, zero.phase, zero.x, direction)), End::Grazing);
@@ -206,7 +206,7 @@ impl<F: Float> Next<F> {
 pub struct Trajectory<F> {
     pub(crate) equation: Equation<F>,
     next: Option<Next<F>>,
-    /// Natural length expected of the next slide, from the last one.
+    /// The natural time expected of the next slide, from the last one.
     hint: F,
 }
 
@@ -214,8 +214,8 @@ impl<F: Float> Trajectory<F> {
     /// The motion at (Ω, α) from a start.
     ///
     /// # Errors
-    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps
-    /// few digits. Where ζ or η is above 2²⁰.
+    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`, because one slide then spans so many periods that a phase keeps few
+    /// digits; where ζ or η is above 2²⁰.
     pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
         let equation = Equation::new(resolved(ratios)?);
         Ok(Self::of(equation, start))
@@ -267,7 +267,8 @@ impl<F: Float> Iterator for Trajectory<F> {
 
 impl<F: Float> core::iter::FusedIterator for Trajectory<F> {}
 
-/// (Ω, α, ζ, η) with Ω where phases keep their digits, ζ where velocities do and η where forces do.
+/// (Ω, α, ζ, η), if Ω is in the range where phases keep their digits, ζ where velocities do and η where
+/// forces do.
 pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {
     let (least, greatest) = (F::exp2i(-20), F::exp2i(20));
     crate::machine::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest)?;

@@ -37,7 +37,7 @@ impl<F: Float> Cover<F> {
         self.damped(jet.value, jet.first + self.half() * jet.value)
     }
 
-    /// Whether f is positive for as long as that where g ≥ 0.
+    /// Whether f is positive for the time `length` after this point, where g ≥ 0.
     #[inline]
     pub(crate) fn reaches_forward(self, jet: Jet<F>, length: F) -> bool {
         if self.damping == F::int(0) {
@@ -46,7 +46,7 @@ impl<F: Float> Cover<F> {
         self.damped_reaches(jet.value, jet.first + self.half() * jet.value, length)
     }
 
-    /// The same back.
+    /// Whether f is positive for the time `length` before this point, where g ≥ 0.
     #[inline]
     pub(crate) fn reaches_back(self, jet: Jet<F>, length: F) -> bool {
         if self.damping == F::int(0) {
@@ -73,7 +73,7 @@ impl<F: Float> Cover<F> {
         jet.first + self.half() * jet.value < F::int(0)
     }
 
-    /// The longest stretch that the proof holds on, a little less than π/d; infinite from ζ = 1 on.
+    /// The longest stretch for which the proof holds, a little less than π/d; infinite from ζ = 1 on.
     #[inline]
     pub(crate) fn longest(self) -> F {
         let most = F::ratio(25, 8);

@@ -40,7 +40,8 @@ impl<F: Float> Slide<F> {
     /// Predicted duration of a slide that begins later by an angle of the drive; with −1 for `upright`, of
     /// its mirror image.
     ///
-    /// Extrapolated to where this one began, at w = 0, it differs from it by a free vibration.
+    /// Extrapolated to the start of this slide, at w = 0, the other slide differs from this one by a free
+    /// vibration.
     #[inline]
     fn expected_of(&self, zero: &VelocityZero<F>, next: &Self, later: F, upright: F) -> F {
         let late = later / self.equation.omega;

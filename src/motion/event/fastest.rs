@@ -51,7 +51,7 @@ impl<F: Float> Slide<F> {
             return self.fastest_damped(&start, end, arrival);
         }
         let fast = two * F::pi() / one.or_larger(omega);
-        // A fast period from both ends can be all there is.
+        // Two fast periods, one from each end, can cover the whole slide.
         if (omega * two >= one && omega <= two) || end <= two * fast {
             self.scan((zero, &start), (end, arrival), &mut best)?;
             return Ok(best);
@@ -79,7 +79,7 @@ impl<F: Float> Slide<F> {
         Ok(best)
     }
 
-    /// The natural time of the crest of the slow wave that lies in the slide, if one does.
+    /// The natural time of the crest of the slow wave within the slide, if there is one.
     fn slow_crest(&self) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let omega = self.equation.omega;
@@ -97,8 +97,8 @@ impl<F: Float> Slide<F> {
         if crest < F::int(0) { crest + period } else { crest }
     }
 
-    /// Finds every zero of the acceleration between two instants of known motion, and includes these
-    /// instants.
+    /// Finds every zero of the acceleration between two instants of known motion, and includes these instants
+    /// in the comparison.
     ///
     /// # Errors
     /// [`crate::Error::SearchBound`].
@@ -154,7 +154,8 @@ impl<F: Float> Slide<F> {
         Err(self.lost("the greatest speed"))
     }
 
-    /// The search for the first zero of the acceleration from φ = `at` on, whose sign there is `side`.
+    /// The search for the first zero of the acceleration from φ = `at` on; `side` is the sign of the
+    /// acceleration there.
     #[inline]
     fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> Search<'_, F> {
         let omega = self.equation.omega;
@@ -169,7 +170,7 @@ impl<F: Float> Slide<F> {
             helping: shifted.is_even() == (side > F::int(0)),
             from_zero,
             limit: Some(to - at),
-            // The end, where the motion is known, is evaluated first.
+            // The end is evaluated first, because the motion is known there.
             hint: to - at,
             safe: None,
             noise,

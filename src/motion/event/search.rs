@@ -6,7 +6,7 @@ use crate::float::Float;
 use crate::motion::slide::Slide;
 use crate::motion::slide::motion::Jet;
 
-/// The first zero: at `at + step`, where `step` is the last, final one, and `motion` is that of `at`.
+/// The first zero is at `at + step`, where `step` is the last step; `motion` is the motion at `at`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Found<F, M> {
     pub(crate) at: F,
@@ -16,7 +16,7 @@ pub(crate) struct Found<F, M> {
     pub(crate) grazes: bool,
 }
 
-/// A window of natural time within which no zero can be: it repeats after `period`.
+/// A window of natural time that contains no zero; it repeats after `period`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Safe<F> {
     pub(crate) centre: F,
@@ -25,10 +25,10 @@ pub(crate) struct Safe<F> {
 }
 
 impl<F: Float> Safe<F> {
-    /// The window that contains φ or comes next, as (beginning, end), reduced by the rounding of its ends. If
-    /// it is empty, the beginning is not before the end.
+    /// The window that contains φ or is the next one, as (beginning, end), reduced by the rounding of its
+    /// ends. If the window is empty, its beginning is not before its end.
     pub(crate) fn next(&self, phi: F) -> (F, F) {
-        // Each of centre, half width and turns times the period is right to two units of itself, and none
+        // The centre, the half width and turns times the period are each accurate to two units, and none
         // exceeds φ + 2 periods by much.
         let rounding = F::int(16) * F::epsilon() * (phi + self.period);
         let half_width = self.half_width - rounding;
@@ -52,18 +52,18 @@ pub(crate) struct Search<'a, F> {
     pub(crate) helping: bool,
     /// Whether f = 0 at φ = 0 and increases from there.
     pub(crate) from_zero: bool,
-    /// Where to stop; the zero may be at the limit itself.
+    /// The end of the search; the zero may be at the limit itself.
     pub(crate) limit: Option<F>,
-    /// Where the zero is expected.
+    /// The natural time at which the zero is expected.
     pub(crate) hint: F,
-    /// Where no zero can be, without damping.
+    /// The window without zeros, for a motion without damping.
     pub(crate) safe: Option<Safe<F>>,
     /// The slide, if an examination of the two waves of its velocity costs less than the stretches that it
     /// clears.
     pub(crate) waves: Option<&'a Slide<F>>,
     /// The rounding error of f near a zero.
     pub(crate) noise: F,
-    /// The same at a short time: the coefficients of 1, φ, φ², φ³.
+    /// The rounding error of f near a zero at a short time, as the coefficients of 1, φ, φ², φ³.
     pub(crate) short_noise: Option<[F; 4]>,
 }
 
@@ -82,7 +82,7 @@ impl<F: Float> Search<'_, F> {
     }
 }
 
-/// The result of a stretch: a zero, or none, with the function at its end if that was evaluated.
+/// The result for a stretch: a zero, or none with f at the end of the stretch if it was evaluated.
 pub(crate) enum Verdict<F, M> {
     Zero(Found<F, M>),
     Clear(Option<(Jet<F>, M)>),

@@ -36,8 +36,8 @@ pub(crate) fn in_opposing<F: Float, M: Copy>(
     bracketed(search, from, to, false, guess, f)
 }
 
-/// The first zero of the bound `f cos h + f′ sin h + g (1 − cos h)` with g as it is at h = 0; zero where
-/// there is none.
+/// The first zero of the bound `f cos h + f′ sin h + g (1 − cos h)` with g fixed at its value at h = 0; zero
+/// if there is none.
 fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
     let Jet { value, first, second, .. } = jet;
     let g = second + value;
@@ -46,7 +46,7 @@ fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
         return F::int(0);
     }
     let root = discriminant.sqrt();
-    // tan(h/2) = f/(√ − f′) = (√ + f′)/(f − 2g): the form without cancellation.
+    // tan(h/2) = f/(√ − f′) = (√ + f′)/(f − 2g): this takes the form without cancellation.
     let h = if first > F::int(0) {
         (root + first).atan2(value - F::int(2) * g)
     } else {
@@ -55,7 +55,7 @@ fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
     F::int(2) * h
 }
 
-/// The zero of f in (low, high], where it has one at most and is positive before it.
+/// The zero of f in (low, high]; f is positive at `low` and has one zero at most.
 ///
 /// `below` says that f(high) < 0 is known; otherwise f(high) ≥ 0 means that there is no zero.
 fn bracketed<F: Float, M: Copy>(
@@ -95,8 +95,8 @@ fn bracketed<F: Float, M: Copy>(
             return crossing(zero);
         }
         if !below {
-            // Beyond `low` only the end can be examined next, at the latest after as many steps as the type
-            // has digits.
+            // The end is examined next unless the step leads to a point between `low` and the end, and in any
+            // case after as many steps as the type has digits.
             let inside = next > low && next < end && steps <= F::PRECISION;
             phi = if jet.first < zero && inside { next } else { end };
             continue;
@@ -126,10 +126,10 @@ fn householder<F: Float>(jet: &Jet<F>) -> F {
     -above / below
 }
 
-/// Whether the error after a step is below the rounding of φ.
+/// Whether the error that remains after a step is below the rounding of φ.
 ///
-/// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of
-/// `max(1, Ω, 2ζ) h` each.
+/// The step leaves an error of order `h⁴`. Its factor consists of κ = f″h/f′ and of derivatives of the order
+/// of `max(1, Ω, 2ζ) h` each.
 #[inline]
 fn is_final<F: Float>(pace: F, jet: &Jet<F>, phi: F, step: F) -> bool {
     let curvature = (jet.second * step / jet.first).abs();
@@ -177,7 +177,7 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
     if let Some(motion) = left_motion
         && left.value <= F::int(0)
     {
-        // A stretch that begins at a zero to within rounding.
+        // The stretch begins at a zero to within rounding.
         return Verdict::Zero(Found { at: from, step: F::int(0), motion, grazes: left.first >= F::int(0) });
     }
     if right.value < F::int(0) {
@@ -192,7 +192,7 @@ fn start_of_bracket<F: Float>(from: F, to: F, left: Jet<F>) -> F {
     if h > F::int(0) && from + h < to { from + h } else { (from + to) / F::int(2) }
 }
 
-/// Householder's method from the hint; an answer only where it settles on a downward zero in (from, to].
+/// Householder's method from the hint; a result only if it settles on a downward zero in (from, to].
 pub(crate) fn polished_guess<F: Float, M: Copy>(
     hint: F,
     pace: F,
@@ -243,7 +243,7 @@ fn dip<F: Float, M: Copy>(
         }
         let phi = (low + high) / two;
         let (jet, motion) = f(phi);
-        // How far below this point the dip can be: f′²/2f″.
+        // The greatest depth of the dip below this point: f′²/2f″.
         let depth = jet.first.square() / (two * jet.second);
         let noise = noise(search, phi, &jet);
         if jet.value.abs() <= noise && depth <= noise {
@@ -268,7 +268,7 @@ fn dip<F: Float, M: Copy>(
     Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true })
 }
 
-/// The rounding error of the lowest value of a dip: that of f, and that of φ, which has a relative error of
+/// The rounding error of the lowest value of a dip: the rounding of f and of φ, which has a relative error of
 /// ε.
 fn noise<F: Float>(search: &Search<'_, F>, phi: F, jet: &Jet<F>) -> F {
     let unit = F::int(4) * F::epsilon() * phi;

@@ -60,12 +60,12 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// Without a drive, or one below rounding: the end of a slide that creeps to ∓1 until its velocity is
-    /// rounding, for ever or for a long time.
+    /// The end of a slide without a drive, or with one below rounding: the body creeps to ∓1 until its
+    /// velocity is rounding, for ever or for a long time.
     ///
-    /// From ζ = 1 on it turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)` ([`crate::motion::FreeDecay`]). Below ζ = 1 it turns
-    /// after the angle dφ of the point `(s(x + s) + ζ|w|, d|w|)`, half a turn for a body at rest there; d is small
-    /// next to ζ = 1.
+    /// From ζ = 1 on the body turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)`
+    /// ([`crate::motion::FreeDecay`]). Below ζ = 1 it turns after the angle dφ of the point `(s(x + s) +
+    /// ζ|w|, d|w|)`, half a turn for a body at rest there; d is small next to ζ = 1.
     #[cold]
     fn end_of_creep(&self) -> Option<VelocityZero<F>> {
         let (zero, sign) = (F::int(0), self.direction.sign::<F>());
@@ -94,7 +94,7 @@ impl<F: Float> Slide<F> {
         })
     }
 
-    /// A velocity zero that Householder's method leads to from `hint`: not proved to be the first one.
+    /// A velocity zero found by Householder's method from `hint`; no proof that it is the first.
     #[inline(never)]
     pub(crate) fn velocity_zero_near(&self, hint: F) -> Option<VelocityZero<F>> {
         if self.equation.is_damped() { self.polished::<true>(hint) } else { self.polished::<false>(hint) }
@@ -111,7 +111,7 @@ impl<F: Float> Slide<F> {
         found.map(|found| self.arrival::<DAMPED>(&found))
     }
 
-    /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.
+    /// The velocity zero that ends the slide, if it is not after `limit`; otherwise the motion at the limit.
     ///
     /// # Errors
     /// [`Lost`].
@@ -120,7 +120,8 @@ impl<F: Float> Slide<F> {
         self.ends(hint, Some(limit))
     }
 
-    /// Both of these: one call of the search, into which the compiler puts the motion of a slide.
+    /// The end of the slide, with or without a limit: one call of the search, into which the compiler inlines
+    /// the motion of a slide.
     fn ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
         if self.equation.is_damped() {
             self.damped_ends(hint, limit)
@@ -135,7 +136,7 @@ impl<F: Float> Slide<F> {
         self.ends_by::<true>(hint, limit)
     }
 
-    /// The same, with the presence of damping known at compile time.
+    /// The end of the slide, with the presence of damping known at compile time.
     #[inline]
     fn ends_by<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
         let (search, start) =
@@ -148,7 +149,7 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The error of a search along this slide that exceeded its bound.
+    /// The error for a search along this slide that exceeded its bound.
     #[cold]
     pub(crate) fn lost(&self, search: &'static str) -> Broken {
         let bound = if self.equation.is_damped() {
@@ -159,7 +160,7 @@ impl<F: Float> Slide<F> {
         self.equation.lost(search, self.start, bound)
     }
 
-    /// The speed with its derivatives, and the motion that it is of.
+    /// The speed with its derivatives, and the motion from which it is computed.
     #[inline]
     fn velocity<const DAMPED: bool>(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
         let sign = self.direction.sign::<F>();
@@ -174,7 +175,7 @@ impl<F: Float> Slide<F> {
         self.motion_at_start().velocity_jet::<DAMPED>(&self.equation, self.direction.sign::<F>())
     }
 
-    /// The known properties of the velocity before its evaluation.
+    /// The properties of the velocity that are known before it is evaluated.
     #[inline]
     fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Search<'_, F> {
         let sign = self.direction.sign::<F>();
@@ -195,7 +196,7 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The state at a zero found: the last step by Taylor's series, whose next term is below rounding.
+    /// The state at a zero: the last step by Taylor's series, whose next term is below rounding.
     #[inline]
     fn arrival<const DAMPED: bool>(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
         let Found { at, step: h, motion: m, grazes } = *found;
@@ -247,8 +248,8 @@ impl<F: Float> Slide<F> {
     }
 
     /// The slide, if windows of the two waves of its velocity cost less than the stretches that they clear:
-    /// for Ω > 2 or Ω < 1/4, and for ζ ≥ 1/2 unless it begins at rest and not far out, when it is short. From
-    /// ζ = 15/16 on the free vibration may take long to turn after any start.
+    /// for Ω > 2 or Ω < 1/4, and for ζ ≥ 1/2 unless the slide begins at rest close to its equilibrium,
+    /// because it is short then. From ζ = 15/16 on the free vibration can take long to turn after any start.
     #[inline]
     fn damped_waves(&self) -> Option<&Self> {
         let (zero, one, two, four) = (F::int(0), F::int(1), F::int(2), F::int(4));
@@ -259,18 +260,18 @@ impl<F: Float> Slide<F> {
         (omega * four < one || omega > two || is_stiff).then_some(self)
     }
 
-    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω
-    /// outside [1/2, 2] and ζ = 0.
+    /// The window in which the slow wave of the velocity exceeds the amplitude of the fast one, for Ω outside
+    /// [1/2, 2] and ζ = 0.
     ///
     /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²).
     ///
     /// # Rounding
-    /// With the circular functions right to ε, G is right to 3ε|G|, and r to `ε r + 6ε max(1, Ω) |G|`: two
-    /// products and sums of G with cos θ and Ω sin θ, and the hypotenuse. The window is the one for G smaller
-    /// and r larger (or the other way) by 8ε each, which rounding cannot make too wide; [`Safe::next`] takes
-    /// off the rounding of its ends. What is lost of a window is as long as an angle whose cosine is 16ε
-    /// max(1, Ω) from that of its end: some 1e-8 of a period where the window ends far from its crest, and at
-    /// most the root of it.
+    /// The circular functions are accurate to ε. G then has an error of 3ε|G|, and r one of `ε r + 6ε max(1,
+    /// Ω) |G|`: two products and sums of G with cos θ and Ω sin θ, and the hypotenuse. The window is computed
+    /// for a G smaller and an r larger (or the other way) by 8ε each, so that rounding cannot make it too
+    /// wide; [`Safe::next`] subtracts the rounding of its ends. This margin changes the cosine of the angle
+    /// at the end of the window by 16ε max(1, Ω). It shortens the window by some 1e-8 of a period if the end
+    /// is far from the crest, and by at most the square root of that near it.
     fn safe_window(&self) -> Option<Safe<F>> {
         let (one, two) = (F::int(1), F::int(2));
         let Equation { omega, alpha, .. } = self.equation;

@@ -32,15 +32,15 @@ use crate::motion::slide::equation::Equation;
 pub(crate) struct Waves<F> {
     equation: Equation<F>,
     free: Free<F>,
-    /// G.
+    /// The amplitude G of the forced wave.
     gain: F,
-    /// ψ at φ = 0.
+    /// The phase ψ of the forced wave at φ = 0.
     angle: F,
-    /// h and h′ at φ = 0.
+    /// The free wave h and its rate h′ at φ = 0.
     start: (F, F),
     /// |x′| and |x″| at φ = 0: the sizes of the terms of h and h′ other than the forced wave.
     size: (F, F),
-    /// σ and β.
+    /// The slower rate of decay σ and the exponent β of the bound.
     rates: (F, F),
 }
 
@@ -66,14 +66,14 @@ impl<F: Float> Waves<F> {
         Self { equation, free, gain, angle, start, size, rates: (slower, decay) }
     }
 
-    /// The rounding error of the velocity at φ, given the free vibrations there; the rounding of the start
-    /// decays with them.
+    /// The rounding error of the velocity at φ, from the free vibrations at φ; the rounding error of the start
+    /// decays like them.
     fn noise_of(&self, phi: F, rotation: (F, F)) -> F {
         let phase = F::int(16) * F::epsilon() * self.equation.omega * (F::int(1) + phi) * self.gain;
         self.free_noise(phi, rotation) + phase
     }
 
-    /// The same without the phase of the forced wave: the rounding errors of h and G.
+    /// The rounding errors of h and G at φ, without the error of the phase of the forced wave.
     fn free_noise(&self, phi: F, (s, c): (F, F)) -> F {
         let (speed, acceleration) = self.size;
         let (speed, acceleration) = (speed + self.gain, acceleration + self.equation.omega * self.gain);
@@ -81,19 +81,19 @@ impl<F: Float> Waves<F> {
         F::int(16) * F::epsilon() * (free + self.gain)
     }
 
-    /// The angle dφ, or the exponent σφ: right to ε of itself.
+    /// The angle dφ, or the exponent σφ: accurate to ε, relative.
     fn turned(&self, phi: F) -> F {
         if self.free.swings() { phi } else { self.rates.0 * phi }
     }
 
-    /// The same from the start.
+    /// The rounding error of the velocity at φ.
     #[cold]
     #[inline(never)]
     pub(crate) fn noise_at(&self, phi: F) -> F {
         self.noise_of(phi, self.equation.free_waves(phi))
     }
 
-    /// r, by h and h′.
+    /// The bound r on the free wave, from h and h′.
     fn bound(&self, (h, rate): (F, F)) -> F {
         let (slower, decay) = self.rates;
         let turned = rate + slower * h;
@@ -121,11 +121,11 @@ impl<F: Float> Waves<F> {
             let end = self.forced_end(psi, r, noise);
             return (end > one).then(|| phi + end);
         }
-        // Whatever its phase, the forced wave is at most G.
+        // At any phase the forced wave is at most G.
         let noise = self.free_noise(phi, rotation);
         if now.0 > self.gain + noise {
             let far = if self.free.swings() {
-                // h = 0 ends the half wave.
+                // The half wave ends at h = 0.
                 let (h, rate) = now;
                 let d = self.free.frequency;
                 (d * h).atan2(-(rate + self.free.zeta * h)) / d
@@ -154,7 +154,7 @@ impl<F: Float> Waves<F> {
         let mut end = F::int(0);
         for _ in 0..MOST_ADVANCES {
             let fall = if end > F::int(0) { (-(self.rates.1 * end)).exp() } else { one };
-            // The noise once more for the rounding of the angle.
+            // The noise is added a second time for the rounding of the angle.
             let least = (r * fall + two * noise) / self.gain;
             let is_above = least < one;
             if !is_above {
@@ -170,9 +170,9 @@ impl<F: Float> Waves<F> {
         end
     }
 
-    /// How long a slide can last: the free wave of a pair of instants π/d apart cancels, and from ζ = 1/2 on
-    /// it is below half of the forced one after a time; each time the forced wave then changes its sign
-    /// within half a turn of the drive. A turn more for rounding.
+    /// The longest duration of a slide. At two instants π/d apart the free wave cancels, and from ζ = 1/2 on
+    /// it is below half of the forced wave after a time; in both cases the forced wave then changes its sign
+    /// within half a turn of the drive. One more turn allows for rounding.
     #[cold]
     #[inline(never)]
     pub(crate) fn longest(&self) -> F {
@@ -189,11 +189,11 @@ impl<F: Float> Waves<F> {
 /// window.
 const MOST_ADVANCES: u32 = 8;
 
-/// The last t with f(t) > 0 before `far`, where f is positive from 0 on up to one zero: approached from below
-/// to within `close`.
+/// The last t with f(t) > 0 before `far`, for an f that is positive from 0 on up to one zero: approached from
+/// below to within `close`.
 ///
-/// The bracket shrinks by false position, with the weight of an end that stays halved (the Illinois rule),
-/// and at least halves in three steps.
+/// The bracket shrinks by false position with the weight of a retained end halved (the Illinois rule), and at
+/// least halves in three steps.
 fn inner_end<F: Float>(far: F, close: F, f: impl Fn(F) -> F) -> Option<F> {
     let (zero, two) = (F::int(0), F::int(2));
     let (mut low, mut high) = (zero, far);
@@ -201,7 +201,7 @@ fn inner_end<F: Float>(far: F, close: F, f: impl Fn(F) -> F) -> Option<F> {
     if at_high > zero {
         return Some(high);
     }
-    // NaN is not above zero either.
+    // NaN does not count as above zero.
     let is_above = at_low > zero;
     if !is_above {
         return None;

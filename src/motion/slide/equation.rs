@@ -6,7 +6,7 @@ use crate::float::Float;
 use crate::machine::error::{Error, written};
 use crate::motion::broken::Broken;
 use crate::motion::drive::DrivePhase;
-// The functions of natural time that a slide is made of: without damping, too.
+// The functions of natural time in the formulas of a slide, with or without damping.
 pub(crate) use crate::cycle::damped::resonance::Responses as Waves;
 use crate::machine::ratios::Ratios;
 
@@ -65,13 +65,13 @@ impl<F: Float> Equation<F> {
         self.static_friction - F::int(1)
     }
 
-    /// The fastest rate at which anything of a slide changes, in natural time: `max(1, Ω, 2ζ)`.
+    /// The fastest rate at which any quantity of a slide changes, in natural time: `max(1, Ω, 2ζ)`.
     #[inline]
     pub(crate) fn pace(&self) -> F {
         F::int(1).or_larger(self.omega).or_larger(self.damping)
     }
 
-    /// The error of a search from `phase` on that exceeded its bound.
+    /// The error for a search from `phase` on that exceeded its bound.
     #[cold]
     pub(crate) fn lost(&self, search: &'static str, phase: DrivePhase<F>, bound: &'static str) -> Broken {
         let theta = F::from_f64(phase.half_turns() as f64) * F::pi() + phase.angle();
@@ -90,7 +90,7 @@ impl<F: Float> Equation<F> {
         if self.is_damped() { self.damped_waves(phi) } else { self.undamped_waves(phi) }
     }
 
-    /// The same without damping.
+    /// The free vibrations and the quotients C, S, D of `slide` at φ, without damping.
     #[inline]
     pub(crate) fn undamped_waves(&self, phi: F) -> Waves<F> {
         let one = F::int(1);
@@ -110,8 +110,8 @@ impl<F: Float> Equation<F> {
 
     /// (sin, cos) of p, φ and Ωφ, and sin m, from those of two angles.
     ///
-    /// Near Ω = 1, m has to keep its relative accuracy, and the two angles are p and m. Elsewhere φ and Ωφ
-    /// have to, and the two angles are their halves.
+    /// Near Ω = 1 the angle m must keep its relative accuracy, and the two angles are p and m. Elsewhere φ
+    /// and Ωφ must, and the two angles are their halves.
     #[inline]
     fn parts(&self, phi: F) -> Parts<F> {
         let (one, two) = (F::int(1), F::int(2));
@@ -129,8 +129,8 @@ impl<F: Float> Equation<F> {
         Parts { p, sin_m, free: sum(free, free), drive: sum(drive, drive) }
     }
 
-    /// The waves of `undamped_waves` at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there
-    /// `m = β − π/2` and `p = m + π`.
+    /// The waves of `undamped_waves` at φ = π/Ω, from (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there `m = β
+    /// − π/2` and `p = m + π`.
     #[inline]
     pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Waves<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
@@ -156,7 +156,7 @@ struct Parts<F> {
     drive: (F, F),
 }
 
-/// `1 − cos φ` without cancellation, by (sin φ, cos φ).
+/// `1 − cos φ` without cancellation, from (sin φ, cos φ).
 #[inline]
 fn versine<F: Float>((sine, cosine): (F, F)) -> F {
     let one = F::int(1);

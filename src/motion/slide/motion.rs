@@ -1,4 +1,5 @@
-//! The motion at one instant of a slide, and a value with its derivatives ([`Jet`]), which the search for a zero looks at.
+//! The motion at one instant of a slide, and a value with its derivatives ([`Jet`]), the input of the search
+//! for a zero.
 
 use super::equation::Equation;
 use crate::float::Float;
@@ -30,7 +31,7 @@ impl<F: Float> Motion<F> {
         }
     }
 
-    /// The same, with the presence of damping known at compile time.
+    /// The two derivatives of w after the jerk, with the presence of damping known at compile time.
     #[inline]
     pub(crate) fn higher_by<const DAMPED: bool>(&self, equation: &Equation<F>) -> (F, F) {
         let (square, damping) = (equation.omega.square(), equation.damping);
@@ -42,7 +43,7 @@ impl<F: Float> Motion<F> {
         (third, -(if DAMPED { fourth + damping * third } else { fourth }))
     }
 
-    /// The velocity with its derivatives, turned to the sign of the slide.
+    /// The velocity with its derivatives, multiplied by the sign of the slide.
     #[inline]
     pub(crate) fn velocity_jet<const DAMPED: bool>(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
         let third = self.higher_by::<DAMPED>(equation).0;
@@ -54,7 +55,7 @@ impl<F: Float> Motion<F> {
         }
     }
 
-    /// The acceleration with its derivatives, turned to a sign.
+    /// The acceleration with its derivatives, multiplied by a sign.
     #[inline]
     pub(crate) fn acceleration_jet(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
         let (second, third) = self.higher(equation);

@@ -27,13 +27,12 @@ impl<F: Float> Slide<F> {
     /// The motion at a short φ.
     ///
     /// From the third derivative of w on each term is a `(max(1, Ω) φ)²/n²`-th of an earlier one, or with
-    /// damping a `4ζφ/n`-th, so that the series is cut off after **at most PRECISION terms**, about 12 at
-    /// f64.
+    /// damping a `4ζφ/n`-th. The series therefore has **at most PRECISION terms**, about 12 at f64.
     pub(crate) fn short<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
         let (zero, one) = (F::int(0), F::int(1));
         let Equation { omega, damping, .. } = self.equation;
         let (sine, cosine) = self.sin_cos_start();
-        // f and f′ of f = αΩ cos θ, whose higher derivatives are −Ω² times these.
+        // f and f′ of f = αΩ cos θ; its higher derivatives are −Ω² times f and f′.
         let rate = self.equation.alpha * omega;
         let (mut force_rate, mut next_force_rate) = (rate * cosine, -(rate * omega * sine));
         let (mut derivative, mut next) = (self.w, self.acceleration);
@@ -49,7 +48,7 @@ impl<F: Float> Slide<F> {
             (derivative, next) = (next, if DAMPED { after - damping * next } else { after });
             (force_rate, next_force_rate) = (next_force_rate, -(omega.square() * force_rate));
             power = longer;
-            // Of the four first terms one at least is not small.
+            // At least one of the first four terms is not small.
             if n > 3 {
                 reach = reach / (F::int(8) * F::int(n));
                 if reach < F::epsilon() / F::int(64) {
@@ -115,7 +114,7 @@ mod tests {
         }
     }
 
-    /// Compares `x − x_i` and w of a released slide near the crest of the force with their first terms.
+    /// Compares `x − x_i` and w of a slide released near the crest of the force with their first terms.
     #[test]
     fn a_slide_just_let_go_keeps_its_digits() {
         for omega in [1e-3f64, 0.7, 1.0, 768.0] {

@@ -1,4 +1,4 @@
-//! Sticking: the body at rest until the force left over reaches the friction bound.
+//! Sticking: the body at rest until the remaining force reaches the friction bound.
 //!
 //! At rest at x friction balances `α sin θ − x` (in units of r_y), up to η. The body is released forward
 //! where `α sin θ` increases through `x + η` and backward where it decreases through `x − η`: at an arcsine,
@@ -27,7 +27,8 @@ impl<F: Float> Stick<F> {
         Self::until(equation, start, x, false)
     }
 
-    /// The same with the force at its bound and about to decrease: the next release is in another half turn.
+    /// The stop at x from the phase `start` on, with the force at its bound and about to decrease: the next
+    /// release is in another half turn.
     pub(crate) fn held(equation: Equation<F>, start: DrivePhase<F>, x: F) -> Self {
         Self::until(equation, start, x, true)
     }
@@ -50,7 +51,7 @@ impl<F: Float> Stick<F> {
         Self { equation, start, x, release: first }
     }
 
-    /// The duration as a phase; `None` if it never ends.
+    /// The duration as a phase; `None` for a stop that never ends.
     pub(crate) fn duration(&self) -> Option<F> {
         self.release.map(|(end, _)| end.since(self.start))
     }
@@ -62,16 +63,16 @@ pub(crate) fn force_rounding<F: Float>(equation: &Equation<F>, x: F) -> F {
     F::int(4) * F::epsilon() * (equation.alpha + x.abs() + equation.static_friction)
 }
 
-/// The angle of its half turn at which the body is released in one direction; `None` if the force never
+/// The angle within its half turn at which the body is released in one direction; `None` if the force never
 /// exceeds friction.
 ///
-/// `α sin θ = y = η ± x`. A maximum of the force that exceeds the bound by no more than its rounding moves
-/// the body by nothing that x can resolve, and does not count.
+/// It solves `α sin θ = y = η ± x`. A maximum of the force that exceeds the bound by no more than its
+/// rounding does not count: it moves the body by less than x can resolve.
 pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: Direction) -> Option<F> {
     let Equation { alpha, static_friction, .. } = *equation;
     let sign = direction.sign::<F>();
     let y = static_friction + sign * x;
-    // This avoids the rounding of y, which matters where α is close to η.
+    // This form avoids the rounding of y, which matters where α is close to η.
     let above = (alpha - static_friction) - sign * x;
     let exceeds = above > force_rounding(equation, x);
     if !exceeds {
@@ -84,8 +85,9 @@ pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: D
 
 /// The phase of the release in one direction, from the phase `now` on.
 ///
-/// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + η` with cos θ > 0
-/// has one solution in each even half turn, where y < α. `falling`: the present half turn does not count.
+/// The backward direction is the mirror image of the forward one: x → −x and half a turn later. `α sin θ = y
+/// = x + η` with cos θ > 0 has one solution in each even half turn, where y < α. `falling`: the present half
+/// turn does not count.
 fn release<F: Float>(
     equation: &Equation<F>,
     now: DrivePhase<F>,
@@ -103,7 +105,7 @@ fn release<F: Float>(
     if falling {
         return Some(now.in_half_turn(2, angle));
     }
-    // Within rounding of the bound and rising: now.
+    // The force is within rounding of the bound and rising: the body is released now.
     let force = equation.alpha * now.angle().sin();
     if y - force <= rounding {
         return Some(now);
@@ -182,7 +184,7 @@ mod tests {
         assert!((end.reduced() - (0.8f64 / 0.9).asin()).abs() < 1e-15);
     }
 
-    /// A held body that both directions can release goes in the one whose half turn comes first.
+    /// A held body that both directions can release slides in the one whose half turn comes first.
     #[test]
     fn after_a_hold_the_next_half_turn_releases() {
         let equation = Equation::new(Ratios::new(0.7, 3.0).unwrap());

@@ -9,7 +9,8 @@
 //! ∫ 2ζw² dφ             = 2ζ (J − [ww′] − ζ[w²]) + Ω² W + [wC] − [w² + w′²]/2
 //! ```
 //!
-//! for the work of the drive `W = ∫ S w dφ` and `J = ∫ C w dφ`. None of it uses the balance of energy.
+//! for the work of the drive `W = ∫ S w dφ` and `J = ∫ C w dφ`. None of these forms uses the balance of
+//! energy.
 
 use super::Slide;
 use super::equation::Equation;
@@ -20,9 +21,9 @@ use crate::float::Float;
 /// The works of one slide, in r_y B.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Works<F> {
-    /// Of the drive, ∫ α sin θ dx.
+    /// The work of the drive, ∫ α sin θ dx.
     pub(crate) drive: F,
-    /// Against the damper, ∫ 2ζw dx.
+    /// The work against the damper, ∫ 2ζw dx.
     pub(crate) damper: F,
 }
 
@@ -38,7 +39,7 @@ impl<F: Float> Slide<F> {
 
     /// Work of the drive `∫ α sin θ dx` from the start to `end` without damping, in r_y B.
     ///
-    /// From `(w″ + w) sin θ = αΩ cos θ sin θ` by parts, which owes nothing to the balance of energy:
+    /// By parts from `(w″ + w) sin θ = αΩ cos θ sin θ`, without the balance of energy:
     ///
     /// ```text
     /// ∫ sin θ dx = [sin θ (x + s − α sin θ/2) + Ω w cos θ]/(1 − Ω²)
@@ -52,7 +53,7 @@ impl<F: Float> Slide<F> {
         let sign = self.direction.sign::<F>();
         let divisor = (one - omega) * (one + omega);
         let start = self.motion_at_start();
-        // α times the bracket, by α sin θ and αΩ cos θ = w″ + w: two terms.
+        // α times the bracket, from α sin θ and αΩ cos θ = w″ + w: two terms.
         let terms = |m: &Motion<F>| (m.force * (m.x + sign - m.force / two), (m.jerk + m.w) * m.w);
         let ((a, b), (c, d)) = (terms(end), terms(&start));
         let bracket = (a + b) - (c + d);
@@ -71,9 +72,10 @@ impl<F: Float> Slide<F> {
     }
 
     /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their
-    /// digits: the damper's is then that of its power series, and the drive's follows from the balance of
-    /// energy. So they do where their terms nearly cancel, but for the damper's along a slide of many
-    /// periods, which is then right to the rounding of the drive's.
+    /// digits: the damper's work then comes from the power series of the velocity, and the drive's from the
+    /// balance of energy. A work whose terms nearly cancel is computed in the same way, except for the
+    /// damper's work along a slide of many periods, whose closed form is accurate to the rounding of the
+    /// drive's work.
     #[cold]
     #[inline(never)]
     fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
@@ -86,7 +88,7 @@ impl<F: Float> Slide<F> {
         }
         let start = self.motion_at_start();
         let Works { drive, mut damper } = self.closed_works(phi, &start, end);
-        // With little damping, the closed form leaves the rounding of terms without it.
+        // With little damping, the closed form leaves the rounding of the terms that do not contain ζ.
         let terms = |m: &Motion<F>| m.w.square() + m.acceleration.square() + square * drive.abs();
         if damper * F::int(1 << 16) < terms(end).or_larger(terms(&start)) {
             let is_short = phi * self.equation.pace() < F::int(16);
@@ -106,14 +108,14 @@ impl<F: Float> Slide<F> {
         let (p, imaginary) = self.equation.stiffness();
         let determinant = p.square() + imaginary.square();
         let square = self.equation.omega.square();
-        // αΩ cos θ by the angle at the end: the third derivative at a velocity zero has fewer digits than the
-        // state.
+        // αΩ cos θ comes from the angle at the end, because the third derivative at a velocity zero has fewer
+        // digits than the state.
         let ((sine, cosine), (turned_sine, turned_cosine)) =
             (self.sin_cos_start(), (self.equation.omega * phi).sin_cos());
         let rate = self.equation.alpha * self.equation.omega;
         let start = (start, rate * cosine);
         let end = (end, rate * (cosine * turned_cosine - sine * turned_sine));
-        // Each bracket at one end.
+        // The bracket of each form at one end.
         let first = |(m, c): (&Motion<F>, F)| {
             let s = m.force;
             s.square() / two - m.acceleration * s + m.w * c - k * m.w * s
@@ -136,8 +138,8 @@ impl<F: Float> Slide<F> {
         Works { drive, damper }
     }
 
-    /// `∫ 2ζw² dφ` up to φ by the power series of w around the middles of parts, each no longer than half of
-    /// the fastest period.
+    /// `∫ 2ζw² dφ` up to φ by the power series of w around the middles of parts, none longer than half of the
+    /// fastest period.
     fn damper_by_series(&self, phi: F) -> F {
         let Equation { omega, damping, .. } = self.equation;
         // The cast of a float to an integer saturates.
@@ -163,8 +165,8 @@ mod tests {
     use crate::motion::slide::{Direction, Slide};
     use crate::motion::{LongRun, State};
 
-    /// A static friction above the kinetic one by rounding changes no work, though the velocity zeros are then
-    /// found from another start.
+    /// A static friction that exceeds the kinetic one by a rounding error changes no work, although the
+    /// search for the velocity zeros then begins elsewhere.
     #[test]
     fn a_static_friction_a_float_above_the_kinetic_one_changes_no_work() {
         for (omega, alpha, zeta) in [
@@ -202,8 +204,8 @@ mod tests {
         }
     }
 
-    /// At 512 bits the closed form has digits left where it cancels: the series agrees with all of these, and
-    /// at f64 with nearly all digits of f64.
+    /// At 512 bits the closed form keeps digits where it cancels: the series agrees with all of them, and at
+    /// f64 with nearly all digits of f64.
     #[cfg(feature = "mp")]
     #[test]
     fn the_series_is_the_closed_form_to_all_digits() {
@@ -229,7 +231,8 @@ mod tests {
                         assert!(by_series < 1e-130, "{omega} {zeta} {speed} {share}: {by_series:e}");
                         let by_series = slide::<f64>(omega, zeta, speed).damper_by_series(phi);
                         let unit = f64::EPSILON * (8.0 + 2.0 * phi * omega.max(1.0));
-                        // From rest, the velocity is a difference of the initial terms and those of the time.
+                        // From rest, the velocity is the difference between the initial terms and those at
+                        // the time.
                         assert!(off(by_series.into()) < 4.0 * unit, "{omega} {zeta} {speed} {share}");
                     }
                 }

@@ -10,7 +10,7 @@ use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;
 
 impl<F: Float> Slide<F> {
-    /// [`Slide::fastest`] with damping.
+    /// The maximum speed of a damped slide, for [`Slide::fastest`].
     #[cold]
     #[inline(never)]
     pub(super) fn fastest_damped(
@@ -43,9 +43,9 @@ impl<F: Float> Slide<F> {
     }
 
     /// The parts (from, to) of a slide under a slow drive that can contain its maximum speed, around the
-    /// crests of the forced wave; a part is empty unless from < to. `None` if they contain more than a few
-    /// extrema, or if there are more parts. `best` becomes the greatest of the speeds at the ends and at the
-    /// crest of the free wave that is nearest to one of the forced wave.
+    /// crests of the forced wave; a part is empty unless from < to. `None` if the parts contain more than a
+    /// few extrema, or if there are too many parts. `best` becomes the greatest of the speeds at the ends and
+    /// at the crest of the free wave that is nearest to a crest of the forced wave.
     ///
     /// The speed is `A cos(Ωφ − c) + u` with `|u| ≤ r`, the amplitude of the free wave at the start. Where
     /// the forced wave is below an attained speed by more than r, there is no maximum.
@@ -101,7 +101,7 @@ impl<F: Float> Slide<F> {
         (at_start > -one && is_short && are_all).then_some(parts)
     }
 
-    /// The maximum speed where there may be many extrema and the free wave decays, by the search of the
+    /// The maximum speed where there can be many extrema and the free wave decays, by the search of the
     /// closed-form cycle.
     #[cold]
     #[inline(never)]
@@ -109,7 +109,7 @@ impl<F: Float> Slide<F> {
         let equation = &self.equation;
         let sign = self.direction.sign::<F>();
         let (x, w) = equation.forced(self.sin_cos_start());
-        // s times the velocity, the drive's share as Ω(a sin Ωφ − H cos Ωφ).
+        // s times the velocity; the drive's share is Ω(a sin Ωφ − H cos Ωφ).
         let h = -(sign * w / equation.omega);
         let (free_x, free_w) = (self.x + sign - x, self.w - w);
         let motion = Vibration {

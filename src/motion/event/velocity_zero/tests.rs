@@ -42,7 +42,7 @@ fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
     }
 }
 
-/// A short step on agrees with the motion up to the order of the omitted terms.
+/// The motion a short step later agrees with Taylor's series up to the order of the omitted terms.
 #[test]
 fn a_short_step_on_is_the_motion() {
     let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
@@ -199,8 +199,8 @@ fn a_wrong_hint_changes_nothing() {
     }
 }
 
-/// Close to critical damping a creep from rest under a weak force lasts for hundreds of radians, and is followed
-/// to its end.
+/// Close to critical damping a creep from rest under a weak force lasts for hundreds of radians; the search
+/// follows it to its end.
 #[test]
 fn a_creep_from_rest_ends() {
     let mut slides = 0;

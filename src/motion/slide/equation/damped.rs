@@ -1,4 +1,4 @@
-//! The functions of natural time with viscous damping; near resonance they are those of
+//! The functions of natural time with viscous damping; near resonance they come from
 //! `cycle::damped::resonance`.
 
 use super::{Equation, Waves};
@@ -6,13 +6,13 @@ use crate::cycle::damped::free::Free;
 use crate::float::Float;
 
 impl<F: Float> Equation<F> {
-    /// ζ.
+    /// The damping ratio ζ.
     #[inline]
     pub(crate) fn zeta(&self) -> F {
         self.damping / F::int(2)
     }
 
-    /// Free vibration, ζ > 0.
+    /// The free vibration with ζ > 0.
     #[inline]
     pub(crate) fn vibration(&self) -> Free<F> {
         Free::new(self.zeta())
@@ -31,10 +31,11 @@ impl<F: Float> Equation<F> {
         (waves.sine, waves.cosine + self.zeta() * waves.sine)
     }
 
-    /// Free vibration of w after φ from (w, w′), `rotation` being [`Equation::free_waves`] at φ.
+    /// The free vibration (w, w′) after φ, from its initial values; `rotation` is [`Equation::free_waves`] at
+    /// φ.
     ///
     /// From ζ = 1 on `w′ = −w/μ + (w_0′ + w_0/μ) e^{−μφ}` with the faster rate of decay μ = ζ + √(ζ² − 1): a
-    /// slow creep keeps its digits.
+    /// slow creep then keeps its digits.
     pub(crate) fn freely(&self, phi: F, (s, c): (F, F), (w, rate): (F, F)) -> (F, F) {
         let after = w * c + rate * s;
         if self.damping < F::int(2) {
@@ -45,7 +46,7 @@ impl<F: Float> Equation<F> {
         (after, (rate + slow * w) * fast - slow * after)
     }
 
-    /// `1 − Ω² + 2iζΩ`, (real, imaginary): the stiffness that the drive meets.
+    /// `1 − Ω² + 2iζΩ`, (real, imaginary): the dynamic stiffness at the frequency of the drive.
     #[inline]
     pub(crate) fn stiffness(&self) -> (F, F) {
         let (one, omega) = (F::int(1), self.omega);
@@ -61,7 +62,7 @@ impl<F: Float> Equation<F> {
         (x, self.omega * amplitude * (real * cosine + imaginary * sine))
     }
 
-    /// The waves of `undamped_waves` with damping.
+    /// The free vibrations and the quotients C, S, D of `slide` at φ, with damping.
     #[cold]
     #[inline(never)]
     pub(crate) fn damped_waves(&self, phi: F) -> Waves<F> {

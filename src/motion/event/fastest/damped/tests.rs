@@ -28,9 +28,9 @@ fn slow_slides<F: Float>(i: u32) -> Vec<(Slide<F>, F)> {
     found
 }
 
-/// The excess of the fastest sample over the computed maximum speed, and the difference of that speed from
-/// the one at its time, relative to the terms of the speed. `density` is the number of samples per unit of
-/// natural time.
+/// The excess of the fastest sample over the computed maximum speed, and the difference between the maximum
+/// speed and the speed at its time, relative to the terms of the speed. `density` is the number of samples
+/// per unit of natural time.
 fn excess<F: Float>(slide: &Slide<F>, end: F, density: f64) -> F {
     let found = slide.fastest(end, &slide.motion(end)).unwrap();
     assert!(found.phi >= F::int(0) && found.phi <= end, "{slide:?}: {found:?}");
@@ -62,7 +62,7 @@ fn no_sample_of_a_slow_damped_slide_is_faster() {
     assert!(slides > 6000 && worst > 0.0, "{slides} {worst}");
 }
 
-/// The same far below the rounding of f64: the result is the maximum itself.
+/// At 256 bits no sample exceeds the maximum either: the result is accurate far below the rounding of f64.
 #[cfg(feature = "mp")]
 #[test]
 fn nor_is_one_at_256_bits() {
