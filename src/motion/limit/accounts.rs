@@ -16,8 +16,8 @@ fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
     Ratios::new(omega, alpha).unwrap()
 }
 
-/// Before a motion has settled, the work of the drive and that against friction differ by the change of the
-/// energy `(x² + w²)/2`.
+/// Before a motion has settled, the work of the drive and the work against friction differ by the change of
+/// the energy `(x² + w²)/2`.
 #[test]
 fn the_works_balance_the_energy() {
     for i in 0..200 {
@@ -41,7 +41,7 @@ fn the_works_balance_the_energy() {
     }
 }
 
-/// The distance is one of x/B and of x′/(Bω_d), each in its own unit.
+/// The distance has components in x/B and in x′/(Bω_d), each in its own unit.
 #[test]
 fn the_distance_is_in_the_units_of_a_state() {
     for omega in [0.25f64, 0.7, 4.0] {
@@ -83,7 +83,7 @@ fn the_growth_at_resonance_is_that_of_the_motion() {
     }
 }
 
-/// A motion that does not settle is followed for the periods allowed, and a few half turns more.
+/// A motion that does not settle is followed for the allowed periods and a few half turns more.
 #[test]
 fn a_budget_is_one_of_periods() {
     for most in [100, 400] {
@@ -97,7 +97,7 @@ fn a_budget_is_one_of_periods() {
     }
 }
 
-/// The errors after some cycles are those of the state reached by then, from a start that moves.
+/// The errors after some cycles are those of the state reached by then, from a start in motion.
 #[test]
 fn errors_after_some_cycles_are_those_from_there() {
     let start = State::new(0.0, 0.4, 0.9).unwrap();
@@ -112,7 +112,7 @@ fn errors_after_some_cycles_are_those_from_there() {
     }
 }
 
-/// Without a damper its work is zero, however the motion was found.
+/// Without a damper the damper's work is zero, however the motion was found.
 #[test]
 fn no_damper_takes_no_work() {
     let cycle = Cycle::new(ratios(0.7, 2.0)).unwrap();

@@ -1,13 +1,13 @@
 //! Ω = 1/(2n): a family of periodic motions.
 //!
-//! There the natural period divides half of the drive's, a free vibration of fixed amplitude can ride on the
-//! forced one, and any of a family of motions that do not stick is periodic: extrema `±α/(1 − Ω²) + c` with
-//! `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One multiplier of the cycle is 1. Which member a motion tends to depends
-//! on its start, so it is followed there.
+//! Here the natural period divides half of the drive's period, and a free vibration of fixed amplitude can be
+//! added to the forced one. The motions that do not stick form a family, and each member is periodic: extrema
+//! `±α/(1 − Ω²) + c` with `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One multiplier of the cycle is 1. The start
+//! determines the member that a motion tends to, and so the motion is followed.
 //!
 //! A motion outside the family sticks slightly less in each cycle, and creeps towards the member at the edge,
-//! which touches the border of sticking: the distance decreases only like 1/cycles. It never grows
-//! (`shooting`), so that a motion close to that member has it as its limit to within that distance.
+//! which touches the border of sticking: the distance decreases only like 1/cycles. The distance never grows
+//! (`shooting`), so that a motion close to this member has it as its limit, to within the distance.
 
 use super::long_run::{LongRun, unsettled};
 use super::measures::CycleStatistics;
@@ -25,10 +25,10 @@ use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::Point;
 
-/// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. A float that is 1/(2n) to within its
-/// rounding only has one limit.
+/// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. If Ω is 1/(2n) only to within rounding, the
+/// limit is unique.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
-    // 1/2 is the greatest such frequency ratio.
+    // The greatest frequency ratio of a family is 1/2.
     if ratios.omega() * F::int(3) > F::int(2) || ratios.is_damped() {
         return false;
     }
@@ -39,7 +39,7 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
 /// The member that the motion through a point tends to.
 ///
 /// The change from cycle to cycle shrinks by the other multiplier μ, so that after a change d the remaining
-/// change is `d μ/(1 − μ)`. It is added once it is small enough for the motion to be linear in it.
+/// change is `d μ/(1 − μ)`. This change is added once it is small enough for the motion to be linear in it.
 ///
 /// # Errors
 /// As for [`propagate`].
@@ -60,15 +60,15 @@ pub(crate) fn member<F: Float>(
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
         let other = cycle.monodromy.determinant().abs();
-        // Friction is too small compared with the motion for the type to resolve, and the remainder is
+        // Friction is too small compared with the motion for the type to resolve, and the remaining change is
         // unknown.
         let settles = one - other > rate_noise(cycle.count);
         let in_the_limit = |change: F| if settles { change / (one - other) } else { one / F::int(0) };
         let left = in_the_limit(change);
         let size = one + y.x.abs() + y.w.abs();
         let rounding = F::int(4) * (residual.bound() - change);
-        // A motion far outside loses less in a cycle than its own rounding, so that its repetition proves
-        // nothing.
+        // A motion far outside the family loses less in a cycle than its own rounding: it seems to repeat,
+        // which proves nothing.
         if is_near(&equation, &y) && settles && (left <= rounding || (added && change <= rounding)) {
             let off = in_the_limit(residual.bound()) + rounding;
             return Ok(finish(equation, y, &cycle, (off, off), &mut budget)?);
@@ -93,8 +93,8 @@ pub(crate) fn member<F: Float>(
     }
 }
 
-/// Whether a point is as near as the members of the family are, to within a factor:
-/// `|x| ≤ α(1 + Ω²)/(1 − Ω²) − 1` there.
+/// Whether a point is within the range of the members, to within a factor: their displacements are `|x| ≤ α(1
+/// + Ω²)/(1 − Ω²) − 1`.
 fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
     let (one, omega) = (F::int(1), equation.omega);
     let reach = equation.alpha * (one + omega.square()) / ((one - omega) * (one + omega));
@@ -106,7 +106,7 @@ const LONG_CREEP: u64 = 400;
 
 /// The member at the edge of the family that is nearest to y, at the phase of y.
 ///
-/// The members are the symmetric cycle and `c cos ω_n(t − t₂)`, |c| up to `αΩ²/(1 − Ω²) − 1`.
+/// The members are sums of the symmetric cycle and `c cos ω_n(t − t₂)`, |c| up to `αΩ²/(1 − Ω²) − 1`.
 fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
     let (zero, one) = (F::int(0), F::int(1));
     let Equation { omega, alpha, .. } = equation;
@@ -126,8 +126,8 @@ fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
     if distance(&high) <= distance(&low) { high } else { low }
 }
 
-/// The member from a point on, by its motion over one turn; symmetric if its middle is zero to within the
-/// distance that it can be off.
+/// The member through a point, by its motion over one turn; it counts as symmetric if its middle is zero to
+/// within the distance from the limit.
 ///
 /// # Errors
 /// As for [`propagate`].
@@ -147,7 +147,7 @@ pub(crate) fn finish<F: Float>(
         rest: zero,
         ..CycleStatistics::of_periodic(equation, start, 2, propagation, budget)?
     };
-    // No disturbance grows (`shooting`): an excess above 1 is rounding, where the type cannot resolve
+    // No disturbance grows (`shooting`): a multiplier above 1 is rounding, where the type cannot resolve
     // friction compared with the force.
     let other = propagation.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };

@@ -9,7 +9,7 @@
 //! `Hᵐ(y) = y`.
 //!
 //! * m odd: the motion is symmetric, `x(t + mT/2) = −x(t)`, and takes m turns.
-//! * m even: it is not, and takes m/2 turns; `H(y)` is on its mirror image, another motion.
+//! * m even: the motion is asymmetric and takes m/2 turns; `H(y)` is on its mirror image, another motion.
 //!
 //! # How a periodic motion is recognised
 //!

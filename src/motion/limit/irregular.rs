@@ -15,9 +15,9 @@ use crate::motion::state::State;
 #[must_use]
 pub struct Irregular<F> {
     /// The larger Lyapunov exponent per turn of the drive: on average a small distance grows by `e^λ` in a
-    /// turn. From the exact linearised motion, by a disturbance that is carried along.
+    /// turn. It is the mean growth of a disturbance under the exact linearised motion.
     pub lyapunov_exponent: F,
-    /// The standard error of that average, from the means of 32 parts of the time.
+    /// The standard error of the Lyapunov exponent, from the means of 32 parts of the time.
     pub lyapunov_exponent_error: F,
     /// The maximum displacement x/B over the turns observed.
     pub max_displacement: F,
@@ -28,15 +28,15 @@ pub struct Irregular<F> {
     /// Turns of the drive over which exponent, extrema and stops were observed.
     #[cfg_attr(feature = "serde", serde(rename = "turns_observed"))]
     pub turns: u64,
-    /// Periods of the drive that were followed in all.
+    /// The number of periods of the drive that were followed, including those before the observation.
     pub periods: F,
-    /// The state reached in the end.
+    /// The state at the end.
     pub state: State<F>,
 }
 
 impl<F: Float> Irregular<F> {
-    /// Whether neighbours leave it exponentially: the exponent is above four times its standard error.
-    /// Otherwise they neither leave nor approach it, as in a quasi-periodic motion.
+    /// Whether neighbouring motions diverge exponentially: the exponent is above four times its standard
+    /// error. Otherwise they neither diverge nor approach, as in a quasi-periodic motion.
     pub fn is_chaotic(&self) -> bool {
         self.lyapunov_exponent > F::int(4) * self.lyapunov_exponent_error
     }
@@ -61,7 +61,7 @@ mod tests {
         State { phase: start.phase, ..part.at(target).state }
     }
 
-    /// The mean growth per turn of a distance of 1e-8 between two motions, which is rescaled after each turn.
+    /// The mean growth per turn of the distance between two motions, which is reset to 1e-8 after each turn.
     fn growth(ratios: Ratios<f64>, start: State<f64>, turns: u32) -> f64 {
         let small = 1e-8;
         let (mut one, mut sum) = (start, 0.0);

@@ -16,16 +16,16 @@ use crate::motion::state::{Point, State};
 pub enum LongRun<F> {
     /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md).
     /// Where Ω is 1/(2n) to within rounding only, one multiplier rounds to 1: no start comes close to the
-    /// limit in any time that a machine runs.
+    /// limit within the lifetime of a machine.
     ///
-    /// With a static friction above the kinetic one (η > 1) it is the limit of this start: others can have
-    /// another, and it need not be symmetric nor take one turn of the drive only
+    /// With a static friction above the kinetic one (η > 1) this is the limit of one start: other starts can
+    /// have other limits, and the motion can be asymmetric or take several turns of the drive
     /// ([`SteadyState::turns_per_cycle`]).
     Periodic(SteadyState<F>),
-    /// Ω = 1/(2n) exactly, without damping and without sticking: one of a family of periodic motions, the one
-    /// that this start leads to.
+    /// The member of a family of periodic motions to which this start leads: Ω = 1/(2n) exactly, without
+    /// damping and without sticking.
     Family(SteadyState<F>),
-    /// Rest: from every start where α ≤ 1, and from this one where 1 < α ≤ η.
+    /// Rest: from every start where α ≤ 1, and from this start where 1 < α ≤ η.
     Rest(Rest<F>),
     /// η > 1: the motion from this start did not become periodic in the turns followed, and neighbours do not
     /// approach it.
@@ -36,35 +36,35 @@ pub enum LongRun<F> {
         /// Growth of the maximum displacement in a cycle, in the limit.
         growth: F,
     },
-    /// No limit within the budget: the state of the motion, and its displacement in half a cycle. This also
-    /// occurs at Ω = 1/(2n) where friction is so small compared with the motion that the type cannot resolve
-    /// the rate of convergence.
+    /// No limit within the budget: the state of the motion, and its change in half a cycle. This also occurs
+    /// at Ω = 1/(2n) where friction is so small compared with the motion that the type cannot resolve the
+    /// rate of convergence.
     NotConverged {
-        /// The state reached.
+        /// The state at the end.
         state: State<F>,
-        /// `hypot(δx, δv Ω)` of half a cycle: the remaining change.
+        /// The change in half a cycle, `hypot(δx, δv Ω)`.
         residual: F,
-        /// Periods of the drive that were followed.
+        /// The number of periods of the drive that were followed.
         periods: F,
     },
 }
 
-/// Where a body ends at rest.
+/// The rest in which a motion ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Rest<F> {
-    /// Place of rest x/B, `|x| ≤ η − α`.
+    /// Position of rest x/B, `|x| ≤ η − α`.
     pub position: F,
     /// The number of slides until permanent rest; `None` if the body creeps for ever towards
     /// [`Rest::position`].
     pub slides: Option<u64>,
-    /// Periods of the drive that were followed.
+    /// The number of periods of the drive that were followed.
     pub periods: F,
 }
 
 impl<F: Float> LongRun<F> {
-    /// The periodic motion, where there is one.
+    /// The periodic motion, if the limit is one.
     pub const fn steady_state(&self) -> Option<&SteadyState<F>> {
         match self {
             Self::Periodic(steady) | Self::Family(steady) => Some(steady),
@@ -72,7 +72,8 @@ impl<F: Float> LongRun<F> {
         }
     }
 
-    /// [`Display`](core::fmt::Display) as a static text: one of [`LongRun::NAMES`].
+    /// The name of this kind of limit, one of [`LongRun::NAMES`]: [`Display`](core::fmt::Display) as a static
+    /// text.
     #[doc(hidden)]
     #[must_use]
     pub const fn name(&self) -> &'static str {
@@ -90,8 +91,8 @@ impl<F: Float> LongRun<F> {
     #[doc(hidden)]
     pub const NAMES: [&'static str; 6] = ["periodic", "family", "rest", "irregular", "none", "not-converged"];
 
-    /// Periods of the drive that the motion was followed for; `None` where it grows without bound, which
-    /// takes none.
+    /// The number of periods of the drive for which the motion was followed; `None` for unbounded motion,
+    /// which is known without following it.
     pub const fn periods(&self) -> Option<F> {
         match self {
             Self::Periodic(steady) | Self::Family(steady) => Some(steady.periods),
@@ -102,18 +103,18 @@ impl<F: Float> LongRun<F> {
         }
     }
 
-    /// The place of rest, x/B; `None` for all other limits.
+    /// The position of rest, x/B; `None` for all other limits.
     pub const fn rest_position(&self) -> Option<F> {
         if let Self::Rest(rest) = self { Some(rest.position) } else { None }
     }
 
-    /// The irregular motion, where it is one.
+    /// The irregular motion, if the limit is one.
     pub const fn irregular(&self) -> Option<&Irregular<F>> {
         if let Self::Irregular(motion) = self { Some(motion) } else { None }
     }
 
-    /// The minimum and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an
-    /// irregular motion that were observed.
+    /// The minimum and the maximum displacement x/B of a moving limit, over a cycle or over the observed
+    /// turns of an irregular motion.
     pub fn extrema(&self) -> Option<(F, F)> {
         let of_cycle =
             |steady: &SteadyState<F>| (steady.min_displacement.value, steady.max_displacement.value);
@@ -129,10 +130,10 @@ impl<F: Float> core::fmt::Display for LongRun<F> {
     }
 }
 
-/// Periods of the drive that a motion is followed for unless said otherwise.
+/// The number of periods of the drive for which a motion is followed by default.
 pub const DEFAULT_BUDGET: u32 = 20_000;
 
-/// [`LongRun::NotConverged`] at a point.
+/// [`LongRun::NotConverged`] with the state at a point.
 pub(crate) fn unsettled<F: Float>(
     equation: &Equation<F>,
     y: &Point<F>,

@@ -11,9 +11,9 @@ pub(crate) struct Matrix<F> {
     pub(crate) d: F,
 }
 
-/// The acceleration after a reversal over that before, `|a|/(|a| + 2)` with a the one after: friction turns
-/// round, and nothing else changes. A quotient of two that are each a difference of large terms would be off
-/// by the rounding of these.
+/// The acceleration after a reversal divided by the acceleration before it, `|a|/(|a| + 2)` with a the
+/// acceleration after: friction changes its sign, and nothing else changes. A quotient of the two
+/// accelerations, each a difference of large terms, would contain the rounding of these terms.
 #[inline]
 pub(crate) fn reversal_ratio<F: Float>(after: F) -> F {
     after.abs() / (after.abs() + F::int(2))
@@ -26,7 +26,8 @@ impl<F: Float> Matrix<F> {
     }
 
     /// The disturbance after a slide, which is a free vibration. `rotation` contains the free vibrations from
-    /// (0, 1) and (1, 0) after its time, which are (sin φ, cos φ) without damping; `damping` is 2ζ.
+    /// (0, 1) and (1, 0) after the time of the slide, which are (sin φ, cos φ) without damping; `damping` is
+    /// 2ζ.
     #[inline]
     pub(crate) fn after_slide(self, (s, c): (F, F), damping: F) -> Self {
         let slope = c - damping * s;
@@ -39,15 +40,15 @@ impl<F: Float> Matrix<F> {
     }
 
     /// The disturbance after a velocity zero: δw is multiplied by the ratio of the accelerations after and
-    /// before, because the zero itself moves, and by 0 at a stop.
+    /// before the zero, because the zero itself moves, and by 0 at a stop.
     #[inline]
     pub(crate) fn after_zero(self, ratio: F) -> Self {
         Self { c: ratio * self.c, d: ratio * self.d, ..self }
     }
 
     /// The disturbance after a release. If the body is released later by δθ = δx/(α cos θ), it has gained
-    /// less from its initial acceleration η − 1, so that `δw = −δx (η − 1)/(αΩ |cos θ|)`; `gain` is that
-    /// factor of δx.
+    /// less velocity from its initial acceleration η − 1, so that `δw = −δx (η − 1)/(αΩ |cos θ|)`; `gain` is
+    /// the factor of δx.
     #[inline]
     pub(crate) fn after_release(self, gain: F) -> Self {
         if gain == F::int(0) {
@@ -56,7 +57,7 @@ impl<F: Float> Matrix<F> {
         Self { c: self.c - gain * self.a, d: self.d - gain * self.b, ..self }
     }
 
-    /// The same with the opposite sign.
+    /// This matrix with the opposite sign.
     pub(crate) fn negated(self) -> Self {
         Self { a: -self.a, b: -self.b, c: -self.c, d: -self.d }
     }
@@ -69,7 +70,7 @@ impl<F: Float> Matrix<F> {
         self.a + self.d
     }
 
-    /// `(1 + M)⁻¹`, where there is one.
+    /// `(1 + M)⁻¹`, or infinite or NaN entries where 1 + M is singular.
     #[inline]
     pub(crate) fn inverse_of_one_plus(self) -> Self {
         let one = F::int(1);
@@ -104,10 +105,10 @@ impl<F: Float> Matrix<F> {
 
     /// The squares of the eigenvalues, each as (re, im), the larger first.
     ///
-    /// `μ² − (t² − 2δ) μ + δ² = 0` with t the trace and δ the determinant; the smaller real root from the
-    /// product. Where t²/4 − δ is not more than its rounding the root is taken for double, |μ| = δ: so the
-    /// larger one is never above that of a matrix next to this one by more than a root of 8ε, relative, and
-    /// is exactly δ where the two are complex.
+    /// The squares solve `μ² − (t² − 2δ) μ + δ² = 0` with t the trace and δ the determinant; the smaller real
+    /// root comes from the product. Where t²/4 − δ does not exceed its rounding the root counts as double,
+    /// |μ| = δ. The larger root therefore never exceeds that of a neighbouring matrix by more than a root of
+    /// 8ε, relative, and is exactly δ where the two are complex.
     pub(crate) fn squared_eigenvalues(self) -> [(F, F); 2] {
         let (zero, two) = (F::int(0), F::int(2));
         let (t, det) = (self.trace(), self.determinant());

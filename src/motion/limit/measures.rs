@@ -18,12 +18,12 @@ use crate::motion::state::Point;
 pub struct Extreme<F> {
     /// The value: x/B or x′/(Bω_d).
     pub value: F,
-    /// Where it is taken first; [`DrivePhase::reduced`] gives it in [0, 2π).
+    /// The phase at which the value is first taken; [`DrivePhase::reduced`] gives it in [0, 2π).
     pub phase: DrivePhase<F>,
 }
 
 impl<F: Float> Extreme<F> {
-    /// The same with the opposite sign, half a turn later.
+    /// The extreme of the mirrored motion: the opposite sign, half a turn later.
     #[inline]
     pub(crate) fn mirrored(self) -> Self {
         Self { value: -self.value, phase: self.phase.later_by_half_turns(1) }
@@ -50,7 +50,7 @@ pub(crate) struct CycleStatistics<F> {
 }
 
 impl<F: Float> CycleStatistics<F> {
-    /// Nothing yet: at `start`.
+    /// The statistics of no time, at the point `start`.
     pub(crate) fn at(start: &Point<F>, omega: F) -> Self {
         let zero = F::int(0);
         let x = Extreme { value: start.x, phase: start.phase };
@@ -69,11 +69,12 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The statistics of `half_turns` of a periodic motion through `start`, `propagation` being those from
-    /// there.
+    /// The statistics of `half_turns` of a periodic motion through `start`; `propagation` is the propagation
+    /// of `half_turns` from `start`.
     ///
-    /// Stops and velocity zeros are counted from a point in the middle of a slide on, so that neither is at
-    /// the seam: there a stop is cut in two, and rounding says on which side of it a velocity zero is.
+    /// Stops and velocity zeros are counted from a point in the middle of a slide. At a beginning in a stop
+    /// the stop would be cut in two, and rounding would decide on which side of the beginning a velocity zero
+    /// lies.
     ///
     /// # Errors
     /// As for [`follow`].
@@ -112,7 +113,7 @@ impl<F: Float> CycleStatistics<F> {
         Ok(statistics)
     }
 
-    /// Counts a part of the motion in.
+    /// Adds a part of the motion to the statistics.
     ///
     /// # Errors
     /// As for [`Slide::fastest`].
@@ -170,8 +171,7 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The statistics of a whole turn from those of its first half, if the second half is the first with the
-    /// opposite sign.
+    /// The statistics of a whole turn from those of its first half, if the second half has the opposite sign.
     pub(crate) fn doubled(mut self) -> Self {
         let two = F::int(2);
         for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
@@ -206,7 +206,7 @@ impl<F: Float> CycleStatistics<F> {
     }
 }
 
-/// How far a cycle is from symmetry: the four error measures of Hong & Liu 2001, section 3.
+/// The asymmetry of a cycle: the four error measures of Hong & Liu 2001, section 3.
 ///
 /// ```text
 /// Error 1 = |max x + min x|/max x        Error 2 = (|t₄ − t₂| − π/ω_d)/T
@@ -220,13 +220,13 @@ impl<F: Float> CycleStatistics<F> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct ErrorMeasures<F> {
-    /// Of the displacements.
+    /// Asymmetry of the displacements.
     pub error_1: F,
-    /// Of the phases of the displacements.
+    /// Asymmetry of the phases of the displacements.
     pub error_2: F,
-    /// Of the velocities.
+    /// Asymmetry of the velocities.
     pub error_3: F,
-    /// Of the phases of the velocities.
+    /// Asymmetry of the phases of the velocities.
     pub error_4: F,
 }
 

@@ -19,8 +19,8 @@ pub struct Observed {
     pub sticks: Option<u32>,
     /// The number of reversals in a cycle, if there is a cycle without a stop.
     pub reversals: Option<u32>,
-    /// Whether the borders decided, because stops or clearances are too small for the arithmetic, or because
-    /// the motion has not settled.
+    /// Whether the regime follows from the borders, because stops or clearances are too small for the
+    /// arithmetic, or because the motion has not settled.
     pub by_border: bool,
 }
 
@@ -87,7 +87,7 @@ fn is_lost<F: Float>(ratios: Ratios<F>, steady: &SteadyState<F>) -> bool {
     F::int(64) * F::epsilon() * size >= F::int(1)
 }
 
-/// The border next to α, if the decisive quantity is below the accuracy of the motion.
+/// The border next to α, if the stop or clearance is below the accuracy of the motion.
 pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady: &SteadyState<F>) -> bool {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let (x, v) = steady.distance;
@@ -190,8 +190,8 @@ mod tests {
         }
     }
 
-    /// Near a pole, in the gap between the forces of six reversals and the border, the body stops. Whether
-    /// its motion does says nothing from 64 ε (α + |x|) = 1 on.
+    /// Near a pole, in the gap between the forces of six reversals and the border, the body stops. From 64 ε
+    /// (α + |x|) = 1 on, a stop of the computed motion has no meaning.
     #[test]
     fn a_stop_of_a_motion_in_which_friction_is_lost_does_not_count() {
         let ratios = Ratios::new(0.331, 170.0).unwrap();
@@ -213,7 +213,7 @@ mod tests {
         steady.max_displacement.value = 1.01 * least;
         let seen = observed(ratios, &LongRun::Periodic(steady));
         assert_eq!((seen.sticks, seen.reversals, seen.by_border), (Some(0), Some(2), false));
-        // Here it is the border that knows the stops of the motion for rounding.
+        // From this force on, the border decides and the stops of the motion count as rounding.
         steady.sticks_per_cycle = 2;
         let seen = observed(ratios, &LongRun::Periodic(steady));
         assert_eq!((seen.sticks, seen.reversals, seen.by_border), (Some(0), Some(2), true));

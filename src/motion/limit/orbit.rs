@@ -8,7 +8,7 @@ use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
 
-/// How one motion is like another.
+/// The relation between two motions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Likeness {
     Same,
@@ -17,14 +17,14 @@ pub(crate) enum Likeness {
     Other,
 }
 
-/// The states of a cycle at the phases nπ, with the opposite sign at odd ones.
+/// The states of a cycle at the phases nπ, with the opposite sign at odd n.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Orbit<F> {
     states: Vec<Located<F>>,
 }
 
 impl<F: Float> Orbit<F> {
-    /// From one of them on, x/B and x′ in B ω_n, of a motion that repeats after this number of half turns.
+    /// The states of a motion that repeats after `count` half turns, from one of them: x/B and x′ in B ω_n.
     ///
     /// # Errors
     /// As for [`half_turns`].
@@ -39,7 +39,8 @@ impl<F: Float> Orbit<F> {
         Ok(Self { states })
     }
 
-    /// Compares the motion with one that has this state and repeats after this number of half turns.
+    /// Compares the motion with a motion that has the state `state` and repeats after `half_turns` half
+    /// turns.
     pub(crate) fn compare(&self, half_turns: u32, state: &Located<F>) -> Likeness {
         if self.states.len() as u64 != u64::from(half_turns) {
             return Likeness::Other;

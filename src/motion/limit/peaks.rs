@@ -16,19 +16,19 @@ use std::f64::consts::TAU;
 pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².
     pub acceleration: F,
-    /// Force of spring, friction and damper on their support, `|k x + r + c x′|`, in r_y. At rest it is the
-    /// drive's own force.
+    /// Force of spring, friction and damper on their support, `|k x + r + c x′|`, in r_y. At rest this is the
+    /// force of the drive.
     pub transmitted_force: F,
     /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B.
     pub absolute_displacement: F,
 }
 
 impl<F: Float> SteadyState<F> {
-    /// The peaks of a cycle, which is followed for the purpose.
+    /// The peaks of a cycle; the cycle is followed to find them.
     ///
     /// On a slide x″ obeys `f″ + f = −Ω²α sin θ` in natural time, and `x + u` obeys `f″ = −(x ± 1)`. Both
-    /// have a bounded second derivative, with which the maximum is found without sampling. Accuracy at f64:
-    /// 1e-13 of max x/B + α/Ω².
+    /// have a bounded second derivative, and the maximum is found without sampling. Accuracy at f64: 1e-13 of
+    /// max x/B + α/Ω².
     ///
     /// # Errors
     /// Those of the motion ([`Trajectory`]).
@@ -58,8 +58,8 @@ impl<F: Float> SteadyState<F> {
 impl<F: Float> Peaks<F> {
     /// The peaks of a slide with damping.
     ///
-    /// With `w = w_f + h`, h free vibration, `x″ = a_f + h′` and the force `x + s + 2ζw = x_f + 2ζw_f − h′`,
-    /// and no derivative of h exceeds the energy `hypot(h″, h‴)` that it begins with.
+    /// With `w = w_f + h`, h the free vibration, `x″ = a_f + h′` and the force is `x + s + 2ζw = x_f + 2ζw_f
+    /// − h′`. No derivative of h exceeds the initial energy `hypot(h″, h‴)`.
     fn damped_slide(&mut self, slide: &Slide<F>, length: F, reach: F) {
         let (zero, one) = (F::int(0), F::int(1));
         let equation = &slide.equation;
@@ -106,8 +106,8 @@ impl<F: Float> Peaks<F> {
         }
         let ode = alpha + reach + one + square * alpha;
         let curvature = if omega < half {
-            // The slow and the fast wave apart: the one of frequency Ω, the other of amplitude `fast`, both
-            // in x″.
+            // The slow and the fast wave of x″: the slow one has the frequency Ω, the fast one the amplitude
+            // `fast`.
             let part = square / (one - square);
             let fast =
                 (first.acceleration + part * first.force).hypot(first.jerk + part * (first.jerk + first.w));
@@ -200,7 +200,7 @@ mod tests {
         }
     }
 
-    /// Hundreds of fast waves in a slide take no longer than a few waves.
+    /// Hundreds of fast waves in a slide take no more time than a few.
     #[test]
     fn many_waves_take_no_time() {
         for (omega, alpha) in [(1e-3f64, 3e6f64), (2e-4, 6e7), (1e-3, 1.3e6)] {

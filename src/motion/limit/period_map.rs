@@ -14,13 +14,13 @@ use crate::motion::state::Point;
 
 /// Some half turns of a motion.
 pub(crate) struct Step<F> {
-    /// The end point, with the opposite sign after an odd number of half turns.
+    /// The point at the end, with the opposite sign after an odd number of half turns.
     pub(crate) end: Point<F>,
-    /// Its derivative by the state at the beginning.
+    /// The derivative of the end by the state at the beginning.
     pub(crate) derivative: Matrix<F>,
-    /// The place at which the body rests permanently, if it does.
+    /// The position at which the body rests permanently, if it does.
     pub(crate) rest: Option<F>,
-    /// The sequence of slides and stops, as a number that tells most apart.
+    /// A number that represents the sequence of slides and stops; most sequences differ in it.
     pub(crate) pattern: u64,
 }
 
@@ -84,28 +84,29 @@ pub(crate) fn steady<F: Float>(
     }))
 }
 
-/// A state of a periodic motion as it was found.
+/// A state of a periodic motion with a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Located<F> {
     pub(crate) at: Point<F>,
-    /// How far (x, w) can be from the motion.
+    /// The possible distance of (x, w) from the motion.
     pub(crate) off: (F, F),
 }
 
 impl<F: Float> Located<F> {
-    /// Whether two states at one phase are the same: to within the distances that both can be off.
+    /// Whether two states at one phase are the same to within the sum of their distances.
     ///
-    /// These are steps of Newton's method. Beside a break of symmetry the residual is μs + s³ at a distance s
-    /// and the step at least s/3, so that the room is three times their sum.
+    /// The distances are steps of Newton's method. Next to a symmetry-breaking bifurcation the residual is μs
+    /// + s³ at a distance s and the step at least s/3. Three times the sum of the distances is therefore
+    /// allowed.
     pub(crate) fn agrees(&self, other: &Self) -> bool {
         let (p, q) = (self.at, other.at);
-        // An unknown distance (NaN) tells nothing apart.
+        // An unknown distance (NaN) distinguishes nothing.
         let apart = |a: F, b: F, room: F| (a - b).abs() > F::int(3) * room;
         !apart(p.x, q.x, self.off.0 + other.off.0) && !apart(p.w, q.w, self.off.1 + other.off.1)
     }
 }
 
-/// A point that Hᵐ should bring back, with where it brings it.
+/// A trial for a fixed point of Hᵐ: a point and its image.
 pub(crate) struct Trial<F> {
     pub(crate) y: Point<F>,
     pub(crate) m: u64,
@@ -120,14 +121,15 @@ impl<F: Float> Trial<F> {
         m: u64,
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
-        // A negligible speed counts as rest, as in a start: it would end in a time that underflows.
+        // A negligible speed counts as rest, as in a start, because the slide would end after a time that
+        // underflows.
         let y = if y.w.abs() < F::least_ratio() { Point { w: F::int(0), ..y } } else { y };
         let step = half_turns(equation, &y, m, budget, |_| {})?;
         let left = Residual::new(&equation, &y, (step.end.x - y.x, step.end.w - y.w)).of_half_turns(m);
         Ok(Self { y, m, step, left })
     }
 
-    /// `(1 − J)⁻¹`, J the derivative of Hᵐ.
+    /// `(1 − J)⁻¹`, with J the derivative of Hᵐ.
     fn inverse(&self) -> Matrix<F> {
         self.step.derivative.negated().inverse_of_one_plus()
     }
@@ -137,7 +139,8 @@ impl<F: Float> Trial<F> {
         self.descend(equation, budget, &[1])
     }
 
-    /// The same from far away: where a whole step does not help, a part of it, down to a sixteenth.
+    /// Newton's method for a distant fixed point of Hᵐ: where a full step does not help, a part of it, down
+    /// to a sixteenth.
     pub(crate) fn newton_from_far(
         self,
         equation: Equation<F>,
@@ -146,7 +149,8 @@ impl<F: Float> Trial<F> {
         self.descend(equation, budget, &[1, 2, 4, 16])
     }
 
-    /// Newton's method with a step, or a fraction of it, that reduces the residual to at most 1 − 1/(2 part).
+    /// Newton's method with the first of the fractions 1/part of a step that reduces the residual to at most
+    /// 1 − 1/(2 part) of itself.
     fn descend(self, equation: Equation<F>, budget: &mut Budget<'_>, parts: &[i32]) -> Result<Self, Broken> {
         let mut best = self;
         'steps: for _ in 0..MOST_STEPS {
@@ -174,7 +178,7 @@ impl<F: Float> Trial<F> {
         self.left.is_rounding(times) && is_known(&self.y, self.inverse(), &self.left)
     }
 
-    /// The point with how far it can be from a fixed point: `|(1 − J)⁻¹| (|Hᵐ(y) − y| + rounding)`.
+    /// The point with its possible distance from a fixed point, `|(1 − J)⁻¹| (|Hᵐ(y) − y| + rounding)`.
     pub(crate) fn located(&self) -> Located<F> {
         Located { at: self.y, off: self.inverse().absolute().times(self.left.bounds()) }
     }
@@ -185,13 +189,14 @@ impl<F: Float> Trial<F> {
         F::int(1) - m.trace() + m.determinant() > F::int(0)
     }
 
-    /// The same fixed point as one of the fewest half turns.
+    /// This fixed point as a fixed point of the fewest half turns.
     ///
-    /// Where the motion settles slowly, this point can be far from the fixed point compared with rounding,
-    /// and misses itself by twice that distance after fewer half turns: that says nothing. So Newton's
-    /// method on Hᵈ, d a divisor of m, decides. It leads to the same fixed point if this one is as near as
-    /// both are known, with the same index as a fixed point of Hᵐ. The index tells a mirror pair from the
-    /// symmetric motion that it branches off from, however near: there the two have opposite ones.
+    /// Where the motion settles slowly, this point can be far from the fixed point compared with rounding.
+    /// After fewer half turns its image is then off by twice its distance from the fixed point, which decides
+    /// nothing. Therefore Newton's method on Hᵈ, d a divisor of m, decides. It leads to the same fixed point
+    /// if the two agree to within their distances and have the same index as fixed points of Hᵐ. The index
+    /// distinguishes a mirror pair from the symmetric motion from which it branches off, however near: the
+    /// two have opposite indices.
     pub(crate) fn earliest(
         self,
         equation: Equation<F>,
@@ -212,7 +217,7 @@ impl<F: Float> Trial<F> {
         Ok(self)
     }
 
-    /// The periodic motion.
+    /// The periodic motion through the fixed point.
     pub(crate) fn steady(
         self,
         equation: Equation<F>,
@@ -226,7 +231,7 @@ impl<F: Float> Trial<F> {
     }
 }
 
-/// Steps of Newton's method.
+/// The greatest number of steps of Newton's method.
 const MOST_STEPS: u32 = 24;
 
 pub(crate) fn distance<F: Float>(p: &Point<F>, q: &Point<F>) -> F {

@@ -13,7 +13,7 @@ use crate::motion::slide::stick::Stick;
 use crate::motion::state::Point;
 use crate::motion::trajectory::Next;
 
-/// A part of the motion: a slide or a stop, or as much of it as lies within.
+/// A part of the motion: a slide or a stop, or the share of it within the time followed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Part<F> {
     /// A slide, and the velocity zero that ends it.
@@ -34,9 +34,9 @@ pub(crate) struct Propagation<F> {
     pub(crate) parts: Vec<Part<F>>,
     /// How many parts there are, kept or not.
     pub(crate) count: u64,
-    /// Whether there is a stop among them.
+    /// Whether the parts include a stop.
     pub(crate) sticks: bool,
-    /// The natural time to the first velocity zero that was expected.
+    /// The natural time to the first velocity zero, as expected.
     pub(crate) hint: F,
 }
 
@@ -45,7 +45,7 @@ pub(crate) struct Propagation<F> {
 const MOST_KEPT: usize = 256;
 
 impl<F: Float> Propagation<F> {
-    /// All its parts, in order.
+    /// Visits all parts of the propagation, in order.
     ///
     /// # Errors
     /// As for [`follow`].
@@ -92,21 +92,21 @@ pub(crate) fn propagate<F: Float>(
     Ok(Propagation { end, monodromy, parts, count, sticks, hint })
 }
 
-/// Follows the motion for `half_turns` from a point on, part by part. Returns its end and the matrix that
-/// maps (δx, δw) from the beginning to the end.
+/// Follows the motion for `half_turns` from a point on, part by part. Returns the point at the end and the
+/// matrix that maps (δx, δw) from the beginning to the end.
 ///
 /// # Work
 ///
-/// A slide that begins at rest on a half turn where g ≥ 0 for its direction (`event`) lasts for π of natural
-/// time or beyond that half turn. After one that begins where g ≤ 0 comes a slide of the other direction, for
-/// which g ≥ 0, with or without a stop before it. So a half turn between two changes of sign of cos θ has at
-/// most `1 + 1/Ω` slides of the first kind that begin in it, one of the second kind before each and one after
-/// the last, and the slide that is under way: **at most 4 + 2/Ω velocity zeros**, and two parts for each. A
-/// half turn from any phase touches two such, with 1/Ω in all: at most 16 + 4/Ω parts. Slides with a length
-/// of rounding are additional; more than four times as many parts are an error.
+/// A slide that begins at rest on a half turn where g ≥ 0 for its direction (`event`) lasts for at least π of
+/// natural time or ends after that half turn. A slide that begins where g ≤ 0 is followed by one in the other
+/// direction, for which g ≥ 0, with or without a stop before it. A half turn between two changes of sign of
+/// cos θ therefore contains at most `1 + 1/Ω` beginnings of slides of the first kind, one of the second kind
+/// before each and one after the last, and the slide under way: **at most 4 + 2/Ω velocity zeros**, and two
+/// parts for each. A half turn from any phase overlaps two such half turns, with 1/Ω in all: at most 16 + 4/Ω
+/// parts. Slides whose length is rounding are additional; more than four times as many parts are an error.
 ///
 /// # Errors
-/// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`], and what `visit` says.
+/// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`], and the errors of `visit`.
 pub(crate) fn follow<F: Float>(
     equation: Equation<F>,
     from: Point<F>,
@@ -167,7 +167,7 @@ pub(crate) fn follow<F: Float>(
 }
 
 impl<F: Float> Slide<F> {
-    /// `(η − 1)/(αΩ |cos θ|)` of a slide that begins with a release ([`Matrix::after_release`]).
+    /// `(η − 1)/(αΩ |cos θ|)` for a slide that begins with a release ([`Matrix::after_release`]).
     fn gain_at_release(&self) -> F {
         let equation = &self.equation;
         if !equation.has_higher_static_friction() {

@@ -1,19 +1,19 @@
 //! α ≤ 1: the body ends at rest.
 //!
-//! It can rest for ever where `|x| ≤ 1 − α`. From a place outside, every cycle moves it on; the distance to
-//! the nearest place of rest never grows (the motion is contracting, `shooting`). A start at rest a distance
-//! δ outside moves the body by less than `9δ²/(αΩ²)` towards it. Let τ be the phase from the extreme of the
-//! force and δ = α(1 − cos η): the force beyond the bound is α(cos τ − cos η), positive from −η to η. Without
-//! the spring's pull, which only holds it back, the speed would be (α/Ω²) [sin τ + sin η − (τ + η) cos η],
-//! zero again before τ = 2.02η for cos η ≥ 15/16, and the distance at most 4.56 δ²/(αΩ²). With damping, which
-//! holds the body back as well, the distance is at most the impulse of that force over 2ζ, (α/2ζΩ) ∫(cos
-//! τ − cos η) dτ ≤ 1.89 δ √(δ/α)/2ζΩ. So once δ is below `α min(Ω², 1)/16` or `α min((2ζΩ)², 1)/16` the body
-//! creeps to the edge of the interval and never reaches it. The limit has a closed form, which no simulation
-//! reaches (δ falls like 1/cycles).
+//! The body can rest permanently where `|x| ≤ 1 − α`. A body outside this interval moves in every cycle; its
+//! distance from the nearest place of rest never grows (the motion is contracting, `shooting`). A start at
+//! rest at a distance δ outside moves the body by less than `9δ²/(αΩ²)` towards the interval. Let τ be the
+//! phase from the extreme of the force and δ = α(1 − cos η): the force in excess of friction is α(cos τ − cos
+//! η), positive from −η to η. Without the pull of the spring, which only slows the body, the speed would be
+//! (α/Ω²) [sin τ + sin η − (τ + η) cos η], zero again before τ = 2.02η for cos η ≥ 15/16, and the distance at
+//! most 4.56 δ²/(αΩ²). With damping, which also slows the body, the distance is at most the impulse of the
+//! excess force divided by 2ζ, (α/2ζΩ) ∫(cos τ − cos η) dτ ≤ 1.89 δ √(δ/α)/2ζΩ. Once δ is below `α min(Ω²,
+//! 1)/16` or `α min((2ζΩ)², 1)/16` the body therefore creeps to the edge of the interval and never reaches
+//! it. This limit has a closed form, which no simulation reaches (δ falls like 1/cycles).
 //!
-//! With a static friction above the kinetic one a body can rest permanently where `|x| ≤ η − α`. For α < 1 it
-//! ends there from every start, because `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that its total path is finite. It
-//! does not creep: each slide begins with the acceleration η − 1.
+//! With a static friction above the kinetic one a body can rest permanently where `|x| ≤ η − α`. For α < 1
+//! every motion ends there, because `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that its total path is finite. The
+//! body does not creep: each slide begins with the acceleration η − 1.
 
 use super::long_run::{LongRun, Rest};
 use super::shooting::Budget;
@@ -24,7 +24,7 @@ use crate::motion::slide::equation::Equation;
 use crate::motion::state::State;
 use crate::motion::trajectory::{Body, End, Trajectory};
 
-/// The place where the motion from a start comes to rest, α ≤ 1.
+/// The rest in which the motion from a start ends, α ≤ 1.
 ///
 /// # Errors
 /// [`Error::SearchBound`], [`Error::Interrupted`].
@@ -76,8 +76,8 @@ mod tests {
     use crate::motion::{State, Trajectory};
     use std::f64::consts::TAU;
 
-    /// The numbers of slides and periods are those of the motion itself, whether it came to rest or was
-    /// abandoned before.
+    /// The numbers of slides and periods count the motion itself, whether it came to rest or the search
+    /// stopped earlier.
     #[test]
     fn it_is_the_motion_that_is_counted() {
         let ratios = Ratios::new(0.37, 0.8).unwrap();

@@ -57,8 +57,9 @@ pub(crate) fn middle_of_rise<F: Float>(rising: &Rising<F>) -> (Point<F>, F) {
     (Point { phase, x: rising.displacement(&at), w }, half)
 }
 
-/// A non-sticking cycle as the start of the shooting method. Below Ω = 2/3 it is the known limit, because Δ₀
-/// is not large compared with the force. With damping every disturbance decays, and the residual decides.
+/// A non-sticking cycle as a second start of the shooting method. Below Ω = 2/3 the cycle is known to be the
+/// limit if Δ₀ is not large compared with the force. With damping every disturbance decays, and the residual
+/// decides.
 pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
     let (at, hint) = fastest_point(equation, cycle);
     Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) && !equation.is_damped() }
@@ -75,7 +76,7 @@ pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -
 }
 
 /// A point of the six-reversal cycle half way from its third reversal to the next, and the natural time to
-/// that.
+/// the next reversal.
 pub(crate) fn on_six_reversals<F: Float>(equation: Equation<F>, cycle: &SixReversals<F>) -> (Point<F>, F) {
     let [first, _, third] = cycle.reversal_phases();
     let next = first + F::pi();

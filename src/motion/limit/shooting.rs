@@ -10,16 +10,17 @@
 //! `d/dφ ½(δx² + δw²) = −(r₁ − r₂) δw − 2ζδw² ≤ 0`. So
 //!
 //! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from
-//!   one half turn to the next. A Newton step is kept where it halves the residual, and otherwise the motion
-//!   is simply followed on.
+//! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from
+//!   one half turn to the next. A Newton step is kept where it halves the residual; otherwise the motion is
+//!   followed.
 //! * Two periodic motions keep their distance permanently. For α > 1 that leaves **one limit only, and it is
 //!   symmetric**: proved in docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) at the
 //!   border and above, and Ω = 1 with α ≥ 4/π. With damping there are no exceptions: a constant distance has
 //!   δw = 0, and of two bodies at a distance that slide alike one would have another friction. For α ≤ 1 the
 //!   limit is rest, anywhere in an interval (`rest`), and shooting is not used.
-//! * So a fixed point of H, however found, is the limit of every start. Multipliers inside the unit circle
-//!   are not needed for that, but they say how fast it is approached; near 1/(2n) one of them rounds to 1,
-//!   and the closed-form cycle is taken where its residual is rounding.
+//! * So a fixed point of H, however found, is the limit of every start. This does not require multipliers
+//!   inside the unit circle, but they give the speed of the approach; near 1/(2n) one of them rounds to 1, and
+//!   the closed-form cycle is taken where its residual is rounding.
 
 use super::matrix::Matrix;
 use super::propagation::{Part, Propagation, propagate};
@@ -34,8 +35,8 @@ use crate::motion::state::Point;
 pub(crate) struct Fixed<F> {
     pub(crate) start: Point<F>,
     pub(crate) propagation: Propagation<F>,
-    /// How far (x, w) of the start can be from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`, entry by
-    /// entry.
+    /// The possible distance of (x, w) at the start from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`,
+    /// entry by entry.
     pub(crate) distance: (F, F),
 }
 
@@ -43,11 +44,11 @@ pub(crate) struct Fixed<F> {
 #[derive(Debug)]
 pub(crate) enum Shot<F> {
     Settled(Fixed<F>),
-    /// The budget is spent; the state reached and the residual there.
+    /// The budget is spent; the state at the end and its residual.
     Unsettled(Point<F>, F),
 }
 
-/// `H(y) − y`, and the rounding error of a zero of it.
+/// The residual `H(y) − y`, and its rounding error where it is zero.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Residual<F> {
     pub(crate) x: F,
@@ -57,8 +58,8 @@ pub(crate) struct Residual<F> {
 }
 
 impl<F: Float> Residual<F> {
-    /// The change (x, w) from y, with the rounding of the terms that x and w are made of (two units each) and
-    /// that of the phase: half a unit of θ moves x by w/Ω and w by w′/Ω.
+    /// The residual (x, w) from y, with the rounding of the terms of x and w (two units each) and of the
+    /// phase: half a unit of θ moves x by w/Ω and w by w′/Ω.
     pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
         let Equation { omega, alpha, damping, .. } = *equation;
         let (one, unit) = (F::int(1), F::int(4) * F::epsilon());
@@ -72,31 +73,31 @@ impl<F: Float> Residual<F> {
         }
     }
 
-    /// The same after that many half turns, each with its rounding.
+    /// This residual with the rounding of `count` half turns.
     pub(crate) fn of_half_turns(self, count: u64) -> Self {
         let count = F::from_f64(count as f64);
         Self { noise_x: count * self.noise_x, noise_w: count * self.noise_w, ..self }
     }
 
-    /// The distance that the motion never lets grow.
+    /// The norm of the residual, a distance that the motion never increases.
     pub(crate) fn norm(&self) -> F {
         self.x.hypot(self.w)
     }
 
-    /// Whether it is `times` rounding or less.
+    /// Whether the residual is at most `times` times its rounding.
     pub(crate) fn is_rounding(&self, times: i32) -> bool {
         let times = F::int(times);
         self.x.abs() <= times * self.noise_x && self.w.abs() <= times * self.noise_w
     }
 
-    /// Whether its rounding is that of the other or less, but for a factor of four: far out rounding hides
-    /// any residual.
+    /// Whether the rounding of this residual is at most four times that of the other one: at large
+    /// displacements rounding hides any residual.
     fn is_as_fine_as(&self, other: &Self) -> bool {
         let four = F::int(4);
         self.noise_x <= four * other.noise_x && self.noise_w <= four * other.noise_w
     }
 
-    /// The norm of the residual with that of its rounding added.
+    /// The norm of the residual plus the norm of its rounding.
     pub(crate) fn bound(&self) -> F {
         self.norm() + self.noise_x.hypot(self.noise_w)
     }
@@ -111,7 +112,7 @@ fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, propagation: &Propag
     Residual::new(equation, y, (-propagation.end.x - y.x, -propagation.end.w - y.w))
 }
 
-/// Natural time to the first velocity zero that is expected from a point that differs by (δx, δw) from that
+/// The expected natural time to the first velocity zero from a point that differs by (δx, δw) from the start
 /// of `propagation`.
 fn first_zero<F: Float>(propagation: &Propagation<F>, usual: F, change: (F, F)) -> F {
     match propagation.parts.first() {
@@ -120,13 +121,13 @@ fn first_zero<F: Float>(propagation: &Propagation<F>, usual: F, change: (F, F)) 
     }
 }
 
-/// A second place to shoot from.
+/// A second start for the shooting method.
 pub(crate) struct Guess<F> {
     pub(crate) at: Point<F>,
-    /// Natural time to its first velocity zero.
+    /// The natural time from the start to its first velocity zero.
     pub(crate) hint: F,
-    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle, if it
-    /// does not stick and is not large compared with the force.
+    /// Whether the start is known to be the limit of every motion, to within rounding: the closed-form cycle,
+    /// if it does not stick and is not large compared with the force.
     pub(crate) is_limit: bool,
 }
 
@@ -135,10 +136,10 @@ pub(crate) fn rate_noise<F: Float>(parts: u64) -> F {
     F::int(64) * F::epsilon() * F::from_f64(parts as f64 + 1.0)
 }
 
-/// Newton's method from a start; `hint` is the natural time to its first velocity zero.
+/// Newton's method from a start; `hint` is the natural time from the start to the first velocity zero.
 ///
-/// `guess` is a second place to try when Newton's step from the start fails. It needs no justification: its
-/// residual judges it, and where it leads is the limit of every start.
+/// `guess` is a second start, for when Newton's step from the first fails. It needs no justification: its
+/// residual decides, and any fixed point is the limit of every start.
 ///
 /// # Errors
 /// As for [`propagate`].
@@ -174,7 +175,7 @@ pub(crate) fn shoot<F: Float>(
             let tried = propagate(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare, budget)?;
             budget.spend(1);
             let after = residual(&equation, &trial, &tried);
-            // Where the rounding of w is more than all of x, the norm does not see that x has settled.
+            // Where the rounding of w exceeds all of x, the norm does not show that x has settled.
             let is_less = after.norm() * two <= left.norm() && !left.is_rounding(1);
             let is_settled = after.is_rounding(16) && !left.is_rounding(64) && after.is_as_fine_as(&left);
             if is_less || is_settled {
@@ -183,7 +184,7 @@ pub(crate) fn shoot<F: Float>(
                 continue;
             }
             spare = tried.parts;
-            // Rounding alone is left, a little more of it than expected.
+            // The residual is rounding, slightly more than expected.
             if left.is_rounding(64) && known {
                 return Ok(Shot::Settled(settled(y, best, inverse, &left)));
             }
@@ -193,7 +194,7 @@ pub(crate) fn shoot<F: Float>(
             let tried = propagate(equation, elsewhere, 1, hint, spare, budget)?;
             budget.spend(1);
             let after = residual(&equation, &elsewhere, &tried);
-            // Near 1/(2n) no residual can tell the limit from its neighbours; a proof can.
+            // Near 1/(2n) no residual distinguishes the limit from its neighbours; a proof does.
             let seen = F::int(1) - tried.monodromy.determinant().abs() > rate_noise(tried.count);
             let proved = is_limit && seen && after.is_rounding(4);
             if proved && !is_known(&elsewhere, tried.monodromy.inverse_of_one_plus(), &after) {
@@ -210,8 +211,8 @@ pub(crate) fn shoot<F: Float>(
             }
             spare = tried.parts;
         }
-        // The motion itself, for a while: each half turn brings it closer, and in the end into Newton's
-        // reach.
+        // The motion is followed for a while: each half turn brings it closer to the limit, and finally into
+        // the range of Newton's method.
         for _ in 0..follow {
             let to = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
             let hint = first_zero(&best, hint, (to.x - y.x, to.w - y.w));

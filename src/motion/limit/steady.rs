@@ -10,8 +10,8 @@ use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
 use crate::motion::trajectory::resolved;
 
-/// Turns of the drive in a cycle of a motion with this period in half turns: as many if it is odd, when the
-/// motion is symmetric, and half as many if it is even.
+/// The turns of the drive in a cycle of a motion that repeats after `half_turns` half turns: `half_turns` if
+/// this is odd, because the motion is then symmetric, and half of it if it is even.
 fn turns<F: Float>(half_turns: u32) -> F {
     F::from_f64(f64::from(if half_turns % 2 == 1 { half_turns } else { half_turns / 2 }))
 }
@@ -32,7 +32,7 @@ pub(crate) struct Summary<F> {
 }
 
 impl<F: Float> Summary<F> {
-    /// From the statistics of one whole cycle, which repeats after this number of half turns.
+    /// The summary of the statistics of one whole cycle, which repeats after `half_turns` half turns.
     pub(crate) fn of(statistics: &CycleStatistics<F>, half_turns: u32) -> Self {
         Self {
             max_x: statistics.max_x,
@@ -48,8 +48,8 @@ impl<F: Float> Summary<F> {
         }
     }
 
-    /// Of a symmetric cycle of two slides without damping: its maximum displacement and velocity, and the
-    /// work of the drive and against friction.
+    /// The summary of a symmetric cycle of two slides without damping, from its maximum displacement and
+    /// velocity, and the works of the drive and against friction.
     #[inline]
     pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, energy_in: F, energy_out: F) -> Self {
         Self {
@@ -84,9 +84,9 @@ impl<F: Float> Summary<F> {
 #[non_exhaustive]
 #[must_use]
 pub struct SteadyState<F> {
-    /// Maximum displacement x/B; its phase is where the body arrives at it.
+    /// Maximum displacement x/B; its phase is that of the arrival.
     pub max_displacement: Extreme<F>,
-    /// Minimum displacement x/B; its phase is where the body arrives at it.
+    /// Minimum displacement x/B; its phase is that of the arrival.
     pub min_displacement: Extreme<F>,
     /// Maximum velocity x′/(Bω_d).
     pub max_velocity: Extreme<F>,
@@ -96,19 +96,19 @@ pub struct SteadyState<F> {
     pub sticks_per_cycle: u32,
     /// The number of velocity zeros in a cycle, which are the ends of slides. A stop counts once.
     pub velocity_zeros_per_cycle: u32,
-    /// The part of a cycle that the body is at rest, in [0, 1).
+    /// The fraction of a cycle during which the body is at rest, in [0, 1).
     pub stick_fraction: F,
-    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B. Where its own closed form is accurate,
-    /// that is used, and its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`]
-    /// with damping, is a check. Elsewhere (near Ω = 1, and where a motion is small compared with the force)
+    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B. It has its own closed form, where this is
+    /// accurate, and its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`] with
+    /// damping, is then a check. Elsewhere (near Ω = 1, and where a motion is small compared with the force)
     /// it follows from the energy balance of each slide. The relative accuracy at f64 is 1e-13 (1 + Δ₀/B)(1 +
     /// 1/Ω), where Δ₀ is the maximum displacement.
     pub energy_in: F,
-    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are
-    /// reversals. As accurate as the displacements are.
+    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where the body reverses only at the
+    /// extrema. It is as accurate as the displacements.
     pub energy_out: F,
-    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum
-    /// with [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
+    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B. It has its own closed form, so that the sum
+    /// with [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without a damper.
     pub damper_work: F,
     /// The Floquet multipliers of the cycle, each (re, im): the factors of a small disturbance in one period.
     /// If the body stops, one is zero.
@@ -116,27 +116,27 @@ pub struct SteadyState<F> {
     /// Turns of the drive in a cycle of the motion: 1, except for some motions with a static friction above
     /// the kinetic one.
     pub turns_per_cycle: u32,
-    /// Whether each half of a cycle is the mirror image of the other: always, except for members of a family
-    /// at Ω = 1/(2n) and some motions with a static friction above the kinetic one. The mirror image of an
-    /// asymmetric motion is a motion, too.
+    /// Whether each half of a cycle is the mirror image of the other. All motions are symmetric except for
+    /// members of a family at Ω = 1/(2n) and some motions with a static friction above the kinetic one. The
+    /// mirror image of an asymmetric motion is also a motion.
     pub is_symmetric: bool,
-    /// A state on the motion, from which [`crate::motion::Trajectory::new`] follows it.
+    /// A state of the motion, from which [`crate::motion::Trajectory::new`] follows it.
     pub state: State<F>,
-    /// Estimated distance of the motion found from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
+    /// Estimated distance of the computed motion from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
     /// the residual of half a turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the
     /// half-turn map at that state.
     ///
-    /// This is no proven bound, because the map is curved and has kinks. In 27,557 pairs of starts the
-    /// computed motions were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n)
-    /// to within rounding, the limit is the closed form, and the estimate is rounding.
+    /// This estimate is no proven bound, because the map is curved and has kinks. In 27,557 pairs of starts
+    /// the computed motions were never further apart than 0.78 of the sum of their estimates. Where Ω is
+    /// 1/(2n) to within rounding, the limit is the closed form, and the estimate is rounding.
     pub distance: (F, F),
-    /// Periods of the drive that were followed to find it.
+    /// The number of periods of the drive that were followed to find the motion.
     pub periods: F,
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
 }
 
-/// A periodic motion as it was found.
+/// The parts from which a steady state is made.
 pub(crate) struct Found<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
@@ -181,9 +181,9 @@ impl<F: Float> SteadyState<F> {
         if self.is_symmetric { self.turns_per_cycle } else { self.turns_per_cycle.saturating_mul(2) }
     }
 
-    /// Whether its neighbours approach it: both multipliers are within the unit circle. Every limit of a
-    /// motion is stable; a search for periodic motions ([`crate::motion::periodic_motions()`]) also finds unstable
-    /// ones.
+    /// Whether neighbouring motions approach this one: both multipliers are within the unit circle. Every
+    /// limit of a motion is stable; a search for periodic motions ([`crate::motion::periodic_motions()`])
+    /// also finds unstable ones.
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
     }
@@ -194,8 +194,8 @@ impl<F: Float> SteadyState<F> {
         a.hypot(b).or_larger(c.hypot(d))
     }
 
-    /// The paper's error measures, over one cycle that is followed for this purpose, with both halves
-    /// computed independently.
+    /// The paper's error measures of one cycle. The cycle is followed for this purpose, and both of its
+    /// halves are computed independently.
     ///
     /// # Errors
     /// [`Error::SearchBound`].

@@ -47,7 +47,7 @@ macro_rules! steady_outputs {
                 }
             }
 
-            /// The value.
+            /// The value of this output.
             pub fn of<F: Float>(self, steady: &SteadyState<F>) -> F {
                 match self {
                     $(Self::$output => {
@@ -97,7 +97,7 @@ steady_outputs! {
         .title("distance from the limit"), steady => steady.distance.0;
 }
 
-/// A limit with everything that is stated of it.
+/// A limit with all its outputs.
 #[derive(Debug)]
 #[doc(hidden)]
 pub struct SteadyAnswer<'a, F> {
@@ -106,7 +106,7 @@ pub struct SteadyAnswer<'a, F> {
     pub limit: &'a LongRun<F>,
     pub seen: Observed,
     pub errors: Option<ErrorMeasures<F>>,
-    /// The peaks, if they were asked for.
+    /// The peaks, if requested.
     pub peaks: Option<Peaks<F>>,
 }
 
@@ -144,7 +144,7 @@ impl<'a, F: Float> SteadyAnswer<'a, F> {
         (Output::TransmittedForce.definition()) => Number(answer.transmitted().map(|(force, _)| force));
         (Output::Transmissibility.definition()) => Number(answer.transmitted().map(|(_, ratio)| ratio));
         (Output::MaxAbsoluteDisplacement.definition()) => Number(answer.peaks.and_then(|peaks| {
-            // The surface is fixed where the foot moves.
+            // The surface is fixed if the foot moves.
             let is_fixed = answer.excitation.moves_foot();
             if is_fixed { answer.amplitude() } else { Some(peaks.absolute_displacement) }
         }));
@@ -158,7 +158,7 @@ impl<'a, F: Float> SteadyAnswer<'a, F> {
         (TURNS_OBSERVED) if StaticFriction => Count(answer.limit.irregular().map(|motion| motion.turns));
     }
 
-    /// The answer at these ratios; the search for the peaks only if they are asked for.
+    /// The answer at these ratios; the peaks are searched for only on request.
     ///
     /// # Errors
     /// As for [`SteadyState::errors`] and [`SteadyState::peaks`].

@@ -1,9 +1,10 @@
 //! From one stop to the next half a turn later: a map of one number.
 //!
 //! The state of a body at rest is its displacement x alone. It determines the release, `α sin θ = x ± η` in
-//! closed form, and so everything after it: the stop half a turn later, at X. A symmetric motion with a stop
-//! is a fixed point of `G(x) = −X`. A disturbance δx is released as (δx, 0) and changed by the slides until
-//! the body stops again: `G′ = −M₁₁`, M the product of their free vibrations and reversals (`matrix`).
+//! closed form, and thereby the motion after the release up to the stop half a turn later, at X. A symmetric
+//! motion with a stop is a fixed point of `G(x) = −X`. A disturbance δx is released as (δx, 0) and changed by
+//! the slides until the body stops again: `G′ = −M₁₁`, M the product of their free vibrations and reversals
+//! (`matrix`).
 
 use super::matrix::{Matrix, reversal_ratio};
 use super::propagation::Part;
@@ -18,7 +19,7 @@ use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::Point;
 use crate::motion::trajectory::Next;
 
-/// The stops of the search: those released in one direction, in one half turn of the drive.
+/// The stops that the search uses: those released in one direction, in one half turn of the drive.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Station {
     pub(crate) half_turn: i64,
@@ -28,34 +29,34 @@ pub(crate) struct Station {
 /// The motion from one stop to the next, half a turn later.
 #[derive(Debug)]
 pub(crate) struct Passage<F> {
-    /// Displacement of the stop that it begins with.
+    /// Displacement of the stop at the beginning.
     pub(crate) from: F,
-    /// The point of its release.
+    /// The phase of the release.
     pub(crate) release: DrivePhase<F>,
-    /// Slides and stops in between.
+    /// The slides and stops between the two stops.
     pub(crate) parts: Vec<Part<F>>,
     /// The stop half a turn later.
     pub(crate) stop: Stick<F>,
-    /// `G(x) − x`, and the rounding of it.
+    /// The residual `G(x) − x` and its rounding.
     pub(crate) left: Residual<F>,
-    /// `G′(x)`.
+    /// The derivative `G′(x)`.
     pub(crate) rate: F,
-    /// Whether each slide is proved to last until the end found.
+    /// Whether each slide is proved to last until its computed end.
     pub(crate) is_proved: bool,
 }
 
-/// The passage from a neighbouring stop, by which ends of slides are predicted.
+/// A neighbouring passage, from which the ends of slides are predicted.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Expected<'a, F> {
     pub(crate) by: Option<&'a Passage<F>>,
-    /// Whether an end has to be proved, and not only found where it is predicted.
+    /// Whether an end must be proved, in addition to being found at its predicted time.
     pub(crate) is_proved: bool,
 }
 
 /// Maximum number of parts of a passage; longer ones are left to `shooting`.
 const MOST_PARTS: usize = 64;
 
-/// The passage from a stop at x; `None` where there is no such stop, at the beginning or half a turn later.
+/// The passage from a stop at x; `None` if there is no stop at the beginning or half a turn later.
 ///
 /// # Errors
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`].
@@ -71,7 +72,8 @@ pub(crate) fn passage<F: Float>(
     let Some(angle) = release_angle(&equation, x, station.direction) else { return Ok(None) };
     let release = DrivePhase::of_half_turn(station.half_turn, angle);
     let next_half_turn = station.half_turn.saturating_add(1);
-    // Half a turn of the drive, or a free period if that is shorter and does not decay.
+    // A slide is expected to last for half a turn of the drive, or for a free period if that is shorter and
+    // does not decay.
     let least_rate = if equation.is_damped() { F::int(0) } else { F::ratio(1, 2) };
     let usual = F::pi() / equation.omega.or_larger(least_rate);
     let mut slide = Slide::released(equation, release, x, station.direction);
@@ -128,7 +130,7 @@ pub(crate) fn passage<F: Float>(
     Ok(None)
 }
 
-/// `G(x) − x` at a point, and its slope.
+/// The residual `G(x) − x` at a point x, and its slope.
 #[derive(Clone, Copy)]
 pub(crate) struct Miss<F> {
     pub(crate) x: F,
@@ -137,18 +139,18 @@ pub(crate) struct Miss<F> {
 }
 
 impl<F: Float> Miss<F> {
-    /// The step to the zero of the cubic through this point and the one before, with their slopes; Newton's
-    /// step without one.
+    /// The step to the zero of the cubic through this point and the point `before`, with their slopes;
+    /// Newton's step without a point before.
     pub(crate) fn step(&self, before: Option<Self>) -> F {
         let (two, three) = (F::int(2), F::int(3));
         let newton = -(self.value / self.slope);
         let Some(before) = before else { return newton };
-        // value + slope t + a t² + b t³, t from here
+        // value + slope t + a t² + b t³, where t is counted from this point
         let back = self.x - before.x;
         let secant = (self.value - before.value) / back;
         let a = (two * self.slope + before.slope - three * secant) / back;
         let b = (self.slope + before.slope - two * secant) / back.square();
-        // The zero next to here of the parabola, then Newton's steps for the cubic.
+        // This starts with the nearest zero of the parabola and takes Newton's steps for the cubic.
         let discriminant = self.slope.square() - F::int(4) * a * self.value;
         let bends_away = discriminant <= F::int(0) || !discriminant.is_finite();
         if bends_away {

@@ -1,19 +1,19 @@
 //! The periodic motion with stops, by the map from stop to stop (`stop_map`).
 //!
-//! The limit is the same from every start (`shooting`), so that none has to be followed: the fixed point of G
-//! is sought in the whole range of displacements at which a body can rest and be released,
-//! `−(1 + α) < x < α − 1` for a release forward.
+//! The limit is the same from every start (`shooting`), and no start needs to be followed. The fixed point of
+//! G is sought among all displacements at which a body can rest and be released, `−(1 + α) < x < α − 1` for a
+//! release forward.
 //!
 //! **G(x) − x never increases.** Two bodies at rest at x and y under the same drive, and again half a turn
-//! later, have not moved apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs found bracket a zero. In
-//! the bracket the zero of the cubic through the last two points with their slopes G′ − 1 is tried next,
-//! which converges with the order 1 + √3. If that does not halve the residual, the bracket is halved. Only
-//! the passages that can be the last need a proof (`event`); the others end where they are predicted to.
-//! Stops that do not overlap in time can break the bracket: that costs a search, but never gives a wrong
-//! answer.
+//! later, have not moved apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. The signs found therefore bracket a
+//! zero. Within the bracket the zero of the cubic through the last two points, with their slopes G′ − 1, is
+//! tried next; this converges with the order 1 + √3. If it does not halve the residual, the bracket is
+//! halved. Only passages that can be the last need a proof (`event`); the others end at their predicted
+//! times. Stops that do not overlap in time can break the bracket: this costs a search, but never gives a
+//! wrong answer.
 //!
 //! The result is judged as in `shooting`, by the residual of half a turn and its rounding. If there are no
-//! such stops half a turn apart, this search has no answer, and `shooting` has to find the motion.
+//! such stops half a turn apart, this search has no answer, and `shooting` must find the motion.
 
 use super::long_run::LongRun;
 use super::measures::CycleStatistics;
@@ -39,7 +39,7 @@ use crate::motion::state::Point;
 /// The search uses stops that are released forward, around θ = 0.
 const STATION: Station = Station { half_turn: 0, direction: Direction::Forward };
 
-/// Passages that are tried.
+/// The greatest number of passages that the search tries.
 const MOST_PASSAGES: u32 = 40;
 
 /// Prediction of the closed form without stops for a motion that may stick.
@@ -48,7 +48,7 @@ pub(crate) struct Sticking<F> {
     equation: Equation<F>,
     /// `a = √(α² − K²)/q`; NaN where α < |K|, infinite at Ω = 1.
     amplitude: F,
-    /// G, by which the extremum a − G is less.
+    /// The shift G by which friction reduces the extremum to a − G.
     shift: F,
     is_below: bool,
     /// With damping, the rising half of the cycle without stops, from its border on.
@@ -56,7 +56,7 @@ pub(crate) struct Sticking<F> {
 }
 
 impl<F: Float> Sticking<F> {
-    /// At η = 1 and α > 1.
+    /// The prediction at α > 1 and η = 1.
     #[inline]
     pub(crate) fn new(equation: Equation<F>) -> Self {
         if equation.is_damped() {
@@ -71,7 +71,7 @@ impl<F: Float> Sticking<F> {
         let Equation { omega, alpha, .. } = equation;
         let p = PhaseFunction::of_valid(omega);
         let amplitude = max_displacement(p.value(), alpha, one_minus_square(omega));
-        // Where a is below 1/Ω² by more than rounding no border has to be searched for.
+        // Where a is below 1/Ω² by more than rounding, the force is below the border without a search for it.
         let is_far = amplitude * omega.square() < F::ratio(15, 16) || !amplitude.is_finite();
         let is_below = is_far || alpha < Border::least_force_ratio(&p);
         Self { equation, amplitude, shift: F::int(0), is_below, rising: None }
@@ -83,7 +83,7 @@ impl<F: Float> Sticking<F> {
         let half = HalfPeriod::new(equation.omega, equation.zeta());
         let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
         let rising = Rising::of_force(half, equation.alpha);
-        // Below the condition at the turning point no border has to be searched for.
+        // Below the condition at the turning point, the force is below the border without a search for it.
         let turns = equation.alpha >= at_turning_point(&half).0;
         let slides =
             || is_far_below(&half, rising.amplitude) || equation.alpha >= border(&half).min_force_ratio;
@@ -102,7 +102,7 @@ impl<F: Float> Sticking<F> {
         self.rising.as_ref()
     }
 
-    /// The limit, where it has stops half a turn apart that are found.
+    /// The limit, if it has stops half a turn apart and the search finds them.
     ///
     /// # Errors
     /// As for [`passage`].
@@ -112,8 +112,8 @@ impl<F: Float> Sticking<F> {
         found.map_or(Ok(None), |passage| steady(equation, &passage, budget))
     }
 
-    /// The minimum displacement by the closed form, as if the motion did not stick; where there is none, the
-    /// position at which a slow drive would leave the body.
+    /// The minimum displacement by the closed form, as if the motion did not stick; without a closed form,
+    /// the position at which a slow drive would leave the body.
     fn guess(&self) -> F {
         let (one, alpha) = (F::int(1), self.equation.alpha);
         let (by_cycle, slow) = (self.shift - self.amplitude, one - alpha);
@@ -131,7 +131,7 @@ impl<F: Float> Sticking<F> {
     }
 }
 
-/// The passage from the fixed point of G.
+/// The passage that starts at the fixed point of G.
 fn fixed_point<F: Float>(
     equation: Equation<F>,
     guess: F,
@@ -153,7 +153,8 @@ fn fixed_point<F: Float>(
         }
         let expected = Expected { by: best.as_ref(), is_proved };
         let Some(tried) = passage(equation, STATION, x, expected, spare, budget)? else {
-            // No such stop here: back towards the last one, or from elsewhere.
+            // There is no such stop at this displacement: the next one is closer to the last stop, or at
+            // another guess.
             let Some(last) = &best else {
                 let Some(other) = others.next() else { break };
                 (x, spare) = (other, Vec::new());
@@ -176,7 +177,7 @@ fn fixed_point<F: Float>(
             if tried.is_proved {
                 return Ok(Some(tried));
             }
-            // Once more, with proofs.
+            // The passage is computed once more, with proofs.
             spare = best.replace(tried).map_or_else(Vec::new, |passage| passage.parts);
             is_proved = true;
             continue;
@@ -187,8 +188,8 @@ fn fixed_point<F: Float>(
         } else {
             high = x;
         }
-        // The cubic does not apply to a motion with other slides. Without damping it is kept, so that the
-        // digits stay the same.
+        // The cubic does not apply where the number of slides differs. Without damping it is used
+        // nevertheless, so that the digits stay the same.
         if equation.is_damped() && best.as_ref().is_some_and(|last| last.parts.len() != tried.parts.len()) {
             before = None;
         }
@@ -198,14 +199,14 @@ fn fixed_point<F: Float>(
         x = if halves && next > low && next < high { next } else { (low + high) / two };
         let is_closed = x <= low || x >= high;
         before = Some(here);
-        // With a residual of more than ε^¼ the next passage is not the last one, and with more than ε^⅓ it
-        // rarely is. A proof is more expensive for a slower drive; without damping the digits stay the same.
+        // With a residual above ε^¼ the next passage is not the last one, and with one above ε^⅓ it rarely
+        // is. A proof is more expensive for a slower drive; without damping the digits stay the same.
         let share = (here.value / (one + x.abs())).abs();
         let power = if equation.is_damped() { share * share.square() } else { share.square().square() };
         is_proved = power <= F::epsilon();
         let last = best.replace(tried);
         if is_closed {
-            // The residual is rounding, a little more of it than expected.
+            // The residual is rounding, slightly more than expected.
             let nearest = last.filter(|last| last.left.x.abs() < here.value.abs()).or(best);
             return Ok(nearest.filter(|found| found.is_proved && found.left.is_rounding(64)));
         }
@@ -217,7 +218,7 @@ fn fixed_point<F: Float>(
 /// Maximum number of displacements without a stop before the search ends.
 const MOST_FAILURES: u32 = 4;
 
-/// The steady state that a fixed point of G is.
+/// The steady state through a fixed point of G.
 fn steady<F: Float>(
     equation: Equation<F>,
     found: &Passage<F>,
@@ -246,8 +247,8 @@ fn steady<F: Float>(
     }
     let Some((slide, phi)) = longest else { return Ok(None) };
     let off = (found.left.bounds().0 / (one - found.rate)).abs();
-    // The middle of the longest slide, with its own rounding; mirrored and half a turn later, so that the
-    // next stop is this one again.
+    // The state is the middle of the longest slide, with its own rounding, with the opposite sign and half a
+    // turn later, so that the next stop is this one again.
     let middle = slide.motion(phi / two);
     let phase = slide.start.advanced(equation.omega * phi / two).later_by_half_turns(1);
     let y = Point { phase, x: -middle.x, w: -middle.w };

@@ -1,30 +1,29 @@
 //! The closed-form cycle without damping validated as a motion, from one slide.
 //!
 //! The rising half of the cycle begins at its minimum displacement, `(−Δ₀, 0)` at `θ₂ − π`, and is one slide
-//! of natural length `π/Ω`. Where it ends the drive has turned by π, so that its own angle needs no circular
-//! function, and the free one, `π/Ω = 2β`, is the cycle's. The slide passes the section, the fastest point y
-//! at θ₁, on its way; half a turn from there goes on to the velocity zero and back on the mirrored slide.
-//! The difference between its end and −y is a free vibration,
+//! of natural length `π/Ω`. At its end the drive has turned by π, so that the angle of the drive needs no
+//! circular function, and the free angle, `π/Ω = 2β`, is known from the cycle. On its way the slide passes
+//! the section, the fastest point y at θ₁; half a turn from y leads to the velocity zero and back on the
+//! mirrored slide. The difference between the end of that half turn and −y is a free vibration,
 //!
 //! ```text
 //! H(y) − y = −R (δx, w w′₊/w′₋),     δx = x(π/Ω) − Δ₀,  w = w(π/Ω)
 //! ```
 //!
 //! with w′₋ and w′₊ the accelerations before and after the reversal and R the rotation from θ₂ − π to θ₁: the
-//! residual that `shooting` judges, together with its bound on the distance. Its sign matters to neither. The
-//! velocity zero is within rounding of π/Ω, because friction reverses with the velocity:
-//! `w′₋ = w′₊ − 2 < −2`.
+//! residual that `shooting` judges, together with its bound on the distance. The sign of the residual matters
+//! to neither. The velocity zero is within rounding of π/Ω, because friction reverses with the velocity: `w′₋
+//! = w′₊ − 2 < −2`.
 //!
 //! # Why no velocity zero is missed
 //!
-//! The speed f has `f″ + f = g ∝ cos θ` (`event`). Say the half turn begins where g ≥ 0, at f = 0 with
-//! f′ > 0, and g changes its sign at φ = b. Then f > 0 for `0 < φ ≤ min(b, π)`; from b, a later point,
-//! backward for `atan2(f, f′)`; and on the last stretch, not longer than π, because f is positive at its
-//! beginning, and zero at its end only. For Ω ≥ 1 all of it is shorter than π, and f(b) need not be looked
-//! at. In every other case the search of `velocity_zero` answers.
+//! The speed f has `f″ + f = g ∝ cos θ` (`event`). Let the half turn begin where g ≥ 0, at f = 0 with f′ > 0,
+//! and let g change its sign at φ = b. Then f > 0 for `0 < φ ≤ min(b, π)`; also for the time `atan2(f, f′)`
+//! before the later point b; and on the last stretch, if it is not longer than π, because f is positive at
+//! its beginning, and zero only at its end. For Ω ≥ 1 the whole slide is shorter than π, and f(b) is not
+//! needed. In every other case the search of `velocity_zero` answers.
 //!
-//! That the maximum speed is the one at θ₁ is proved where the cycle finds it; here the acceleration has to
-//! vanish there.
+//! The cycle proves that the maximum speed is at θ₁; the validation requires a zero acceleration there.
 
 use super::matrix::{Matrix, reversal_ratio};
 use super::measures::Extreme;
@@ -39,7 +38,7 @@ use crate::motion::slide::stick::force_rounding;
 use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::Point;
 
-/// The steady state that the cycle is, where one half turn shows that it is one to within rounding.
+/// The steady state of the cycle, if half a turn of the motion agrees with it to within rounding.
 #[inline]
 pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Option<SteadyState<F>> {
     let (zero, two) = (F::int(0), F::int(2));
@@ -97,14 +96,14 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
 }
 
 impl<F: Float> Slide<F> {
-    /// The motion when the drive has turned by π: natural time π/Ω, by (sin β, cos β) of β = π/2Ω.
+    /// The motion after half a turn of the drive, at natural time π/Ω, from (sin β, cos β) of β = π/2Ω.
     #[inline]
     fn after_half_turn(&self, sin_cos_beta: (F, F)) -> Motion<F> {
         self.motion_of::<false>(&self.equation.half_turn(sin_cos_beta))
     }
 
-    /// Whether the velocity of a forward slide from rest has its first zero at `end`, a zero to within
-    /// rounding, half a turn later.
+    /// Whether the velocity of a forward slide from rest has its first zero at `end`, half a turn later,
+    /// where it is zero to within rounding.
     #[inline]
     fn turns_first_at(&self, end: F) -> bool {
         self.does_not_turn_before(end)
@@ -113,7 +112,7 @@ impl<F: Float> Slide<F> {
                 .is_ok_and(|zero| !zero.grazes && (zero.phi - end).square() <= F::epsilon() * end.square())
     }
 
-    /// Whether the signs of the drive's power alone show that there is no velocity zero before that at `end`.
+    /// Whether the signs of the drive's power alone show that no velocity zero precedes the zero at `end`.
     #[inline]
     fn does_not_turn_before(&self, end: F) -> bool {
         let (pi, omega) = (F::pi(), self.equation.omega);

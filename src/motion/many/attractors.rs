@@ -1,8 +1,8 @@
 //! All limits that a set of starts leads to.
 //!
-//! With a static friction above the kinetic one a machine can have several limits, and which it tends to
-//! depends on the start. Nothing here proves that the list is complete: the answer holds for the starts that
-//! were followed.
+//! With a static friction above the kinetic one a machine can have several limits, and the start determines
+//! which one its motion tends to. Nothing here proves that the list is complete: the answer holds for the
+//! starts that were followed.
 
 mod signature;
 
@@ -18,26 +18,26 @@ pub use signature::Signature;
 pub(crate) use signature::at_zero;
 use std::ops::ControlFlow;
 
-/// A limit, and how many starts lead to it.
+/// A limit, and the number of starts that lead to it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
 #[non_exhaustive]
 #[must_use]
 pub struct Attractor<F> {
-    /// The limit, as reached from the first of its starts.
+    /// The limit, computed from the first of its starts.
     pub limit: LongRun<F>,
-    /// The first of its starts, by its place in the list.
+    /// The index of the first of its starts.
     pub first_start: usize,
-    /// How many of the starts lead to it.
+    /// The number of starts that lead to this limit.
     pub starts: u64,
     /// The index of the mirror image of this limit; `None` if the limit is symmetric, or if no start led to
     /// its mirror image.
     pub mirror: Option<usize>,
-    /// The lowest and the highest place of rest x/B, or middle of a member of a family, that was found;
+    /// The lowest and the highest position of rest x/B, or middle of a member of a family, that was found;
     /// `None` for all other limits.
     pub range: Option<(F, F)>,
-    /// Of a periodic motion.
+    /// The states of a periodic motion, which identify it.
     #[cfg_attr(feature = "serde", serde(skip))]
     orbit: Option<Orbit<F>>,
 }
@@ -51,12 +51,12 @@ pub struct Attractor<F> {
 pub struct Attractors<F> {
     /// The limits.
     pub limits: Vec<Attractor<F>>,
-    /// The limit of each start, by its place among those found; `None` where that start had not settled.
+    /// The index of the limit of each start; `None` where the start had not settled.
     pub of_start: Vec<Option<usize>>,
 }
 
-/// The limits that the motion at (Ω, α, ζ, η) tends to from each of the starts, each followed for at most
-/// `periods` periods of the drive.
+/// The limits to which the motion at (Ω, α, ζ, η) tends from the starts, each followed for at most `periods`
+/// periods of the drive.
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -86,12 +86,13 @@ pub fn attractors<F: Float>(
 }
 
 impl<F: Float> Attractors<F> {
-    /// Collects the limits of several starts that were followed elsewhere, such as on several threads. They
-    /// are given in the order of the starts, and the answer does not depend on the threads.
+    /// Collects the limits of several starts that were followed elsewhere, for example on several threads.
+    /// The limits are given in the order of the starts, and the answer does not depend on the threads.
     ///
     /// * Two periodic motions are the same limit if their states at one phase of the drive agree to within
-    ///   the distances at which both can be from the limit ([`crate::motion::SteadyState::distance`]).
-    /// * All places of rest are one limit, with the range that was found, and so are the members of a family.
+    ///   their distances from the limit ([`crate::motion::SteadyState::distance`]).
+    /// * All positions of rest are one limit, with the range that was found, and so are the members of a
+    ///   family.
     /// * Two irregular motions are the same limit if their extrema agree to 1/32 of their range.
     ///
     /// # Errors
@@ -102,7 +103,7 @@ impl<F: Float> Attractors<F> {
         Ok(all)
     }
 
-    /// How many starts had not settled.
+    /// The number of starts that had not settled.
     #[must_use]
     pub fn unsettled(&self) -> usize {
         self.of_start.iter().filter(|place| place.is_none()).count()
@@ -142,15 +143,15 @@ impl<F: Float> Attractors<F> {
         Ok(())
     }
 
-    /// The place of a limit among those found, by its signature.
+    /// The index of the limit with this signature, if it is among those found.
     #[doc(hidden)]
     pub fn place_of(&self, signature: &Signature<F>) -> Option<usize> {
         self.limits.iter().position(|known| known.compare(signature) == Likeness::Same)
     }
 
-    /// Counts the next start by the signature of its limit, and returns whether it could: the limit must be
-    /// among those found, or the start must not have settled. The signature represents a limit that was found
-    /// earlier, for example by an interrupted run.
+    /// Counts the next start by the signature of its limit, and returns whether it was counted: the limit
+    /// must be among those found, or the start must not have settled. The signature represents a limit that
+    /// was found earlier, for example by an interrupted run.
     #[doc(hidden)]
     pub fn count(&mut self, signature: &Signature<F>) -> bool {
         if matches!(signature, Signature::NotConverged) {
@@ -194,7 +195,7 @@ impl<F: Float> Attractor<F> {
         }
     }
 
-    /// Extends the range by the place of a limit.
+    /// Extends the range to the position or middle of a limit.
     fn widen(&mut self, signature: &Signature<F>) {
         if let (Some((low, high)), Some(x)) = (self.range, signature.middle()) {
             self.range = Some((if x < low { x } else { low }, high.or_larger(x)));

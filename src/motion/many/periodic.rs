@@ -37,7 +37,7 @@ pub struct PeriodicMotions<F> {
 }
 
 impl<F: Float> PeriodicMotions<F> {
-    /// None yet; [`PeriodicMotions::add`] takes them in.
+    /// An empty list; [`PeriodicMotions::add`] fills it.
     #[must_use]
     pub const fn new() -> Self {
         Self { found: Vec::new() }
@@ -48,8 +48,8 @@ impl<F: Float> PeriodicMotions<F> {
         &self.found
     }
 
-    /// Adds a motion unless it is already present: two are the same if their states agree to within the
-    /// distances that both can be off.
+    /// Adds a motion unless it is already present: two motions are the same if their states agree to within
+    /// their distances from the limit.
     ///
     /// # Errors
     /// As for [`crate::motion::Trajectory::new`].
@@ -80,8 +80,8 @@ impl<F: Float> Default for PeriodicMotions<F> {
 }
 
 /// The periodic motions of up to `turns` turns of the drive that Newton's method finds from the starts:
-/// **found by search, not proved complete**. Unlike [`crate::motion::attractors()`] it finds unstable ones, which no
-/// start tends to.
+/// **found by search, not proved complete**. Unlike [`crate::motion::attractors()`] the search also finds
+/// unstable motions, to which no start tends.
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -109,8 +109,9 @@ pub fn periodic_motions<F: Float>(
     Ok(all.found)
 }
 
-/// The same from one start, a motion of several half turns perhaps more than once, as long as `keep_going`
-/// says [`ControlFlow::Continue`].
+/// The periodic motions of up to `turns` turns of the drive that Newton's method finds from one start, as
+/// long as `keep_going` returns [`ControlFlow::Continue`]. A motion of several half turns can be returned
+/// more than once.
 ///
 /// Let H be half a turn of the drive with a change of sign. For each number m of half turns up to `2 turns`,
 /// Newton's method on the map Hᵐ starts from the given state, from the states of its motion after each of the
@@ -120,7 +121,7 @@ pub fn periodic_motions<F: Float>(
 /// multipliers of the exact linearised motion.
 ///
 /// # Errors
-/// [`Error::Interrupted`] where it breaks off, and as for [`crate::motion::Trajectory::new`].
+/// [`Error::Interrupted`] where `keep_going` ends the search, and as for [`crate::motion::Trajectory::new`].
 #[doc(hidden)]
 pub fn periodic_motions_from<F: Float>(
     ratios: Ratios<F>,
@@ -130,7 +131,7 @@ pub fn periodic_motions_from<F: Float>(
 ) -> Result<Vec<SteadyState<F>>, Error> {
     let equation = Equation::new(resolved(ratios)?);
     let mut found = Vec::new();
-    // Otherwise the body comes to rest, whatever the start.
+    // At α ≤ 1 the body comes to rest from every start.
     if ratios.alpha() <= F::int(1) {
         return Ok(found);
     }
@@ -159,7 +160,7 @@ pub fn periodic_motions_from<F: Float>(
                 continue;
             }
             states.push(state);
-            // Of a motion that is not symmetric H gives the mirror image.
+            // H maps an asymmetric motion to its mirror image.
             let later = half_turns(equation, &motion.y, 1, budget, |_| {})?.end;
             let mirror = Trial::at(equation, later, motion.m, budget)?.newton(equation, budget)?;
             if motion.m % 2 == 0 && mirror.is_periodic(64) {
@@ -175,10 +176,10 @@ pub fn periodic_motions_from<F: Float>(
 /// The number of half turns computed from a start, in addition to those of the longest period.
 const FOLLOWED: u64 = 32;
 
-/// How many of the first states of its motion are begun at.
+/// The number of states at the beginning of the motion from which Newton's method starts.
 const FIRST: usize = 8;
 
-/// The state that m half turns bring back closest.
+/// The state that returns closest to itself after m half turns.
 fn closest_return<F: Float>(path: &[Point<F>], m: u64) -> Option<&Point<F>> {
     let later = path.iter().skip(usize::try_from(m).ok()?);
     let missed = path.iter().zip(later).map(|(y, back)| (y, distance(y, back)));

@@ -4,9 +4,9 @@ use crate::float::Float;
 use crate::machine::ratios::Ratios;
 use crate::motion::state::State;
 
-/// Starts at ω_d t = 0 within |x| ≤ R and |v| ≤ R, in B and B ω_d: for [`crate::motion::Attractors`].
+/// Starts at ω_d t = 0 within |x| ≤ R and |v| ≤ R, in B and B ω_d, for [`crate::motion::Attractors`].
 ///
-/// The first is at rest at x = 0. The others are by the fractional parts of the multiples of 1/g and 1/g²,
+/// The first start is at rest at x = 0. The others are the fractional parts of the multiples of 1/g and 1/g²,
 /// g³ = g + 1, which fill a square more evenly than random numbers do: R₂ of M. Roberts, "The unreasonable
 /// effectiveness of quasirandom sequences" (2018).
 ///
@@ -25,31 +25,32 @@ pub struct Starts<F> {
 }
 
 impl<F: Float> Starts<F> {
-    /// As far as motions at these ratios may go: R = 3 + 2 (η + the frictionless amplitude, at most 20 α).
+    /// Starts over the range of motions at these ratios: R = 3 + 2 (η + the frictionless amplitude, at most
+    /// 20 α).
     pub fn around(ratios: &Ratios<F>) -> Self {
         let (swing, most) = (ratios.forced_amplitude().abs(), F::int(20) * ratios.alpha());
         let swing = if swing < most { swing } else { most };
         Self { reach: F::int(3) + F::int(2) * (ratios.static_friction_ratio() + swing) }
     }
 
-    /// With R = `reach`; `None` unless 0 < R ≤ 2⁴⁰.
+    /// Starts with R = `reach`; `None` unless 0 < R ≤ 2⁴⁰.
     pub fn within(reach: F) -> Option<Self> {
         (reach > F::int(0) && reach <= F::exp2i(40)).then_some(Self { reach })
     }
 
-    /// R.
+    /// The range R.
     pub const fn reach(&self) -> F {
         self.reach
     }
 
-    /// The start of that number.
+    /// The start with this number.
     pub fn get(&self, number: u64) -> State<F> {
         let place = |step: f64| {
             let part = (number as f64 * step).fract();
             F::from_f64(if number == 0 { 0.0 } else { 2.0 * part - 1.0 }) * self.reach
         };
         let (x, v) = (place(0.754_877_666_246_692_7), place(0.569_840_290_998_053_3));
-        // R ≤ 2⁴⁰ and no multiple is within 2⁻⁴⁰ of a whole number: the state is one that every type has.
+        // R ≤ 2⁴⁰ and no multiple is within 2⁻⁴⁰ of a whole number: every type can represent the state.
         State { x, v, ..State::default() }
     }
 }

@@ -1,4 +1,4 @@
-//! Where the symmetric motion loses its symmetry as the force changes.
+//! The forces at which the symmetric motion loses its symmetry.
 //!
 //! Let H advance the state by half a turn of the drive and change its sign, and let J be its derivative. A
 //! symmetric motion of one turn is a fixed point of H, and its multipliers per turn are those of J², the
@@ -52,9 +52,9 @@ pub struct SymmetryBreak<F> {
     pub alpha: F,
     /// Whether the motion is stable above that force ratio; otherwise below.
     pub is_stable_above: bool,
-    /// How it is lost.
+    /// How the motion is lost.
     pub loss: Loss,
-    /// The motion there, on the stable side.
+    /// The motion at this force ratio, on the stable side.
     pub motion: SteadyState<F>,
 }
 
@@ -81,7 +81,8 @@ impl<F: Float> Symmetric<F> {
         F::int(1) - m.trace() + m.determinant()
     }
 
-    /// Whether no multiplier has passed −1 or +1, by a margin. A multiplier that jumps past +1 leaves f above 0.
+    /// Whether no multiplier has passed −1 or +1, by a margin. (A multiplier that jumps past +1 leaves f
+    /// above 0.)
     fn is_stable_by(&self, margin: F) -> bool {
         self.f() > margin && self.fold() > margin
     }
@@ -97,7 +98,7 @@ impl<F: Float> Symmetric<F> {
     }
 }
 
-/// The machine whose force changes.
+/// The machine, whose force ratio varies.
 struct Machine<F> {
     ratios: Ratios<F>,
 }
@@ -123,8 +124,8 @@ impl<F: Float> Machine<F> {
         Ok(Some(Symmetric { alpha, y: state.at, state, derivative, steady }))
     }
 
-    /// The same motion at another force, with the same slides and stops. The search starts on the line
-    /// through two known motions, then at the last one.
+    /// The symmetric motion at another force, with the same slides and stops as `self`. The search starts on
+    /// the line through two known motions, then at the last one.
     fn continued(
         &self,
         (before, last): (&Symmetric<F>, &Symmetric<F>),
@@ -143,7 +144,7 @@ impl<F: Float> Machine<F> {
         Ok(found.filter(|found| found.shape() == last.shape()))
     }
 
-    /// The symmetric motions that some starts and the states given lead to.
+    /// The symmetric motions to which some starts and the given states lead.
     fn all(&self, alpha: F, known: &[Symmetric<F>]) -> Result<Vec<Symmetric<F>>, Error> {
         let equation = Equation::new(resolved(self.at(alpha)?)?);
         let origin = DrivePhase::of_half_turn(0, F::int(0));
@@ -167,7 +168,7 @@ impl<F: Float> Machine<F> {
     }
 }
 
-/// Half turns that a start is followed for.
+/// The number of half turns for which a start is followed.
 const FOLLOWED: u32 = 24;
 
 /// The force ratios between `low` and `high` at which a stable symmetric motion of one turn is lost: by its
@@ -177,7 +178,7 @@ const FOLLOWED: u32 = 24;
 /// force ratio. If one of them is stable at one end of a step and unstable or absent at the other, the force
 /// ratio in between is found to rounding. **Found by search**: a motion that is lost and regained within a
 /// step is missed. The force ratio of `ratios` is ignored. With a static friction equal to the kinetic one
-/// there are none: friction is monotone, and the one limit symmetric (docs/theory/stability.md).
+/// there are none: friction is monotone, and the only limit is symmetric (docs/theory/stability.md).
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -220,8 +221,8 @@ pub fn symmetry_breaks<F: Float>(
     Ok(breaks)
 }
 
-/// The place where a stable motion is lost on the way to another force ratio. If a stop merely appears or
-/// disappears, the motion is continued.
+/// The force ratio at which a stable motion is lost on the way to another force ratio. If a stop merely
+/// appears or disappears, the motion is continued.
 fn lost<F: Float>(
     machine: &Machine<F>,
     motion: &Symmetric<F>,
@@ -234,7 +235,7 @@ fn lost<F: Float>(
         if machine.continued((&before, &last), to)?.is_some_and(|there| there.is_stable_by(zero)) {
             return Ok(None);
         }
-        // The last two that were stable, from which the next is sought.
+        // The last two stable motions, from which the next is sought.
         let mut failure = None;
         let (below, above) = enclosed(last.alpha, to, |alpha| {
             let found = machine.continued((&before, &last), alpha).unwrap_or_else(|error| {
@@ -266,7 +267,7 @@ fn lost<F: Float>(
     Err(equation.lost("the loss of a symmetric motion", last.y.phase, "256 changes of its stops").into())
 }
 
-/// Times that a stop may come or go within a step.
+/// The greatest number of times that a stop may appear or disappear within a step.
 const MOST_SHAPES: u32 = 256;
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ fn limit(equation: Equation<f64>, y: Point<f64>, most: u64) -> LongRun<f64> {
     member(equation, y, 1.0, Budget::of(most)).unwrap()
 }
 
-/// Computes some cycles of the motion; tells whether the last of them sticks.
+/// Computes some cycles of the motion, and returns its state and whether it sticks in the last cycle.
 fn followed(equation: Equation<f64>, mut y: Point<f64>, cycles: u32) -> (Point<f64>, bool) {
     let mut sticks = false;
     for _ in 0..cycles {
@@ -86,7 +86,7 @@ fn a_start_tends_to_where_the_motion_itself_does() {
     }
 }
 
-/// A member repeats itself to within the stated distance.
+/// A member returns to its state to within the stated distance.
 #[test]
 fn a_member_is_its_own_limit() {
     for n in 1..5 {
@@ -110,7 +110,7 @@ fn a_member_is_its_own_limit() {
     }
 }
 
-/// Where friction is below the rounding of the motion, the distance from the limit cannot be known.
+/// Where friction is below the rounding of the motion, the distance from the limit is unknown.
 #[test]
 fn friction_that_cannot_be_seen_settles_nothing() {
     for times in [1e15, 1e16, 1e40] {
@@ -155,7 +155,7 @@ fn outside_of_the_family_the_edge_is_the_limit() {
             assert!((c - side * room).abs() < 1e-9 * amplitude, "n = {n}: {c} for {room}");
             let off = found.distance.0;
             assert!(off < 0.1 * amplitude && found.periods < 400.0, "{off} {}", found.periods);
-            // It has stuck all the time, and is as close as stated.
+            // The motion has stuck in every cycle, and is as close as stated.
             let (there, _) = followed(equation, start, found.periods as u32);
             assert!((there.x - amplitude - side * room).abs() <= off, "n = {n}: {there:?} {off}");
         }

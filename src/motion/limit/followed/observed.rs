@@ -27,8 +27,8 @@ impl<F: Float> GrowthAtResonance<F> {
         is_resonant.then_some(Self { large, growth })
     }
 
-    /// The growth per turn of a motion so large that it no longer stops, if it grows. Its averaged motion
-    /// then approaches the phase of the drive, and it grows without bound.
+    /// The growth per turn of a motion that is so large that it no longer stops, if it grows. The averaged
+    /// motion then approaches the phase of the drive, and the motion grows without bound.
     pub(super) fn seen(&self, before: &Point<F>, after: &Point<F>) -> Option<F> {
         let (early, late) = (before.x.hypot(before.w), after.x.hypot(after.w));
         (early > self.large && late > early).then_some(self.growth)
@@ -37,7 +37,7 @@ impl<F: Float> GrowthAtResonance<F> {
 
 /// Observation of a motion while it is followed.
 pub(super) struct Observed<F> {
-    /// The number of half turns before the observation begins, and that of one part of the time.
+    /// The number of half turns before the observation begins, and the number in one part of the time.
     from: u64,
     part: u64,
     is_counting: bool,
@@ -89,7 +89,7 @@ impl<F: Float> Observed<F> {
         }
     }
 
-    /// Carries the disturbance over a half turn.
+    /// Propagates the disturbance over a half turn.
     pub(super) fn stretch(&mut self, derivative: &Matrix<F>, half_turns: u64) {
         let (x, w) = derivative.times(self.disturbance);
         let length = x.hypot(w);
@@ -106,12 +106,12 @@ impl<F: Float> Observed<F> {
         self.is_upside_down = !self.is_upside_down;
     }
 
-    /// How many parts of the time have passed.
+    /// The number of complete parts of the time.
     fn whole_parts(&self) -> usize {
         usize::try_from(self.counted.checked_div(self.part).unwrap_or(0)).unwrap_or(usize::MAX)
     }
 
-    /// A state of the motion, without the mirroring.
+    /// A state of the motion, with the change of sign undone.
     pub(super) fn upright(&self, y: &Point<F>) -> Point<F> {
         if self.is_upside_down {
             Point { phase: y.phase.later_by_half_turns(1), x: -y.x, w: -y.w }
@@ -120,7 +120,7 @@ impl<F: Float> Observed<F> {
         }
     }
 
-    /// The irregular motion, where neighbours do not approach it.
+    /// The irregular motion, if its neighbours do not approach it.
     pub(super) fn irregular(
         &self,
         equation: &Equation<F>,
@@ -131,7 +131,7 @@ impl<F: Float> Observed<F> {
         if whole < PARTS as usize / 2 {
             return None;
         }
-        // Per turn, which is two half turns.
+        // The values are per turn, and a turn is two half turns.
         let means = self.growth.iter().take(whole).map(|sum| 2.0 * sum / self.part as f64);
         let count = whole as f64;
         let mean = means.clone().sum::<f64>() / count;

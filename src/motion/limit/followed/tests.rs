@@ -27,7 +27,8 @@ fn steady_states_of_an_independent_simulation() {
     let one = from_rest(0.8, 0.05, 1.25, 1.5);
     assert!((one.max_displacement.value - 2.145_852_589_9).abs() < 1e-10, "{one:?}");
     assert_eq!((one.sticks_per_cycle, one.turns_per_cycle, one.is_symmetric), (0, 1, true));
-    // The contraction is only 0.9957 in half a turn: after 3000 turns that simulation is at 6.136651306(05).
+    // The contraction is only 0.9957 in half a turn: after 3000 turns the independent simulation is at
+    // 6.136651306(05).
     let two = from_rest(0.45, 0.02, 1.4, 5.0);
     assert!((two.max_displacement.value - 6.136_651_306_02).abs() < 1e-10, "{two:?}");
     assert_eq!((two.sticks_per_cycle, two.turns_per_cycle, two.is_symmetric), (2, 1, true));
@@ -89,8 +90,8 @@ fn the_limit_is_what_the_motion_comes_to() {
     }
 }
 
-/// The computed cycle is a cycle of the motion: it repeats, and its extrema, works and multipliers agree with
-/// samples.
+/// The computed cycle is a cycle of the motion: it returns to its beginning, and its extrema, works and
+/// multipliers agree with samples.
 #[test]
 fn what_is_found_comes_back() {
     for (omega, zeta, eta, alpha) in [
@@ -163,7 +164,8 @@ fn a_mirrored_start_has_the_mirrored_limit() {
     }
 }
 
-/// The body rests where the force never exceeds the static friction, and moves where it was moving initially.
+/// From different starts the body rests, where the force never exceeds the static friction, or continues to
+/// move.
 #[test]
 fn rest_and_motion_side_by_side() {
     let ratios = ratios(0.8, 0.02, 1.6, 1.5);
@@ -186,7 +188,7 @@ fn towards_equal_frictions() {
     }
 }
 
-/// Without damping at Ω = 1 a large motion grows, and one at rest stays.
+/// Without damping at Ω = 1 a large motion grows, and a body at rest stays at rest.
 #[test]
 fn resonance_without_damping() {
     let ratios = ratios(1.0, 0.0, 2.5, 2.0);
@@ -195,7 +197,7 @@ fn resonance_without_damping() {
     assert!(matches!(at(9.0), LongRun::Unbounded { growth } if growth == std::f64::consts::TAU - 4.0));
 }
 
-/// At Ω = 1/2 without damping the family of motions is still there, from a higher border on.
+/// At Ω = 1/2 without damping the family of motions exists also for η > 1, from a higher border on.
 #[test]
 fn a_family_at_half_the_natural_frequency() {
     let ratios = ratios(0.5, 0.0, 1.5, 12.0);
@@ -209,7 +211,7 @@ fn a_family_at_half_the_natural_frequency() {
         let shift = (member.max_displacement.value + member.min_displacement.value) / 2.0;
         assert!((half - 16.0).abs() < 1e-12 && (shift - c).abs() < 1e-12, "{member:?}");
     }
-    // Beyond, the body stops.
+    // Outside this range the body stops.
     let beyond = at(2.7);
     assert!(beyond.steady_state().is_none_or(|steady| steady.sticks_per_cycle > 0), "{beyond:?}");
 }
@@ -221,7 +223,7 @@ fn beside_the_border(points: u32) {
         let part = |step: f64| (f64::from(i) * step).fract();
         let omega = 2f64.powf(3.0 * part(0.819_173) - 2.0);
         let zeta = if i % 5 == 0 { 0.0 } else { 0.002 + 0.3 * part(0.671_044) };
-        // Not η = 1, where below the border the closed form takes the cycle on it.
+        // η = 1 is excluded, because below the border the closed form then takes the cycle on it.
         let eta = 1.001 + 2.0 * part(0.549_700);
         let at = |alpha| ratios(omega, zeta, eta, alpha);
         let border = Border::of(&at(2.0));
@@ -230,7 +232,7 @@ fn beside_the_border(points: u32) {
             let ratios = at(border.min_force_ratio * (1.0 + side * 1e-9));
             let (amplitude, phase) = if zeta > 0.0 {
                 let half = damped::half_period(&ratios);
-                // Not `DampedCycle::at`, which below the border takes the cycle on it.
+                // `DampedCycle::at` does not serve here: below the border it returns the cycle on the border.
                 let amplitude = max_displacement(half.k, ratios.alpha(), half.stiffness);
                 let cycle = damped::DampedCycle::of(damped::rising::Rising::new(half, amplitude));
                 (cycle.max_displacement, cycle.displacement_phase)
@@ -260,8 +262,8 @@ fn the_border_is_that_of_the_motion_everywhere() {
     beside_the_border(100_000);
 }
 
-/// The motion from a start turned upside down, half a turn of the drive on, is the motion turned upside down:
-/// to the last bit, phase by phase.
+/// A start of opposite sign half a turn of the drive later gives the motion of opposite sign, to the last
+/// bit, phase by phase.
 #[test]
 fn a_mirrored_start_has_the_mirrored_motion() {
     let part = |i: u32, step: f64| (f64::from(i) * step).fract();

@@ -36,8 +36,8 @@ fn the_monodromy_is_the_derivative_of_the_walk() {
     }
 }
 
-/// Where friction is of the order of the force's rounding, a disturbance keeps its size: a quotient of the
-/// accelerations once made it grow by 7e-5.
+/// Where friction is of the order of the force's rounding, a disturbance keeps its size. (A quotient of the
+/// accelerations once made it grow by 7e-5.)
 #[test]
 fn no_part_drives_two_motions_apart() {
     let equation =
@@ -92,12 +92,12 @@ fn a_walk_is_broken_off() {
     assert_eq!((broken.err().map(Error::from), parts, asked), (Some(Error::Interrupted), 6, 7));
 }
 
-/// A velocity zero exactly at the end of the time: the body, at rest with no time left, was once found at
-/// rest again and again.
+/// A velocity zero exactly at the end of the time ends the propagation. (The body, at rest with no time left,
+/// was once found at rest again and again.)
 #[test]
 fn a_turn_at_the_end_ends_it() {
-    // Cases found in random starts, next to a member of a family, and at quarter turns of the body with rest
-    // on arrival.
+    // Cases from random starts, next to a member of a family, and at quarter turns of the body with rest on
+    // arrival.
     let found = (
         Ratios::new(2.0, 1.677_050_983_124_842_1).unwrap(),
         DrivePhase::of_half_turn(9, 1.570_796_326_794_887_7),

@@ -3,7 +3,7 @@ use crate::Ratios;
 use crate::motion::{LongRun, State, Trajectory};
 use std::f64::consts::TAU;
 
-/// The motion returns to the stated state after a cycle, and its extrema are the stated ones.
+/// The motion returns to the stated state after a cycle and has the stated extrema.
 #[test]
 fn the_state_is_on_the_motion() {
     for (omega, alpha) in [(0.3f64, 2.0f64), (0.4, 9.0), (0.7, 1.2), (1.6, 1.5), (3.0, 4.0)] {

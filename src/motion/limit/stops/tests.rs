@@ -82,7 +82,8 @@ fn it_is_what_shooting_finds() {
     );
 }
 
-/// During the search, passages may end as expected without proof, but the last one is proved slide by slide.
+/// During the search, passages may end at their predicted times without proof, but the last one is proved
+/// slide by slide.
 #[test]
 fn what_is_found_is_proved() {
     let (mut found, mut unproved) = (0, 0);
@@ -96,7 +97,7 @@ fn what_is_found_is_proved() {
         };
         found += 1;
         unproved += u32::from(!passage.is_proved);
-        // The zeros are found again without an expectation.
+        // The zeros are found again without a prediction.
         for part in &passage.parts {
             let Part::Slide(slide, zero) = part else { continue };
             let again = slide
@@ -130,7 +131,7 @@ fn the_extremum_is_right_to_the_last_places() {
     }
 }
 
-/// The motion is the same to the last bit from any start, because none is computed.
+/// The motion is the same to the last bit from any start, because the search does not use the start.
 #[test]
 fn the_start_does_not_count() {
     for (omega, alpha, zeta) in [(0.7, 1.2, 0.0), (0.4, 6.0, 0.0), (0.15, 3.0, 0.05), (0.9, 1.1, 0.05)] {

@@ -10,7 +10,7 @@ use crate::motion::limit::steady::SteadyState;
 use crate::motion::state::Point;
 use crate::motion::trajectory::Trajectory;
 
-/// The signature of a limit: enough to count a start, not to describe the motion. A signature that was
+/// The signature of a limit: it identifies the limit but does not describe the motion. A signature that was
 /// written and read again represents a limit found earlier ([`super::Attractors::count`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Signature<F> {
@@ -23,7 +23,7 @@ pub enum Signature<F> {
         x: F,
         /// Velocity x′/(Bω_d).
         v: F,
-        /// Estimated distance of both from the limit ([`SteadyState::distance`]).
+        /// Estimated distance of x and v from the limit ([`SteadyState::distance`]).
         distance: (F, F),
     },
     /// A member of a family, by the middle of its displacements x/B.
@@ -33,19 +33,19 @@ pub enum Signature<F> {
     },
     /// Rest.
     Rest {
-        /// Where, x/B.
+        /// Position of rest x/B.
         position: F,
     },
     /// An irregular motion, by its extrema x/B.
     Irregular {
         /// The maximum displacement.
         max_displacement: F,
-        /// The least.
+        /// The minimum displacement.
         min_displacement: F,
     },
     /// Growth without bound.
     Unbounded,
-    /// None: the start had not settled.
+    /// No limit: the start had not settled.
     NotConverged,
 }
 
@@ -80,7 +80,7 @@ impl<F: Float> Signature<F> {
         })
     }
 
-    /// The place of rest, or the middle of a member of a family.
+    /// The position of rest, or the middle of a member of a family.
     pub(super) const fn middle(&self) -> Option<F> {
         match self {
             Self::Rest { position: x } | Self::Family { middle: x } => Some(*x),
@@ -89,8 +89,8 @@ impl<F: Float> Signature<F> {
     }
 }
 
-/// The state of a periodic motion at the next phase 2nπ. It is the same for any phase at which the motion was
-/// found; an odd half turn would give that of its mirror image.
+/// The state of a periodic motion at the next phase 2nπ. It does not depend on the phase at which the motion
+/// was found; after an odd number of half turns the state would be that of the mirror image.
 pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<Located<F>, Error> {
     let (x, v) = state_at_zero(steady)?;
     let phase = DrivePhase::of_half_turn(0, F::int(0));

@@ -5,7 +5,7 @@ use crate::Ratios;
 use crate::motion::machines::{ratios, starts};
 use crate::motion::{LongRun, State};
 
-/// Greatest and least displacement, stops, turns, symmetry, and whether the mirror image counts, for each
+/// Maximum and minimum displacement, stops, turns, symmetry, and whether the mirror image counts, for each
 /// limit, ordered by the maximum displacement.
 type Found = (f64, f64, u32, u32, bool, bool);
 
@@ -77,7 +77,7 @@ fn one_limit_whatever_the_phase_of_the_start() {
     assert!((0..24).all(|i| of_start(i).is_some_and(|first| first <= i)));
 }
 
-/// All places of rest are one limit, with their range.
+/// All positions of rest are one limit, with their range.
 #[test]
 fn places_of_rest_are_one_limit() {
     let all = attractors(ratios(0.8, 0.02, 1.6, 1.5), &starts(40, 5.0), 1000).unwrap();

@@ -8,9 +8,9 @@ use crate::motion::{LongRun, Signature, State};
 /// Half turns, stops in a cycle, and extrema of an unstable motion.
 type Unstable = (u32, u32, f64, f64);
 
-/// Each mirror pair of the six machines is accompanied by the symmetric motion that lost its stability to it,
-/// or by an unstable pair on the basin boundary. The two symmetric limits have no such neighbour: there the
-/// boundary is a jump of the period map.
+/// Each mirror pair of the six machines is accompanied by the symmetric motion that lost its stability to the
+/// pair, or by an unstable pair on the basin boundary. The two symmetric limits have no such neighbour: there
+/// the boundary is a jump of the period map.
 #[test]
 fn unstable_motions_beside_the_limits() {
     let symmetric = |x: f64| (1, 2, x, -x);
@@ -40,7 +40,7 @@ fn unstable_motions_beside_the_limits() {
             };
             assert!(expected.iter().any(is), "{s:?}");
             assert_eq!(motion.mirror.is_some(), !s.is_symmetric);
-            // No motion that starts close to it stays there.
+            // No motion that starts close to the unstable one stays there.
             let start = State { x: s.state.x + 1e-6, ..s.state };
             match LongRun::from_start(ratios, start).unwrap() {
                 LongRun::Periodic(limit) => {
@@ -90,7 +90,7 @@ fn few_starts_find_them() {
 fn where_nothing_moves_there_is_none() {
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.0), &starts(20, 5.0), 2).unwrap();
     assert!(all.is_empty(), "{all:?}");
-    // These starts are at rest; a motion has to be started.
+    // These starts are at rest, and the search needs one in motion.
     let resting = [State::default(), State::new(0.0, 0.05, 0.0).unwrap()];
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.5), &resting, 2).unwrap();
     assert!(all.is_empty(), "{all:?}");

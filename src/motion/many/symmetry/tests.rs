@@ -57,7 +57,7 @@ fn symmetry_breaks_at_a_multiplier_of_minus_one() {
             let to = if one.is_stable_above { 1.01 } else { 0.99 };
             let stable = limits(ratios(omega, 0.02, eta, one.alpha * to), state);
             let unstable = limits(ratios(omega, 0.02, eta, one.alpha * (2.0 - to)), state);
-            // At its second break, (0.5, 1.3) has a stable interval narrower than that.
+            // At its second break, (0.5, 1.3) has a stable interval narrower than this step.
             if omega != 0.5 || !one.is_stable_above {
                 assert!(seen(&stable, one).0, "{one:?}: {stable:?}");
             }
@@ -99,8 +99,8 @@ fn nothing_is_lost_with_equal_frictions() {
     }
 }
 
-/// At ω_d t = 0 the body rests or begins to slide. A speed of 5e-324 there was once computed as a slide with
-/// other multipliers, and the search never ended.
+/// At ω_d t = 0 the body rests or begins to slide. (A speed of 5e-324 was once computed as a slide with other
+/// multipliers, and the search never ended.)
 #[test]
 fn a_speed_next_to_nothing_is_rest() {
     let found = symmetry_breaks(ratios(0.164_705_882_352_941_17, 0.02, 2.0, 9.1), 3.1, 9.1, 32).unwrap();
