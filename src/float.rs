@@ -1,4 +1,4 @@
-//! The number type every formula is written over.
+//! The number types over which every formula is written.
 //!
 //! There are three layers. [`Field`] is enough for most *formulae*: the field operations, square roots,
 //! magnitudes, small integers and ratios. [`Real`] adds π and the circular functions. [`Float`] adds the
@@ -112,7 +112,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
-    /// The same number in the wide arithmetic, without rounding.
+    /// This number in the wide arithmetic, without rounding.
     #[doc(hidden)]
     #[inline(always)]
     fn wide(self) -> Pair<Self> {
@@ -138,7 +138,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     }
 
     /// `(sin, cos)` of an angle in [−π/2, π/2] to more digits than the type has. The error is below a third
-    /// of a unit in the last place up to π/3, and smaller than that for smaller angles.
+    /// of a unit in the last place up to π/3, and smaller still for smaller angles.
     #[doc(hidden)]
     #[inline(always)]
     fn sin_cos_acute(angle: Pair<Self>) -> (Pair<Self>, Pair<Self>) {
@@ -186,11 +186,11 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         self
     }
 
-    /// The same value with the derivatives of `like`, in a type that carries them. Otherwise this returns the
-    /// number itself and does not evaluate `like`.
+    /// This value with the derivatives of `like`, in a type with derivatives. In any other type the result is
+    /// the number itself, and `like` is not evaluated.
     ///
-    /// It serves values whose own computation loses the derivatives' digits: a quotient of two small numbers,
-    /// or a point found by iteration.
+    /// It serves values whose own computation loses digits of the derivatives: a quotient of two small
+    /// numbers, or a point found by iteration.
     #[doc(hidden)]
     #[inline]
     fn differentiated_as(self, like: impl FnOnce() -> Self) -> Self {

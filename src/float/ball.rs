@@ -145,7 +145,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         other.lower() < self.lower() && self.upper() < other.upper()
     }
 
-    /// The least ball that contains both, up to rounding.
+    /// The least ball that contains both balls, up to rounding.
     #[must_use]
     pub(crate) fn hull(&self, other: &Self) -> Self {
         let low = if other.lower() < self.lower() { other.lower() } else { self.lower() };
@@ -153,7 +153,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         Self::between(low, high)
     }
 
-    /// A ball that contains the numbers common to both; `None` where there are none.
+    /// A ball that contains the numbers common to both balls; `None` where there are none.
     #[must_use]
     pub(crate) fn intersection(&self, other: &Self) -> Option<Self> {
         // A ball inside the other is returned unchanged, so that rounding a middle does not enlarge it.
@@ -183,7 +183,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
     }
 
     #[cfg(test)]
-    /// The same ball at another precision. A lower precision widens it by the rounding of its midpoint.
+    /// This ball at another precision. A lower precision widens it by the rounding of its midpoint.
     #[must_use]
     pub(crate) fn at_width<const OTHER: usize>(&self) -> Ball<OTHER> {
         let mid = Mp::<OTHER>::rounded(self.mid);

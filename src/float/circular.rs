@@ -119,7 +119,7 @@ pub(crate) fn polynomial<F: Float, const N: usize>(coefficients: &[F; N], z: F) 
 }
 
 impl<const S: usize, const C: usize> SinCos<f64, S, C> {
-    /// The same coefficients in another number type.
+    /// These coefficients in another number type.
     #[inline(always)]
     pub(crate) fn of<F: Float>(&self) -> SinCos<F, S, C> {
         SinCos { sin: self.sin.map(F::from_f64), cos: self.cos.map(F::from_f64) }
@@ -173,7 +173,7 @@ impl<F: Float, const S: usize, const C: usize> SinCos<F, S, C> {
 }
 
 impl Arctangent<f64> {
-    /// The same coefficients in another number type.
+    /// These coefficients in another number type.
     #[inline(always)]
     pub(crate) fn of<F: Float>(&self) -> Arctangent<F> {
         Arctangent(self.0.map(F::from_f64))

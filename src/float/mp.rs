@@ -1,10 +1,10 @@
 //! `Mp<LIMBS>`: binary floating point of `64 · LIMBS` bits, correctly rounded by MPFR.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
 //! | `raw` | the number and MPFR's functions of it: the crate's only calls of foreign code |
 //! | `ops` | operators, comparison, sums |
-//! | `real` | [`Real`](super::Real) and [`Float`](super::Float): what the formulae run on |
+//! | `real` | [`Real`](super::Real) and [`Float`](super::Float), the traits of the formulae |
 //! | `convert`, `text` | to and from `rug`, primitive numbers, decimal text |
 //! | `traits`, `functions` | the traits of num-traits; all functions are those of its `Real` |
 //! | `serde`, `nalgebra` | with those features: decimal strings, `RealField` |

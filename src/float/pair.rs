@@ -116,7 +116,7 @@ impl<F: Float> Pair<F> {
         self.hi + self.lo
     }
 
-    /// The same number with hi as its nearest value.
+    /// This number with hi as its nearest value.
     #[inline(always)]
     #[must_use]
     pub(crate) fn normalised(self) -> Self {

@@ -114,7 +114,7 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn times_sign_of(self, sign: Self) -> Self {
-                // By bits, which compilers vectorise without a comparison.
+                // The sign is set by bits, which compilers vectorise without a comparison.
                 <$float>::from_bits(self.to_bits() ^ (sign.to_bits() & (-0.0 as $float).to_bits()))
             }
         }

@@ -152,7 +152,7 @@ impl Radius {
         Self::rounded_up(product, self.exponent + other.exponent - i64::from(BITS))
     }
 
-    /// `self / other`, where `other` is a lower bound of the divisor; infinite where that is zero.
+    /// `self / other`, where `other` is a lower bound of the divisor; infinite where `other` is zero.
     #[inline]
     pub(crate) fn over(self, other: Self) -> Self {
         if other.is_zero() || self.is_infinite() {
@@ -175,8 +175,8 @@ impl Radius {
         }
     }
 
-    /// `self − other` rounded down, where `self` is a lower bound and `other` an upper one; zero where that
-    /// is negative.
+    /// `self − other` rounded down, where `self` is a lower bound and `other` an upper one; zero where the
+    /// difference is negative.
     #[inline]
     pub(crate) fn minus_down(self, other: Self) -> Self {
         if other.is_zero() || self.is_infinite() && !other.is_infinite() {

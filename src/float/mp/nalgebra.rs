@@ -49,7 +49,7 @@ impl<const LIMBS: usize> SubsetOf<Self> for Mp<LIMBS> {
 
 macro_rules! primitive_subset {
     ($($primitive:ident by $to:ident)*) => {$(
-        /// As between `f32` and `f64`, all real types count as the same set.
+        /// All real types count as the same set, as between `f32` and `f64`.
         impl<const LIMBS: usize> SubsetOf<Mp<LIMBS>> for $primitive {
             fn to_superset(&self) -> Mp<LIMBS> {
                 (*self).into()

@@ -193,7 +193,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         })
     }
 
-    /// The same number as a `rug::Float` of [`Mp::BITS`] bits.
+    /// This number as a `rug::Float` of [`Mp::BITS`] bits.
     #[must_use]
     pub(crate) fn to_rug(self) -> rug::Float {
         let mut result = rug::Float::new(Self::BITS);

@@ -22,7 +22,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// The number nearest to the text in a radix of 2 to 36, digits and exponent in that radix.
     ///
     /// # Errors
-    /// [`ParseError`] with the text, where it is no number or the radix is none of those.
+    /// [`ParseError`] with the text, where it is no number or the radix is outside this range.
     pub(crate) fn parse_radix(text: &str, radix: u32) -> Result<Self, ParseError> {
         let error = || ParseError { text: text.to_owned() };
         let radix = i32::try_from(radix).ok().filter(|r| (2..=36).contains(r)).ok_or_else(error)?;

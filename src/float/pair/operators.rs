@@ -12,8 +12,8 @@ impl<F: Float> Neg for Pair<F> {
     }
 }
 
-/// Where the leading parts cancel, the rests may be as large as what is left, so that the sum is made a pair
-/// again.
+/// Where the leading parts cancel, the remainders can be as large as the sum of the leading parts; the sum is
+/// therefore normalised to a pair.
 impl<F: Float> Add for Pair<F> {
     type Output = Self;
     #[inline(always)]
@@ -49,7 +49,7 @@ impl<F: Float> Mul<F> for Pair<F> {
     }
 }
 
-/// By one quotient, 1/y: what it lacks in hi is in lo.
+/// From one quotient, 1/y: lo contains the remainder of hi.
 impl<F: Float> Div for Pair<F> {
     type Output = Self;
     #[inline(always)]
@@ -61,7 +61,7 @@ impl<F: Float> Div for Pair<F> {
     }
 }
 
-/// As the quotient of two pairs.
+/// The quotient of two pairs, the second of which is exact.
 impl<F: Float> Div<F> for Pair<F> {
     type Output = Self;
     #[inline(always)]
