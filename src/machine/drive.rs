@@ -21,15 +21,17 @@ pub enum Excitation {
     /// A motion `u₀ sin ω_d t` of the foot of the spring over a fixed surface: `p₀ = k u₀`. This is the
     /// paper's base motion (`docs/errata.md`, 7).
     FootMotion,
-    /// The same with the damper on the moving foot as well: `p₀ = √(k² + c²ω_d²) u₀`, ahead of the motion by
-    /// [`Drive::phase_lead`].
+    /// A motion `u₀ sin ω_d t` of the foot of the spring, on which the damper stands as well: `p₀ = √(k² +
+    /// c²ω_d²) u₀`, ahead of the motion by [`Drive::phase_lead`].
     DampedFootMotion,
     /// A motion `u₀ sin ω_d t` of a base that carries the surface along, given by its displacement amplitude:
     /// `p₀ = m ω_d² u₀`.
     SurfaceMotion,
-    /// The same, given by its velocity amplitude `ω_d u₀`: `p₀ = m ω_d · (ω_d u₀)`.
+    /// A motion of a base that carries the surface along, given by its velocity amplitude `ω_d u₀`: `p₀ = m
+    /// ω_d · (ω_d u₀)`.
     SurfaceVelocity,
-    /// The same, given by its acceleration amplitude `ω_d² u₀`: `p₀ = m · (ω_d² u₀)`.
+    /// A motion of a base that carries the surface along, given by its acceleration amplitude `ω_d² u₀`: `p₀
+    /// = m · (ω_d² u₀)`.
     SurfaceAcceleration,
 }
 
@@ -73,7 +75,7 @@ impl Excitation {
         matches!(self, Self::FootMotion | Self::DampedFootMotion)
     }
 
-    /// Whether the base carries the surface along, so that x is relative to it.
+    /// Whether the base carries the surface along, so that x is relative to the base.
     #[doc(hidden)]
     #[must_use]
     pub const fn carries_surface(self) -> bool {
@@ -84,9 +86,9 @@ impl Excitation {
     /// maximum `force` of spring, damper and friction and the maximum `acceleration` in B ω_d².
     ///
     /// If the foot moves, foot and surface together carry the force m x″, which is `Ω²` times the
-    /// acceleration, because nothing else acts on the body; the transmissibility is then the ratio of the
-    /// accelerations of body and foot, of which a damper on the foot leaves `√(1 + (2ζΩ)²) u₀ = p₀/k`.
-    /// Otherwise they are the force, and the force over p₀.
+    /// acceleration, because nothing else acts on the body. The transmissibility is then the ratio of the
+    /// accelerations of body and foot, where a damper on the foot leaves `√(1 + (2ζΩ)²) u₀ = p₀/k`. Otherwise
+    /// the two values are the force, and the force over p₀.
     #[doc(hidden)]
     pub fn transmitted<F: Float>(self, ratios: &Ratios<F>, force: F, acceleration: F) -> (F, F) {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
@@ -149,10 +151,11 @@ impl<F: Float> Drive<F> {
         Self::force(alpha * oscillator.friction_bound(), angular_frequency)
     }
 
-    /// The same drive with a constant force p̄ on the body, such as its weight along an inclined surface or a
+    /// This drive with a constant force p̄ on the body, such as its weight along an inclined surface or a
     /// preload.
     ///
-    /// It shifts the motion by p̄/k and changes nothing else ([`super::oscillator::Scales::mean_displacement`]).
+    /// The constant force shifts the motion by p̄/k and changes nothing else
+    /// ([`super::oscillator::Scales::mean_displacement`]).
     ///
     /// # Errors
     /// Where p̄ is not finite.
@@ -165,7 +168,7 @@ impl<F: Float> Drive<F> {
         self.angular_frequency
     }
 
-    /// The amplitude as given: p₀ of a force, otherwise that of the motion of the base.
+    /// The amplitude as given: p₀ of a force, otherwise the amplitude of the base motion.
     pub const fn amplitude(&self) -> F {
         self.amplitude
     }

@@ -32,7 +32,7 @@ pub struct Driven<F> {
 }
 
 impl<F: Float + FromStr> Given<F> {
-    /// Nothing given, in the system of a reader.
+    /// No inputs, in the system of a reader.
     pub const fn empty(reader: &Reader, naming: Naming) -> Self {
         Self { system: reader.system(), naming, values: Vec::new() }
     }
@@ -71,7 +71,7 @@ impl<F: Float + FromStr> Given<F> {
         Some(self.values.swap_remove(place).1)
     }
 
-    /// Whether nothing is given.
+    /// Whether no input is given.
     pub const fn is_empty(&self) -> bool {
         self.values.is_empty()
     }
@@ -99,12 +99,12 @@ impl<F: Float + FromStr> Given<F> {
     /// The value of an input.
     ///
     /// # Errors
-    /// Where it is not given.
+    /// Where the input is not given.
     pub fn required(&self, input: Input) -> Result<F, InputError> {
         self.get(input).ok_or_else(|| self.missing(&[input]))
     }
 
-    /// The error where none of several inputs is given.
+    /// The error where at least one of several inputs must be given.
     #[must_use]
     pub fn missing(&self, inputs: &[Input]) -> InputError {
         InputError(format!("{} is missing", self.naming.of_several(inputs)))
@@ -170,12 +170,12 @@ impl<F: Float + FromStr> Given<F> {
     /// The mass.
     ///
     /// # Errors
-    /// Where it is not given.
+    /// Where the mass is not given.
     pub fn mass(&self) -> Result<F, InputError> {
         self.required(Input::Mass).map_err(|missing| self.in_units_beside_ratios().unwrap_or(missing))
     }
 
-    /// The error for a single input in physical units where all else are ratios.
+    /// The error for a single input in physical units beside ratios.
     fn in_units_beside_ratios(&self) -> Option<InputError> {
         let mut physical = self.values.iter().map(|&(input, ..)| input).filter(|input| input.is_physical());
         let (Some(found), None) = (physical.next(), physical.next()) else { return None };
@@ -226,10 +226,10 @@ impl<F: Float + FromStr> Given<F> {
         Ok(found.map(|(_, friction)| friction))
     }
 
-    /// Gravity, or the standard one where it is not given.
+    /// Gravity, by default the standard one.
     ///
     /// # Errors
-    /// Where it is not > 0.
+    /// Where gravity is not > 0.
     pub fn gravity(&self) -> Result<F, InputError> {
         self.get(Input::Gravity)
             .map_or_else(|| Ok(self.system.gravity()), |g| self.positive(Input::Gravity, g))
@@ -247,7 +247,7 @@ impl<F: Float + FromStr> Given<F> {
     /// spring are given.
     ///
     /// # Errors
-    /// Where one of its inputs is missing, wrong or one too many.
+    /// Where an input of the body is missing, wrong or superfluous.
     pub fn oscillator(&self) -> Result<Oscillator<F>, InputError> {
         let mass = self.mass()?;
         let friction = self.friction()?.ok_or_else(|| self.missing(&Input::of_role(Role::Friction)))?;
@@ -272,7 +272,7 @@ impl<F: Float + FromStr> Given<F> {
         body.map_err(|e| self.at_fault(&e)).and_then(|body| self.with_damper(body))
     }
 
-    /// The body with its backward friction, its damper and its static friction, where they are given.
+    /// The body with its backward friction, its damper and its static friction, as given.
     ///
     /// # Errors
     /// Where one of them is wrong or given twice.
@@ -340,13 +340,13 @@ impl<F: Float + FromStr> Given<F> {
     /// The machine.
     ///
     /// # Errors
-    /// Where one of its inputs is missing, wrong or one too many.
+    /// Where an input is missing, wrong or superfluous.
     pub fn driven(&self) -> Result<Driven<F>, InputError> {
         let body = self.oscillator()?;
         self.under(body, self.drive(&body, self.frequency(&body)?)?)
     }
 
-    /// The machine under a force of r_y, which has α = 1: its scales are those of the border.
+    /// The machine under a force of r_y, at α = 1: its scales are those of the border.
     ///
     /// # Errors
     /// As for [`Given::driven`].

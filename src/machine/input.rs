@@ -83,25 +83,25 @@ macro_rules! row {
 }
 
 row! {
-    /// The description, for help.
+    /// The description of the input, for help.
     help: &'static str;
     /// The option.
     option: &'static str;
-    /// The placeholder of its value in help.
+    /// The placeholder of the value in help.
     placeholder: &'static str;
-    /// The kind of its values.
+    /// The kind of the values.
     kind: Kind;
-    /// Its part in a machine.
+    /// The role of the input in a machine.
     role: Role;
-    /// Its quantity.
+    /// The quantity of the input.
     quantity: Quantity;
-    /// Further quantities that it determines.
+    /// Further quantities that the input determines.
     also: &'static [Quantity];
-    /// The excitation whose amplitude it is.
+    /// The excitation whose amplitude the input is.
     excitation: Option<Excitation>;
-    /// Its name in words with its symbol.
+    /// The quantity in words, with its symbol.
     symbol: &'static str;
-    /// Its letter in Latin script, which a column of a file may have.
+    /// The letter in Latin script, which a column of a file may have as its name.
     letter: Option<&'static str>;
     /// Another name of the option and the column.
     alias: Option<&'static str>;
@@ -238,25 +238,25 @@ impl Input {
         inputs
     }
 
-    /// The option without its dashes.
+    /// The name of the option without its dashes.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.option().trim_start_matches('-')
     }
 
-    /// The name of its column, and its keyword in Python.
+    /// The name of the input's column, and its keyword in Python.
     #[must_use]
     pub fn column(self) -> String {
         self.name().replace('-', "_")
     }
 
-    /// Whether a column has its name, or that of its alias.
+    /// Whether a column has the name of this input or its alias.
     #[must_use]
     pub fn is_column(self, name: &str) -> bool {
         self.column() == name || self.alias().is_some_and(|alias| alias.replace('-', "_") == name)
     }
 
-    /// Whether it is a quantity of a machine in physical units.
+    /// Whether the input is a quantity of a machine in physical units.
     #[must_use]
     pub const fn is_physical(self) -> bool {
         // The coefficient of friction is a ratio, but a friction only with mass and gravity.

@@ -39,7 +39,7 @@ impl<F: Float> Oscillator<F> {
     /// An oscillator from mass m, stiffness k and friction bound r_y, without a damper.
     ///
     /// # Errors
-    /// Where one of them is not finite or not > 0.
+    /// Where m, k or r_y is not finite or not > 0.
     pub fn new(mass: F, stiffness: F, friction_bound: F) -> Result<Self, Error> {
         Ok(Self {
             mass: positive(Quantity::Mass, mass)?,
@@ -62,7 +62,7 @@ impl<F: Float> Oscillator<F> {
         Self::new(mass, mass * natural_frequency.square(), friction_bound)
     }
 
-    /// The same with a viscous damper: the force −c x′ on the body.
+    /// This body with a viscous damper: the force −c x′ on the body.
     ///
     /// # Errors
     /// Where c is not finite or < 0.
@@ -70,7 +70,7 @@ impl<F: Float> Oscillator<F> {
         Ok(Self { damping: non_negative(Quantity::Damping, damping)?, ..self })
     }
 
-    /// The same with a damper of damping ratio ζ: `c = 2ζ √(k m)`.
+    /// This body with a damper of damping ratio ζ: `c = 2ζ √(k m)`.
     ///
     /// # Errors
     /// Where ζ or c is not finite or < 0.
@@ -79,7 +79,7 @@ impl<F: Float> Oscillator<F> {
         self.with_damping(ratio * self.critical_damping())
     }
 
-    /// The same with a static friction r_s: a body at rest stays until the force on it exceeds r_s.
+    /// This body with a static friction r_s: a body at rest stays at rest until the force on it exceeds r_s.
     ///
     /// # Errors
     /// Where r_s is not finite or not > 0, or is below r_y.
@@ -88,7 +88,7 @@ impl<F: Float> Oscillator<F> {
         self.with_static_friction_ratio(ratio)
     }
 
-    /// The same with a static friction of η times the kinetic one, r_s = η r_y.
+    /// This body with a static friction of η times the kinetic one, r_s = η r_y.
     ///
     /// # Errors
     /// Where η is not finite, < 1 or outside the domain of [`crate::Ratios`].
@@ -96,12 +96,12 @@ impl<F: Float> Oscillator<F> {
         Ok(Self { static_friction_ratio: valid_static_friction_ratio(static_friction_ratio)?, ..self })
     }
 
-    /// The same with friction that differs by direction: r₊ against motion with x′ > 0, r₋ against motion
-    /// with x′ < 0. Their mean is r_y, and a body at rest stays until the force on it exceeds η r_y + (r₊ −
-    /// r₋)/2 forwards or η r_y − (r₊ − r₋)/2 backwards.
+    /// This body with friction that differs by direction: r₊ against motion with x′ > 0, r₋ against motion
+    /// with x′ < 0. Their mean is r_y, and a body at rest stays at rest until the force on it exceeds η r_y +
+    /// (r₊ − r₋)/2 forwards or η r_y − (r₊ − r₋)/2 backwards.
     ///
     /// # Errors
-    /// Where one of them is not finite or not > 0, or their sum overflows.
+    /// Where r₊ or r₋ is not finite or not > 0, or their sum overflows.
     pub fn with_directional_friction(self, forward: F, backward: F) -> Result<Self, Error> {
         let forward = positive(Quantity::ForwardFriction, forward)?;
         let backward = positive(Quantity::BackwardFriction, backward)?;

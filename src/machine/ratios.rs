@@ -25,7 +25,7 @@ pub struct Ratios<F> {
 }
 
 impl<F: Float> Ratios<F> {
-    /// The pair (Ω, α).
+    /// The ratios Ω and α, without damping and with η = 1.
     ///
     /// # Errors
     /// [`Error`] with the value and the condition that it violates.
@@ -39,7 +39,7 @@ impl<F: Float> Ratios<F> {
         })
     }
 
-    /// The same with viscous damping of the ratio ζ.
+    /// These ratios with a viscous damper of damping ratio ζ.
     ///
     /// # Errors
     /// Where ζ is outside its domain.
@@ -47,8 +47,8 @@ impl<F: Float> Ratios<F> {
         Ok(Self { damping_ratio: valid_damping_ratio(damping_ratio)?, ..self })
     }
 
-    /// The same with a static friction of η times the kinetic one: a body at rest stays until the force on it
-    /// exceeds η r_y.
+    /// These ratios with a static friction of η times the kinetic one: a body at rest stays at rest until the
+    /// force on it exceeds η r_y.
     ///
     /// # Errors
     /// Where η is outside its domain.
@@ -95,14 +95,14 @@ impl<F: Float> Ratios<F> {
         self.static_friction_ratio > F::int(1)
     }
 
-    /// Whether a body at rest is released wherever it is, α > η. For α ≤ η it stays at rest for ever where
+    /// Whether a body at rest is released at any position, α > η. For α ≤ η it stays at rest for ever where
     /// `|α sin θ − x| ≤ η` for all θ, that is for `|x| ≤ η − α`, also at x = 0.
     #[inline]
     pub fn moves_from_rest(&self) -> bool {
         self.alpha > self.static_friction_ratio
     }
 
-    /// The same ratios, if the static friction equals the kinetic one, for calculations that require it.
+    /// These ratios, if the static friction equals the kinetic one, for calculations that require it.
     pub(crate) fn with_one_friction(self) -> Result<Self, Error> {
         one_friction(self.static_friction_ratio).map(|()| self)
     }
@@ -185,7 +185,7 @@ fn not_positive<F: Float>(quantity: Quantity, x: F) -> Error {
     if x.is_finite() { Error::NotPositive { quantity, value } } else { Error::NotFinite { quantity, value } }
 }
 
-/// The error for an `x` outside `[least, greatest]`; of several reasons, the simplest.
+/// The error for an `x` outside `[least, greatest]`: the simplest of several reasons.
 #[cold]
 fn outside<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Error {
     positive(quantity, x).err().unwrap_or_else(|| Error::OutOfRange {

@@ -25,13 +25,13 @@ pub struct Scales<F> {
     /// The displacement about which the motion is symmetric, `(p̄ − (r₊ − r₋)/2)/k`; it is 0 without a mean
     /// force if friction is the same in both directions.
     ///
-    /// Displacements in this crate are measured from there. A constant force shifts the motion, stops
-    /// included, and changes nothing else.
+    /// Displacements in this crate are measured from this mean displacement. A constant force shifts the
+    /// motion, stops included, and changes nothing else.
     pub mean_displacement: F,
     /// The mean of friction in both directions, `(r₊ − r₋)/2`; it is 0 where they are the same.
     ///
-    /// The friction of this crate's answers is symmetric: that of the machine is r times [`Scales::force`]
-    /// plus this force.
+    /// The friction in this crate's answers is symmetric: the friction of the machine is r times
+    /// [`Scales::force`] plus this force.
     pub mean_friction: F,
 }
 
@@ -39,7 +39,7 @@ impl<F: Float> Scales<F> {
     /// The scales of `oscillator` under `drive`.
     ///
     /// # Errors
-    /// Where one of them overflows or underflows, so that answers could not be stated in these units.
+    /// Where a scale overflows or underflows, so that answers could not be stated in these units.
     pub fn new(oscillator: &Oscillator<F>, drive: &Drive<F>) -> Result<Self, Error> {
         let length = positive(Quantity::FrictionDisplacement, oscillator.friction_displacement())?;
         let frequency = drive.angular_frequency();

@@ -51,7 +51,7 @@ impl<F: Float> From<F> for Number {
     }
 }
 
-/// A number for an error.
+/// The number x, for an error.
 pub(crate) fn written<F: Float>(x: F) -> Number {
     let nearest = x.to_f64();
     let digits = (F::PRECISION != f64::MANTISSA_DIGITS)

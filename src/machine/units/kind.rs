@@ -7,7 +7,7 @@ pub(super) type Dimension = [i8; 4];
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
-    /// A plain number, or one in %.
+    /// A plain number, or a percentage.
     Ratio,
     /// kg, g, t, lb.
     Mass,
@@ -19,7 +19,7 @@ pub enum Kind {
     Angle,
     /// Hz, rad/s, rpm; in rad/s, whatever the system.
     Frequency,
-    /// The same in cycles per second.
+    /// Frequency in cycles per second: Hz.
     Hertz,
     /// m/s, mm/s, in/s.
     Velocity,
@@ -85,7 +85,7 @@ impl Kind {
         matches!(self, Self::Ratio | Self::Angle)
     }
 
-    /// Its name.
+    /// The name of the kind.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

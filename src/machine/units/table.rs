@@ -48,13 +48,13 @@ const TABLE: &[(&str, Dimension, u128, u128, i8)] = &[
     ("J", ENERGY, 1, 1, 0), ("mJ", ENERGY, 1, 1000, 0), ("kJ", ENERGY, 1000, 1, 0),
 ];
 
-/// The symbol of a mass of this size, if one has it.
+/// The symbol of a mass of this size, if there is one.
 pub(super) fn mass_of(factor: Factor) -> Option<&'static str> {
     let unit = TABLE.iter().find(|&&(_, d, p, q, pi)| d == MASS && Factor::new(p, q, pi) == factor);
     unit.map(|(symbol, ..)| *symbol)
 }
 
-/// The symbol of that text in the table, with its unit, if it has the dimension.
+/// The symbol `text` in the table with its unit, if its dimension is this one.
 pub(super) fn symbol(text: &str, dimension: Dimension) -> Option<(&'static str, Unit)> {
     let row = TABLE.iter().find(|(symbol, d, ..)| *symbol == text && *d == dimension);
     row.map(|&(symbol, dimension, p, q, pi)| (symbol, Unit { dimension, factor: Factor::new(p, q, pi) }))
