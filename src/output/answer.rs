@@ -67,7 +67,7 @@ pub(crate) use columns;
 pub struct ResponseAnswer<'a, F> {
     pub response: &'a Response<F>,
     pub excitation: Excitation,
-    /// Whether the outputs that need a search are wanted.
+    /// Whether outputs that need a search are requested.
     pub peaks: bool,
 }
 
@@ -85,7 +85,7 @@ impl<F: Float> ResponseAnswer<'_, F> {
         [Output::Deviation];
         [Output::MinForceRatio];
         [Output::TurningPointForceRatio];
-        // With more digits than those of a cycle that was rounded.
+        // This value has more digits than the rounded cycle.
         (Output::LoopSizeStiffness.definition()) => Number(answer.response.loop_size_stiffness);
         (Output::LoopSizeInertia.definition()) => Number(answer.response.loop_size_inertia);
         [Output::BestForceRatio];
@@ -101,7 +101,8 @@ impl<F: Float> ResponseAnswer<'_, F> {
         (DAMPER_WORK) if Damping => Number(answer.response.cycle.as_ref().map(Cycle::damper_work));
     }
 
-    /// An output. Where the spring's foot moves, the loads on the support are those of [`Excitation`].
+    /// The value of an output. Where the spring's foot moves, the loads on the support are those of
+    /// [`Excitation`].
     fn number(&self, output: Output) -> Option<F> {
         let response = self.response;
         if output.definition().is_searched && !self.peaks {

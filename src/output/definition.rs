@@ -78,12 +78,13 @@ measures! {
 /// The name of an output in the units of a machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Physical {
-    /// It has none.
+    /// The output has no such name.
     Absent,
     Named(&'static str),
-    /// Only under a base that carries the surface.
+    /// The name, which applies only under a base that carries the surface.
     OverBase(&'static str),
-    /// Not where the damper stands on the moving foot: it dissipates by the velocity between body and foot.
+    /// The name, which does not apply where the damper stands on the moving foot and dissipates by the
+    /// velocity between body and foot.
     UnlessDampedFoot(&'static str),
 }
 
@@ -91,23 +92,23 @@ enum Physical {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Definition {
-    /// Its name: the key in JSON, the column in tables.
+    /// The output's name: the key in JSON, the column in tables.
     pub name: &'static str,
-    /// Its symbol, or an empty text.
+    /// The output's symbol, or an empty text.
     pub symbol: &'static str,
-    /// The number of its equation in the paper.
+    /// The number of the output's equation in the paper.
     pub equation: Option<u8>,
-    /// Its unit.
+    /// The output's unit.
     pub measure: Measure,
     /// The allowed error at f64 without damping, in units in the last place (docs/accuracy.md).
     pub ulps: Option<u8>,
-    /// Its meaning, in a few words and without its unit.
+    /// The output's meaning, in a few words and without its unit.
     pub meaning: &'static str,
     /// A title for a picture, or an empty text where the name is clear.
     #[doc(hidden)]
     pub title: &'static str,
     physical: Physical,
-    /// Whether it needs a search, or another cycle, of its own.
+    /// Whether the output needs a search, or another cycle, of its own.
     #[doc(hidden)]
     pub is_searched: bool,
 }
@@ -159,8 +160,8 @@ impl Definition {
 }
 
 impl Definition {
-    /// The name of its value in the units of a machine under this excitation; `None` where there is no such
-    /// value.
+    /// The name of the output's value in the units of a machine under this excitation; `None` where there is
+    /// no such value.
     #[doc(hidden)]
     #[must_use]
     pub fn physical_name(&self, excitation: Excitation) -> Option<&'static str> {
@@ -172,7 +173,7 @@ impl Definition {
         }
     }
 
-    /// Its meaning, with the number of its equation.
+    /// The output's meaning, with the number of its equation.
     #[doc(hidden)]
     #[must_use]
     pub fn text(&self) -> String {

@@ -1,5 +1,5 @@
-//! The definitions of outputs that are no [`super::Output`]: counts, flags and texts, and the numbers of one
-//! kind of answer alone.
+//! The definitions of results that are not outputs in the sense of [`super::Output`]: counts, flags and
+//! texts, and the numbers of one kind of answer alone.
 
 crate::define! {
     pub REGIME("regime", Plain,

@@ -48,7 +48,7 @@ fn each_measure_has_the_size_of_its_unit() {
     assert_eq!(Output::MaxAcceleration.unit(&scales), 5.0 / 7.0);
 }
 
-/// Of a value in physical units: none of a plain number, and by the excitation.
+/// A value in physical units has a name by the excitation; a plain number has none.
 #[test]
 fn each_quantity_has_a_physical_name() {
     let under = |output: Output, excitation| output.definition().physical_name(excitation);
