@@ -3,13 +3,14 @@
 //! | question | in ratios | in physical units | file |
 //! |---|---|---|---|
 //! | minimum force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`min_amplitude`] | `force.rs` |
-//! | maximum friction that lets it slide | the same, p₀/α_min | [`max_friction`] | `friction.rs` |
-//! | frequencies at which it never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
+//! | maximum friction that lets the body slide | p₀/α_min | [`max_friction`] | `friction.rs` |
+//! | frequencies at which the body never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
 //! | forces without any stop, two or six reversals | [`crate::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
 //! | frequencies without any stop | [`bands_without_stop`] | [`frequency_bands_without_stop`] | `no_stop.rs` |
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
-//! | the same with sticking allowed | [`most_dissipating_force_ratio_of_all`] | [`most_dissipating_friction_of_all`] | `sticking.rs` |
+//! | friction that dissipates most, with sticking allowed | [`most_dissipating_force_ratio_of_all`] |
+//! [`most_dissipating_friction_of_all`] | `sticking.rs` |
 //! | friction and damping from a measured response curve | | [`identify()`] | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!

@@ -27,7 +27,7 @@ pub struct Band<F> {
     /// The kind of the upper end.
     pub high_edge: Edge,
     /// The number n of the border's lobe that contains the band, between the poles 1/(2n+3) and 1/(2n+1).
-    /// With a damper it is the lobe that would contain its lower end without one. Only lobe 0 can contain Ω =
-    /// 1, where the body never sticks but its motion grows without bound.
+    /// With a damper this is the lobe of the undamped border that contains the band's lower end. Only lobe 0
+    /// can contain Ω = 1, where without a damper the body never sticks but its motion grows without bound.
     pub lobe: u16,
 }

@@ -79,7 +79,7 @@ pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Ba
     bands_with(alpha, Damper::Ratio(damping_ratio), low, high)
 }
 
-/// The same for a damper that is valid in the range.
+/// The bands of [`bands`] for a damper that is valid in the range.
 pub(super) fn bands_with<F: Float>(alpha: F, damper: Damper<F>, low: F, high: F) -> Result<Bands<F>, Error> {
     if !damper.is_damped() {
         return bands_by_lobes(alpha, low, high);
@@ -107,11 +107,12 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
 
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
 ///
-/// Only the amplitude of the drive matters, p₀ or `k u_g0`: both are the same at every frequency. Otherwise
-/// as [`bands`].
+/// Only the amplitude of the drive matters, p₀ or `k u_g0`: both are the same at every frequency. Accuracy
+/// and proofs are those of [`bands`].
 ///
 /// # Errors
-/// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base motions.
+/// Those of [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base
+/// motions.
 pub fn frequency_bands<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
@@ -151,7 +152,7 @@ impl<F: Float> Iterator for Bands<F> {
 }
 
 impl<F: Float> Bands<F> {
-    /// The least value of the border that a search has seen.
+    /// The least value of the border found by a search so far.
     pub(super) fn least(&self) -> Option<F> {
         match &self.source {
             Source::Searched(search) => search.least(),
@@ -208,8 +209,7 @@ fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result<Option<Ban
     Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe: lobe.index() }))
 }
 
-/// A frequency ratio in `(from, to]` where the body sticks, close to the band's end, given that it sticks at
-/// `to`.
+/// A frequency ratio in `(from, to]` where the body sticks, close to the band's end; the body sticks at `to`.
 fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
     let mut end = from + from;
     while end < to && slides(end) {

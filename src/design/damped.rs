@@ -27,17 +27,17 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::root;
 use std::collections::VecDeque;
 
-/// The property of the damper that is constant while the frequency ratio changes.
+/// The parameter of the damper that is constant while the frequency ratio changes.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Damper<F> {
-    /// ζ: the frequency of the drive changes.
+    /// The damping ratio ζ: the frequency of the drive changes.
     Ratio(F),
-    /// c, as γ = c/(2mω_d): the stiffness changes, ζ = γΩ.
+    /// The damping constant c, as γ = c/(2mω_d): the stiffness changes, ζ = γΩ.
     Constant(F),
 }
 
 impl<F: Float> Damper<F> {
-    /// Whether there is one.
+    /// Whether there is a damper.
     pub(super) fn is_damped(self) -> bool {
         let (Self::Ratio(damping) | Self::Constant(damping)) = self;
         damping > F::int(0)
@@ -70,22 +70,22 @@ impl<F: Float> Damper<F> {
     }
 }
 
-/// Whether `e^{−ζT}`, to which the border has peaks, is below the rounding.
+/// Whether `e^{−ζT}`, which determines the peaks of the border, is below the rounding.
 fn has_decayed<F: Float>(zeta: F, omega: F) -> bool {
     zeta * F::pi() > omega * decay_exponent()
 }
 
-/// The ζT from which on `e^{−ζT} < ε/4`: `0.7 > ln 2` for each bit.
+/// The least ζT with `e^{−ζT} < ε/4`: `0.7 > ln 2` for each bit.
 fn decay_exponent<F: Float>() -> F {
     let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX).saturating_add(2);
     F::int(bits) * F::ratio(7, 10)
 }
 
-/// The most half turns of the free vibration that are searched, as many as the lobes of the undamped border
-/// have.
+/// The greatest number of half turns of the free vibration that are searched, the number of lobes of the
+/// undamped border.
 const HALF_TURNS: i32 = 1 << 17;
 
-/// A point of the mesh: Ω, and α minus the border there, which is not negative where the body slides.
+/// A point of the mesh: Ω, and α minus the border at Ω, which is not negative where the body slides.
 #[derive(Debug, Clone, Copy)]
 struct Node<F> {
     omega: F,
@@ -100,7 +100,7 @@ pub(super) struct Search<F> {
     /// The ends of the requested range.
     range: (F, F),
     next: Option<F>,
-    /// The last point that was returned, and the one that waits for its neighbour.
+    /// The last point that was returned, and the point that waits for its neighbour.
     last: Option<Node<F>>,
     waiting: Option<Node<F>>,
     ready: VecDeque<Node<F>>,
@@ -117,7 +117,7 @@ impl<F: Float> Search<F> {
     pub(super) fn new(alpha: F, damper: Damper<F>, low: F, high: F) -> Result<Self, Error> {
         let one = F::int(1);
         let from = low.or_larger(one / (one + alpha).sqrt());
-        // The lowest Ω with peaks, at ζ there.
+        // The lowest Ω with peaks, for ζ at that Ω.
         let peaks_from = match damper {
             Damper::Ratio(zeta) => from.or_larger(zeta * F::pi() / decay_exponent()),
             Damper::Constant(_) => from,
@@ -167,7 +167,7 @@ impl<F: Float> Search<F> {
         Some(found)
     }
 
-    /// The next point; it includes extrema between points, where these may be on the other side of α.
+    /// The next point of the mesh, or an extremum between points that may be on the other side of α.
     fn node(&mut self) -> Option<Node<F>> {
         loop {
             if let Some(node) = self.ready.pop_front() {
@@ -199,7 +199,7 @@ impl<F: Float> Search<F> {
         let is_nearer = |node: Node<F>| sign * middle.excess <= sign * node.excess;
         let neighbours = first.into_iter().chain(last);
         let is_nearest = neighbours.clone().all(|node| is_side(node) && is_nearer(node));
-        // On a mesh that resolves the border an extremum is not much farther than the neighbours.
+        // On a mesh that resolves the border an extremum differs little from its neighbours.
         let change = neighbours.fold(zero, |most, node| most.or_larger((node.excess - middle.excess).abs()));
         if !is_nearest || middle.excess.abs() > F::int(8) * change {
             return None;
@@ -248,8 +248,8 @@ fn band<F: Float>(low: F, high: F, low_edge: Edge, high_edge: Edge) -> Band<F> {
     Band { low, high, low_edge, high_edge, lobe: lobe.index() }
 }
 
-/// The place of the greatest value between two, by golden-section search, to half of the digits; the function
-/// has one maximum there. The search ends at the first value that is `enough`.
+/// The place of the greatest value of f between two places, by golden-section search, to half of the digits;
+/// f has one maximum there. The search ends at the first value that is `enough`.
 pub(super) fn highest<F: Float>(low: F, high: F, f: impl Fn(F) -> F, enough: impl Fn(F) -> bool) -> F {
     let two = F::int(2);
     let part = (F::int(5).sqrt() - F::int(1)) / two;

@@ -57,10 +57,10 @@ fn optimum_without_damping<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
     })
 }
 
-/// The same at Ω and ζ > 0.
+/// The force ratio without sticking that makes A₁ largest, at Ω and ζ > 0.
 ///
 /// With y = √(α² − K²), `A₁ = 8(y − qG)/(q(y² + K²))`. Its derivative has the sign of `K² + 2qGy − y²`, which
-/// changes once for y > 0, at `y = qG + Q`, Q = hypot(K, qG). A₁ therefore increases up to there and
+/// changes once for y > 0, at `y = qG + Q`, Q = hypot(K, qG). A₁ therefore increases up to this y and
 /// decreases beyond, as without damping.
 fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     let half = damped::half_period(ratios);
@@ -83,8 +83,8 @@ fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
 /// by friction counts, not the work of the damper ([`crate::Cycle::damper_work`]).
 ///
 /// # Errors
-/// As there (except that with damping there is an answer at Ω = 1), and where r_y or the energy overflows or
-/// underflows.
+/// Those of [`most_dissipating_force_ratio`] (except that with damping there is an answer at Ω = 1), and
+/// where r_y or the energy overflows or underflows.
 pub fn most_dissipating_friction<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

@@ -1,4 +1,4 @@
-//! Friction and damping from a measured response curve, by least squares that wrong values do not move.
+//! Friction and damping from a measured response curve, by least squares that are robust to wrong values.
 //!
 //! With known mass, stiffness and force amplitude, the steady motion at a frequency depends on κ = r_y/p₀ and ζ
 //! alone. Where the body slides throughout it is the closed form, in the symbols of `docs/theory/damping.md`
@@ -14,7 +14,7 @@
 //! |---|---|
 //! | the best minima of a trimmed sum, the 7 smallest of 10 squares, over a grid of starts | `search` |
 //! | the least squares over the values that this fit predicts to within their noise | `outliers` |
-//! | the same for other readings of amplitudes and phases, whose fit may be better | here |
+//! | the fit with other readings of amplitudes and phases, which may be better | here |
 
 mod model;
 mod outliers;
@@ -77,7 +77,7 @@ pub enum PhaseKind {
     Peak,
     /// The lag of the fundamental of the displacement behind the force: between 0 and π.
     Lag,
-    /// The phase of the transfer function from force to displacement: that lag with a minus sign.
+    /// The phase of the transfer function from force to displacement: the lag with a minus sign.
     TransferFunction,
 }
 
@@ -135,7 +135,7 @@ impl Residual {
 pub struct BetterReading {
     /// The kind of the amplitudes.
     pub amplitude: AmplitudeKind,
-    /// The noise of an amplitude with it.
+    /// The standard error of an amplitude with this reading.
     pub noise: f64,
 }
 
@@ -157,8 +157,8 @@ pub struct Identified {
     pub residuals: Vec<Residual>,
     /// The kind of phase that the curve was read with, if it has phases.
     pub phase: Option<PhaseKind>,
-    /// Another kind of amplitude that fits better by more than chance: the amplitudes were probably of that
-    /// kind.
+    /// Another kind of amplitude that fits better than expected by chance: the amplitudes were probably of
+    /// that kind.
     pub better: Option<BetterReading>,
 }
 
@@ -281,12 +281,12 @@ struct Chosen {
     phase: PhaseKind,
     start: model::Parameters,
     better: Option<BetterReading>,
-    /// The starts, with what the reading needs.
+    /// The starts, with the motions that the reading needs.
     grid: Grid,
 }
 
-/// The root mean square of the residuals of a trimmed fit below which no other kind of amplitude is tried. That
-/// of all residuals is about twice as large.
+/// The root mean square of the residuals of a trimmed fit below which no other kind of amplitude is tried.
+/// The root mean square of all residuals is about twice as large.
 const EXPLAINED: f64 = 0.01;
 /// The numbers of starts of the reading asked for, and of the others.
 const STARTS: [usize; 2] = [4, 2];

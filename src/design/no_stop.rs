@@ -15,10 +15,10 @@ use crate::root;
 
 /// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::no_stop_force_ratios`].
 ///
-/// Unit of force. The same parts are proved and searched as there.
+/// Unit of force. The same parts are proved and searched as in [`crate::no_stop_force_ratios`].
 ///
 /// # Errors
-/// As [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the
+/// Those of [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the
 /// kinetic one.
 pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<NoStop<F>, Error> {
     let found = NoStop::of(&ratios_of(body, angular_frequency)?);
@@ -49,11 +49,11 @@ pub struct NoStopBand<F> {
 /// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α and the damping ratio
 /// ζ, by increasing Ω.
 ///
-/// They are the bands of [`bands`], of two reversals a cycle, and one of six around or just below each pole
-/// 1/(2n+1) where α is at least `5 (1/Ω² − 1)` or slightly more. Without damping the list of the former is
-/// proved to be complete, and that of the latter rests on a search ([`crate::cycle::SixReversals`]).
-/// With damping both are searched, the latter on a mesh of 64 frequencies near each pole. The ends are
-/// accurate to a few floats.
+/// The list contains the bands of [`bands`], with two reversals a cycle, and a band with six reversals around
+/// or just below each pole 1/(2n+1) where α is at least `5 (1/Ω² − 1)` or slightly more. Without damping the
+/// bands with two reversals are proved to be complete, and those with six rest on a search
+/// ([`crate::cycle::SixReversals`]). With damping both are searched, those with six reversals on a mesh of 64
+/// frequencies near each pole. The ends are accurate to a few floats.
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;
@@ -68,7 +68,7 @@ pub struct NoStopBand<F> {
 /// ```
 ///
 /// # Errors
-/// As [`bands`].
+/// Those of [`bands`].
 pub fn bands_without_stop<F: Float>(
     alpha: F,
     damping_ratio: F,
@@ -113,20 +113,20 @@ pub fn bands_without_stop<F: Float>(
     Ok(found)
 }
 
-/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping, as for
-/// [`bands_without_stop`].
+/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping:
+/// [`bands_without_stop`] in physical units.
 ///
 /// Only the amplitude of the drive matters, as for [`frequency_bands`].
 ///
 /// # Errors
-/// As [`frequency_bands`].
+/// Those of [`frequency_bands`].
 pub fn frequency_bands_without_stop<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
     low: F,
     high: F,
 ) -> Result<Vec<NoStopBand<F>>, Error> {
-    // Returns the errors in physical units.
+    // This returns the errors in physical units.
     let _ = frequency_bands(body, drive, low, high)?;
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
@@ -141,7 +141,7 @@ pub fn frequency_bands_without_stop<F: Float>(
     Ok(found.into_iter().map(in_units).collect())
 }
 
-/// The frequency ratios below and above a pole beyond which no six-reversal cycle belongs to it.
+/// The frequency ratios below and above a pole that enclose all six-reversal cycles of the pole.
 fn reach<F: Float>(pole: F) -> (F, F) {
     let one = F::int(1);
     (one / (one / pole + F::ratio(3, 80)), one / (one / pole - F::ratio(3, 140)))
@@ -205,7 +205,7 @@ fn lowest<F: Float>(pole: F, from: F) -> F {
         let (left, right) = (low + third, high - third);
         let falls = match (least(left), least(right)) {
             (Some(a), Some(b)) => a > b,
-            // Beyond the end of the region.
+            // The place is outside the region.
             (None, _) => true,
             (Some(_), None) => false,
         };

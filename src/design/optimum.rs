@@ -8,7 +8,7 @@
 pub enum OptimumKind {
     /// The derivative is zero, inside the region where the body does not stick.
     Interior,
-    /// On the border: on one side the body sticks, on the other it dissipates less.
+    /// On the border: on one side of it the body sticks, on the other the cycle dissipates less.
     Border,
     /// An end of the given range.
     RangeEnd,

@@ -56,12 +56,12 @@ struct LoopSize<F> {
 }
 
 impl<F: Float> LoopSize<F> {
-    /// No loop: at rest.
+    /// The loop of a body at rest, of size zero.
     fn none() -> Self {
         Self { found: F::int(0), most: F::int(0) }
     }
 
-    /// From a closed form, accurate to two units in the last place.
+    /// The loop size from a closed form, accurate to two units in the last place.
     fn closed(found: F) -> Self {
         Self { found, most: found * (F::int(1) + F::int(4) * F::epsilon()) }
     }
@@ -134,7 +134,7 @@ impl<F: Float> Search<F> {
             (self.share, self.loop_size) = (share, size.found);
         }
         self.bound = self.bound.or_larger(size.most);
-        // Halving does not reduce the uncertainty of the motion itself.
+        // Halving an interval does not reduce the uncertainty of the motion itself.
         if size.most > self.loop_size * (F::int(1) + self.tolerance / F::int(2)) {
             let (omega, alpha) = (written(self.omega), written(F::int(1) / share));
             return Err(Error::NotSettled { omega, alpha });
@@ -204,9 +204,9 @@ const COARSE: i32 = 32;
 ///
 /// With a damper only the loop of friction counts.
 ///
-/// It takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the square root of
-/// the precision, like the place of any maximum. For Ω → 0 it tends to 2, and so does A₁. Where the best
-/// motion does not stick, the result is [`super::most_dissipating_force_ratio`].
+/// The search takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the square
+/// root of the precision, like the place of any maximum. For Ω → 0 the force ratio tends to 2, and so does
+/// A₁. Where the best motion does not stick, the result is [`super::most_dissipating_force_ratio`].
 ///
 /// ```
 /// use stickslip::design::{OptimumKind, most_dissipating_force_ratio_of_all};
@@ -254,7 +254,7 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
 /// the energy dissipated by friction counts.
 ///
 /// # Errors
-/// As there, and where r_y or the energy overflows or underflows.
+/// Those of [`most_dissipating_force_ratio_of_all`], and where r_y or the energy overflows or underflows.
 pub fn most_dissipating_friction_of_all<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

@@ -37,7 +37,7 @@ pub fn force_ratio_for_displacement<F: Float>(
 /// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k.
 ///
 /// # Errors
-/// As there, with the values in physical units.
+/// Those of [`force_ratio_for_displacement`], with the values in physical units.
 pub fn force_for_displacement<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,
@@ -56,9 +56,9 @@ pub fn force_for_displacement<F: Float>(
 /// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
 ///
 /// For ζ = 0, V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0
-/// (`src/cycle/velocity.rs`), so that it increases with Δ₀ and is convex in it. Moreover, `V₀/(Bω_d) ≥
-/// Δ₀/B`, its value at ψ = 0. The target itself, taken as Δ₀, is therefore at or beyond the only solution,
-/// and Newton's method descends to it without a bracket. With damping, V₀ increases with the amplitude of the
+/// (`src/cycle/velocity.rs`), so that it increases with Δ₀ and is convex in it. Moreover, `V₀/(Bω_d) ≥ Δ₀/B`,
+/// its value at ψ = 0. The target, taken as Δ₀, is therefore at or above the only solution, and Newton's
+/// method descends to the solution without a bracket. With damping, V₀ increases with the amplitude of the
 /// driven part in the same way. Accuracy at f64 for ζ = 0: 16 ulp.
 ///
 /// ```
@@ -70,7 +70,7 @@ pub fn force_for_displacement<F: Float>(
 /// ```
 ///
 /// # Errors
-/// [`Error::TargetSticks`] where V₀ is below that of the cycle on the border, otherwise as
+/// [`Error::TargetSticks`] where V₀ is below that of the cycle on the border, and otherwise those of
 /// [`force_ratio_for_displacement`].
 pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_velocity: F) -> Result<F, Error> {
     let (ratios, quantity) = (ratios_at(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
@@ -91,7 +91,7 @@ fn ratios_at<F: Float>(omega: F, damping_ratio: F) -> Result<Ratios<F>, Error> {
 /// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
 ///
 /// # Errors
-/// As there, with the values in physical units.
+/// Those of [`force_ratio_for_velocity`], with the values in physical units.
 pub fn force_for_velocity<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,
@@ -120,7 +120,7 @@ fn displacement_target<F: Float>(omega: F, target: F, scale: F, quantity: Quanti
 
 /// α for the displacement `target` with damping, given in units of `scale`: `α = hypot(K, q (Δ₀/B + G))`.
 ///
-/// It is the only solution, because Δ₀ increases with α.
+/// This is the only solution, because Δ₀ increases with α.
 fn damped_displacement_target<F: Float>(
     ratios: &Ratios<F>,
     target: F,

@@ -30,12 +30,12 @@ const HARMONICS: i32 = 64;
 
 /// The Ω in `[low, high]` that makes A₂ largest at the force ratio α without sticking.
 ///
-/// It is the global maximum (see the module's documentation). Accuracy at f64: 16 ulp in A₂; for an interior
-/// optimum, Ω is accurate as a root of the derivative, to 1e-15.
+/// The result is the global maximum (see the module's documentation). Accuracy at f64: 16 ulp in A₂; for an
+/// interior optimum, Ω is accurate as a root of the derivative, to 1e-15.
 ///
 /// # Errors
 /// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range
-/// contains Ω = 1, at which A₂ is infinite, and as [`bands`].
+/// contains Ω = 1, at which A₂ is infinite, and those of [`bands`].
 pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> Result<Optimum<F>, Error> {
     let none = F::int(0);
     bands(alpha, none, low, high)?;
@@ -46,7 +46,8 @@ pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> 
     best
 }
 
-/// The same with the damping constant `γ = c/(2mω_d) ≥ 0`, in a valid range.
+/// The Ω in a valid range that makes A₂ largest without sticking, with the damping constant `γ = c/(2mω_d) ≥
+/// 0`.
 fn best_frequency_ratio<F: Float>(alpha: F, gamma: F, low: F, high: F) -> Result<Optimum<F>, Error> {
     let (one, two) = (F::int(1), F::int(2));
     let work = Work::new(alpha, gamma);
@@ -61,7 +62,7 @@ fn best_frequency_ratio<F: Float>(alpha: F, gamma: F, low: F, high: F) -> Result
             break;
         }
         let bottom = low.or_larger(top / two).or_larger(one / (one / top + harmonics));
-        // Where a part is lost in the rounding, the rest is one.
+        // A part narrower than the rounding is merged with the rest.
         let bottom = if bottom < top { bottom } else { low };
         harmonics = two * harmonics;
         let mut found = bands_with(alpha, Damper::Constant(gamma), bottom, top)?;
@@ -140,13 +141,14 @@ fn best_of_band<F: Float>(
 /// sticking.
 ///
 /// Mass, friction bound and damping constant c are those of `body`; its own stiffness plays no part.
-/// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper it maximises the
-/// energy dissipated by friction. It is the greatest of each band of stiffness in which the body slides, but
-/// the bands themselves are searched, not proved ([`super::bands()`]).
+/// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper the stiffness
+/// maximises the energy dissipated by friction. It is proved to be the best of each band of stiffness in
+/// which the body slides, but the bands themselves are searched, not proved ([`super::bands()`]).
 ///
 /// # Errors
-/// As there (except that with a damper there is an answer at Ω = 1); [`Error::BaseMotion`], because the force
-/// of a base motion, k u_g0, is not fixed; and where a stiffness is not finite, not > 0 or `low > high`.
+/// Those of [`most_dissipating_frequency_ratio`] (except that with a damper there is an answer at Ω = 1);
+/// [`Error::BaseMotion`], because the force of a base motion, k u_g0, is not fixed; and where a stiffness is
+/// not finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

@@ -13,10 +13,10 @@ pub(super) type Parameters = [f64; 2];
 /// The damping ratio that stands for zero in the closed forms of the damped cycle.
 const LEAST_DAMPING: f64 = 1e-9;
 
-/// The frequency ratio below which a body that stops is taken to follow the force, with the amplitude `(p₀/k)(1/q −
-/// κ)`. With little damping it moves in slides of up to 2π in natural time, the last of which ends within that
-/// time of the maximum: the phase is known to within 2πΩ, the amplitude to within 20Ω² p₀/k. The exact motion
-/// has about 4/Ω slides a cycle there.
+/// The frequency ratio below which a body that stops is assumed to follow the force, with the amplitude
+/// `(p₀/k)(1/q − κ)`. With little damping it moves in slides of up to 2π in natural time, the last of which
+/// ends within 2π of the maximum: the phase is known to within 2πΩ, the amplitude to within 20Ω² p₀/k. The
+/// exact motion has about 4/Ω slides a cycle at such frequencies.
 pub(super) const SLOW: f64 = 0.002;
 
 /// The samples of a cycle with stops, from which its mean square and its fundamental are summed.
@@ -27,15 +27,15 @@ const SAMPLES: u32 = 256;
 pub(super) struct Motion {
     /// Maximum displacement.
     pub(super) peak: f64,
-    /// The phase ω_d t at which the body arrives there.
+    /// The phase ω_d t at which the body arrives at its maximum displacement.
     pub(super) peak_phase: f64,
     /// Whether the body stops in each cycle.
     pub(super) stops: bool,
-    /// Root mean square and fundamental, if they were asked for.
+    /// Root mean square and fundamental, if requested.
     pub(super) whole: Whole,
 }
 
-/// What depends on the whole cycle.
+/// The quantities that depend on the whole cycle.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Whole {
     /// Root mean square of the displacement.
@@ -44,8 +44,8 @@ pub(super) struct Whole {
     pub(super) lag: f64,
 }
 
-/// The steady motion at Ω with the friction κ and the damping ζ, both ≥ 0; the parts that depend on the whole
-/// cycle only if `whole`.
+/// The steady motion at Ω with the friction κ and the damping ζ, both ≥ 0; the quantities that depend on the
+/// whole cycle only if `whole`.
 ///
 /// Where the two-reversal cycle exists it is the closed form, otherwise the exact motion. Both meet on the
 /// border. `None` where the exact motion is not found.
@@ -119,7 +119,7 @@ fn harmonics(half: &HalfPeriod<f64>, kappa: f64, peak_phase: f64) -> Whole {
 fn slow(half: &HalfPeriod<f64>, kappa: f64, whole: bool) -> Motion {
     let (size, lag) = (1.0 / half.stiffness, half.phase_lag());
     let peak = (size - kappa).max(0.0);
-    // From the maximum on, which the body has reached in any earlier cycle.
+    // The sum begins at the maximum, which the body has reached in any earlier cycle.
     let mut place = peak;
     let followed = (0..SAMPLES).map(|i| {
         let theta = TAU * f64::from(i) / f64::from(SAMPLES) + FRAC_PI_2;
@@ -136,7 +136,7 @@ fn slow(half: &HalfPeriod<f64>, kappa: f64, whole: bool) -> Motion {
 }
 
 impl Whole {
-    /// From evenly spaced samples of one cycle, (θ, x).
+    /// The quantities of the whole cycle from evenly spaced samples (θ, x) of it.
     fn of(samples: impl Iterator<Item = (f64, f64)>) -> Self {
         let (mut count, mut square, mut in_phase, mut ahead) = (0.0, 0.0, 0.0, 0.0);
         for (theta, x) in samples {
@@ -150,7 +150,7 @@ impl Whole {
     }
 }
 
-/// The same of a cycle that the exact motion found.
+/// The quantities of the whole cycle for a steady state of the exact motion.
 fn sampled(ratios: &Ratios<f64>, steady: &SteadyState<f64>, kappa: f64) -> Option<Whole> {
     let samples = Trajectory::new(*ratios, steady.state).ok()?.samples(SAMPLES).ok()?;
     // One turn of the drive; the iterator is endless.

@@ -1,4 +1,4 @@
-//! Measurements that do not belong to the curve, and the least squares over those that do.
+//! Measurements that do not belong to the curve, and the least squares over the others.
 
 use super::model::Parameters;
 use super::search::{Curve, Fit, Grid, Rule, descend, kept};
@@ -11,7 +11,7 @@ use std::iter::zip;
 #[derive(Debug, Clone)]
 pub(super) struct Judged {
     pub(super) at: Parameters,
-    /// Of all amplitudes, then of all phases.
+    /// The residuals of all amplitudes, then of all phases.
     pub(super) residuals: Vec<f64>,
     /// Whether each residual is too large to count.
     pub(super) suspect: Vec<bool>,
@@ -26,21 +26,22 @@ pub(super) struct Judged {
 const LEAST_NOISE: f64 = 1e-9;
 /// The chance that a curve without a wrong value has a suspect one.
 const FALSE_ALARM: f64 = 0.01;
-/// The least number of values of a kind for a judgement of one of them, and for a noise of their own.
+/// The least number of values of a kind from which single values are judged and the noise of the kind is
+/// estimated.
 const FEW: usize = 7;
 /// The greatest number of selections.
 const ROUNDS: usize = 100;
 /// The number of starts for the sum of a selection.
 const STARTS: usize = 3;
 
-/// What a value counts as.
+/// The place of a value in the selection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Place {
     Counted,
     Outside,
-    /// Outside after it was counted.
+    /// The value was counted and is now left out.
     Removed,
-    /// Counted for good: it was removed once, and the others agreed with it.
+    /// The value is counted for good: it was removed once, and the others agreed with it.
     Restored,
 }
 
@@ -85,7 +86,8 @@ pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -
         let noise = [variance.sqrt(), (variance / ratio).sqrt()];
         let limit = quantile(FALSE_ALARM / count as f64, degrees_of_freedom);
         let mut has_changed = false;
-        // Those outside that a prediction covers. The noise of the smaller residuals alone is too small.
+        // These are values outside the selection that a prediction covers. The noise of the smaller residuals
+        // alone is too small.
         let cut_off = of_smaller(count as f64 / places.len() as f64);
         for (i, ((place, r), slope)) in zip(zip(&mut places, &fit.residuals), &slopes).enumerate() {
             let error = (of_kind(i, counts, noise) / cut_off)
@@ -98,7 +100,8 @@ pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -
         }
         if !has_changed {
             let alone = fit.normal(&slopes).inverse_within(at).map(|inverse| inverse.map(|x| x * variance));
-            // The deviation from what the others predict, by its standard error without this value.
+            // The deviation of the value from its prediction by the others, divided by its standard error
+            // without the value.
             let beyond = |i: usize| -> f64 {
                 let [Some(r), Some(w)] = [&fit.residuals, &fit.weights].map(|v| v.get(i)) else { return 0.0 };
                 let Some(slope) = slopes.get(i).filter(|_| *w > 0.0 && of_kind(i, counts, counts) >= FEW)
@@ -140,7 +143,7 @@ pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -
     Err(Error::NotIdentified)
 }
 
-/// The one of the amplitudes or the one of the phases, for the kind of a residual.
+/// The entry for amplitudes or for phases, by the kind of a residual.
 fn of_kind<T>(index: usize, counts: [usize; 2], [amplitude, phase]: [T; 2]) -> T {
     if index < counts[0] { amplitude } else { phase }
 }

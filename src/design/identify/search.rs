@@ -92,7 +92,8 @@ impl<'a> Curve<'a> {
             let difference = |i: usize, d: f64| if i < amplitudes { d } else { reduced(d) };
             if value >= h {
                 let behind = self.at(shifted(value - h))?;
-                // Where the two sides differ a kink or a jump is between them, and the flatter side counts.
+                // Where the two sides differ there is a kink or a jump between them, and the flatter side
+                // counts.
                 let central = |(i, ((a, b), r)): (usize, ((&f64, &f64), &f64))| {
                     let (right, left) = (difference(i, a - r), difference(i, r - b));
                     let is_smooth = (right - left).abs() <= 0.5 * (right + left).abs();
@@ -117,14 +118,14 @@ impl<'a> Curve<'a> {
 /// The residuals that count, and how much.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Rule<'a> {
-    /// The smaller ones of the amplitudes and of the phases, as many as [`kept`] says.
+    /// The smaller residuals of the amplitudes and of the phases; [`kept`] gives their numbers.
     Trimmed,
-    /// Each with its weight.
+    /// Each residual with its weight.
     Weighted(&'a [f64]),
 }
 
-/// The number of n values that a trimmed sum keeps: all of few, and 7 of 10 of many, so that the fit is not
-/// moved by the rest.
+/// The number of n values that a trimmed sum keeps: all if there are few, and otherwise 7 of 10, so that the
+/// rest do not move the fit.
 pub(super) fn kept(n: usize) -> usize {
     if n <= 6 { n } else { (0.7 * n as f64).ceil() as usize }
 }
@@ -190,7 +191,7 @@ impl Normal {
     pub(super) fn inverse(&self) -> Option<[f64; 3]> {
         let [a, b, c] = self.matrix;
         let determinant = a * c - b * b;
-        // The least sin² of the angle between them, above the rounding of differences.
+        // The least sin² of the angle between the derivatives, above the rounding of differences.
         let is_regular = determinant > 1e-12 * a * c;
         is_regular.then(|| [c / determinant, -b / determinant, a / determinant])
     }
@@ -243,15 +244,15 @@ fn free([kappa, zeta]: Parameters, [g, h]: [f64; 2]) -> [bool; 2] {
     [one(kappa, g, of_kappa), one(zeta, h, of_zeta)]
 }
 
-/// The point a step further, within the range.
+/// The point after a step, within the range.
 fn moved([kappa, zeta]: Parameters, [x, y]: [f64; 2]) -> Parameters {
     let [(least_kappa, most_kappa), (least_zeta, most_zeta)] = RANGE;
     [(kappa + x).clamp(least_kappa, most_kappa), (zeta + y).clamp(least_zeta, most_zeta)]
 }
 
-/// A minimum found from a start: by the method of Levenberg and Marquardt, whose steps are accepted by the sum
-/// of squares itself, and by a search along eight directions where that stops at a kink. A motion that begins
-/// to stop, and a trimmed sum that changes its selection, make kinks.
+/// A minimum found from a start: by the method of Levenberg and Marquardt, whose steps are accepted by the
+/// sum of squares itself, and by a search along eight directions where the method stops at a kink. A motion
+/// that begins to stop, and a trimmed sum that changes its selection, make kinks.
 ///
 /// # Errors
 /// [`Error::NotIdentified`] where the steps do not suffice.
@@ -262,7 +263,7 @@ pub(super) fn descend(curve: &Curve<'_>, rule: Rule<'_>, start: Parameters) -> R
         let slopes = curve.slopes(here.at, &here.residuals).ok_or(Error::NotIdentified)?;
         let normal = here.normal(&slopes);
         let whole = normal.step(here.at, 0.0);
-        // What is left to gain is below the rounding of the residuals.
+        // The remaining gain is below the rounding of the residuals.
         if normal.gain([0.0; 2], whole) <= 1e-13 * here.sum + 1e-28 * here.residuals.len() as f64 {
             return Ok(here);
         }
@@ -270,7 +271,7 @@ pub(super) fn descend(curve: &Curve<'_>, rule: Rule<'_>, start: Parameters) -> R
             let at = moved(here.at, normal.step(here.at, damping));
             match Fit::new(curve, rule, at).filter(|there| there.sum < here.sum) {
                 Some(there) => {
-                    // The damping follows the part of the predicted gain that the step made.
+                    // The damping follows the ratio of the gain of the step to the predicted gain.
                     let part = (here.sum - there.sum) / normal.gain(here.at, there.at);
                     damping = if part < 0.25 {
                         4.0 * damping.max(0.1)

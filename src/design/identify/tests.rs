@@ -62,7 +62,7 @@ fn an_exact_curve_gives_its_parameters_back() {
     }
 }
 
-/// The closed form and the exact motion meet on the border, with all that is read from them.
+/// The closed form and the exact motion meet on the border, with all quantities that are read from them.
 #[test]
 fn a_motion_is_continuous_where_it_begins_to_stop() {
     for (omega, zeta) in [(0.23, 0.03), (0.4, 0.01), (0.7, 0.0), (1.4, 0.1), (0.02, 0.3)] {
@@ -115,7 +115,7 @@ fn too_little_or_bad_input_is_refused() {
 }
 
 /// For amplitudes beyond those of a body without a damper, far from resonance and near it, zero damping fits
-/// best. The friction that fits then is compared with the minimum of the sum of squares.
+/// best. The friction of this fit is compared with the minimum of the sum of squares.
 #[test]
 fn where_less_than_no_damping_would_fit_friction_alone_is_fitted() {
     for (friction, most) in [(1.5, 0.02), (3.0, 0.01), (4.5, 0.03)] {

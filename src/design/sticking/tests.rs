@@ -119,7 +119,7 @@ fn none_of_all_is_better() {
     }
 }
 
-/// The same with a damper, also at Ω = 1 and above critical damping.
+/// With a damper, also at Ω = 1 and above critical damping, no other friction dissipates more.
 #[test]
 fn with_a_damper_none_of_all_is_better() {
     let mut optima = Vec::new();

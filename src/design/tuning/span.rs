@@ -30,7 +30,7 @@ impl<F: Float> Span<F> {
         Self { low: self.low - other.high, high: self.high - other.low }
     }
 
-    /// Times a factor ≥ 0.
+    /// This interval times a factor ≥ 0.
     pub(super) fn by(self, factor: F) -> Self {
         Self { low: self.low * factor, high: self.high * factor }
     }

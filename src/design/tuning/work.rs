@@ -57,11 +57,11 @@ use crate::root;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Work<F> {
     alpha: F,
-    /// γ.
+    /// The damping constant γ = c/(2mω_d).
     gamma: F,
     /// `α² − 16/π²`.
     excess: F,
-    /// κ.
+    /// The constant κ = 16γ/π.
     kappa: F,
 }
 
@@ -84,10 +84,10 @@ struct Rates<F> {
     h_second: F,
 }
 
-/// The most intervals of one band: more than the worst that is known by a factor of a hundred.
+/// The greatest number of intervals of one band: a hundred times the greatest number known.
 const INTERVALS: u32 = 1 << 16;
 
-/// The most harmonics whose poles are near an interval of which bounds are computed.
+/// The greatest number of harmonics with poles near an interval for which bounds are computed.
 const HARMONICS: i32 = 24;
 
 impl<F: Float> Work<F> {
@@ -101,7 +101,7 @@ impl<F: Float> Work<F> {
         u.square() + (F::int(2) * self.gamma).square()
     }
 
-    /// The greatest `α/√D` for `low ≤ v ≤ high`: no Y is larger there.
+    /// The greatest `α/√D` for `low ≤ v ≤ high`: an upper bound of Y.
     pub(super) fn most_within(&self, low: F, high: F) -> F {
         let one = F::int(1);
         self.alpha / self.distance((low - one).or_larger(one - high).or_larger(F::int(0))).sqrt()
@@ -118,7 +118,7 @@ impl<F: Float> Work<F> {
         let half = HalfPeriod::new(omega, gamma * omega);
         let (h, shift) = (half.h / v, half.shift);
         let frequency = v * half.free.square;
-        // N e^{−γπ}, where the cosine is negative without its difference.
+        // N e^{−γπ}, where the cosine is negative without the rounding of a difference.
         let n = if half.cosine < F::int(0) {
             omega * half.sine / h
         } else {
@@ -146,7 +146,7 @@ impl<F: Float> Work<F> {
         }
     }
 
-    /// `C`, of D, h and u.
+    /// `C`, from D, h and u.
     fn constant(&self, at: &At<F>) -> F {
         let At { u, d, h, .. } = *at;
         self.excess + F::int(8) / F::pi() * (u * h) - d * h.square()
@@ -157,7 +157,7 @@ impl<F: Float> Work<F> {
         (self.kappa.square() + F::int(4) * (d * c.or_larger(F::int(0)))).sqrt()
     }
 
-    /// X ≥ 1.
+    /// The root X ≥ 1.
     fn amplitude(&self, d: F, c: F) -> F {
         let one = F::int(1);
         if c > F::int(0) { (F::int(2) * c / (self.kappa + self.root(d, c))).or_larger(one) } else { one }
@@ -174,8 +174,8 @@ impl<F: Float> Work<F> {
         (x - g, growth)
     }
 
-    /// The bounds for `low ≤ v ≤ high`, if not too many poles are near; they are infinite where an undamped
-    /// one lies inside.
+    /// The bounds for `low ≤ v ≤ high`, if not too many poles are near; they are infinite if the interval
+    /// contains an undamped pole.
     fn rates(&self, low: F, high: F) -> Option<Rates<F>> {
         let (one, two, three) = (F::int(1), F::int(2), F::int(3));
         let odd = |x: F| two * ((x - one) / two).floor() + one;
@@ -236,8 +236,8 @@ impl<F: Float> Work<F> {
         (growth, s)
     }
 
-    /// A v in `(low, high)` with a larger Y than `best`, if there is one, and Y there: that of the greatest
-    /// Y. The body slides throughout.
+    /// A v in `(low, high)` with a larger Y than `best`, if there is one: that of the greatest Y, and Y
+    /// there. The body slides throughout.
     ///
     /// # Errors
     /// [`Error::SearchBound`] where the bound of the number of intervals is reached.
@@ -265,7 +265,8 @@ impl<F: Float> Work<F> {
                 continue;
             }
             if !(middle > low && middle < high) {
-                // A resonance narrower than the distance of two numbers: the better one of them.
+                // For a resonance narrower than the distance of two numbers, the better one of the two is
+                // taken.
                 for v in [low, high] {
                     let work = self.work_and_growth(&self.at(v)).0;
                     if work > best {
@@ -283,7 +284,8 @@ impl<F: Float> Work<F> {
                 let (here, _) = self.work_and_growth(&at);
                 let reach = here + radius * (growth.size() / s.low);
                 if is_monotone {
-                    // The end may be the last number beside a resonance that is narrower than their distance.
+                    // The end may be the last number before a resonance that is narrower than the distance of
+                    // two numbers.
                     let end = if growth.low > F::int(0) { high } else { low };
                     let work = self.work_and_growth(&self.at(end)).0;
                     if work > best * slack {
@@ -304,7 +306,7 @@ impl<F: Float> Work<F> {
                     }
                 }
             }
-            // The one nearer to the resonance first.
+            // The interval nearer to the resonance comes first.
             left.push((middle, high));
             left.push((low, middle));
         }
@@ -318,7 +320,8 @@ impl<F: Float> Work<F> {
         falls.then(|| root::enclosed(low, high, growth).0)
     }
 
-    /// The zero of Φ next to the best v found: the rounding of Y leaves v uncertain by √ε, that of Φ by a few ε.
+    /// The zero of Φ next to the best v found: the rounding of Y leaves an error of √ε in v, the rounding of
+    /// Φ one of a few ε.
     fn settled(&self, v: F, best: F) -> F {
         let mut off = v * F::epsilon() * F::int(4);
         for _ in 0..F::PRECISION / 2 {

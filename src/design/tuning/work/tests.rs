@@ -45,8 +45,8 @@ fn work_and_growth_are_those_of_the_cycle() {
         let rounding = 1e-13 * (1.0 + 1.0 / at.d.sqrt());
         assert!((found - here).abs() < rounding * size, "{alpha} {gamma} {v}: {found} {here}");
         let slope = growth / work.root(at.d, work.constant(&at));
-        // The difference quotient: its third derivative, 1e-10 times the number of scales that it is made of, and
-        // the rounding of two values over the step.
+        // The error of the difference quotient: its third derivative, 1e-10 times the number of scales in it,
+        // and the rounding of two values divided by the step.
         let error = (1e-5 + rounding / 1e-5) * (size / scale + slope.abs());
         assert!(((above - below) / (2.0 * step) - slope).abs() < error, "{alpha} {gamma} {v}: {slope}");
         compared += 1;
@@ -58,7 +58,7 @@ fn inside(span: Span<f64>, x: f64, slack: f64) -> bool {
     span.low - slack <= x && x <= span.high + slack
 }
 
-/// The bounds of an interval hold at its points, and shrink with it.
+/// The bounds of an interval hold at its points, and shrink with the interval.
 #[test]
 fn the_bounds_of_an_interval_hold_inside() {
     let mut random = Random(2);
