@@ -1,7 +1,7 @@
 //! Parameters that are known to lie in intervals, or by their distributions, and the resulting ranges of the
 //! outputs.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
 //! | [`RatioBox`] | Ω, α and ζ in intervals |
 //! | [`MachineBox`] | m, k, r_y, p₀ or u_g0, ω_d and c in intervals |
@@ -12,8 +12,8 @@
 //!
 //! # Which start
 //!
-//! The results hold for every start: a box has no static friction above the kinetic one, so there is one
-//! limit. At Ω = 1/(2n) each start leads to a member of a family, none of which sticks.
+//! The results hold for every start: a box has no static friction above the kinetic one, and the limit is
+//! therefore unique. At Ω = 1/(2n) each start leads to a member of a family, none of which sticks.
 //!
 //! # What is guaranteed, and why
 //!

@@ -140,7 +140,7 @@ mod tests {
     use super::{Rational, rounded};
     use crate::Float;
 
-    /// Also in a type with fewer digits than f64, which rounds a second time.
+    /// The ends lie outside also in a type with fewer digits than f64, which rounds a second time.
     #[test]
     fn the_rounded_ends_lie_outside() {
         fn check<F: Float>(x: &Rational) {

@@ -18,7 +18,7 @@ fn ordered<F: Float>(a: F, b: F) -> Interval<F> {
 }
 
 /// The pieces of an interval of Ω that contains neither 1 nor a pole 1/(2n+1): `count` of them, and one more
-/// where K = 0 at an Ω within.
+/// if K = 0 at an Ω inside.
 pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> {
     let one = F::int(1);
     let count = if omega.is_exact() { 1 } else { i32::try_from(count.max(1)).unwrap_or(i32::MAX) };
@@ -48,7 +48,7 @@ pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> 
         .collect()
 }
 
-/// The range that covers all of these.
+/// The range that covers all of `ranges`.
 pub(super) fn hull<F: Float>(ranges: impl Iterator<Item = Interval<F>>, sharp: bool) -> Option<Range<F>> {
     let all = ranges.reduce(|a, b| Interval {
         low: if b.low < a.low { b.low } else { a.low },

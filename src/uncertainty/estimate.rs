@@ -20,7 +20,7 @@ pub struct Estimate {
 
 impl Estimate {
     /// The interval that contains the true value in 95 % of such measurements or runs, if their errors are
-    /// independent and normal. It is cut off where the quantity ends: a friction, a damping ratio or a
+    /// independent and normal. It is limited to the range of the quantity: a friction, a damping ratio or a
     /// probability is not negative.
     ///
     /// The quantile of Student's distribution is computed by its expansion in the degrees of freedom,
@@ -36,8 +36,8 @@ impl Estimate {
 /// The 97.5 % quantile of the normal distribution.
 const Z_95: f64 = 1.959_963_984_540_054;
 
-/// The quantile of Student's distribution with n degrees of freedom, by that of the normal distribution, z
-/// (Abramowitz and Stegun, 26.7.5).
+/// The quantile of Student's distribution with n degrees of freedom, from the quantile z of the normal
+/// distribution (Abramowitz and Stegun, 26.7.5).
 pub(crate) fn student(z: f64, n: f64) -> f64 {
     let square = z * z;
     let first = z * (square + 1.0) / 4.0;

@@ -27,7 +27,7 @@ impl<F: Float> MachineBox<F> {
     /// A machine under a force: m, k, r_y, p₀, ω_d.
     ///
     /// # Errors
-    /// Where an end of one of them is not finite or not > 0.
+    /// Where an end of an interval is not finite or not > 0.
     pub fn force(
         mass: Interval<F>,
         stiffness: Interval<F>,
@@ -57,7 +57,7 @@ impl<F: Float> MachineBox<F> {
             .checked()
     }
 
-    /// The same with a viscous damper whose constant c lies in an interval.
+    /// This box with a viscous damper whose constant c lies in an interval.
     ///
     /// Ranges are then sampled ([`MachineBox::range`]) or, with the feature `mp`, proved
     /// (`MachineBox::enclosed`).
@@ -100,7 +100,7 @@ impl<F: Float> MachineBox<F> {
         self.is_foot_motion
     }
 
-    /// The amplitude of the force at a stiffness in an interval.
+    /// The amplitude of the force for stiffnesses in an interval.
     fn force_at(&self, stiffness: Interval<F>) -> Interval<F> {
         if self.is_foot_motion { self.amplitude.times(stiffness) } else { self.amplitude }
     }
@@ -108,9 +108,9 @@ impl<F: Float> MachineBox<F> {
     /// The box of ratios that contains those of all machines of this box: Ω = ω_d √(m/k), α = p₀/r_y, ζ =
     /// c/(2√(km)), each monotone in each parameter.
     ///
-    /// Its ends are attained. Under foot motion and with a damper, k and m occur in more than one ratio, so
-    /// that not all of the box is attained. It is widened by the possible rounding of the quotients and the
-    /// root.
+    /// The ends of the box are attained. Under foot motion and with a damper, k and m occur in more than one
+    /// ratio, so that not all of the box is attained. The box is widened by the possible rounding of the
+    /// quotients and the root.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`crate::Ratios`].
@@ -141,12 +141,12 @@ impl<F: Float> MachineBox<F> {
         self.ratios()?.verdict()
     }
 
-    /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where it exists at
-    /// none of the points tried.
+    /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where the output
+    /// exists at none of the points tried.
     ///
-    /// It is guaranteed for Δ₀, the energy of a cycle (both loop sizes), the minimum force and the margin
-    /// (see the module's documentation). It is sampled for all other outputs, with a damper, and for outputs
-    /// of the cycle where the body may stick. `points` is the number of points or of pieces.
+    /// The range is guaranteed for Δ₀, the energy of a cycle (both loop sizes), the minimum force and the
+    /// margin (see the module's documentation). It is sampled for all other outputs, with a damper, and for
+    /// outputs of the cycle where the body may stick. `points` is the number of points or of pieces.
     ///
     /// # Errors
     /// As for [`MachineBox::ratios`], and where a scale overflows or underflows.

@@ -170,8 +170,8 @@ impl MonteCarlo {
         Estimate { value: count / n, standard_error, degrees_of_freedom: f64::INFINITY, range: (0.0, 1.0) }
     }
 
-    /// The values of a kept output in increasing order, from the draws that have it: outputs of the cycle
-    /// exist where the body does not stick. Empty for an output that was not kept.
+    /// The values of a kept output in increasing order, from the draws in which the output exists: outputs of
+    /// the cycle exist where the body does not stick. Empty for an output that was not kept.
     #[must_use]
     pub fn values(&self, output: Output) -> &[f64] {
         self.outputs.iter().find(|(kept, _)| *kept == output).map_or(&[], |(_, values)| values)

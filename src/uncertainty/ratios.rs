@@ -27,7 +27,7 @@ pub struct RatioBox<F> {
 }
 
 impl<F: Float> RatioBox<F> {
-    /// All Ω of one interval with all α of the other.
+    /// The box of all Ω of one interval and all α of the other.
     ///
     /// # Errors
     /// Where an end is outside the domain of [`Ratios`].
@@ -37,7 +37,7 @@ impl<F: Float> RatioBox<F> {
         Ok(Self { omega, alpha, damping_ratio: Interval::exactly(F::int(0)) })
     }
 
-    /// The same with the damping ratio ζ in an interval.
+    /// This box with the damping ratio ζ in an interval.
     ///
     /// Ranges are then sampled ([`RatioBox::range`]) or, with the feature `mp`, proved
     /// (`RatioBox::enclosed`).
@@ -72,9 +72,9 @@ impl<F: Float> RatioBox<F> {
 
     /// The verdict that holds for all ratios in the box.
     ///
-    /// With damping it is that of `RatioBox::enclosed_verdict` with at most 1000 parts. This takes some
-    /// tenths of a second and needs the feature `mp`; without the feature the verdict is undecided where α
-    /// exceeds 1.
+    /// With damping the verdict is that of `RatioBox::enclosed_verdict` with at most 1000 parts. This takes
+    /// some tenths of a second and needs the feature `mp`; without the feature the verdict is undecided where
+    /// α exceeds 1.
     ///
     /// # Errors
     /// Where Ω or α leaves the domain of [`Ratios`].
@@ -86,12 +86,13 @@ impl<F: Float> RatioBox<F> {
         Verdict::within(ends(self.omega), ends(self.alpha))
     }
 
-    /// The range of an output over the box, dimensionless; `None` where it exists at none of the points
-    /// tried.
+    /// The range of an output over the box, dimensionless; `None` where the output exists at none of the
+    /// points tried.
     ///
-    /// It is guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at a single Ω (see the
-    /// module's documentation). It is sampled for all other outputs, with damping, and for outputs of the
-    /// cycle where the body may stick or Ω = 1 is inside. `points` is the number of points or of pieces.
+    /// The range is guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at a single Ω (see
+    /// the module's documentation). It is sampled for all other outputs, with damping, and for outputs of the
+    /// cycle where the body may stick or the box contains Ω = 1. `points` is the number of points or of
+    /// pieces.
     ///
     /// # Errors
     /// As [`RatioBox::verdict`].
@@ -172,7 +173,8 @@ impl<F: Float> RatioBox<F> {
         Ok(hull(pieces(omega, count).iter().filter_map(bounds), sharp))
     }
 
-    /// A range that follows from that of the border; without an upper bound where a pole is inside.
+    /// A range that follows from the range of the border; without an upper bound where the box contains a
+    /// pole.
     fn border(&self, f: impl Fn(Interval<F>) -> Interval<F>, sharp: bool) -> Result<Range<F>, Error> {
         let border = border_range(self.omega.low, self.omega.high)?;
         let infinite = F::int(1) / F::int(0);
@@ -181,7 +183,7 @@ impl<F: Float> RatioBox<F> {
         Ok(Range { low: interval.low, high: interval.high, known: Known::Guaranteed { sharp } })
     }
 
-    /// √2 |K|, which is monotone on each piece; `None` where a pole is inside.
+    /// √2 |K|, which is monotone on each piece; `None` where the box contains a pole.
     fn best_force_ratio(&self) -> Result<Option<Range<F>>, Error> {
         if border_range(self.omega.low, self.omega.high)?.greatest.is_none() {
             return Ok(None);

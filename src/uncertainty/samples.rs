@@ -4,7 +4,8 @@ use super::{Known, Range};
 use crate::float::Float;
 use crate::machine::error::Error;
 
-/// The least and the greatest value of a function of N shares in [0, 1]; `None` where it exists at no point.
+/// The least and the greatest value of a function of N shares in [0, 1]; `None` where the function exists at
+/// no point.
 ///
 /// The points are all 2ᴺ corners, the middle, and `points` more: `frac(1/2 + i √p)` with a prime p for each
 /// share, a sequence that fills the box evenly and is the same in every run.

@@ -114,7 +114,7 @@ struct Machine<'a> {
     mass: &'a Ends,
     stiffness: &'a Ends,
     friction: &'a Ends,
-    /// p₀.
+    /// The amplitude p₀ of the force.
     force: Ends,
     frequency: &'a Ends,
     damping: &'a Ends,

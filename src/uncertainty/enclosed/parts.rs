@@ -9,7 +9,7 @@ pub(super) type Ends = (Rational, Rational);
 /// The values of a function over a part of the box.
 #[derive(Debug, Clone)]
 pub(super) enum Over {
-    /// All values lie between these.
+    /// All values lie within this interval.
     Values(Ends),
     /// The function has no value anywhere in the part.
     Nowhere,

@@ -6,8 +6,8 @@ use crate::float::Float;
 use crate::machine::error::Error;
 use rug::Rational;
 
-/// The verdict that holds for all ratios [Ω, α, ζ] in these intervals; `is_above_one` tells whether the
-/// margin is above or below 1 over the whole of the box that contains them.
+/// The verdict that holds for all ratios [Ω, α, ζ] in these intervals; `is_above_one` says whether the margin
+/// is above or below 1 over the whole box of these ratios.
 ///
 /// # Errors
 /// Those of `is_above_one`.
@@ -76,14 +76,14 @@ mod tests {
                 assert_eq!(at(inverse.clone(), inverse.clone(), r(1, 128) - &tiny), is, "{inverse}");
                 assert!(!at(inverse.clone(), inverse, r(1, 128)));
             }
-            // The tests cover intervals around the limits and next to them.
+            // The tests cover intervals around and next to the limits.
             assert!(at(low.clone() - r(1, 2), high.clone() + r(1, 2), r(0, 1)));
             assert!(
                 at(low.clone() - r(1, 2), low.clone(), r(0, 1)) && at(high.clone(), r(odd + 1, 1), r(0, 1))
             );
             assert!(!at(high + &tiny, r(odd + 1, 1), r(0, 1)) && !at(r(odd - 1, 1), low - &tiny, r(0, 1)));
         }
-        // There is no such cycle at the first odd number.
+        // The first odd number, 1, has no cycle of six reversals.
         assert!(!at(r(1, 1), r(1, 1), r(0, 1)) && !at(r(1, 2), r(2, 1), r(0, 1)));
         // Only part of the box has sufficiently little damping.
         assert!(may_reverse_six_times(&(r(1, 3), r(1, 3)), &(r(1, 129), r(1, 2))));
