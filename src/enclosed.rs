@@ -25,8 +25,8 @@
 //! | `damped` | border and cycle with damping, or with static friction above the kinetic one |
 //! | `greatest` | the greatest value of a function, proved |
 //! | `motion` | the exact motion, stops included, proved to exist ([`steady`]) |
-//! | `root` | one zero in a ball, or none found |
-//! | `widen` | more bits until it is sharp |
+//! | `root` | the only zero of a function in a ball, if it is proved |
+//! | `widen` | more bits until the answers are sharp |
 //!
 //! ```
 //! use stickslip::{Output, enclosed};
@@ -84,8 +84,9 @@ pub enum Regime {
     NonSticking,
     /// Ω = 1, ζ = 0 and α > 4/π, with η > 1 α > 4η/π: the displacement grows without bound from every start.
     Unbounded,
-    /// η > 1 and α > α_min(Ω), not above that bound: a motion of two reversals without a stop exists and attracts its
-    /// neighbourhood. Other starts may lead to other motions, and for α ≤ η a body at rest stays at rest.
+    /// η > 1 and α > α_min(Ω), but not above the bound for every start: a motion of two reversals without a
+    /// stop exists and attracts its neighbourhood. Other starts may lead to other motions, and for α ≤ η a
+    /// body at rest stays at rest.
     DependsOnStart,
 }
 
@@ -117,7 +118,7 @@ impl Regime {
 pub struct Response {
     /// The regime; `None` where it is undecided at these [`bits`](Response::bits).
     pub regime: Option<Regime>,
-    /// Whether a body at rest is released wherever it is, α > η ([`crate::Ratios::moves_from_rest`]); `None`
+    /// Whether a body at rest is released at any position, α > η ([`crate::Ratios::moves_from_rest`]); `None`
     /// where the intervals do not decide it, or without an α.
     pub moves_from_rest: Option<bool>,
     /// The number of bits of the final computation.
@@ -128,8 +129,9 @@ pub struct Response {
 impl Response {
     /// An output; `None` where it does not exist, is undecided, or has no enclosure here.
     ///
-    /// Outputs of the cycle exist where it certainly exists: where the regime is [`Regime::NonSticking`], or
-    /// [`Regime::DependsOnStart`] away from Ω = 1 without a damper. A phase may lie outside [0, 2π) by up to the width of its ball.
+    /// Outputs of the cycle exist where the cycle certainly exists: where the regime is
+    /// [`Regime::NonSticking`], or [`Regime::DependsOnStart`] away from Ω = 1 without a damper. A phase may
+    /// lie outside [0, 2π) by up to the width of its ball.
     #[must_use]
     pub fn get(&self, output: Output) -> Option<&Enclosure> {
         self.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)

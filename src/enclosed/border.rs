@@ -23,7 +23,7 @@ pub(crate) struct Border<const W: usize> {
 struct Inner<const W: usize> {
     /// S at the stationary point.
     value: Ball<W>,
-    /// τ in the formula of S, in (0, π/2].
+    /// The phase τ in the formula of S, in (0, π/2].
     tau: Ball<W>,
     /// Whether T > 0.
     rises: bool,
@@ -32,7 +32,7 @@ struct Inner<const W: usize> {
 impl<const W: usize> Border<W> {
     /// The border without damping, with a static friction of η times the kinetic one.
     pub(crate) fn at(angle: &Angle<W>, eta: &Known) -> Self {
-        // The displacement that it takes at the turning point.
+        // The displacement of the cycle on the border at the turning point.
         let limit = eta.ball::<W>() / angle.omega.square();
         let force_ratio =
             |displacement| border_force_ratio(angle.phase_function, angle.one_minus_square * displacement);

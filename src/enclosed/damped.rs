@@ -26,7 +26,8 @@ use crate::greatest::Jet;
 use crate::output::Output;
 use core::cmp::Ordering;
 
-/// e^{−ζt} cos dt and e^{−ζt} sin(dt)/d, below, at and above ζ = 1; the whole line where that is undecided.
+/// e^{−ζt} cos dt and e^{−ζt} sin(dt)/d, below, at and above ζ = 1; the whole line where the sign of 1 − ζ is
+/// undecided.
 pub(crate) fn waves<const W: usize>(free: &Free<Ball<W>>, t: Ball<W>) -> Waves<Ball<W>> {
     let half = Ball::ratio(1, 2);
     match free.square.sign() {
@@ -126,7 +127,7 @@ pub(crate) fn at_border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> (Border<W
 /// Outputs of a cycle by name; `None` where an output is not found.
 pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
 
-/// The outputs of the cycle for α certainly above the border. Those that take a search are computed only if
+/// The outputs of the cycle for α certainly above the border. Outputs that take a search are computed only if
 /// requested. `None` where the maximum velocity is not found.
 pub(crate) fn outputs<const W: usize>(
     angle: &Angle<W>,
@@ -160,7 +161,7 @@ pub(crate) fn outputs<const W: usize>(
     if [Output::MaxVelocity, Output::VelocityPhase, Output::Deviation].into_iter().any(&wanted) {
         found.extend(at_greatest_velocity(&rising, displacement_phase)?);
     }
-    // The ball of the half cycle's end contains the remainder of the half cycle.
+    // The ball of the end contains the remainder of the half cycle.
     let whole = [(Mp::ZERO, end.lower())];
     let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
         greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))

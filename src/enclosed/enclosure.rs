@@ -8,7 +8,8 @@ use rug::float::Round;
 
 /// All numbers within a radius of a midpoint, one of which is the output.
 ///
-/// It prints the digits that are certain to within one unit in the last place, then ± and the radius.
+/// [`Display`](core::fmt::Display) prints the digits that are certain to within one unit in the last place,
+/// then ± and the radius.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 #[must_use]
@@ -35,7 +36,7 @@ impl Enclosure {
         (!ball.is_entire() && rad.is_finite()).then_some(Self { mid, rad })
     }
 
-    /// The same numbers as a ball.
+    /// This enclosure as a ball.
     #[doc(hidden)]
     #[must_use]
     pub fn ball<const W: usize>(&self) -> Ball<W> {
@@ -45,7 +46,8 @@ impl Enclosure {
         Ball::new(mid, Radius::above(Mp::<2>::from_rug(&self.rad)).plus(rounding))
     }
 
-    /// The same with a midpoint of `bits` bits, and a radius that includes its rounding.
+    /// This enclosure with a midpoint of `bits` bits, and a radius that includes the rounding of the
+    /// midpoint.
     pub(super) fn rounded(&self, bits: u32) -> Self {
         let mid = Float::with_val(bits, &self.mid);
         let moved = Float::with_val_round(64, &mid - &self.mid, Round::AwayZero).0.abs();

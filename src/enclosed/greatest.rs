@@ -1,5 +1,5 @@
-//! The greatest value of a smooth function on an interval, by branch and bound: parts that cannot contain it
-//! are discarded, until each remaining part has one stationary point, proved and enclosed.
+//! The greatest value of a smooth function on an interval, by branch and bound: parts that cannot contain the
+//! maximum are discarded, until each remaining part has one stationary point, proved and enclosed.
 
 use super::root::only_zero;
 use crate::float::Field;

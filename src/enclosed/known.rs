@@ -23,10 +23,10 @@ pub struct Known {
 const LONGEST: usize = 20_000;
 
 impl Known {
-    /// A ratio that is exactly this number.
+    /// A ratio that is exactly the number x.
     ///
     /// # Errors
-    /// Where it is not finite.
+    /// Where x is not finite.
     pub fn exactly<const LIMBS: usize>(x: Mp<LIMBS>) -> Result<Self, Error> {
         let quantity = Quantity::FrequencyRatio;
         let value = || Error::NotFinite { quantity, value: written(x) };
@@ -39,7 +39,7 @@ impl Known {
         Self { low, high }
     }
 
-    /// A ratio that is exactly this number.
+    /// A ratio that is exactly the number x.
     #[doc(hidden)]
     pub fn rational(x: Rational) -> Self {
         Self { low: x.clone(), high: x }

@@ -107,8 +107,8 @@ fn last_zero<const W: usize>(half: &HalfPeriod<Ball<W>>, first: Ball<W>) -> Opti
     (low == high).then(|| low.to_i32()).flatten()
 }
 
-/// Whether ρ may exceed `best` between the times `low` and `high`. As in the search with plain numbers, the
-/// bound is the energy of free vibration.
+/// Whether ρ may exceed `best` between the times `low` and `high`. The bound is the energy of free vibration,
+/// as in the search with plain numbers.
 fn may_exceed<const W: usize>(
     half: &HalfPeriod<Ball<W>>,
     low: Ball<W>,

@@ -26,7 +26,7 @@ fn throughout<const W: usize>(low: Mp<W>, high: Mp<W>, holds: impl Fn(Ball<W>) -
     left.is_empty()
 }
 
-/// The other end of the longest interval [edge, edge + reach · 2⁻ⁿ] for which `holds`.
+/// The other end of the longest interval [edge, edge + reach · 2⁻ⁿ] on which `holds` is true.
 fn stretch<const W: usize>(edge: Mp<W>, reach: Mp<W>, holds: impl Fn(Ball<W>) -> bool) -> Option<Mp<W>> {
     (2..40).map(|n| edge + reach.scale2(-n)).find(|&other| {
         holds(if other > edge { Ball::between(edge, other) } else { Ball::between(other, edge) })
@@ -35,9 +35,9 @@ fn stretch<const W: usize>(edge: Mp<W>, reach: Mp<W>, holds: impl Fn(Ball<W>) ->
 
 /// Whether the velocity has the slide's sign from start to end, and no zero in between.
 ///
-/// At the start the acceleration has that sign, or its rate has it where the acceleration is zero at a
-/// release with η = 1. At the end the acceleration has the opposite sign. Between these, the velocity itself
-/// has the sign.
+/// At the start the acceleration has the sign of the slide; where the acceleration is zero, at a release with
+/// η = 1, its rate has that sign. At the end the acceleration has the opposite sign. Between these, the
+/// velocity itself has the sign.
 pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> bool {
     let (zero, low, high) = (Mp::ZERO, duration.lower(), duration.upper());
     let is_released = slide.start.sign() == Some(core::cmp::Ordering::Equal);

@@ -27,7 +27,8 @@ pub(super) struct Step<const W: usize> {
 pub(super) struct Followed<const W: usize> {
     pub(super) start: Start<W>,
     pub(super) steps: Vec<Step<W>>,
-    /// Phase and place at the end, with the half turns subtracted, and mirrored after an odd number of them.
+    /// Phase and place at the end, with the half turns subtracted, and mirrored after an odd number of half
+    /// turns.
     pub(super) end: Start<W>,
     /// The derivatives of phase and place at the end (not mirrored) with respect to those at the start.
     pub(super) derivatives: [[Ball<W>; 2]; 2],

@@ -62,7 +62,7 @@ fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, 
     let stops = steady.sticks_per_cycle > 0;
     let phases = Trajectory::new(ratios, steady.state).map_err(|_| Unproved::NotPeriodic)?;
     let mut phases = phases.map_while(Result::ok);
-    // The first slide that begins at rest; after a stop, if there are any.
+    // The outline begins with the first slide from rest; after a stop, if there are any.
     let mut last = phases.next().ok_or(Unproved::NotPeriodic)?;
     let first = loop {
         let next = phases.next().ok_or(Unproved::NotPeriodic)?;
@@ -100,7 +100,7 @@ fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, 
     Err(Unproved::TooManySlides)
 }
 
-/// A slide as a part; an error for one that grazes.
+/// A slide as a part; an error for a slide that ends in a grazing.
 fn part(phase: &Segment<f64>, omega: f64) -> Result<Part, Unproved> {
     let sign = match phase.kind {
         Kind::SlideForward => 1,

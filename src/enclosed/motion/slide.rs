@@ -124,10 +124,10 @@ impl<const W: usize> Slide<W> {
         let duration = only_zero(guess, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)?;
         let Machine { omega, zeta, free, .. } = self.machine;
         let (at, Waves { cosine, sine: s }) = (self.at(duration), waves(&free, duration));
-        // The responses after this time: to a unit of velocity, place s and velocity s′; to a unit of place,
+        // The responses after the time φ: to a unit of velocity, place s and velocity s′; to a unit of place,
         // c.
         let (change, c) = (cosine - zeta * s, cosine + zeta * s);
-        // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time. A later phase gives the same motion later, minus the
+        // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time. A start at a later phase gives the same motion later, minus the
         // contribution of its own start.
         let (by_phase, by_place) = ((at.acceleration - self.start * change) / omega, -s);
         let (later_by_phase, later_by_place) = (-(by_phase / at.acceleration), -(by_place / at.acceleration));

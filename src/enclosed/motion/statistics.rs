@@ -9,7 +9,7 @@ use crate::float::mp::Mp;
 use core::cmp::Ordering;
 
 /// The maximum speed of a slide: at a zero of the acceleration that is proved to be the only one in its
-/// interval, while all other intervals are slower.
+/// interval, while the speed in all other intervals is lower.
 pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> Option<Ball<W>> {
     let (mut best, mut found) = (Mp::<W>::ZERO, None::<Ball<W>>);
     // Attained speeds, to discard intervals that are certainly slower.
@@ -51,8 +51,8 @@ pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> O
     None
 }
 
-/// The multipliers of a cycle: those of the map with its image, squared if a cycle is two applications of the
-/// map.
+/// The multipliers of a cycle: those of the map followed by its mirror image, squared if a cycle is two
+/// applications of the map.
 pub(super) fn multipliers<const W: usize>(
     map: &Map<'_, W>,
     derivatives: &[[Ball<W>; 2]; 2],

@@ -27,7 +27,7 @@ pub struct Steady {
     pub max_velocity: Enclosure,
     /// Minimum velocity x′/(Bω_d).
     pub min_velocity: Enclosure,
-    /// Whether each half of a cycle is the other with the opposite sign.
+    /// Whether the two halves of a cycle have opposite signs.
     #[cfg_attr(feature = "serde", serde(rename = "symmetric"))]
     pub is_symmetric: bool,
     /// The number of turns of the drive in a cycle.
@@ -43,8 +43,8 @@ pub struct Steady {
     /// Phase and place of a release, or of a reversal if the body never stops: these two enclosures contain
     /// exactly one such motion.
     pub start: (Enclosure, Enclosure),
-    /// The box in which it is the only such motion: half widths of phase and place; only of place if the body
-    /// stops.
+    /// Half widths of the box in which this is the only such motion: of phase and place, or of place alone if
+    /// the body stops.
     pub only_within: (Option<Enclosure>, Enclosure),
     /// The number of bits used.
     pub bits: u32,
@@ -104,7 +104,7 @@ const WIDEST: usize = 65;
 /// The result at one precision.
 struct Found<const W: usize> {
     half_turns: u32,
-    /// Minimum and maximum.
+    /// Minimum and maximum displacement.
     displacement: (Ball<W>, Ball<W>),
     velocity: (Ball<W>, Ball<W>),
     stick_fraction: Ball<W>,
