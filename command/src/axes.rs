@@ -60,7 +60,7 @@ impl<F: Value> Axes<F> {
         }
     }
 
-    /// The same grids in another order.
+    /// Puts the grids in another order.
     pub(crate) fn order<const N: usize>(&mut self, grids: [(Input, Grid<F>); N]) {
         self.grids = grids.into();
     }
@@ -72,7 +72,7 @@ impl<F: Value> Axes<F> {
         given
     }
 
-    /// The same with each value as text, for messages.
+    /// The given quantities at a point below [`Axes::len`], each value with its text for messages.
     pub(crate) fn named_at(&self, point: u64) -> Given<F> {
         let mut given = self.fixed.clone();
         self.each(point, |parameter, value| {

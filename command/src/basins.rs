@@ -33,7 +33,7 @@ struct Basins<F> {
 /// The values along an axis, in the units in which they were given.
 struct Axed<F> {
     grid: Grid<F>,
-    /// B, or B ω_d, in those units.
+    /// B, or B ω_d, in the units of the axis.
     scale: F,
     label: String,
     column: String,

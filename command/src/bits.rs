@@ -10,7 +10,7 @@ pub(crate) trait Value: Float + FromStr + Pow<Self, Output = Self> + Send + Sync
 
 impl<F: Float + FromStr + Pow<Self, Output = Self> + Send + Sync> Value for F {}
 
-/// A computation for any number type; [`at_bits`] makes one of a function.
+/// A computation for any number type; [`at_bits`] makes one from a function.
 pub(crate) trait Task {
     fn run<F: Value>(self) -> Outcome;
 }

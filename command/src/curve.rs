@@ -34,7 +34,7 @@ const MOST_POINTS: u64 = 100_000;
 struct Place {
     /// The value of the axis, in consistent units.
     x: f64,
-    /// The same in the unit of the axis.
+    /// The value of the axis in the axis's unit.
     frequency: f64,
     source: Source,
     regime: &'static str,
@@ -47,13 +47,13 @@ struct Place {
 /// The reason why a frequency is in a curve.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Source {
-    /// It was asked for.
+    /// The frequency was requested.
     Grid,
-    /// It is the natural frequency.
+    /// The frequency is the natural one.
     Natural,
-    /// The curve has a maximum there.
+    /// The curve has a maximum at this frequency.
     Peak,
-    /// It is beside a maximum, where a line through the other points would be off.
+    /// The frequency is next to a maximum, where a line through the other points would be inaccurate.
     Flank,
 }
 
@@ -85,7 +85,7 @@ pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
 }
 
 impl Place {
-    /// The value; infinite where the motion is unbounded, and NaN where it is undecided.
+    /// The value at this place; infinite where the motion is unbounded, and NaN where it is undecided.
     fn height(&self) -> f64 {
         let otherwise = if self.regime == UNBOUNDED { f64::INFINITY } else { f64::NAN };
         self.value.unwrap_or(otherwise)

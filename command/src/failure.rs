@@ -35,7 +35,7 @@ impl Failure {
         on_one_line(&self.to_string())
     }
 
-    /// The same; if the input is wrong, the argument or the file concerned precedes the message.
+    /// This failure, preceded by the argument or the file concerned if the input is wrong.
     pub(crate) fn about(self, what: &str) -> Self {
         if let Self::Input(text) = self { Self::Input(format!("{what}: {text}")) } else { self }
     }

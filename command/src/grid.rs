@@ -25,7 +25,7 @@ impl<F: Value> Grid<F> {
         Self::read(name, text, number)
     }
 
-    /// The same for values with units: all of them have units, or none.
+    /// `FROM:TO:COUNT`, `FROM:TO:COUNT:log` or `A,B,C` with units: all values have units, or none.
     pub(crate) fn with_units(name: &str, text: &str, reader: &Reader, kind: Kind) -> Result<Self, Failure> {
         let ends: Vec<&str> = match text.split_once(':') {
             Some((from, rest)) => [from].into_iter().chain(rest.split(':').next()).collect(),

@@ -137,7 +137,7 @@ impl Column {
 /// The measurements of a file.
 struct Measured {
     curve: Vec<Measurement>,
-    /// The line of each.
+    /// The line of each measurement.
     lines: Vec<u64>,
     /// The columns that are not read.
     others: Vec<String>,
@@ -268,7 +268,7 @@ impl Answer {
         })
     }
 
-    /// What a reader should know before trusting the numbers.
+    /// Remarks on the reliability of the numbers.
     fn remarks(&self) -> Vec<String> {
         let percent = |x: f64| format!("{} %", digits((1e4 * x).round() / 100.0));
         let mut remarks = Vec::new();

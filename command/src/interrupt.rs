@@ -55,7 +55,7 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
-/// The same for a long search of the library.
+/// Tells a long search of the library to stop once the user has asked to stop.
 pub(crate) fn keep_going() -> ControlFlow<()> {
     if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
@@ -95,8 +95,7 @@ pub(crate) fn uncut<T>(write: impl FnOnce() -> T) -> T {
 }
 
 /// Ends the command unless it has noticed the interrupt in time, and also if nobody reads its last output.
-///
-/// It measures time by the clock and not by a number of sleeps, which take longer on a busy machine.
+/// Time is measured by the clock and not by a number of sleeps, which take longer on a busy machine.
 fn watch() {
     thread::sleep(GRACE);
     let (mut writes, mut since) = (WRITES.load(Ordering::SeqCst), Instant::now());

@@ -23,8 +23,8 @@ pub(crate) struct Machine<F> {
 }
 
 impl<F> Machine<F> {
-    /// Whether the damper stands on the spring's moving foot. Its heat is then not the work of `c x′`, and the
-    /// foot's work not that of p: neither is known here.
+    /// Whether the damper stands on the spring's moving foot. The heat of the damper is then not the work of
+    /// `c x′`, and the work of the foot is not that of p: neither is known here.
     pub(crate) fn has_damped_foot(&self) -> bool
     where
         F: Value,

@@ -22,7 +22,7 @@ pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> 
     }
 }
 
-/// The same within a sentence.
+/// The text of [`both`] within a sentence, without aligned columns.
 pub(crate) fn both_in_words<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
     both(x, unit, scale, name).split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -173,7 +173,7 @@ pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut im
     writeln!(out, "  mean displacement        {mean} {length} (displacements are measured from there)")
 }
 
-/// What the line on the transmitted force leaves out, where a mean force was given.
+/// A note that the transmitted force does not contain the mean force, if one was given.
 pub(crate) fn without_mean_force<F: Value>(
     machine: Option<&Machine<F>>,
     out: &mut impl Write,

@@ -97,7 +97,7 @@ impl Beside {
         self.fill_with(|mut out| fill(&mut out).map(|()| out))
     }
 
-    /// The same for a function that takes the stream and returns it.
+    /// Fills the file by a function that takes the stream and returns it, and renames the file.
     pub(crate) fn fill_with(
         self,
         fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,

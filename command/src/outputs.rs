@@ -67,7 +67,7 @@ const CLOSED_FORMS: [Key; 20] = [
     d::NO_STOP_FORCE_RATIOS,
 ];
 
-/// The outputs in ratios, by the first command that has them.
+/// The outputs in ratios, grouped by the first command that has them.
 fn groups() -> [(&'static str, Vec<Key>); 7] {
     let others =
         |key: &Key, listed: &[Key]| !CLOSED_FORMS.iter().chain(listed).any(|own| own.name == key.name);
@@ -150,8 +150,8 @@ pub(crate) fn find(name: &str) -> Option<Key> {
     groups().into_iter().flat_map(|(_, keys)| keys).find(|key| key.name == name)
 }
 
-/// Whether an output needs a search of its own: its name, or in a machine's units `physical.NAME` or
-/// `NAME[unit]`.
+/// Whether an output needs a search of its own; `wanted` is its name, or for a machine's units
+/// `physical.NAME` or `NAME[unit]`.
 pub(crate) fn is_searched(wanted: &str) -> bool {
     let name = wanted.strip_prefix("physical.").unwrap_or(wanted);
     name.split('[').next().and_then(find).is_some_and(|key| key.is_searched)

@@ -15,7 +15,7 @@ pub(crate) struct Physical<F> {
     system: System,
     /// The kind of excitation.
     drive: Option<&'static str>,
-    /// Whether the values stand beside those in ratios in JSON, too, without their units.
+    /// Whether the values also stand beside those in ratios in JSON, without their units.
     is_beside: bool,
     pub(crate) values: Vec<(&'static str, Kind, Cell<F>)>,
 }
@@ -134,7 +134,7 @@ impl<F: Value> Physical<F> {
         self.values.iter().any(|(name, kind, _)| self.is_called(name, *kind, wanted))
     }
 
-    /// Whether this name refers to a value, with its unit in brackets or without.
+    /// Whether `wanted` refers to the value with this name, with its unit in brackets or without.
     fn is_called(&self, name: &str, kind: Kind, wanted: &str) -> bool {
         match wanted.split_once('[') {
             Some((own, unit)) => {

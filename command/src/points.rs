@@ -50,10 +50,10 @@ pub(crate) fn answered<F: Value, A, W: Write>(
     }
 }
 
-/// Answers each row of a file with the record that `answer` makes of its quantities.
+/// Answers each row of a file with the record that `answer` makes from its quantities.
 ///
-/// It stops at a row that cannot be answered: the rows before it are complete, and the failure names the line
-/// and the value.
+/// Reading stops at a row that cannot be answered: the rows before it are complete, and the failure names the
+/// line and the value.
 fn rows_of<F: Value>(
     file: &Path,
     asked: Asked<'_, F>,
@@ -83,7 +83,7 @@ struct Column {
     place: usize,
     name: String,
     kind: Kind,
-    /// The factor of the unit in its header; without one, a value may have its own unit.
+    /// The factor of the unit in the column's header; without one, a value may have its own unit.
     factor: Option<Factor>,
 }
 
@@ -186,9 +186,9 @@ struct Named<'a> {
     unit: Option<&'a str>,
 }
 
-/// The columns that are read, those of `used`, and whether they and the arguments are those of a machine.
+/// The columns that are read, those of `used`, and whether the columns and the arguments belong to a machine.
 ///
-/// Each must occur once, and none may also be an argument. A note names the columns that are not read.
+/// Each column must occur once, and none may also be an argument. A note names the columns that are not read.
 fn columns<F: Value>(
     header: &StringRecord,
     name: &str,
@@ -209,7 +209,7 @@ fn columns<F: Value>(
             if let Some(p) = known().find(|p| is_misspelt(&plain, &p.column())) {
                 return refused(&format!("is unknown. Spell it {}, or rename it", p.column()));
             }
-            // The answers of an earlier run are no input, and nobody takes them for one.
+            // Columns of earlier answers are not inputs, and need no note.
             let is_input = Input::ALL.iter().any(|p| p.is_column(&plain));
             if is_input || outputs::find(&plain).is_none() {
                 unread.push(own);

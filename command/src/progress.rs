@@ -48,9 +48,9 @@ const STRETCH: u64 = 64;
 const LONG: Duration = Duration::from_millis(25);
 /// The greatest age of answers that a kill can lose.
 const AT_RISK: Duration = Duration::from_secs(1);
-/// The time after which the receiver looks for an interrupt, without any answer.
+/// The interval at which the receiver checks for an interrupt when no answer comes.
 const LOOK: Duration = Duration::from_millis(10);
-/// The time that an interrupt leaves to answers that are almost there.
+/// The time after an interrupt that is left to answers in progress.
 const GRACE: Duration = Duration::from_millis(100);
 
 /// Answers the points of a range in parallel, and passes the answers on in order.
@@ -62,7 +62,8 @@ pub(crate) fn in_order<T: Send>(
     in_order_kept(points, answer, |found| found.map_or(Ok(()), &mut take))
 }
 
-/// The same; `None` asks to keep what was taken, because a second has passed or the command was interrupted.
+/// Answers the points of a range in parallel, and passes the answers on in order. `None` asks the caller to
+/// keep the answers so far, because a second has passed or the command was interrupted.
 ///
 /// An answer is passed on as soon as it and all earlier ones exist, however long the next one takes. Few
 /// answers are in memory.
@@ -114,7 +115,7 @@ struct Work {
 }
 
 struct Left {
-    /// The points of no stretch yet.
+    /// The points that belong to no stretch yet.
     fresh: Range<u64>,
     /// The remaining points of stretches that took too long.
     returned: BTreeMap<u64, u64>,
@@ -186,7 +187,7 @@ impl Work {
     }
 }
 
-/// Consecutive points of one thread; dropped, it returns those without an answer.
+/// Consecutive points of one thread. When dropped, a stretch returns the points without an answer.
 struct Stretch<'a> {
     work: &'a Work,
     points: Range<u64>,
@@ -194,7 +195,7 @@ struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
-    /// The answers, up to the first failure or for some time, but at least one.
+    /// The answers, up to the first failure or for some time; at least one.
     fn answers<T>(&mut self, answer: impl Fn(u64) -> Result<T, Failure>) -> Vec<Result<T, Failure>> {
         let mut found = Vec::new();
         for point in self.points.by_ref() {
@@ -250,7 +251,7 @@ impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
         interrupt::check()
     }
 
-    /// Passes on what comes within this time; `false` if nothing more can come.
+    /// Passes on the answers that come within `time`; `false` if no more can come.
     fn wait(&mut self, time: Duration) -> Result<bool, Failure> {
         match self.receiver.recv_timeout(time) {
             Ok((start, found)) => self.waiting.insert(start, found),
@@ -260,7 +261,7 @@ impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
         while let Some(found) = self.waiting.remove(&self.next) {
             for one in found {
                 match one {
-                    // The thread saw the interrupt first.
+                    // The thread noticed the interrupt first.
                     Err(Failure::Interrupted) => return Ok(true),
                     one => (self.take)(Some(one?))?,
                 }
@@ -280,7 +281,7 @@ impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
         Ok(())
     }
 
-    /// Keeps what exists, and ends the command if a point takes too long.
+    /// Keeps the existing answers, and ends the command if a point takes too long.
     fn interrupted(&mut self) -> Outcome {
         self.work.stop();
         self.keep()?;
@@ -296,7 +297,7 @@ impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
     }
 }
 
-/// A progress bar with the remaining time, on standard error if that is a terminal.
+/// A progress bar with the remaining time, on standard error if this is a terminal.
 pub(crate) fn bar(count: u64, things: &str) -> ProgressBar {
     styled(ProgressBar::new(count), &format!("{{bar:40}} {{human_pos}}/{{human_len}} {things}, {{eta}} left"))
 }
@@ -375,7 +376,7 @@ mod tests {
     use std::thread;
     use std::time::Duration;
 
-    /// Points that take from nothing to twice the greatest duration of a stretch.
+    /// Points that take between no time and twice the greatest duration of a stretch.
     fn slow(point: u64) -> Result<u64, Failure> {
         if point % 37 == 5 {
             thread::sleep(Duration::from_millis(point % 50));

@@ -64,7 +64,7 @@ impl<F: Value> Record<F> {
         Self { fields, physical: Physical::default() }
     }
 
-    /// Ω, α unless it is left out, and ζ and η where they were given.
+    /// Ω, α if `has_alpha`, and ζ and η where they were given.
     fn of_ratios(given: &Given<F>, ratios: &Ratios<F>, has_alpha: bool) -> Self {
         let others = [
             (has_alpha, ALPHA, ratios.alpha()),
@@ -94,7 +94,7 @@ impl<F: Value> Record<F> {
         record
     }
 
-    /// Whether there is an output of this name: a field, or in the machine's units `physical.NAME`,
+    /// Whether the record has an output of this name: a field, or in the machine's units `physical.NAME`,
     /// `NAME[unit]`, or NAME where no field has that name.
     pub(crate) fn has(&self, wanted: &str) -> bool {
         self.fields.iter().any(|(key, _)| key.name == wanted) || self.physical.has(physical_name(wanted))
@@ -106,7 +106,7 @@ impl<F: Value> Record<F> {
         own.chain(self.physical.values.iter().map(|(name, ..)| format!("physical.{name}"))).collect()
     }
 
-    /// Only these outputs, in this order, with those in the machine's units last.
+    /// The record with these outputs only, in this order, with those in the machine's units last.
     pub(crate) fn only(mut self, wanted: &[String]) -> Self {
         let field = |wanted: &String| self.fields.iter().find(|(key, _)| key.name == wanted).copied();
         let fields: Vec<_> = wanted.iter().filter_map(field).collect();
@@ -117,7 +117,7 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// The border at Ω and the best force ratio there, from a response at any α.
+    /// The border at Ω and the best force ratio, from a response at any α.
     pub(crate) fn of_border(given: &Given<F>, response: &Response<F>) -> Self {
         let mut record = Self::of_ratios(given, &response.ratios, false);
         let outputs = [
@@ -153,7 +153,7 @@ impl<F: Value> Record<F> {
         };
         let size = |measure| {
             if measure == Measure::EnergyOfLargestLoop {
-                // A₁ is stated in units of p₀²/(2k) for that force.
+                // A₁ is stated in units of p₀²/(2k) for the best force.
                 return F::ratio(1, 2) * best_force * (best_force / machine.oscillator.stiffness());
             }
             Measure::size(measure, scales)

@@ -72,7 +72,7 @@ pub(crate) struct Done {
 
 /// The greatest length of a line in bytes; a row of 8192 bits has less than a tenth of it.
 const LONGEST_LINE: u64 = 1 << 20;
-/// The greatest number of rows that are compared, and the greatest time for it.
+/// The greatest number of rows that are compared, and the greatest time for the comparison.
 const MOST_COMPARED: usize = 1 << 13;
 const COMPARING: Duration = Duration::from_secs(1);
 
@@ -177,7 +177,8 @@ impl Kept {
         let begin = Instant::now();
         let order = self.some.in_order();
         let (mut left, mut count) = (order.as_slice(), rayon::current_num_threads());
-        // More and more rows at a time, because a row can take longer than the time for all.
+        // The number of rows compared at a time increases, because a single row can take longer than the
+        // allowed time.
         while !left.is_empty() && begin.elapsed() < COMPARING {
             let (some, others) = left.split_at(count.min(left.len()));
             (left, count) = (others, 2 * count);
@@ -247,7 +248,8 @@ impl Spread {
         }
     }
 
-    /// The ends first, then the middle, then the quarters, and so on.
+    /// The rows in the order of the comparison: the ends first, then the middle, then the quarters, and so
+    /// on.
     fn in_order(&self) -> Vec<(u64, u64, u64)> {
         let mut order: Vec<_> = self.rows.iter().copied().enumerate().collect();
         order.sort_by_key(|(place, _)| place.reverse_bits());

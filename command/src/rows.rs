@@ -23,7 +23,7 @@ pub(crate) fn open(file: &Path, argument: &str) -> Result<Box<dyn Read>, Failure
 pub(crate) struct Ahead(Cell<u64>);
 
 impl Ahead {
-    /// Takes a complete row of this length off.
+    /// Subtracts the length of a complete row.
     pub(crate) fn complete(&self, length: u64) {
         self.0.set(self.0.get() - length);
     }
@@ -66,7 +66,7 @@ pub(crate) fn unreadable(name: &str, error: csv::Error) -> Failure {
     if let csv::ErrorKind::Io(error) = error.into_kind()
         && error.kind() != ErrorKind::InvalidData
     {
-        // A closed pipe or a full disk is no error of the input.
+        // A closed pipe or a full disk is not an error of the input.
         return error.into();
     }
     fault

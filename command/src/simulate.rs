@@ -90,8 +90,8 @@ fn stream<F: Value, T>(
     Ok(())
 }
 
-/// A slide is no longer than half a turn of the drive or of the body, so that a cycle has about 2 + 2/Ω
-/// slides.
+/// Refuses a simulation that would take years. A slide is no longer than half a turn of the drive or of the
+/// body, so that a cycle has about 2 + 2/Ω slides.
 fn refuse_years(cycles: u64, samples: Option<u64>, omega: f64) -> Outcome {
     let slides = cycles as f64 * (2.0 + 2.0 / omega);
     let too_many = |argument: &str, count: f64, things: &str| {

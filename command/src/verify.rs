@@ -3,11 +3,11 @@
 //!
 //! | file | content |
 //! |---|---|
-//! | `points` | where the statements are checked |
+//! | `points` | the points at which the statements are checked |
 //! | `case` | the answers at a point, and the terms of the equations |
 //! | `statements` | the equations with the answers put in, in any arithmetic |
-//! | `plain` | in plain numbers, and the answers against the exact motion |
-//! | `balls` | in ball arithmetic, and the answers against motions that are proved to exist |
+//! | `plain` | the statements in plain numbers, and the answers against the exact motion |
+//! | `balls` | the statements in ball arithmetic, and the answers against motions that are proved to exist |
 //!
 //! A true statement leaves the rounding of its operations; a false one is off by about `2^PRECISION` units.
 //! Statements that are wrong as printed are included, and must fail.
@@ -37,19 +37,20 @@ struct Verdict {
     equation: &'static str,
     /// The statement in words.
     statement: &'static str,
-    /// Whether it must hold or fail.
+    /// Whether the statement must hold or fail.
     standing: Standing,
-    /// The number of points where it applies.
+    /// The number of points to which the statement applies.
     points: usize,
-    /// For a statement that holds: the largest residual, in units of the last place of its terms, or of their
-    /// square root for a difference quotient. For one that is refuted: the smallest residual, relative to its
-    /// terms.
+    /// For a statement that holds: the largest residual, in units of the last place of its terms, or of the
+    /// square root of this unit for a difference quotient. For one that is refuted: the smallest residual,
+    /// relative to its terms.
     worst: f64,
-    /// Ω and α at that point, with all digits.
+    /// Ω and α at the point of the worst residual, with all digits.
     at: Option<(String, String)>,
-    /// The damping ratio ζ at that point, if there is a damper.
+    /// The damping ratio ζ at the point of the worst residual, if there is a damper.
     damping_ratio: Option<String>,
-    /// Whether it holds within the rounding of its terms, or is refuted by more than that.
+    /// Whether the statement holds within the rounding of its terms, or is refuted by more than that
+    /// rounding.
     passed: bool,
 }
 
@@ -111,7 +112,7 @@ fn watched(
     }
 }
 
-/// Writes the verdicts; a failure if one of them is not as it must be.
+/// Writes the verdicts; a failure if one of them is not as required.
 fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &mut impl Write) -> Outcome {
     match args.format {
         Format::Json => json(verdicts, residuals, out)?,
@@ -124,7 +125,7 @@ fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &m
     conclusion(verdicts)
 }
 
-/// A failure if an identity does not hold, or is not refuted, as it must be.
+/// A failure if an identity does not hold, or is not refuted, as required.
 fn conclusion(verdicts: &[Verdict]) -> Outcome {
     match verdicts.iter().filter(|v| !v.passed).count() {
         0 => Ok(()),

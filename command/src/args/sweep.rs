@@ -47,7 +47,7 @@ pub(crate) enum SweepFormat {
 }
 
 impl SweepFormat {
-    /// By the end of a file's name.
+    /// The format named by the end of a file's name.
     fn of(file: &Path) -> Option<Self> {
         match file.extension()?.to_str()? {
             "csv" => Some(Self::Csv),
@@ -95,8 +95,8 @@ pub(crate) struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// As asked for, or as the file's name ends; CSV for a name without an end. `None` where the end says
-    /// neither.
+    /// The format of `--format`, or that of the end of the file's name; CSV for a name without an end. `None`
+    /// where the end names no format.
     pub(crate) fn format(&self) -> Option<SweepFormat> {
         match (self.format, self.out.as_deref()) {
             (Some(format), _) => Some(format),

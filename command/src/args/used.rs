@@ -8,11 +8,11 @@ use stickslip::inputs::{Input, Role};
 /// The mode of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Mode {
-    /// By Ω and α.
+    /// The problem is given by Ω and α.
     Ratios,
-    /// By a machine in physical units.
+    /// The problem is given by a machine in physical units.
     Machine,
-    /// By a file of points.
+    /// The points are rows of a file.
     Points,
 }
 

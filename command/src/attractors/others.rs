@@ -19,7 +19,7 @@ struct Other<F> {
     steady: SteadyState<F>,
 }
 
-/// All such motions that were found.
+/// All motions found to which no start leads.
 pub(super) struct Others<F>(Vec<Other<F>>);
 
 impl<F: Value> Others<F> {

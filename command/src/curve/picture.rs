@@ -69,7 +69,7 @@ impl Asked {
             let every = asked.len() / MARKS + index;
             let some = asked.into_iter().skip(every / 2).step_by(every);
             let marks = some.filter(|place| !place.sticks).map(|place| (place.frequency, place.height()));
-            // The marks are among the frequencies asked for, not among those added at a peak.
+            // The marks are among the requested frequencies, not among those added at a peak.
             let style = if lines.len() > 1 { Style::Marked(usize::MAX) } else { Style::Line };
             series.push(Series::new(line.name.clone(), style, index, part(false)));
             series.push(Series::new("", Style::Dashed, index, part(true)));
@@ -126,15 +126,14 @@ impl Asked {
 struct Range {
     low: f64,
     high: f64,
-    /// Whether a curve leaves it downwards.
+    /// Whether a curve leaves the range downwards.
     cut_below: bool,
-    /// Whether a curve leaves it upwards.
+    /// Whether a curve leaves the range upwards.
     cut_above: bool,
 }
 
 impl Range {
-    /// The range that shows every peak, the usual values, and of a curve without a bound enough to see it
-    /// climb.
+    /// The range that shows every peak, the usual values, and enough of an unbounded curve to see it rise.
     fn of(lines: &[Line], logarithmic: bool) -> Self {
         let usual = usual(lines, logarithmic);
         let places = || lines.iter().flat_map(|line| &line.places);

@@ -63,7 +63,8 @@ impl<'a, F: Value> Asked<'a, F> {
         base_motion(input.excitation()?)
     }
 
-    /// The error, preceded by the arguments of the machine, the range or the target that caused it.
+    /// The failure: the error, preceded by the arguments of the machine, the range or the target that caused
+    /// it.
     pub(super) fn fail(&self, error: Error) -> Failure {
         use Quantity as Q;
         let QuestionArgs { from, to, target, .. } = self.args;

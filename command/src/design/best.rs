@@ -26,7 +26,8 @@ impl<F: Value> Asked<'_, F> {
         Ok(self.best("", &place, ("friction", Kind::Force, best.at), best.value, None, best.kind))
     }
 
-    /// The same with sticking allowed: by exact motions, with a bound on the dissipation with any friction.
+    /// The friction that dissipates most with sticking allowed, by exact motions, with a bound on the
+    /// dissipation at any friction.
     fn dissipation_of_all(&self) -> Result<Answer<F>, Failure> {
         let tolerance = F::ratio(1, 1_000_000);
         if !self.physical {
@@ -90,7 +91,7 @@ impl<F: Value> Asked<'_, F> {
         format!("with a friction bound of {} {}", digits(friction), self.system().force())
     }
 
-    /// The optimum in physical units: its place, its value, and the reason why it is one.
+    /// The optimum in physical units: its place, its value, and the reason for the optimum.
     fn best(
         &self,
         of_all: &str,
@@ -110,7 +111,7 @@ impl<F: Value> Asked<'_, F> {
     }
 }
 
-/// The same in ratios, at α or Ω.
+/// The optimum in ratios, at α or Ω.
 fn best_ratio<F: Value>(
     of_all: &str,
     symbol: char,

@@ -43,8 +43,8 @@ pub(super) fn by_friction<F: Value>(
     )
 }
 
-/// The force or the friction that releases a body at rest, and the one that suffices for every start, by the force
-/// ratio.
+/// The force or the friction that releases a body at rest, and the one that suffices for every start, from
+/// the force ratio.
 pub(super) fn fields<F: Value>(
     ratios: &Ratios<F>,
     found: &NoStop<F>,

@@ -62,7 +62,7 @@ pub(super) fn known_others((zeta, eta): Others<'_>) -> Result<(Known, Known), Fa
     Ok((zeta, known("--static-friction-ratio", eta.unwrap_or("1"))?))
 }
 
-/// Those that were typed, as options or as keys of JSON.
+/// The damping ratio and the static friction ratio that were typed, as options or as keys of JSON.
 pub(super) fn typed_others<'a>((zeta, eta): Others<'a>) -> impl Iterator<Item = (&'static str, &'a str)> {
     let zeta = zeta.map(|zeta| ("damping_ratio", zeta));
     zeta.into_iter().chain(eta.map(|eta| ("static_friction_ratio", eta)))

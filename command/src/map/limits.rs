@@ -19,7 +19,7 @@ const IRREGULAR: &str = "irregular among them";
 /// The kinds of limits, from the lightest colour to the darkest; others are appended.
 pub(super) const NAMES: [&str; 4] = [ONE, PAIR, SEVERAL, IRREGULAR];
 
-/// A description of the limits of those starts, where a motion and its mirror image count once.
+/// A description of the limits of the [`STARTS`] starts; a motion and its mirror image count once.
 pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
     let reach = reach(None, &ratios)?;
     let limits = (0..STARTS)

@@ -39,8 +39,8 @@ impl Map<'_> {
             && input::point(&given).is_ok_and(|p| p.ratios.has_higher_static_friction())
     }
 
-    /// The border of sticking, if the vertical axis is α or proportional to it; computed from the border
-    /// itself.
+    /// The border of sticking, computed from the border itself, if the vertical axis is α or proportional to
+    /// it.
     fn border(&self) -> Vec<(f64, f64)> {
         let up = self.up.0;
         let inverse = matches!(up, Input::Friction | Input::FrictionCoefficient);
@@ -66,7 +66,7 @@ impl Map<'_> {
         points
     }
 
-    /// As in all pictures, light shades mean motion: the fraction of time at rest has the reverse scale.
+    /// The scale, reversed for the fraction of time at rest: as in all pictures, light shades mean motion.
     fn lit(&self, scale: Scale) -> Scale {
         match scale {
             Scale::Shades { low, high, logarithmic } if self.quantity.name() == "stick_fraction" => {
@@ -135,12 +135,12 @@ impl Map<'_> {
         let mut named = false;
         let mut values = Vec::new();
         let (mut whole, mut has_absent) = (true, false);
-        // The values at points that were asked for, which alone decide on the shades.
+        // The values at the requested points, which alone determine the shades.
         let mut asked = Vec::new();
         let mut asked_so_far = is_asked.iter().cycle();
         self.cells(&axes, |given, cell| {
             let value = match cell {
-                // The line of unbounded motion shows them.
+                // The line of unbounded motion shows these points.
                 Cell::Text(_) if matches!(self.quantity, Quantity::Regime) && is_unbounded(&given) => {
                     f64::NAN
                 }
@@ -241,7 +241,7 @@ fn counted(values: &mut [f64]) -> Scale {
     Scale::Names(names)
 }
 
-/// The shades without values close to a pole, by those at the points asked for; the title mentions the
+/// The shades without values close to a pole, from the values at the requested points; the title mentions the
 /// cut-off.
 fn clipped(scale: Scale, values: &[f64], title: &mut String) -> Scale {
     let Scale::Shades { low, high, logarithmic: true } = scale else { return scale };

@@ -11,10 +11,11 @@ use stickslip::{Regime, Response};
 const COLUMN: f64 = 1.0 / 640.0;
 
 impl Map<'_> {
-    /// The values across, with columns added at resonance, and whether each was asked for.
+    /// The values across, with columns added at resonance, and whether each was requested.
     ///
-    /// A column at Ω = 1, and columns at half the distance each time on either side down to a pixel: without
-    /// them a wide column would show the value at one frequency, which near resonance is that of no other.
+    /// One column is added at Ω = 1, and others at half the distance each time on either side, down to a
+    /// pixel. Without them a wide column would show the value at one frequency, and near resonance the value
+    /// at no other frequency is the same.
     pub(super) fn columns(&self) -> (Vec<f64>, Vec<bool>) {
         let (low, high) = self.across.1.ends();
         let mut columns: Vec<(f64, bool)> = self.across.1.values().map(|x| (x, true)).collect();
@@ -51,7 +52,7 @@ impl Map<'_> {
         is_same && matches!(self.quantity, Quantity::Regime | Quantity::Output(..))
     }
 
-    /// The value across at which Ω = 1, if it is the frequency or Ω.
+    /// The value across at which Ω = 1, if the axis is the frequency or Ω.
     fn natural(&self, given: &Given<f64>) -> Result<Option<f64>, Failure> {
         Ok(match (self.across.0, &input::point(given)?.machine) {
             (Input::Omega, _) => Some(1.0),
@@ -62,7 +63,7 @@ impl Map<'_> {
         })
     }
 
-    /// The line on which the motion is unbounded, with a NaN where it is not.
+    /// The line on which the motion is unbounded, with NaN where the motion is bounded.
     pub(super) fn unbounded(&self) -> Vec<(f64, f64)> {
         let ((low, high), logarithmic) = (self.up.1.ends(), self.up.1.is_logarithmic());
         let scales = [self.across.0, self.up.0].map(|parameter| self.on_axis(parameter).1);

@@ -75,7 +75,7 @@ impl<F: Value> Cell<F> {
 }
 
 impl<F: Value> Cell<F> {
-    /// The cells, of one value each, in a row: four for a pair of complex numbers or two intervals.
+    /// The cells of one value each: four for a pair of complex numbers or two intervals.
     pub(super) fn parts(self) -> [Option<Self>; 4] {
         match self {
             Self::Pairs(pairs) => {
@@ -101,7 +101,7 @@ impl<F: Value> Cell<F> {
         }
     }
 
-    /// The names of these cells.
+    /// The names of the cells of [`Cell::parts`].
     pub(crate) fn part_names(&self, name: &str) -> Vec<String> {
         let parts = match self {
             Self::Pairs(_) => ["_1_re", "_1_im", "_2_re", "_2_im"].as_slice(),
@@ -112,7 +112,7 @@ impl<F: Value> Cell<F> {
     }
 }
 
-/// A number at f64; a string with all digits of a wider one, which a JSON reader would otherwise round.
+/// A number at f64; for a wider type a string with all digits, because a JSON reader would round the number.
 impl<F: Value> Serialize for Cell<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {

@@ -33,19 +33,19 @@ impl<F: Value> Record<F> {
         })?)
     }
 
-    /// The cells of a row, each of one value, those in physical units last.
+    /// The cells of a row, each with one value, those in physical units last.
     pub(crate) fn cells(&self) -> impl Iterator<Item = Cell<F>> + '_ {
         let physical = self.physical.values.iter().map(|(_, _, cell)| *cell);
         self.fields.iter().map(|(_, cell)| *cell).chain(physical).flat_map(|cell| cell.parts()).flatten()
     }
 
-    /// The names of these cells.
+    /// The names of the cells of a row.
     pub(crate) fn names(&self) -> Vec<String> {
         let own = self.fields.iter().flat_map(|(key, cell)| cell.part_names(key.name));
         own.chain(self.physical.names()).collect()
     }
 
-    /// The same, with the unit in brackets after each dimensionless name that has one.
+    /// The names of the cells of a row, with the unit in brackets after each dimensionless name that has one.
     fn names_with_units(&self) -> Vec<String> {
         let own = self.fields.iter().flat_map(|(key, cell)| {
             let unit = plain(key.measure.unit());

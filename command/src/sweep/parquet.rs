@@ -52,7 +52,7 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
             let text = format!("--out {}: must not exist yet. Continue it with --resume", file.display());
             return Err(Failure::Input(text));
         }
-        // The file is made of all parts at once: if it exists, nothing is left to do.
+        // The file is made from all parts at once: if it exists, nothing is left to do.
         sweep.is_whole(file).map_err(|what| at(file, &what))?;
         return Parts::remove_left(file);
     }
@@ -67,7 +67,7 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
             None => table.commit(&mut parts, &sweep),
         },
     );
-    // After an interruption, too, the existing rows are kept.
+    // The existing rows are kept even after an interruption.
     match table.commit(&mut parts, &sweep).and(outcome) {
         Ok(()) => parts.become_file(file, &sweep),
         Err(failure) => parts.remove_empty().and(Err(failure)),

@@ -110,14 +110,14 @@ impl<F: Value> resume::Rows for Rows<F> {
         Ok(text)
     }
 
-    /// Whether Ω and, if there is one, α are among the columns. For a machine they distinguish the rows,
-    /// though not one machine from another.
+    /// Whether Ω and, if there is one, α are among the columns. For a machine they distinguish the rows of
+    /// one machine, but not two machines.
     fn hold_their_grid(&self) -> bool {
         let among = |key: Key| self.columns.iter().any(|column| column == key.name);
         among(OMEGA) && (self.question == Swept::Border || among(ALPHA))
     }
 
-    /// Whether the Ω and α in a written row, as far as it contains them, are those of a point of the grid.
+    /// Whether the Ω and α in a written row, if the row contains them, are those of a point of the grid.
     fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
         let (omega, alpha) = self.ratios(point)?;
         let due = [Some((OMEGA, omega)), (self.question != Swept::Border).then_some((ALPHA, alpha))];

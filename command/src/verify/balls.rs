@@ -21,12 +21,12 @@ use stickslip::{Field, Output, Real};
 /// The greatest number of bits: near the poles, the computation uses more bits than requested.
 const MOST: u32 = 4096;
 
-/// Exact ratios.
+/// A point with exact ratios.
 struct Place {
     omega: Rational,
     alpha: Rational,
     zeta: Rational,
-    /// Whether the motion is proved there, which excludes the neighbourhood of the poles.
+    /// Whether the motion is proved at this point, which excludes the neighbourhood of the poles.
     with_motion: bool,
     /// Whether the motions near the border are proved.
     with_border: bool,
@@ -36,13 +36,13 @@ fn known(x: &Rational) -> Known {
     Known::rational(x.clone())
 }
 
-/// Forty digits.
+/// A rational number with forty digits.
 fn written(x: &Rational) -> String {
     Mp::<2>::from_rational(x).to_string()
 }
 
 impl Place {
-    /// The place at α `over` hundredths of the border, as far as 64 bits tell.
+    /// The point at α `over` hundredths of the border, rounded to 64 bits.
     fn above_border(omega: Rational, zeta: Rational, over: i32) -> Option<Self> {
         let one = known(&Rational::from(1));
         let border = enclosed::border(&known(&omega), &known(&zeta), &one, 64).ok()?;
@@ -56,7 +56,7 @@ impl Place {
     }
 }
 
-/// The places of [`points`], with exact ratios.
+/// The points of [`points`], with exact ratios.
 fn places() -> Vec<Place> {
     let mut omegas = Vec::new();
     for ((p, q), (r, s)) in points::BANDS {
@@ -90,7 +90,8 @@ fn places() -> Vec<Place> {
     plain.chain(damped).collect()
 }
 
-/// Whether every number of one ball is below every number of another, or every one above.
+/// Whether every number of one ball is below every number of another (true) or above (false); `None` if the
+/// balls overlap.
 fn is_below<const W: usize>(low: Ball<W>, high: Ball<W>) -> Option<bool> {
     match (low.is_below(&high), high.is_below(&low)) {
         (true, _) => Some(true),
@@ -99,7 +100,7 @@ fn is_below<const W: usize>(low: Ball<W>, high: Ball<W>) -> Option<bool> {
     }
 }
 
-/// The case of the enclosed answers at a place; `None` where this number of bits does not find them.
+/// The case of the enclosed answers at a point; `None` where this number of bits does not find them.
 fn case<const W: usize>(place: &Place, answers: &enclosed::Response) -> Option<Case<Ball<W>>> {
     let found = Output::ALL.into_iter().filter_map(|output| Some((output, answers.get(output)?.ball())));
     let [omega, alpha, zeta]: [Ball<W>; 3] =
@@ -129,7 +130,7 @@ struct Residue {
 }
 
 impl Residue {
-    /// Nothing is known.
+    /// A residual of which nothing is known.
     fn unknown() -> Self {
         let infinite = Float::with_val(64, stickslip::dependencies::rug::float::Special::Infinity);
         Self { most: infinite, least: Float::new(64), has_zero: true }
@@ -159,13 +160,13 @@ impl Residue {
         Float::with_val(64, &self.most << bits).to_f64()
     }
 
-    /// Whether it is below one such unit.
+    /// Whether the bound is below one unit in the last of `bits` bits.
     fn is_small(&self, bits: u32) -> bool {
         self.in_last_places(bits) <= 1.0
     }
 }
 
-/// The residuals of all statements at a place, with as many bits as bring them to one unit in the last of
+/// The residuals of all statements at a point, with enough bits to bring them to one unit in the last of
 /// `bits`.
 fn residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     let count = statements::all::<Ball<2>>().len();
@@ -212,7 +213,7 @@ fn motion(place: &Place, alpha: &Rational, bits: u32) -> Option<Steady> {
     enclosed::steady(&known(&place.omega), &known(alpha), &known(&place.zeta), &one, bits).ok()?.ok()
 }
 
-/// The residuals at a place, in the order of [`OF_MOTIONS`].
+/// The residuals at a point, in the order of [`OF_MOTIONS`].
 fn residues_of_motions(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     if !place.with_motion {
         return vec![None; OF_MOTIONS.len()];
@@ -248,7 +249,7 @@ fn against<const W: usize>(place: &Place, bits: u32) -> Option<Vec<Option<Residu
     let largest = match case.is_below(first, second) {
         Some(true) => second,
         Some(false) => first,
-        // Complex multipliers have one modulus.
+        // The two complex multipliers have the same modulus.
         None => (first + second) / Ball::int(2),
     };
     let slides = motion.sticks_per_cycle == 0 && motion.velocity_zeros_per_cycle == 2;

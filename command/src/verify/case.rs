@@ -39,7 +39,7 @@ type Falling<R> = fn(&System<R>, &Unknowns<R>, R) -> (R, R);
 pub(super) struct Arithmetic<R> {
     pub(super) residuals: Residuals<R>,
     pub(super) falling: Falling<R>,
-    /// Whether one number is certainly below another; `None` where that is open.
+    /// Whether one number is certainly below another; `None` where this is undecided.
     pub(super) is_below: fn(R, R) -> Option<bool>,
 }
 
@@ -56,7 +56,7 @@ pub(super) struct Case<R> {
     pub(super) circular: Circular<R>,
     /// 1 − Ω².
     pub(super) one_minus_square: R,
-    /// A/B, 1 and Ω: NaN and of no use with a damper.
+    /// A/B, 1 and Ω: NaN and unused with a damper.
     pub(super) given: Given<R>,
     /// The unknowns of eq. 21–25, lengths in B, with t₂ − π/ω_d < t₁ < t₂.
     pub(super) unknowns: Unknowns<R>,
@@ -68,7 +68,7 @@ pub(super) struct Case<R> {
     pub(super) scale: R,
 }
 
-/// An answer among several, if it is there.
+/// An answer among several, if it is present.
 fn among<R: Copy>(answers: &[(Output, R)], output: Output) -> Option<R> {
     answers.iter().find(|(name, _)| *name == output).map(|(_, value)| *value)
 }
@@ -148,8 +148,8 @@ impl<R: Real> Case<R> {
         R::int(2) * self.circular.cos_beta.square()
     }
 
-    /// The residual of an identity that contains 1 + cos π₁ as the paper writes it. Near Ω = 1/(2n+1) that
-    /// sum is accurate only to 1/T² of itself, so that |T| counts among the terms.
+    /// The residual of an identity that contains 1 + cos π₁ as written in the paper. Near Ω = 1/(2n+1) this
+    /// sum is accurate only to 1/T², relative, so that |T| counts among the terms.
     pub(super) fn near_pole(&self, residual: R) -> R {
         residual / self.scale
     }
@@ -197,7 +197,7 @@ impl<R: Real> Case<R> {
         (x * alpha, v * alpha)
     }
 
-    /// The same in the cycle itself.
+    /// x/B and x′/(Bω_n) at a phase `turn` after the maximum displacement of the cycle itself.
     pub(super) fn falling(&self, turn: R) -> (R, R) {
         let u = &self.unknowns;
         self.falling_from((self.alpha, u.displacement_phase, u.max_displacement), turn)

@@ -67,7 +67,8 @@ struct Beside<F> {
 }
 
 impl<F: Float> Point<F> {
-    /// A point of the list; `with` says whether the exact motion and the border are followed.
+    /// A point of the list with its answers; its flags say whether the exact motion is followed, also next to
+    /// the border.
     fn at(point: &points::Point<F>) -> Option<Self> {
         let ratios = point.ratios;
         Some(Self {
@@ -79,7 +80,7 @@ impl<F: Float> Point<F> {
     }
 
     /// The residual of `found = expected`, where `doubt` is the difference that causes other than rounding
-    /// may produce. A difference of that size counts as one unit in the last place.
+    /// may produce. A difference of the size of `doubt` counts as one unit in the last place.
     fn within(&self, residual: F, size: F, doubt: F) -> F {
         residual / (F::epsilon() * size + doubt) * F::epsilon() * self.case.scale
     }
@@ -197,8 +198,8 @@ fn half_cycle<F: Float>(p: &Point<F>) -> (F, F) {
 
 type Statements<F> = Vec<Statement<Point<F>, F>>;
 
-/// Statements about the exact motion, the waveform and the border. Those by difference quotients keep half of
-/// the digits.
+/// Statements about the exact motion, the waveform and the border. Statements by difference quotients keep
+/// half of the digits.
 fn of_motion<F: Float>() -> (Statements<F>, Statements<F>) {
     let all = statements![any, Point<F>:
         "15, 16" "the waveform and its velocity are the matched branches": |p| {
@@ -223,7 +224,7 @@ fn of_motion<F: Float>() -> (Statements<F>, Statements<F>) {
             Some(p.within(m.steady.max_displacement.value - c.unknowns.max_displacement, c.scale, m.doubt))
         },
         "43" "ω_d t₂ is that of the exact motion": |p| {
-            // An error of a phase changes the velocity by that error times the acceleration before the
+            // An error of a phase changes the velocity by the error times the acceleration before the
             // reversal.
             let (c, m) = (&p.case, p.motion.as_ref()?);
             let phase = apart(m.steady.max_displacement.phase.reduced(), c.unknowns.displacement_phase);
@@ -361,7 +362,7 @@ impl<F: Float> Tally<F> {
     }
 }
 
-/// Statements of one kind with their tallies; the residuals are in this unit.
+/// Statements of one kind with their tallies, and the unit of their residuals.
 struct Kept<C, F> {
     rows: Vec<(Statement<C, F>, Tally<F>)>,
     unit: F,
@@ -386,8 +387,8 @@ impl<C, F: Float> Kept<C, F> {
     }
 }
 
-/// Checks every statement at every point. `step` receives the numbers of points (done, all), and may stop the
-/// check.
+/// Checks every statement at every point. `step` receives the number of points done and of all points, and
+/// may stop the check.
 pub(super) fn verdicts<F: Float, B>(
     mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
 ) -> ControlFlow<B, Vec<Verdict>> {
@@ -446,7 +447,7 @@ mod tests {
         all_hold::<stickslip::float::Mp<4>>();
     }
 
-    /// The most that any statement is off, in units of the last place, with one answer changed.
+    /// The greatest residual of any statement, in units of the last place, with one answer changed.
     fn most_off(ratios: Ratios<f64>, changed: Output, factor: f64) -> f64 {
         let response = Response::new(ratios);
         let answers = Output::ALL.into_iter().filter_map(|output| {
@@ -459,8 +460,8 @@ mod tests {
         residuals.map(|r| (r / case.scale).abs() / f64::EPSILON).fold(0.0, f64::max)
     }
 
-    /// An answer that is off by a millionth is told at some point, with and without a damper, by a statement
-    /// in closed form, or by one about the exact motion.
+    /// An answer with an error of a millionth is detected at some point, with and without a damper, by a
+    /// statement in closed form or about the exact motion.
     #[test]
     fn every_wrong_answer_is_told() {
         let told_by_the_motion = [Output::MaxAcceleration, Output::MaxAbsoluteDisplacement];
@@ -499,8 +500,8 @@ mod tests {
     proptest! {
         #![proptest_config(crate::drawn::cases(500))]
 
-        /// Between the points, too, and the misprints fail. Closer to Ω = 1 and 1/(2n+1) the paper's forms,
-        /// unlike the library's, lose digits.
+        /// The statements also hold between the points, and the misprints fail there. Closer to Ω = 1 and
+        /// 1/(2n+1) the paper's forms, unlike the library's, lose digits.
         #[test]
         fn the_statements_hold_anywhere(omega in 0.15_f64..4.0, over in 1.0001_f64..8.0) {
             prop_assume!([1.0, 3.0, 5.0].iter().all(|n| (omega * n - 1.0).abs() > 1e-3));

@@ -13,7 +13,7 @@ pub(super) const BANDS: [((i32, i32), (i32, i32)); 7] = [
     ((2, 1), (9, 1)),
 ];
 
-/// A band is divided into so many parts by the frequency ratios inside.
+/// The number of parts into which the frequency ratios divide a band.
 pub(super) const PARTS: i32 = 6;
 
 /// The frequency ratios 1/n that the points approach, and the exponents of ten of the distances.
@@ -30,9 +30,9 @@ pub(super) const OVER: [i32; 3] = [101, 150, 400];
 /// A point to check.
 pub(super) struct Point<F> {
     pub(super) ratios: Ratios<F>,
-    /// Whether the exact motion is followed there.
+    /// Whether the exact motion is followed at this point.
     pub(super) with_motion: bool,
-    /// Whether it is followed beside the border, too.
+    /// Whether the exact motion is also followed next to the border.
     pub(super) with_border: bool,
 }
 
@@ -41,8 +41,8 @@ pub(super) struct Point<F> {
 /// Without a damper they lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3 and 1/2, and near
 /// Ω = 1, 1/3, 1/5 and 1/7 at distances down to 10⁻³⁰ where the precision is at least twice as fine.
 pub(super) fn all<F: Float>() -> Vec<Point<F>> {
-    // A motion with a thousand digits takes a tenth of a second; at such precisions only every third is
-    // followed.
+    // A motion with a thousand digits takes a tenth of a second; at such precisions only every third motion
+    // is followed.
     let in_turn = |number: usize| F::PRECISION <= 512 || number.is_multiple_of(OVER.len());
     let plain = omegas::<F>().into_iter().enumerate().flat_map(|(number, (omega, ordinary))| {
         OVER.into_iter().enumerate().filter_map(move |(i, over)| {
@@ -68,8 +68,8 @@ fn above_border<F: Float>(omega: F, zeta: F, over: i32) -> Option<Ratios<F>> {
     Ratios::new(omega, least * F::ratio(over, 100)).ok()?.with_damping_ratio(zeta).ok()
 }
 
-/// The frequency ratios without a damper, and whether the exact motion is followed there: closer than 10⁻³ to
-/// a singular frequency it takes too many periods to settle.
+/// The frequency ratios without a damper, and whether the exact motion is followed at each: closer than 10⁻³
+/// to a singular frequency the motion takes too many periods to settle.
 fn omegas<F: Float>() -> Vec<(F, bool)> {
     let mut all = Vec::new();
     for ((p, q), (r, s)) in BANDS {

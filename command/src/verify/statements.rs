@@ -10,13 +10,13 @@ use stickslip::{Output, Real};
 /// Whether an equation of the paper holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Standing {
-    /// It holds at every point.
+    /// The equation holds at every point.
     Holds,
-    /// As printed it does not hold where `docs/errata.md` says so, and the check must show that.
+    /// As printed, the equation does not hold where `docs/errata.md` says so, and the check must show this.
     Refuted,
 }
 
-/// One statement, with its residual in units of B unless it says otherwise.
+/// One statement, with its residual in units of B unless stated otherwise.
 pub(super) struct Statement<C, R> {
     /// The equation's number, with a letter where the equation has parts.
     pub(super) equation: &'static str,
@@ -132,7 +132,7 @@ fn elimination<R: Real>() -> Vec<Statement<Case<R>, R>> {
     ]
 }
 
-/// α of eq. 61, and Δ₀/B and sin ω_d t₂ there.
+/// α, Δ₀/B and sin ω_d t₂ at the turning point by eq. 61.
 fn at_turning_point<R: Real>(c: &Case<R>) -> (R, R, R) {
     let (k, q) = (c.circular.k, c.one_minus_square);
     let alpha = eq::turning_point_border(k, q, c.omega);
@@ -223,7 +223,7 @@ fn closed_forms<R: Real>() -> Vec<Statement<Case<R>, R>> {
     ]
 }
 
-/// The border and the dissipation, with a damper or without.
+/// Statements about the border and the dissipation, with or without a damper.
 fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
     statements![any, Case<R>:
         "λ" "without a damper it is a root of λ² ± (1+s) cos π₁ λ + s, or its modulus": |c| {

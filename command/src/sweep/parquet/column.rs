@@ -12,7 +12,7 @@ use parquet::record::{Field, Row};
 use parquet::schema::types::Type;
 use std::fs::File;
 
-/// A column of the file: the existing values, and for each row 1 or 0 for whether there is one.
+/// A column of the file: the existing values, and for each row 1 if it has a value and 0 otherwise.
 pub(super) struct Column {
     name: String,
     values: Values,
@@ -29,7 +29,7 @@ enum Values {
 }
 
 impl Column {
-    /// A column for cells of the kind of this one.
+    /// A column for cells of the same kind as `cell`.
     pub(super) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
         let values = match cell {
             Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) if F::PRECISION <= f64::MANTISSA_DIGITS => {
