@@ -77,7 +77,7 @@ fn border(omega: f64) -> f64 {
     stickslip::PhaseFunction::new(omega).map_or(f64::NAN, |p| Border::turning_point_at(&p))
 }
 
-/// The relative error of a value, by 256 bits.
+/// The relative error of a value, from 256 bits.
 #[cfg(feature = "mp")]
 fn exact_displacement(omega: f64, value: f64) -> f64 {
     use stickslip::Float;
@@ -87,7 +87,7 @@ fn exact_displacement(omega: f64, value: f64) -> f64 {
     cycle.map_or(f64::NAN, |c| (wide(value) / c.max_displacement - wide(1.0)).to_f64().abs())
 }
 
-/// The relative error of a value, by 256 bits.
+/// The relative error of a value, from 256 bits.
 #[cfg(feature = "mp")]
 fn exact_border(omega: f64, value: f64) -> f64 {
     use stickslip::Float;

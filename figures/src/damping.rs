@@ -55,7 +55,7 @@ fn each(points: impl Fn(f64) -> Vec<(f64, f64)>) -> Vec<Series> {
     ZETA.iter().enumerate().map(line).collect()
 }
 
-/// The lines, and arrowheads where the undamped one has no bound.
+/// The lines, and arrowheads where the undamped line is unbounded.
 fn with_arrowheads(mut lines: Vec<Series>, places: &[f64]) -> Vec<Series> {
     lines.push(Series::unbounded(places.iter().copied()));
     lines

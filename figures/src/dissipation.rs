@@ -4,7 +4,7 @@ use super::resolve::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
 use stickslip::{Cycle, Ratios, Response};
 
-/// The answers at Ω that depend on Ω alone.
+/// The response at Ω; only answers that depend on Ω alone are used.
 fn at(omega: f64) -> Option<Response<f64>> {
     Ratios::new(omega, 1.0).map(Response::new).ok()
 }
@@ -17,7 +17,8 @@ fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item
     })
 }
 
-/// A value where that optimum would stick, so that the border is the best choice; NaN elsewhere.
+/// A value where the optimum of eq. 65 and 66 would stick, so that the border is the best choice; NaN
+/// elsewhere.
 fn where_not_reached(value: impl Fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
     frequency_ratios().map(move |omega| {
         let answer = at(omega).filter(|a| !a.best_is_reached());

@@ -113,18 +113,18 @@ impl Layout {
     }
 }
 
-/// The point of a text at the given place.
+/// The point of a text that lies at the given place.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
-    /// The middle of its upper edge.
+    /// The middle of the text's upper edge.
     Above,
-    /// The middle of its left edge.
+    /// The middle of the text's left edge.
     Left,
-    /// The middle of its right edge.
+    /// The middle of the text's right edge.
     Right,
-    /// Its middle.
+    /// The middle of the text.
     Middle,
-    /// The middle of its lower edge; the text runs upwards.
+    /// The middle of the text's lower edge; the text runs upwards.
     Upwards,
 }
 

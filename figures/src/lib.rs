@@ -12,8 +12,8 @@
 //! | `poles` | the neighbourhood of the poles 1/3 and 1/5 |
 //! | `portrait` | two motions in the phase plane |
 //! | `accuracy` | digits lost near Ω = 1 |
-//! | `multipliers` | how fast the motion settles |
-//! | `damping` | what viscous damping changes |
+//! | `multipliers` | the rate at which the motion settles |
+//! | `damping` | the effect of viscous damping |
 //! | `resolve` | curves resolved at their peaks |
 //! | `draw` | a figure as SVG or PNG |
 //!
@@ -115,18 +115,18 @@ pub struct Figure {
     pub name: String,
     /// The content in a line.
     pub title: String,
-    /// The observations to make in it, with the parameters.
+    /// The observations to make in the figure, with the parameters.
     pub caption: String,
     /// The panels, row by row.
     #[doc(hidden)]
     pub panels: Vec<Panel>,
 }
 
-/// One pair of axes and what is drawn in them.
+/// One pair of axes and its contents.
 #[derive(Debug, Clone, PartialEq)]
 #[doc(hidden)]
 pub struct Panel {
-    /// The title that distinguishes it from the other panels; empty for a single one.
+    /// The title that distinguishes the panel from the others; empty for a single panel.
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
@@ -144,9 +144,9 @@ pub struct Panel {
 pub struct Axis {
     /// Quantity and unit; empty for an axis that is not shown.
     pub label: String,
-    /// Value at its start.
+    /// Value at the start of the axis.
     pub low: f64,
-    /// Value at its end.
+    /// Value at the end of the axis.
     pub high: f64,
     /// Whether the scale is logarithmic.
     pub logarithmic: bool,
@@ -180,7 +180,7 @@ pub struct Series {
     /// The text in the legend, by default the name. Series with the same text share an entry; those without
     /// text have none.
     pub key: String,
-    /// How it is drawn.
+    /// The style of the series.
     pub style: Style,
     /// The index of the colour and the mark.
     pub index: usize,
@@ -188,7 +188,7 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// How a series is drawn.
+/// The style in which a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[doc(hidden)]
 pub enum Style {
@@ -228,12 +228,12 @@ impl Series {
         Self { key: name.clone(), name, style, index, points: points.into_iter().collect() }
     }
 
-    /// Arrowheads at these x, where curves have no bound.
+    /// Arrowheads at these x, where curves are unbounded.
     pub fn unbounded(places: impl IntoIterator<Item = f64>) -> Self {
         Self::new("unbounded", Style::Beyond, 0, places.into_iter().map(|x| (x, f64::INFINITY)))
     }
 
-    /// The same with another text in the legend.
+    /// This series with another text in the legend.
     #[must_use]
     pub(crate) fn with_key(self, key: impl Into<String>) -> Self {
         Self { key: key.into(), ..self }
@@ -241,12 +241,12 @@ impl Series {
 }
 
 impl Figure {
-    /// Writes the data with the columns panel, series, x, y and value; a plane fills x, y and value, and
-    /// what has no bound has no y.
+    /// Writes the data with the columns panel, series, x, y and value; a plane fills x, y and value, and an
+    /// infinite value has an empty y.
     ///
     /// # Errors
     ///
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "panel,series,x,y,value")?;
         for panel in &self.panels {
@@ -272,7 +272,7 @@ impl Figure {
     ///
     /// # Errors
     ///
-    /// Those of the drawing library, none of which are known to occur.
+    /// Errors of the drawing library, none of which are known to occur.
     pub fn svg(&self) -> io::Result<String> {
         draw::svg(self)
     }

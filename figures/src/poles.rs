@@ -26,7 +26,8 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
         .collect();
     let least = edges.iter().map(|&(omega, (low, _))| (omega, low));
     let greatest = edges.iter().map(|&(omega, (_, high))| (omega, high));
-    // Once around the region, from the left of the pole to its right; points above the axis break the line.
+    // The path leads once around the region, from the left of the pole to its right; points above the axis
+    // break the line.
     let around = greatest.rev().chain(least).chain(edges.last().map(|&(omega, (_, high))| (omega, high)));
     let shown = |(omega, alpha): (f64, f64)| (omega, if alpha < high { alpha } else { f64::NAN });
     let lattice = evenly(from, to, 43).flat_map(|omega| {

@@ -75,7 +75,7 @@ pub(super) fn samples(omega: f64, alpha: f64, start: State<f64>, cycles: usize) 
     samples.unwrap_or_default()
 }
 
-/// The same as (x/B, x′/(Bω_d)).
+/// Some cycles of the motion from a start, as (x/B, x′/(Bω_d)).
 pub(super) fn motion(omega: f64, alpha: f64, start: State<f64>, cycles: usize) -> Vec<(f64, f64)> {
     samples(omega, alpha, start, cycles).iter().map(|i| (i.state.x, i.state.v)).collect()
 }

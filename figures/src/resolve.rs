@@ -1,14 +1,14 @@
 //! Curves resolved at their peaks, so that a drawing shows them to the pixel.
 //!
-//! Samples cut a resonance peak off, or give a height to one that has none. Around each local maximum of the
-//! samples the maximum itself is searched, and points are added until a line through them is drawn right.
+//! Samples cut off a resonance peak, or give a finite height to an unbounded one. Around each local maximum
+//! of the samples the maximum itself is searched, and points are added until a line through them is accurate.
 
 use core::convert::Infallible;
 
 /// The source of a point of a resolved curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// A sample that was given.
+    /// A given sample.
     Given,
     /// The maximum between two samples.
     Peak,
@@ -18,10 +18,11 @@ pub enum Origin {
 
 /// The least distance of two added points, as a part of the axis: half a pixel of the widest plot.
 const STEP: f64 = 1.0 / 1280.0;
-/// The error of a straight line in the logarithm of the value: half a pixel of an axis of one decade, which
-/// is the shortest.
+/// The allowed error of a straight line in the logarithm of the value: half a pixel of an axis of one decade,
+/// the shortest axis.
 const RISE: f64 = 2.5e-3;
-/// Values that agree to this part of them are equal: less is the rounding of a searched output.
+/// Values that agree to this relative tolerance count as equal: smaller differences are the rounding of a
+/// searched output.
 const EQUAL: f64 = 1e-10;
 /// The least part of the larger interval beside a maximum that a step of the search takes.
 const GOLDEN: f64 = 0.381_966_011_250_105;
@@ -31,11 +32,11 @@ const GOLDEN: f64 = 0.381_966_011_250_105;
 /// `place` is a point's (x, y), with y infinite where the curve has no bound and NaN where it has no value;
 /// `at` computes the point at any x. Between the samples that enclose a maximum, points are added until the
 /// line through them is within half a pixel of the curve on a logarithmic y-axis, or half a pixel apart.
-/// A maximum narrower than the samples is found where one of them lies on it or the curve climbs towards it
-/// from both sides: the natural frequency should therefore be among them.
+/// A maximum narrower than the samples is found where a sample lies on it or the curve rises towards it from
+/// both sides: the natural frequency should therefore be among the samples.
 ///
 /// # Errors
-/// Those of `at`.
+/// Errors of `at`.
 pub fn resolved<T: Clone, E>(
     points: &[T],
     logarithmic: bool,
@@ -48,7 +49,7 @@ pub fn resolved<T: Clone, E>(
     let ends = points.iter().zip(points.iter().skip(1));
     let lengths: Vec<f64> =
         ends.map(|(a, b)| along(logarithmic, (curve.place)(a).0, (curve.place)(b).0)).collect();
-    // For each gap between two samples: whether a maximum is beside it or in it, and the maxima in it.
+    // For each gap between two samples: whether a maximum is next to it or in it, and the maxima in it.
     let mut gaps: Vec<(bool, Vec<T>)> = vec![(false, Vec::new()); points.len()];
     for (i, point) in points.iter().enumerate() {
         let before = i.checked_sub(1).and_then(|i| points.get(i));
@@ -59,7 +60,7 @@ pub fn resolved<T: Clone, E>(
         let top = curve.top(before.unwrap_or(point), point, after.unwrap_or(point))?;
         let (own, found) = (curve.value(point), curve.value(&top));
         let is_sample = found <= own * (1.0 + EQUAL);
-        // The end of a monotone curve is no peak, unless it has no bound.
+        // The end of a monotone curve is no peak, unless the curve is unbounded there.
         if is_sample && own.is_finite() && (before.is_none() || after.is_none()) {
             continue;
         }
@@ -73,7 +74,7 @@ pub fn resolved<T: Clone, E>(
             if holds && !is_sample {
                 tops.push(top.clone());
             }
-            // A sample of its own at the maximum, such as resonance, leaves a part of a gap on one side.
+            // A sample at the maximum itself, such as resonance, leaves a part of a gap on one side.
             let length = |gap: Option<usize>| gap.and_then(|gap| lengths.get(gap)).copied().unwrap_or(0.0);
             if length(gap) < 0.99 * length(next)
                 && let Some((beside, _)) = next.and_then(|next| gaps.get_mut(next))
@@ -119,7 +120,7 @@ struct Curve<P, A> {
 }
 
 impl<T: Clone, E, P: Fn(&T) -> (f64, f64), A: Fn(f64) -> Result<T, E>> Curve<P, A> {
-    /// The value, with one below all others where there is none.
+    /// The value at a point; where there is none, a number below all others.
     fn value(&self, point: &T) -> f64 {
         let (_, y) = (self.place)(point);
         if y.is_nan() { f64::NEG_INFINITY } else { y }
@@ -133,8 +134,8 @@ impl<T: Clone, E, P: Fn(&T) -> (f64, f64), A: Fn(f64) -> Result<T, E>> Curve<P, 
         own > 0.0 && others().all(|other| other <= own) && others().any(|other| other < own * (1.0 - EQUAL))
     }
 
-    /// The highest point between two samples, of which `middle` is at least as high as the others: by
-    /// golden sections.
+    /// The highest point between two samples, where `middle` is at least as high as both: by golden-section
+    /// search.
     fn top(&self, low: &T, middle: &T, high: &T) -> Result<T, E> {
         let (mut low, mut middle, mut high) = (low.clone(), middle.clone(), high.clone());
         loop {
@@ -158,7 +159,7 @@ impl<T: Clone, E, P: Fn(&T) -> (f64, f64), A: Fn(f64) -> Result<T, E>> Curve<P, 
         }
     }
 
-    /// Adds the points between two that a line needs.
+    /// Adds the points between two points that a line needs.
     fn fill(&self, from: &T, to: &T, all: &mut Vec<(T, Origin)>) -> Result<(), E> {
         let ((left, a), (right, b)) = ((self.place)(from), (self.place)(to));
         if a.is_nan() || b.is_nan() || along(self.logarithmic, left, right) <= STEP * self.length {
@@ -211,10 +212,10 @@ mod tests {
                 assert!((found / top - 1.0).abs() < 1e-8, "{zeta} {count}: {found} for {top}");
                 assert!(points.windows(2).all(|pair| pair[0].0 <= pair[1].0));
                 if zeta > 0.5 {
-                    // The peak is far from Ω = 1.
+                    // This peak is far from Ω = 1.
                     continue;
                 }
-                // The flanks beside the peak are those of the curve, to a pixel of 1/640 of the axis.
+                // The flanks of the peak are those of the curve, to a pixel of 1/640 of the axis.
                 let gap = 1.8 / f64::from(count - 1);
                 let (low, high) = ((1.0 - gap).max(0.2), (1.0 + gap).min(2.0));
                 let pixel = 1.8 / 640.0;

@@ -101,7 +101,7 @@ pub(super) fn phases() -> Figure {
     }
 }
 
-/// A phase near 2π as the negative one of which it is the continuation.
+/// A phase near 2π as the negative phase that it continues.
 fn signed(phase: f64) -> f64 {
     if phase > 1.5 * std::f64::consts::PI { phase - std::f64::consts::TAU } else { phase }
 }

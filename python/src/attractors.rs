@@ -1,4 +1,4 @@
-//! All attractors that a set of starts leads to.
+//! All attractors to which a set of starts leads.
 
 use crate::interrupt::{Stop, interruptible};
 use crate::motion::Start;

@@ -162,7 +162,7 @@ pub(crate) fn table(
     Ok(table)
 }
 
-/// Fills the places, until it is told to stop.
+/// Fills the places, until `stop` is set.
 fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), Error> {
     // A single Ω inside the domain is evaluated once for all points.
     let row = match points.omega {

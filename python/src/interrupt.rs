@@ -28,8 +28,8 @@ impl Stop {
     }
 }
 
-/// The thread pools of this process and of those it was forked from. A fork inherits the memory of a pool but
-/// not its threads, so that work given to an inherited pool would wait for ever.
+/// The thread pools of this process and of the processes from which it was forked. A fork inherits the memory
+/// of a pool but not its threads, so that work given to an inherited pool would wait for ever.
 static POOLS: [OnceLock<Option<ThreadPool>>; 16] = [const { OnceLock::new() }; 16];
 /// The number of forks between the first process and this one.
 static FORKS: AtomicUsize = AtomicUsize::new(0);
@@ -46,8 +46,8 @@ fn pool() -> Option<&'static ThreadPool> {
     own.get_or_init(|| ThreadPoolBuilder::new().build().ok()).as_ref()
 }
 
-/// Waits for an answer, and calls `signalled` at intervals to check for signals. It fails if `signalled`
-/// fails, or if the work ends without an answer.
+/// Waits for an answer, and calls `signalled` at intervals to check for signals. The wait fails if
+/// `signalled` fails, or if the work ends without an answer.
 fn awaited<T: Send>(
     py: Python<'_>,
     ended: Receiver<T>,
@@ -68,7 +68,7 @@ fn no_answer() -> PyErr {
 }
 
 /// Runs `work` on the worker threads, while the calling thread waits for its end and for signals. A signal,
-/// such as that of Ctrl-C, sets the flag and is raised when the work has ended.
+/// for example from Ctrl-C, sets the flag and is raised when the work has ended.
 pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop::never();
     let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };

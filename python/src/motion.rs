@@ -102,7 +102,7 @@ fn steady_at<'py>(
     let found = found.map_err(refused)?;
     let (limit, seen) = (&found.limit, found.seen);
     let steady = limit.steady_state();
-    // A cycle under a slow drive has so many oscillations that the computation of its peaks takes seconds.
+    // Under a slow drive a cycle has so many oscillations that the computation of its peaks takes seconds.
     let peaks = match steady.copied() {
         Some(steady) if point.0 < SLOW => left_behind(py, move || Some(steady.peaks()))?,
         steady => steady.map(|steady| steady.peaks()),

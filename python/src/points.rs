@@ -35,7 +35,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The values before a place, and from it on.
+    /// The values before a place, and those from the place on.
     fn split_at(self, place: usize) -> (Self, Self) {
         match self {
             Self::One(..) => (self, self),
@@ -46,7 +46,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The same values; a single number also gets a slice, stored in `room`.
+    /// These values, where a single number also gets a slice, stored in `room`.
     fn with_room<'b>(self, room: &'b mut Vec<f64>, most: usize) -> Values<'b>
     where
         'a: 'b,
@@ -115,7 +115,8 @@ impl<'a> Points<'a> {
         )
     }
 
-    /// The same points; an Ω or α common to all of them also gets a slice of length `most`, stored in `room`.
+    /// These points, where an Ω or α common to all points also gets a slice of length `most`, stored in
+    /// `room`.
     pub(crate) fn with_room<'b>(self, room: &'b mut [Vec<f64>; 2], most: usize) -> Points<'b>
     where
         'a: 'b,

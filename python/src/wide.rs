@@ -58,7 +58,7 @@ fn number<F: FromStr<Err = ParseError>>(text: &str) -> Result<F, String> {
 }
 
 impl Task<'_> {
-    /// Computes the cells at the smaller of two widths that holds the bits. There are only two, because each
+    /// Computes the cells at the smaller of two widths that has enough bits. There are only two, because each
     /// compiles the whole computation once more.
     fn at(self, bits: u32) -> Result<Cells, String> {
         match bits {

@@ -67,7 +67,7 @@ impl<'a> Frame<'a> {
         write(canvas, &self.panel.title, (middle, top - 22), 14, Anchor::Above)
     }
 
-    /// The place of a point of the plot, in units of the drawing; what is infinite is on the upper edge.
+    /// The place of a point of the plot, in units of the drawing; infinite values are on the upper edge.
     fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let y = if y == f64::INFINITY { 1.0 } else { share(&self.panel.y, y) };
         let x = share(&self.panel.x, x);
@@ -181,7 +181,7 @@ impl<'a> Frame<'a> {
                 }
                 if let Some(step) = step {
                     // Rows and cells overlap, because otherwise the background would show between them; the
-                    // next one covers the rest.
+                    // next cell covers the overlap.
                     let (lap, top) = (f64::from(UNITS), low.min(high));
                     let corner = ((right + lap).min(self.left + self.width), low.max(high));
                     let corners = [whole((left, (top - lap).max(self.top))), whole(corner)];

@@ -96,7 +96,7 @@ mod tests {
         assert_eq!(texts(&Axis::logarithmic("", 0.05, 2.0)), ["0.05", "0.1", "0.2", "0.5", "1", "2"]);
         assert_eq!(texts(&Axis::logarithmic("", 30.0, 400.0)), ["50", "100", "200"]);
         assert_eq!(texts(&Axis::logarithmic("", 1.1, 1.9)), ["1.2", "1.4", "1.6", "1.8"]);
-        // An axis that runs downwards, as in a key whose light end is the lower one.
+        // An axis that runs downwards, as in a key with the light end below.
         assert_eq!(texts(&Axis::linear("", 1.0, 0.0)), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         for high in [0.7, 1.3, 4.0, 9.9, 16.0, 30.0, 123.0] {
             assert!((4..=10).contains(&ticks(&Axis::linear("", 0.0, high)).len()), "{high}");
