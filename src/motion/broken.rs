@@ -37,7 +37,7 @@ impl<'a> Budget<'a> {
     }
 
     /// This budget with a function that is asked at every slide and stop whether to continue.
-    pub(crate) fn with(self, keep_going: &'a mut dyn FnMut() -> ControlFlow<()>) -> Self {
+    pub(crate) fn while_allowed(self, keep_going: &'a mut dyn FnMut() -> ControlFlow<()>) -> Self {
         Self { keep_going: Some(keep_going), ..self }
     }
 

@@ -65,9 +65,9 @@ pub(crate) mod window;
 
 use super::slide::motion::Jet;
 use crate::float::Float;
-use search::{Search, Verdict};
+use search::{Verdict, ZeroSearch};
 use stretch::{Stretch, in_helping, in_opposing};
-use window::Waves;
+use window::VelocityWaves;
 
 /// The first zero of f after φ = 0 and up to the limit, where `start` is f at φ = 0. If there is none, the
 /// result is clear, and contains f at the limit if that was computed.
@@ -75,7 +75,7 @@ use window::Waves;
 /// `f` returns the function at an instant, together with any other value that the caller needs of that
 /// instant.
 pub(crate) fn next_zero<F: Float, M: Copy>(
-    search: &Search<'_, F>,
+    search: &ZeroSearch<'_, F>,
     start: Jet<F>,
     f: impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
@@ -132,7 +132,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
         }
         if let Some(slide) = search.waves
             && !from_zero
-            && let Some(ends) = waves.get_or_insert_with(|| Waves::of(slide)).end(phi)
+            && let Some(ends) = waves.get_or_insert_with(|| VelocityWaves::of(slide)).end(phi)
         {
             let skipped = search.half_turn_at(ends);
             if modulo_two(skipped - half_turn) {
@@ -170,10 +170,10 @@ const USUAL_STRETCHES: u32 = 64;
 /// than such a time can contain.
 #[cold]
 #[inline(never)]
-fn is_overdue<F: Float>(search: &Search<'_, F>, phi: F, stretches: u32) -> bool {
+fn is_overdue<F: Float>(search: &ZeroSearch<'_, F>, phi: F, stretches: u32) -> bool {
     let (one, two, omega) = (F::int(1), F::int(2), search.omega);
     let usual = F::pi() * (one + two / omega);
-    let longest = search.waves.map_or(usual, |slide| Waves::of(slide).longest());
+    let longest = search.waves.map_or(usual, |slide| VelocityWaves::of(slide).longest());
     // A damped slide can last longer, and may then have more stretches in proportion.
     let times = if longest > usual { longest / usual } else { one };
     let most = F::int(8) * (F::int(8) + omega + one / omega) * times;
@@ -187,14 +187,14 @@ fn modulo_two<F: Float>(n: F) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Jet, Search, Verdict, next_zero};
+    use super::{Jet, Verdict, ZeroSearch, next_zero};
     use crate::motion::event::cover::Cover;
     use std::cell::Cell;
     use std::f64::consts::PI;
 
-    fn search(omega: f64, limit: Option<f64>) -> Search<'static, f64> {
+    fn search(omega: f64, limit: Option<f64>) -> ZeroSearch<'static, f64> {
         let (from_zero, safe, short_noise) = (false, None, None);
-        Search {
+        ZeroSearch {
             omega,
             pace: omega.max(1.0),
             cover: Cover::new(0.0),

@@ -46,7 +46,7 @@ use measures::CycleStatistics;
 use rest::come_to_rest;
 use section::{cycle_guess, fastest_point, middle_of_rise, on_six_reversals, settle_in};
 use shooting::{Budget, Guess, Shot, shoot};
-use steady::{Found, SteadyState, Summary};
+use steady::{SteadyParts, SteadyState, Summary};
 use stops::Sticking;
 use validate::validated;
 
@@ -90,7 +90,7 @@ impl<F: Float> LongRun<F> {
         periods: u32,
         keep_going: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, Error> {
-        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)).with(keep_going))
+        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)).while_allowed(keep_going))
     }
 
     fn budgeted(ratios: Ratios<F>, start: State<F>, mut budget: Budget<'_>) -> Result<Self, Error> {
@@ -154,7 +154,7 @@ impl<F: Float> LongRun<F> {
                 let statistics =
                     CycleStatistics::of_periodic(equation, fixed.start, 1, &fixed.propagation, &mut budget)?
                         .doubled();
-                Ok(Self::Periodic(SteadyState::of(Found {
+                Ok(Self::Periodic(SteadyState::of(SteadyParts {
                     equation,
                     start: fixed.start,
                     half_turns: 1,

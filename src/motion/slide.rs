@@ -31,7 +31,7 @@ pub(crate) mod work;
 use super::drive::DrivePhase;
 use super::state::Point;
 use crate::float::Float;
-use equation::{Equation, Waves};
+use equation::{Equation, Responses};
 use motion::Motion;
 
 /// The direction of sliding: the sign of the velocity.
@@ -191,9 +191,9 @@ impl<F: Float> Slide<F> {
 
     /// The motion from the functions of its natural time.
     #[inline]
-    pub(crate) fn motion_of<const DAMPED: bool>(&self, waves: &Waves<F>) -> Motion<F> {
+    pub(crate) fn motion_of<const DAMPED: bool>(&self, waves: &Responses<F>) -> Motion<F> {
         let Equation { omega, alpha, damping, .. } = self.equation;
-        let Waves { free: (sine, cosine), versine, drive, c, s, d } = *waves;
+        let Responses { free: (sine, cosine), versine, drive, c, s, d } = *waves;
         let (si, ci) = (self.sin_start, self.cos_start);
         let sign = self.direction.sign::<F>();
         let rate = alpha * omega;

@@ -151,7 +151,7 @@ impl<F: Float> Next<F> {
     }
 
     /// The next segment from a state; `w = Ωv`.
-    pub(crate) fn from(equation: Equation<F>, phase: DrivePhase<F>, x: F, w: F) -> Self {
+    pub(crate) fn from_state(equation: Equation<F>, phase: DrivePhase<F>, x: F, w: F) -> Self {
         if w == F::int(0) {
             Self::at_rest(equation, phase, x)
         } else {
@@ -223,7 +223,7 @@ impl<F: Float> Trajectory<F> {
 
     pub(crate) fn of(equation: Equation<F>, start: State<F>) -> Self {
         let hint = F::pi() / equation.omega;
-        let next = Next::from(equation, start.phase, start.x, start.v * equation.omega);
+        let next = Next::from_state(equation, start.phase, start.x, start.v * equation.omega);
         Self { equation, next: Some(next), hint }
     }
 }

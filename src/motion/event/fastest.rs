@@ -24,7 +24,7 @@ mod damped;
 
 use super::cover::Cover;
 use super::next_zero;
-use super::search::{Found, Search, Verdict};
+use super::search::{FoundZero, Verdict, ZeroSearch};
 use crate::float::Float;
 use crate::motion::broken::Broken;
 use crate::motion::slide::Slide;
@@ -137,7 +137,7 @@ impl<F: Float> Slide<F> {
                 Verdict::Clear(_) => return Ok(()),
                 Verdict::Lost(_) => break,
             };
-            let Found { at: passed, step, motion: m, .. } = found;
+            let FoundZero { at: passed, step, motion: m, .. } = found;
             at = at + passed + step;
             if at >= to {
                 return Ok(());
@@ -157,11 +157,11 @@ impl<F: Float> Slide<F> {
     /// The search for the first zero of the acceleration from φ = `at` on; `side` is the sign of the
     /// acceleration there.
     #[inline]
-    fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> Search<'_, F> {
+    fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> ZeroSearch<'_, F> {
         let omega = self.equation.omega;
         // −sin θ = cos(θ + π/2)
         let shifted = self.start.advanced(omega * at + F::pi() / F::int(2));
-        Search {
+        ZeroSearch {
             omega,
             pace: self.equation.pace(),
             cover: Cover::new(self.equation.damping),

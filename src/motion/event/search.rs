@@ -1,14 +1,14 @@
 //! Input and result of the search for a zero (`event`).
 
 use super::cover::Cover;
-use super::window::Waves;
+use super::window::VelocityWaves;
 use crate::float::Float;
 use crate::motion::slide::Slide;
 use crate::motion::slide::motion::Jet;
 
 /// The first zero is at `at + step`, where `step` is the last step; `motion` is the motion at `at`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Found<F, M> {
+pub(crate) struct FoundZero<F, M> {
     pub(crate) at: F,
     pub(crate) step: F,
     pub(crate) motion: M,
@@ -41,7 +41,7 @@ impl<F: Float> Safe<F> {
 
 /// The properties of the function whose zero is sought.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Search<'a, F> {
+pub(crate) struct ZeroSearch<'a, F> {
     pub(crate) omega: F,
     /// The fastest rate of change, [`crate::motion::slide::equation::Equation::pace`].
     pub(crate) pace: F,
@@ -67,7 +67,7 @@ pub(crate) struct Search<'a, F> {
     pub(crate) short_noise: Option<[F; 4]>,
 }
 
-impl<F: Float> Search<'_, F> {
+impl<F: Float> ZeroSearch<'_, F> {
     /// How many half turns of g have passed at φ.
     pub(crate) fn half_turn_at(&self, phi: F) -> F {
         ((phi * self.omega + self.angle) / F::pi() + F::ratio(1, 2)).floor()
@@ -76,7 +76,8 @@ impl<F: Float> Search<'_, F> {
     /// The rounding error of f near a zero at φ.
     pub(crate) fn noise_at(&self, phi: F) -> F {
         let least = |x: F, y: F| if x < y { x } else { y };
-        let long = self.waves.map_or(self.noise, |slide| least(Waves::of(slide).noise_at(phi), self.noise));
+        let long =
+            self.waves.map_or(self.noise, |slide| least(VelocityWaves::of(slide).noise_at(phi), self.noise));
         let Some([a, b, c, d]) = self.short_noise else { return long };
         least(a + phi * (b + phi * (c + phi * d)), long)
     }
@@ -84,7 +85,7 @@ impl<F: Float> Search<'_, F> {
 
 /// The result for a stretch: a zero, or none with f at the end of the stretch if it was evaluated.
 pub(crate) enum Verdict<F, M> {
-    Zero(Found<F, M>),
+    Zero(FoundZero<F, M>),
     Clear(Option<(Jet<F>, M)>),
     /// A proved bound was exceeded without an answer, at this φ.
     Lost(F),

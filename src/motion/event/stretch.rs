@@ -1,7 +1,7 @@
 //! One stretch of the search for a zero: shorter than half a free period, with a right side g of one sign
 //! (`event` has the proofs).
 
-use super::search::{Found, Search, Verdict};
+use super::search::{FoundZero, Verdict, ZeroSearch};
 use crate::float::Float;
 use crate::motion::slide::motion::Jet;
 
@@ -16,7 +16,7 @@ pub(crate) struct Stretch<F> {
 
 /// The zero of a stretch where g ≤ 0: there is one if and only if f < 0 at the end.
 pub(crate) fn in_opposing<F: Float, M: Copy>(
-    search: &Search<'_, F>,
+    search: &ZeroSearch<'_, F>,
     stretch: Stretch<F>,
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
@@ -59,7 +59,7 @@ fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
 ///
 /// `below` says that f(high) < 0 is known; otherwise f(high) ≥ 0 means that there is no zero.
 fn bracketed<F: Float, M: Copy>(
-    search: &Search<'_, F>,
+    search: &ZeroSearch<'_, F>,
     low: F,
     high: F,
     below: bool,
@@ -76,7 +76,7 @@ fn bracketed<F: Float, M: Copy>(
         let (jet, motion) = f(phi);
         let zero = F::int(0);
         let at = phi;
-        let crossing = |step| Verdict::Zero(Found { at, step, motion, grazes: false });
+        let crossing = |step| Verdict::Zero(FoundZero { at, step, motion, grazes: false });
         if jet.value > zero {
             low = phi;
             if phi >= end && !below {
@@ -142,7 +142,7 @@ fn is_final<F: Float>(pace: F, jet: &Jet<F>, phi: F, step: F) -> bool {
 
 /// The first zero of a stretch where g ≥ 0.
 pub(crate) fn in_helping<F: Float, M: Copy>(
-    search: &Search<'_, F>,
+    search: &ZeroSearch<'_, F>,
     stretch: Stretch<F>,
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
@@ -178,7 +178,12 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
         && left.value <= F::int(0)
     {
         // The stretch begins at a zero to within rounding.
-        return Verdict::Zero(Found { at: from, step: F::int(0), motion, grazes: left.first >= F::int(0) });
+        return Verdict::Zero(FoundZero {
+            at: from,
+            step: F::int(0),
+            motion,
+            grazes: left.first >= F::int(0),
+        });
     }
     if right.value < F::int(0) {
         return bracketed(search, from, to, true, start_of_bracket(from, to, left), f);
@@ -198,7 +203,7 @@ pub(crate) fn polished_guess<F: Float, M: Copy>(
     pace: F,
     (from, to): (F, F),
     f: &impl Fn(F) -> (Jet<F>, M),
-) -> Option<Found<F, M>> {
+) -> Option<FoundZero<F, M>> {
     let mut phi = hint;
     for _ in 0..MOST_POLISHES {
         let (jet, motion) = f(phi);
@@ -209,7 +214,7 @@ pub(crate) fn polished_guess<F: Float, M: Copy>(
             return None;
         }
         if is_final(pace, &jet, phi, step) {
-            return Some(Found { at: phi, step, motion, grazes: false });
+            return Some(FoundZero { at: phi, step, motion, grazes: false });
         }
         phi = next;
     }
@@ -226,7 +231,7 @@ const MOST_POLISHES: u32 = 6;
 /// u falls (`cover`), its backward cover is longer than half a stretch, and the point replaces the left end;
 /// where it rises, the right one.
 fn dip<F: Float, M: Copy>(
-    search: &Search<'_, F>,
+    search: &ZeroSearch<'_, F>,
     left: (F, Jet<F>),
     right: (F, Jet<F>),
     right_motion: M,
@@ -247,7 +252,7 @@ fn dip<F: Float, M: Copy>(
         let depth = jet.first.square() / (two * jet.second);
         let noise = noise(search, phi, &jet);
         if jet.value.abs() <= noise && depth <= noise {
-            return Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true });
+            return Verdict::Zero(FoundZero { at: phi, step: F::int(0), motion, grazes: true });
         }
         if jet.value < F::int(0) {
             return bracketed(search, from, phi, true, (low + phi) / two, f);
@@ -265,12 +270,12 @@ fn dip<F: Float, M: Copy>(
     if jet.value.abs() > noise(search, phi, &jet) {
         return Verdict::Lost(phi);
     }
-    Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true })
+    Verdict::Zero(FoundZero { at: phi, step: F::int(0), motion, grazes: true })
 }
 
 /// The rounding error of the lowest value of a dip: the rounding of f and of φ, which has a relative error of
 /// ε.
-fn noise<F: Float>(search: &Search<'_, F>, phi: F, jet: &Jet<F>) -> F {
+fn noise<F: Float>(search: &ZeroSearch<'_, F>, phi: F, jet: &Jet<F>) -> F {
     let unit = F::int(4) * F::epsilon() * phi;
     search.noise_at(phi) + jet.second.abs() * unit.square() / F::int(2)
 }

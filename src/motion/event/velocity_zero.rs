@@ -2,7 +2,7 @@
 
 use super::cover::Cover;
 use super::next_zero;
-use super::search::{Found, Safe, Search, Verdict};
+use super::search::{FoundZero, Safe, Verdict, ZeroSearch};
 use super::stretch::polished_guess;
 use crate::float::Float;
 use crate::motion::broken::Broken;
@@ -177,10 +177,10 @@ impl<F: Float> Slide<F> {
 
     /// The properties of the velocity that are known before it is evaluated.
     #[inline]
-    fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Search<'_, F> {
+    fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> ZeroSearch<'_, F> {
         let sign = self.direction.sign::<F>();
         let unit = F::int(4) * F::epsilon();
-        Search {
+        ZeroSearch {
             omega: self.equation.omega,
             pace: self.equation.pace(),
             cover: Cover::new(if DAMPED { self.equation.damping } else { F::int(0) }),
@@ -198,8 +198,8 @@ impl<F: Float> Slide<F> {
 
     /// The state at a zero: the last step by Taylor's series, whose next term is below rounding.
     #[inline]
-    fn arrival<const DAMPED: bool>(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
-        let Found { at, step: h, motion: m, grazes } = *found;
+    fn arrival<const DAMPED: bool>(&self, found: &FoundZero<F, Motion<F>>) -> VelocityZero<F> {
+        let FoundZero { at, step: h, motion: m, grazes } = *found;
         let (half, third) = (h / F::int(2), h / F::int(3));
         let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
         let (fourth, fifth) = m.higher_by::<DAMPED>(&self.equation);

@@ -29,7 +29,7 @@ use crate::motion::slide::equation::Equation;
 
 /// The two waves of a slide's velocity.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Waves<F> {
+pub(crate) struct VelocityWaves<F> {
     equation: Equation<F>,
     free: Free<F>,
     /// The amplitude G of the forced wave.
@@ -44,7 +44,7 @@ pub(crate) struct Waves<F> {
     rates: (F, F),
 }
 
-impl<F: Float> Waves<F> {
+impl<F: Float> VelocityWaves<F> {
     /// The waves of a slide with damping.
     #[cold]
     #[inline(never)]

@@ -3,7 +3,7 @@
 use super::measures::CycleStatistics;
 use super::propagation::follow;
 use super::shooting::Budget;
-use super::steady::{Found, Summary};
+use super::steady::{SteadyParts, Summary};
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
@@ -47,7 +47,7 @@ fn the_distance_is_in_the_units_of_a_state() {
     for omega in [0.25f64, 0.7, 4.0] {
         let limit = LongRun::from_start(ratios(omega, 1.4), State::default()).unwrap();
         let steady = limit.steady_state().unwrap();
-        let found = SteadyState::of(Found {
+        let found = SteadyState::of(SteadyParts {
             equation: steady.equation,
             start: steady.start,
             half_turns: 3,

@@ -13,7 +13,7 @@ use super::long_run::{LongRun, unsettled};
 use super::measures::CycleStatistics;
 use super::propagation::{Propagation, propagate};
 use super::shooting::{Budget, Residual, rate_noise};
-use super::steady::{Found, SteadyState, Summary};
+use super::steady::{SteadyParts, SteadyState, Summary};
 use crate::cycle::Border;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
@@ -152,7 +152,7 @@ pub(crate) fn finish<F: Float>(
     let other = propagation.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
     let shift = (statistics.max_x.value + statistics.min_x.value).abs();
-    Ok(LongRun::Family(SteadyState::of(Found {
+    Ok(LongRun::Family(SteadyState::of(SteadyParts {
         equation,
         start,
         half_turns: if shift <= F::int(2) * distance.0 { 1 } else { 2 },

@@ -37,7 +37,7 @@
 //! one stop in a cycle the state is one number, and the map of a turn can be a map of a circle onto itself,
 //! with breaks where a stop begins or ends. Then the motion is quasi-periodic.
 
-mod observed;
+mod observation;
 
 use super::family;
 use super::long_run::{LongRun, Rest, unsettled};
@@ -51,7 +51,7 @@ use crate::machine::ratios::Ratios;
 use crate::motion::broken::Broken;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
-use observed::{GrowthAtResonance, Observed};
+use observation::{GrowthAtResonance, Observation};
 
 /// Half turns that a periodic motion may take.
 const LONGEST: u64 = 128;
@@ -71,17 +71,17 @@ pub(crate) fn limit<F: Float>(
     let (mut lag, mut next_reference) = (0u64, 16u64);
     // Whether the motion returned to this reference, and to the one before.
     let (mut is_tried, mut was_tried) = (false, false);
-    let mut observed = Observed::new(budget.most);
+    let mut observation = Observation::new(budget.most);
     let mut change = F::int(0);
     let grows = GrowthAtResonance::of(&ratios);
     while budget.half_turns < budget.most {
-        let step = half_turns(equation, &y, 1, budget, |part| observed.add(part))?;
+        let step = half_turns(equation, &y, 1, budget, |part| observation.add(part))?;
         if let Some(position) = step.rest {
-            let position = if observed.is_upside_down { -position } else { position };
+            let position = if observation.is_upside_down { -position } else { position };
             let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
-            return Ok(LongRun::Rest(Rest { position, slides: Some(observed.slides), periods }));
+            return Ok(LongRun::Rest(Rest { position, slides: Some(observation.slides), periods }));
         }
-        observed.stretch(&step.derivative, budget.half_turns);
+        observation.stretch(&step.derivative, budget.half_turns);
         change = distance(&step.end, &y);
         if let Some(growth) = grows.as_ref().and_then(|grows| grows.seen(&y, &step.end)) {
             return Ok(LongRun::Unbounded { growth });
@@ -92,7 +92,7 @@ pub(crate) fn limit<F: Float>(
         if is_back && !is_tried {
             is_tried = true;
             for half_turns in [lag, lag.saturating_mul(2)] {
-                let here = observed.upright(&y);
+                let here = observation.upright(&y);
                 if let Some(found) = periodic(ratios, &here, half_turns, budget)? {
                     return Ok(found);
                 }
@@ -103,8 +103,9 @@ pub(crate) fn limit<F: Float>(
             (reference, lag, was_tried, is_tried) = (y, 0, is_tried, false);
         }
     }
-    let here = observed.upright(&y);
-    let irregular = if is_tried || was_tried { None } else { observed.irregular(&equation, &here, budget) };
+    let here = observation.upright(&y);
+    let irregular =
+        if is_tried || was_tried { None } else { observation.irregular(&equation, &here, budget) };
     Ok(irregular.map_or_else(|| unsettled(&equation, &here, change, budget), LongRun::Irregular))
 }
 

@@ -1,6 +1,6 @@
 //! The properties of a cycle of the motion: extrema, stops, work, and the paper's error measures.
 
-use super::propagation::{Part, Propagation, follow};
+use super::propagation::{MotionPart, Propagation, follow};
 use super::shooting::Budget;
 use crate::float::Float;
 use crate::motion::broken::Broken;
@@ -98,7 +98,8 @@ impl<F: Float> CycleStatistics<F> {
         }
         let mut longest: Option<(Slide<F>, F)> = None;
         propagation.each_part(equation, start, half_turns, budget, |part| {
-            if let Part::Slide(slide, VelocityZero { phi, .. }) | Part::Onward(slide, phi, ..) = part
+            if let MotionPart::Slide(slide, VelocityZero { phi, .. }) | MotionPart::Onward(slide, phi, ..) =
+                part
                 && longest.is_none_or(|(_, length)| *phi > length)
             {
                 longest = Some((*slide, *phi));
@@ -117,14 +118,14 @@ impl<F: Float> CycleStatistics<F> {
     ///
     /// # Errors
     /// As for [`Slide::fastest`].
-    pub(crate) fn add(&mut self, part: &Part<F>) -> Result<(), Broken> {
+    pub(crate) fn add(&mut self, part: &MotionPart<F>) -> Result<(), Broken> {
         match part {
-            Part::Slide(slide, end) => {
+            MotionPart::Slide(slide, end) => {
                 self.zeros = self.zeros.saturating_add(1);
                 self.slide(slide, end.phi, end.phase, &slide.motion_at(end))
             }
-            Part::Onward(slide, phi, phase, end) => self.slide(slide, *phi, *phase, end),
-            Part::Stick(_, length) => {
+            MotionPart::Onward(slide, phi, phase, end) => self.slide(slide, *phi, *phase, end),
+            MotionPart::Stick(_, length) => {
                 self.sticks = self.sticks.saturating_add(1);
                 self.rest = self.rest + *length;
                 Ok(())

@@ -3,9 +3,9 @@
 
 use super::matrix::Matrix;
 use super::measures::CycleStatistics;
-use super::propagation::{Part, follow, propagate};
+use super::propagation::{MotionPart, follow, propagate};
 use super::shooting::{Budget, Residual, is_known};
-use super::steady::{Found, SteadyState, Summary};
+use super::steady::{SteadyParts, SteadyState, Summary};
 use crate::float::Float;
 use crate::motion::broken::Broken;
 use crate::motion::slide::Direction;
@@ -13,7 +13,7 @@ use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
 
 /// Some half turns of a motion.
-pub(crate) struct Step<F> {
+pub(crate) struct MapStep<F> {
     /// The point at the end, with the opposite sign after an odd number of half turns.
     pub(crate) end: Point<F>,
     /// The derivative of the end by the state at the beginning.
@@ -30,18 +30,18 @@ pub(crate) fn half_turns<F: Float>(
     from: &Point<F>,
     m: u64,
     budget: &mut Budget<'_>,
-    mut visit: impl FnMut(&Part<F>),
-) -> Result<Step<F>, Broken> {
+    mut visit: impl FnMut(&MotionPart<F>),
+) -> Result<MapStep<F>, Broken> {
     let (mut rest, mut pattern) = (None, 0u64);
     let usual = F::pi() / equation.omega;
     let count = i64::try_from(m).unwrap_or(i64::MAX);
     let (end, derivative) = follow(equation, *from, count, usual, budget, |part| {
         let kind = match &part {
-            Part::Slide(slide, _) | Part::Onward(slide, ..) => match slide.direction {
+            MotionPart::Slide(slide, _) | MotionPart::Onward(slide, ..) => match slide.direction {
                 Direction::Forward => 1,
                 Direction::Backward => 2,
             },
-            Part::Stick(stick, _) => {
+            MotionPart::Stick(stick, _) => {
                 rest = if stick.release.is_none() { Some(stick.x) } else { None };
                 3
             }
@@ -53,9 +53,9 @@ pub(crate) fn half_turns<F: Float>(
     budget.spend(m);
     Ok(if m % 2 == 1 {
         let end = Point { phase: from.phase, x: -end.x, w: -end.w };
-        Step { end, derivative: derivative.negated(), rest, pattern }
+        MapStep { end, derivative: derivative.negated(), rest, pattern }
     } else {
-        Step { end: Point { phase: from.phase, ..end }, derivative, rest, pattern }
+        MapStep { end: Point { phase: from.phase, ..end }, derivative, rest, pattern }
     })
 }
 
@@ -73,7 +73,7 @@ pub(crate) fn steady<F: Float>(
     let once = propagate(equation, start, i64::from(half_turns), usual, Vec::new(), budget)?;
     let statistics = CycleStatistics::of_periodic(equation, start, i64::from(half_turns), &once, budget)?;
     let statistics = if m % 2 == 1 { statistics.doubled() } else { statistics };
-    Ok(SteadyState::of(Found {
+    Ok(SteadyState::of(SteadyParts {
         equation,
         start,
         half_turns,
@@ -110,7 +110,7 @@ impl<F: Float> Located<F> {
 pub(crate) struct Trial<F> {
     pub(crate) y: Point<F>,
     pub(crate) m: u64,
-    pub(crate) step: Step<F>,
+    pub(crate) step: MapStep<F>,
     pub(crate) left: Residual<F>,
 }
 

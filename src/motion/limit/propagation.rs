@@ -15,7 +15,7 @@ use crate::motion::trajectory::Next;
 
 /// A part of the motion: a slide or a stop, or the share of it within the time followed.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Part<F> {
+pub(crate) enum MotionPart<F> {
     /// A slide, and the velocity zero that ends it.
     Slide(Slide<F>, VelocityZero<F>),
     /// A slide that continues: its length in natural time, and the phase and the motion there.
@@ -31,7 +31,7 @@ pub(crate) struct Propagation<F> {
     /// The matrix that maps (δx, δw) at the beginning to the end.
     pub(crate) monodromy: Matrix<F>,
     /// The first parts, up to [`MOST_KEPT`].
-    pub(crate) parts: Vec<Part<F>>,
+    pub(crate) parts: Vec<MotionPart<F>>,
     /// How many parts there are, kept or not.
     pub(crate) count: u64,
     /// Whether the parts include a stop.
@@ -55,7 +55,7 @@ impl<F: Float> Propagation<F> {
         from: Point<F>,
         half_turns: i64,
         budget: &mut Budget<'_>,
-        mut visit: impl FnMut(&Part<F>) -> Result<(), Broken>,
+        mut visit: impl FnMut(&MotionPart<F>) -> Result<(), Broken>,
     ) -> Result<(), Broken> {
         if self.parts.len() as u64 == self.count {
             return self.parts.iter().try_for_each(visit);
@@ -74,13 +74,13 @@ pub(crate) fn propagate<F: Float>(
     from: Point<F>,
     half_turns: i64,
     hint: F,
-    mut parts: Vec<Part<F>>,
+    mut parts: Vec<MotionPart<F>>,
     budget: &mut Budget<'_>,
 ) -> Result<Propagation<F>, Broken> {
     parts.clear();
     let (mut left_out, mut sticks) = (0u64, false);
     let (end, monodromy) = follow(equation, from, half_turns, hint, budget, |part| {
-        sticks |= matches!(part, Part::Stick(..));
+        sticks |= matches!(part, MotionPart::Stick(..));
         if parts.len() < MOST_KEPT {
             parts.push(part);
         } else {
@@ -113,14 +113,14 @@ pub(crate) fn follow<F: Float>(
     half_turns: i64,
     hint: F,
     budget: &mut Budget<'_>,
-    mut visit: impl FnMut(Part<F>) -> Result<(), Broken>,
+    mut visit: impl FnMut(MotionPart<F>) -> Result<(), Broken>,
 ) -> Result<(Point<F>, Matrix<F>), Broken> {
     let (zero, one) = (F::int(0), F::int(1));
     let usual = F::pi() / equation.omega;
     let target = from.phase.later_by_half_turns(half_turns);
     let mut monodromy = Matrix::identity();
     let mut hint = hint;
-    let mut next = Next::from(equation, from.phase, from.x, from.w);
+    let mut next = Next::from_state(equation, from.phase, from.x, from.w);
     if matches!(next, Next::Stick(_)) {
         monodromy = monodromy.after_zero(zero);
     }
@@ -130,13 +130,13 @@ pub(crate) fn follow<F: Float>(
         match next {
             Next::Stick(stick) => match stick.release {
                 Some((phase, direction)) if target.since(phase) > zero => {
-                    visit(Part::Stick(stick, phase.since(stick.start)))?;
+                    visit(MotionPart::Stick(stick, phase.since(stick.start)))?;
                     let slide = Slide::released(equation, phase, stick.x, direction);
                     monodromy = monodromy.after_release(slide.gain_at_release());
                     next = Next::Slide(slide);
                 }
                 _ => {
-                    visit(Part::Stick(stick, target.since(stick.start)))?;
+                    visit(MotionPart::Stick(stick, target.since(stick.start)))?;
                     return Ok((Point { phase: target, x: stick.x, w: zero }, monodromy));
                 }
             },
@@ -144,7 +144,7 @@ pub(crate) fn follow<F: Float>(
                 let limit = target.since(slide.start) / equation.omega;
                 match slide.until(hint, limit).map_err(|Lost| slide.lost("the velocity zero"))? {
                     Outcome::Zero(end) => {
-                        visit(Part::Slide(slide, end))?;
+                        visit(MotionPart::Slide(slide, end))?;
                         next = Next::after(&slide, &end).0;
                         let ratio = match &next {
                             Next::Slide(on) if on.direction == slide.direction => one,
@@ -156,7 +156,7 @@ pub(crate) fn follow<F: Float>(
                     }
                     Outcome::Onward(motion) => {
                         let end = Point { phase: target, x: motion.x, w: motion.w };
-                        visit(Part::Onward(slide, limit, target, motion))?;
+                        visit(MotionPart::Onward(slide, limit, target, motion))?;
                         return Ok((end, monodromy.after_slide(motion.rotation, equation.damping)));
                     }
                 }

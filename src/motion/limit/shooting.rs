@@ -23,7 +23,7 @@
 //!   the closed-form cycle is taken where its residual is rounding.
 
 use super::matrix::Matrix;
-use super::propagation::{Part, Propagation, propagate};
+use super::propagation::{MotionPart, Propagation, propagate};
 use crate::float::Float;
 use crate::motion::broken::Broken;
 pub(crate) use crate::motion::broken::Budget;
@@ -116,8 +116,8 @@ fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, propagation: &Propag
 /// of `propagation`.
 fn first_zero<F: Float>(propagation: &Propagation<F>, usual: F, change: (F, F)) -> F {
     match propagation.parts.first() {
-        Some(Part::Slide(slide, zero)) => zero.expected(change, slide.equation.damping),
-        Some(Part::Onward(..) | Part::Stick(..)) | None => usual,
+        Some(MotionPart::Slide(slide, zero)) => zero.expected(change, slide.equation.damping),
+        Some(MotionPart::Onward(..) | MotionPart::Stick(..)) | None => usual,
     }
 }
 

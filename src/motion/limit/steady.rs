@@ -137,7 +137,7 @@ pub struct SteadyState<F> {
 }
 
 /// The parts from which a steady state is made.
-pub(crate) struct Found<F> {
+pub(crate) struct SteadyParts<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
     /// The number of half turns after which the state repeats, mirrored if the number is odd.
@@ -151,7 +151,7 @@ pub(crate) struct Found<F> {
 
 impl<F: Float> SteadyState<F> {
     #[inline]
-    pub(crate) fn of(found: Found<F>) -> Self {
+    pub(crate) fn of(found: SteadyParts<F>) -> Self {
         let (statistics, start, omega) = (found.statistics, found.start, found.equation.omega);
         let is_symmetric = found.half_turns % 2 == 1;
         Self {

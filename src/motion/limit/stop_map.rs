@@ -7,7 +7,7 @@
 //! (`matrix`).
 
 use super::matrix::{Matrix, reversal_ratio};
-use super::propagation::Part;
+use super::propagation::MotionPart;
 use super::shooting::{Budget, Residual};
 use crate::float::Float;
 use crate::motion::broken::Broken;
@@ -34,7 +34,7 @@ pub(crate) struct Passage<F> {
     /// The phase of the release.
     pub(crate) release: DrivePhase<F>,
     /// The slides and stops between the two stops.
-    pub(crate) parts: Vec<Part<F>>,
+    pub(crate) parts: Vec<MotionPart<F>>,
     /// The stop half a turn later.
     pub(crate) stop: Stick<F>,
     /// The residual `G(x) − x` and its rounding.
@@ -65,7 +65,7 @@ pub(crate) fn passage<F: Float>(
     station: Station,
     x: F,
     expected: Expected<'_, F>,
-    mut parts: Vec<Part<F>>,
+    mut parts: Vec<MotionPart<F>>,
     budget: &mut Budget<'_>,
 ) -> Result<Option<Passage<F>>, Broken> {
     parts.clear();
@@ -83,7 +83,7 @@ pub(crate) fn passage<F: Float>(
     while parts.len() < MOST_PARTS {
         budget.ask()?;
         let hint = match expected.by.and_then(|like| like.parts.get(parts.len())) {
-            Some(Part::Slide(before, zero)) if before.direction == slide.direction => {
+            Some(MotionPart::Slide(before, zero)) if before.direction == slide.direction => {
                 Some(before.expected_again(zero, &slide))
             }
             _ => None,
@@ -98,7 +98,7 @@ pub(crate) fn passage<F: Float>(
                 slide.velocity_zero(hint.unwrap_or(usual)).map_err(|Lost| slide.lost("the velocity zero"))?
             }
         };
-        parts.push(Part::Slide(slide, zero));
+        parts.push(MotionPart::Slide(slide, zero));
         let next = Next::after(&slide, &zero).0;
         let ratio = match &next {
             Next::Slide(on) if on.direction == slide.direction => F::int(1),
@@ -119,7 +119,7 @@ pub(crate) fn passage<F: Float>(
                 if phase.half_turns() > station.half_turn {
                     return Ok(None);
                 }
-                parts.push(Part::Stick(stop, phase.since(stop.start)));
+                parts.push(MotionPart::Stick(stop, phase.since(stop.start)));
                 slide = Slide::released(equation, phase, stop.x, direction);
             }
         }

@@ -17,9 +17,9 @@
 
 use super::long_run::LongRun;
 use super::measures::CycleStatistics;
-use super::propagation::Part;
+use super::propagation::MotionPart;
 use super::shooting::{Budget, Residual};
-use super::steady::{Found, SteadyState, Summary};
+use super::steady::{SteadyParts, SteadyState, Summary};
 use super::stop_map::{Expected, Passage, Station, passage};
 use crate::cycle::Border;
 use crate::cycle::damped::border::is_far_below;
@@ -235,11 +235,11 @@ fn steady<F: Float>(
     let mut statistics =
         CycleStatistics::at(&Point { phase: stop.start, x: stop.x, w: zero }, equation.omega);
     let length = found.release.since(stop.start);
-    statistics.add(&Part::Stick(stop, length))?;
+    statistics.add(&MotionPart::Stick(stop, length))?;
     let mut longest = None;
     for part in &found.parts {
         statistics.add(part)?;
-        if let Part::Slide(slide, end) = part
+        if let MotionPart::Slide(slide, end) = part
             && longest.is_none_or(|(_, most)| end.phi > most)
         {
             longest = Some((slide, end.phi));
@@ -258,7 +258,7 @@ fn steady<F: Float>(
     if !is_known || length < zero {
         return Ok(None);
     }
-    Ok(Some(LongRun::Periodic(SteadyState::of(Found {
+    Ok(Some(LongRun::Periodic(SteadyState::of(SteadyParts {
         equation,
         start: y,
         half_turns: 1,

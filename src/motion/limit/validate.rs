@@ -28,7 +28,7 @@
 use super::matrix::{Matrix, reversal_ratio};
 use super::measures::Extreme;
 use super::shooting::{Residual, is_known};
-use super::steady::{Found, SteadyState, Summary};
+use super::steady::{SteadyParts, SteadyState, Summary};
 use crate::cycle::Cycle;
 use crate::float::Float;
 use crate::motion::drive::DrivePhase;
@@ -79,7 +79,7 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
         return None;
     }
     let max_v = Extreme { value: middle.w / omega, phase: fastest };
-    Some(SteadyState::of(Found {
+    Some(SteadyState::of(SteadyParts {
         equation,
         start: y,
         half_turns: 1,

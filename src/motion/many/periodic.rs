@@ -135,7 +135,7 @@ pub fn periodic_motions_from<F: Float>(
     if ratios.alpha() <= F::int(1) {
         return Ok(found);
     }
-    let budget = &mut Budget::of(0).with(keep_going);
+    let budget = &mut Budget::of(0).while_allowed(keep_going);
     let most = 2 * u64::from(turns);
     let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
     let mut path = vec![y];

@@ -99,12 +99,12 @@ impl<F: Float> Symmetric<F> {
 }
 
 /// The machine, whose force ratio varies.
-struct Machine<F> {
+struct VariedForce<F> {
     ratios: Ratios<F>,
 }
 
-impl<F: Float> Machine<F> {
-    fn at(&self, alpha: F) -> Result<Ratios<F>, Error> {
+impl<F: Float> VariedForce<F> {
+    fn ratios_at(&self, alpha: F) -> Result<Ratios<F>, Error> {
         let ratios = Ratios::new(self.ratios.omega(), alpha)?;
         ratios
             .with_damping_ratio(self.ratios.damping_ratio())?
@@ -113,7 +113,7 @@ impl<F: Float> Machine<F> {
 
     /// The symmetric motion to which Newton's method converges from a state.
     fn symmetric(&self, alpha: F, seed: Point<F>) -> Result<Option<Symmetric<F>>, Error> {
-        let equation = Equation::new(resolved(self.at(alpha)?)?);
+        let equation = Equation::new(resolved(self.ratios_at(alpha)?)?);
         let budget = &mut Budget::of(0);
         let trial = Trial::at(equation, seed, 1, budget)?.newton_from_far(equation, budget)?;
         if trial.step.rest.is_some() || !trial.is_periodic(64) {
@@ -146,7 +146,7 @@ impl<F: Float> Machine<F> {
 
     /// The symmetric motions to which some starts and the given states lead.
     fn all(&self, alpha: F, known: &[Symmetric<F>]) -> Result<Vec<Symmetric<F>>, Error> {
-        let equation = Equation::new(resolved(self.at(alpha)?)?);
+        let equation = Equation::new(resolved(self.ratios_at(alpha)?)?);
         let origin = DrivePhase::of_half_turn(0, F::int(0));
         let mut seeds: Vec<Point<F>> = known.iter().map(|motion| motion.y).collect();
         for (place, speed) in [(0, 0), (1, -1), (-1, 1), (3, -3)] {
@@ -198,12 +198,12 @@ pub fn symmetry_breaks<F: Float>(
     high: F,
     steps: u32,
 ) -> Result<Vec<SymmetryBreak<F>>, Error> {
-    let machine = Machine { ratios };
+    let machine = VariedForce { ratios };
     let step = |i: u32| low + (high - low) * F::from_f64(f64::from(i)) / F::from_f64(f64::from(steps.max(1)));
     let mut breaks = Vec::new();
     if !ratios.has_higher_static_friction() {
         for alpha in [low, high] {
-            resolved(machine.at(alpha)?)?;
+            resolved(machine.ratios_at(alpha)?)?;
         }
         return Ok(breaks);
     }
@@ -224,7 +224,7 @@ pub fn symmetry_breaks<F: Float>(
 /// The force ratio at which a stable motion is lost on the way to another force ratio. If a stop merely
 /// appears or disappears, the motion is continued.
 fn lost<F: Float>(
-    machine: &Machine<F>,
+    machine: &VariedForce<F>,
     motion: &Symmetric<F>,
     to: F,
 ) -> Result<Option<SymmetryBreak<F>>, Error> {
@@ -263,7 +263,7 @@ fn lost<F: Float>(
         };
         return Ok(Some(SymmetryBreak { alpha: last.alpha, is_stable_above, loss, motion: last.steady }));
     }
-    let equation = Equation::new(machine.at(last.alpha)?);
+    let equation = Equation::new(machine.ratios_at(last.alpha)?);
     Err(equation.lost("the loss of a symmetric motion", last.y.phase, "256 changes of its stops").into())
 }
 

@@ -7,7 +7,7 @@ use crate::machine::error::{Error, written};
 use crate::motion::broken::Broken;
 use crate::motion::drive::DrivePhase;
 // The functions of natural time in the formulas of a slide, with or without damping.
-pub(crate) use crate::cycle::damped::resonance::Responses as Waves;
+pub(crate) use crate::cycle::damped::resonance::Responses;
 use crate::machine::ratios::Ratios;
 
 /// The equation of motion, with the constants that depend only on (Ω, α, ζ, η). α = 0 is free vibration.
@@ -26,16 +26,21 @@ pub(crate) struct Equation<F> {
 
 impl<F: Float> Equation<F> {
     pub(crate) fn new(ratios: Ratios<F>) -> Self {
-        Self::of(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), ratios.static_friction_ratio())
+        Self::with_constants(
+            ratios.omega(),
+            ratios.alpha(),
+            ratios.damping_ratio(),
+            ratios.static_friction_ratio(),
+        )
     }
 
     /// Free vibration with the damping ratio ζ and the static friction ratio η: no drive, and the unit of
     /// time 1/ω_n.
     pub(crate) fn free(zeta: F, eta: F) -> Self {
-        Self::of(F::int(1), F::int(0), zeta, eta)
+        Self::with_constants(F::int(1), F::int(0), zeta, eta)
     }
 
-    fn of(omega: F, alpha: F, zeta: F, static_friction: F) -> Self {
+    fn with_constants(omega: F, alpha: F, zeta: F, static_friction: F) -> Self {
         let (one, two) = (F::int(1), F::int(2));
         Self {
             omega,
@@ -86,19 +91,19 @@ impl<F: Float> Equation<F> {
 
     /// The free vibrations and the quotients C, S, D of `slide` at φ.
     #[cfg(test)]
-    pub(crate) fn waves(&self, phi: F) -> Waves<F> {
+    pub(crate) fn waves(&self, phi: F) -> Responses<F> {
         if self.is_damped() { self.damped_waves(phi) } else { self.undamped_waves(phi) }
     }
 
     /// The free vibrations and the quotients C, S, D of `slide` at φ, without damping.
     #[inline]
-    pub(crate) fn undamped_waves(&self, phi: F) -> Waves<F> {
+    pub(crate) fn undamped_waves(&self, phi: F) -> Responses<F> {
         let one = F::int(1);
-        let Parts { p: (sp, cp), sin_m: sm, free, drive } = self.parts(phi);
+        let WaveAngles { p: (sp, cp), sin_m: sm, free, drive } = self.wave_angles(phi);
         let q = if self.omega == one { phi } else { sm * self.double_per_one_minus };
         let qc = q * cp;
         let s = if self.omega < one { drive.0 - self.omega * qc } else { free.0 - qc };
-        Waves {
+        Responses {
             free,
             versine: versine(free),
             drive,
@@ -113,31 +118,31 @@ impl<F: Float> Equation<F> {
     /// Near Ω = 1 the angle m must keep its relative accuracy, and the two angles are p and m. Elsewhere φ
     /// and Ωφ must, and the two angles are their halves.
     #[inline]
-    fn parts(&self, phi: F) -> Parts<F> {
+    fn wave_angles(&self, phi: F) -> WaveAngles<F> {
         let (one, two) = (F::int(1), F::int(2));
         let sum = |(s, c): (F, F), (t, d): (F, F)| (s * d + c * t, c * d - s * t);
         let opposite = |(s, c): (F, F)| (-s, c);
         if self.omega * two >= one && self.omega <= two {
             let (half_sum, half_difference) = ((one + self.omega) / two, (one - self.omega) / two);
             let (p, m) = ((half_sum * phi).sin_cos(), (half_difference * phi).sin_cos());
-            return Parts { p, sin_m: m.0, free: sum(p, m), drive: sum(p, opposite(m)) };
+            return WaveAngles { p, sin_m: m.0, free: sum(p, m), drive: sum(p, opposite(m)) };
         }
         let half = phi / two;
         let (free, drive) = (half.sin_cos(), (self.omega * half).sin_cos());
         let p = sum(free, drive);
         let (sin_m, _) = sum(free, opposite(drive));
-        Parts { p, sin_m, free: sum(free, free), drive: sum(drive, drive) }
+        WaveAngles { p, sin_m, free: sum(free, free), drive: sum(drive, drive) }
     }
 
     /// The waves of `undamped_waves` at φ = π/Ω, from (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there `m = β
     /// − π/2` and `p = m + π`.
     #[inline]
-    pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Waves<F> {
+    pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Responses<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let q = -(cos_beta * self.double_per_one_minus);
         let qc = -(q * sin_beta);
         let free = (two * sin_beta * cos_beta, (cos_beta - sin_beta) * (cos_beta + sin_beta));
-        Waves {
+        Responses {
             free,
             versine: versine(free),
             drive: (zero, -one),
@@ -149,7 +154,7 @@ impl<F: Float> Equation<F> {
 }
 
 /// (sin, cos) of `p = (1 + Ω)φ/2`, φ and Ωφ, and the sine of `m = (1 − Ω)φ/2`.
-struct Parts<F> {
+struct WaveAngles<F> {
     p: (F, F),
     sin_m: F,
     free: (F, F),

@@ -3,7 +3,7 @@ use crate::cycle::equations::{displacement_phase, max_displacement};
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
 use crate::motion::drive::DrivePhase;
 use crate::motion::event::next_zero;
-use crate::motion::event::search::{Found, Verdict};
+use crate::motion::event::search::{FoundZero, Verdict};
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
 use crate::motion::{Kind, State, Trajectory};
@@ -48,7 +48,7 @@ fn a_short_step_on_is_the_motion() {
     let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
     let slide = Slide::new(equation, DrivePhase::of(0.3).unwrap(), -0.4, 1.1, Direction::Forward);
     for (at, step) in [(0.4, 2e-3), (1.3, -2e-3), (2.1, 1e-3)] {
-        let found = Found { at, step, motion: slide.motion(at), grazes: false };
+        let found = FoundZero { at, step, motion: slide.motion(at), grazes: false };
         let (zero, exact) = (slide.arrival::<false>(&found), slide.motion(at + step));
         let is = |a: f64, b: f64| assert!((a - b).abs() < 4e-11, "{at}: {a} {b}");
         is(zero.phi, at + step);

@@ -1,4 +1,4 @@
-use super::{MOST_KEPT, Part, follow, propagate};
+use super::{MOST_KEPT, MotionPart, follow, propagate};
 use crate::Error;
 use crate::Ratios;
 use crate::motion::DrivePhase;
@@ -56,10 +56,10 @@ fn parts_that_are_not_kept_are_met_again() {
     let mut budget = Budget::of(0);
     let propagation = propagate(equation, from, 1, 1.0, Vec::new(), &mut budget).unwrap();
     let mut starts = Vec::new();
-    let visit = |part: &Part<f64>| {
+    let visit = |part: &MotionPart<f64>| {
         starts.push(match part {
-            Part::Slide(slide, _) | Part::Onward(slide, ..) => slide.start,
-            Part::Stick(stick, _) => stick.start,
+            MotionPart::Slide(slide, _) | MotionPart::Onward(slide, ..) => slide.start,
+            MotionPart::Stick(stick, _) => stick.start,
         });
         Ok(())
     };
@@ -83,7 +83,7 @@ fn a_walk_is_broken_off() {
         if asked < 7 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
     let mut parts = 0;
-    let mut budget = Budget::of(0).with(&mut keep_going);
+    let mut budget = Budget::of(0).while_allowed(&mut keep_going);
     let count = |_| {
         parts += 1;
         Ok(())
@@ -122,7 +122,10 @@ fn a_turn_at_the_end_ends_it() {
                     "{ratios:?} {x:e} {w:e}: {propagation:?}"
                 );
                 assert!(propagation.parts.len() < 16, "{propagation:?}");
-                assert!(matches!(propagation.parts.last(), Some(Part::Onward(..) | Part::Stick(..))));
+                assert!(matches!(
+                    propagation.parts.last(),
+                    Some(MotionPart::Onward(..) | MotionPart::Stick(..))
+                ));
             }
         }
     }

@@ -1,6 +1,6 @@
 use super::{Sticking, fixed_point};
 use crate::Ratios;
-use crate::motion::limit::propagation::Part;
+use crate::motion::limit::propagation::MotionPart;
 use crate::motion::limit::shooting::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::State;
@@ -99,7 +99,7 @@ fn what_is_found_is_proved() {
         unproved += u32::from(!passage.is_proved);
         // The zeros are found again without a prediction.
         for part in &passage.parts {
-            let Part::Slide(slide, zero) = part else { continue };
+            let MotionPart::Slide(slide, zero) = part else { continue };
             let again = slide
                 .velocity_zero(std::f64::consts::PI / equation.omega)
                 .unwrap_or_else(|_| panic!("{slide:?}"));

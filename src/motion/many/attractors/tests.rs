@@ -7,9 +7,9 @@ use crate::motion::{LongRun, State};
 
 /// Maximum and minimum displacement, stops, turns, symmetry, and whether the mirror image counts, for each
 /// limit, ordered by the maximum displacement.
-type Found = (f64, f64, u32, u32, bool, bool);
+type ListedLimit = (f64, f64, u32, u32, bool, bool);
 
-fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
+fn found(ratios: Ratios<f64>, count: u32) -> Vec<ListedLimit> {
     let all = attractors(ratios, &starts(count, 10.0), 1000).unwrap();
     assert_eq!(all.unsettled(), 0);
     assert_eq!(all.limits.iter().map(|limit| limit.starts).sum::<u64>(), u64::from(count));
@@ -36,8 +36,8 @@ fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
     found
 }
 
-fn same(found: &[Found], expected: &[Found]) {
-    let is = |a: &Found, b: &Found| {
+fn same(found: &[ListedLimit], expected: &[ListedLimit]) {
+    let is = |a: &ListedLimit, b: &ListedLimit| {
         let close = (a.0 - b.0).abs() < 1e-6 && (a.1 - b.1).abs() < 1e-6;
         close && (a.2, a.3, a.4, a.5) == (b.2, b.3, b.4, b.5)
     };

@@ -1,7 +1,7 @@
 //! The functions of natural time with viscous damping; near resonance they come from
 //! `cycle::damped::resonance`.
 
-use super::{Equation, Waves};
+use super::{Equation, Responses};
 use crate::cycle::damped::free::Free;
 use crate::float::Float;
 
@@ -65,11 +65,11 @@ impl<F: Float> Equation<F> {
     /// The free vibrations and the quotients C, S, D of `slide` at φ, with damping.
     #[cold]
     #[inline(never)]
-    pub(crate) fn damped_waves(&self, phi: F) -> Waves<F> {
+    pub(crate) fn damped_waves(&self, phi: F) -> Responses<F> {
         let (one, two, eight) = (F::int(1), F::int(2), F::int(8));
         let near = self.omega * two >= one && self.omega <= two && self.damping * F::int(4) < one;
         if near && phi * eight <= F::int(1000) {
-            return Waves::new(self.omega, &self.vibration(), phi);
+            return Responses::new(self.omega, &self.vibration(), phi);
         }
         let free = self.vibration();
         let at = free.waves(phi);
@@ -80,7 +80,7 @@ impl<F: Float> Equation<F> {
         let square = real.square() + imaginary.square();
         let (above, beside) = (drive.1 - c, drive.0 - self.omega * s);
         let sine = (beside * real - above * imaginary) / square;
-        Waves {
+        Responses {
             free: (s, c),
             versine: free.step_response(phi, s),
             drive,

@@ -5,7 +5,7 @@ use crate::float::Float;
 use crate::machine::ratios::Ratios;
 use crate::motion::limit::irregular::Irregular;
 use crate::motion::limit::matrix::Matrix;
-use crate::motion::limit::propagation::Part;
+use crate::motion::limit::propagation::MotionPart;
 use crate::motion::limit::shooting::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
@@ -36,7 +36,7 @@ impl<F: Float> GrowthAtResonance<F> {
 }
 
 /// Observation of a motion while it is followed.
-pub(super) struct Observed<F> {
+pub(super) struct Observation<F> {
     /// The number of half turns before the observation begins, and the number in one part of the time.
     from: u64,
     part: u64,
@@ -52,7 +52,7 @@ pub(super) struct Observed<F> {
     pub(super) slides: u64,
 }
 
-impl<F: Float> Observed<F> {
+impl<F: Float> Observation<F> {
     pub(super) fn new(most: u64) -> Self {
         let from = most / 4;
         Self {
@@ -70,14 +70,14 @@ impl<F: Float> Observed<F> {
         }
     }
 
-    pub(super) fn add(&mut self, part: &Part<F>) {
+    pub(super) fn add(&mut self, part: &MotionPart<F>) {
         let x = match part {
-            Part::Slide(_, end) => {
+            MotionPart::Slide(_, end) => {
                 self.slides = self.slides.saturating_add(1);
                 end.x
             }
-            Part::Onward(_, _, _, motion) => motion.x,
-            Part::Stick(stick, _) => {
+            MotionPart::Onward(_, _, _, motion) => motion.x,
+            MotionPart::Stick(stick, _) => {
                 self.stops = self.stops.saturating_add(u64::from(self.is_counting));
                 stick.x
             }
