@@ -9,7 +9,7 @@
 //! such proof, and the bands are searched (`damped`).
 
 use super::band::{Band, Edge};
-use super::damped::{Damper, Search};
+use super::damped::{BandSearch, Damper};
 use super::force::ratios_of;
 use crate::cycle::Border;
 use crate::cycle::border::{Lobe, ordered_lobes};
@@ -26,22 +26,22 @@ pub struct Bands<F> {
     alpha: F,
     low: F,
     high: F,
-    source: Source<F>,
-    frequency: Option<Frequency<F>>,
+    method: Method<F>,
+    frequency: Option<FrequencyScale<F>>,
 }
 
 /// The method that finds the bands.
 #[derive(Debug, Clone)]
-enum Source<F> {
+enum Method<F> {
     /// The lobes that remain, from the next to the last.
     Lobes(Option<Lobe>, Lobe),
     /// A search, with a damper.
-    Searched(Box<Search<F>>),
+    Searched(Box<BandSearch<F>>),
 }
 
 /// The factor from frequency ratios to angular frequencies.
 #[derive(Debug, Clone, Copy)]
-struct Frequency<F> {
+struct FrequencyScale<F> {
     natural: F,
     low: F,
     high: F,
@@ -89,8 +89,8 @@ pub(super) fn bands_with<F: Float>(alpha: F, damper: Damper<F>, low: F, high: F)
         let quantity = Quantity::FrequencyRatio;
         return Err(Error::EmptyRange { quantity, low: written(low), high: written(high) });
     }
-    let source = Source::Searched(Box::new(Search::new(alpha, damper, low, high)?));
-    Ok(Bands { alpha, low, high, source, frequency: None })
+    let method = Method::Searched(Box::new(BandSearch::new(alpha, damper, low, high)?));
+    Ok(Bands { alpha, low, high, method, frequency: None })
 }
 
 /// The bands without damping, lobe by lobe.
@@ -102,7 +102,7 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
     // The conversion of a float to an integer saturates.
     let reachable = ((1.0 + alpha.to_f64()).sqrt() / 2.0) as u16;
     let next = first.min(Lobe::new(reachable)).max(last);
-    Ok(Bands { alpha, low, high, source: Source::Lobes(Some(next), last), frequency: None })
+    Ok(Bands { alpha, low, high, method: Method::Lobes(Some(next), last), frequency: None })
 }
 
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
@@ -126,7 +126,7 @@ pub fn frequency_bands<F: Float>(
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
     let ratio = |frequency: F| Ok::<F, Error>(ratios_of(body, frequency)?.omega());
     let found = bands(alpha, body.damping_ratio(), ratio(low)?, ratio(high)?)?;
-    Ok(Bands { frequency: Some(Frequency { natural, low, high }), ..found })
+    Ok(Bands { frequency: Some(FrequencyScale { natural, low, high }), ..found })
 }
 
 impl<F: Float> Iterator for Bands<F> {
@@ -134,9 +134,9 @@ impl<F: Float> Iterator for Bands<F> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            let found = match &mut self.source {
-                Source::Searched(search) => Ok(Some(search.next()?)),
-                Source::Lobes(next, last) => {
+            let found = match &mut self.method {
+                Method::Searched(search) => Ok(Some(search.next()?)),
+                Method::Lobes(next, last) => {
                     let lobe = (*next)?;
                     *next = if lobe == *last { None } else { lobe.above() };
                     band_in(lobe, self.alpha, self.low, self.high)
@@ -154,15 +154,15 @@ impl<F: Float> Iterator for Bands<F> {
 impl<F: Float> Bands<F> {
     /// The least value of the border found by a search so far.
     pub(super) fn least(&self) -> Option<F> {
-        match &self.source {
-            Source::Searched(search) => search.least(),
-            Source::Lobes(..) => None,
+        match &self.method {
+            Method::Searched(search) => search.least(),
+            Method::Lobes(..) => None,
         }
     }
 
     /// The band in physical units.
     fn in_units(&self, band: Band<F>) -> Band<F> {
-        let Some(Frequency { natural, low, high }) = self.frequency else { return band };
+        let Some(FrequencyScale { natural, low, high }) = self.frequency else { return band };
         let end = |edge, range: F, ratio: F| match edge {
             Edge::Range => range,
             Edge::Border => ratio * natural,

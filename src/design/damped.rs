@@ -87,29 +87,29 @@ const HALF_TURNS: i32 = 1 << 17;
 
 /// A point of the mesh: Ω, and α minus the border at Ω, which is not negative where the body slides.
 #[derive(Debug, Clone, Copy)]
-struct Node<F> {
+struct MeshPoint<F> {
     omega: F,
     excess: F,
 }
 
 /// The bands of a range, by increasing frequency, where the body has a damper.
 #[derive(Debug, Clone)]
-pub(super) struct Search<F> {
+pub(super) struct BandSearch<F> {
     alpha: F,
     damper: Damper<F>,
     /// The ends of the requested range.
     range: (F, F),
     next: Option<F>,
     /// The last point that was returned, and the point that waits for its neighbour.
-    last: Option<Node<F>>,
-    waiting: Option<Node<F>>,
-    ready: VecDeque<Node<F>>,
+    last: Option<MeshPoint<F>>,
+    waiting: Option<MeshPoint<F>>,
+    ready: VecDeque<MeshPoint<F>>,
     /// The last point of the previous band.
-    before: Option<Node<F>>,
+    before: Option<MeshPoint<F>>,
     least: Option<F>,
 }
 
-impl<F: Float> Search<F> {
+impl<F: Float> BandSearch<F> {
     /// The search at α in the range `[low, high]`, which is valid.
     ///
     /// # Errors
@@ -156,19 +156,19 @@ impl<F: Float> Search<F> {
     }
 
     /// The next point of the mesh.
-    fn advance(&mut self) -> Option<Node<F>> {
+    fn advance(&mut self) -> Option<MeshPoint<F>> {
         let omega = self.next?;
         let high = self.range.1;
         let after = self.damper.next(omega);
         self.next = (omega < high).then(|| if after < high { after } else { high });
-        let found = Node { omega, excess: self.excess(omega) };
+        let found = MeshPoint { omega, excess: self.excess(omega) };
         let least = self.alpha - found.excess;
         self.least = Some(self.least.map_or(least, |old| if least < old { least } else { old }));
         Some(found)
     }
 
     /// The next point of the mesh, or an extremum between points that may be on the other side of α.
-    fn node(&mut self) -> Option<Node<F>> {
+    fn node(&mut self) -> Option<MeshPoint<F>> {
         loop {
             if let Some(node) = self.ready.pop_front() {
                 return Some(node);
@@ -191,12 +191,17 @@ impl<F: Float> Search<F> {
     /// The extremum next to the middle one of three points on one side of α, if the middle one is nearest to
     /// α and the extremum is on the other side of it. At an end of the range one of the neighbours is
     /// missing.
-    fn hidden(&self, first: Option<Node<F>>, middle: Node<F>, last: Option<Node<F>>) -> Option<Node<F>> {
+    fn hidden(
+        &self,
+        first: Option<MeshPoint<F>>,
+        middle: MeshPoint<F>,
+        last: Option<MeshPoint<F>>,
+    ) -> Option<MeshPoint<F>> {
         let zero = F::int(0);
         let slides = middle.excess >= zero;
         let sign = F::int(if slides { 1 } else { -1 });
-        let is_side = |node: Node<F>| (node.excess >= zero) == slides;
-        let is_nearer = |node: Node<F>| sign * middle.excess <= sign * node.excess;
+        let is_side = |node: MeshPoint<F>| (node.excess >= zero) == slides;
+        let is_nearer = |node: MeshPoint<F>| sign * middle.excess <= sign * node.excess;
         let neighbours = first.into_iter().chain(last);
         let is_nearest = neighbours.clone().all(|node| is_side(node) && is_nearer(node));
         // On a mesh that resolves the border an extremum differs little from its neighbours.
@@ -205,19 +210,19 @@ impl<F: Float> Search<F> {
             return None;
         }
         let depth = |omega: F| -(sign * self.excess(omega));
-        let place = |node: Option<Node<F>>| node.unwrap_or(middle).omega;
+        let place = |node: Option<MeshPoint<F>>| node.unwrap_or(middle).omega;
         let omega = highest(place(first), place(last), depth, |depth| depth > zero);
-        let found = Node { omega, excess: self.excess(omega) };
+        let found = MeshPoint { omega, excess: self.excess(omega) };
         (!is_side(found)).then_some(found)
     }
 }
 
-impl<F: Float> Iterator for Search<F> {
+impl<F: Float> Iterator for BandSearch<F> {
     type Item = Band<F>;
 
     fn next(&mut self) -> Option<Band<F>> {
         let zero = F::int(0);
-        let mut open: Option<(F, Edge, Node<F>)> = None;
+        let mut open: Option<(F, Edge, MeshPoint<F>)> = None;
         while let Some(node) = self.node() {
             let slides = node.excess >= zero;
             let previous = self.before.replace(node);

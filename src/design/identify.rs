@@ -27,7 +27,7 @@ use crate::motion::{State, Trajectory};
 use crate::uncertainty::Estimate;
 use core::f64::consts::{SQRT_2, TAU};
 use outliers::{Judged, is_larger, judge};
-use search::{Curve, Fit, Grid, Point, RANGE, Rule, kept};
+use search::{Fit, MeasuredPoint, RANGE, ResponseCurve, Rule, StartGrid, kept};
 use std::iter::zip;
 
 /// One point of a measured response curve.
@@ -206,8 +206,8 @@ pub fn identify_as(
         return Err(Error::TooFewMeasurements { count: points.len() });
     }
     let some = sample(&points);
-    let Chosen { phase, start, better, grid } = chosen(&some, reading)?;
-    let curve = Curve { points: &points, ..Curve::of(&some, reading.amplitude, phase) };
+    let ChosenReading { phase, start, better, grid } = chosen(&some, reading)?;
+    let curve = ResponseCurve { points: &points, ..ResponseCurve::of(&some, reading.amplitude, phase) };
     let found = judge(&curve, start, (some.len() == points.len()).then_some(&grid))?;
     let [kappa, zeta] = found.at;
     for (x, (_, end), quantity) in
@@ -242,13 +242,13 @@ pub fn identify_as(
 const SAMPLE: usize = 200;
 
 /// Evenly chosen measurements.
-fn sample(points: &[Point]) -> Vec<Point> {
+fn sample(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
     let every = points.len().div_ceil(SAMPLE).max(1);
     points.iter().copied().step_by(every).collect()
 }
 
 /// A measurement in ratios.
-fn in_ratios(body: &Oscillator<f64>, force: f64, measured: &Measurement) -> Result<Point, Error> {
+fn in_ratios(body: &Oscillator<f64>, force: f64, measured: &Measurement) -> Result<MeasuredPoint, Error> {
     let drive = Drive::new(Excitation::Force, force, measured.angular_frequency)?;
     let ratios = Ratios::new(drive.angular_frequency() / body.natural_frequency(), 2.0)?;
     if ratios.omega() >= model::SLOW {
@@ -266,23 +266,23 @@ fn in_ratios(body: &Oscillator<f64>, force: f64, measured: &Measurement) -> Resu
             greatest: written(TAU),
         });
     }
-    Ok(Point { omega: ratios.omega(), amplitude, phase })
+    Ok(MeasuredPoint { omega: ratios.omega(), amplitude, phase })
 }
 
-impl<'a> Curve<'a> {
-    fn of(points: &'a [Point], amplitude: AmplitudeKind, phase: PhaseKind) -> Self {
+impl<'a> ResponseCurve<'a> {
+    fn of(points: &'a [MeasuredPoint], amplitude: AmplitudeKind, phase: PhaseKind) -> Self {
         let scale = if amplitude == AmplitudeKind::PeakToPeak { 0.5 } else { 1.0 };
         Self { points, amplitude, phase, scale }
     }
 }
 
 /// The kind of the phases, the best trimmed fit, and another kind of amplitude if that fits better.
-struct Chosen {
+struct ChosenReading {
     phase: PhaseKind,
     start: model::Parameters,
     better: Option<BetterReading>,
     /// The starts, with the motions that the reading needs.
-    grid: Grid,
+    grid: StartGrid,
 }
 
 /// The root mean square of the residuals of a trimmed fit below which no other kind of amplitude is tried.
@@ -291,14 +291,14 @@ const EXPLAINED: f64 = 0.01;
 /// The numbers of starts of the reading asked for, and of the others.
 const STARTS: [usize; 2] = [4, 2];
 
-fn chosen(points: &[Point], reading: Reading) -> Result<Chosen, Error> {
+fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, Error> {
     let [many, few] = STARTS;
-    let curve = |phase| Curve::of(points, reading.amplitude, phase);
+    let curve = |phase| ResponseCurve::of(points, reading.amplitude, phase);
     let mut best = curve(reading.phase.unwrap_or(PhaseKind::Peak));
-    let mut grid = Grid::of(&best);
+    let mut grid = StartGrid::of(&best);
     let mut fit = grid.best(&best, Rule::Trimmed, many)?;
     if reading.phase.is_none() && phases_fit_badly(&fit, points.len()) {
-        let of_whole = Grid::of(&curve(PhaseKind::Lag));
+        let of_whole = StartGrid::of(&curve(PhaseKind::Lag));
         let mut others = Vec::new();
         for phase in [PhaseKind::Lag, PhaseKind::TransferFunction] {
             others.extend(
@@ -318,9 +318,9 @@ fn chosen(points: &[Point], reading: Reading) -> Result<Chosen, Error> {
         AmplitudeKind::PeakToPeak => [(AmplitudeKind::Peak, 1.0), (rms, SQRT_2)],
         AmplitudeKind::RootMeanSquare => [(AmplitudeKind::Peak, 1.0), (AmplitudeKind::PeakToPeak, half)],
     };
-    let mut better: Option<(AmplitudeKind, Curve<'_>, Fit)> = None;
+    let mut better: Option<(AmplitudeKind, ResponseCurve<'_>, Fit)> = None;
     for (kind, scale) in others.into_iter().filter(|_| !is_explained(&fit)) {
-        let other = Curve { amplitude: AmplitudeKind::Peak, scale, ..best };
+        let other = ResponseCurve { amplitude: AmplitudeKind::Peak, scale, ..best };
         let Ok(found) = grid.best(&other, Rule::Trimmed, few) else { continue };
         if is_better(&best, &fit, &found) && better.as_ref().is_none_or(|(.., b)| found.sum < b.sum) {
             better = Some((kind, other, found));
@@ -330,7 +330,7 @@ fn chosen(points: &[Point], reading: Reading) -> Result<Chosen, Error> {
         let noise = judge(&other, found.at, None).ok()?.noise[0];
         Some(BetterReading { amplitude, noise })
     });
-    Ok(Chosen { phase: best.phase, start: fit.at, better, grid })
+    Ok(ChosenReading { phase: best.phase, start: fit.at, better, grid })
 }
 
 /// Whether the phases that a trimmed fit keeps are off by more than a tenth of a radian on average.
@@ -341,19 +341,22 @@ fn phases_fit_badly(fit: &Fit, amplitudes: usize) -> bool {
 }
 
 /// Whether another trimmed fit of the same curve is better by more than chance.
-fn is_better(curve: &Curve<'_>, fit: &Fit, other: &Fit) -> bool {
+fn is_better(curve: &ResponseCurve<'_>, fit: &Fit, other: &Fit) -> bool {
     let count: usize = curve.counts().into_iter().map(kept).sum();
     let degrees_of_freedom = count.saturating_sub(2) as f64;
     is_larger(fit.sum / other.sum, [degrees_of_freedom; 2])
 }
 
 /// The residuals, by measurement.
-fn residuals(curve: &Curve<'_>, found: &Judged) -> Result<Vec<Residual>, Error> {
+fn residuals(curve: &ResponseCurve<'_>, found: &Judged) -> Result<Vec<Residual>, Error> {
     let motions = curve.motions(found.at).ok_or(Error::NotIdentified)?;
     let (amplitudes, phases) = found.residuals.split_at(curve.points.len().min(found.residuals.len()));
     let (suspect, suspect_phases) = found.suspect.split_at(amplitudes.len());
     let mut phases = zip(phases, suspect_phases);
-    let of = |((point, motion), (amplitude, is_suspect)): ((&Point, &model::Motion), (&f64, &bool))| {
+    let of = |((point, motion), (amplitude, is_suspect)): (
+        (&MeasuredPoint, &model::ModelMotion),
+        (&f64, &bool),
+    )| {
         let phase = point.phase.and_then(|_| phases.next());
         Residual {
             amplitude: *amplitude,

@@ -116,7 +116,7 @@ fn bound_between<F: Float>(at_low: F, low: F, high: F) -> F {
 }
 
 /// The largest A₁ found, its place, and a bound on all values examined.
-struct Search<F> {
+struct LoopSearch<F> {
     omega: F,
     zeta: F,
     share: F,
@@ -126,8 +126,8 @@ struct Search<F> {
     motions: u32,
 }
 
-impl<F: Float> Search<F> {
-    fn at(&mut self, share: F) -> Result<LoopSize<F>, Error> {
+impl<F: Float> LoopSearch<F> {
+    fn loop_size_at(&mut self, share: F) -> Result<LoopSize<F>, Error> {
         let size = loop_size_of_motion(self.omega, F::int(1) / share, self.zeta)?;
         self.motions = self.motions.saturating_add(1);
         if size.found > self.loop_size {
@@ -151,7 +151,7 @@ impl<F: Float> Search<F> {
         for i in 1..=COARSE {
             let next = low + (high - low) * F::ratio(i, COARSE);
             left.push((from.0, next, from.1));
-            from = (next, self.at(next)?.most);
+            from = (next, self.loop_size_at(next)?.most);
         }
         self.refine(low, high, (high - low) / F::int(COARSE))?;
         while let Some((low, high, at_low)) = left.pop() {
@@ -165,7 +165,7 @@ impl<F: Float> Search<F> {
                 self.bound = self.bound.or_larger(bound);
                 continue;
             }
-            let at_middle = self.at(middle)?.most;
+            let at_middle = self.loop_size_at(middle)?.most;
             left.push((low, middle, at_low));
             left.push((middle, high, at_middle));
         }
@@ -179,16 +179,16 @@ impl<F: Float> Search<F> {
         let (mut a, mut b) = (self.share - width, self.share + width);
         (a, b) = (a.or_larger(low), if b < high { b } else { high });
         let (mut c, mut d) = (a + golden * (b - a), b - golden * (b - a));
-        let (mut at_c, mut at_d) = (self.at(c)?.found, self.at(d)?.found);
+        let (mut at_c, mut at_d) = (self.loop_size_at(c)?.found, self.loop_size_at(d)?.found);
         while (b - a).square() > F::epsilon() * b.square() {
             if at_c >= at_d {
                 (b, d, at_d) = (d, c, at_c);
                 c = a + golden * (b - a);
-                at_c = self.at(c)?.found;
+                at_c = self.loop_size_at(c)?.found;
             } else {
                 (a, c, at_c) = (c, d, at_d);
                 d = b - golden * (b - a);
-                at_d = self.at(d)?.found;
+                at_d = self.loop_size_at(d)?.found;
             }
         }
         Ok(())
@@ -235,7 +235,7 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let most = LoopSize::closed(non_sticking.value).most;
     // The best cycle without sticking is the first candidate; its place may be the border.
     let mut sticking =
-        Search { omega, zeta, share, loop_size: non_sticking.value, bound: most, tolerance, motions: 0 };
+        LoopSearch { omega, zeta, share, loop_size: non_sticking.value, bound: most, tolerance, motions: 0 };
     sticking.exhaust(share, one, at_border)?;
     let inside = sticking.share > share && sticking.loop_size > non_sticking.value;
     let (at, value, kind) = if inside {

@@ -22,7 +22,7 @@ use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity, written};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::{Ratios, positive};
-use work::Work;
+use work::FrictionWork;
 
 /// The number of harmonics of the friction, even ones included, whose resonances lie in the first part of the
 /// range; each further part has twice as many.
@@ -50,7 +50,7 @@ pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> 
 /// 0`.
 fn best_frequency_ratio<F: Float>(alpha: F, gamma: F, low: F, high: F) -> Result<Optimum<F>, Error> {
     let (one, two) = (F::int(1), F::int(2));
-    let work = Work::new(alpha, gamma);
+    let work = FrictionWork::new(alpha, gamma);
     let mut best: Option<Optimum<F>> = None;
     let mut least: Option<F> = None;
     let (mut top, mut harmonics) = (high, F::int(HARMONICS));
@@ -99,7 +99,7 @@ fn work_of<F: Float>(loop_size: F, alpha: F) -> F {
 
 /// The larger of the largest A₂ of one band and the `best` so far.
 fn best_of_band<F: Float>(
-    work: &Work<F>,
+    work: &FrictionWork<F>,
     alpha: F,
     gamma: F,
     (low, high): (F, F),

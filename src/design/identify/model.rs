@@ -24,7 +24,7 @@ const SAMPLES: u32 = 256;
 
 /// One steady motion; displacements in units of p₀/k.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Motion {
+pub(super) struct ModelMotion {
     /// Maximum displacement.
     pub(super) peak: f64,
     /// The phase ω_d t at which the body arrives at its maximum displacement.
@@ -49,7 +49,7 @@ pub(super) struct Whole {
 ///
 /// Where the two-reversal cycle exists it is the closed form, otherwise the exact motion. Both meet on the
 /// border. `None` where the exact motion is not found.
-pub(super) fn motion(omega: f64, [kappa, zeta]: Parameters, whole: bool) -> Option<Motion> {
+pub(super) fn motion(omega: f64, [kappa, zeta]: Parameters, whole: bool) -> Option<ModelMotion> {
     let half = damped::half_period_at(omega, zeta.max(LEAST_DAMPING));
     let on_turning_point = half.k.hypot(half.stiffness * turning_point(&half));
     if kappa * on_turning_point <= 1.0 && kappa * damped::border(&half).min_force_ratio <= 1.0 {
@@ -63,7 +63,7 @@ pub(super) fn motion(omega: f64, [kappa, zeta]: Parameters, whole: bool) -> Opti
     let limit = LongRun::from_start(ratios, crate::motion::State::default()).ok()?;
     let Some(steady) = limit.steady_state() else {
         // A body at rest has no amplitude; other limits are not those of a measurement.
-        let at_rest = Motion {
+        let at_rest = ModelMotion {
             peak: 0.0,
             peak_phase: half.phase_lag() + FRAC_PI_2,
             stops: true,
@@ -71,7 +71,7 @@ pub(super) fn motion(omega: f64, [kappa, zeta]: Parameters, whole: bool) -> Opti
         };
         return matches!(limit, LongRun::Rest(_)).then_some(at_rest);
     };
-    Some(Motion {
+    Some(ModelMotion {
         peak: kappa * steady.max_displacement.value,
         peak_phase: steady.max_displacement.phase.reduced(),
         stops: steady.sticks_per_cycle > 0,
@@ -80,11 +80,11 @@ pub(super) fn motion(omega: f64, [kappa, zeta]: Parameters, whole: bool) -> Opti
 }
 
 /// The cycle of two reversals: `Δ₀ = √(1 − κ²K²)/q − κG`, `ω_d t₂ = δ + atan2(√(1 − κ²K²), κK)`.
-fn sliding(half: &HalfPeriod<f64>, kappa: f64, whole: bool) -> Motion {
+fn sliding(half: &HalfPeriod<f64>, kappa: f64, whole: bool) -> ModelMotion {
     let cosine = kappa * half.k;
     let sine = ((1.0 - cosine) * (1.0 + cosine)).max(0.0).sqrt();
     let peak_phase = half.phase_lag() + sine.atan2(cosine);
-    Motion {
+    ModelMotion {
         peak: sine / half.stiffness - kappa * half.shift,
         peak_phase,
         stops: false,
@@ -116,7 +116,7 @@ fn harmonics(half: &HalfPeriod<f64>, kappa: f64, peak_phase: f64) -> Whole {
 }
 
 /// A motion so slow that the body follows the force within the play 2κ of friction; at rest from κ = 1/q on.
-fn slow(half: &HalfPeriod<f64>, kappa: f64, whole: bool) -> Motion {
+fn slow(half: &HalfPeriod<f64>, kappa: f64, whole: bool) -> ModelMotion {
     let (size, lag) = (1.0 / half.stiffness, half.phase_lag());
     let peak = (size - kappa).max(0.0);
     // The sum begins at the maximum, which the body has reached in any earlier cycle.
@@ -127,7 +127,7 @@ fn slow(half: &HalfPeriod<f64>, kappa: f64, whole: bool) -> Motion {
         place = place.clamp(force - kappa, force + kappa);
         (theta + lag, place)
     });
-    Motion {
+    ModelMotion {
         peak,
         peak_phase: lag + FRAC_PI_2,
         stops: true,

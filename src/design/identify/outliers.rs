@@ -1,7 +1,7 @@
 //! Measurements that do not belong to the curve, and the least squares over the others.
 
 use super::model::Parameters;
-use super::search::{Curve, Fit, Grid, Rule, descend, kept};
+use super::search::{Fit, ResponseCurve, Rule, StartGrid, descend, kept};
 use crate::machine::error::Error;
 use crate::uncertainty::student;
 use core::f64::consts::TAU;
@@ -36,7 +36,7 @@ const STARTS: usize = 3;
 
 /// The place of a value in the selection.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Place {
+enum Selection {
     Counted,
     Outside,
     /// The value was counted and is now left out.
@@ -45,7 +45,7 @@ enum Place {
     Restored,
 }
 
-impl Place {
+impl Selection {
     fn counts(self) -> bool {
         matches!(self, Self::Counted | Self::Restored)
     }
@@ -65,7 +65,11 @@ pub(super) fn is_larger(ratio: f64, degrees: [f64; 2]) -> bool {
 ///
 /// # Errors
 /// [`Error::NotIdentified`] where the selection or a descent does not end.
-pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -> Result<Judged, Error> {
+pub(super) fn judge(
+    curve: &ResponseCurve<'_>,
+    start: Parameters,
+    grid: Option<&StartGrid>,
+) -> Result<Judged, Error> {
     let counts = curve.counts();
     let trimmed = descend(curve, Rule::Trimmed, start)?;
     let spread = spread(&trimmed.residuals, counts);
@@ -73,8 +77,9 @@ pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -
     let mut places = core(curve, &trimmed, spread)?;
     let mut at = trimmed.at;
     for round in 0..ROUNDS {
-        let weight =
-            |(i, place): (usize, &Place)| if place.counts() { of_kind(i, counts, [1.0, ratio]) } else { 0.0 };
+        let weight = |(i, place): (usize, &Selection)| {
+            if place.counts() { of_kind(i, counts, [1.0, ratio]) } else { 0.0 }
+        };
         let weights: Vec<f64> = places.iter().enumerate().map(weight).collect();
         let fit = descend(curve, Rule::Weighted(&weights), at)?;
         at = fit.at;
@@ -94,7 +99,7 @@ pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -
                 .max(LEAST_NOISE)
                 .hypot(of_prediction(covariance, slope));
             if !place.counts() && r.abs() <= limit * error {
-                *place = if *place == Place::Outside { Place::Counted } else { Place::Restored };
+                *place = if *place == Selection::Outside { Selection::Counted } else { Selection::Restored };
                 has_changed = true;
             }
         }
@@ -114,12 +119,12 @@ pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -
                 // A value that alone determines a parameter has no residual.
                 if rest > 1e-6 { (own / others.max(LEAST_NOISE.powi(2))).sqrt() / limit } else { 0.0 }
             };
-            let counted = (0..places.len()).filter(|&i| places.get(i) == Some(&Place::Counted));
+            let counted = (0..places.len()).filter(|&i| places.get(i) == Some(&Selection::Counted));
             let worst = counted.max_by(|&i, &j| beyond(i).total_cmp(&beyond(j)));
             if let Some(worst) = worst.filter(|&i| beyond(i) > 1.0)
                 && let Some(place) = places.get_mut(worst)
             {
-                *place = Place::Removed;
+                *place = Selection::Removed;
                 has_changed = true;
             }
         }
@@ -154,7 +159,7 @@ fn of_prediction(covariance: Option<[f64; 3]>, [x, y]: &[f64; 2]) -> f64 {
 }
 
 /// The values that a trimmed fit explains to 2.5 standard errors, as its median residual gives them.
-fn core(curve: &Curve<'_>, trimmed: &Fit, spread: [f64; 2]) -> Result<Vec<Place>, Error> {
+fn core(curve: &ResponseCurve<'_>, trimmed: &Fit, spread: [f64; 2]) -> Result<Vec<Selection>, Error> {
     let counts = curve.counts();
     let slopes = curve.slopes(trimmed.at, &trimmed.residuals).ok_or(Error::NotIdentified)?;
     let spread_of = |i: usize| of_kind(i, counts, spread);
@@ -166,7 +171,7 @@ fn core(curve: &Curve<'_>, trimmed: &Fit, spread: [f64; 2]) -> Result<Vec<Place>
             let is_few = of_kind(i, counts, counts) < FEW;
             let of_prediction = if *weight > 0.0 { 0.0 } else { of_prediction(covariance, slope) };
             let within = r.abs() <= 2.5 * spread_of(i).hypot(of_prediction);
-            if is_few || within { Place::Counted } else { Place::Outside }
+            if is_few || within { Selection::Counted } else { Selection::Outside }
         })
         .collect())
 }

@@ -1,13 +1,13 @@
 //! The minimum of a sum of squares over friction and damping, from a grid of starts.
 
-use super::model::{Motion, Parameters, motion};
+use super::model::{ModelMotion, Parameters, motion};
 use super::{AmplitudeKind, PhaseKind};
 use crate::machine::error::Error;
 use std::iter::zip;
 
 /// One measurement in ratios: Ω, the amplitude in units of p₀/k, and the phase.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Point {
+pub(super) struct MeasuredPoint {
     pub(super) omega: f64,
     pub(super) amplitude: f64,
     pub(super) phase: Option<f64>,
@@ -15,8 +15,8 @@ pub(super) struct Point {
 
 /// A response curve and how its values are read.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Curve<'a> {
-    pub(super) points: &'a [Point],
+pub(super) struct ResponseCurve<'a> {
+    pub(super) points: &'a [MeasuredPoint],
     pub(super) amplitude: AmplitudeKind,
     pub(super) phase: PhaseKind,
     /// The factor of the measured amplitudes.
@@ -40,7 +40,7 @@ pub(super) fn reduced(angle: f64) -> f64 {
     sin.atan2(cos)
 }
 
-impl<'a> Curve<'a> {
+impl<'a> ResponseCurve<'a> {
     /// Whether the readings depend on the whole cycle.
     fn needs_whole(&self) -> bool {
         let phases = self.phase != PhaseKind::Peak && self.points.iter().any(|p| p.phase.is_some());
@@ -52,21 +52,21 @@ impl<'a> Curve<'a> {
         [self.points.len(), self.points.iter().filter(|p| p.phase.is_some()).count()]
     }
 
-    pub(super) fn motions(&self, parameters: Parameters) -> Option<Vec<Motion>> {
+    pub(super) fn motions(&self, parameters: Parameters) -> Option<Vec<ModelMotion>> {
         let whole = self.needs_whole();
         self.points.iter().map(|p| motion(p.omega, parameters, whole)).collect()
     }
 
     /// Measured minus computed: of all amplitudes, relative to the measured ones, then of all phases.
-    fn residuals(&self, motions: &[Motion]) -> Vec<f64> {
-        let of_amplitude = |(point, motion): (&Point, &Motion)| {
+    fn residuals(&self, motions: &[ModelMotion]) -> Vec<f64> {
+        let of_amplitude = |(point, motion): (&MeasuredPoint, &ModelMotion)| {
             let computed = match self.amplitude {
                 AmplitudeKind::Peak | AmplitudeKind::PeakToPeak => motion.peak,
                 AmplitudeKind::RootMeanSquare => motion.whole.root_mean_square,
             };
             1.0 - computed / (self.scale * point.amplitude)
         };
-        let of_phase = |(point, motion): (&Point, &Motion)| {
+        let of_phase = |(point, motion): (&MeasuredPoint, &ModelMotion)| {
             let computed = match self.phase {
                 PhaseKind::Peak => motion.peak_phase,
                 PhaseKind::Lag => motion.whole.lag,
@@ -78,7 +78,7 @@ impl<'a> Curve<'a> {
         pairs().map(of_amplitude).chain(pairs().filter_map(of_phase)).collect()
     }
 
-    fn at(&self, parameters: Parameters) -> Option<Vec<f64>> {
+    fn residuals_at(&self, parameters: Parameters) -> Option<Vec<f64>> {
         self.motions(parameters).map(|motions| self.residuals(&motions))
     }
 
@@ -88,10 +88,10 @@ impl<'a> Curve<'a> {
         let by = |value: f64, shifted: &dyn Fn(f64) -> Parameters| -> Option<Vec<f64>> {
             let h = 1e-5 * value.max(0.01);
             let amplitudes = self.points.len();
-            let ahead = self.at(shifted(value + h))?;
+            let ahead = self.residuals_at(shifted(value + h))?;
             let difference = |i: usize, d: f64| if i < amplitudes { d } else { reduced(d) };
             if value >= h {
-                let behind = self.at(shifted(value - h))?;
+                let behind = self.residuals_at(shifted(value - h))?;
                 // Where the two sides differ there is a kink or a jump between them, and the flatter side
                 // counts.
                 let central = |(i, ((a, b), r)): (usize, ((&f64, &f64), &f64))| {
@@ -103,7 +103,7 @@ impl<'a> Curve<'a> {
                 return Some(zip(zip(&ahead, &behind), residuals).enumerate().map(central).collect());
             }
             // At the end of the range only one side exists.
-            let further = self.at(shifted(value + 2.0 * h))?;
+            let further = self.residuals_at(shifted(value + 2.0 * h))?;
             let one_sided = |(i, ((a, b), r)): (usize, ((&f64, &f64), &f64))| {
                 (4.0 * difference(i, a - r) - difference(i, b - r)) / (2.0 * h)
             };
@@ -131,7 +131,7 @@ pub(super) fn kept(n: usize) -> usize {
 }
 
 impl Rule<'_> {
-    fn weights(self, curve: &Curve<'_>, residuals: &[f64]) -> Vec<f64> {
+    fn weights(self, curve: &ResponseCurve<'_>, residuals: &[f64]) -> Vec<f64> {
         if let Rule::Weighted(weights) = self {
             return weights.to_vec();
         }
@@ -157,14 +157,14 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    fn of(curve: &Curve<'_>, rule: Rule<'_>, at: Parameters, residuals: Vec<f64>) -> Self {
+    fn of(curve: &ResponseCurve<'_>, rule: Rule<'_>, at: Parameters, residuals: Vec<f64>) -> Self {
         let weights = rule.weights(curve, &residuals);
         let sum = zip(&residuals, &weights).map(|(r, w)| w * r * r).sum();
         Self { at, residuals, weights, sum }
     }
 
-    fn new(curve: &Curve<'_>, rule: Rule<'_>, at: Parameters) -> Option<Self> {
-        curve.at(at).map(|residuals| Self::of(curve, rule, at, residuals))
+    fn new(curve: &ResponseCurve<'_>, rule: Rule<'_>, at: Parameters) -> Option<Self> {
+        curve.residuals_at(at).map(|residuals| Self::of(curve, rule, at, residuals))
     }
 
     /// The normal equations at this point.
@@ -256,7 +256,7 @@ fn moved([kappa, zeta]: Parameters, [x, y]: [f64; 2]) -> Parameters {
 ///
 /// # Errors
 /// [`Error::NotIdentified`] where the steps do not suffice.
-pub(super) fn descend(curve: &Curve<'_>, rule: Rule<'_>, start: Parameters) -> Result<Fit, Error> {
+pub(super) fn descend(curve: &ResponseCurve<'_>, rule: Rule<'_>, start: Parameters) -> Result<Fit, Error> {
     let mut here = Fit::new(curve, rule, start).ok_or(Error::NotIdentified)?;
     let mut damping = 1e-3;
     for _ in 0..STEPS {
@@ -297,7 +297,7 @@ pub(super) fn descend(curve: &Curve<'_>, rule: Rule<'_>, start: Parameters) -> R
 
 /// A better point near one, along eight directions of the ellipse of equal sums, down to a ten-thousandth of
 /// its size.
-fn around(curve: &Curve<'_>, rule: Rule<'_>, here: &Fit, normal: &Normal) -> Option<Fit> {
+fn around(curve: &ResponseCurve<'_>, rule: Rule<'_>, here: &Fit, normal: &Normal) -> Option<Fit> {
     let [a, b, c] = normal.matrix;
     let rest = c - b * b / a;
     if !(a > 0.0 && rest > 0.0) {
@@ -330,10 +330,10 @@ fn around(curve: &Curve<'_>, rule: Rule<'_>, here: &Fit, normal: &Normal) -> Opt
 }
 
 /// The motions over the grid of starts, by friction and by damping, which all readings of one curve share.
-pub(super) struct Grid(Vec<Vec<Option<Vec<Motion>>>>);
+pub(super) struct StartGrid(Vec<Vec<Option<Vec<ModelMotion>>>>);
 
-impl Grid {
-    pub(super) fn of(curve: &Curve<'_>) -> Self {
+impl StartGrid {
+    pub(super) fn of(curve: &ResponseCurve<'_>) -> Self {
         let row = |&kappa: &f64| DAMPINGS.iter().map(|&zeta| curve.motions([kappa, zeta])).collect();
         Self(FRICTIONS.iter().map(row).collect())
     }
@@ -342,9 +342,10 @@ impl Grid {
     ///
     /// # Errors
     /// As for [`descend`], where none of the starts leads to a minimum.
-    pub(super) fn best(&self, curve: &Curve<'_>, rule: Rule<'_>, most: usize) -> Result<Fit, Error> {
-        let sum = |motions: &Option<Vec<Motion>>| {
-            let of = |motions: &Vec<Motion>| Fit::of(curve, rule, [0.0; 2], curve.residuals(motions)).sum;
+    pub(super) fn best(&self, curve: &ResponseCurve<'_>, rule: Rule<'_>, most: usize) -> Result<Fit, Error> {
+        let sum = |motions: &Option<Vec<ModelMotion>>| {
+            let of =
+                |motions: &Vec<ModelMotion>| Fit::of(curve, rule, [0.0; 2], curve.residuals(motions)).sum;
             motions.as_ref().map_or(f64::INFINITY, of)
         };
         let sums: Vec<Vec<f64>> = self.0.iter().map(|row| row.iter().map(sum).collect()).collect();

@@ -14,7 +14,7 @@ impl<F: Float> Span<F> {
         Self { low, high }
     }
 
-    pub(super) fn of(x: F) -> Self {
+    pub(super) fn exactly(x: F) -> Self {
         Self { low: x, high: x }
     }
 
@@ -31,7 +31,7 @@ impl<F: Float> Span<F> {
     }
 
     /// This interval times a factor ≥ 0.
-    pub(super) fn by(self, factor: F) -> Self {
+    pub(super) fn scaled(self, factor: F) -> Self {
         Self { low: self.low * factor, high: self.high * factor }
     }
 

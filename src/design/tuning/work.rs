@@ -55,7 +55,7 @@ use crate::root;
 
 /// The work of friction at a force ratio and a damping constant, by the stiffness.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Work<F> {
+pub(super) struct FrictionWork<F> {
     alpha: F,
     /// The damping constant γ = c/(2mω_d).
     gamma: F,
@@ -67,7 +67,7 @@ pub(super) struct Work<F> {
 
 /// The cycle at one stiffness, with the sums over n ≥ 3.
 #[derive(Debug, Clone, Copy)]
-struct At<F> {
+struct CycleAt<F> {
     u: F,
     d: F,
     g: F,
@@ -90,7 +90,7 @@ const INTERVALS: u32 = 1 << 16;
 /// The greatest number of harmonics with poles near an interval for which bounds are computed.
 const HARMONICS: i32 = 24;
 
-impl<F: Float> Work<F> {
+impl<F: Float> FrictionWork<F> {
     pub(super) fn new(alpha: F, gamma: F) -> Self {
         let first = F::int(4) / F::pi();
         Self { alpha, gamma, excess: (alpha - first) * (alpha + first), kappa: F::int(4) * first * gamma }
@@ -112,7 +112,7 @@ impl<F: Float> Work<F> {
     /// With `s = sin(ωπ)/ω`, `c = cos ωπ`, ω² = v − γ², N = cosh γπ + c: `vg = (sinh γπ − γs)/N` and `h =
     /// s/N`, whose derivatives are, with `k = (πc − s)/(2ω²N)`, `h′ = k + (π/2) h²` and `(vg)′ = −γk + (π/2) h
     /// vg`.
-    fn at(&self, v: F) -> At<F> {
+    fn cycle_at(&self, v: F) -> CycleAt<F> {
         let (one, two, four) = (F::int(1), F::int(2), F::int(4));
         let (gamma, pi, omega) = (self.gamma, F::pi(), one / v.sqrt());
         let half = HalfPeriod::new(omega, gamma * omega);
@@ -136,7 +136,7 @@ impl<F: Float> Work<F> {
         let u = half.lag.1 * v;
         let d = (half.stiffness * v).square();
         let (first, damping) = (four / pi / d, two * gamma);
-        At {
+        CycleAt {
             u,
             d,
             g: shift / v - first * damping,
@@ -147,8 +147,8 @@ impl<F: Float> Work<F> {
     }
 
     /// `C`, from D, h and u.
-    fn constant(&self, at: &At<F>) -> F {
-        let At { u, d, h, .. } = *at;
+    fn constant(&self, at: &CycleAt<F>) -> F {
+        let CycleAt { u, d, h, .. } = *at;
         self.excess + F::int(8) / F::pi() * (u * h) - d * h.square()
     }
 
@@ -164,8 +164,8 @@ impl<F: Float> Work<F> {
     }
 
     /// Y and Φ at a cycle.
-    fn work_and_growth(&self, at: &At<F>) -> (F, F) {
-        let At { u, d, g, h, g_slope, h_slope } = *at;
+    fn work_and_growth(&self, at: &CycleAt<F>) -> (F, F) {
+        let CycleAt { u, d, g, h, g_slope, h_slope } = *at;
         let (two, c) = (F::int(2), self.constant(at));
         let (x, s) = (self.amplitude(d, c), self.root(d, c));
         let first = F::int(8) / F::pi();
@@ -217,21 +217,21 @@ impl<F: Float> Work<F> {
     }
 
     /// Bounds of Φ and of s on an interval of u around a middle.
-    fn growth_within(&self, at: &At<F>, rates: &Rates<F>, u: Span<F>, radius: F) -> (Span<F>, Span<F>) {
+    fn growth_within(&self, at: &CycleAt<F>, rates: &Rates<F>, u: Span<F>, radius: F) -> (Span<F>, Span<F>) {
         let (two, first) = (F::int(2), F::int(8) / F::pi());
         let near = |value: F, rate: F| Span::around(value, rate * radius);
         let (h, h_slope) = (near(at.h, rates.h_slope), near(at.h_slope, rates.h_second));
         let g_slope = near(at.g_slope, rates.g_second);
         let (u_square, h_square) = (u.square(), h.square());
-        let d = u_square.plus(Span::of((two * self.gamma).square()));
-        let c = Span::of(self.excess).plus(u.times(h).by(first)).minus(d.times(h_square));
+        let d = u_square.plus(Span::exactly((two * self.gamma).square()));
+        let c = Span::exactly(self.excess).plus(u.times(h).scaled(first)).minus(d.times(h_square));
         // X rises with C and falls with D.
         let x = Span::new(self.amplitude(d.high, c.low), self.amplitude(d.low, c.high));
         let s = Span::new(self.root(d.low, c.low), self.root(d.high, c.high));
         let growth = h
             .plus(u.times(h_slope))
-            .by(first)
-            .minus(u.times(x.square().plus(h_square)).plus(d.times(h.times(h_slope))).by(two))
+            .scaled(first)
+            .minus(u.times(x.square().plus(h_square)).plus(d.times(h.times(h_slope))).scaled(two))
             .minus(g_slope.times(s));
         (growth, s)
     }
@@ -268,7 +268,7 @@ impl<F: Float> Work<F> {
                 // For a resonance narrower than the distance of two numbers, the better one of the two is
                 // taken.
                 for v in [low, high] {
-                    let work = self.work_and_growth(&self.at(v)).0;
+                    let work = self.work_and_growth(&self.cycle_at(v)).0;
                     if work > best {
                         (best, found) = (work, Some(v));
                     }
@@ -276,7 +276,7 @@ impl<F: Float> Work<F> {
                 continue;
             }
             if let Some(rates) = self.rates(low, high) {
-                let at = self.at(middle);
+                let at = self.cycle_at(middle);
                 let radius = (high - middle).or_larger(middle - low);
                 let u = Span::new(low - one, high - one);
                 let (growth, s) = self.growth_within(&at, &rates, u, radius);
@@ -287,7 +287,7 @@ impl<F: Float> Work<F> {
                     // The end may be the last number before a resonance that is narrower than the distance of
                     // two numbers.
                     let end = if growth.low > F::int(0) { high } else { low };
-                    let work = self.work_and_growth(&self.at(end)).0;
+                    let work = self.work_and_growth(&self.cycle_at(end)).0;
                     if work > best * slack {
                         (best, found) = (work, Some(end));
                     }
@@ -300,7 +300,7 @@ impl<F: Float> Work<F> {
                     && reach <= here * F::ratio(5, 4)
                     && let Some(v) = self.summit(low, high)
                 {
-                    let work = self.work_and_growth(&self.at(v)).0;
+                    let work = self.work_and_growth(&self.cycle_at(v)).0;
                     if work > best {
                         (best, found) = (work, Some(v));
                     }
@@ -315,7 +315,7 @@ impl<F: Float> Work<F> {
 
     /// A zero at which Φ falls, if its signs at the ends show one.
     fn summit(&self, low: F, high: F) -> Option<F> {
-        let growth = |v: F| self.work_and_growth(&self.at(v)).1;
+        let growth = |v: F| self.work_and_growth(&self.cycle_at(v)).1;
         let falls = growth(low) > F::int(0) && growth(high) < F::int(0);
         falls.then(|| root::enclosed(low, high, growth).0)
     }
@@ -326,7 +326,7 @@ impl<F: Float> Work<F> {
         let mut off = v * F::epsilon() * F::int(4);
         for _ in 0..F::PRECISION / 2 {
             if let Some(zero) = self.summit(v - off, v + off) {
-                let work = self.work_and_growth(&self.at(zero)).0;
+                let work = self.work_and_growth(&self.cycle_at(zero)).0;
                 return if best <= work * (F::int(1) + F::epsilon() * F::int(1 << 12)) { zero } else { v };
             }
             off = off + off;

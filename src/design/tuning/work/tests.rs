@@ -1,6 +1,6 @@
 //! Tests of `work.rs`.
 
-use super::{At, Span, Work};
+use super::{CycleAt, FrictionWork, Span};
 use crate::{Cycle, Ratios};
 
 /// SplitMix64, uniform in the logarithm.
@@ -31,14 +31,14 @@ fn work_and_growth_are_those_of_the_cycle() {
     for _ in 0..4000 {
         let (alpha, gamma, v) =
             (random.scale(1.2, 400.0), random.scale(1e-5, 4.0), random.scale(0.05, 200.0));
-        let work = Work::new(alpha, gamma);
+        let work = FrictionWork::new(alpha, gamma);
         // The scale of Y: v itself, and the distances from the resonance and from the poles.
         let distance = |n: i32| (v - f64::from(n * n)).hypot(2.0 * gamma * f64::from(n));
         let scale = (0..8).map(|i| distance(2 * i + 1)).fold(v, f64::min);
         let step = 1e-5 * scale;
         let near = [v - step, v, v + step].map(|v| amplitude(alpha, gamma, v));
         let [Some(below), Some(here), Some(above)] = near else { continue };
-        let at = work.at(v);
+        let at = work.cycle_at(v);
         let (found, growth) = work.work_and_growth(&at);
         // a and G, of which Y is the difference, are rounded.
         let size = here + 16.0 / std::f64::consts::PI * gamma / at.d;
@@ -67,19 +67,19 @@ fn the_bounds_of_an_interval_hold_inside() {
         let (alpha, gamma, low) =
             (random.scale(1.2, 400.0), random.scale(1e-4, 4.0), random.scale(0.5, 200.0));
         let high = low * (1.0 + random.scale(1e-6, 0.3));
-        let work = Work::new(alpha, gamma);
+        let work = FrictionWork::new(alpha, gamma);
         let Some(rates) = work.rates(low, high) else { continue };
         let (middle, radius) = ((low + high) / 2.0, (high - low) / 2.0);
-        let at = work.at(middle);
+        let at = work.cycle_at(middle);
         let (growth, s) = work.growth_within(&at, &rates, Span::new(low - 1.0, high - 1.0), radius);
         useful += u32::from(growth.low > 0.0 || growth.high < 0.0);
         for share in [0.0, 0.13, 0.4, 0.77, 1.0] {
             let v = low + (high - low) * share;
-            let here = work.at(v);
+            let here = work.cycle_at(v);
             let off = (v - middle).abs() * (1.0 + 1e-9);
             // h and g near the resonance are differences.
             let rounding = 1e-14 * (1.0 + 1.0 / at.d).powi(2);
-            let is_within = |f: fn(&At<f64>) -> f64, rate: f64| {
+            let is_within = |f: fn(&CycleAt<f64>) -> f64, rate: f64| {
                 (f(&here) - f(&at)).abs() <= off * rate + rounding * (1.0 + f(&at).abs())
             };
             assert!(is_within(|at| at.h, rates.h_slope), "{gamma} {low} {high}");
@@ -104,8 +104,8 @@ fn the_work_rises_up_to_one_half() {
     for _ in 0..4000 {
         let (alpha, gamma, v) = (random.scale(1.2, 1e4), random.scale(1e-6, 30.0), random.scale(0.02, 0.5));
         if amplitude(alpha, gamma, v).is_some() {
-            let work = Work::new(alpha, gamma);
-            assert!(work.work_and_growth(&work.at(v)).1 > 0.0, "{alpha} {gamma} {v}");
+            let work = FrictionWork::new(alpha, gamma);
+            assert!(work.work_and_growth(&work.cycle_at(v)).1 > 0.0, "{alpha} {gamma} {v}");
             slides += 1;
         }
     }
