@@ -148,7 +148,7 @@ pub(crate) fn response_for(
 ) -> Result<Response, Error> {
     let eta = Known::rational(1.into());
     let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
-    At { only: Some(only), ..At::new(omega, alpha, zeta, &eta)? }.answered(bits)
+    AskedRatios { only: Some(only), ..AskedRatios::new(omega, alpha, zeta, &eta)? }.answered(bits)
 }
 
 /// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one,
@@ -167,7 +167,7 @@ pub fn response(
     bits: u32,
 ) -> Result<Response, Error> {
     let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
-    At::new(omega, alpha, damping_ratio, static_friction_ratio)?.answered(bits)
+    AskedRatios::new(omega, alpha, damping_ratio, static_friction_ratio)?.answered(bits)
 }
 
 /// The border at Ω and ζ ≥ 0, with a static friction of η ≥ 1 times the kinetic one, enclosed:
@@ -182,7 +182,7 @@ pub fn border(
     static_friction_ratio: &Known,
     bits: u32,
 ) -> Result<Response, Error> {
-    At::new(omega, None, damping_ratio, static_friction_ratio)?.answered(bits)
+    AskedRatios::new(omega, None, damping_ratio, static_friction_ratio)?.answered(bits)
 }
 
 fn valid(bits: u32) -> Result<u32, Error> {
@@ -191,7 +191,7 @@ fn valid(bits: u32) -> Result<u32, Error> {
 }
 
 /// The data of one computation: Ω, and α if there is one.
-struct At<'a> {
+struct AskedRatios<'a> {
     omega: &'a Known,
     alpha: Option<&'a Known>,
     zeta: &'a Known,
@@ -200,7 +200,7 @@ struct At<'a> {
     only: Option<Output>,
 }
 
-impl<'a> At<'a> {
+impl<'a> AskedRatios<'a> {
     /// The data, with ratios in their domains.
     fn new(
         omega: &'a Known,
@@ -238,7 +238,7 @@ impl<'a> At<'a> {
     }
 }
 
-impl Question for At<'_> {
+impl Question for AskedRatios<'_> {
     fn at_width<const W: usize>(&self) -> Answers {
         let angle = Angle::<W>::new(self.omega);
         let half = (!self.is_undamped()).then(|| damped::half_period(&angle, self.zeta, self.eta));
@@ -285,7 +285,7 @@ impl Question for At<'_> {
     }
 }
 
-impl At<'_> {
+impl AskedRatios<'_> {
     fn is_exact(&self) -> bool {
         let others = [self.omega, self.zeta, self.eta];
         others.into_iter().all(Known::is_exact) && self.alpha.is_none_or(Known::is_exact)

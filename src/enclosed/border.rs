@@ -20,7 +20,7 @@ pub(crate) struct Border<const W: usize> {
 }
 
 /// The stationary value of Den Hartog's condition for Ω < 1/2.
-struct Inner<const W: usize> {
+struct StationaryValue<const W: usize> {
     /// S at the stationary point.
     value: Ball<W>,
     /// The phase τ in the formula of S, in (0, π/2].
@@ -55,8 +55,9 @@ impl<const W: usize> Border<W> {
             return of(Ball::entire(), None);
         }
         // With T > 0 the condition increases from the turning point on.
-        let is_above = |inner: &Inner<W>| inner.rises && *eta.high() == 1 || limit.is_below(&inner.value);
-        match Inner::at(angle) {
+        let is_above =
+            |inner: &StationaryValue<W>| inner.rises && *eta.high() == 1 || limit.is_below(&inner.value);
+        match StationaryValue::at(angle) {
             None => of(Ball::entire(), None),
             Some(inner) if is_above(&inner) => {
                 let phase = if inner.rises { inner.tau } else { Ball::pi() - inner.tau };
@@ -68,7 +69,7 @@ impl<const W: usize> Border<W> {
     }
 }
 
-impl<const W: usize> Inner<W> {
+impl<const W: usize> StationaryValue<W> {
     /// The stationary value at the only zero η of g on (0, π), where g increases.
     fn at(angle: &Angle<W>) -> Option<Self> {
         let (gamma, rises) = lobe_phase(angle)?;

@@ -1,6 +1,6 @@
 //! Certificates that no event was missed: signs over whole intervals, by bisection until a ball proves them.
 
-use super::slide::{Machine, Slide};
+use super::slide::{DrivenBody, Slide};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
@@ -57,7 +57,7 @@ pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>)
 /// Whether a body at rest at `place` stays there from one phase until the release in the direction `sign` at
 /// another.
 pub(super) fn is_one_stop<const W: usize>(
-    machine: &Machine<W>,
+    machine: &DrivenBody<W>,
     place: Ball<W>,
     from: Ball<W>,
     release: Ball<W>,
@@ -76,7 +76,7 @@ pub(super) fn is_one_stop<const W: usize>(
 /// Whether the body slides back immediately in the direction `sign`: the force exceeds the static friction in
 /// that direction.
 pub(super) fn reverses<const W: usize>(
-    machine: &Machine<W>,
+    machine: &DrivenBody<W>,
     place: Ball<W>,
     phase: Ball<W>,
     sign: i32,

@@ -2,7 +2,7 @@
 
 use super::certificate::{is_one_slide, is_one_stop, reverses};
 use super::outline::Outline;
-use super::slide::{End, Machine, Slide};
+use super::slide::{DrivenBody, Slide, SlideEnd};
 use super::unproved::{Event, Unproved};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
@@ -10,33 +10,33 @@ use crate::float::{Field, Real};
 
 /// The start of the motion. With stops the place alone determines it, and the phase is that of the release.
 #[derive(Clone, Copy)]
-pub(super) struct Start<const W: usize> {
+pub(super) struct MapStart<const W: usize> {
     pub(super) phase: Ball<W>,
     pub(super) place: Ball<W>,
 }
 
 /// One slide, with its end and, after a stop, the phase of the release.
 #[derive(Clone, Copy)]
-pub(super) struct Step<const W: usize> {
+pub(super) struct SlideStep<const W: usize> {
     pub(super) slide: Slide<W>,
-    pub(super) end: End<W>,
+    pub(super) end: SlideEnd<W>,
     pub(super) release: Option<Ball<W>>,
 }
 
 /// The computed part of a motion that repeats.
 pub(super) struct Followed<const W: usize> {
-    pub(super) start: Start<W>,
-    pub(super) steps: Vec<Step<W>>,
+    pub(super) start: MapStart<W>,
+    pub(super) steps: Vec<SlideStep<W>>,
     /// Phase and place at the end, with the half turns subtracted, and mirrored after an odd number of half
     /// turns.
-    pub(super) end: Start<W>,
+    pub(super) end: MapStart<W>,
     /// The derivatives of phase and place at the end (not mirrored) with respect to those at the start.
     pub(super) derivatives: [[Ball<W>; 2]; 2],
 }
 
 /// The map of an outline.
 pub(super) struct Map<'a, const W: usize> {
-    pub(super) machine: Machine<W>,
+    pub(super) machine: DrivenBody<W>,
     pub(super) outline: &'a Outline,
 }
 
@@ -58,21 +58,21 @@ impl<const W: usize> Map<'_, W> {
     }
 
     /// The start with its phase, if only the place is free.
-    pub(super) fn start(&self, start: Start<W>) -> Result<Start<W>, Unproved> {
+    pub(super) fn start(&self, start: MapStart<W>) -> Result<MapStart<W>, Unproved> {
         match self.outline.parts.first() {
             Some(first) if self.outline.stops => {
                 let phase = self.release(self.outline.phase, start.place, first.sign, start.phase)?;
-                Ok(Start { phase, ..start })
+                Ok(MapStart { phase, ..start })
             }
             _ => Ok(start),
         }
     }
 
     /// Computes the motion from a start.
-    pub(super) fn follow(&self, start: Start<W>) -> Result<Followed<W>, Unproved> {
+    pub(super) fn follow(&self, start: MapStart<W>) -> Result<Followed<W>, Unproved> {
         let start = self.start(start)?;
         let (zero, one) = (Ball::int(0), Ball::int(1));
-        let Start { mut phase, mut place } = start;
+        let MapStart { mut phase, mut place } = start;
         // Derivatives of phase and place with respect to the start; with a stop the phase depends on the
         // place.
         let mut derivatives = if self.outline.stops {
@@ -101,9 +101,9 @@ impl<const W: usize> Map<'_, W> {
             } else if part.release.is_some() {
                 release = Some(start.phase + self.span());
             }
-            steps.push(Step { slide, end, release });
+            steps.push(SlideStep { slide, end, release });
         }
-        let end = Start { phase: phase - self.span(), place: self.image() * place };
+        let end = MapStart { phase: phase - self.span(), place: self.image() * place };
         Ok(Followed { start, steps, end, derivatives })
     }
 
@@ -121,7 +121,7 @@ impl<const W: usize> Followed<W> {
         // The slide after the last one is the image of the first.
         let next_signs =
             outline.parts.iter().skip(1).map(|part| part.sign).chain([outline.image() * first.sign]);
-        for (Step { slide, end, release }, sign) in self.steps.iter().zip(next_signs) {
+        for (SlideStep { slide, end, release }, sign) in self.steps.iter().zip(next_signs) {
             let shown = |holds: bool, event: Event, phase: Ball<W>| {
                 if holds { Ok(()) } else { Err(undecided(event, phase)) }
             };

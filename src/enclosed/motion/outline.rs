@@ -7,7 +7,7 @@ use crate::motion::{End, Kind, LongRun, Segment, State, SteadyState, Trajectory}
 
 /// One slide and the event that follows it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct OutlinedSlide {
     /// The sign of its velocity.
     pub(super) sign: i32,
     /// Its duration in natural time.
@@ -26,7 +26,7 @@ pub(super) struct Outline {
     pub(super) stops: bool,
     /// The number of half turns of the drive after which the motion repeats, with the opposite sign if odd.
     pub(super) half_turns: u32,
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<OutlinedSlide>,
 }
 
 impl Outline {
@@ -101,7 +101,7 @@ fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, 
 }
 
 /// A slide as a part; an error for a slide that ends in a grazing.
-fn part(phase: &Segment<f64>, omega: f64) -> Result<Part, Unproved> {
+fn part(phase: &Segment<f64>, omega: f64) -> Result<OutlinedSlide, Unproved> {
     let sign = match phase.kind {
         Kind::SlideForward => 1,
         Kind::SlideBackward => -1,
@@ -114,7 +114,7 @@ fn part(phase: &Segment<f64>, omega: f64) -> Result<Part, Unproved> {
     };
     match (phase.duration(), phase.ends_by) {
         (Some(duration), End::Reversal | End::Stop) => {
-            Ok(Part { sign, duration: duration / omega, release: None })
+            Ok(OutlinedSlide { sign, duration: duration / omega, release: None })
         }
         _ => Err(grazes),
     }

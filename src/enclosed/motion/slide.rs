@@ -18,7 +18,7 @@ use crate::float::{Field, Real};
 
 /// The oscillator and its drive.
 #[derive(Clone, Copy)]
-pub(super) struct Machine<const W: usize> {
+pub(super) struct DrivenBody<const W: usize> {
     pub(super) omega: Ball<W>,
     pub(super) alpha: Ball<W>,
     pub(super) zeta: Ball<W>,
@@ -29,7 +29,7 @@ pub(super) struct Machine<const W: usize> {
     forced: (Ball<W>, Ball<W>),
 }
 
-impl<const W: usize> Machine<W> {
+impl<const W: usize> DrivenBody<W> {
     pub(super) fn new(omega: Ball<W>, alpha: Ball<W>, zeta: Ball<W>, eta: Ball<W>) -> Self {
         let one = Ball::int(1);
         let (detuning, damper) = ((one - omega) * (one + omega), zeta * omega * Ball::int(2));
@@ -62,7 +62,7 @@ pub(super) struct Motion<const W: usize> {
 /// A slide from rest.
 #[derive(Clone, Copy)]
 pub(super) struct Slide<const W: usize> {
-    machine: Machine<W>,
+    machine: DrivenBody<W>,
     pub(super) sign: Ball<W>,
     pub(super) phase: Ball<W>,
     /// The acceleration at the start: σ(η − 1) at a release.
@@ -73,7 +73,7 @@ pub(super) struct Slide<const W: usize> {
 
 /// The end of a slide, and its derivatives with respect to phase and place of the start.
 #[derive(Clone, Copy)]
-pub(super) struct End<const W: usize> {
+pub(super) struct SlideEnd<const W: usize> {
     /// Duration in natural time.
     pub(super) duration: Ball<W>,
     pub(super) phase: Ball<W>,
@@ -86,7 +86,7 @@ impl<const W: usize> Slide<W> {
     /// The slide in the direction σ = ±1 from a phase and a place; `released` means that the force equals the
     /// static friction.
     pub(super) fn new(
-        machine: Machine<W>,
+        machine: DrivenBody<W>,
         sign: i32,
         phase: Ball<W>,
         place: Ball<W>,
@@ -102,7 +102,7 @@ impl<const W: usize> Slide<W> {
     }
 
     pub(super) fn at(&self, phi: Ball<W>) -> Motion<W> {
-        let Machine { omega, alpha, zeta, free, forced: (p, q), .. } = self.machine;
+        let DrivenBody { omega, alpha, zeta, free, forced: (p, q), .. } = self.machine;
         let (s, c) = (self.phase + omega * phi).sin_cos();
         let f = free.after(waves(&free, phi), self.free.0, self.free.1);
         let (x, w) = (p * s + q * c - self.sign + f.x, omega * (p * c - q * s) + f.v);
@@ -120,9 +120,9 @@ impl<const W: usize> Slide<W> {
     }
 
     /// The velocity zero near `guess`, with its derivatives.
-    pub(super) fn end(&self, guess: Mp<W>) -> Option<End<W>> {
+    pub(super) fn end(&self, guess: Mp<W>) -> Option<SlideEnd<W>> {
         let duration = only_zero(guess, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)?;
-        let Machine { omega, zeta, free, .. } = self.machine;
+        let DrivenBody { omega, zeta, free, .. } = self.machine;
         let (at, Waves { cosine, sine: s }) = (self.at(duration), waves(&free, duration));
         // The responses after the time φ: to a unit of velocity, place s and velocity s′; to a unit of place,
         // c.
@@ -133,6 +133,6 @@ impl<const W: usize> Slide<W> {
         let (later_by_phase, later_by_place) = (-(by_phase / at.acceleration), -(by_place / at.acceleration));
         let derivatives =
             [[Ball::int(1) + omega * later_by_phase, omega * later_by_place], [-(self.start * s / omega), c]];
-        Some(End { duration, phase: self.phase + omega * duration, place: at.x, derivatives })
+        Some(SlideEnd { duration, phase: self.phase + omega * duration, place: at.x, derivatives })
     }
 }

@@ -1,8 +1,8 @@
 //! A proved steady motion: its box of uniqueness, extrema, stops and multipliers.
 
-use super::map::{Followed, Map, Start};
+use super::map::{Followed, Map, MapStart};
 use super::outline::outline;
-use super::slide::Machine;
+use super::slide::DrivenBody;
 use super::statistics::{fastest, multipliers};
 use super::unproved::Unproved;
 use crate::enclosed::{Enclosure, Known, valid};
@@ -83,7 +83,7 @@ pub fn steady(
     macro_rules! at {
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64 || $width == WIDEST {
-                let machine = Machine::<$width>::new(omega.ball(), alpha.ball(), damping_ratio.ball(), eta.ball());
+                let machine = DrivenBody::<$width>::new(omega.ball(), alpha.ball(), damping_ratio.ball(), eta.ball());
                 let found = proved(&Map { machine, outline: &outline });
                 let is_sharp = found.as_ref().is_ok_and(|found| found.is_sharp(bits));
                 let found = found.map(|found| found.answer(bits));
@@ -102,7 +102,7 @@ pub fn steady(
 const WIDEST: usize = 65;
 
 /// The result at one precision.
-struct Found<const W: usize> {
+struct ProvedMotion<const W: usize> {
     half_turns: u32,
     /// Minimum and maximum displacement.
     displacement: (Ball<W>, Ball<W>),
@@ -111,11 +111,11 @@ struct Found<const W: usize> {
     sticks: u32,
     zeros: u32,
     multipliers: [(Ball<W>, Ball<W>); 2],
-    start: Start<W>,
+    start: MapStart<W>,
     only_within: (Option<Radius>, Radius),
 }
 
-impl<const W: usize> Found<W> {
+impl<const W: usize> ProvedMotion<W> {
     fn values(&self) -> [&Ball<W>; 5] {
         let Self { displacement, velocity, start, .. } = self;
         [&displacement.0, &displacement.1, &velocity.0, &velocity.1, &start.place]
@@ -154,11 +154,11 @@ impl<const W: usize> Found<W> {
 }
 
 /// The start that the map takes to its image, with the proof.
-fn proved<const W: usize>(map: &Map<'_, W>) -> Result<Found<W>, Unproved> {
+fn proved<const W: usize>(map: &Map<'_, W>) -> Result<ProvedMotion<W>, Unproved> {
     let outline = map.outline;
     let mut middle = (Mp::of_f64(outline.phase), Mp::of_f64(outline.place));
     let start =
-        |(phase, place): (Mp<W>, Mp<W>)| Start { phase: Ball::exact(phase), place: Ball::exact(place) };
+        |(phase, place): (Mp<W>, Mp<W>)| MapStart { phase: Ball::exact(phase), place: Ball::exact(place) };
     // Newton's method on the midpoints.
     let mut step = None;
     for _ in 0..12 {
@@ -205,16 +205,16 @@ fn only_in<const W: usize>(
     map: &Map<'_, W>,
     at: &Followed<W>,
     reach: (Radius, Radius),
-) -> Result<Start<W>, Unproved> {
+) -> Result<MapStart<W>, Unproved> {
     let stops = map.outline.stops;
     let middle = at.start;
-    let around = Start {
+    let around = MapStart {
         phase: Ball::new(middle.phase.mid(), reach.0),
         place: Ball::new(middle.place.mid(), reach.1),
     };
     let over = map.follow(around)?;
     let (by_phase, by_place) = newton(map, at, &over)?;
-    let found = Start { phase: middle.phase - by_phase, place: middle.place - by_place };
+    let found = MapStart { phase: middle.phase - by_phase, place: middle.place - by_place };
     let is_inside = found.place.is_inside(&around.place) && (stops || found.phase.is_inside(&around.phase));
     if !is_inside {
         return Err(alone_is_not_shown::<W>());
@@ -253,7 +253,7 @@ fn described<const W: usize>(
     map: &Map<'_, W>,
     followed: &Followed<W>,
     only_within: (Option<Radius>, Radius),
-) -> Result<Found<W>, Unproved> {
+) -> Result<ProvedMotion<W>, Unproved> {
     let zero = Ball::int(0);
     let mut displacement = (followed.start.place, followed.start.place);
     let (mut velocity, mut at_rest, mut stops) = ((zero, zero), zero, 0);
@@ -282,7 +282,7 @@ fn described<const W: usize>(
         (stops, zeros) = (2 * stops, 2 * zeros);
     }
     let omega = map.machine.omega;
-    Ok(Found {
+    Ok(ProvedMotion {
         half_turns: map.outline.half_turns,
         displacement,
         velocity: (velocity.0 / omega, velocity.1 / omega),
