@@ -75,7 +75,7 @@ impl<F: Float> Piece<F> {
 
     /// Bounds of `r √(p² − K² r²)`. Its square is a parabola in r², with its maximum at r² = p²/(2K²).
     pub(super) fn work(&self, force: Interval<F>, friction: Interval<F>) -> Interval<F> {
-        let work = |p: F, k_squared: F, r: F| r * self.at(p, k_squared, r);
+        let work = |p: F, k_squared: F, r: F| r * self.root_at(p, k_squared, r);
         let (a, b) = (
             work(force.low, self.k_squared.high, friction.low),
             work(force.low, self.k_squared.high, friction.high),
@@ -92,7 +92,7 @@ impl<F: Float> Piece<F> {
         Interval { low: if a < b { a } else { b }, high: work(p, k_squared, best) }
     }
 
-    fn at(&self, force: F, k_squared: F, friction: F) -> F {
+    fn root_at(&self, force: F, k_squared: F, friction: F) -> F {
         let exact = |x| Interval { low: x, high: x };
         Self { k_squared: exact(k_squared), ..*self }.root(exact(force), exact(friction)).low
     }

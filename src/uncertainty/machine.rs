@@ -70,13 +70,13 @@ impl<F: Float> MachineBox<F> {
 
     fn checked(self) -> Result<Self, Error> {
         for end in [F::int(0), F::int(1)] {
-            self.at([end; 6])?;
+            self.machine_at([end; 6])?;
         }
         Ok(self)
     }
 
     /// The machine at a share of the way through each interval.
-    fn at(&self, [m, k, r, a, w, c]: [F; 6]) -> Result<(Oscillator<F>, Drive<F>), Error> {
+    fn machine_at(&self, [m, k, r, a, w, c]: [F; 6]) -> Result<(Oscillator<F>, Drive<F>), Error> {
         let body = Oscillator::new(self.mass.at(m), self.stiffness.at(k), self.friction_bound.at(r))?
             .with_damping(self.damping.at(c))?;
         let (amplitude, frequency) = (self.amplitude.at(a), self.angular_frequency.at(w));
@@ -162,7 +162,7 @@ impl<F: Float> MachineBox<F> {
 
     /// An output at a share of the way through each interval.
     fn value(&self, output: Output, shares: [F; 6]) -> Result<Option<F>, Error> {
-        let (body, drive) = self.at(shares)?;
+        let (body, drive) = self.machine_at(shares)?;
         let response = Response::new(drive.ratios(&body)?);
         let unit = output.unit(&Scales::new(&body, &drive)?);
         Ok(output.of(&response).map(|y| y * unit))

@@ -85,7 +85,8 @@ impl<F: Float> MachineBox<F> {
     /// ```
     pub fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
         let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
-        let ratios = whole.as_deref().and_then(|parts| Machine::of(parts, self.is_foot_motion())?.ratios());
+        let ratios =
+            whole.as_deref().and_then(|parts| MachineEnds::of(parts, self.is_foot_motion())?.ratios());
         let Some([omega, alpha, zeta]) = ratios else {
             return Ok(Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         };
@@ -98,7 +99,7 @@ impl<F: Float> MachineBox<F> {
 
     /// The values of an output in physical units over a part of the box.
     fn over_part(&self, output: Output, part: &[Ends]) -> Result<Over, Error> {
-        let Some(machine) = Machine::of(part, self.is_foot_motion()) else { return Ok(Over::Undecided) };
+        let Some(machine) = MachineEnds::of(part, self.is_foot_motion()) else { return Ok(Over::Undecided) };
         let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
         let found = response(output, [&omega, &alpha, &zeta])?;
         let unit = output.unit(&machine.scales());
@@ -110,7 +111,7 @@ impl<F: Float> MachineBox<F> {
 const AMPLITUDE: usize = 3;
 
 /// m, k, r_y, the amplitude, ω_d and c in intervals.
-struct Machine<'a> {
+struct MachineEnds<'a> {
     mass: &'a Ends,
     stiffness: &'a Ends,
     friction: &'a Ends,
@@ -120,7 +121,7 @@ struct Machine<'a> {
     damping: &'a Ends,
 }
 
-impl<'a> Machine<'a> {
+impl<'a> MachineEnds<'a> {
     fn of(part: &'a [Ends], is_foot_motion: bool) -> Option<Self> {
         let [mass, stiffness, friction, amplitude, frequency, damping] = part else { return None };
         let force = if is_foot_motion { times(amplitude, stiffness) } else { amplitude.clone() };
