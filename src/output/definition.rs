@@ -77,7 +77,7 @@ measures! {
 
 /// The name of an output in the units of a machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Physical {
+enum PhysicalName {
     /// The output has no such name.
     Absent,
     Named(&'static str),
@@ -107,7 +107,7 @@ pub struct Definition {
     /// A title for a picture, or an empty text where the name is clear.
     #[doc(hidden)]
     pub title: &'static str,
-    physical: Physical,
+    physical: PhysicalName,
     /// Whether the output needs a search, or another cycle, of its own.
     #[doc(hidden)]
     pub is_searched: bool,
@@ -131,7 +131,7 @@ impl Definition {
     #[must_use]
     pub const fn new(name: &'static str, measure: Measure, meaning: &'static str) -> Self {
         let is_plain = matches!(measure.kind(), Kind::Ratio);
-        let physical = if is_plain { Physical::Absent } else { Physical::Named(name) };
+        let physical = if is_plain { PhysicalName::Absent } else { PhysicalName::Named(name) };
         let (symbol, title) = ("", "");
         Self {
             name,
@@ -152,10 +152,10 @@ impl Definition {
         ulps(ulps: u8) => ulps = Some(ulps);
         title(title: &'static str) => title = title;
         searched() => is_searched = true;
-        physical(name: &'static str) => physical = Physical::Named(name);
-        without_physical() => physical = Physical::Absent;
-        over_base(name: &'static str) => physical = Physical::OverBase(name);
-        unless_damped_foot(name: &'static str) => physical = Physical::UnlessDampedFoot(name);
+        physical(name: &'static str) => physical = PhysicalName::Named(name);
+        without_physical() => physical = PhysicalName::Absent;
+        over_base(name: &'static str) => physical = PhysicalName::OverBase(name);
+        unless_damped_foot(name: &'static str) => physical = PhysicalName::UnlessDampedFoot(name);
     }
 }
 
@@ -166,10 +166,12 @@ impl Definition {
     #[must_use]
     pub fn physical_name(&self, excitation: Excitation) -> Option<&'static str> {
         match self.physical {
-            Physical::Absent => None,
-            Physical::Named(name) => Some(name),
-            Physical::OverBase(name) => excitation.carries_surface().then_some(name),
-            Physical::UnlessDampedFoot(name) => (excitation != Excitation::DampedFootMotion).then_some(name),
+            PhysicalName::Absent => None,
+            PhysicalName::Named(name) => Some(name),
+            PhysicalName::OverBase(name) => excitation.carries_surface().then_some(name),
+            PhysicalName::UnlessDampedFoot(name) => {
+                (excitation != Excitation::DampedFootMotion).then_some(name)
+            }
         }
     }
 
