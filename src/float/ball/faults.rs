@@ -10,7 +10,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
 /// One part of one bound.
-pub(super) type Part = (&'static str, u32, usize);
+pub(super) type BoundPart = (&'static str, u32, usize);
 
 /// The change made to a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,8 +20,8 @@ pub(super) enum Fault {
 }
 
 thread_local! {
-    static FAULT: Cell<Option<(Part, Fault)>> = const { Cell::new(None) };
-    static SEEN: RefCell<BTreeSet<Part>> = const { RefCell::new(BTreeSet::new()) };
+    static FAULT: Cell<Option<(BoundPart, Fault)>> = const { Cell::new(None) };
+    static SEEN: RefCell<BTreeSet<BoundPart>> = const { RefCell::new(BTreeSet::new()) };
 }
 
 pub(super) fn injected<const N: usize>(parts: [Radius; N], at: &'static Location<'static>) -> [Radius; N] {
@@ -43,14 +43,14 @@ pub(super) fn injected<const N: usize>(parts: [Radius; N], at: &'static Location
 }
 
 /// The parts of all bounds that `run` meets.
-pub(super) fn parts_of(run: impl FnOnce()) -> BTreeSet<Part> {
+pub(super) fn parts_of(run: impl FnOnce()) -> BTreeSet<BoundPart> {
     SEEN.with_borrow_mut(BTreeSet::clear);
     run();
     SEEN.with_borrow(Clone::clone)
 }
 
 /// Runs a computation with one part of one bound made too small.
-pub(super) fn with<T>(part: Part, fault: Fault, run: impl FnOnce() -> T) -> T {
+pub(super) fn with_fault<T>(part: BoundPart, fault: Fault, run: impl FnOnce() -> T) -> T {
     FAULT.set(Some((part, fault)));
     let result = run();
     FAULT.set(None);

@@ -97,7 +97,7 @@ fn every_part_of_every_bound_is_needed() {
         parts.iter().flat_map(|&part| [(part, Fault::LeftOut), (part, Fault::Halved)]).collect();
     assert!(mutants.len() >= 50, "{}", mutants.len());
     let unnoticed: Vec<_> =
-        mutants.iter().filter(|&&(part, fault)| faults::with(part, fault, run).is_none()).collect();
+        mutants.iter().filter(|&&(part, fault)| faults::with_fault(part, fault, run).is_none()).collect();
     assert!(unnoticed.is_empty(), "of {}: {unnoticed:?}", mutants.len());
 }
 
