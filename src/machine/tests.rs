@@ -15,14 +15,14 @@ fn given(naming: Naming, typed: &[(Input, &str)]) -> Given<f64> {
 const BODY: [(Input, &str); 3] =
     [(Input::Mass, "1 kg"), (Input::Stiffness, "4 N/m"), (Input::Friction, "4 N")];
 
-fn with(more: &[(Input, &str)]) -> Given<f64> {
+fn given_with(more: &[(Input, &str)]) -> Given<f64> {
     given(Naming::Keyword, &[&BODY, more].concat())
 }
 
 /// k = 4, m = 1, r_y = 4: ω_n = 2, 2√(k m) = 4.
 #[test]
 fn each_input_of_a_role_gives_the_same_machine() {
-    let plain = with(&[]).oscillator().unwrap();
+    let plain = given_with(&[]).oscillator().unwrap();
     let period = format!("{} s", std::f64::consts::PI);
     let tuned = [BODY[0], BODY[2], (Input::Omega, "2"), (Input::Frequency, "4 rad/s")];
     assert_eq!(given(Naming::Keyword, &tuned).oscillator().unwrap(), plain);
@@ -34,22 +34,22 @@ fn each_input_of_a_role_gives_the_same_machine() {
         ((Input::DampingRatio, "0.5"), (Input::Damping, "2 N*s/m")),
         ((Input::StaticFrictionRatio, "1.5"), (Input::StaticFriction, "6 N")),
     ] {
-        assert_eq!(with(&[a]).oscillator().unwrap(), with(&[b]).oscillator().unwrap());
+        assert_eq!(given_with(&[a]).oscillator().unwrap(), given_with(&[b]).oscillator().unwrap());
     }
     for drive in [(Input::Force, "12 N"), (Input::Alpha, "3"), (Input::FootDisplacement, "3 m")] {
         for frequency in [(Input::Omega, "2"), (Input::Frequency, "4 rad/s")] {
-            let Driven { ratios, drive, .. } = with(&[drive, frequency]).driven().unwrap();
+            let Driven { ratios, drive, .. } = given_with(&[drive, frequency]).driven().unwrap();
             assert_eq!((ratios.omega(), ratios.alpha()), (2.0, 3.0));
             assert_eq!((drive.force_amplitude(&plain), drive.angular_frequency()), (12.0, 4.0));
         }
     }
-    let border = with(&[(Input::Omega, "2")]).on_border().unwrap();
+    let border = given_with(&[(Input::Omega, "2")]).on_border().unwrap();
     assert_eq!((border.ratios.alpha(), border.drive.amplitude()), (1.0, 4.0));
 }
 
 #[test]
 fn a_given_ratio_is_used_without_a_rounding() {
-    let driven = with(&[(Input::Omega, "0.1"), (Input::Alpha, "0.3")]).driven().unwrap();
+    let driven = given_with(&[(Input::Omega, "0.1"), (Input::Alpha, "0.3")]).driven().unwrap();
     assert_eq!((driven.ratios.omega(), driven.ratios.alpha()), (0.1, 0.3));
 }
 
@@ -81,7 +81,7 @@ fn the_words_are_the_same_with_the_names_of_each_program() {
 
 #[test]
 fn a_wrong_value_is_named_as_it_was_typed() {
-    let error = |more: &[(Input, &str)]| with(more).driven().unwrap_err().to_string();
+    let error = |more: &[(Input, &str)]| given_with(more).driven().unwrap_err().to_string();
     let drive = (Input::Frequency, "2 Hz");
     let words = [
         (
