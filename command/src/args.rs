@@ -24,7 +24,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
 use curve::{CURVE_EXAMPLES, MOTION_EXAMPLES};
-pub(crate) use curve::{Curve, CurveArgs, MotionPlotArgs};
+pub(crate) use curve::{CurveArgs, CurveQuantity, MotionPlotArgs};
 use design::DESIGN_EXAMPLES;
 pub(crate) use design::{Question, QuestionArgs};
 use identify::IDENTIFY_EXAMPLES;

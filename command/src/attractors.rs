@@ -56,8 +56,14 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
             args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
         }
         Format::Json => {
-            let answer =
-                Answer::of(&given, &point.ratios, &all, reach, &rows, args.unstable.map(|_| more.as_slice()));
+            let answer = AttractorsAnswer::of(
+                &given,
+                &point.ratios,
+                &all,
+                reach,
+                &rows,
+                args.unstable.map(|_| more.as_slice()),
+            );
             serde_json::to_writer_pretty(&mut *out, &answer)?;
             Ok(out.write_all(b"\n")?)
         }
@@ -98,7 +104,7 @@ fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
 fn row<F: Value>(all: &Attractors<F>, place: Option<usize>, reach: F) -> Record<F> {
     let found = place.and_then(|place| all.limits.get(place));
     let irregular = found.and_then(|found| found.limit.irregular());
-    Row {
+    LimitData {
         number: place.map_or(0, |place| place + 1),
         limit: found.map_or("", |found| found.limit.name()),
         share: found.map_or(0.0, |found| share(all, found)),
@@ -120,7 +126,7 @@ fn unsettled<F: Value>(all: &Attractors<F>) -> String {
 }
 
 /// The data of a limit, or of a motion that no start leads to.
-pub(crate) struct Row<'a, F> {
+pub(crate) struct LimitData<'a, F> {
     pub(crate) number: usize,
     pub(crate) limit: &'static str,
     pub(crate) share: f64,
@@ -133,7 +139,7 @@ pub(crate) struct Row<'a, F> {
     pub(crate) range: Option<(F, F)>,
 }
 
-impl<F: Value> Row<'_, F> {
+impl<F: Value> LimitData<'_, F> {
     pub(crate) fn record(&self) -> Record<F> {
         let steady = self.steady;
         let count = |of: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(of(s))));
@@ -164,7 +170,7 @@ impl<F: Value> Row<'_, F> {
 /// The answer as JSON.
 #[derive(Serialize)]
 #[serde(bound = "")]
-struct Answer<'a, F: Value> {
+struct AttractorsAnswer<'a, F: Value> {
     omega: Cell<F>,
     alpha: Cell<F>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -179,7 +185,7 @@ struct Answer<'a, F: Value> {
     other_motions: Option<&'a [Record<F>]>,
 }
 
-impl<'a, F: Value> Answer<'a, F> {
+impl<'a, F: Value> AttractorsAnswer<'a, F> {
     fn of(
         given: &Given<F>,
         ratios: &Ratios<F>,

@@ -66,7 +66,7 @@ impl<F: Value> Axes<F> {
     }
 
     /// The given quantities at a point below [`Axes::len`].
-    pub(crate) fn at(&self, point: u64) -> Given<F> {
+    pub(crate) fn given_at(&self, point: u64) -> Given<F> {
         let mut given = self.fixed.clone();
         self.each(point, |parameter, value| given.set(parameter, value));
         given

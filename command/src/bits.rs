@@ -16,7 +16,7 @@ pub(crate) trait Task {
 }
 
 /// Runs the task at f64, or with at least the requested bits.
-pub(crate) fn run(bits: Option<u32>, task: impl Task) -> Outcome {
+pub(crate) fn run_at_bits(bits: Option<u32>, task: impl Task) -> Outcome {
     match bits {
         None => task.run::<f64>(),
         Some(bits) => run_wide(bits, task),
@@ -35,7 +35,7 @@ macro_rules! at_bits {
             }
         }
 
-        $crate::bits::run($bits, Chosen($arguments, $out))
+        $crate::bits::run_at_bits($bits, Chosen($arguments, $out))
     }};
 }
 pub(crate) use at_bits;

@@ -20,7 +20,7 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
 }
 
 /// The answer at a point, with the forces without a stop if requested, and its record.
-type Answer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
+type BorderAnswer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
 
 /// The forces without any stop; they are unknown for a static friction above the kinetic one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
@@ -36,7 +36,7 @@ pub(crate) fn record<F: Value>(
     given: &Given<F>,
     point: &BorderPoint<F>,
     with_no_stop: bool,
-) -> Result<Answer<F>, Failure> {
+) -> Result<BorderAnswer<F>, Failure> {
     // The border does not depend on the force, here r_y.
     let answer = Response::guarded(point.ratios);
     let found = with_no_stop.then(|| no_stop(point.ratios)).transpose();
@@ -56,7 +56,7 @@ fn respond<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     let reader = args.output.units.reader();
     let given = given::read::<F>(&args.machine, &reader)?;
     let asked =
-        points::Asked { command: "border", output: &args.output, reader: &reader, given, start: None };
+        points::AskedPoints { command: "border", output: &args.output, reader: &reader, given, start: None };
     let answer = |given: &Given<F>| {
         let point = input::border_point(given)?;
         let (answer, found, record) = record(given, &point, args.no_stop)?;

@@ -3,7 +3,7 @@
 mod amplitude;
 mod picture;
 
-use crate::args::{Curve, CurveArgs};
+use crate::args::{CurveArgs, CurveQuantity};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
@@ -31,7 +31,7 @@ const MOST_POINTS: u64 = 100_000;
 
 /// One frequency of a curve.
 #[derive(Clone, Copy)]
-struct Place {
+struct CurvePoint {
     /// The value of the axis, in consistent units.
     x: f64,
     /// The value of the axis in the axis's unit.
@@ -59,7 +59,7 @@ enum Source {
 
 struct Line {
     name: String,
-    places: Vec<Place>,
+    places: Vec<CurvePoint>,
     /// The points at which the curve meets the border of sticking.
     border: Vec<(f64, f64)>,
     /// The position of Ω = 1 on the axis; NaN if it has none.
@@ -67,8 +67,8 @@ struct Line {
 }
 
 /// The request: the quantity over one axis, for each value of another.
-struct Asked {
-    what: Curve,
+struct AskedCurve {
+    what: CurveQuantity,
     axis: Input,
     grid: Grid<f64>,
     other: Option<(Input, Grid<f64>, Vec<String>)>,
@@ -79,12 +79,12 @@ struct Asked {
 pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new(args.out.as_deref(), args.overwrite)?;
     let reader = args.units.reader();
-    let asked = Asked::new(args, &reader)?;
+    let asked = AskedCurve::new(args, &reader)?;
     let lines = asked.lines()?;
     target.fill(out, |mut out| asked.rows(&lines, &mut out), || asked.figure(&lines))
 }
 
-impl Place {
+impl CurvePoint {
     /// The value at this place; infinite where the motion is unbounded, and NaN where it is undecided.
     fn height(&self) -> f64 {
         let otherwise = if self.regime == UNBOUNDED { f64::INFINITY } else { f64::NAN };
@@ -92,7 +92,7 @@ impl Place {
     }
 }
 
-impl Asked {
+impl AskedCurve {
     fn new(args: &CurveArgs, reader: &Reader) -> Result<Self, Failure> {
         let mut given = Given::empty(reader, Naming::Option);
         let (mut grid, mut other) = (None, None);
@@ -162,7 +162,7 @@ impl Asked {
 
     fn line(&self, name: String, given: &Given<f64>) -> Result<Line, Failure> {
         let first = self.point(given, self.grid.value(0))?;
-        if self.what == Curve::Absolute
+        if self.what == CurveQuantity::Absolute
             && !first.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface())
         {
             return Err(Failure::Input(
@@ -187,11 +187,11 @@ impl Asked {
         places.sort_by(|a, b| a.x.total_cmp(&b.x));
         let at = |x: f64| self.place(given, x, Source::Flank);
         let all = resolved(&places, self.grid.is_logarithmic(), |place| (place.x, place.height()), at)?;
-        let mut places: Vec<Place> = all
+        let mut places: Vec<CurvePoint> = all
             .into_iter()
             .map(|(place, origin)| match origin {
                 Origin::Given | Origin::Flank => place,
-                Origin::Peak => Place { source: Source::Peak, ..place },
+                Origin::Peak => CurvePoint { source: Source::Peak, ..place },
             })
             .collect();
         let mut border = Vec::new();
@@ -216,13 +216,13 @@ impl Asked {
         input::point(&given)
     }
 
-    fn place(&self, given: &Given<f64>, x: f64, source: Source) -> Result<Place, Failure> {
+    fn place(&self, given: &Given<f64>, x: f64, source: Source) -> Result<CurvePoint, Failure> {
         let point = self.point(given, x)?;
         let response = Response::new(point.ratios);
         let margin = margin(&response);
         let (value, regime, sticks) = self.value(&point, &response)?;
         Cell::Number(value).finite(words(self.what)).map_err(|e| behind_all(given, e))?;
-        Ok(Place { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
+        Ok(CurvePoint { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
     }
 
     /// The point where the curve meets the border, between two frequencies on either side of it: by
@@ -276,7 +276,7 @@ impl Asked {
 
 #[cfg(test)]
 mod tests {
-    use super::{Asked, margin};
+    use super::{AskedCurve, margin};
     use crate::args::{Command, CommandLine};
     use crate::input;
     use clap::Parser;
@@ -288,7 +288,7 @@ mod tests {
         let Command::ResponseCurve(args) = CommandLine::parse_from(words.split(' ')).command else {
             panic!()
         };
-        let asked = Asked::new(&args, &args.units.reader()).ok().unwrap();
+        let asked = AskedCurve::new(&args, &args.units.reader()).ok().unwrap();
         let lines = asked.lines().ok().unwrap();
         let mut met = 0;
         for (line, alpha) in lines.iter().zip([1.3, 1.5, 4.0]) {

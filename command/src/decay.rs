@@ -20,7 +20,7 @@ pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
 }
 
 /// The scales of free vibration: length B, time 1/ω_n.
-struct Scales<F> {
+struct DecayScales<F> {
     length: F,
     time: F,
     /// The displacement about which friction is symmetric, if a mean force or backward friction was given.
@@ -95,7 +95,11 @@ stickslip::define! {
     REST_TIME("rest_time", Angle, "");
 }
 
-fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions: &Frictions<F>) -> Record<F> {
+fn record<F: Value>(
+    decay: &FreeDecay<F>,
+    scales: Option<&DecayScales<F>>,
+    frictions: &Frictions<F>,
+) -> Record<F> {
     let number = |x: F| Cell::Number(Some(x));
     let repeated = [(DAMPING_RATIO, frictions.damping), (STATIC_FRICTION_RATIO, frictions.static_friction)];
     let mut fields: Vec<_> = repeated.into_iter().filter_map(|(key, x)| Some((key, number(x?)))).collect();
@@ -118,7 +122,7 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions:
 }
 
 /// The scales of the machine, if there is one, and its damping and static friction.
-fn body<F: Value>(given: &Given<F>) -> Result<(Option<Scales<F>>, Frictions<F>), Failure> {
+fn body<F: Value>(given: &Given<F>) -> Result<(Option<DecayScales<F>>, Frictions<F>), Failure> {
     let (zeta, eta) = (given.get(Input::DampingRatio), given.get(Input::StaticFrictionRatio));
     if !given.is_physical() {
         return Ok((None, Frictions { damping: zeta, static_friction: eta }));
@@ -131,7 +135,7 @@ fn body<F: Value>(given: &Given<F>) -> Result<(Option<Scales<F>>, Frictions<F>),
             .then(|| eta.unwrap_or(body.static_friction_ratio())),
     };
     let shifted = given.has(Input::MeanForce) || given.has(Input::FrictionBackward);
-    let scales = Scales {
+    let scales = DecayScales {
         length: body.friction_displacement(),
         time: F::int(1) / body.natural_frequency(),
         mean_displacement: shifted.then(|| mean_displacement(given, &body)).transpose()?,

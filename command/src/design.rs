@@ -16,7 +16,7 @@ use stickslip::design::{self, Edge};
 use stickslip::inputs::units::{Kind, System};
 use stickslip::{Drive, Error, Excitation, NoStop, Oscillator};
 
-use asked::Asked;
+use asked::AskedDesign;
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
     at_bits!(arguments(question).bits, respond(question: &Question, out))
@@ -35,16 +35,16 @@ const fn arguments(question: &Question) -> &QuestionArgs {
 }
 
 /// A row of an answer: name, kind and value of each number.
-type Row<F> = Vec<(&'static str, Kind, Cell<F>)>;
+type AnswerRow<F> = Vec<(&'static str, Kind, Cell<F>)>;
 
 /// An answer: a sentence and its numbers.
-struct Answer<F> {
+struct DesignAnswer<F> {
     sentence: String,
-    rows: Vec<Row<F>>,
+    rows: Vec<AnswerRow<F>>,
 }
 
-impl<F: Value> Answer<F> {
-    fn one(sentence: String, fields: Row<F>) -> Self {
+impl<F: Value> DesignAnswer<F> {
+    fn one(sentence: String, fields: AnswerRow<F>) -> Self {
         Self { sentence, rows: vec![fields] }
     }
 }
@@ -52,7 +52,7 @@ impl<F: Value> Answer<F> {
 fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
     let args = arguments(question);
     let reader = args.units.reader();
-    let asked = Asked::<F>::new(args, &reader)?;
+    let asked = AskedDesign::<F>::new(args, &reader)?;
     let answer = match question {
         Question::Force(_) if args.no_stop => asked.forces_without_stop(),
         Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
@@ -83,13 +83,13 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
 }
 
 /// A row as JSON; in physical units it includes the kind of base motion and the unit of each value.
-struct Named<'a, F> {
-    row: &'a Row<F>,
+struct NamedRow<'a, F> {
+    row: &'a AnswerRow<F>,
     system: Option<System>,
     base_motion: Option<&'static str>,
 }
 
-impl<F: Value> Serialize for Named<'_, F> {
+impl<F: Value> Serialize for NamedRow<'_, F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         for (name, _, cell) in self.row {
@@ -116,8 +116,8 @@ impl Serialize for Units<'_> {
     }
 }
 
-impl<F: Value> Asked<'_, F> {
-    fn min_force(&self) -> Result<Answer<F>, Failure> {
+impl<F: Value> AskedDesign<'_, F> {
+    fn min_force(&self) -> Result<DesignAnswer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
             let border = self.border(omega)?;
@@ -133,7 +133,7 @@ impl<F: Value> Asked<'_, F> {
             } else {
                 format!("The body never sticks at a force of {} r_y or more.", digits(least))
             };
-            return Ok(Answer::one(sentence, fields));
+            return Ok(DesignAnswer::one(sentence, fields));
         }
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
         let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
@@ -159,10 +159,10 @@ impl<F: Value> Asked<'_, F> {
             let names = ["release_force", "every_start_force"];
             fields.extend(static_friction::fields(&ratios, &found, names, Kind::Force, |x| x * friction));
         }
-        Ok(Answer::one(sentence, fields))
+        Ok(DesignAnswer::one(sentence, fields))
     }
 
-    fn max_friction(&self) -> Result<Answer<F>, Failure> {
+    fn max_friction(&self) -> Result<DesignAnswer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
             let border = self.border(omega)?;
@@ -178,7 +178,7 @@ impl<F: Value> Asked<'_, F> {
             } else {
                 format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio))
             };
-            return Ok(Answer::one(sentence, fields));
+            return Ok(DesignAnswer::one(sentence, fields));
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
@@ -202,10 +202,10 @@ impl<F: Value> Asked<'_, F> {
             let names = ["release_friction", "every_start_friction"];
             fields.extend(static_friction::fields(&ratios, &found, names, Kind::Force, |x| force / x));
         }
-        Ok(Answer::one(sentence, fields))
+        Ok(DesignAnswer::one(sentence, fields))
     }
 
-    fn bands(&self) -> Result<Answer<F>, Failure> {
+    fn bands(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Frequency)?;
         let mut searched = self.damping_ratio() > F::int(0);
         let (found, unit) = if self.physical {
@@ -249,10 +249,10 @@ impl<F: Value> Asked<'_, F> {
             1 => "The body does not stick in one band of that range:".to_owned(),
             n => format!("The body does not stick in {n} bands of that range, and in no others:"),
         };
-        Ok(Answer { sentence, rows })
+        Ok(DesignAnswer { sentence, rows })
     }
 
-    fn displacement(&self) -> Result<Answer<F>, Failure> {
+    fn displacement(&self) -> Result<DesignAnswer<F>, Failure> {
         let target = self.target(Kind::Length)?;
         if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
@@ -262,7 +262,7 @@ impl<F: Value> Asked<'_, F> {
         self.ratio_for(design::force_ratio_for_displacement(omega, zeta, target))
     }
 
-    fn velocity(&self) -> Result<Answer<F>, Failure> {
+    fn velocity(&self) -> Result<DesignAnswer<F>, Failure> {
         let target = self.target(Kind::Velocity)?;
         if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
@@ -272,21 +272,21 @@ impl<F: Value> Asked<'_, F> {
         self.ratio_for(design::force_ratio_for_velocity(omega, zeta, target))
     }
 
-    fn force_for(&self, force: Result<F, Error>) -> Result<Answer<F>, Failure> {
+    fn force_for(&self, force: Result<F, Error>) -> Result<DesignAnswer<F>, Failure> {
         let force = force.map_err(|e| self.fail(e))?;
         let sentence = format!("The force needed is {} {}.", digits(force), self.system().force());
-        Ok(Answer::one(sentence, vec![("force", Kind::Force, some(force))]))
+        Ok(DesignAnswer::one(sentence, vec![("force", Kind::Force, some(force))]))
     }
 
-    fn ratio_for(&self, ratio: Result<F, Error>) -> Result<Answer<F>, Failure> {
+    fn ratio_for(&self, ratio: Result<F, Error>) -> Result<DesignAnswer<F>, Failure> {
         let ratio = ratio.map_err(|e| self.fail(e))?;
         let sentence = format!("The force needed is {} r_y.", digits(ratio));
-        Ok(Answer::one(sentence, vec![("force_ratio", Kind::Ratio, some(ratio))]))
+        Ok(DesignAnswer::one(sentence, vec![("force_ratio", Kind::Ratio, some(ratio))]))
     }
 }
 
 /// A force, and the amplitude of either kind of base motion that exerts this force on the body.
-fn force_and_base_motions<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> Row<F> {
+fn force_and_base_motions<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> AnswerRow<F> {
     let acceleration = force / body.mass();
     vec![
         ("force", Kind::Force, some(force)),

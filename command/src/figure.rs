@@ -2,7 +2,7 @@
 
 use crate::args::{FigureArgs, FiguresArgs, Picture};
 use crate::failure::{Failure, Outcome};
-use crate::output::{self, Beside};
+use crate::output::{self, PendingFile};
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs;
@@ -105,8 +105,8 @@ impl<'a> Target<'a> {
 }
 
 /// The temporary file for `--out FILE`, opened before drawing.
-pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<Beside, Failure> {
-    Beside::create(file, &format!("--out {}", file.display()), overwrite)
+pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<PendingFile, Failure> {
+    PendingFile::create(file, &format!("--out {}", file.display()), overwrite)
 }
 
 pub(crate) fn write(figure: &Figure, picture: Picture, out: &mut impl Write) -> Outcome {

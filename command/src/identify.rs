@@ -44,7 +44,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
             None => Failure::Input(format!("{name}: {e}")),
         }
     })?;
-    let answer = Answer::new(&given, &body, &found, &file, reading.amplitude)?;
+    let answer = IdentifyAnswer::new(&given, &body, &found, &file, reading.amplitude)?;
     if let Format::Json = args.format {
         serde_json::to_writer_pretty(&mut *out, &answer)?;
         return Ok(out.write_all(b"\n")?);
@@ -72,14 +72,14 @@ fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
 }
 
 /// A column of measurements: its index, and its unit if the header has one.
-struct Column {
+struct MeasuredColumn {
     place: usize,
     name: &'static str,
     kind: Kind,
     factor: Option<Factor>,
 }
 
-impl Column {
+impl MeasuredColumn {
     /// The columns of a header that are read, and the names of the others.
     fn all(
         header: &StringRecord,
@@ -150,8 +150,8 @@ impl Measured {
         let source = Bounded { source: rows::open(file, name)?, ahead: &ahead };
         let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
         let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
-        let ([frequency, amplitude, phase], others) = Column::all(&header, name, reader)?;
-        let due = |column: Option<Column>, which: &str| {
+        let ([frequency, amplitude, phase], others) = MeasuredColumn::all(&header, name, reader)?;
+        let due = |column: Option<MeasuredColumn>, which: &str| {
             column.ok_or_else(|| {
                 let found = header.iter().collect::<Vec<_>>().join(",");
                 Failure::Input(format!("{name}: column {which} is missing in the header “{found}”"))
@@ -186,14 +186,14 @@ impl Measured {
 
 /// An estimate in JSON.
 #[derive(Serialize)]
-struct Found {
+struct EstimateRecord {
     value: f64,
     standard_error: f64,
     interval_95: (f64, f64),
     unit: String,
 }
 
-impl Found {
+impl EstimateRecord {
     fn of(estimate: &Estimate, scale: f64, unit: String) -> Self {
         let (low, high) = estimate.interval();
         Self {
@@ -214,11 +214,11 @@ struct Suspect {
 }
 
 #[derive(Serialize)]
-struct Answer {
-    friction: Found,
-    friction_coefficient: Found,
-    damping_ratio: Found,
-    damping: Found,
+struct IdentifyAnswer {
+    friction: EstimateRecord,
+    friction_coefficient: EstimateRecord,
+    damping_ratio: EstimateRecord,
+    damping: EstimateRecord,
     noise: f64,
     phase_noise: Option<f64>,
     measurements: usize,
@@ -233,7 +233,7 @@ struct Answer {
     ignored_columns: Vec<String>,
 }
 
-impl Answer {
+impl IdentifyAnswer {
     fn new(
         given: &Given<f64>,
         body: &Oscillator<f64>,
@@ -249,10 +249,10 @@ impl Answer {
             .map(|(&line, r)| Suspect { line, amplitude: r.amplitude_is_suspect, phase: r.phase_is_suspect })
             .collect();
         Ok(Self {
-            friction: Found::of(&found.friction_bound, 1.0, unit(Kind::Force)),
-            friction_coefficient: Found::of(&found.friction_bound, 1.0 / weight, unit(Kind::Ratio)),
-            damping_ratio: Found::of(&found.damping_ratio, 1.0, unit(Kind::Ratio)),
-            damping: Found::of(&found.damping_ratio, critical, unit(Kind::Damping)),
+            friction: EstimateRecord::of(&found.friction_bound, 1.0, unit(Kind::Force)),
+            friction_coefficient: EstimateRecord::of(&found.friction_bound, 1.0 / weight, unit(Kind::Ratio)),
+            damping_ratio: EstimateRecord::of(&found.damping_ratio, 1.0, unit(Kind::Ratio)),
+            damping: EstimateRecord::of(&found.damping_ratio, critical, unit(Kind::Damping)),
             noise: found.noise,
             phase_noise: found.phase_noise,
             measurements: found.residuals.len(),
@@ -319,12 +319,12 @@ fn of_phase(kind: PhaseKind) -> &'static str {
 
 fn text(
     given: &Given<f64>,
-    answer: &Answer,
+    answer: &IdentifyAnswer,
     found: &Identified,
     file: &Measured,
     out: &mut impl Write,
 ) -> Outcome {
-    let Answer { used, measurements, .. } = answer;
+    let IdentifyAnswer { used, measurements, .. } = answer;
     writeln!(out, "Friction and damping that explain {used} of {measurements} measurements best:\n")?;
     for (name, found) in [
         ("friction bound r_y", &answer.friction),

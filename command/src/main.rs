@@ -69,7 +69,7 @@ fn main() -> ExitCode {
             }
             interrupt::listen();
             progress::of_time();
-            ended(run(&line.command))
+            ended(run_command(&line.command))
         }
         // Help and version; a closed pipe may cut them short.
         Err(args::NoCommand::Answered(help)) => {
@@ -90,7 +90,7 @@ fn ended(outcome: Outcome) -> ExitCode {
     }
 }
 
-fn run(command: &Command) -> Outcome {
+fn run_command(command: &Command) -> Outcome {
     let mut out = Lines::new(io::stdout().lock(), "standard output");
     match command {
         Command::Response(args) => response::run(args, &mut out)?,

@@ -25,7 +25,7 @@ use stickslip::{Output, Response};
 pub(crate) use picture::capital;
 
 /// A value, with its kind if it is in the machine's units.
-type Found = (Option<Kind>, Cell<f64>);
+type MapValue = (Option<Kind>, Cell<f64>);
 
 /// Quantity to map.
 enum Quantity<'a> {
@@ -70,13 +70,13 @@ impl<'a> Quantity<'a> {
 
     /// The value at a point, with the kind of values in the machine's units; `None` if there is no such
     /// output.
-    fn at(&self, given: &Given<f64>) -> Result<Option<Found>, Failure> {
+    fn value_at(&self, given: &Given<f64>) -> Result<Option<MapValue>, Failure> {
         if matches!(self, Self::Margin) {
             let margin = margin(&Response::new(input::point(given)?.ratios));
             return Ok(Some((None, Cell::Number(Some(margin)))));
         }
         if matches!(self, Self::Limits) {
-            return Ok(Some((None, Cell::Text(limits::of(input::point(given)?.ratios)?))));
+            return Ok(Some((None, Cell::Text(limits::described(input::point(given)?.ratios)?))));
         }
         let peaks = outputs::is_searched(self.name());
         let record = rows::answer(self.question(), given, peaks)?;
@@ -146,7 +146,7 @@ impl<'a> Map<'a> {
         // Points are computed row by row: the horizontal grid varies fastest.
         axes.order([up.clone(), across.clone()]);
         rows::check(quantity.question(), &axes)?;
-        let Some((kind, _)) = quantity.at(&axes.at(0))? else {
+        let Some((kind, _)) = quantity.value_at(&axes.given_at(0))? else {
             let known = "regime, margin, stops, an output of response, or steady: and an output of steady";
             return Err(Failure::Input(format!("map {}: must be one of {known}", args.quantity)));
         };
@@ -161,8 +161,8 @@ impl<'a> Map<'a> {
                 if interrupt::asked() {
                     return Err(Failure::Interrupted);
                 }
-                let given = axes.at(point);
-                let found = self.quantity.at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
+                let given = axes.given_at(point);
+                let found = self.quantity.value_at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
                 Ok((given, found))
             },
             |(given, cell)| take(given, cell),

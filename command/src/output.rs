@@ -64,14 +64,14 @@ pub(crate) fn named(name: &str, error: io::Error) -> io::Error {
 }
 
 /// A file that is written under a temporary name in the same directory, and renamed when complete.
-pub(crate) struct Beside {
+pub(crate) struct PendingFile {
     place: PathBuf,
     beside: Temporary,
     file: File,
     overwrite: bool,
 }
 
-impl Beside {
+impl PendingFile {
     /// Opens the temporary file before the work begins.
     ///
     /// `argument` names the place in errors. An existing file is kept, unless it is to be overwritten.

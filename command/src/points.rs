@@ -22,7 +22,7 @@ use stickslip::inputs::{Given, Input, Role};
 const UNSEEN: Duration = Duration::from_millis(10);
 
 /// The request for one point, or for a file of points.
-pub(crate) struct Asked<'a, F> {
+pub(crate) struct AskedPoints<'a, F> {
     pub(crate) command: &'static str,
     pub(crate) output: &'a OutputArgs,
     pub(crate) reader: &'a Reader,
@@ -34,7 +34,7 @@ pub(crate) struct Asked<'a, F> {
 
 /// Answers the point of the arguments, in words by `note` or by its record, or with `--points` each row of the file.
 pub(crate) fn answered<F: Value, A, W: Write>(
-    asked: Asked<'_, F>,
+    asked: AskedPoints<'_, F>,
     out: &mut W,
     answer: impl Fn(&Given<F>) -> Result<(A, Record<F>), Failure>,
     note: impl FnOnce(&A, &System, &mut W) -> io::Result<()>,
@@ -56,7 +56,7 @@ pub(crate) fn answered<F: Value, A, W: Write>(
 /// line and the value.
 fn rows_of<F: Value>(
     file: &Path,
-    asked: Asked<'_, F>,
+    asked: AskedPoints<'_, F>,
     out: &mut impl Write,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
@@ -78,7 +78,7 @@ fn rows_of<F: Value>(
 }
 
 /// A column that is read.
-struct Column {
+struct ReadColumn {
     parameter: Input,
     place: usize,
     name: String,
@@ -87,7 +87,7 @@ struct Column {
     factor: Option<Factor>,
 }
 
-impl Column {
+impl ReadColumn {
     fn value<F: Value>(&self, reader: &Reader, name: &str, text: &str) -> Result<F, Failure> {
         match self.factor {
             Some(factor) => Ok(factor.times(number(name, text)?)),
@@ -100,7 +100,7 @@ fn answer_all<F: Value, W: Write>(
     source: impl Read,
     ahead: &Ahead,
     name: &str,
-    asked: Asked<'_, F>,
+    asked: AskedPoints<'_, F>,
     sink: &RefCell<Sink<W>>,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
@@ -108,7 +108,7 @@ fn answer_all<F: Value, W: Write>(
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
     let used = used::columns(asked.command);
     let (columns, is_machine) = columns(&header, name, &used, &asked)?;
-    let Asked { mut given, reader: units, output, .. } = asked;
+    let AskedPoints { mut given, reader: units, output, .. } = asked;
     let has = |p: Input| given.has(p) || columns.iter().any(|column| column.parameter == p);
     let needed = if is_machine { of_a_machine() } else { vec![vec![Input::Omega], vec![Input::Alpha]] };
     let mut needed = needed.into_iter().filter(|several| several.iter().any(|p| used.contains(p)));
@@ -179,7 +179,7 @@ fn of_a_machine() -> Vec<Vec<Input>> {
 }
 
 /// A known column of the header.
-struct Named<'a> {
+struct KnownColumn<'a> {
     parameter: Input,
     place: usize,
     own: &'a str,
@@ -193,12 +193,12 @@ fn columns<F: Value>(
     header: &StringRecord,
     name: &str,
     used: &[Input],
-    asked: &Asked<'_, F>,
-) -> Result<(Vec<Column>, bool), Failure> {
-    let Asked { given, reader, start, .. } = asked;
+    asked: &AskedPoints<'_, F>,
+) -> Result<(Vec<ReadColumn>, bool), Failure> {
+    let AskedPoints { given, reader, start, .. } = asked;
     let known = || used.iter().copied();
     let is_typed = |p: Input| given.has(p) || start.is_some_and(|start| start.text(p).is_some());
-    let (mut found, mut unread): (Vec<Named<'_>>, Vec<&str>) = (Vec::new(), Vec::new());
+    let (mut found, mut unread): (Vec<KnownColumn<'_>>, Vec<&str>) = (Vec::new(), Vec::new());
     for (place, text) in header.iter().enumerate() {
         let (own, unit) = name_and_unit(text);
         let plain = own.to_lowercase().replace(['-', ' '], "_");
@@ -225,7 +225,7 @@ fn columns<F: Value>(
         if is_typed(parameter) {
             return refused(&format!("must be left out, or {}, which gives the same", parameter.option()));
         }
-        found.push(Named { parameter, place, own, unit });
+        found.push(KnownColumn { parameter, place, own, unit });
     }
     if !unread.is_empty() {
         let (columns, are) = if unread.len() == 1 { ("column", "is") } else { ("columns", "are") };
@@ -233,13 +233,13 @@ fn columns<F: Value>(
     }
     let has = |p: Input| given.has(p) || found.iter().any(|named| named.parameter == p);
     let is_machine = known().any(|p| p.is_physical() && has(p));
-    let columns = found.into_iter().map(|Named { parameter, place, own, unit }| {
+    let columns = found.into_iter().map(|KnownColumn { parameter, place, own, unit }| {
         let is_ratio = !is_machine && parameter.role() == Role::Start;
         let kind = if is_ratio { Kind::Ratio } else { parameter.kind() };
         let unit = unit.filter(|unit| kind != Kind::Ratio || !parameter.ratio_units().contains(unit));
         let in_header = |unit| reader.factor_of_column(&format!("{name}: column {own}"), unit, kind);
         let factor = unit.map(in_header).transpose()?;
-        Ok(Column { parameter, place, name: own.to_owned(), kind, factor })
+        Ok(ReadColumn { parameter, place, name: own.to_owned(), kind, factor })
     });
     Ok((columns.collect::<Result<_, Failure>>()?, is_machine))
 }

@@ -73,7 +73,7 @@ pub(crate) fn in_order_kept<T: Send>(
     take: impl FnMut(Option<T>) -> Outcome,
 ) -> Outcome {
     let bar = bar(points.end - points.start, "points");
-    let work = Work::new(&points);
+    let work = OpenPoints::new(&points);
     let (sender, receiver) = mpsc::channel();
     let mut taking = Taking {
         work: &work,
@@ -107,7 +107,7 @@ pub(crate) fn in_order_kept<T: Send>(
 }
 
 /// The points that no thread has taken yet.
-struct Work {
+struct OpenPoints {
     threads: u64,
     left: Mutex<Left>,
     /// Wakes threads that wait for points.
@@ -128,7 +128,7 @@ struct Left {
     stopped: bool,
 }
 
-impl Work {
+impl OpenPoints {
     fn new(points: &Range<u64>) -> Self {
         let left = Left {
             fresh: points.clone(),
@@ -189,7 +189,7 @@ impl Work {
 
 /// Consecutive points of one thread. When dropped, a stretch returns the points without an answer.
 struct Stretch<'a> {
-    work: &'a Work,
+    work: &'a OpenPoints,
     points: Range<u64>,
     begin: Instant,
 }
@@ -226,7 +226,7 @@ impl Drop for Stretch<'_> {
 
 /// The receiver of the answers, which passes them on in order.
 struct Taking<'a, T, K> {
-    work: &'a Work,
+    work: &'a OpenPoints,
     receiver: Receiver<(u64, Vec<Result<T, Failure>>)>,
     take: K,
     next: u64,

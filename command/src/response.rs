@@ -22,8 +22,13 @@ pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
 fn respond<F: Value>(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
     let reader = args.output.units.reader();
     let given = given::read::<F>(&args.machine, &reader)?;
-    let asked =
-        points::Asked { command: "response", output: &args.output, reader: &reader, given, start: None };
+    let asked = points::AskedPoints {
+        command: "response",
+        output: &args.output,
+        reader: &reader,
+        given,
+        start: None,
+    };
     let answer = |given: &Given<F>| {
         let point = input::point(given)?;
         let (response, record) = answer(given, &point, true)?;

@@ -91,8 +91,8 @@ pub(crate) fn reopen<R: Rows>(
     let mut file = OpenOptions::new().read(true).write(true).open(name).map_err(|e| bad(e.to_string()))?;
     output::take(&file, &argument)?;
     let header = if header { rows.header()? } else { Vec::new() };
-    let kept = Kept::read(&file, rows, part, &header).and_then(|kept| {
-        let compare = if rows.hold_their_grid() { Kept::compare_some } else { Kept::compare_all };
+    let kept = KeptRows::read(&file, rows, part, &header).and_then(|kept| {
+        let compare = if rows.hold_their_grid() { KeptRows::compare_some } else { KeptRows::compare_all };
         compare(&kept, &file, rows, part).map(|()| kept)
     });
     let kept = kept.map_err(|failure| failure.about(&argument))?;
@@ -102,7 +102,7 @@ pub(crate) fn reopen<R: Rows>(
 }
 
 /// The complete lines of a file.
-struct Kept {
+struct KeptRows {
     rows: u64,
     /// The position of the first row.
     begin: u64,
@@ -112,7 +112,7 @@ struct Kept {
     some: Spread,
 }
 
-impl Kept {
+impl KeptRows {
     /// Reads the whole file, and compares the parts that cost little.
     fn read<R: Rows>(file: &File, rows: &R, part: &Range<u64>, header: &[u8]) -> Result<Self, Failure> {
         let mut lines = BufReader::new(file);

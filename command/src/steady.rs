@@ -31,7 +31,8 @@ fn respond<F: Value>(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     let reader = args.output.units.reader();
     let given = given::read::<F>(&args.machine, &reader)?;
     let start = Some(&args.start);
-    let asked = points::Asked { command: "steady", output: &args.output, reader: &reader, given, start };
+    let asked =
+        points::AskedPoints { command: "steady", output: &args.output, reader: &reader, given, start };
     let answer = |given: &Given<F>| {
         let point = input::point(given)?;
         let start = input::start(&args.start, given, point.machine.as_ref(), &reader)?;

@@ -10,7 +10,7 @@ use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::output::{Lines, named};
 use crate::resume::{self, Rows as _};
-use rows::Rows;
+use rows::SweepRows;
 use std::fs::File;
 use std::io::Write;
 use std::ops::Range;
@@ -28,7 +28,7 @@ fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
         )));
     };
     let axes = Axes::new(&args.machine, &args.units.reader())?;
-    let rows = Rows::<F>::new(args, axes)?;
+    let rows = SweepRows::<F>::new(args, axes)?;
     let part = part(args.shard.as_deref(), rows.len())?;
     if args.resume && args.out.is_none() {
         return Err(Failure::Input("--resume: needs the file to continue, --out FILE".to_owned()));
@@ -39,7 +39,12 @@ fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
     }
 }
 
-fn to_text<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>, out: &mut impl Write) -> Outcome {
+fn to_text<F: Value>(
+    args: &SweepArgs,
+    rows: &SweepRows<F>,
+    part: Range<u64>,
+    out: &mut impl Write,
+) -> Outcome {
     match &args.out {
         None => write(rows, part, !args.no_header, out),
         Some(name) if args.resume && name.exists() => {
@@ -51,7 +56,13 @@ fn to_text<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>, out: &m
 }
 
 /// Writes the rows to the end of a file. After any interruption the file can be resumed.
-fn to_file<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, file: &File, name: &Path) -> Outcome {
+fn to_file<F: Value>(
+    rows: &SweepRows<F>,
+    part: Range<u64>,
+    header: bool,
+    file: &File,
+    name: &Path,
+) -> Outcome {
     let name = name.display().to_string();
     let outcome = write(rows, part, header, &mut Lines::new(file, name.as_str()));
     // This reports data that the system failed to write.
@@ -59,17 +70,17 @@ fn to_file<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, file: &File
 }
 
 #[cfg(feature = "parquet")]
-fn to_parquet<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) -> Outcome {
+fn to_parquet<F: Value>(args: &SweepArgs, rows: &SweepRows<F>, part: Range<u64>) -> Outcome {
     parquet::run(args, rows, part)
 }
 
 #[cfg(not(feature = "parquet"))]
-fn to_parquet<F: Value>(_: &SweepArgs, _: &Rows<F>, _: Range<u64>) -> Outcome {
+fn to_parquet<F: Value>(_: &SweepArgs, _: &SweepRows<F>, _: Range<u64>) -> Outcome {
     Err(Failure::Input("--format parquet: needs a build with the feature parquet".to_owned()))
 }
 
 /// Writes the rows of a part of the sweep, with their header.
-fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut impl Write) -> Outcome {
+fn write<F: Value>(rows: &SweepRows<F>, part: Range<u64>, header: bool, out: &mut impl Write) -> Outcome {
     if header {
         out.write_all(&rows.header()?)?;
     }

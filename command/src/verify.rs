@@ -32,7 +32,7 @@ use std::ops::ControlFlow;
 
 /// The result of a statement over all points.
 #[derive(Debug, Clone, PartialEq)]
-struct Verdict {
+struct StatementVerdict {
     /// The equation's number.
     equation: &'static str,
     /// The statement in words.
@@ -91,8 +91,8 @@ fn check<F: Value>(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
 fn watched(
     verify: impl FnOnce(
         &mut dyn FnMut(usize, usize) -> ControlFlow<Failure>,
-    ) -> Result<ControlFlow<Failure, Vec<Verdict>>, Failure>,
-) -> Result<Vec<Verdict>, Failure> {
+    ) -> Result<ControlFlow<Failure, Vec<StatementVerdict>>, Failure>,
+) -> Result<Vec<StatementVerdict>, Failure> {
     interrupt::listen();
     let bar = progress::bar(0, "points");
     let found = verify(&mut |done, all| {
@@ -113,7 +113,12 @@ fn watched(
 }
 
 /// Writes the verdicts; a failure if one of them is not as required.
-fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &mut impl Write) -> Outcome {
+fn answer(
+    verdicts: &[StatementVerdict],
+    residuals: Residuals,
+    args: &VerifyArgs,
+    out: &mut impl Write,
+) -> Outcome {
     match args.format {
         Format::Json => json(verdicts, residuals, out)?,
         Format::Text => text(verdicts, residuals, out)?,
@@ -126,17 +131,18 @@ fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &m
 }
 
 /// A failure if an identity does not hold, or is not refuted, as required.
-fn conclusion(verdicts: &[Verdict]) -> Outcome {
+fn conclusion(verdicts: &[StatementVerdict]) -> Outcome {
     match verdicts.iter().filter(|v| !v.passed).count() {
         0 => Ok(()),
         failed => Err(Failure::Verdict(format!("{failed} of {} identities failed", verdicts.len()))),
     }
 }
 
-fn text(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> io::Result<()> {
+fn text(verdicts: &[StatementVerdict], residuals: Residuals, out: &mut impl Write) -> io::Result<()> {
     let wide = |s: &str, width: usize| format!("{s}{}", " ".repeat(width.saturating_sub(s.chars().count())));
-    let widest =
-        |text: fn(&Verdict) -> &str| verdicts.iter().map(|v| text(v).chars().count()).max().unwrap_or(0);
+    let widest = |text: fn(&StatementVerdict) -> &str| {
+        verdicts.iter().map(|v| text(v).chars().count()).max().unwrap_or(0)
+    };
     let (first, second) = (widest(|v| v.equation).max(3), widest(|v| v.statement).max(8));
     let what = if residuals.are_balls {
         "how far the ball of a residual reaches from 0, in units of the last place of the terms"
@@ -182,11 +188,11 @@ struct Report<'a> {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     enclosed: bool,
     passed: bool,
-    identities: Vec<Row<'a>>,
+    identities: Vec<VerdictRecord<'a>>,
 }
 
 #[derive(Serialize)]
-struct Row<'a> {
+struct VerdictRecord<'a> {
     equation: &'a str,
     statement: &'a str,
     standing: &'a str,
@@ -202,8 +208,8 @@ struct Row<'a> {
     passed: bool,
 }
 
-impl<'a> From<&'a Verdict> for Row<'a> {
-    fn from(v: &'a Verdict) -> Self {
+impl<'a> From<&'a StatementVerdict> for VerdictRecord<'a> {
+    fn from(v: &'a StatementVerdict) -> Self {
         Self {
             equation: v.equation,
             statement: v.statement,
@@ -221,12 +227,12 @@ impl<'a> From<&'a Verdict> for Row<'a> {
     }
 }
 
-fn json(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> Outcome {
+fn json(verdicts: &[StatementVerdict], residuals: Residuals, out: &mut impl Write) -> Outcome {
     let report = Report {
         bits: residuals.bits,
         enclosed: residuals.are_balls,
         passed: verdicts.iter().all(|v| v.passed),
-        identities: verdicts.iter().map(Row::from).collect(),
+        identities: verdicts.iter().map(VerdictRecord::from).collect(),
     };
     serde_json::to_writer_pretty(&mut *out, &report)?;
     Ok(out.write_all(b"\n")?)
@@ -235,12 +241,12 @@ fn json(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> Out
 #[cfg(test)]
 mod tests {
     use super::{Residuals, conclusion, text};
-    use super::{Standing, Verdict};
+    use super::{Standing, StatementVerdict};
     use crate::failure::Failure;
 
     #[test]
     fn one_failure_is_enough_and_says_where() {
-        let verdict = |passed| Verdict {
+        let verdict = |passed| StatementVerdict {
             equation: "36",
             statement: "ρ² = 2B²/(1 + cos π₁) − X²",
             standing: Standing::Holds,

@@ -5,14 +5,14 @@ use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
 use stickslip::{Cycle, Ratios, Response};
 
 /// The response at Ω; only answers that depend on Ω alone are used.
-fn at(omega: f64) -> Option<Response<f64>> {
+fn response_at(omega: f64) -> Option<Response<f64>> {
     Ratios::new(omega, 1.0).map(Response::new).ok()
 }
 
 /// A value where the optimum of eq. 65 and 66 does not stick; NaN elsewhere.
 fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
     frequency_ratios().map(move |omega| {
-        let answer = at(omega).filter(Response::best_is_reached);
+        let answer = response_at(omega).filter(Response::best_is_reached);
         (omega, answer.as_ref().and_then(value).unwrap_or(f64::NAN))
     })
 }
@@ -21,7 +21,7 @@ fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item
 /// elsewhere.
 fn where_not_reached(value: impl Fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
     frequency_ratios().map(move |omega| {
-        let answer = at(omega).filter(|a| !a.best_is_reached());
+        let answer = response_at(omega).filter(|a| !a.best_is_reached());
         (omega, answer.as_ref().and_then(&value).unwrap_or(f64::NAN))
     })
 }

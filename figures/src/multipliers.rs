@@ -8,16 +8,17 @@ use stickslip::{Cycle, Ratios};
 pub(super) fn of_the_cycle() -> Figure {
     let contraction = |(index, alpha, name): (usize, f64, String)| {
         let points = frequency_ratios()
-            .map(move |omega| (omega, at(omega, alpha).map_or(f64::NAN, |m| m.contraction())));
+            .map(move |omega| (omega, multipliers_at(omega, alpha).map_or(f64::NAN, |m| m.contraction())));
         Series::new(name, Style::Marked(36 + index), index, points)
     };
     let locus = |(index, alpha, name): (usize, f64, String)| {
-        let one = move |which: Part| {
-            frequency_ratios()
-                .map(move |omega| at(omega, alpha).map_or((f64::NAN, f64::NAN), |m| which(m.half_cycle())))
+        let one = move |which: MultiplierPart| {
+            frequency_ratios().map(move |omega| {
+                multipliers_at(omega, alpha).map_or((f64::NAN, f64::NAN), |m| which(m.half_cycle()))
+            })
         };
         let points = one(|[first, _]| first).chain([(f64::NAN, f64::NAN)]).chain(one(|[_, second]| second));
-        let marked = at(MARKED, alpha).map(|m| m.half_cycle());
+        let marked = multipliers_at(MARKED, alpha).map(|m| m.half_cycle());
         [
             Series::new(name.clone(), Style::Dots, index, points),
             Series::new(name, Style::Marks, index, marked.into_iter().flatten()),
@@ -53,7 +54,7 @@ pub(super) fn of_the_cycle() -> Figure {
 }
 
 /// One of two multipliers, each as (re, im).
-type Part = fn([(f64, f64); 2]) -> (f64, f64);
+type MultiplierPart = fn([(f64, f64); 2]) -> (f64, f64);
 
 /// The frequency ratio of the marks.
 const MARKED: f64 = 1.5;
@@ -63,6 +64,6 @@ fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
     evenly(0.2025, 1.9975, 360)
 }
 
-fn at(omega: f64, alpha: f64) -> Option<Multipliers<f64>> {
+fn multipliers_at(omega: f64, alpha: f64) -> Option<Multipliers<f64>> {
     Ratios::new(omega, alpha).and_then(Cycle::new).ok().map(|cycle| cycle.multipliers())
 }

@@ -45,7 +45,7 @@ pub fn resolved<T: Clone, E>(
 ) -> Result<Vec<(T, Origin)>, E> {
     let x = |point: Option<&T>| point.map_or(f64::NAN, |point| place(point).0);
     let (first, last) = (x(points.first()), x(points.last()));
-    let curve = Curve { logarithmic, length: along(logarithmic, first, last), place, at };
+    let curve = SampledCurve { logarithmic, length: along(logarithmic, first, last), place, at };
     let ends = points.iter().zip(points.iter().skip(1));
     let lengths: Vec<f64> =
         ends.map(|(a, b)| along(logarithmic, (curve.place)(a).0, (curve.place)(b).0)).collect();
@@ -111,7 +111,7 @@ pub(super) fn resonant(
     all.into_iter().map(|(point, _)| point).collect()
 }
 
-struct Curve<P, A> {
+struct SampledCurve<P, A> {
     logarithmic: bool,
     /// The length of the axis.
     length: f64,
@@ -119,7 +119,7 @@ struct Curve<P, A> {
     at: A,
 }
 
-impl<T: Clone, E, P: Fn(&T) -> (f64, f64), A: Fn(f64) -> Result<T, E>> Curve<P, A> {
+impl<T: Clone, E, P: Fn(&T) -> (f64, f64), A: Fn(f64) -> Result<T, E>> SampledCurve<P, A> {
     /// The value at a point; where there is none, a number below all others.
     fn value(&self, point: &T) -> f64 {
         let (_, y) = (self.place)(point);

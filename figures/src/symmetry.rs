@@ -21,7 +21,7 @@ pub(super) fn errors() -> Figure {
     let panel = |(title, measure): (&str, Measure)| {
         let mut series = Vec::new();
         for (i, inverse, errors) in &motions {
-            let points = |of: fn(&Pair) -> Option<ErrorMeasures<f64>>| {
+            let points = |of: fn(&MeasuresAtFrequency) -> Option<ErrorMeasures<f64>>| {
                 errors.iter().map(move |pair| (pair.omega, of(pair).map_or(f64::NAN, |e| measure(&e))))
             };
             let name = format!("1/α = {inverse}, 20 cycles from rest");
@@ -56,20 +56,20 @@ pub(super) fn errors() -> Figure {
 type Measure = fn(&ErrorMeasures<f64>) -> f64;
 
 /// The measures at one Ω.
-struct Pair {
+struct MeasuresAtFrequency {
     omega: f64,
     early: Option<ErrorMeasures<f64>>,
     settled: Option<ErrorMeasures<f64>>,
 }
 
 /// The measures at one α for Ω from 0.6 to 2, without Ω = 1, where the amplitude grows without bound.
-fn along(alpha: f64) -> Vec<Pair> {
+fn along(alpha: f64) -> Vec<MeasuresAtFrequency> {
     evenly(0.6025, 1.9975, 280)
         .map(|omega| {
             let ratios = Ratios::new(omega, alpha).ok();
             let early = ratios.and_then(|r| errors_after(r, State::default(), CYCLES).ok());
             let limit = ratios.and_then(|r| LongRun::from_start(r, State::default()).ok());
-            Pair { omega, early, settled: limit.and_then(|l| l.steady_state()?.errors().ok()) }
+            MeasuresAtFrequency { omega, early, settled: limit.and_then(|l| l.steady_state()?.errors().ok()) }
         })
         .collect()
 }

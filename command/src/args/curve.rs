@@ -27,7 +27,7 @@ Examples:
 
 /// What a response curve shows over the frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Curve {
+pub(crate) enum CurveQuantity {
     /// Maximum displacement
     Displacement,
     /// Maximum velocity
@@ -46,7 +46,7 @@ pub(crate) enum Curve {
 pub(crate) struct CurveArgs {
     /// displacement, velocity, acceleration, force, transmissibility or absolute
     #[arg(value_enum, value_name = "WHAT", default_value = "displacement", hide_possible_values = true)]
-    pub(crate) what: Curve,
+    pub(crate) what: CurveQuantity,
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
     #[command(flatten)]

@@ -18,36 +18,36 @@ Examples:
 
 /// What the amplitudes are.
 #[derive(Debug, Clone, Copy, ValueEnum)]
-pub(crate) enum Amplitude {
+pub(crate) enum AmplitudeArg {
     Peak,
     Rms,
     PeakToPeak,
 }
 
-impl From<Amplitude> for AmplitudeKind {
-    fn from(kind: Amplitude) -> Self {
+impl From<AmplitudeArg> for AmplitudeKind {
+    fn from(kind: AmplitudeArg) -> Self {
         match kind {
-            Amplitude::Peak => Self::Peak,
-            Amplitude::Rms => Self::RootMeanSquare,
-            Amplitude::PeakToPeak => Self::PeakToPeak,
+            AmplitudeArg::Peak => Self::Peak,
+            AmplitudeArg::Rms => Self::RootMeanSquare,
+            AmplitudeArg::PeakToPeak => Self::PeakToPeak,
         }
     }
 }
 
 /// What the phases are.
 #[derive(Debug, Clone, Copy, ValueEnum)]
-pub(crate) enum Phase {
+pub(crate) enum PhaseArg {
     Peak,
     Lag,
     TransferFunction,
 }
 
-impl From<Phase> for PhaseKind {
-    fn from(kind: Phase) -> Self {
+impl From<PhaseArg> for PhaseKind {
+    fn from(kind: PhaseArg) -> Self {
         match kind {
-            Phase::Peak => Self::Peak,
-            Phase::Lag => Self::Lag,
-            Phase::TransferFunction => Self::TransferFunction,
+            PhaseArg::Peak => Self::Peak,
+            PhaseArg::Lag => Self::Lag,
+            PhaseArg::TransferFunction => Self::TransferFunction,
         }
     }
 }
@@ -61,12 +61,12 @@ pub(crate) struct IdentifyArgs {
     pub(crate) machine: MachineArgs,
     /// The kind of the amplitudes: peak (half of peak to peak), rms, or peak-to-peak
     #[arg(long, value_enum, value_name = "KIND", default_value = "peak", hide_possible_values = true)]
-    pub(crate) amplitude: Amplitude,
+    pub(crate) amplitude: AmplitudeArg,
     /// The kind of the phases, the force being p₀ sin ω_d t: peak (ω_d t of the maximum displacement), lag
     /// (of the displacement behind the force), or transfer-function (the lag, negative) [default: the one that
     /// fits best]
     #[arg(long, value_enum, value_name = "KIND", hide_possible_values = true)]
-    pub(crate) phase: Option<Phase>,
+    pub(crate) phase: Option<PhaseArg>,
     /// text or json
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,

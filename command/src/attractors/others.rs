@@ -1,6 +1,6 @@
 //! Periodic motions that no start leads to, such as unstable ones.
 
-use super::{Row, shape};
+use super::{LimitData, shape};
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -64,7 +64,7 @@ impl<F: Value> Others<F> {
 
     pub(super) fn rows(&self) -> Vec<Record<F>> {
         let row = |Other { number, mirror, steady }: &Other<F>| {
-            Row {
+            LimitData {
                 number: *number,
                 limit: if steady.is_stable() { "periodic" } else { "unstable" },
                 share: 0.0,

@@ -1,6 +1,6 @@
 //! The picture of response curves.
 
-use super::{Asked, Line, Place, Source, words};
+use super::{AskedCurve, CurvePoint, Line, Source, words};
 use crate::bits::digits;
 use crate::failure::Failure;
 use crate::map::capital;
@@ -20,7 +20,7 @@ const INDICES: [usize; 5] = [2, 1, 4, 5, 6];
 /// The number of marks on a curve.
 const MARKS: usize = 12;
 
-impl Asked {
+impl AskedCurve {
     pub(super) fn figure(&self, lines: &[Line]) -> Result<Figure, Failure> {
         let frequencies = || lines.iter().flat_map(|line| &line.places).map(|place| place.frequency);
         let (left, right) =
@@ -34,7 +34,7 @@ impl Asked {
         } else {
             Axis::linear(name, left, right)
         };
-        let range = Range::of(lines, self.grid.is_logarithmic());
+        let range = VerticalRange::of(lines, self.grid.is_logarithmic());
         let (low, high) = (range.low, range.high);
         let y = Axis::logarithmic(&self.label(), low, high);
         let mut series = Vec::new();
@@ -63,8 +63,8 @@ impl Asked {
                 });
                 part.collect::<Vec<_>>()
             };
-            let is_asked = |place: &&Place| place.source == Source::Grid;
-            let asked: Vec<&Place> = line.places.iter().filter(is_asked).collect();
+            let is_asked = |place: &&CurvePoint| place.source == Source::Grid;
+            let asked: Vec<&CurvePoint> = line.places.iter().filter(is_asked).collect();
             // Offset so that the marks of coinciding curves do not coincide.
             let every = asked.len() / MARKS + index;
             let some = asked.into_iter().skip(every / 2).step_by(every);
@@ -79,7 +79,7 @@ impl Asked {
         }
         let within = |(_, value): &(f64, f64)| *value >= low && *value <= high;
         let border: Vec<_> = lines.iter().flat_map(|line| &line.border).copied().filter(within).collect();
-        let is_dashed = |place: &Place| place.sticks && place.value.is_some();
+        let is_dashed = |place: &CurvePoint| place.sticks && place.value.is_some();
         if lines.iter().flat_map(|line| &line.places).any(is_dashed) {
             series.push(Series::new("with stops (exact)", Style::Dashed, 0, []));
         }
@@ -123,7 +123,7 @@ impl Asked {
 }
 
 /// The vertical axis.
-struct Range {
+struct VerticalRange {
     low: f64,
     high: f64,
     /// Whether a curve leaves the range downwards.
@@ -132,12 +132,12 @@ struct Range {
     cut_above: bool,
 }
 
-impl Range {
+impl VerticalRange {
     /// The range that shows every peak, the usual values, and enough of an unbounded curve to see it rise.
     fn of(lines: &[Line], logarithmic: bool) -> Self {
         let usual = usual(lines, logarithmic);
         let places = || lines.iter().flat_map(|line| &line.places);
-        let heights = || places().map(Place::height).filter(|y| *y > 0.0);
+        let heights = || places().map(CurvePoint::height).filter(|y| *y > 0.0);
         let is_unbounded = heights().any(f64::is_infinite);
         let peak = lines.iter().flat_map(tops).map(|(_, value)| value).fold(0.0, f64::max);
         let is_tall = peak > MOST_OF_PEAK * usual;
@@ -188,7 +188,7 @@ fn usual(lines: &[Line], logarithmic: bool) -> f64 {
 
 /// The bounded local maxima of a curve as (frequency, value), its ends included.
 fn tops(line: &Line) -> impl Iterator<Item = (f64, f64)> + '_ {
-    let beside = |i: Option<usize>| i.and_then(|i| line.places.get(i)).map_or(f64::NAN, Place::height);
+    let beside = |i: Option<usize>| i.and_then(|i| line.places.get(i)).map_or(f64::NAN, CurvePoint::height);
     line.places.iter().enumerate().filter_map(move |(i, place)| {
         let value = place.height();
         let is_exceeded = beside(i.checked_sub(1)) > value || beside(Some(i + 1)) > value;

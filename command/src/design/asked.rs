@@ -1,6 +1,6 @@
 //! The arguments of a question.
 
-use super::{Answer, Named, Row};
+use super::{AnswerRow, DesignAnswer, NamedRow};
 use crate::args::QuestionArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
@@ -13,7 +13,7 @@ use stickslip::inputs::{Given, Input, Role, in_typed_unit};
 use stickslip::{Border, Drive, Error, Oscillator, Quantity, Ratios};
 
 /// The arguments of a question, read on demand.
-pub(super) struct Asked<'a, F> {
+pub(super) struct AskedDesign<'a, F> {
     pub(super) args: &'a QuestionArgs,
     pub(super) reader: &'a Reader,
     pub(super) given: Given<F>,
@@ -21,7 +21,7 @@ pub(super) struct Asked<'a, F> {
     pub(super) one: F,
 }
 
-impl<'a, F: Value> Asked<'a, F> {
+impl<'a, F: Value> AskedDesign<'a, F> {
     pub(super) fn new(args: &'a QuestionArgs, reader: &'a Reader) -> Result<Self, Failure> {
         let given = given::read(&args.machine, reader)?;
         let physical = given.is_physical();
@@ -33,7 +33,7 @@ impl<'a, F: Value> Asked<'a, F> {
     }
 
     /// The sentence, the kind of base motion, and a line for each number with its unit.
-    pub(super) fn text(&self, answer: &Answer<F>, out: &mut impl Write) -> Outcome {
+    pub(super) fn text(&self, answer: &DesignAnswer<F>, out: &mut impl Write) -> Outcome {
         writeln!(out, "{}", answer.sentence)?;
         if let Some(base) = self.base_motion() {
             writeln!(out, "Base motion {base}.")?;
@@ -53,8 +53,8 @@ impl<'a, F: Value> Asked<'a, F> {
         Ok(())
     }
 
-    pub(super) fn named<'r>(&self, row: &'r Row<F>) -> Named<'r, F> {
-        Named { row, system: self.physical.then(|| *self.system()), base_motion: self.base_motion() }
+    pub(super) fn named<'r>(&self, row: &'r AnswerRow<F>) -> NamedRow<'r, F> {
+        NamedRow { row, system: self.physical.then(|| *self.system()), base_motion: self.base_motion() }
     }
 
     /// The kind of base motion of the question, if any.

@@ -1,6 +1,6 @@
 //! `stickslip design dissipation` and `stiffness`: the optimum, and the reason why it is one.
 
-use super::{Answer, Asked, Row, searched_field, some};
+use super::{AnswerRow, AskedDesign, DesignAnswer, searched_field, some};
 use crate::bits::{Value, digits};
 use crate::failure::Failure;
 use crate::record::Cell;
@@ -8,8 +8,8 @@ use stickslip::design::{self, OptimumKind};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
 
-impl<F: Value> Asked<'_, F> {
-    pub(super) fn dissipation(&self) -> Result<Answer<F>, Failure> {
+impl<F: Value> AskedDesign<'_, F> {
+    pub(super) fn dissipation(&self) -> Result<DesignAnswer<F>, Failure> {
         if self.args.sticking {
             return self.dissipation_of_all();
         }
@@ -28,7 +28,7 @@ impl<F: Value> Asked<'_, F> {
 
     /// The friction that dissipates most with sticking allowed, by exact motions, with a bound on the
     /// dissipation at any friction.
-    fn dissipation_of_all(&self) -> Result<Answer<F>, Failure> {
+    fn dissipation_of_all(&self) -> Result<DesignAnswer<F>, Failure> {
         let tolerance = F::ratio(1, 1_000_000);
         if !self.physical {
             let (omega, zeta) = (self.omega()?, self.damping_ratio());
@@ -53,7 +53,7 @@ impl<F: Value> Asked<'_, F> {
         Ok(self.best(" of all motions", &place, at, best.value, Some(best.bound), best.kind))
     }
 
-    pub(super) fn stiffness(&self) -> Result<Answer<F>, Failure> {
+    pub(super) fn stiffness(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Stiffness)?;
         if !self.physical {
             let best = design::most_dissipating_frequency_ratio(self.alpha()?, low, high);
@@ -100,14 +100,14 @@ impl<F: Value> Asked<'_, F> {
         energy: F,
         bound: Option<F>,
         optimum: OptimumKind,
-    ) -> Answer<F> {
+    ) -> DesignAnswer<F> {
         let (force, length) = (self.system().force(), self.system().length());
         let energy_text = digits(energy);
         let sentence = format!(
             "Dissipation is greatest{of_all} {place}: {energy_text} {force}·{length} a cycle, {}.",
             why(optimum)
         );
-        Answer::one(sentence, best_fields(at, ("energy", Kind::Energy, energy), bound, optimum))
+        DesignAnswer::one(sentence, best_fields(at, ("energy", Kind::Energy, energy), bound, optimum))
     }
 }
 
@@ -119,10 +119,10 @@ fn best_ratio<F: Value>(
     size: (&'static str, Kind, F),
     bound: Option<F>,
     optimum: OptimumKind,
-) -> Answer<F> {
+) -> DesignAnswer<F> {
     let sentence =
         format!("Dissipation is greatest{of_all} at {symbol} = {}, {}.", digits(at.2), why(optimum));
-    Answer::one(sentence, best_fields(at, size, bound, optimum))
+    DesignAnswer::one(sentence, best_fields(at, size, bound, optimum))
 }
 
 fn best_fields<F: Value>(
@@ -130,7 +130,7 @@ fn best_fields<F: Value>(
     size: (&'static str, Kind, F),
     bound: Option<F>,
     optimum: OptimumKind,
-) -> Row<F> {
+) -> AnswerRow<F> {
     let mut fields = vec![(at.0, at.1, some(at.2)), (size.0, size.1, some(size.2))];
     fields.extend(bound.map(|bound| ("bound", size.1, some(bound))));
     fields.push(("optimum", Kind::Ratio, Cell::Text(name(optimum))));

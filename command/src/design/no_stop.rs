@@ -1,6 +1,6 @@
 //! `stickslip design force --no-stop` and `bands --no-stop`, for any number of reversals.
 
-use super::{Answer, Asked, force_and_base_motions, some};
+use super::{AskedDesign, DesignAnswer, force_and_base_motions, some};
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::note::no_stop;
@@ -9,8 +9,8 @@ use stickslip::design::{self, Edge};
 use stickslip::inputs::units::Kind;
 use stickslip::no_stop_force_ratios;
 
-impl<F: Value> Asked<'_, F> {
-    pub(super) fn forces_without_stop(&self) -> Result<Answer<F>, Failure> {
+impl<F: Value> AskedDesign<'_, F> {
+    pub(super) fn forces_without_stop(&self) -> Result<DesignAnswer<F>, Failure> {
         let (found, unit, fields) = if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             let forces = design::forces_without_stop(&body, frequency).map_err(|e| self.fail(e))?;
@@ -32,10 +32,10 @@ impl<F: Value> Asked<'_, F> {
         };
         let mut fields = fields;
         fields.push((name, kind, Record::intervals(&found)));
-        Ok(Answer::one(format!("The body does not stop {}.", no_stop(&found, unit)), fields))
+        Ok(DesignAnswer::one(format!("The body does not stop {}.", no_stop(&found, unit)), fields))
     }
 
-    pub(super) fn bands_without_stop(&self) -> Result<Answer<F>, Failure> {
+    pub(super) fn bands_without_stop(&self) -> Result<DesignAnswer<F>, Failure> {
         let kind = if self.physical { Kind::Frequency } else { Kind::Ratio };
         let (low, high) = self.range(kind)?;
         let (found, names) = if self.physical {
@@ -69,6 +69,6 @@ impl<F: Value> Asked<'_, F> {
             1 => "The body does not stop in one band of that range:".to_owned(),
             n => format!("The body does not stop in {n} bands of that range:"),
         };
-        Ok(Answer { sentence, rows })
+        Ok(DesignAnswer { sentence, rows })
     }
 }

@@ -1,7 +1,7 @@
 //! `stickslip design force` and `friction` with a static friction above the kinetic one: the force that releases a
 //! body at rest, the border of the motion without a stop, and a bound that suffices for every start.
 
-use super::{Row, some};
+use super::{AnswerRow, some};
 use crate::bits::Value;
 use stickslip::inputs::units::Kind;
 use stickslip::{NoStop, Ratios};
@@ -51,7 +51,7 @@ pub(super) fn fields<F: Value>(
     [release, every_start]: [&'static str; 2],
     kind: Kind,
     to: impl Fn(F) -> F,
-) -> Row<F> {
+) -> AnswerRow<F> {
     let release = (release, kind, some(to(ratios.static_friction_ratio())));
     let bound = found.every_start.map(|bound| (every_start, kind, some(to(bound))));
     [release].into_iter().chain(bound).collect()

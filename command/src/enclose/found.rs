@@ -13,14 +13,14 @@ use stickslip::{Error, Output, Quantity};
 pub(crate) const BITS: u32 = 64;
 
 /// The typed ratios and the answer.
-struct Answer<'a> {
+struct EnclosedAnswer<'a> {
     typed: Vec<(&'static str, &'a str)>,
     found: Response,
     outputs: Vec<Output>,
     has_regime: bool,
 }
 
-impl Answer<'_> {
+impl EnclosedAnswer<'_> {
     fn has_static_friction(&self) -> bool {
         self.typed.iter().any(|(name, _)| *name == "static_friction_ratio")
     }
@@ -86,7 +86,7 @@ pub(crate) fn response(
         [("omega", omega), ("alpha", alpha)].into_iter().chain(typed_others(others)).collect();
     let found = enclosed::response(&known("--omega", omega)?, &known("--alpha", alpha)?, &zeta, &eta, bits);
     let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
-    Answer { typed, found, outputs: Output::ALL.to_vec(), has_regime: true }.write(output, out)
+    EnclosedAnswer { typed, found, outputs: Output::ALL.to_vec(), has_regime: true }.write(output, out)
 }
 
 /// `border --enclose`.
@@ -103,7 +103,7 @@ pub(crate) fn border(omega: &str, others: Others<'_>, output: &OutputArgs, out: 
         Output::BestForceRatio,
         Output::BestLoopSize,
     ];
-    Answer { typed, found, outputs: of_border.to_vec(), has_regime: false }.write(output, out)
+    EnclosedAnswer { typed, found, outputs: of_border.to_vec(), has_regime: false }.write(output, out)
 }
 
 pub(super) fn bits(output: &OutputArgs) -> u32 {
@@ -123,7 +123,7 @@ pub(super) fn known(option: &str, text: &str) -> Result<Known, Failure> {
     text.parse().map_err(|e| Failure::Input(format!("{option} {text}: {e}")))
 }
 
-impl Answer<'_> {
+impl EnclosedAnswer<'_> {
     fn write(&self, output: &OutputArgs, out: &mut impl Write) -> Outcome {
         match output.format.unwrap_or(Format::Text) {
             Format::Text => self.text(out),
@@ -167,7 +167,7 @@ impl Answer<'_> {
     }
 }
 
-impl Serialize for Answer<'_> {
+impl Serialize for EnclosedAnswer<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         for (name, text) in &self.typed {

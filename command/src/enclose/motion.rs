@@ -10,7 +10,7 @@ use std::io::Write;
 use stickslip::enclosed::{self, Enclosure, Steady, Unproved};
 
 /// The typed ratios and the motion, or the reason why it is not proved.
-struct Answer<'a> {
+struct EnclosedMotionAnswer<'a> {
     omega: &'a str,
     alpha: &'a str,
     damping_ratio: Option<&'a str>,
@@ -31,7 +31,7 @@ pub(crate) fn steady(
     let typed: Vec<_> =
         [("omega", omega), ("alpha", alpha)].into_iter().chain(typed_others(others)).collect();
     let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
-    let answer = Answer { omega, alpha, damping_ratio, static_friction_ratio, found };
+    let answer = EnclosedMotionAnswer { omega, alpha, damping_ratio, static_friction_ratio, found };
     match output.format.unwrap_or(Format::Text) {
         Format::Text => answer.text(out),
         Format::Json => {
@@ -42,7 +42,7 @@ pub(crate) fn steady(
     }
 }
 
-impl Answer<'_> {
+impl EnclosedMotionAnswer<'_> {
     fn text(&self, out: &mut impl Write) -> Outcome {
         let found = match &self.found {
             Ok(found) => found,
@@ -84,7 +84,7 @@ impl Answer<'_> {
     }
 }
 
-impl Serialize for Answer<'_> {
+impl Serialize for EnclosedMotionAnswer<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("omega", self.omega)?;

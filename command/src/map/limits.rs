@@ -20,7 +20,7 @@ const IRREGULAR: &str = "irregular among them";
 pub(super) const NAMES: [&str; 4] = [ONE, PAIR, SEVERAL, IRREGULAR];
 
 /// A description of the limits of the [`STARTS`] starts; a motion and its mirror image count once.
-pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
+pub(super) fn described(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
     let reach = reach(None, &ratios)?;
     let limits = (0..STARTS)
         .map(|number| follow(ratios, start(number, reach)?, PERIODS))

@@ -34,7 +34,7 @@ impl Map<'_> {
     }
 
     fn has_static_friction(&self) -> bool {
-        let given = self.axes.at(0);
+        let given = self.axes.given_at(0);
         given.has_role(Role::StaticFriction)
             && input::point(&given).is_ok_and(|p| p.ratios.has_higher_static_friction())
     }
@@ -48,7 +48,7 @@ impl Map<'_> {
             return Vec::new();
         }
         let ((left, right), (low, _)) = (self.across.1.ends(), self.up.1.ends());
-        let mut given = self.axes.at(0);
+        let mut given = self.axes.given_at(0);
         let logarithmic = self.across.1.is_logarithmic();
         let at = |i: u32| {
             let share = f64::from(i) / f64::from(BORDER_POINTS);

@@ -19,7 +19,7 @@ impl Map<'_> {
     pub(super) fn columns(&self) -> (Vec<f64>, Vec<bool>) {
         let (low, high) = self.across.1.ends();
         let mut columns: Vec<(f64, bool)> = self.across.1.values().map(|x| (x, true)).collect();
-        let one = self.natural(&self.axes.at(0)).ok().flatten().filter(|one| low < *one && *one < high);
+        let one = self.natural(&self.axes.given_at(0)).ok().flatten().filter(|one| low < *one && *one < high);
         if let Some(one) = one.filter(|_| self.has_one_resonance()) {
             let logarithmic = self.across.1.is_logarithmic();
             let moved = |share: f64| {
@@ -67,7 +67,7 @@ impl Map<'_> {
     pub(super) fn unbounded(&self) -> Vec<(f64, f64)> {
         let ((low, high), logarithmic) = (self.up.1.ends(), self.up.1.is_logarithmic());
         let scales = [self.across.0, self.up.0].map(|parameter| self.on_axis(parameter).1);
-        let mut given = self.axes.at(0);
+        let mut given = self.axes.given_at(0);
         let at = |i: u32| {
             let share = f64::from(i) / f64::from(BORDER_POINTS);
             let y = if logarithmic { low * (high / low).powf(share) } else { low + (high - low) * share };

@@ -41,7 +41,7 @@ impl Map<'_> {
                 } else {
                     left + (right - left) * share
                 };
-                let mut given = self.axes.at(0);
+                let mut given = self.axes.given_at(0);
                 given.set(self.across.0, x);
                 given.set(up, high);
                 let ratios = input::point(&given)?.ratios;

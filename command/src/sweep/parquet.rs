@@ -8,15 +8,15 @@
 mod column;
 mod parts;
 
-use super::rows::Rows;
+use super::rows::SweepRows;
 use crate::args::SweepArgs;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::output::{Beside, Lines};
+use crate::output::{Lines, PendingFile};
 use crate::progress;
 use crate::record::Record;
 use clap::ValueEnum;
-use column::Column;
+use column::ParquetColumn;
 use parquet::basic::Compression;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
@@ -37,7 +37,7 @@ const ROWS: usize = 1 << 17;
 /// The approximate greatest size of a group in memory, whatever the precision of its numbers.
 const BYTES: usize = 1 << 26;
 
-pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) -> Outcome {
+pub(super) fn run<F: Value>(args: &SweepArgs, rows: &SweepRows<F>, part: Range<u64>) -> Outcome {
     let Some(file) = &args.out else {
         return Err(Failure::Input("--format parquet: give its file by --out FILE".to_owned()));
     };
@@ -53,12 +53,12 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
             return Err(Failure::Input(text));
         }
         // The file is made from all parts at once: if it exists, nothing is left to do.
-        sweep.is_whole(file).map_err(|what| at(file, &what))?;
+        sweep.is_whole(file).map_err(|what| error_at(file, &what))?;
         return Parts::remove_left(file);
     }
     let mut parts = Parts::open(file, args.resume)?;
     let done = parts.check(&sweep)?;
-    let mut table = Table { columns: columns(rows), rows: 0, start: done };
+    let mut table = PendingRows { columns: columns(rows), rows: 0, start: done };
     let outcome = progress::in_order_kept(
         done..sweep.part.end,
         |point| rows.record(point),
@@ -75,16 +75,16 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
 }
 
 /// The error for a file that is to be resumed.
-fn at(file: &Path, what: &str) -> Failure {
+fn error_at(file: &Path, what: &str) -> Failure {
     Failure::Input(format!("--resume: {}: {what}", file.display()))
 }
 
 /// A sweep, with the metadata that identify it.
 struct Sweep<'a, F> {
-    rows: &'a Rows<F>,
+    rows: &'a SweepRows<F>,
     part: Range<u64>,
     notes: Vec<KeyValue>,
-    columns: Vec<Column>,
+    columns: Vec<ParquetColumn>,
 }
 
 impl<F: Value> Sweep<'_, F> {
@@ -119,7 +119,7 @@ impl<F: Value> Sweep<'_, F> {
         if let Some((first, last)) = column::ends(reader).map_err(text)? {
             for (row, point) in [(first, points.start), (last, points.end - 1)] {
                 let record = self.rows.record(point).map_err(|e| e.to_string())?;
-                if !column::is(&row, &record) {
+                if !column::equals(&row, &record) {
                     return Err(format!("row {} is not of this sweep", point - self.part.start + 1));
                 }
             }
@@ -163,19 +163,19 @@ fn notes(args: &SweepArgs) -> Vec<KeyValue> {
     grids.chain(notes.into_iter().flatten()).collect()
 }
 
-fn columns<F: Value>(rows: &Rows<F>) -> Vec<Column> {
+fn columns<F: Value>(rows: &SweepRows<F>) -> Vec<ParquetColumn> {
     let form = rows.form();
-    form.names().into_iter().zip(form.cells()).map(|(name, cell)| Column::of(name, &cell)).collect()
+    form.names().into_iter().zip(form.cells()).map(|(name, cell)| ParquetColumn::of(name, &cell)).collect()
 }
 
 /// The rows in memory, from a point on.
-struct Table {
-    columns: Vec<Column>,
+struct PendingRows {
+    columns: Vec<ParquetColumn>,
     rows: usize,
     start: u64,
 }
 
-impl Table {
+impl PendingRows {
     fn push<F: Value>(&mut self, record: &Record<F>, parts: &mut Parts, sweep: &Sweep<'_, F>) -> Outcome {
         for (column, cell) in self.columns.iter_mut().zip(record.cells()) {
             column.push(&cell);
@@ -206,12 +206,15 @@ impl Table {
 }
 
 /// Whether the rows suffice for a group.
-fn is_group(columns: &[Column], rows: usize) -> bool {
-    rows >= ROWS || columns.iter().map(Column::bytes).sum::<usize>() >= BYTES
+fn is_group(columns: &[ParquetColumn], rows: usize) -> bool {
+    rows >= ROWS || columns.iter().map(ParquetColumn::bytes).sum::<usize>() >= BYTES
 }
 
 /// Writes the rows in memory as a group of the file.
-fn write_group<W: io::Write + Send>(writer: &mut SerializedFileWriter<W>, columns: &mut [Column]) -> Outcome {
+fn write_group<W: io::Write + Send>(
+    writer: &mut SerializedFileWriter<W>,
+    columns: &mut [ParquetColumn],
+) -> Outcome {
     let mut group = writer.next_row_group()?;
     for column in columns {
         let Some(mut writer) = group.next_column()? else { break };
@@ -222,7 +225,7 @@ fn write_group<W: io::Write + Send>(writer: &mut SerializedFileWriter<W>, column
     Ok(())
 }
 
-fn schema(columns: &[Column]) -> Result<Arc<Type>, ParquetError> {
+fn schema(columns: &[ParquetColumn]) -> Result<Arc<Type>, ParquetError> {
     let fields = columns.iter().map(|column| column.field().map(Arc::new)).collect::<Result<_, _>>()?;
     Ok(Arc::new(Type::group_type_builder("sweep").with_fields(fields).build()?))
 }

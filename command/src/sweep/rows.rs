@@ -13,7 +13,7 @@ use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::{DEFAULT_BUDGET, State, Trajectory};
 
 /// The command at each point of the grids, and the format of its row.
-pub(crate) struct Rows<F> {
+pub(crate) struct SweepRows<F> {
     question: Swept,
     axes: Axes<F>,
     outputs: Option<Vec<String>>,
@@ -26,7 +26,7 @@ pub(crate) struct Rows<F> {
     peaks: bool,
 }
 
-impl<F: Value> Rows<F> {
+impl<F: Value> SweepRows<F> {
     /// The requested rows, if every point has an answer and every column exists.
     pub(crate) fn new(args: &SweepArgs, axes: Axes<F>) -> Result<Self, Failure> {
         let csv = args.format() == Some(SweepFormat::Csv);
@@ -65,7 +65,7 @@ impl<F: Value> Rows<F> {
     }
 
     fn ratios(&self, point: u64) -> Result<(F, F), Failure> {
-        let given = self.axes.at(point);
+        let given = self.axes.given_at(point);
         let ratios = match self.question {
             Swept::Border => input::border_point(&given)?.ratios,
             Swept::Response | Swept::Steady => input::point(&given)?.ratios,
@@ -87,12 +87,12 @@ impl<F: Value> Rows<F> {
             return Err(Failure::Interrupted);
         }
         // The computation is repeated for an error message that contains the values.
-        answer(self.question, &self.axes.at(point), self.peaks)
+        answer(self.question, &self.axes.given_at(point), self.peaks)
             .or_else(|_| answer(self.question, &self.axes.named_at(point), self.peaks))
     }
 }
 
-impl<F: Value> resume::Rows for Rows<F> {
+impl<F: Value> resume::Rows for SweepRows<F> {
     const OF: &'static str = "this sweep";
 
     /// The header line; empty for JSON lines.

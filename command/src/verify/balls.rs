@@ -8,7 +8,7 @@
 
 use super::case::{Arithmetic, Case, Circular, Signs};
 use super::statements::{self, Standing, Statement};
-use super::{Verdict, points};
+use super::{StatementVerdict, points};
 use crate::failure::Failure;
 use std::ops::ControlFlow;
 use stickslip::cycle::equations::System;
@@ -22,7 +22,7 @@ use stickslip::{Field, Output, Real};
 const MOST: u32 = 4096;
 
 /// A point with exact ratios.
-struct Place {
+struct ExactPoint {
     omega: Rational,
     alpha: Rational,
     zeta: Rational,
@@ -41,7 +41,7 @@ fn written(x: &Rational) -> String {
     Mp::<2>::from_rational(x).to_string()
 }
 
-impl Place {
+impl ExactPoint {
     /// The point at α `over` hundredths of the border, rounded to 64 bits.
     fn above_border(omega: Rational, zeta: Rational, over: i32) -> Option<Self> {
         let one = known(&Rational::from(1));
@@ -57,7 +57,7 @@ impl Place {
 }
 
 /// The points of [`points`], with exact ratios.
-fn places() -> Vec<Place> {
+fn places() -> Vec<ExactPoint> {
     let mut omegas = Vec::new();
     for ((p, q), (r, s)) in points::BANDS {
         let (low, high) = (Rational::from((p, q)), Rational::from((r, s)));
@@ -75,8 +75,8 @@ fn places() -> Vec<Place> {
     }
     let plain = omegas.into_iter().flat_map(|(omega, ordinary)| {
         points::OVER.into_iter().enumerate().filter_map(move |(i, over)| {
-            let place = Place::above_border(omega.clone(), Rational::new(), over)?;
-            Some(Place { with_motion: ordinary, with_border: ordinary && i == 0, ..place })
+            let place = ExactPoint::above_border(omega.clone(), Rational::new(), over)?;
+            Some(ExactPoint { with_motion: ordinary, with_border: ordinary && i == 0, ..place })
         })
     });
     let pairs =
@@ -84,8 +84,8 @@ fn places() -> Vec<Place> {
     let damped =
         pairs.zip(points::OVER.into_iter().cycle()).enumerate().filter_map(|(i, ((omega, zeta), over))| {
             let place =
-                Place::above_border(Rational::from((omega, 100)), Rational::from((zeta, 1000)), over)?;
-            Some(Place { with_border: i % 5 == 0, ..place })
+                ExactPoint::above_border(Rational::from((omega, 100)), Rational::from((zeta, 1000)), over)?;
+            Some(ExactPoint { with_border: i % 5 == 0, ..place })
         });
     plain.chain(damped).collect()
 }
@@ -101,7 +101,7 @@ fn is_below<const W: usize>(low: Ball<W>, high: Ball<W>) -> Option<bool> {
 }
 
 /// The case of the enclosed answers at a point; `None` where this number of bits does not find them.
-fn case<const W: usize>(place: &Place, answers: &enclosed::Response) -> Option<Case<Ball<W>>> {
+fn case<const W: usize>(place: &ExactPoint, answers: &enclosed::Response) -> Option<Case<Ball<W>>> {
     let found = Output::ALL.into_iter().filter_map(|output| Some((output, answers.get(output)?.ball())));
     let [omega, alpha, zeta]: [Ball<W>; 3] =
         [&place.omega, &place.alpha, &place.zeta].map(|ratio| known(ratio).ball());
@@ -168,7 +168,7 @@ impl Residue {
 
 /// The residuals of all statements at a point, with enough bits to bring them to one unit in the last of
 /// `bits`.
-fn residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
+fn residues(place: &ExactPoint, bits: u32) -> Vec<Option<Residue>> {
     let count = statements::all::<Ball<2>>().len();
     let mut last = vec![Some(Residue::unknown()); count];
     let one = known(&Rational::from(1));
@@ -208,13 +208,13 @@ const OF_MOTIONS: [(&str, &str); 7] = [
     ("62", "just below the border a motion with stops is proved, and one without above"),
 ];
 
-fn motion(place: &Place, alpha: &Rational, bits: u32) -> Option<Steady> {
+fn motion(place: &ExactPoint, alpha: &Rational, bits: u32) -> Option<Steady> {
     let one = known(&Rational::from(1));
     enclosed::steady(&known(&place.omega), &known(alpha), &known(&place.zeta), &one, bits).ok()?.ok()
 }
 
 /// The residuals at a point, in the order of [`OF_MOTIONS`].
-fn residues_of_motions(place: &Place, bits: u32) -> Vec<Option<Residue>> {
+fn residues_of_motions(place: &ExactPoint, bits: u32) -> Vec<Option<Residue>> {
     if !place.with_motion {
         return vec![None; OF_MOTIONS.len()];
     }
@@ -230,7 +230,7 @@ fn residues_of_motions(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     Vec::new()
 }
 
-fn against<const W: usize>(place: &Place, bits: u32) -> Option<Vec<Option<Residue>>> {
+fn against<const W: usize>(place: &ExactPoint, bits: u32) -> Option<Vec<Option<Residue>>> {
     let one = known(&Rational::from(1));
     let (omega, alpha, zeta) = (known(&place.omega), known(&place.alpha), known(&place.zeta));
     let answers = enclosed::response(&omega, &alpha, &zeta, &one, Mp::<W>::BITS - 64).ok()?;
@@ -267,7 +267,7 @@ fn against<const W: usize>(place: &Place, bits: u32) -> Option<Vec<Option<Residu
 
 /// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), except next to a pole, where the body need not stop below
 /// the border.
-fn beside_the_border(place: &Place, answers: &enclosed::Response) -> Option<Residue> {
+fn beside_the_border(place: &ExactPoint, answers: &enclosed::Response) -> Option<Residue> {
     let turns = Rational::from(place.omega.recip_ref());
     let nearest = (Rational::from(&turns - 1u32) / 2u32).round() * 2u32 + 1u32;
     if (turns - nearest).abs() * 128u32 <= 1 {
@@ -281,7 +281,7 @@ fn beside_the_border(place: &Place, answers: &enclosed::Response) -> Option<Resi
 }
 
 /// The worst residual of a statement so far.
-struct Tally {
+struct BallTally {
     equation: &'static str,
     words: &'static str,
     standing: Standing,
@@ -290,7 +290,7 @@ struct Tally {
     all_pass: bool,
 }
 
-impl Tally {
+impl BallTally {
     fn new((equation, words, standing): (&'static str, &'static str, Standing)) -> Self {
         Self { equation, words, standing, points: 0, worst: None, all_pass: true }
     }
@@ -311,9 +311,9 @@ impl Tally {
         }
     }
 
-    fn verdict(self, places: &[Place], bits: u32) -> Verdict {
+    fn verdict(self, places: &[ExactPoint], bits: u32) -> StatementVerdict {
         let place = self.worst.as_ref().and_then(|(_, at)| places.get(*at));
-        Verdict {
+        StatementVerdict {
             equation: self.equation,
             statement: self.words,
             standing: self.standing,
@@ -332,13 +332,13 @@ impl Tally {
 /// Checks every statement in ball arithmetic at a set of points.
 ///
 /// A statement passes if, at every point, its ball contains 0 and lies within one unit in the last of `bits`
-/// bits of the statement's terms; [`Verdict::worst`] is the greatest distance from 0 in those units. A
+/// bits of the statement's terms; [`StatementVerdict::worst`] is the greatest distance from 0 in those units. A
 /// statement that is wrong as printed passes if every ball excludes 0; `worst` is then the least certain
 /// relative residual.
 pub(super) fn verdicts(
     bits: u32,
     mut step: impl FnMut(usize, usize) -> ControlFlow<Failure>,
-) -> Result<ControlFlow<Failure, Vec<Verdict>>, Failure> {
+) -> Result<ControlFlow<Failure, Vec<StatementVerdict>>, Failure> {
     if !(1..=MOST).contains(&bits) {
         let text = format!("--bits {bits}: number of bits {bits} must be ≥ 1 and ≤ {MOST}");
         return Err(Failure::Input(text));
@@ -347,7 +347,7 @@ pub(super) fn verdicts(
     let of_answers = statements::all::<Ball<2>>();
     let of_answers = of_answers.iter().map(|s| (s.equation, s.words, s.standing));
     let of_motions = OF_MOTIONS.into_iter().map(|(equation, words)| (equation, words, Standing::Holds));
-    let mut tallies: Vec<_> = of_answers.chain(of_motions).map(Tally::new).collect();
+    let mut tallies: Vec<_> = of_answers.chain(of_motions).map(BallTally::new).collect();
     for (number, place) in places.iter().enumerate() {
         if let ControlFlow::Break(failure) = step(number, places.len()) {
             return Ok(ControlFlow::Break(failure));

@@ -3,7 +3,7 @@
 
 use super::case::{Arithmetic, Case, Circular, Signs};
 use super::statements::{self, Standing, Statement, statements};
-use super::{Verdict, points};
+use super::{StatementVerdict, points};
 use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use stickslip::cycle::equations::System;
@@ -41,15 +41,15 @@ pub(super) fn case_of<F: Float>(ratios: Ratios<F>, answers: Vec<(Output, F)>) ->
 }
 
 /// A point, its answers, and the exact motion there.
-struct Point<F> {
+struct AnsweredPoint<F> {
     case: Case<F>,
     cycle: Cycle<F>,
-    motion: Option<Motion<F>>,
-    beside: Option<Beside<F>>,
+    motion: Option<MotionFromRest<F>>,
+    beside: Option<BesideBorder<F>>,
 }
 
 /// The limit of the motion from rest.
-struct Motion<F> {
+struct MotionFromRest<F> {
     steady: SteadyState<F>,
     peaks: Peaks<F>,
     /// A bound of the distance of (x, x′/ω_n) from the limit.
@@ -59,23 +59,23 @@ struct Motion<F> {
 }
 
 /// The exact motion beside the border and at the best force ratio.
-struct Beside<F> {
+struct BesideBorder<F> {
     /// The numbers of stops in a cycle slightly below α_min and slightly above.
     stops: Option<(u32, u32)>,
     /// A₁ at α* from the work against friction, and its relative slope there.
     optimum: Option<(F, F)>,
 }
 
-impl<F: Float> Point<F> {
+impl<F: Float> AnsweredPoint<F> {
     /// A point of the list with its answers; its flags say whether the exact motion is followed, also next to
     /// the border.
-    fn at(point: &points::Point<F>) -> Option<Self> {
+    fn at(point: &points::CheckPoint<F>) -> Option<Self> {
         let ratios = point.ratios;
         Some(Self {
             case: case(ratios)?,
             cycle: Cycle::new(ratios).ok()?,
-            motion: if point.with_motion { Motion::at(ratios) } else { None },
-            beside: point.with_border.then(|| Beside::at(ratios)).flatten(),
+            motion: if point.with_motion { MotionFromRest::at(ratios) } else { None },
+            beside: point.with_border.then(|| BesideBorder::at(ratios)).flatten(),
         })
     }
 
@@ -92,7 +92,7 @@ impl<F: Float> Point<F> {
     }
 }
 
-impl<F: Float> Motion<F> {
+impl<F: Float> MotionFromRest<F> {
     /// The motion at the ratios; `None` where it has no single limit, or none was found.
     fn at(ratios: Ratios<F>) -> Option<Self> {
         let LongRun::Periodic(steady) = LongRun::from_start(ratios, State::default()).ok()? else {
@@ -144,7 +144,7 @@ fn steady<F: Float>(ratios: Ratios<F>, alpha: F) -> Option<SteadyState<F>> {
     LongRun::from_start(ratios, State::default()).ok()?.steady_state().copied()
 }
 
-impl<F: Float> Beside<F> {
+impl<F: Float> BesideBorder<F> {
     fn at(ratios: Ratios<F>) -> Option<Self> {
         let response = Response::new(ratios);
         let least = response.border.min_force_ratio;
@@ -191,17 +191,17 @@ fn count<F: Float>(found: u32, expected: u32) -> F {
 }
 
 /// Sum and product of the half-cycle multipliers among the answers.
-fn half_cycle<F: Float>(p: &Point<F>) -> (F, F) {
+fn half_cycle<F: Float>(p: &AnsweredPoint<F>) -> (F, F) {
     let [(a, b), (c, d)] = p.cycle.multipliers().half_cycle();
     (a + c, a * c - b * d)
 }
 
-type Statements<F> = Vec<Statement<Point<F>, F>>;
+type Statements<F> = Vec<Statement<AnsweredPoint<F>, F>>;
 
 /// Statements about the exact motion, the waveform and the border. Statements by difference quotients keep
 /// half of the digits.
 fn of_motion<F: Float>() -> (Statements<F>, Statements<F>) {
-    let all = statements![any, Point<F>:
+    let all = statements![any, AnsweredPoint<F>:
         "15, 16" "the waveform and its velocity are the matched branches": |p| {
             let (c, turn) = (&p.case, F::pi() / F::int(3));
             let falling = c.unknowns.displacement_phase + turn;
@@ -308,7 +308,7 @@ fn of_motion<F: Float>() -> (Statements<F>, Statements<F>) {
             Some((size / p.case.get(Output::BestLoopSize)? - F::int(1)) * p.case.scale)
         },
     ];
-    let by_differences = statements![any, Point<F>:
+    let by_differences = statements![any, AnsweredPoint<F>:
         "λ" "λ₁ + λ₂ and λ₁λ₂, with their signs, are those of the exact half cycle": |p| {
             let ((trace, product), (sum, determinant)) = (p.motion.as_ref()?.half_map?, half_cycle(p));
             Some(((trace - sum).abs() + (product - determinant).abs()) * p.case.scale)
@@ -341,7 +341,7 @@ impl<F: Float> Tally<F> {
         }
     }
 
-    fn verdict<C>(&self, statement: &Statement<C, F>) -> Verdict {
+    fn verdict<C>(&self, statement: &Statement<C, F>) -> StatementVerdict {
         let residual = self.worst.map_or(F::int(0), |(residual, _)| residual);
         let at = self.worst.map(|(_, ratios)| ratios);
         let in_last_places = (residual / F::epsilon()).to_f64();
@@ -349,7 +349,7 @@ impl<F: Float> Tally<F> {
             Standing::Holds => (in_last_places, in_last_places <= TOLERANCE),
             Standing::Refuted => (residual.to_f64(), in_last_places > TOLERANCE),
         };
-        Verdict {
+        StatementVerdict {
             equation: statement.equation,
             statement: statement.words,
             standing: statement.standing,
@@ -363,12 +363,12 @@ impl<F: Float> Tally<F> {
 }
 
 /// Statements of one kind with their tallies, and the unit of their residuals.
-struct Kept<C, F> {
+struct KeptStatements<C, F> {
     rows: Vec<(Statement<C, F>, Tally<F>)>,
     unit: F,
 }
 
-impl<C, F: Float> Kept<C, F> {
+impl<C, F: Float> KeptStatements<C, F> {
     fn new(statements: Vec<Statement<C, F>>, unit: F) -> Self {
         let rows = statements.into_iter().map(|statement| (statement, Tally { points: 0, worst: None }));
         Self { rows: rows.collect(), unit }
@@ -382,7 +382,7 @@ impl<C, F: Float> Kept<C, F> {
         }
     }
 
-    fn verdicts(&self) -> impl Iterator<Item = Verdict> {
+    fn verdicts(&self) -> impl Iterator<Item = StatementVerdict> {
         self.rows.iter().map(|(statement, tally)| tally.verdict(statement))
     }
 }
@@ -391,15 +391,15 @@ impl<C, F: Float> Kept<C, F> {
 /// may stop the check.
 pub(super) fn verdicts<F: Float, B>(
     mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
-) -> ControlFlow<B, Vec<Verdict>> {
+) -> ControlFlow<B, Vec<StatementVerdict>> {
     let (of_motion, by_differences) = of_motion::<F>();
-    let mut of_answers = Kept::new(statements::all::<F>(), F::int(1));
-    let mut of_motion = Kept::new(of_motion, F::int(1));
-    let mut by_differences = Kept::new(by_differences, F::epsilon().sqrt());
+    let mut of_answers = KeptStatements::new(statements::all::<F>(), F::int(1));
+    let mut of_motion = KeptStatements::new(of_motion, F::int(1));
+    let mut by_differences = KeptStatements::new(by_differences, F::epsilon().sqrt());
     let all = points::all::<F>();
     for (done, place) in all.iter().enumerate() {
         step(done, all.len())?;
-        let Some(point) = Point::at(place) else { continue };
+        let Some(point) = AnsweredPoint::at(place) else { continue };
         let scale = point.case.scale;
         of_answers.add(&point.case, scale, place.ratios);
         of_motion.add(&point, scale, place.ratios);
@@ -414,13 +414,13 @@ pub(super) fn verdicts<F: Float, B>(
 mod tests {
     use super::{TOLERANCE, Tally, case, case_of, verdicts};
     use crate::verify::statements::{self, Standing, Statement};
-    use crate::verify::{Verdict, points};
+    use crate::verify::{StatementVerdict, points};
     use proptest::prelude::*;
 
     use std::ops::ControlFlow;
     use stickslip::{Border, Float, Output, Ratios, Response};
 
-    fn found<F: Float>() -> Vec<Verdict> {
+    fn found<F: Float>() -> Vec<StatementVerdict> {
         match verdicts::<F, ()>(|_, _| ControlFlow::Continue(())) {
             ControlFlow::Continue(verdicts) => verdicts,
             ControlFlow::Break(()) => panic!("ended by nobody"),

@@ -28,7 +28,7 @@ pub(super) const ZETA: [i32; 6] = [10, 50, 200, 700, 1000, 1600];
 pub(super) const OVER: [i32; 3] = [101, 150, 400];
 
 /// A point to check.
-pub(super) struct Point<F> {
+pub(super) struct CheckPoint<F> {
     pub(super) ratios: Ratios<F>,
     /// Whether the exact motion is followed at this point.
     pub(super) with_motion: bool,
@@ -40,13 +40,13 @@ pub(super) struct Point<F> {
 ///
 /// Without a damper they lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3 and 1/2, and near
 /// Ω = 1, 1/3, 1/5 and 1/7 at distances down to 10⁻³⁰ where the precision is at least twice as fine.
-pub(super) fn all<F: Float>() -> Vec<Point<F>> {
+pub(super) fn all<F: Float>() -> Vec<CheckPoint<F>> {
     // A motion with a thousand digits takes a tenth of a second; at such precisions only every third motion
     // is followed.
     let in_turn = |number: usize| F::PRECISION <= 512 || number.is_multiple_of(OVER.len());
     let plain = omegas::<F>().into_iter().enumerate().flat_map(|(number, (omega, ordinary))| {
         OVER.into_iter().enumerate().filter_map(move |(i, over)| {
-            Some(Point {
+            Some(CheckPoint {
                 ratios: above_border(omega, F::int(0), over)?,
                 with_motion: ordinary && in_turn(number + i),
                 with_border: ordinary && i == 0,
@@ -57,7 +57,7 @@ pub(super) fn all<F: Float>() -> Vec<Point<F>> {
     let damped =
         pairs.zip(OVER.into_iter().cycle()).enumerate().filter_map(|(number, ((omega, zeta), over))| {
             let ratios = above_border(F::ratio(omega, 100), F::ratio(zeta, 1000), over)?;
-            Some(Point { ratios, with_motion: in_turn(number), with_border: in_turn(number) })
+            Some(CheckPoint { ratios, with_motion: in_turn(number), with_border: in_turn(number) })
         });
     plain.chain(damped).collect()
 }

@@ -13,7 +13,7 @@ use parquet::schema::types::Type;
 use std::fs::File;
 
 /// A column of the file: the existing values, and for each row 1 if it has a value and 0 otherwise.
-pub(super) struct Column {
+pub(super) struct ParquetColumn {
     name: String,
     values: Values,
     there: Vec<i16>,
@@ -28,7 +28,7 @@ enum Values {
     Texts(Vec<ByteArray>),
 }
 
-impl Column {
+impl ParquetColumn {
     /// A column for cells of the same kind as `cell`.
     pub(super) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
         let values = match cell {
@@ -158,7 +158,7 @@ pub(super) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, R
 }
 
 /// Whether a row that was read equals the record.
-pub(super) fn is<F: Value>(row: &Row, record: &Record<F>) -> bool {
+pub(super) fn equals<F: Value>(row: &Row, record: &Record<F>) -> bool {
     let field = |cell: Cell<F>| match cell {
         Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),
         Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),

@@ -1,7 +1,7 @@
 //! The parts of an incomplete Parquet file: `FILE.parts/START-END.parquet`.
 
-use super::column::Column;
-use super::{Beside, ROWS, Sweep, at, columns, is_group, open, write_group};
+use super::column::ParquetColumn;
+use super::{PendingFile, ROWS, Sweep, columns, error_at, is_group, open, write_group};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -48,7 +48,7 @@ impl Parts {
                 (Some(range), _) => ranges.push(range),
                 (None, Some("part")) => left.push(path),
                 (None, _) if path.ends_with(LOCK) => {}
-                (None, _) => return Err(at(&path, "is not a part of a sweep")),
+                (None, _) => return Err(error_at(&path, "is not a part of a sweep")),
             }
         }
         let lock =
@@ -66,10 +66,13 @@ impl Parts {
         for range in &self.parts {
             let path = self.path(range);
             if range.start != next || range.end <= next || range.end > sweep.part.end {
-                return Err(at(&path, &format!("of another sweep, whose next part begins at row {next}")));
+                return Err(error_at(
+                    &path,
+                    &format!("of another sweep, whose next part begins at row {next}"),
+                ));
             }
-            let reader = open(&path).map_err(|e| at(&path, &e.to_string()))?;
-            sweep.has(&reader, range.clone()).map_err(|what| at(&path, &what))?;
+            let reader = open(&path).map_err(|e| error_at(&path, &e.to_string()))?;
+            sweep.has(&reader, range.clone()).map_err(|what| error_at(&path, &what))?;
             next = range.end;
             interrupt::check()?;
         }
@@ -83,7 +86,7 @@ impl Parts {
         fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,
     ) -> Outcome {
         let path = self.path(&range);
-        Beside::create(&path, &path.display().to_string(), false)?.fill_with(fill)?;
+        PendingFile::create(&path, &path.display().to_string(), false)?.fill_with(fill)?;
         self.parts.push(range);
         Ok(())
     }
@@ -95,7 +98,7 @@ impl Parts {
             return self.remove(&[]);
         }
         let argument = format!("--out {}", file.display());
-        Beside::create(file, &argument, false)?.fill_with(|out| {
+        PendingFile::create(file, &argument, false)?.fill_with(|out| {
             let mut writer = sweep.writer(out)?;
             let mut gathered = columns(sweep.rows);
             let mut rows = 0;
@@ -112,7 +115,7 @@ impl Parts {
                         // Rows are copied in steps, so that the memory is bounded, too.
                         let count = left.min(ROWS - rows).min(1 << 12);
                         for (column, reader) in gathered.iter_mut().zip(&mut readers) {
-                            Column::read(column, reader, count)?;
+                            ParquetColumn::read(column, reader, count)?;
                         }
                         (left, rows) = (left - count, rows + count);
                         if is_group(&gathered, rows) {
