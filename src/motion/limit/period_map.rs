@@ -95,9 +95,8 @@ pub(crate) struct Located<F> {
 impl<F: Float> Located<F> {
     /// Whether two states at one phase are the same to within the sum of their distances.
     ///
-    /// The distances are steps of Newton's method. Next to a symmetry-breaking bifurcation the residual is μs
-    /// + s³ at a distance s and the step at least s/3. Three times the sum of the distances is therefore
-    /// allowed.
+    /// The distances are steps of Newton's method. Next to a symmetry-breaking bifurcation the residual is
+    /// μs + s³ at a distance s and the step at least s/3, so that thrice the sum of the distances is allowed.
     pub(crate) fn agrees(&self, other: &Self) -> bool {
         let (p, q) = (self.at, other.at);
         // An unknown distance (NaN) distinguishes nothing.
