@@ -62,7 +62,8 @@ fn closed_form_and_machinery_agree_with_damping() {
     }
 }
 
-/// The same with a static friction above the kinetic one, where the body rests farther out.
+/// Closed form and machinery also agree with a static friction above the kinetic one, where
+/// the body rests farther out.
 #[test]
 fn closed_form_and_machinery_agree_with_static_friction() {
     for (x, v) in [(12.0f64, 6.0f64), (0.3, 0.0), (5.5, -2.0), (-40.0, 17.0), (1.2, 0.0), (2.4, 0.0)] {
