@@ -90,12 +90,12 @@ pub(crate) fn columns(names: &[String]) -> PyResult<(Vec<Column>, bool)> {
 }
 
 /// The slices that receive the outputs, all of the same length.
-struct Places<'a> {
+struct OutputSlices<'a> {
     numbers: Vec<(Column, &'a mut [f64])>,
     regimes: Option<&'a mut [u8]>,
 }
 
-impl Places<'_> {
+impl OutputSlices<'_> {
     fn split_at(self, place: usize) -> (Self, Self) {
         let (mut low, mut high) =
             (Vec::with_capacity(self.numbers.len()), Vec::with_capacity(self.numbers.len()));
@@ -120,7 +120,7 @@ fn response_into<'py>(
     mut regimes: Option<PyReadwriteArray1<'py, u8>>,
 ) -> PyResult<()> {
     let (columns, _) = columns(&outputs)?;
-    let mut places = Places { numbers: Vec::new(), regimes: None };
+    let mut places = OutputSlices { numbers: Vec::new(), regimes: None };
     for (column, array) in columns.into_iter().zip(&mut arrays) {
         places.numbers.push((column, array.as_slice_mut()?));
     }
@@ -147,7 +147,7 @@ pub(crate) fn table(
 ) -> Result<Table, Error> {
     let mut numbers: Vec<_> = columns.iter().map(|column| (*column, vec![0.0; points.n])).collect();
     let mut codes = vec![0; if regime { points.n } else { 0 }];
-    let places = Places {
+    let places = OutputSlices {
         numbers: numbers.iter_mut().map(|(column, values)| (*column, &mut **values)).collect(),
         regimes: regime.then_some(&mut codes[..]),
     };
@@ -163,7 +163,7 @@ pub(crate) fn table(
 }
 
 /// Fills the places, until `stop` is set.
-fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), Error> {
+fn fill(points: Points<'_>, places: OutputSlices<'_>, stop: &Stop) -> Result<(), Error> {
     // A single Ω inside the domain is evaluated once for all points.
     let row = match points.omega {
         Values::One(omega, _) if points.is_plain() && points.n > 1 => FixedOmega::new(omega).ok(),
@@ -177,14 +177,14 @@ fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), Error
 /// Halves the points recursively, and distributes the tasks over the available threads.
 fn halves(
     points: Points<'_>,
-    places: Places<'_>,
+    places: OutputSlices<'_>,
     row: Option<&FixedOmega>,
     stop: &Stop,
 ) -> Result<(), Error> {
     // Points with damping or static friction are computed one by one, which takes longer.
     let task = if points.is_plain() { TASK } else { TASK / 32 };
     if points.n <= task {
-        return if stop.asked().is_break() { Ok(()) } else { run(points, places, row) };
+        return if stop.asked().is_break() { Ok(()) } else { fill_task(points, places, row) };
     }
     let half = (points.n / 2).next_multiple_of(task);
     let (low, high) = (points.split_at(half), places.split_at(half));
@@ -193,7 +193,11 @@ fn halves(
 }
 
 /// Fills the places of one task.
-fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> Result<(), Error> {
+fn fill_task(
+    points: Points<'_>,
+    mut places: OutputSlices<'_>,
+    row: Option<&FixedOmega>,
+) -> Result<(), Error> {
     let mut wanted = Columns::new();
     let mut regimes = vec![None; places.regimes.as_ref().map_or(0, |codes| codes.len())];
     let at = |i: usize| ratios(points.at(i)?).ok();

@@ -35,7 +35,7 @@ pub(crate) fn limit_code(limit: Option<&LongRun<f64>>) -> u8 {
 }
 
 /// A limit and its observed regime and counts.
-struct Found {
+struct FoundLimit {
     limit: LongRun<f64>,
     seen: Observed,
 }
@@ -45,11 +45,11 @@ fn follow(
     (phase, x, v): Start,
     periods: u32,
     keep_going: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Result<Found, Error> {
+) -> Result<FoundLimit, Error> {
     let ratios = ratios(point)?;
     let limit = LongRun::within(ratios, State::new(phase, x, v)?, periods, keep_going)?;
     let seen = observed(ratios, &limit);
-    Ok(Found { limit, seen })
+    Ok(FoundLimit { limit, seen })
 }
 
 /// A number of a limit, if it exists.
@@ -153,7 +153,7 @@ pub(crate) fn table(points: Points<'_>, start: Start, max_periods: u32, stop: &S
 }
 
 /// The columns. A point outside the domain is marked as invalid; any other error is returned.
-fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result<Table, Error> {
+fn columns(found: &[Result<FoundLimit, Error>], with_static_friction: bool) -> Result<Table, Error> {
     let is_of_domain = |error: &Error| error.quantity().is_some();
     if let Some(Err(error)) = found.iter().find(|f| f.as_ref().is_err_and(|e| !is_of_domain(e))) {
         return Err(error.clone());
@@ -162,7 +162,7 @@ fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result
     let numbers = |of: &(dyn Fn(&LongRun<f64>) -> Option<f64> + Sync)| {
         found().map(|f| f.and_then(|f| of(&f.limit)).unwrap_or(f64::NAN)).collect()
     };
-    let counts = |of: &(dyn Fn(&Found) -> Option<u64> + Sync)| {
+    let counts = |of: &(dyn Fn(&FoundLimit) -> Option<u64> + Sync)| {
         found().map(|f| f.and_then(of).and_then(|n| i64::try_from(n).ok()).unwrap_or(-1)).collect()
     };
     let of_cycle = |value: fn(&SteadyState<f64>) -> u32| {

@@ -71,7 +71,7 @@ impl<'a> Values<'a> {
         if let Self::Many(values) = self { Some(values.len()) } else { None }
     }
 
-    fn is(self, value: f64) -> bool {
+    fn is_constant(self, value: f64) -> bool {
         matches!(self, Self::One(own, _) if own == value)
     }
 }
@@ -132,12 +132,12 @@ impl<'a> Points<'a> {
 
     /// Whether no point has damping or a static friction above the kinetic one.
     pub(crate) fn is_plain(self) -> bool {
-        self.damping.is(0.0) && self.static_friction.is(1.0)
+        self.damping.is_constant(0.0) && self.static_friction.is_constant(1.0)
     }
 
     /// Whether any point may have a static friction above the kinetic one.
     pub(crate) fn has_static_friction(self) -> bool {
-        !self.static_friction.is(1.0)
+        !self.static_friction.is_constant(1.0)
     }
 
     /// The ratios at a point.

@@ -7,8 +7,8 @@ use core::str::FromStr;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::definitions::TURNS_OBSERVED;
-use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput};
 use stickslip::float::{Mp, ParseError};
+use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput};
 use stickslip::{Definition, Excitation, Float, Output, Ratios, Response, Value, When, no_stop_force_ratios};
 
 /// A value on its way to Python.
@@ -38,7 +38,7 @@ impl<F: Display> From<Value<F>> for Cell {
 type Cells = Vec<(&'static str, Cell)>;
 
 /// The question at a point.
-enum Question {
+enum WideQuestion {
     Response,
     /// The steady state from a start, followed for at most `periods` periods.
     Steady {
@@ -47,9 +47,9 @@ enum Question {
     },
 }
 
-struct Task<'a> {
+struct WideTask<'a> {
     ratios: [String; 4],
-    question: Question,
+    question: WideQuestion,
     stop: &'a Stop,
 }
 
@@ -57,7 +57,7 @@ fn number<F: FromStr<Err = ParseError>>(text: &str) -> Result<F, String> {
     text.parse().map_err(|error| format!("{text}: {error}"))
 }
 
-impl Task<'_> {
+impl WideTask<'_> {
     /// Computes the cells at the smaller of two widths that has enough bits. There are only two, because each
     /// compiles the whole computation once more.
     fn at(self, bits: u32) -> Result<Cells, String> {
@@ -79,8 +79,8 @@ impl Task<'_> {
             .and_then(|r| r.with_damping_ratio(damping)?.with_static_friction_ratio(static_friction));
         let ratios = ratios.map_err(|e| e.to_string())?;
         match self.question {
-            Question::Response => Ok(response(ratios)),
-            Question::Steady { start: [phase, x, v], periods } => {
+            WideQuestion::Response => Ok(response(ratios)),
+            WideQuestion::Steady { start: [phase, x, v], periods } => {
                 let start =
                     State::new(number(&phase)?, number(&x)?, number(&v)?).map_err(|e| e.to_string())?;
                 steady(ratios, start, periods, self.stop).map_err(|e| e.to_string())
@@ -132,8 +132,13 @@ fn steady<F: Float>(
     Ok(cells)
 }
 
-fn answer(py: Python<'_>, bits: u32, ratios: [String; 4], question: Question) -> PyResult<Bound<'_, PyDict>> {
-    let found = interruptible(py, |stop| Task { ratios, question, stop }.at(bits))?;
+fn answer(
+    py: Python<'_>,
+    bits: u32,
+    ratios: [String; 4],
+    question: WideQuestion,
+) -> PyResult<Bound<'_, PyDict>> {
+    let found = interruptible(py, |stop| WideTask { ratios, question, stop }.at(bits))?;
     let cells = found.map_err(refused)?;
     let dict = PyDict::new(py);
     for (name, cell) in cells {
@@ -151,7 +156,7 @@ fn answer(py: Python<'_>, bits: u32, ratios: [String; 4], question: Question) ->
 /// All outputs of the closed forms at a point, and the force ratios without a stop, as decimal digits.
 #[pyfunction]
 fn wide_response(py: Python<'_>, bits: u32, ratios: [String; 4]) -> PyResult<Bound<'_, PyDict>> {
-    answer(py, bits, ratios, Question::Response)
+    answer(py, bits, ratios, WideQuestion::Response)
 }
 
 /// The limit from a start, as decimal digits.
@@ -163,7 +168,7 @@ fn wide_steady(
     start: [String; 3],
     max_periods: u32,
 ) -> PyResult<Bound<'_, PyDict>> {
-    answer(py, bits, ratios, Question::Steady { start, periods: max_periods })
+    answer(py, bits, ratios, WideQuestion::Steady { start, periods: max_periods })
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
