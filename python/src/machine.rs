@@ -6,9 +6,9 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
-use stickslip::motion::SteadyOutput;
-use stickslip::inputs::{Given, Input, Naming};
 use stickslip::inputs::units::{InputError, Kind, Reader, System};
+use stickslip::inputs::{Given, Input, Naming};
+use stickslip::motion::SteadyOutput;
 use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales, definitions};
 
 /// Mass, stiffness, friction bound of forward motion, that of backward motion (NaN if equal), damping
