@@ -161,15 +161,8 @@ impl<F: Float> Border<F> {
 #[cfg(test)]
 mod tests {
     use super::Lobe;
+    use crate::cycle::border::tests::{at, close};
     use crate::{Border, Error, PhaseFunction};
-
-    fn close(a: f64, b: f64, ulps: f64) {
-        assert!((a - b).abs() <= ulps * f64::EPSILON * b.abs(), "{a:e} against {b:e}");
-    }
-
-    fn at(omega: f64) -> f64 {
-        Border::new(omega).unwrap().min_force_ratio
-    }
 
     #[test]
     fn minima_at_forty_digits() {

@@ -49,15 +49,8 @@ pub(crate) fn ordered_lobes<F: Float>(low: F, high: F) -> Result<(Lobe, Lobe), E
 #[cfg(test)]
 mod tests {
     use super::border_range;
-    use crate::{Border, Error};
-
-    fn close(a: f64, b: f64, ulps: f64) {
-        assert!((a - b).abs() <= ulps * f64::EPSILON * b.abs(), "{a:e} against {b:e}");
-    }
-
-    fn at(omega: f64) -> f64 {
-        Border::new(omega).unwrap().min_force_ratio
-    }
+    use crate::Error;
+    use crate::cycle::border::tests::{at, close};
 
     #[test]
     fn the_range_of_the_border() {

@@ -41,10 +41,7 @@ impl<F: Float> Border<F> {
 #[cfg(test)]
 mod tests {
     use crate::Border;
-
-    fn close(a: f64, b: f64, ulps: f64) {
-        assert!((a - b).abs() <= ulps * f64::EPSILON * b.abs(), "{a:e} against {b:e}");
-    }
+    use crate::cycle::border::tests::close;
 
     #[test]
     fn ends_of_the_bands_where_eq_61_falls_short() {

@@ -127,7 +127,7 @@ impl<F: Float> HalfPeriod<F> {
         }
     }
 
-    /// The same with all digits of q, G, H and K.
+    /// This half period with all digits of q, G, H and K.
     #[inline(always)]
     pub(crate) fn wide(&self) -> HalfPeriod<Pair<F>> {
         let [stiffness, shift, h] = self.rest;
@@ -145,7 +145,7 @@ impl<F: Float> HalfPeriod<F> {
 }
 
 impl<F: Field> HalfPeriod<F> {
-    /// The same in another number type, each part converted on its own.
+    /// Converts each part of the half period to another number type.
     #[inline(always)]
     pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> HalfPeriod<G> {
         HalfPeriod {
@@ -176,7 +176,7 @@ impl<F: Real> HalfPeriod<F> {
 }
 
 impl<F: Field> HalfPeriod<F> {
-    /// The same with a static friction of η times the kinetic one.
+    /// This half period with a static friction of η times the kinetic one.
     pub(crate) fn with_static_friction(self, eta: F) -> Self {
         Self { static_excess: eta - F::int(1), ..self }
     }
@@ -361,4 +361,36 @@ fn series_rest<F: Float>(u: F, v: F) -> F {
         }
     }
     sum
+}
+
+/// The quantities by their definitions, at twelve times the digits of f64.
+#[cfg(all(test, feature = "mp"))]
+pub(super) mod definition {
+    use crate::float::Field;
+    use crate::float::mp::Mp;
+    use crate::float::pair::Pair;
+
+    pub(crate) type Wide = Mp<12>;
+
+    /// G and H.
+    pub(crate) fn responses(omega: f64, zeta: f64) -> (Wide, Wide) {
+        let (o, z, one, two) = (Wide::from(omega), Wide::from(zeta), Wide::int(1), Wide::int(2));
+        let d = (one - z * z).sqrt();
+        let t = Wide::pi() / o;
+        let (e, (s, c)) = ((-(z * t)).exp(), (d * t).sin_cos());
+        let n = (one / e + e) / two + c;
+        (((one / e - e) / two - z / d * s) / n, s / (d * o * n))
+    }
+
+    /// Both parts of a pair.
+    pub(crate) fn wide(x: Pair<f64>) -> Wide {
+        Wide::from(x.hi) + Wide::from(x.lo)
+    }
+
+    /// Fails where the relative error of a pair is above `unit`.
+    #[track_caller]
+    pub(crate) fn is_near(found: Pair<f64>, due: Wide, unit: f64, at: (f64, f64)) {
+        let off = ((wide(found) - due) / due).abs().to_f64();
+        assert!(off <= unit, "{at:?}: {off:e} for {due}");
+    }
 }

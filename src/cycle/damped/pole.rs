@@ -157,31 +157,20 @@ mod tests {
     #[cfg(feature = "mp")]
     #[test]
     fn its_quantities_are_those_of_the_definition() {
+        use crate::cycle::damped::half_period::definition::{Wide, is_near, responses, wide};
         use crate::float::Field;
-        use crate::float::mp::Mp;
-        use crate::float::pair::Pair;
-        type Wide = Mp<12>;
-        let wide = |x: Pair<f64>| Wide::from(x.hi) + Wide::from(x.lo);
         for off in [-0.24, -1e-3, -1e-9, -1.2e-16, 0.0, 2.3e-16, 1e-12, 1e-5, 0.3, 0.6] {
             for zeta in [1e-30, 1e-20, 1e-12, 1e-6, 1e-3, 0.1, 0.3] {
                 let omega: f64 = 1.0 + off;
                 let Some(found) = Pole::beside(omega, zeta) else { continue };
-                let (o, z, one, two) = (Wide::from(omega), Wide::from(zeta), Wide::int(1), Wide::int(2));
-                let d = (one - z * z).sqrt();
-                let t = Wide::pi() / o;
-                let (e, (s, c)) = ((-(z * t)).exp(), (d * t).sin_cos());
-                let n = (one / e + e) / two + c;
-                let (g, h) = (((one / e - e) / two - z / d * s) / n, s / (d * o * n));
-                let q = (two * z * o).hypot(one - o * o);
-                let near = |found: Pair<f64>, due: Wide, unit: f64| {
-                    let off = ((wide(found) - due) / due).abs().to_f64();
-                    assert!(off <= unit, "{omega} {zeta}: {off:e} for {due}");
-                };
+                let (g, h) = responses(omega, zeta);
+                let (o, z, one) = (Wide::from(omega), Wide::from(zeta), Wide::int(1));
+                let q = (z * o).times(2).hypot(one - o * o);
                 // The tail has a few roundings, and less than 1/25 of their effect is left.
                 let unit = 0.1 * f64::EPSILON;
-                near(found.stiffness, q, 1e-30);
-                near(found.shift, g, unit);
-                near(found.h, h, unit);
+                is_near(found.stiffness, q, 1e-30, (omega, zeta));
+                is_near(found.shift, g, unit, (omega, zeta));
+                is_near(found.h, h, unit, (omega, zeta));
                 // As accurate as q² asks for, though the terms are of the order of q.
                 let (q, square) = (q.to_f64(), q * q * (g * g + h * h));
                 let all = Wide::pi().square() / Wide::int(4) * square - Wide::int(4);
