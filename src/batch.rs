@@ -22,6 +22,8 @@
 //! set of loops covers Ω from 1/2 to 2²⁰; another covers 2⁻¹⁰ to 1/2, for which the points are gathered into
 //! blocks of their own.
 //!
+//! Points with a damper have loops of their own for {Δ₀, α_min, A₁} ([`Batch::run_each`]).
+//!
 //! The remaining points are computed one by one by [`crate::Response`]: any other Ω, an Ω within 0.0012 Ω of
 //! 1/(2n) or within 2⁻²⁴ of 1, and a start too far from the maximum velocity. Every point of the domain thus
 //! has an answer, and its side of the border is decided as in [`crate::Regime`].
@@ -124,7 +126,7 @@ impl Batch {
         Ok(())
     }
 
-    /// The same at one Ω.
+    /// Computes the requested outputs at one Ω.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] where the slices differ in length.
@@ -184,7 +186,7 @@ impl Batch {
         run::run(&kernel, level, omega, alpha, out);
     }
 
-    /// Computes the columns that no loop fills, point by point.
+    /// Computes the columns that no loop without a damper fills.
     fn each(
         &self,
         n: usize,

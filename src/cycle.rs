@@ -174,7 +174,7 @@ impl<F: Float> Cycle<F> {
         })
     }
 
-    /// The same as an `Option`, without the reason.
+    /// The cycle at these ratios; `None` where [`Cycle::new`] has an error.
     #[inline]
     pub(crate) fn find(ratios: Ratios<F>) -> Option<Self> {
         let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
@@ -229,7 +229,7 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// The same cycle in another number type.
+    /// Converts each part of the cycle to another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Cycle<G> {
         Cycle {
             ratios: self.ratios.map(&to),

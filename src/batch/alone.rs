@@ -7,11 +7,14 @@ use crate::cycle::response::Response;
 use crate::cycle::{Border, Reversal, damped};
 use crate::float::{Float, Task};
 use crate::machine::ratios::Ratios;
-use crate::output::Output;
 
 /// The outputs of [`LOOPED`] at (Ω, α); NaN where one does not exist.
 pub(crate) fn all(omega: f64, alpha: f64) -> [f64; LOOPED.len()] {
-    let Ok(ratios) = Ratios::new(omega, alpha) else { return [f64::NAN; LOOPED.len()] };
+    Ratios::new(omega, alpha).map_or([f64::NAN; LOOPED.len()], all_of)
+}
+
+/// The outputs of [`LOOPED`]; NaN where one does not exist.
+fn all_of(ratios: Ratios<f64>) -> [f64; LOOPED.len()] {
     let answer = Response::new(ratios);
     LOOPED.map(|output| output.of(&answer).unwrap_or(f64::NAN))
 }
@@ -22,9 +25,8 @@ pub(crate) fn amplitude_of(ratios: Ratios<f64>) -> [f64; 3] {
         return damped::amplitude(&ratios);
     }
     if ratios.has_higher_static_friction() {
-        let answer = Response::new(ratios);
-        let of = |output: Output| output.of(&answer).unwrap_or(f64::NAN);
-        return [Output::MaxDisplacement, Output::MinForceRatio, Output::LoopSizeStiffness].map(of);
+        let [displacement, border, size, ..] = all_of(ratios);
+        return [displacement, border, size];
     }
     f64::fused(Amplitude(ratios))
 }

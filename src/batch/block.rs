@@ -34,6 +34,16 @@ pub(crate) fn each<const I: usize, const O: usize>(
     }
 }
 
+/// Sets quantities of the point at place `i`.
+#[inline]
+pub(crate) fn set<const N: usize>(blocks: &mut [Block], i: usize, values: [f64; N]) {
+    for (block, value) in blocks.iter_mut().zip(values) {
+        if let Some(slot) = block.get_mut(i) {
+            *slot = value;
+        }
+    }
+}
+
 /// `yes` where `condition` holds, `no` elsewhere. Both are computed, so that there is no branch.
 #[inline(always)]
 pub(crate) fn select(condition: bool, yes: f64, no: f64) -> f64 {

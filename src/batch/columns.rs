@@ -1,5 +1,6 @@
 //! The requested outputs of a batch, and the slices that receive them.
 
+use super::block::Block;
 use crate::cycle::regime::Regime;
 use crate::cycle::response::Response;
 use crate::machine::error::Error;
@@ -130,6 +131,16 @@ impl<const N: usize> Default for Slices<'_, N> {
 impl<const N: usize> Slices<'_, N> {
     pub(super) fn is_empty(&self) -> bool {
         self.regime.is_none() && self.numbers.iter().all(Option::is_none)
+    }
+
+    /// Writes the first `n` numbers of each block from `start` on.
+    pub(super) fn put_numbers(&mut self, start: usize, n: usize, blocks: &[Block]) {
+        for (slice, block) in self.numbers.iter_mut().zip(blocks) {
+            let part = slice.as_mut().and_then(|slice| slice.get_mut(start..)?.get_mut(..n));
+            if let (Some(part), Some(values)) = (part, block.get(..n)) {
+                part.copy_from_slice(values);
+            }
+        }
     }
 
     /// Whether any of the outputs at these places is requested.

@@ -1,7 +1,7 @@
 //! Points that may have a damper and static friction: {Δ₀, α_min, A₁} by a loop, all else point by point.
 
 use super::alone;
-use super::block::{AtPoint, Block, POINTS, each, select};
+use super::block::{AtPoint, Block, POINTS, each, select, set};
 use super::columns::Slices;
 use super::level::{Level, Loops};
 use crate::cycle::damped::half_period::HalfPeriod;
@@ -116,13 +116,10 @@ pub(super) fn run(
                 let (zeta, eta) = (ratios.damping_ratio(), ratios.static_friction_ratio());
                 [ratios.omega(), ratios.alpha(), zeta, eta]
             });
-            for (block, part) in given.iter_mut().zip(parts) {
-                if let Some(slot) = block.get_mut(i) {
-                    *slot = part;
-                }
-            }
+            set(&mut given, i, parts);
         }
-        if level == Level::Scalar {
+        // Without a damper the loops would leave every point.
+        if level == Level::Scalar || given[2].iter().all(|&zeta| zeta == 0.0) {
             found[1].fill(f64::NAN);
         } else {
             level.run(Pass { given: &given, found: &mut found, work: &mut work });
@@ -130,19 +127,10 @@ pub(super) fn run(
         for (i, point) in points.iter().take(count).enumerate() {
             if found[1].get(i).is_some_and(|border| border.is_nan()) {
                 let values = point.map_or([f64::NAN; 3], alone::amplitude_of);
-                for (block, value) in found.iter_mut().zip(values) {
-                    if let Some(slot) = block.get_mut(i) {
-                        *slot = value;
-                    }
-                }
+                set(&mut found, i, values);
             }
         }
-        for (slice, block) in out.numbers.iter_mut().zip(&found) {
-            let part = slice.as_mut().and_then(|slice| slice.get_mut(first..first + count));
-            if let (Some(part), Some(values)) = (part, block.get(..count)) {
-                part.copy_from_slice(values);
-            }
-        }
+        out.put_numbers(first, count, &found);
         let regimes = out.regime.iter_mut().flat_map(|slice| slice.iter_mut().skip(first));
         for ((slot, point), &border) in regimes.zip(points.iter().take(count)).zip(&found[1]) {
             *slot = point.map(|ratios| regime_of(ratios, border));

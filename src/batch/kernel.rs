@@ -2,7 +2,7 @@
 
 use super::alone;
 use super::amplitude::Point;
-use super::block::{Block, POINTS, each};
+use super::block::{Block, POINTS, each, set};
 use super::columns::{BORDER, LOOPED, Looped};
 use super::fixed::{FixedOmega, OfOmega, Row};
 use super::level::Level;
@@ -54,7 +54,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The same over a block of points below Ω = 1/2.
+    /// Computes the outputs over a block of points below Ω = 1/2.
     #[inline(always)]
     pub(crate) fn pass_low(&self, omega: &Block, alpha: &Block, scratch: &mut Scratch) {
         let Scratch { low, work, answer, .. } = scratch;
@@ -119,20 +119,10 @@ impl Scratch {
             if is_left && !set_aside(i, omega) {
                 let omega = kernel.omega(omega);
                 if kernel.stages.is_amplitude() {
-                    self.set(i, alone::amplitude(omega, alpha));
+                    set(&mut self.answer, i, alone::amplitude(omega, alpha));
                 } else {
-                    self.set(i, alone::all(omega, alpha));
+                    set(&mut self.answer, i, alone::all(omega, alpha));
                 }
-            }
-        }
-    }
-
-    /// Sets the first outputs of the i-th point of the block.
-    #[inline]
-    fn set<const N: usize>(&mut self, i: usize, values: [f64; N]) {
-        for (block, value) in self.answer.iter_mut().zip(values) {
-            if let Some(slot) = block.get_mut(i) {
-                *slot = value;
             }
         }
     }

@@ -123,7 +123,7 @@ impl AtPoint<9, 4> for LowArrival {
     }
 }
 
-/// The same without the deviation Δ₁.
+/// The loop of [`LowArrival`] without the deviation Δ₁.
 #[derive(Clone, Copy)]
 pub(crate) struct LowPeak(LowArrival);
 

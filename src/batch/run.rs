@@ -41,13 +41,7 @@ impl Loops for PassLow<'_> {
 impl Looped<'_> {
     /// Writes the answers of the points from `start` on.
     fn put(&mut self, kernel: &Kernel<'_>, start: usize, omega: &[f64], alpha: &[f64], answer: &Answer) {
-        let n = omega.len();
-        for (slice, block) in self.numbers.iter_mut().zip(answer) {
-            let part = slice.as_mut().and_then(|slice| slice.get_mut(start..)?.get_mut(..n));
-            if let (Some(part), Some(values)) = (part, block.get(..n)) {
-                part.copy_from_slice(values);
-            }
-        }
+        self.put_numbers(start, omega.len(), answer);
         let regimes = self.regime.as_mut().and_then(|slice| slice.get_mut(start..));
         kernel.regimes(regimes, omega, alpha, &answer[BORDER]);
     }

@@ -165,7 +165,7 @@ impl<F: Float> Border<F> {
         Self { min_force_ratio, turning_point, touching_phase, min_displacement }
     }
 
-    /// The same border in another number type.
+    /// Converts each part of the border to another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Border<G> {
         Border {
             min_force_ratio: to(self.min_force_ratio),

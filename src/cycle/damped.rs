@@ -120,7 +120,7 @@ impl<F: Float> DampedCycle<F> {
         (self.rising.displacement(&moment), self.rising.velocity(&moment)[0] / half.omega)
     }
 
-    /// The same cycle in another number type.
+    /// Converts each part of the cycle to another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> DampedCycle<G> {
         DampedCycle {
             rising: self.rising.map(&to),
@@ -191,7 +191,7 @@ impl<F: Field> Rising<F> {
 }
 
 impl<F: Float> HalfPeriod<F> {
-    /// The same with free waves that are divided by a size, which is 1 unless their squares would underflow.
+    /// This half period with free waves that are divided by a size, which is 1 unless their squares would underflow.
     /// The multipliers are proportional to it.
     fn of_size_one(self) -> (Self, F) {
         let size = self.decay.or_larger(self.cosine.abs());
@@ -274,8 +274,7 @@ pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
     })
 }
 
-/// Whether there is a cycle without a stop at α, given the border.
-#[cfg(feature = "batch")]
+/// Whether the cycle of two reversals exists at α, given its border.
 #[inline(always)]
 pub(crate) fn exists<F: Float>(alpha: F, border: F) -> bool {
     (alpha >= border) & (alpha > F::int(1))
@@ -287,7 +286,7 @@ pub(crate) fn best<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
     (force_ratio.value(), loop_size.value())
 }
 
-/// The same in any arithmetic, both by `Q = hypot(K, qG)`.
+/// The force ratio of the largest loop A₁ and that loop in any arithmetic, both by `Q = hypot(K, qG)`.
 ///
 /// With y = qa, `A₁ = 8(y − qG)/(q(y² + K²))`; `dA₁/dy = 0` is `y² − 2qGy − K² = 0`, y = qG + Q.
 pub(crate) fn best_of<R: Field>(half: &HalfPeriod<R>) -> (R, R) {

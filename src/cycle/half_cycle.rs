@@ -79,7 +79,7 @@ impl<F: Float> HalfCycle<F> {
         }
     }
 
-    /// The same with the rounding error of Δ₀/B.
+    /// This half cycle with the rounding error of Δ₀/B.
     #[inline]
     pub(crate) fn with_rest(self, displacement_rest: F) -> Self {
         Self { displacement_rest, ..self }
@@ -96,7 +96,7 @@ impl<F: Float> HalfCycle<F> {
         (self.sin_beta, self.cos_beta)
     }
 
-    /// The same half cycle at another precision: each field is converted on its own, 1 − Ω and cos β too, so
+    /// This half cycle at another precision: each field is converted on its own, 1 − Ω and cos β too, so
     /// that an Ω closer to 1 than the other type can resolve keeps its distance.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> HalfCycle<G> {
         HalfCycle {

@@ -100,7 +100,7 @@ impl<F: Float> Response<F> {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
         let regime = regime_of(ratios, border.min_force_ratio);
-        let cycle = (ratios.alpha() >= border.min_force_ratio && regime != Regime::Stuck)
+        let cycle = damped::exists(ratios.alpha(), border.min_force_ratio)
             .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
         let (best_force_ratio, best_loop_size) = damped::best(&half);
         Self {

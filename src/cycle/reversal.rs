@@ -117,7 +117,7 @@ impl<F: Float> Reversal<F> {
         loop_size_stiffness(self.displacement, self.alpha.wide())
     }
 
-    /// The same in another number type.
+    /// Converts each part of the reversal to another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Reversal<G> {
         Reversal {
             alpha: to(self.alpha),

@@ -95,7 +95,7 @@ pub(crate) fn force_ratios<F: Float>(ratios: &Ratios<F>) -> Option<(F, F)> {
     force_ratios_at(ratios.omega(), ratios.damping_ratio(), ratios.static_friction_ratio())
 }
 
-/// The same at a valid Ω, ζ and η.
+/// The least and the greatest force ratio of [`force_ratios`] at a valid Ω, ζ and η.
 pub(crate) fn force_ratios_at<F: Float>(omega: F, zeta: F, eta: F) -> Option<(F, F)> {
     edges(omega, zeta, eta).map(|found| (found.low, found.high))
 }
@@ -105,7 +105,8 @@ pub(crate) fn is_within<F: Float>(ratios: &Ratios<F>) -> bool {
     is_within_at(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), ratios.static_friction_ratio())
 }
 
-/// The same at a valid Ω, α, ζ and η. Nearly everywhere that is answered by one or two comparisons.
+/// Whether the body does not stop at a valid Ω, α, ζ and η, as [`is_within`] says. Nearly everywhere one or two comparisons
+/// decide.
 #[inline]
 pub(crate) fn is_within_at<F: Float>(omega: F, alpha: F, zeta: F, eta: F) -> bool {
     is_strong_enough(omega, alpha) && omega * F::int(2) < F::int(1) && is_between(omega, alpha, zeta, eta)

@@ -33,7 +33,7 @@ pub(crate) struct Rounded<F> {
 }
 
 impl<F: Float> Undamped<F> {
-    /// The same in another number type.
+    /// Converts each part of the cycle to another number type.
     pub(super) fn map<G: Float>(&self, omega: F, to: impl Fn(F) -> G) -> Undamped<G> {
         Undamped {
             reversal: self.reversal.map(&to),

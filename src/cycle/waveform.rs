@@ -15,7 +15,7 @@ pub(super) enum Motion<F> {
 }
 
 impl<F: Float> Motion<F> {
-    /// The same in another number type.
+    /// Converts each part of the motion to another number type.
     pub(super) fn map<G: Float>(self, omega: F, to: impl Fn(F) -> G) -> Motion<G> {
         match self {
             Self::Undamped(cycle) => Motion::Undamped(cycle.map(omega, to)),

@@ -55,7 +55,7 @@ impl<F: Field> State<F> {
 }
 
 impl<F: Field> Free<F> {
-    /// The same in another number type.
+    /// Converts each part to another number type.
     #[inline(always)]
     pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> Free<G> {
         Free { zeta: to(self.zeta), square: to(self.square), frequency: to(self.frequency) }

@@ -41,7 +41,7 @@ impl<F: Float> HalfPeriod<F> {
         Moment { tau, drive: (self.omega * tau).sin_cos(), waves, free }
     }
 
-    /// The same at T − u, by free vibration back from `(1 − G, −b)`; for ζ < 1.
+    /// The moment at T − u, by free vibration back from `(1 − G, −b)`; for ζ < 1.
     pub(crate) fn before_end(&self, u: F) -> Moment<F> {
         let waves = self.free.waves(-u);
         let free = self.free.after(waves, F::int(1) - self.shift, -(self.omega * self.h));
@@ -71,7 +71,7 @@ pub(crate) struct Vibration<F> {
 }
 
 impl<F: Float> Vibration<F> {
-    /// The same in another number type.
+    /// Converts each part to another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Vibration<G> {
         Vibration {
             free: self.free.map(&to),
@@ -174,7 +174,7 @@ impl<F: Field> Rising<F> {
         Self { half, amplitude, max_displacement: amplitude - half.shift, rest: F::int(0) }
     }
 
-    /// The same in another number type.
+    /// Converts each part of the rising half to another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Rising<G> {
         Rising {
             amplitude: to(self.amplitude),

@@ -27,7 +27,7 @@ pub(super) fn lost_bits<F: Float + RealField>(system: &Balanced<F>, u: &Unknowns
     lost_bits_of(&system.jacobian(u), terms, u)
 }
 
-/// The same by the Jacobian and the size of the terms.
+/// The bits that the problem loses, by the Jacobian and the size of the terms.
 pub(super) fn lost_bits_of<F: Float>(jacobian: &[[F; 5]; 5], terms: f64, u: &Unknowns<F>) -> u32 {
     let entries = jacobian.iter().flatten().map(|&entry| Float::to_f64(entry));
     let Some(inverse) = DMatrix::from_row_iterator(5, 5, entries).try_inverse() else { return F::PRECISION };

@@ -47,7 +47,7 @@ impl<R: Real> Balanced<R> {
         self.friction * self.sin_cos_beta.1
     }
 
-    /// The same problem in the paper's form, in units of A.
+    /// This problem in the paper's form, in units of A.
     pub(crate) fn given(&self) -> Given<R> {
         Given { amplitude: R::int(1), friction_displacement: self.b(), omega: self.omega }
     }

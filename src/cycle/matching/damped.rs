@@ -146,7 +146,7 @@ impl<F: Float> System<F> {
         parts.into_iter().fold(self.friction, F::or_larger)
     }
 
-    /// The same at f64.
+    /// This system at f64.
     pub(super) fn to_f64(self) -> System<f64> {
         System::new(self.omega.to_f64(), self.free.zeta.to_f64(), self.friction.to_f64())
     }

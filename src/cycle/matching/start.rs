@@ -14,7 +14,7 @@ pub(super) trait Equations<F: Float>: Copy {
     fn omega(&self) -> F;
     /// The friction in its own unit, with its sign.
     fn friction(&self) -> F;
-    /// The same with another friction.
+    /// These equations with another friction.
     fn with_friction(self, friction: F) -> Self;
     /// The motion without friction.
     fn without_friction(&self) -> Unknowns<F>;
@@ -121,7 +121,7 @@ pub(super) fn on_the_border<E: Equations<f64>>(
     [t1, t2, v, d, e, friction]
 }
 
-/// The same cycle with t₁ at the fastest point of a grid over the half cycle before t₂, and V₀ and Δ₁ the
+/// This cycle with t₁ at the fastest point of a grid over the half cycle before t₂, and V₀ and Δ₁ the
 /// velocity and the displacement there; `None` where the t₁ it has is in that half cycle, and faster.
 ///
 /// The grid has `per_swing` points in π/ω_n and a few more. Eq. 25 alone says that the velocity is stationary

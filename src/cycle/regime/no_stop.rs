@@ -51,7 +51,7 @@ impl<F: Float> NoStop<F> {
         self.six_reversals.map_or(self.border, |(low, _)| low)
     }
 
-    /// The same in another unit.
+    /// These force ratios in another unit.
     pub(crate) fn map(self, to: impl Fn(F) -> F) -> Self {
         Self {
             six_reversals: self.six_reversals.map(|(low, high)| (to(low), to(high))),

@@ -124,7 +124,7 @@ impl<F: Float> Problem<F> {
         }
     }
 
-    /// The same in another number type.
+    /// Converts each part of the problem to another number type.
     pub(super) fn map<G: Float>(&self, to: impl Fn(F) -> G) -> Problem<G> {
         Problem {
             omega: to(self.omega),
