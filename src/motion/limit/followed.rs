@@ -123,7 +123,14 @@ fn periodic<F: Float>(
         // One multiplier is 1: Newton's step is undefined, and the motion is followed until its own change is
         // rounding.
         let is_settled = begun.left.is_rounding(4) && is_within(&begun.step.derivative, rate_noise(m));
-        return if is_settled { member(equation, &begun, budget).map(Some) } else { Ok(None) };
+        // Where the type does not resolve friction, the other multiplier rounds to 1 and the remaining change is unknown.
+        let other = begun.step.derivative.determinant().abs();
+        let settles = F::int(1) - other > rate_noise(m);
+        return if is_settled && settles {
+            member(equation, &begun, other, budget).map(Some)
+        } else {
+            Ok(None)
+        };
     }
     let found = begun.newton(equation, budget)?;
     let Trial { y, step, left, .. } = &found;
@@ -147,13 +154,13 @@ fn periodic<F: Float>(
     Ok(Some(LongRun::Periodic(found.steady(equation, budget)?)))
 }
 
-/// The member of a family at Ω = 1/(2n) that a motion has settled on.
+/// The member of a family at Ω = 1/(2n) that a motion has settled on, `other` being its multiplier that is not 1.
 fn member<F: Float>(
     equation: Equation<F>,
     settled: &Trial<F>,
+    other: F,
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Broken> {
-    let other = settled.step.derivative.determinant().abs();
     let off = settled.left.bound() / (F::int(1) - other);
     let cycle = propagate(equation, settled.y, 2, F::pi() / equation.omega, Vec::new(), budget)?;
     family::finish(equation, settled.y, &cycle, (off, off), budget)

@@ -216,6 +216,16 @@ fn a_family_at_half_the_natural_frequency() {
     assert!(beyond.steady_state().is_none_or(|steady| steady.sticks_per_cycle > 0), "{beyond:?}");
 }
 
+/// Where friction is lost in the rounding of the motion, nothing says how far a member is from the limit; the distance
+/// was negative here.
+#[test]
+fn a_member_whose_distance_is_unknown_is_not_settled() {
+    let ratios = ratios(1.0 / 256.0, 0.0, 1.000_000_000_000_001_3, 6.556_107_324_760_883e35);
+    let start = State::new(0.0, -6.556_107_324_760_879e35, 0.0).unwrap();
+    let limit = LongRun::within(ratios, start, 200, &mut || ControlFlow::Continue(())).unwrap();
+    assert!(matches!(limit, LongRun::NotConverged { .. }), "{limit:?}");
+}
+
 /// Just above the border the cycle is a motion without a stop, and just below it stops within half a turn.
 fn beside_the_border(points: u32) {
     let mut inside = 0;
