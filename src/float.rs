@@ -142,7 +142,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     #[doc(hidden)]
     #[inline(always)]
     fn sin_cos_acute(angle: Pair<Self>) -> (Pair<Self>, Pair<Self>) {
-        if Self::PRECISION <= f64::MANTISSA_DIGITS {
+        if const { Self::PRECISION <= f64::MANTISSA_DIGITS } {
             TO_HALF_PI.of().wide(angle)
         } else {
             task::sin_cos_of_pair(angle)

@@ -123,7 +123,7 @@ impl<F: Float> PhaseFunction<F> {
     #[doc(hidden)]
     #[inline]
     pub fn sin_cos(&self) -> (F, F) {
-        let (s, c) = if F::PRECISION > f64::MANTISSA_DIGITS {
+        let (s, c) = if const { F::PRECISION > f64::MANTISSA_DIGITS } {
             // At high precision, a circular function costs as much as fifty products.
             let t = self.remainder_tangent();
             let c = F::int(1) / (F::int(1) + t.square()).sqrt();

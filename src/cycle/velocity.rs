@@ -119,7 +119,7 @@ pub(crate) struct Fastest<F> {
 /// where they do not settle inside the proven bracket, from a bracketed root at f64.
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
-    if F::PRECISION > f64::MANTISSA_DIGITS {
+    if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return fastest_and_displacement(half, k, alpha).0;
     }
     let displacement = Pair::new(half.max_displacement(), half.displacement_rest());
@@ -147,7 +147,7 @@ pub(crate) struct Given<F> {
 pub(crate) fn fastest_of_cycle<F: Float>(p: &PhaseFunction<F>, given: &Given<F>) -> (Fastest<F>, Option<F>) {
     let &Given { ref reversal, alpha, displacement, .. } = given;
     let (omega, k) = (p.omega(), reversal.phase_function());
-    if F::PRECISION > f64::MANTISSA_DIGITS {
+    if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         let (found, deviation) = fastest_and_displacement(&half_cycle(p, displacement), k.value(), alpha);
         return (found, Some(deviation));
     }

@@ -69,7 +69,7 @@ impl<F: Float> Known<F> {
 /// η where Ω and γ say enough of it, at the digits of f64 or fewer.
 #[inline(always)]
 pub(super) fn near<F: Float>(known: &Known<F>) -> Option<F> {
-    if F::PRECISION > f64::MANTISSA_DIGITS {
+    if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return None;
     }
     let (eta, is_found) = known.stationary_point();

@@ -133,7 +133,7 @@ pub(crate) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
     let start = if gamma * gamma * gamma * gamma < F::from_f64(f64::EPSILON) {
         // g is lost in rounding at f64; η/γ = 1/2 + O(γ²).
         gamma / F::int(2)
-    } else if F::PRECISION <= f64::MANTISSA_DIGITS {
+    } else if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
         let g = |eta| stationarity(omega, gamma, eta).0;
         F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))

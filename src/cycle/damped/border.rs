@@ -83,7 +83,7 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
     if !has_lobes(half) {
         return turning_point;
     }
-    let touch = if F::PRECISION <= f64::MANTISSA_DIGITS {
+    let touch = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         let found = greatest(half, turning_point).touch;
         found.map(|touch| Touch { time: refined(half, touch), ..touch })
     } else {
@@ -189,7 +189,7 @@ fn needed<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> F {
 /// ρ(τ) where the velocity touches zero, to more digits than the type has.
 pub(super) fn needed_at<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> Pair<F> {
     let Touch { from, time } = touch;
-    if F::PRECISION > f64::MANTISSA_DIGITS {
+    if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return needed(half, from, &at(half, from, time)).wide();
     }
     let (wide, at) = (half.wide(), wide_at(half, touch));

@@ -16,7 +16,7 @@ pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
         let [_, slope, curvature] = motion.velocity(&motion.at(tau));
         (slope, curvature)
     };
-    let start = if F::PRECISION <= f64::MANTISSA_DIGITS {
+    let start = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         Search::new(motion).run()
     } else {
         let motion = *motion;

@@ -84,7 +84,7 @@ impl<F: Float> HalfPeriod<F> {
     /// The half period by [`Tangent`] where that is accurate; the waves at T are NaN.
     #[inline(always)]
     fn by_tangent(omega: F, zeta: F) -> Option<Self> {
-        if F::PRECISION > f64::MANTISSA_DIGITS {
+        if const { F::PRECISION > f64::MANTISSA_DIGITS } {
             return None;
         }
         let Tangent { shift, h, is_accurate } = Tangent::at(omega, zeta);
@@ -243,7 +243,7 @@ fn half<F: Float>(omega: F, zeta: F) -> Half<Pair<F>, F> {
         is_stiff: zeta * F::int(4) > F::int(5),
         is_short: F::pi() * zeta.or_larger(one) <= two * omega,
     };
-    if F::PRECISION > f64::MANTISSA_DIGITS {
+    if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return at_precision!(guarded, <F>(omega: F, zeta: F, kind: Kind) -> Half<Pair<F>, F>, |there, back: G| {
             let (omega, free) = (there(omega), Free::new(there(zeta)));
             let middle = G::pi() / (G::int(2) * omega);

@@ -66,7 +66,7 @@ fn defect<F: Float>(square: Complex<Pair<F>>) -> Complex<Pair<F>> {
 #[inline(always)]
 fn tail<F: Float>(z: Complex<F>) -> Complex<F> {
     let n = F::int;
-    if F::PRECISION <= f64::MANTISSA_DIGITS {
+    if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         let next = |sum: Complex<F>, coefficient: i32| {
             let (re, im) = product(sum, z);
             (re + n(coefficient), im)

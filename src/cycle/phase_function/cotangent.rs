@@ -28,7 +28,7 @@ pub(super) fn y_cot_y<F: Float>(y: Pair<F>) -> Pair<F> {
 /// t from z.
 #[inline(always)]
 fn tail<F: Float>(z: F) -> F {
-    if F::PRECISION > f64::MANTISSA_DIGITS {
+    if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return tail_by_levels(z);
     }
     let n = F::int;

@@ -164,7 +164,7 @@ pub(super) fn of_remainder<F: Float>(omega: F, is_even: bool, w: Pair<F>) -> Pai
 fn refined_parts<F: Float>(omega: F) -> (u8, Pair<F>, Pair<F>) {
     fused!(<F>(omega: F) -> (u8, Pair<F>, Pair<F>) {
         let (quarter, w) = reduced(omega);
-        let value = if F::PRECISION > f64::MANTISSA_DIGITS {
+        let value = if const { F::PRECISION > f64::MANTISSA_DIGITS } {
             guarded(omega)
         } else {
             of_remainder(omega, quarter & 1 == 0, w)

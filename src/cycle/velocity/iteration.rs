@@ -44,7 +44,7 @@ fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest
 fn start<F: Float>(half: HalfCycle<F>, k: F, alpha: F) -> F {
     at_precision!(narrowed, <F>(half: HalfCycle<F>, k: F, alpha: F) -> F, |there, back: G| {
         let (half, k, alpha) = (half.map(&there), there(k), there(alpha));
-        if G::PRECISION > f64::MANTISSA_DIGITS {
+        if const { G::PRECISION > f64::MANTISSA_DIGITS } {
             return back(fastest(&half, k, alpha).psi);
         }
         // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance

@@ -7,7 +7,7 @@ impl<const N: usize> Neg for Dual<N> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self(-self.0)
+        self.chained(-self.value(), -1.0)
     }
 }
 
@@ -15,7 +15,7 @@ impl<const N: usize> Add for Dual<N> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0)
+        self.combined(self.value() + other.value(), 1.0, other, 1.0)
     }
 }
 
@@ -23,7 +23,7 @@ impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
-        Self(self.0 - other.0)
+        self.combined(self.value() - other.value(), 1.0, other, -1.0)
     }
 }
 
@@ -31,7 +31,7 @@ impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self(self.0 * other.0)
+        self.combined(self.value() * other.value(), other.value(), other, self.value())
     }
 }
 

@@ -3,6 +3,18 @@
 use super::Mp;
 use crate::float::{AtPrecision, Field, Float, Real};
 
+/// Runs a task at the width beside the first bound that LIMBS does not exceed, or at the last width. The
+/// comparisons are constants, so that the task is compiled for one width; a `match` compiles it for each.
+macro_rules! at_width {
+    ($task:ident, $($most:literal => $limbs:literal,)+ else $last:literal) => {
+        $(if const { LIMBS <= $most } {
+            $task.run::<Mp<$limbs>>(Mp::rounded, Self::rounded)
+        } else)+ {
+            $task.run::<Mp<$last>>(Mp::rounded, Self::rounded)
+        }
+    };
+}
+
 impl<const LIMBS: usize> Field for Mp<LIMBS> {
     #[inline]
     fn int(n: i32) -> Self {
@@ -121,38 +133,22 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
 
     /// The task runs at the least of several widths that has a quarter of the bits and a guard limb.
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
-        match LIMBS {
-            ..=3 => task.run::<f64>(Self::to_f64, Self::of_f64),
-            4 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
-            5..=8 => task.run::<Mp<3>>(Mp::rounded, Self::rounded),
-            9..=16 => task.run::<Mp<5>>(Mp::rounded, Self::rounded),
-            17..=32 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
-            33..=64 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
-            65..=128 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
-            // For types wider than any width of the ladder, an iteration takes further steps.
-            _ => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
+        if const { LIMBS <= 3 } {
+            return task.run::<f64>(Self::to_f64, Self::of_f64);
         }
+        // For types wider than any width of the ladder, an iteration takes further steps.
+        at_width!(task, 4 => 2, 8 => 3, 16 => 5, 32 => 9, 64 => 17, 128 => 33, else 65)
     }
 
     /// The task runs with at least one more limb, at the next available width.
     fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
-        match LIMBS {
-            1 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
-            2 => task.run::<Mp<3>>(Mp::rounded, Self::rounded),
-            3 => task.run::<Mp<4>>(Mp::rounded, Self::rounded),
-            4 => task.run::<Mp<5>>(Mp::rounded, Self::rounded),
-            5..=6 => task.run::<Mp<7>>(Mp::rounded, Self::rounded),
-            7..=8 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
-            9..=12 => task.run::<Mp<13>>(Mp::rounded, Self::rounded),
-            13..=16 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
-            17..=24 => task.run::<Mp<25>>(Mp::rounded, Self::rounded),
-            25..=32 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
-            33..=48 => task.run::<Mp<49>>(Mp::rounded, Self::rounded),
-            49..=64 => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
-            65..=96 => task.run::<Mp<97>>(Mp::rounded, Self::rounded),
-            97..=128 => task.run::<Mp<129>>(Mp::rounded, Self::rounded),
-            _ => task.run::<Self>(|x| x, |x| x),
+        if const { LIMBS > 128 } {
+            return task.run::<Self>(|x| x, |x| x);
         }
+        at_width!(
+            task, 1 => 2, 2 => 3, 3 => 4, 4 => 5, 6 => 7, 8 => 9, 12 => 13, 16 => 17, 24 => 25, 32 => 33,
+            48 => 49, 64 => 65, 96 => 97, else 129
+        )
     }
 }
 
