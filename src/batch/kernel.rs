@@ -9,7 +9,8 @@ use super::level::Level;
 use super::low::{LowOmega, has_low_loops};
 use super::stages::{Answer, HighParts, LowParts, Stages, Work};
 use super::velocity::Parts;
-use crate::cycle::regime::{Regime, regime_above};
+use crate::cycle::regime::{Regime, regime_of};
+use crate::machine::ratios::Ratios;
 
 /// The requested outputs as functions of Ω and α, or of α in a row of one Ω.
 #[derive(Clone, Copy)]
@@ -86,7 +87,8 @@ impl<'a> Kernel<'a> {
     ) {
         let points = omega.iter().zip(alpha).zip(borders);
         for (slot, ((&omega, &alpha), &border)) in slots.into_iter().flatten().zip(points) {
-            *slot = (!border.is_nan()).then(|| regime_above(self.omega(omega), alpha, 0.0, border));
+            let ratios = Ratios::of_valid(self.omega(omega), alpha, 0.0, 1.0);
+            *slot = (!border.is_nan()).then(|| regime_of(ratios, border));
         }
     }
 }

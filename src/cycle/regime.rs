@@ -10,6 +10,7 @@ mod static_friction;
 mod verdict;
 
 pub use no_stop::{NoStop, no_stop_force_ratios};
+use static_friction::leads_from_every_start;
 #[cfg(feature = "mp")]
 pub(crate) use static_friction::sliding_bound;
 pub use verdict::{Family, Verdict};
@@ -71,23 +72,26 @@ impl Regime {
 }
 
 /// The regime at these ratios, where the border of the two-reversal cycle is `least`.
+#[inline]
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, least: F) -> Regime {
-    if ratios.has_higher_static_friction() {
-        return static_friction::regime(ratios, least);
+    let alpha = ratios.alpha();
+    if alpha <= F::int(1) {
+        Regime::Stuck
+    } else if alpha >= least || six_reversals::is_within(&ratios) {
+        regime_of_sliding(&ratios)
+    } else if ratios.moves_from_rest() {
+        Regime::Sticking
+    } else {
+        Regime::DependsOnStart
     }
-    regime_above(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), least)
 }
 
-/// The regime at (Ω, α, ζ) where the border of the two-reversal cycle is `least`.
+/// The regime at ratios where a motion without a stop exists.
 #[inline]
-pub(crate) fn regime_above<F: Float>(omega: F, alpha: F, zeta: F, least: F) -> Regime {
-    let one = F::int(1);
-    if alpha <= one {
-        Regime::Stuck
-    } else if alpha < least {
-        let slides = six_reversals::is_within_at(omega, alpha, zeta, one);
-        if slides { Regime::NonSticking } else { Regime::Sticking }
-    } else if omega == one && zeta == F::int(0) {
+fn regime_of_sliding<F: Float>(ratios: &Ratios<F>) -> Regime {
+    if !leads_from_every_start(ratios) {
+        Regime::DependsOnStart
+    } else if ratios.omega() == F::int(1) && !ratios.is_damped() {
         Regime::Unbounded
     } else {
         Regime::NonSticking

@@ -72,26 +72,10 @@ impl<F: Float> Response<F> {
     /// The answer without damping, given the border.
     #[inline(always)]
     fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
-        let regime = regime_of(ratios, border.min_force_ratio);
         let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio);
         // There are no closures: they would be compiled separately, without the processor's fused operation.
-        let (cycle, loop_size_stiffness, loop_size_inertia) = if slides {
-            let cycle = Cycle::at(p, ratios);
-            let (a1, a2) = cycle.loop_sizes();
-            (Some(cycle), Some(a1), Some(a2))
-        } else {
-            (None, None, None)
-        };
-        Self {
-            ratios,
-            regime,
-            border,
-            cycle,
-            loop_size_stiffness,
-            loop_size_inertia,
-            best_force_ratio: best_force_ratio_at(p),
-            best_loop_size: finite(best_loop_size_at(p)),
-        }
+        let cycle = if slides { Some(Cycle::at(p, ratios)) } else { None };
+        Self::of_parts(ratios, border, cycle, (best_force_ratio_at(p), best_loop_size_at(p)))
     }
 
     /// The answer with damping.
@@ -99,19 +83,30 @@ impl<F: Float> Response<F> {
     fn damped(ratios: Ratios<F>) -> Self {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
-        let regime = regime_of(ratios, border.min_force_ratio);
         let cycle = damped::exists(ratios.alpha(), border.min_force_ratio)
             .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
-        let (best_force_ratio, best_loop_size) = damped::best(&half);
+        Self::of_parts(ratios, border, cycle, damped::best(&half))
+    }
+
+    /// The answer from its border, its cycle, and the best force ratio with its loop.
+    #[inline(always)]
+    fn of_parts(ratios: Ratios<F>, border: Border<F>, cycle: Option<Cycle<F>>, best: (F, F)) -> Self {
+        let (loop_size_stiffness, loop_size_inertia) = match &cycle {
+            Some(cycle) => {
+                let (a1, a2) = cycle.loop_sizes();
+                (Some(a1), Some(a2))
+            }
+            None => (None, None),
+        };
         Self {
             ratios,
-            regime,
+            regime: regime_of(ratios, border.min_force_ratio),
             border,
             cycle,
-            loop_size_stiffness: cycle.map(|c| c.loop_size_stiffness()),
-            loop_size_inertia: cycle.map(|c| c.loop_size_inertia()),
-            best_force_ratio,
-            best_loop_size: finite(best_loop_size),
+            loop_size_stiffness,
+            loop_size_inertia,
+            best_force_ratio: best.0,
+            best_loop_size: finite(best.1),
         }
     }
 

@@ -100,16 +100,12 @@ pub(crate) fn force_ratios_at<F: Float>(omega: F, zeta: F, eta: F) -> Option<(F,
     edges(omega, zeta, eta).map(|found| (found.low, found.high))
 }
 
-/// Whether the body does not stop at these ratios, given that α is below the border of the two-reversal cycle.
-pub(crate) fn is_within<F: Float>(ratios: &Ratios<F>) -> bool {
-    is_within_at(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), ratios.static_friction_ratio())
-}
-
-/// Whether the body does not stop at a valid Ω, α, ζ and η, as [`is_within`] says. Nearly everywhere one or two comparisons
-/// decide.
+/// Whether the body does not stop at these ratios, given that α is below the border of the two-reversal cycle. Nearly
+/// everywhere one or two comparisons decide.
 #[inline]
-pub(crate) fn is_within_at<F: Float>(omega: F, alpha: F, zeta: F, eta: F) -> bool {
-    is_strong_enough(omega, alpha) && omega * F::int(2) < F::int(1) && is_between(omega, alpha, zeta, eta)
+pub(crate) fn is_within<F: Float>(ratios: &Ratios<F>) -> bool {
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
+    is_strong_enough(omega, alpha) && omega * F::int(2) < F::int(1) && is_between(ratios)
 }
 
 /// A cheap necessary condition on (Ω, α) below the border: on the edges `AΩ² = αΩ²/q` is nowhere below 5, and
@@ -123,8 +119,9 @@ fn is_strong_enough<F: Float>(omega: F, alpha: F) -> bool {
 /// The rounded edges themselves belong to the cycle.
 #[cold]
 #[inline(never)]
-fn is_between<F: Float>(omega: F, alpha: F, zeta: F, eta: F) -> bool {
-    force_ratios_at(omega, zeta, eta).is_some_and(|(low, high)| low <= alpha && alpha <= high)
+fn is_between<F: Float>(ratios: &Ratios<F>) -> bool {
+    let alpha = ratios.alpha();
+    force_ratios(ratios).is_some_and(|(low, high)| low <= alpha && alpha <= high)
 }
 
 /// The symmetric cycle of six reversals at one (Ω, α).

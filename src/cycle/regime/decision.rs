@@ -1,6 +1,6 @@
 //! The decision on the regime of a point of the plane of Ω and α, with its certainty.
 
-use super::{Family, Regime, Verdict, damped, static_friction};
+use super::{Family, Regime, Verdict, damped, regime_of_sliding};
 use crate::cycle::Border;
 use crate::cycle::border::{BorderRange, border_range};
 use crate::cycle::phase_function::PhaseFunction;
@@ -29,73 +29,39 @@ impl<F: Float> Verdict<F> {
     /// Where Ω = 1/(2n) is a power of two, the border 1/Ω² − 1 is exact, and so is the verdict. Any other
     /// float is 1/(2n) only to within rounding and has a single limit, the symmetric cycle, though the motion
     /// takes 10¹⁵ cycles and more to approach it.
+    ///
+    /// With η > 1 a cycle without a stop matters only where a body at rest is released.
     pub fn new(ratios: Ratios<F>) -> Self {
-        if ratios.has_higher_static_friction() {
-            return Self::with_static_friction(ratios);
+        let (one, omega, alpha) = (F::int(1), ratios.omega(), ratios.alpha());
+        let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
+        if is_plain && PhaseFunction::of_valid(omega).value() == F::int(0) {
+            return degenerate(ratios);
         }
-        if ratios.is_damped() {
-            return Self::damped(ratios);
-        }
-        let p = PhaseFunction::of_valid(ratios.omega());
-        let least = Border::at(&p).min_force_ratio;
-        let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        if p.value() == F::int(0) {
-            degenerate(ratios)
-        } else {
-            let line = BorderRange { least, greatest: Some(least) };
-            decide((omega, omega), (alpha, alpha), &line)
-        }
-    }
-
-    /// The verdict with damping: there is no family and no unbounded motion. It is undecided within
-    /// [`Verdict::DAMPED_BORDER_ERROR`] of the border and next to the edges of six reversals.
-    fn damped(ratios: Ratios<F>) -> Self {
-        let (alpha, one) = (ratios.alpha(), F::int(1));
-        let error = F::int(Self::DAMPED_BORDER_ERROR) * F::epsilon();
-        let least = Border::of(&ratios).min_force_ratio;
         if alpha <= one {
-            Verdict::AtRest
-        } else if alpha < least * (one - error) {
-            match within(&ratios) {
-                Within::All => Verdict::SixReversals,
-                Within::None => Verdict::Sticking,
-                Within::Some => Verdict::Undecided(Regime::Sticking, Regime::NonSticking),
-            }
-        } else if alpha > least * (one + error) {
-            Verdict::NonSticking
-        } else {
-            Verdict::Undecided(Regime::Sticking, Regime::NonSticking)
+            return Verdict::AtRest;
         }
-    }
-
-    /// The verdict with a static friction above the kinetic one. Whether a cycle without a stop exists matters
-    /// only where a body at rest is released: there it is undecided next to the border and to the edges of six
-    /// reversals.
-    fn with_static_friction(ratios: Ratios<F>) -> Self {
-        let border = Border::of(&ratios);
-        match static_friction::regime(ratios, border.min_force_ratio) {
-            Regime::Stuck => return Verdict::AtRest,
-            Regime::NonSticking => return Verdict::NonSticking,
-            Regime::Unbounded => return Verdict::Unbounded,
-            Regime::Sticking | Regime::DependsOnStart if !ratios.moves_from_rest() => {
-                return Verdict::DependsOnStart;
-            }
-            Regime::Sticking | Regime::DependsOnStart => {}
+        let sliding = regime_of_sliding(&ratios);
+        if sliding == Regime::DependsOnStart && !ratios.moves_from_rest() {
+            return Verdict::DependsOnStart;
         }
-        let (least, alpha) = (border.min_force_ratio, ratios.alpha());
+        let least = Border::of(&ratios).min_force_ratio;
         let error = F::int(if ratios.is_damped() { Self::DAMPED_BORDER_ERROR } else { Self::BORDER_ERROR });
-        let room = error * F::epsilon() * least;
-        let exists = if alpha < least - room {
+        let error = error * F::epsilon();
+        let is_below = alpha < least * (one - error);
+        let exists = if is_below {
             within(&ratios)
-        } else if alpha > least + room {
+        } else if alpha > least * (one + error) {
             Within::All
         } else {
             Within::Some
         };
-        match exists {
-            Within::All => Verdict::DependsOnStart,
-            Within::None => Verdict::Sticking,
-            Within::Some => Verdict::Undecided(Regime::Sticking, Regime::DependsOnStart),
+        match (exists, sliding) {
+            (Within::Some, _) => Verdict::Undecided(Regime::Sticking, sliding),
+            (Within::None, _) => Verdict::Sticking,
+            (Within::All, Regime::DependsOnStart) => Verdict::DependsOnStart,
+            (Within::All, Regime::Unbounded) => Verdict::Unbounded,
+            (Within::All, _) if is_below => Verdict::SixReversals,
+            (Within::All, _) => Verdict::NonSticking,
         }
     }
 

@@ -36,31 +36,17 @@
 //! * **Ω = 1, ζ = 0 and α > 4η/π: growth without bound.** `x′ sin θ − x cos θ` grows by `πα − ∮ r sin θ dθ ≥ πα − 4η`
 //!   in each turn.
 
-use super::Regime;
-use crate::cycle::six_reversals;
 use crate::float::{Float, Real};
 use crate::machine::ratios::Ratios;
 
-/// The regime for η > 1, where the border of the two-reversal cycle is `least`.
-pub(super) fn regime<F: Float>(ratios: Ratios<F>, least: F) -> Regime {
-    let alpha = ratios.alpha();
-    let is_at_resonance = ratios.omega() == F::int(1) && !ratios.is_damped();
-    if alpha <= F::int(1) {
-        Regime::Stuck
-    } else if leads_from_every_start(&ratios) {
-        if is_at_resonance { Regime::Unbounded } else { Regime::NonSticking }
-    } else if ratios.moves_from_rest() && alpha < least && !six_reversals::is_within(&ratios) {
-        Regime::Sticking
-    } else {
-        Regime::DependsOnStart
-    }
-}
-
-/// Whether α is so great that every start leads to a motion without a stop.
+/// Whether every start leads to a motion without a stop, given that there is one: with η = 1, and where α is so
+/// great.
+#[inline]
 pub(super) fn leads_from_every_start<F: Float>(ratios: &Ratios<F>) -> bool {
     // The rounding of the bound must not matter.
     let sure = F::int(1) + F::int(16) * F::epsilon();
-    every_start(ratios).is_some_and(|least| ratios.alpha() > least * sure)
+    !ratios.has_higher_static_friction()
+        || every_start(ratios).is_some_and(|least| ratios.alpha() > least * sure)
 }
 
 /// A force ratio above which every start leads to the motion without a stop, for η > 1; `None` where none is
