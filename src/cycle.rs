@@ -82,15 +82,16 @@ pub mod equations {
     pub use crate::cycle::phase_function::phase_function_of_tangent;
 }
 
-pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_displacement};
+pub(crate) use amplitude::force_ratio_from_displacement;
 #[cfg(feature = "batch")]
 pub(crate) use border::border_near;
 #[cfg(any(test, feature = "mp"))]
 pub(crate) use displacement::max_displacement;
 pub(crate) use displacement::velocity_phase;
+#[cfg(feature = "mp")]
+pub(crate) use dissipation::{best_force_ratio, best_loop_size};
 pub(crate) use dissipation::{
-    best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
-    loop_size_stiffness,
+    best_force_ratio_at, best_loop_size_at, loop_size_inertia, loop_size_stiffness,
 };
 #[cfg(feature = "mp")]
 pub(crate) use half_cycle::{HalfCycle, free_swing};

@@ -1,4 +1,4 @@
-//! The greatest absolute value of a smooth function on an interval.
+//! The greatest absolute value of a smooth function on an interval, and the place of a single maximum.
 
 use crate::float::Float;
 use core::cmp::Ordering;
@@ -132,6 +132,36 @@ pub(crate) fn greatest<F: Float>(
         }
     }
     best
+}
+
+/// The place of the greatest value of f between two places, by golden-section search, to the part `share` of it;
+/// f has one maximum there, and ends the search by its error.
+pub(crate) fn highest<F: Float, E>(
+    low: F,
+    high: F,
+    share: F,
+    mut f: impl FnMut(F) -> Result<F, E>,
+) -> Result<F, E> {
+    let part = (F::int(5).sqrt() - F::int(1)) / F::int(2);
+    let (mut low, mut high) = (low, high);
+    let mut left = high - part * (high - low);
+    let mut right = low + part * (high - low);
+    let (mut at_left, mut at_right) = (f(left)?, f(right)?);
+    for _ in 0..F::PRECISION {
+        if high - low <= share * high {
+            break;
+        }
+        if at_left >= at_right {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - part * (high - low);
+            at_left = f(left)?;
+        } else {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + part * (high - low);
+            at_right = f(right)?;
+        }
+    }
+    Ok(if at_left >= at_right { left } else { right })
 }
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ use super::band::{Band, Edge};
 use crate::cycle::border::Lobe;
 use crate::cycle::damped::{border, half_period_at};
 use crate::float::Float;
+use crate::greatest::highest;
 use crate::machine::error::{Error, Quantity, written};
 use crate::root;
 use std::collections::VecDeque;
@@ -209,9 +210,12 @@ impl<F: Float> BandSearch<F> {
         if !is_nearest || middle.excess.abs() > F::int(8) * change {
             return None;
         }
-        let depth = |omega: F| -(sign * self.excess(omega));
+        let depth = |omega: F| {
+            let depth = -(sign * self.excess(omega));
+            if depth > zero { Err(omega) } else { Ok(depth) }
+        };
         let place = |node: Option<MeshPoint<F>>| node.unwrap_or(middle).omega;
-        let omega = highest(place(first), place(last), depth, |depth| depth > zero);
+        let omega = highest(place(first), place(last), F::epsilon(), depth).unwrap_or_else(|found| found);
         let found = MeshPoint { omega, excess: self.excess(omega) };
         (!is_side(found)).then_some(found)
     }
@@ -251,33 +255,4 @@ impl<F: Float> Iterator for BandSearch<F> {
 fn band<F: Float>(low: F, high: F, low_edge: Edge, high_edge: Edge) -> Band<F> {
     let lobe = Lobe::containing(low).unwrap_or(Lobe::new(u16::MAX));
     Band { low, high, low_edge, high_edge, lobe: lobe.index() }
-}
-
-/// The place of the greatest value of f between two places, by golden-section search, to half of the digits;
-/// f has one maximum there. The search ends at the first value that is `enough`.
-pub(super) fn highest<F: Float>(low: F, high: F, f: impl Fn(F) -> F, enough: impl Fn(F) -> bool) -> F {
-    let two = F::int(2);
-    let part = (F::int(5).sqrt() - F::int(1)) / two;
-    let (mut low, mut high) = (low, high);
-    let mut left = high - part * (high - low);
-    let mut right = low + part * (high - low);
-    let (mut at_left, mut at_right) = (f(left), f(right));
-    for _ in 0..F::PRECISION {
-        if enough(at_left) {
-            return left;
-        }
-        if enough(at_right) || high - low <= F::epsilon() * high {
-            return right;
-        }
-        if at_left >= at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = high - part * (high - low);
-            at_left = f(left);
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = low + part * (high - low);
-            at_right = f(right);
-        }
-    }
-    if at_left >= at_right { left } else { right }
 }

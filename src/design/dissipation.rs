@@ -3,18 +3,17 @@
 //! At fixed p₀, k and Ω the energy `4 r_y Δ₀` is A₁ p₀²/(2k), and with z = 1/α²
 //!
 //! ```text
-//! A₁ = 8 √(z − K² z²)/|1 − Ω²|,
+//! A₁ = 8 √(z − K² z²)/|1 − Ω²|
 //! ```
 //!
-//! the square root of a parabola in z: A₁ increases with α up to α* = √2 |K| (eq. 65) and decreases beyond.
+//! without a damper, the square root of a parabola in z: A₁ increases with α up to α* = √2 |K| (eq. 65) and decreases beyond.
 //! The cycles that do not stick are those with α ≥ α_min(Ω). The best of them is therefore α* if α* ≥ α_min.
 //! Otherwise A₁ decreases for all α ≥ α_min, and the best is the border itself. In both cases it is the
 //! larger of the two.
 
 use super::force::ratios_of;
 use super::optimum::{Optimum, OptimumKind};
-use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
-use crate::cycle::{Border, best_force_ratio, best_loop_size, damped, loop_size_stiffness};
+use crate::cycle::{Border, damped, loop_size_stiffness};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::{Drive, Oscillator};
@@ -32,48 +31,26 @@ use crate::machine::ratios::{Ratios, positive};
 /// the domain of [`crate::Ratios`].
 pub fn most_dissipating_force_ratio<F: Float>(omega: F, damping_ratio: F) -> Result<Optimum<F>, Error> {
     let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
-    if ratios.is_damped() { Ok(optimum_with_damping(&ratios)) } else { optimum_without_damping(omega) }
+    optimum_at(&ratios)
 }
 
-fn optimum_without_damping<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
-    let p = PhaseFunction::new(omega)?;
-    if omega == F::int(1) {
-        return Err(Error::AtResonance { quantity: Quantity::LoopSizeStiffness });
-    }
-    let (k, border) = (p.value(), Border::at(&p));
-    let (interior, least) = (best_force_ratio(k), border.min_force_ratio);
-    Ok(if interior >= least {
-        Optimum {
-            at: interior,
-            value: best_loop_size(k, one_minus_square(omega)),
-            kind: OptimumKind::Interior,
-        }
-    } else {
-        Optimum {
-            at: least,
-            value: loop_size_stiffness(border.min_displacement, least),
-            kind: OptimumKind::Border,
-        }
-    })
-}
-
-/// The force ratio without sticking that makes A₁ largest, at Ω and ζ > 0.
+/// The force ratio without sticking that makes A₁ largest, at Ω and ζ.
 ///
 /// With y = √(α² − K²), `A₁ = 8(y − qG)/(q(y² + K²))`. Its derivative has the sign of `K² + 2qGy − y²`, which
 /// changes once for y > 0, at `y = qG + Q`, Q = hypot(K, qG). A₁ therefore increases up to this y and
-/// decreases beyond, as without damping.
-fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
-    let half = damped::half_period(ratios);
-    let (border, (force_ratio, loop_size)) = (damped::border(&half), damped::best(&half));
+/// decreases beyond.
+fn optimum_at<F: Float>(ratios: &Ratios<F>) -> Result<Optimum<F>, Error> {
+    if ratios.omega() == F::int(1) && !ratios.is_damped() {
+        return Err(Error::AtResonance { quantity: Quantity::LoopSizeStiffness });
+    }
+    let (border, (at, value)) = (Border::of(ratios), damped::best(&damped::half_period(ratios)));
     let least = border.min_force_ratio;
-    if force_ratio >= least {
-        return Optimum { at: force_ratio, value: loop_size, kind: OptimumKind::Interior };
-    }
-    Optimum {
-        at: least,
-        value: loop_size_stiffness(border.min_displacement, least),
-        kind: OptimumKind::Border,
-    }
+    Ok(if at >= least {
+        Optimum { at, value, kind: OptimumKind::Interior }
+    } else {
+        let value = loop_size_stiffness(border.min_displacement, least);
+        Optimum { at: least, value, kind: OptimumKind::Border }
+    })
 }
 
 /// The friction bound with which `drive` dissipates most in a cycle without sticking.
@@ -90,11 +67,7 @@ pub fn most_dissipating_friction<F: Float>(
     drive: &Drive<F>,
 ) -> Result<Optimum<F>, Error> {
     let ratios = ratios_of(body, drive.angular_frequency())?;
-    let best = if ratios.is_damped() {
-        optimum_with_damping(&ratios)
-    } else {
-        optimum_without_damping(ratios.omega())?
-    };
+    let best = optimum_at(&ratios)?;
     let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
     let energy = best.value * (p0 / F::int(2) * (p0 / body.stiffness()));
     Ok(Optimum {

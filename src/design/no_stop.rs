@@ -2,12 +2,12 @@
 
 use super::band::Edge;
 use super::bands::{bands, frequency_bands};
-use super::damped::highest;
 use super::force::ratios_of;
 use crate::cycle::border::Lobe;
 use crate::cycle::regime::NoStop;
 use crate::cycle::six_reversals::force_ratios_at;
 use crate::float::Float;
+use crate::greatest::highest;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::positive;
@@ -150,7 +150,7 @@ fn reach<F: Float>(pole: F) -> (F, F) {
 /// The frequency ratios near a pole at which the body reverses six times a cycle with this force ratio and
 /// damping ratio.
 fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
-    let (zero, is_damped) = (F::int(0), zeta > F::int(0));
+    let zero = F::int(0);
     let edges = |omega: F| force_ratios_at(omega, zeta, F::int(1));
     // The excess is not negative within the edges; it is relative to α.
     let excess = |omega: F| match edges(omega) {
@@ -161,13 +161,7 @@ fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
         None => F::int(-1),
     };
     let (from, to) = reach(pole);
-    let inside = if excess(pole) >= zero {
-        pole
-    } else if is_damped {
-        meshed(from, to, excess)
-    } else {
-        lowest(pole, from)
-    };
+    let inside = if excess(pole) >= zero { pole } else { meshed(from, to, excess) };
     if excess(inside) < zero {
         return None;
     }
@@ -185,38 +179,15 @@ fn meshed<F: Float>(from: F, to: F, excess: impl Fn(F) -> F) -> F {
             (best, most) = (step, here);
         }
     }
-    highest(at(best.saturating_sub(1).max(0)), at(best.saturating_add(1).min(MESH)), excess, |excess| {
-        excess >= F::int(0)
-    })
+    let (low, high) = (at(best.saturating_sub(1).max(0)), at(best.saturating_add(1).min(MESH)));
+    let excess = |omega: F| {
+        let excess = excess(omega);
+        if excess >= F::int(0) { Err(omega) } else { Ok(excess) }
+    };
+    highest(low, high, F::epsilon(), excess).unwrap_or_else(|found| found)
 }
 
 const MESH: i32 = 64;
-
-/// The place between `from` and the pole where the least α of the six-reversal cycles is lowest: the corner
-/// of its two edges.
-///
-/// The least α decreases from the pole to the corner and increases beyond. The search is ternary, down to a
-/// few floats of the corner's own sharpness.
-fn lowest<F: Float>(pole: F, from: F) -> F {
-    let least = |omega: F| force_ratios_at(omega, F::int(0), F::int(1)).map(|(low, _)| low);
-    let (mut low, mut high) = (from, pole);
-    for _ in 0..F::PRECISION.saturating_mul(2) {
-        let third = (high - low) / F::int(3);
-        let (left, right) = (low + third, high - third);
-        let falls = match (least(left), least(right)) {
-            (Some(a), Some(b)) => a > b,
-            // The place is outside the region.
-            (None, _) => true,
-            (Some(_), None) => false,
-        };
-        if falls {
-            low = left;
-        } else {
-            high = right;
-        }
-    }
-    (low + high) / F::int(2)
-}
 
 #[cfg(test)]
 mod tests {

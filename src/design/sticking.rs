@@ -43,6 +43,7 @@ use super::force::ratios_of;
 use super::optimum::{BoundedOptimum, Optimum, OptimumKind};
 use crate::cycle::{Border, loop_size_stiffness};
 use crate::float::Float;
+use crate::greatest::highest;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::{Ratios, positive, within};
@@ -175,23 +176,10 @@ impl<F: Float> LoopSearch<F> {
     /// Golden-section search around the best value so far, to about the square root of the precision, which
     /// is the limit at a maximum.
     fn refine(&mut self, low: F, high: F, width: F) -> Result<(), Error> {
-        let golden = (F::int(3) - F::int(5).sqrt()) / F::int(2);
-        let (mut a, mut b) = (self.share - width, self.share + width);
-        (a, b) = (a.or_larger(low), if b < high { b } else { high });
-        let (mut c, mut d) = (a + golden * (b - a), b - golden * (b - a));
-        let (mut at_c, mut at_d) = (self.loop_size_at(c)?.found, self.loop_size_at(d)?.found);
-        while (b - a).square() > F::epsilon() * b.square() {
-            if at_c >= at_d {
-                (b, d, at_d) = (d, c, at_c);
-                c = a + golden * (b - a);
-                at_c = self.loop_size_at(c)?.found;
-            } else {
-                (a, c, at_c) = (c, d, at_d);
-                d = b - golden * (b - a);
-                at_d = self.loop_size_at(d)?.found;
-            }
-        }
-        Ok(())
+        let (from, to) = (self.share - width, self.share + width);
+        let (from, to) = (from.or_larger(low), if to < high { to } else { high });
+        let size = |share| self.loop_size_at(share).map(|size| size.found);
+        highest(from, to, F::epsilon().sqrt(), size).map(|_| ())
     }
 }
 

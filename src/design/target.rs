@@ -4,8 +4,7 @@ use super::force::ratios_of;
 use crate::cycle::damped::fastest::fastest_time;
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::cycle::damped::rising::Rising;
-use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
-use crate::cycle::{Border, damped, force_ratio_from_displacement, max_velocity_from_displacement};
+use crate::cycle::{Border, damped, force_ratio_from_displacement};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::Oscillator;
@@ -25,11 +24,7 @@ pub fn force_ratio_for_displacement<F: Float>(
     max_displacement: F,
 ) -> Result<F, Error> {
     let (ratios, quantity) = (ratios_at(omega, damping_ratio)?, Quantity::MaxDisplacementRatio);
-    if ratios.is_damped() {
-        damped_displacement_target(&ratios, max_displacement, F::int(1), quantity)
-    } else {
-        displacement_target(omega, max_displacement, F::int(1), quantity)
-    }
+    displacement_target(&ratios, max_displacement, F::int(1), quantity)
 }
 
 /// The force amplitude p₀ with which `body` at ω_d has the maximum displacement Δ₀ (unit of length).
@@ -45,11 +40,7 @@ pub fn force_for_displacement<F: Float>(
 ) -> Result<F, Error> {
     let ratios = ratios_of(body, angular_frequency)?;
     let length = positive(Quantity::FrictionDisplacement, body.friction_displacement())?;
-    let alpha = if ratios.is_damped() {
-        damped_displacement_target(&ratios, max_displacement, length, Quantity::MaxDisplacement)?
-    } else {
-        displacement_target(ratios.omega(), max_displacement, length, Quantity::MaxDisplacement)?
-    };
+    let alpha = displacement_target(&ratios, max_displacement, length, Quantity::MaxDisplacement)?;
     positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
 }
 
@@ -74,11 +65,7 @@ pub fn force_for_displacement<F: Float>(
 /// [`force_ratio_for_displacement`].
 pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_velocity: F) -> Result<F, Error> {
     let (ratios, quantity) = (ratios_at(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
-    if ratios.is_damped() {
-        damped_velocity_target(&ratios, max_velocity, F::int(1), quantity)
-    } else {
-        velocity_target(omega, max_velocity, F::int(1), quantity)
-    }
+    velocity_target(&ratios, max_velocity, F::int(1), quantity)
 }
 
 /// Ω and ζ, with a force ratio of 1.
@@ -99,61 +86,40 @@ pub fn force_for_velocity<F: Float>(
 ) -> Result<F, Error> {
     let ratios = ratios_of(body, angular_frequency)?;
     let scale = positive(Quantity::VelocityScale, body.friction_displacement() * angular_frequency)?;
-    let alpha = if ratios.is_damped() {
-        damped_velocity_target(&ratios, max_velocity, scale, Quantity::MaxVelocity)?
-    } else {
-        velocity_target(ratios.omega(), max_velocity, scale, Quantity::MaxVelocity)?
-    };
+    let alpha = velocity_target(&ratios, max_velocity, scale, Quantity::MaxVelocity)?;
     positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
 }
 
-/// α for the displacement `target`, given in units of `scale`.
-fn displacement_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) -> Result<F, Error> {
-    let p = steady(omega, quantity)?;
-    let displacement = positive(quantity, target)? / scale;
-    let least = Border::at(&p).min_displacement;
-    if displacement < least {
-        return Err(sticks(quantity, target, least * scale, omega));
-    }
-    force_ratio_at(&p, displacement)
-}
-
-/// α for the displacement `target` with damping, given in units of `scale`: `α = hypot(K, q (Δ₀/B + G))`.
+/// α for the displacement `target`, given in units of `scale`: `α = hypot(K, q (Δ₀/B + G))`.
 ///
 /// This is the only solution, because Δ₀ increases with α.
-fn damped_displacement_target<F: Float>(
+fn displacement_target<F: Float>(
     ratios: &Ratios<F>,
     target: F,
     scale: F,
     quantity: Quantity,
 ) -> Result<F, Error> {
-    let half = damped::half_period(ratios);
+    let half = steady(ratios, quantity)?;
     let displacement = positive(quantity, target)? / scale;
-    let least = damped::border(&half).min_displacement;
+    let least = Border::of(ratios).min_displacement;
     if displacement < least {
-        return Err(sticks(quantity, target, least * scale, ratios.omega()));
+        return Err(sticks(quantity, target, least * scale, half.omega));
     }
     force_ratio_of_amplitude(&half, displacement + half.shift)
 }
 
-/// `α = hypot(K, qa)`, within the domain of the closed forms.
-fn force_ratio_of_amplitude<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> Result<F, Error> {
-    let alpha = force_ratio_from_displacement(half.k, amplitude, half.stiffness);
-    Ok(Ratios::new(half.omega, alpha)?.alpha())
-}
-
-/// α for the velocity `target` with damping, given in units of `scale`.
+/// α for the velocity `target`, given in units of `scale`.
 ///
 /// V₀ is the maximum over 0 < τ < T of `aΩ sin Ωτ − b cos Ωτ + h′(τ)`, which is affine in a with a slope > 0.
 /// V₀ therefore increases with a and is convex in it, and is at least its value at T/2, aΩ + h′(T/2). From
 /// there, Newton's method converges monotonically to the only solution.
-fn damped_velocity_target<F: Float>(
+fn velocity_target<F: Float>(
     ratios: &Ratios<F>,
     target: F,
     scale: F,
     quantity: Quantity,
 ) -> Result<F, Error> {
-    let half = damped::half_period(ratios);
+    let half = steady(ratios, quantity)?;
     let velocity = positive(quantity, target)? / scale;
     // V₀/(Bω_d) and its derivative with respect to a.
     let reached = |amplitude: F| {
@@ -162,7 +128,7 @@ fn damped_velocity_target<F: Float>(
         let [speed, ..] = rising.velocity(&moment);
         (speed / half.omega, moment.drive.0)
     };
-    let least = damped::border(&half).min_displacement + half.shift;
+    let least = Border::of(ratios).min_displacement + half.shift;
     let (least_velocity, _) = reached(least);
     if velocity < least_velocity {
         return Err(sticks(quantity, target, least_velocity * scale, half.omega));
@@ -183,41 +149,19 @@ fn damped_velocity_target<F: Float>(
     force_ratio_of_amplitude(&half, amplitude)
 }
 
-/// α for the velocity `target`, given in units of `scale`.
-fn velocity_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) -> Result<F, Error> {
-    let p = steady(omega, quantity)?;
-    let velocity = positive(quantity, target)? / scale;
-    let least = Border::at(&p).min_displacement;
-    let (least_velocity, _) = max_velocity_from_displacement(&p, least);
-    if velocity < least_velocity {
-        return Err(sticks(quantity, target, least_velocity * scale, omega));
-    }
-    let mut displacement = velocity;
-    // Convergence is quadratic from the first step, because V₀ is nearly affine; the number of steps is
-    // bounded as for bisection.
-    for _ in 0..F::PRECISION {
-        let (reached, slope) = max_velocity_from_displacement(&p, displacement);
-        let step = (reached - velocity) / slope;
-        let next = displacement - step;
-        // Rounding moved the step beyond the solution, or to the border.
-        if !(step > F::epsilon() * displacement && next > least) {
-            break;
-        }
-        displacement = next;
-    }
-    force_ratio_at(&p, displacement)
+/// `α = hypot(K, qa)`, within the domain of the closed forms.
+fn force_ratio_of_amplitude<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> Result<F, Error> {
+    let alpha = force_ratio_from_displacement(half.k, amplitude, half.stiffness);
+    Ok(Ratios::new(half.omega, alpha)?.alpha())
 }
 
-/// α for Δ₀/B, within the domain of the closed forms.
-fn force_ratio_at<F: Float>(p: &PhaseFunction<F>, displacement: F) -> Result<F, Error> {
-    let alpha = force_ratio_from_displacement(p.value(), displacement, one_minus_square(p.omega()));
-    Ok(crate::Ratios::new(p.omega(), alpha)?.alpha())
-}
-
-/// The phase function at Ω ≠ 1; at resonance no steady motion has the target size.
-fn steady<F: Float>(omega: F, quantity: Quantity) -> Result<PhaseFunction<F>, Error> {
-    let p = PhaseFunction::new(omega)?;
-    if omega == F::int(1) { Err(Error::AtResonance { quantity }) } else { Ok(p) }
+/// The half period at Ω and ζ; at resonance without a damper no steady motion has the target size.
+fn steady<F: Float>(ratios: &Ratios<F>, quantity: Quantity) -> Result<HalfPeriod<F>, Error> {
+    if ratios.omega() == F::int(1) && !ratios.is_damped() {
+        Err(Error::AtResonance { quantity })
+    } else {
+        Ok(damped::half_period(ratios))
+    }
 }
 
 /// The error for a target that is too small.

@@ -1,8 +1,7 @@
 //! Frequency and force ratios, and targets of inverse problems.
 
 use super::numbers::{any_bits, beside, magnitude, ordinary};
-use crate::cycle::phase_function::PhaseFunction;
-use crate::cycle::{Border, max_velocity_from_displacement};
+use crate::{Border, Cycle, PhaseFunction, Ratios};
 use arbitrary::{Arbitrary, Result, Unstructured};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -77,14 +76,16 @@ pub(crate) fn damping_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
 /// A maximum displacement or velocity: that of the border at this Ω, a larger one, or one of any magnitude.
 pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let kind = u.int_in_range(0..=4)?;
-    let Ok(p) = PhaseFunction::new(omega) else { return magnitude(u) };
-    let border = Border::at(&p);
+    let Ok(border) = Border::new(omega) else { return magnitude(u) };
     let place = match kind {
         0 => return magnitude(u),
         1 => return ordinary(u, -2.0, 12.0).map(f64::exp2),
         2 => border.min_displacement,
-        // Infinite or NaN at Ω = 1, where no steady motion has a maximum velocity.
-        3 => max_velocity_from_displacement(&p, border.min_displacement).0 / omega,
+        // NaN at Ω = 1, where no steady motion has a maximum velocity.
+        3 => Ratios::new(omega, border.min_force_ratio)
+            .ok()
+            .and_then(Cycle::find)
+            .map_or(f64::NAN, |cycle| cycle.max_velocity),
         _ => border.min_displacement * ordinary(u, 0.0, 12.0)?.exp2(),
     };
     beside(u, place)
