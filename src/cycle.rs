@@ -99,14 +99,11 @@ pub(crate) use half_cycle::{HalfCycle, free_swing};
 pub(crate) use low::{LowCircular, LowWaves};
 pub(crate) use peaks::dynamic_amplification;
 #[cfg(feature = "mp")]
+pub(crate) use peaks::{arrival_acceleration, transmitted_force};
+#[cfg(feature = "mp")]
 pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
-#[cfg(feature = "mp")]
-pub(crate) use {
-    displacement::{cos_displacement_phase, sin_displacement_phase},
-    peaks::{arrival_acceleration, transmitted_force},
-};
 
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, fused};

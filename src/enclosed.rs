@@ -20,9 +20,9 @@
 //! |---|---|
 //! | `known` | ratios as they are known |
 //! | `angle` | π/2Ω reduced, K(Ω) |
-//! | `border` | the exact border |
+//! | `border` | the exact border without damping |
 //! | `cycle` | the cycle of two reversals |
-//! | `damped` | border and cycle with damping, or with static friction above the kinetic one |
+//! | `damped` | half a period of the drive; the border with damping |
 //! | `greatest` | the greatest value of a function, proved |
 //! | `motion` | the exact motion, stops included, proved to exist ([`steady`]) |
 //! | `root` | the only zero of a function in a ball, if it is proved |
@@ -55,6 +55,7 @@ pub use enclosure::Enclosure;
 pub use known::Known;
 pub use motion::{Event, Steady, Unproved, steady};
 
+use crate::cycle::damped::best_of;
 use crate::cycle::regime::sliding_bound;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
@@ -63,7 +64,6 @@ use crate::machine::ratios::{valid_damping_ratio, valid_static_friction_ratio, w
 use crate::output::Output;
 use angle::Angle;
 use border::Border;
-use cycle::Cycle;
 use widen::{Answers, Question, sharpest};
 
 /// The greatest number of bits used in a computation.
@@ -241,13 +241,11 @@ impl<'a> AskedRatios<'a> {
 impl Question for AskedRatios<'_> {
     fn at_width<const W: usize>(&self) -> Answers {
         let angle = Angle::<W>::new(self.omega);
-        let half = (!self.is_undamped()).then(|| damped::half_period(&angle, self.zeta, self.eta));
-        let (border, best) = match &half {
-            None => (Border::at(&angle, self.eta), (angle.best_force_ratio(), angle.best_loop_size())),
-            Some(half) => {
-                let (border, best) = damped::at_border(half);
-                (border, (best.0, Some(best.1).filter(|size| !size.is_entire())))
-            }
+        let half = damped::half_period(&angle, self.zeta, self.eta);
+        let (border, best) = if self.is_undamped() {
+            (Border::at(&angle, self.eta), (angle.best_force_ratio(), angle.best_loop_size()))
+        } else {
+            (damped::border::border(&half), best_of(&half))
         };
         let mut values: Vec<(Output, Option<Ball<W>>)> = vec![
             (Output::MinForceRatio, Some(border.min_force_ratio)),
@@ -255,14 +253,14 @@ impl Question for AskedRatios<'_> {
             (Output::LeastDisplacement, Some(border.least_displacement)),
             (Output::TouchingPhase, border.phase),
             (Output::BestForceRatio, Some(best.0)),
-            (Output::BestLoopSize, best.1),
+            (Output::BestLoopSize, Some(best.1).filter(|size| !size.is_entire())),
         ];
         let Some(alpha) = self.alpha else {
             return Answers::new(None, values, self.is_exact(), true);
         };
         let ball = alpha.ball::<W>();
         values.push((Output::Margin, Some(ball / border.min_force_ratio)));
-        let regime = self.regime(alpha, &ball, &border, half.is_none() && angle.is_pole());
+        let regime = self.regime(alpha, &ball, &border, self.is_undamped() && angle.is_pole());
         let mut is_decided = regime.is_some();
         let exists = match regime {
             Some(Regime::NonSticking) => true,
@@ -271,10 +269,7 @@ impl Question for AskedRatios<'_> {
         };
         if exists {
             let wanted = |output| self.only.is_none_or(|only| only == output);
-            let found = match half {
-                None => Cycle::at(&angle, ball).map(|cycle| cycle.outputs(&angle, ball, wanted)),
-                Some(half) => damped::outputs(&angle, half, ball, wanted),
-            };
+            let found = cycle::outputs(&angle, half, ball, wanted);
             // For exact ratios, more bits find every output; over intervals some may never be found.
             is_decided = found
                 .as_ref()

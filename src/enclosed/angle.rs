@@ -59,10 +59,9 @@ impl<const W: usize> Angle<W> {
         best_force_ratio(self.phase_function)
     }
 
-    /// The largest loop (eq. 66); `None` where it may be infinite.
-    pub(crate) fn best_loop_size(&self) -> Option<Ball<W>> {
-        let found = best_loop_size(self.phase_function, self.one_minus_square);
-        (!found.is_entire()).then_some(found)
+    /// The largest loop (eq. 66).
+    pub(crate) fn best_loop_size(&self) -> Ball<W> {
+        best_loop_size(self.phase_function, self.one_minus_square)
     }
 }
 

@@ -1,4 +1,6 @@
-//! The exact border in balls.
+//! The exact border in balls, without a damper: by the one maximum that can be the largest. The list of all of them
+//! ([`super::damped::border`]) cannot be closed where one falls on an end of the half cycle, at Ω = 1/(2n), and its
+//! balls over intervals are up to twelve times wider.
 
 use super::Known;
 use super::angle::Angle;

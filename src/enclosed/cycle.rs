@@ -1,84 +1,215 @@
-//! The cycle of two reversals in balls, above the border.
+//! The cycle of two reversals in balls, above the border: the formulae of `crate::cycle::damped` for every ζ.
+//!
+//! With a damper the maximum velocity, acceleration and force of the half cycle are found by branch and bound
+//! (`greatest`). Without one it is known where they are, and their balls over intervals of Ω and α have down to a
+//! tenth of the width.
 
 use super::angle::Angle;
 use super::certain::{not_negative, reduced};
-use super::damped::undamped_peaks;
+use super::damped::moment;
+use super::greatest::{greatest, greatest_size};
 use super::root::only_zero;
+use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::rising::{Moment, Rising};
 use crate::cycle::phase_function::PhaseFunction;
-use crate::cycle::stability::{multiplier_product, real_contraction};
 use crate::cycle::{
-    HalfCycle, arrival_acceleration, cos_displacement_phase, dynamic_amplification, fastest, free_swing,
-    loop_size_inertia, loop_size_stiffness, max_displacement, sin_displacement_phase, transmitted_force,
+    HalfCycle, arrival_acceleration, dynamic_amplification, fastest, free_swing, loop_size_inertia,
+    loop_size_stiffness, max_displacement, transmitted_force,
 };
 use crate::float::ball::Ball;
+use crate::float::mp::Mp;
 use crate::float::{Field, Real};
+use crate::greatest::Jet;
 use crate::output::Output;
+use core::cmp::Ordering;
 
-/// Displacement and maximum velocity of the cycle.
-pub(crate) struct Cycle<const W: usize> {
-    pub(crate) max_displacement: Ball<W>,
-    pub(crate) displacement_phase: Ball<W>,
-    pub(crate) max_velocity: Ball<W>,
-    pub(crate) velocity_phase: Ball<W>,
-    pub(crate) deviation: Ball<W>,
+/// Outputs of a cycle by name; `None` where an output is not found.
+pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
+
+/// The outputs of the cycle for α certainly above the border, and without a damper Ω certainly not 1. Outputs that
+/// take a search are computed only if requested. `None` where the maximum velocity is not found.
+pub(crate) fn outputs<const W: usize>(
+    angle: &Angle<W>,
+    half: HalfPeriod<Ball<W>>,
+    alpha: Ball<W>,
+    wanted: impl Fn(Output) -> bool,
+) -> Option<Outputs<W>> {
+    let omega = half.omega;
+    let amplitude = max_displacement(half.k, alpha, half.stiffness);
+    let rising = Rising::new(half, amplitude);
+    let delta = amplitude - half.shift;
+    let is_undamped = half.free.zeta.sign() == Some(Ordering::Equal);
+    // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
+    let lag = if !is_undamped {
+        half.phase_lag()
+    } else if *angle.known.high() < 1 {
+        Ball::int(0)
+    } else {
+        Ball::pi()
+    };
+    let displacement_phase = lag + amplitude.atan2(half.h);
+    let end = half.period;
+    let a1 = loop_size_stiffness(delta, alpha);
+    let mut found = vec![
+        (Output::MaxDisplacement, Some(delta)),
+        (Output::DisplacementPhase, Some(displacement_phase)),
+        (Output::LoopSizeStiffness, Some(a1)),
+        (Output::LoopSizeInertia, Some(loop_size_inertia(a1, omega))),
+        (Output::Contraction, Some(contraction(&rising))),
+        (Output::DynamicAmplification, Some(dynamic_amplification(delta, alpha))),
+    ];
+    if [Output::MaxVelocity, Output::VelocityPhase, Output::Deviation].into_iter().any(&wanted) {
+        found.extend(if is_undamped {
+            at_only_maximum(angle, alpha, delta, displacement_phase)?
+        } else {
+            at_greatest_velocity(&rising, displacement_phase)?
+        });
+    }
+    // The ball of the end contains the remainder of the half cycle.
+    let whole = [(Mp::ZERO, end.lower())];
+    let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
+        greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))
+    };
+    if wanted(Output::TransmittedForce) || wanted(Output::Transmissibility) {
+        let force = if is_undamped {
+            Some(transmitted_force(delta))
+        } else {
+            of(&|at| rising.force(at, displacement(&rising, at)))
+        };
+        found.push((Output::TransmittedForce, force));
+        found.push((Output::Transmissibility, force.map(|force| force / alpha)));
+    }
+    if wanted(Output::MaxAcceleration) {
+        let most = if !is_undamped {
+            of(&|at| rising.acceleration(at)).map(|most| most / omega.square())
+        } else if *angle.known.low() >= rug::Rational::from((1, 2)) {
+            Some(arrival_acceleration(delta, omega))
+        } else if *angle.known.high() < rug::Rational::from((1, 2)) {
+            acceleration(&rising).map(|most| most / omega.square())
+        } else {
+            None
+        };
+        found.push((Output::MaxAcceleration, most));
+    }
+    if wanted(Output::MaxAbsoluteDisplacement) {
+        let most = if is_undamped {
+            farthest(angle, &rising)
+        } else {
+            of(&|at| rising.absolute(at, displacement(&rising, at)))
+        };
+        found.push((Output::MaxAbsoluteDisplacement, most));
+    }
+    Some(found)
 }
 
-impl<const W: usize> Cycle<W> {
-    /// The cycle for α certainly above the border and Ω certainly not 1; `None` where the maximum velocity is
-    /// not found at this precision.
-    pub(crate) fn at(angle: &Angle<W>, alpha: Ball<W>) -> Option<Self> {
-        let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
-        let max_displacement = max_displacement(k, alpha, q);
-        let sine = sin_displacement_phase(max_displacement, alpha, q);
-        let cosine = cos_displacement_phase(k, alpha);
-        // The phase is in (0, π) below the natural frequency and in (π, 2π) above.
-        let is_below_one = *angle.known.high() < 1;
-        let displacement_phase =
-            if is_below_one { sine.atan2(cosine) } else { Ball::pi() + (-sine).atan2(-cosine) };
-        let psi = fastest_psi(angle, alpha, max_displacement)?;
-        let (max_velocity, _) = velocity(angle, max_displacement, psi);
-        let half_pi = Ball::pi() / Ball::int(2);
-        let velocity_phase = reduced(displacement_phase - half_pi - omega * psi);
-        // α sin ω_d t₁ = −[K cos Ωψ + (1 − Ω²)(Δ₀/B) sin Ωψ]
-        let (so, co) = (omega * psi).sin_cos();
-        let deviation = -(k * co + q * max_displacement * so) - Ball::int(1);
-        Some(Self { max_displacement, displacement_phase, max_velocity, velocity_phase, deviation })
-    }
+/// V₀, ω_d t₁ and Δ₁.
+fn at_greatest_velocity<const W: usize>(
+    rising: &Rising<Ball<W>>,
+    displacement_phase: Ball<W>,
+) -> Option<Outputs<W>> {
+    let (half, omega) = (rising.half, rising.half.omega);
+    let end = half.period;
+    let fastest = greatest((Mp::ZERO, end.lower()), |tau| {
+        let [value, slope, second] = rising.velocity(&moment(&half, tau));
+        Jet { value, slope, second }
+    })?;
+    let phase = fastest.at.map(|tau| reduced(displacement_phase - Ball::pi() + omega * tau));
+    let deviation = fastest.at.map(|tau| {
+        // By the mean value theorem, x changes by the velocity times the time.
+        let middle = Ball::exact(tau.mid());
+        displacement(rising, &moment(&half, middle))
+            + rising.velocity(&moment(&half, tau))[0] * (tau - middle)
+    });
+    Some(vec![
+        (Output::MaxVelocity, Some(fastest.value / omega)),
+        (Output::VelocityPhase, phase),
+        (Output::Deviation, deviation),
+    ])
+}
 
-    /// max |λ| of the half cycle.
-    pub(crate) fn contraction(&self, angle: &Angle<W>) -> Ball<W> {
-        contraction(angle, self.max_displacement)
-    }
+/// V₀, ω_d t₁ and Δ₁ without a damper.
+fn at_only_maximum<const W: usize>(
+    angle: &Angle<W>,
+    alpha: Ball<W>,
+    delta: Ball<W>,
+    displacement_phase: Ball<W>,
+) -> Option<Outputs<W>> {
+    let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
+    let psi = fastest_psi(angle, alpha, delta)?;
+    let phase = reduced(displacement_phase - Ball::pi() / Ball::int(2) - omega * psi);
+    // α sin ω_d t₁ = −[K cos Ωψ + (1 − Ω²)(Δ₀/B) sin Ωψ]
+    let (so, co) = (omega * psi).sin_cos();
+    Some(vec![
+        (Output::MaxVelocity, Some(velocity(angle, delta, psi).0)),
+        (Output::VelocityPhase, Some(phase)),
+        (Output::Deviation, Some(-(k * co + q * delta * so) - Ball::int(1))),
+    ])
+}
 
-    /// All outputs of the cycle that have an enclosure.
-    pub(crate) fn outputs(
-        &self,
-        angle: &Angle<W>,
-        alpha: Ball<W>,
-        wanted: impl Fn(Output) -> bool,
-    ) -> Vec<(Output, Option<Ball<W>>)> {
-        let (delta, omega) = (self.max_displacement, angle.omega);
-        let a1 = loop_size_stiffness(delta, alpha);
-        let is_above_half = *angle.known.low() >= rug::Rational::from((1, 2));
-        [
-            (Output::MaxDisplacement, delta),
-            (Output::DisplacementPhase, self.displacement_phase),
-            (Output::MaxVelocity, self.max_velocity),
-            (Output::VelocityPhase, self.velocity_phase),
-            (Output::Deviation, self.deviation),
-            (Output::LoopSizeStiffness, a1),
-            (Output::LoopSizeInertia, loop_size_inertia(a1, omega)),
-            (Output::Contraction, self.contraction(angle)),
-            (Output::DynamicAmplification, dynamic_amplification(delta, alpha)),
-            (Output::TransmittedForce, transmitted_force(delta)),
-            (Output::Transmissibility, transmitted_force(delta) / alpha),
-        ]
-        .into_iter()
-        .map(|(output, value)| (output, Some(value)))
-        .chain(is_above_half.then(|| (Output::MaxAcceleration, Some(arrival_acceleration(delta, omega)))))
-        .chain(undamped_peaks(angle, delta, wanted))
-        .collect()
+/// x/B.
+fn displacement<const W: usize>(rising: &Rising<Ball<W>>, at: &Moment<Ball<W>>) -> Ball<W> {
+    at.free.x - Ball::int(1) - rising.amplitude * at.drive.1 - rising.half.h * at.drive.0
+}
+
+/// max |λ| of the half cycle.
+fn contraction<const W: usize>(rising: &Rising<Ball<W>>) -> Ball<W> {
+    let (one, half) = (Ball::int(1), &rising.half);
+    let inverse = one / rising.deceleration();
+    let (mean, discriminant) = half.multipliers(inverse);
+    let complex = || half.decay * not_negative((one - inverse) / (one + inverse)).sqrt();
+    let real = || mean.abs() + not_negative(discriminant).sqrt() / (one + inverse);
+    match discriminant.sign() {
+        Some(Ordering::Less) => complex(),
+        Some(_) => real(),
+        None => complex().hull(&real()),
     }
+}
+
+/// The greatest absolute displacement of the cycle without damping; `None` where it is not found. As in
+/// `crate::cycle::peaks`, y′ has one zero.
+fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
+    let half = &rising.half;
+    let absolute = |tau: Ball<W>| {
+        let at = moment(half, tau);
+        rising.absolute(&at, displacement(rising, &at))
+    };
+    // K = 0: y′ is zero at the ends, and nowhere between them.
+    if angle.phase_function.sign() == Some(Ordering::Equal) {
+        return Some(absolute(half.period).value.abs());
+    }
+    let near = rising.map(|ball| ball.mid().to_f64());
+    let rate = |tau: f64| {
+        let at = near.half.at(tau);
+        near.absolute(&at, near.displacement(&at)).slope
+    };
+    let (mut low, mut high) = (0.0, near.half.period);
+    let is_first = rate(low) > 0.0;
+    for _ in 0..40 {
+        let middle = f64::midpoint(low, high);
+        if (rate(middle) > 0.0) == is_first { low = middle } else { high = middle }
+    }
+    let start = Mp::of_f64(f64::midpoint(low, high));
+    let turn = only_zero(start, |tau| absolute(tau).slope, |tau| absolute(tau).second)?;
+    // At an extremum an error of the time hardly changes the value.
+    (turn.is_positive() && turn.is_below(&half.period)).then(|| {
+        let middle = Ball::exact(turn.mid());
+        (absolute(middle).value + absolute(turn).slope * (turn - middle)).abs()
+    })
+}
+
+/// Greatest |x″| without damping below Ω = 1/2: on arrival, or within a fast period of an end or of the maximum of
+/// the slow wave, as in `crate::cycle::peaks`.
+fn acceleration<const W: usize>(rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
+    let half = &rising.half;
+    let (end, turn) = (half.period.lower(), (Ball::<W>::pi() * Ball::int(2)).upper());
+    // a Ω² cos Ωτ + H Ω² sin Ωτ, whose values at the ends have opposite signs.
+    let crest = (half.h.atan2(rising.amplitude) / half.omega).mid();
+    let crest = if crest < Mp::ZERO { crest + half.period.mid() } else { crest };
+    let windows = [(Mp::ZERO, turn), (crest - turn, crest + turn), (end - turn, end)];
+    let windows = windows.map(|(low, high)| {
+        (if low < Mp::ZERO { Mp::ZERO } else { low }, if high > end { end } else { high })
+    });
+    greatest_size(&windows, &[Ball::int(0), half.period], |tau| rising.acceleration(&moment(half, tau)))
 }
 
 /// v/(Bω_d) and its derivative by the centred time ψ.
@@ -125,28 +256,6 @@ fn is_in_bracket<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>)
     let crest = if sign == core::cmp::Ordering::Less { -quarter } else { quarter };
     let (low, high) = if sign == core::cmp::Ordering::Less { (crest, centre) } else { (centre, crest) };
     low.is_below(&psi) && psi.is_below(&high)
-}
-
-/// max |λ| of the half cycle.
-///
-/// Where it is not certain whether the multipliers are real or complex, both forms are continuous at the
-/// double root gσ = 1. The hull of both forms then contains the larger modulus.
-fn contraction<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Ball<W> {
-    let (one, two) = (Ball::<W>::int(1), Ball::int(2));
-    let (s, c) = angle.sin_cos;
-    let g = angle.omega.square() * delta;
-    let g_sine = g * (two * s * c).abs();
-    let g_cosine = g * ((c - s) * (c + s)).abs();
-    let complex = || not_negative(multiplier_product(angle.omega, delta)).sqrt();
-    let square = (one - g_sine) * (one + g_sine);
-    let real = || real_contraction(g, g_cosine, not_negative(square).sqrt());
-    if square.is_negative() {
-        complex()
-    } else if square.is_positive() {
-        real()
-    } else {
-        complex().hull(&real())
-    }
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ const MOST: i32 = 2000;
 type Touch<const W: usize> = (Ball<W>, Ball<W>);
 
 /// The border at this half period.
-pub(super) fn border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Border<W> {
+pub(in crate::enclosed) fn border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Border<W> {
     let at_turning_point = turning_point(half);
     let force_ratio = |s: Ball<W>| border_force_ratio(half.k, half.stiffness * s);
     let of = |s: Ball<W>, phase| Border {
