@@ -75,7 +75,7 @@ pub mod equations {
     pub use super::dissipation::{
         best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness,
     };
-    pub use super::matching::damped::System;
+    pub use super::matching::system::System;
     pub use super::matching::{Given, half_period_later, pi_1};
     pub use super::stability::{characteristic_polynomial, multiplier_product};
     pub use super::velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};

@@ -4,20 +4,20 @@
 //! of the drive; the angle ω_n(t₂ − t₁) is their difference over Ω. Lengths (A, B, Δ₀, Δ₁, V₀/ω_n) share one
 //! unit.
 //!
-//! [`balanced`] has eq. 21–25 in a well-conditioned form, with the Jacobian, and [`damped`] the same conditions for a
-//! damped body; `newton` (feature `matching`) solves either by one method from one start.
+//! [`system`] has the same conditions for a body with or without a damper, and [`balanced`] a well-conditioned form of
+//! them, with the Jacobian, which `newton` (feature `matching`) solves.
 
 #[cfg(feature = "matching")]
 mod accuracy;
 #[cfg(any(test, feature = "matching"))]
 pub(crate) mod balanced;
-pub(crate) mod damped;
 #[cfg(feature = "matching")]
 pub(crate) mod newton;
 #[cfg(feature = "matching")]
 mod start;
 #[cfg(feature = "matching")]
 mod step;
+pub(crate) mod system;
 
 use crate::float::Real;
 

@@ -46,7 +46,7 @@ impl<const W: usize> System<Ball<W>> {
     /// Eq. 21–25 in balls: left less right.
     #[must_use]
     pub fn residuals_of_balls(&self, u: &Unknowns<Ball<W>>) -> [Ball<W>; 5] {
-        self.equations_by(u, waves).0
+        self.residuals_by(u, waves)
     }
 
     /// [`System::falling`] in balls.

@@ -43,7 +43,7 @@ fn meet_on_the_border(omega: f64) {
     let q = (1.0 - omega) * (1.0 + omega);
     let alpha = border::turning_point_border(p.value(), q, omega);
     let delta = cycle::max_displacement(p.value(), alpha, q);
-    let sine = cycle::sin_displacement_phase(delta, alpha, q);
+    let sine = cycle::equations::sin_displacement_phase(delta, alpha, q);
     let scale = 1.0 + alpha * alpha / (q * q);
     assert!((delta * omega * omega - 1.0).abs() < 1e-10 * scale);
     assert!(border::slip_excess(alpha, sine, 1.0, delta, 1.0).abs() < 1e-10 * scale);
@@ -105,11 +105,11 @@ proptest! {
     fn equations_65_and_66_are_the_maximum_of_64(omega in 0.15f64..4.0, off in 0.001f64..0.3) {
         let (p, q) = (PhaseFunction::new(omega).unwrap(), (1.0 - omega) * (1.0 + omega));
         prop_assume!(p.value().abs() > 1e-3 && q.abs() > 1e-3);
-        let best = cycle::best_force_ratio(p.value());
+        let best = cycle::equations::best_force_ratio(p.value());
         let loop_at = |alpha| {
             cycle::loop_size_stiffness(cycle::max_displacement(p.value(), alpha, q), alpha)
         };
-        let greatest = cycle::best_loop_size(p.value(), q);
+        let greatest = cycle::equations::best_loop_size(p.value(), q);
         prop_assert!((loop_at(best) - greatest).abs() <= 1e-12 * greatest);
         prop_assert!(loop_at(best * (1.0 + off)) < greatest && loop_at(best * (1.0 - off / 2.0)) < greatest);
     }

@@ -33,7 +33,7 @@ pub(super) fn case_of<F: Float>(ratios: Ratios<F>, answers: Vec<(Output, F)>) ->
     };
     let circular = Circular { k: p.value(), tangent: p.tangent(), cos_beta: p.sin_cos().1 };
     let arithmetic = Arithmetic {
-        residuals: |system, u| system.equations(u).0,
+        residuals: System::residuals,
         falling: System::falling,
         is_below: |low, high| Some(low < high),
     };

@@ -4,36 +4,20 @@
 //! A path may end at a fold: then there is no cycle with that friction.
 
 use super::Unknowns;
+use super::balanced::Balanced;
 use super::step::{in_order, largest, newton_step, unknowns};
 use crate::float::{Float, Real};
-
-/// Eq. 21–25 in a form that Newton's method solves, each in its own unit of length: [`super::balanced::Balanced`]
-/// without a damper, [`super::damped::System`] with one.
-pub(super) trait Equations<F: Float>: Copy {
-    /// Frequency ratio Ω.
-    fn omega(&self) -> F;
-    /// The friction in its own unit, with its sign.
-    fn friction(&self) -> F;
-    /// These equations with another friction.
-    fn with_friction(self, friction: F) -> Self;
-    /// The motion without friction.
-    fn without_friction(&self) -> Unknowns<F>;
-    /// Left less right of the five equations, and the derivatives by t₁, t₂, V₀, Δ₀, Δ₁.
-    fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]);
-    /// Displacement and velocity of the rising half at a phase.
-    fn rising(&self, u: &Unknowns<F>, phase: F) -> (F, F);
-}
 
 /// A step of the path must not move t₂ further than this.
 const LONGEST: f64 = 0.2;
 
 /// Newton's method from a cycle with a little less friction: `None` where it does not settle close by.
-fn settled(system: &impl Equations<f64>, from: &Unknowns<f64>) -> Option<Unknowns<f64>> {
+fn settled(system: &Balanced<f64>, from: &Unknowns<f64>) -> Option<Unknowns<f64>> {
     let mut at = in_order(from);
-    let scale = system.without_friction().max_displacement.abs() * (1.0 + system.omega());
+    let scale = 1.0 + system.omega;
     let mut last = f64::INFINITY;
     for _ in 0..12 {
-        let (residuals, jacobian) = system.equations(&unknowns(&at));
+        let (residuals, jacobian, _) = system.equations(&unknowns(&at));
         let step = newton_step(&residuals, &jacobian)?;
         for (x, dx) in at.iter_mut().zip(&step) {
             *x -= dx;
@@ -52,11 +36,11 @@ fn settled(system: &impl Equations<f64>, from: &Unknowns<f64>) -> Option<Unknown
 
 /// Follows the path to the system's friction, or to where it ends, or to where `left_over` is within a tenth of
 /// zero; the steps adapt, and none goes further than that. Gives the cycle and its friction.
-fn follow<E: Equations<f64>>(
-    system: &E,
-    left_over: impl Fn(&E, &Unknowns<f64>) -> f64,
+fn follow(
+    system: &Balanced<f64>,
+    left_over: impl Fn(&Balanced<f64>, &Unknowns<f64>) -> f64,
 ) -> (Unknowns<f64>, f64) {
-    let target = system.friction();
+    let target = system.friction;
     let (mut at, mut friction, mut length) = (system.without_friction(), 0.0, target);
     for _ in 0..4000 {
         let left = target - friction;
@@ -64,7 +48,7 @@ fn follow<E: Equations<f64>>(
         if left == 0.0 || left_over(&here, &at) < 0.1 {
             break;
         }
-        let last = left.abs() <= length.abs();
+        let last = left <= length;
         let next = if last { target } else { friction + length };
         let there = system.with_friction(next);
         match settled(&there, &at).filter(|u| left_over(&there, u) > -0.1) {
@@ -75,7 +59,7 @@ fn follow<E: Equations<f64>>(
                 None => length = if last { left / 2.0 } else { length / 2.0 },
             },
         }
-        if length.abs() <= 1e-15 * target.abs() {
+        if length <= 1e-15 * target {
             break;
         }
     }
@@ -83,9 +67,9 @@ fn follow<E: Equations<f64>>(
 }
 
 /// The cycle with all of its friction; the part of the friction where the path ends otherwise.
-pub(super) fn with_friction(system: &impl Equations<f64>) -> Result<[f64; 5], f64> {
+pub(super) fn with_friction(system: &Balanced<f64>) -> Result<[f64; 5], f64> {
     let (end, friction) = follow(system, |_, _| 1.0);
-    let part = friction / system.friction();
+    let part = friction / system.friction;
     // Near the end of the branch f64 may stop short of it by rounding, and Newton's method continues from
     // there.
     if part < 1.0 - 1e-6 {
@@ -99,24 +83,20 @@ pub(super) fn with_friction(system: &impl Equations<f64>) -> Result<[f64; 5], f6
 /// Two cycles meet at the end of the branch, where Δ₀ passes through zero. Where f64 cannot tell them apart, a
 /// Δ₀ that is small and positive is on the side of the right one.
 fn off_the_other_branch(at: Unknowns<f64>, free: &Unknowns<f64>) -> Unknowns<f64> {
-    let (amplitude, t2) = (free.max_displacement, at.displacement_phase);
-    let shift = 1e-6 * amplitude - at.max_displacement;
-    if shift / amplitude <= 0.0 {
+    let (t2, shift) = (at.displacement_phase, 1e-6 - at.max_displacement);
+    if shift <= 0.0 {
         return at;
     }
-    // Without friction Δ₀ would be A sin(ω_d t₂ − lag).
-    let slope = -(amplitude * Real::sin(t2 - free.displacement_phase));
+    // Without friction Δ₀ would be sin(ω_d t₂ − lag).
+    let slope = -Real::sin(t2 - free.displacement_phase);
     Unknowns { displacement_phase: t2 + shift / slope, max_displacement: at.max_displacement + shift, ..at }
 }
 
 /// A cycle near the border, with its friction: where the force left over at t₂ has fallen to a tenth, or the
 /// path ends before. The friction of `system` is more than that of any border.
-pub(super) fn on_the_border<E: Equations<f64>>(
-    system: &E,
-    excess: impl Fn(&E, &Unknowns<f64>) -> f64,
-) -> [f64; 6] {
-    let whole = excess(&system.with_friction(0.0), &system.without_friction());
-    let (end, friction) = follow(system, |system, u| excess(system, u) / whole);
+pub(super) fn on_the_border(system: &Balanced<f64>) -> [f64; 6] {
+    let whole = system.with_friction(0.0).turning_point(&system.without_friction());
+    let (end, friction) = follow(system, |system, u| system.turning_point(u) / whole);
     let [t1, t2, v, d, e] = in_order(&end);
     [t1, t2, v, d, e, friction]
 }
@@ -125,26 +105,21 @@ pub(super) fn on_the_border<E: Equations<f64>>(
 /// velocity and the displacement there; `None` where the t₁ it has is in that half cycle, and faster.
 ///
 /// The grid has `per_swing` points in π/ω_n and a few more. Eq. 25 alone says that the velocity is stationary
-/// at t₁. Lengths may be in a negative unit: A above the natural frequency.
-pub(super) fn faster<F: Float>(
-    system: &impl Equations<F>,
-    u: &Unknowns<F>,
-    per_swing: f64,
-) -> Option<Unknowns<F>> {
-    let (one, two, omega) = (F::int(1), F::int(2), system.omega());
-    let upwards = one.with_sign_of(u.max_displacement);
+/// at t₁.
+pub(super) fn faster<F: Float>(system: &Balanced<F>, u: &Unknowns<F>, per_swing: f64) -> Option<Unknowns<F>> {
+    let (one, two, omega) = (F::int(1), F::int(2), system.omega);
     let points = 8 + (per_swing / omega.to_f64()).min(1e6) as i32;
     let end = u.displacement_phase;
     let inside = u.velocity_phase < end && u.velocity_phase > end - F::pi();
-    let before = if inside { upwards * system.rising(u, u.velocity_phase).1 } else { F::int(0) };
-    let size = u.max_velocity.abs().or_larger(two * system.without_friction().max_displacement.abs());
+    let before = if inside { system.rising(u, u.velocity_phase).1 } else { F::int(0) };
+    let size = u.max_velocity.abs().or_larger(two);
     let mut most = before + F::int(1024) * F::epsilon() * (one + one / omega) * size;
     let mut best = None;
     for i in 1..points {
         let velocity_phase = end - F::pi() * F::ratio(i, points);
         let (deviation, max_velocity) = system.rising(u, velocity_phase);
-        if upwards * max_velocity > most {
-            most = upwards * max_velocity;
+        if max_velocity > most {
+            most = max_velocity;
             best = Some(Unknowns { velocity_phase, max_velocity, deviation, ..*u });
         }
     }

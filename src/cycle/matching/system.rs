@@ -1,4 +1,4 @@
-//! The matching equations 21–25 with viscous damping, by the equation of motion and no closed form.
+//! The matching equations 21–25 for any damping ratio, by the equation of motion and no closed form.
 //!
 //! In natural time and lengths of the drive's static displacement, with `F(θ) = P sin θ − Q cos θ` the linear
 //! oscillator's answer (`P = (1 − Ω²)/q²`, `Q = 2ζΩ/q²`), friction b and the free vibrations s, c from (x,
@@ -18,27 +18,27 @@
 //! the second and the fourth being the paper's, followed forward from t₂ to t₃ = t₁ + π/ω_d and not backward,
 //! where a free vibration would grow.
 
-use super::Unknowns;
+use super::{Unknowns, pi_1};
 use crate::cycle::damped::free::{self, Free};
 use crate::float::{Field, Float, Real};
 
 /// The parameters of the equations; lengths are in units of p₀/k.
 #[derive(Debug, Clone, Copy)]
 pub struct System<F> {
-    omega: F,
-    free: Free<F>,
+    pub(super) omega: F,
+    pub(super) free: Free<F>,
     /// P and Q.
-    forced: (F, F),
+    pub(super) forced: (F, F),
     /// b = r_y/p₀.
-    friction: F,
+    pub(super) friction: F,
 }
 
 /// The free vibrations (s, c) from (0, 1) and (1, 0) at one time, and the slope of s.
 #[derive(Clone, Copy)]
-struct Waves<F> {
-    s: F,
-    c: F,
-    slope: F,
+pub(super) struct Waves<F> {
+    pub(super) s: F,
+    pub(super) c: F,
+    pub(super) slope: F,
 }
 
 impl<F: Field> Waves<F> {
@@ -49,7 +49,7 @@ impl<F: Field> Waves<F> {
     }
 
     /// Displacement, velocity and acceleration from (x, w).
-    fn from(&self, (x, w): (F, F), damping: F) -> [F; 3] {
+    pub(super) fn from(&self, (x, w): (F, F), damping: F) -> [F; 3] {
         let (to, rate) = (x * self.c + w * self.s, w * self.slope - x * self.s);
         [to, rate, -(to + damping * rate)]
     }
@@ -63,50 +63,40 @@ impl<F: Real> System<F> {
         Self { omega, free: Free::new(zeta), forced: (spring / square, damper / square), friction }
     }
 
-    fn damping(&self) -> F {
+    pub(super) fn damping(&self) -> F {
         F::int(2) * self.free.zeta
     }
 
     /// F and F′ at θ.
-    fn forced_at(&self, theta: F) -> (F, F) {
+    pub(super) fn forced_at(&self, theta: F) -> (F, F) {
         let ((sine, cosine), (p, q)) = (theta.sin_cos(), self.forced);
         (p * sine - q * cosine, self.omega * (p * cosine + q * sine))
     }
 
-    /// Eq. 21–25: left less right, and the derivatives by t₁, t₂, V₀, Δ₀, Δ₁; by free vibration after a time.
-    pub(crate) fn equations_by(
+    /// Eq. 21–25: left less right, by free vibration after a time.
+    pub(crate) fn residuals_by(
         &self,
         u: &Unknowns<F>,
         waves: impl Fn(&Free<F>, F) -> free::Waves<F>,
-    ) -> ([F; 5], [[F; 5]; 5]) {
-        let (zero, one, omega, damping) = (F::int(0), F::int(1), self.omega, self.damping());
+    ) -> [F; 5] {
         let (f1, g1) = self.forced_at(u.velocity_phase);
         let (f2, g2) = self.forced_at(u.displacement_phase);
-        let tau = (u.displacement_phase - u.velocity_phase) / omega;
-        let after = |t: F| Waves::of(waves(&self.free, t), self.free.zeta);
-        let (near, far) = (after(tau), after(F::pi() / omega - tau));
-        // From t₁ to t₂, with the influence of t₁ on the start: F′ = dF/dφ, dθ = Ω dφ.
-        let [x, w, a] = near.from((u.deviation + self.friction - f1, u.max_velocity - g1), damping);
-        let [dx1, dw1, _] = near.from((-(g1 / omega), omega * f1), damping);
-        // From t₂ to t₃, with the influence of t₂.
-        let [y, v, b] = far.from((u.max_displacement - self.friction - f2, -g2), damping);
-        let [dy2, dv2, _] = far.from((-(g2 / omega), omega * f2), damping);
-        let (sine, cosine) = u.velocity_phase.sin_cos();
-        let residuals = [
+        let tau = (u.displacement_phase - u.velocity_phase) / self.omega;
+        let (near, far) = (self.after(tau, &waves), self.after(pi_1(self.omega) - tau, &waves));
+        let [x, w, _] = near.from((u.deviation + self.friction - f1, u.max_velocity - g1), self.damping());
+        let [y, v, _] = far.from((u.max_displacement - self.friction - f2, -g2), self.damping());
+        [
             g2 + w,
             v - g1 + u.max_velocity,
             f2 - self.friction + x - u.max_displacement,
             self.friction - f1 + y + u.deviation,
-            sine - u.deviation - self.friction - damping * u.max_velocity,
-        ];
-        let jacobian = [
-            [dw1 - a / omega, a / omega - omega * f2, near.slope, zero, -near.s],
-            [b / omega + omega * f1, dv2 - b / omega, one, -far.s, zero],
-            [dx1 - w / omega, (g2 + w) / omega, near.s, -one, near.c],
-            [(v - g1) / omega, dy2 - v / omega, zero, far.c, one],
-            [cosine, zero, -damping, zero, -one],
-        ];
-        (residuals, jacobian)
+            u.velocity_phase.sin() - u.deviation - self.friction - self.damping() * u.max_velocity,
+        ]
+    }
+
+    /// The free vibrations after a time.
+    pub(super) fn after(&self, time: F, waves: impl Fn(&Free<F>, F) -> free::Waves<F>) -> Waves<F> {
+        Waves::of(waves(&self.free, time), self.free.zeta)
     }
 
     /// Displacement and velocity of the falling half at the phase since t₂, by free vibration after a time.
@@ -119,73 +109,27 @@ impl<F: Real> System<F> {
         let (f2, g2) = self.forced_at(u.displacement_phase);
         let start = (u.max_displacement - self.friction - f2, -g2);
         let (f, g) = self.forced_at(u.displacement_phase + turn);
-        let after = Waves::of(waves(&self.free, turn / self.omega), self.free.zeta);
-        let [x, w, _] = after.from(start, self.damping());
+        let [x, w, _] = self.after(turn / self.omega, waves).from(start, self.damping());
         (f + self.friction + x, g + w)
     }
 }
 
 impl<F: Float> System<F> {
-    /// Eq. 21–25: left less right, and the derivatives by t₁, t₂, V₀, Δ₀, Δ₁.
-    pub fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
-        self.equations_by(u, Free::waves)
+    /// Eq. 21–25: left less right.
+    pub fn residuals(&self, u: &Unknowns<F>) -> [F; 5] {
+        self.residuals_by(u, Free::waves)
     }
 
     /// Displacement and velocity of the falling half at the phase since t₂.
     pub fn falling(&self, u: &Unknowns<F>, turn: F) -> (F, F) {
         self.falling_by(u, turn, Free::waves)
     }
-}
 
-#[cfg(feature = "matching")]
-impl<F: Float> System<F> {
     /// The largest of the lengths in the equations.
+    #[cfg(feature = "matching")]
     pub(super) fn largest_term(&self, u: &Unknowns<F>) -> F {
         let amplitude = self.forced.0.hypot(self.forced.1);
         let parts = [F::int(1), amplitude, u.max_displacement, u.max_velocity, self.omega * amplitude];
         parts.into_iter().fold(self.friction, F::or_larger)
-    }
-
-    /// This system at f64.
-    pub(super) fn to_f64(self) -> System<f64> {
-        System::new(self.omega.to_f64(), self.free.zeta.to_f64(), self.friction.to_f64())
-    }
-}
-
-#[cfg(feature = "matching")]
-impl<F: Float> super::start::Equations<F> for System<F> {
-    fn omega(&self) -> F {
-        self.omega
-    }
-
-    fn friction(&self) -> F {
-        self.friction
-    }
-
-    fn with_friction(self, friction: F) -> Self {
-        Self { friction, ..self }
-    }
-
-    /// `x = F`.
-    fn without_friction(&self) -> Unknowns<F> {
-        let (p, q) = self.forced;
-        let (lag, amplitude) = (q.atan2(p), p.hypot(q));
-        Unknowns {
-            velocity_phase: lag,
-            displacement_phase: lag + F::pi() / F::int(2),
-            max_velocity: self.omega * amplitude,
-            max_displacement: amplitude,
-            deviation: F::int(0),
-        }
-    }
-
-    fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
-        self.equations_by(u, Free::waves)
-    }
-
-    /// The falling half is the rising one with the opposite sign, half a turn later.
-    fn rising(&self, u: &Unknowns<F>, phase: F) -> (F, F) {
-        let (x, w) = self.falling(u, phase - (u.displacement_phase - F::pi()));
-        (-x, -w)
     }
 }
