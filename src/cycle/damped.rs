@@ -87,18 +87,12 @@ impl<F: Float> DampedCycle<F> {
     ///
     /// with `E = e^{−ζT}`, `C = E cos dT`, `S = E sin dT`, `Z = E (ζ/d) sin dT`.
     pub(crate) fn multipliers(&self) -> MultiplierPair<F> {
-        let (zero, one) = (F::int(0), F::int(1));
         let (half, size) = self.rising.half.of_size_one();
-        let inverse = one / self.deceleration();
-        let (mean, discriminant) = half.multipliers(inverse);
-        let spread = discriminant.abs().sqrt() / (one + inverse);
-        if discriminant < zero {
-            return MultiplierPair::Complex { re: size * mean, im: size * spread };
+        let inverse = F::int(1) / self.deceleration();
+        match MultiplierPair::new(half.multipliers(inverse), inverse, half.decay) {
+            MultiplierPair::Complex { re, im } => MultiplierPair::Complex { re: size * re, im: size * im },
+            MultiplierPair::Real(larger, smaller) => MultiplierPair::Real(size * larger, size * smaller),
         }
-        let larger = mean + spread.with_sign_of(mean);
-        let product = (one - inverse) / (one + inverse) * half.decay.square();
-        let smaller = if larger == zero { larger } else { product / larger };
-        MultiplierPair::Real(size * larger, size * smaller)
     }
 
     /// The contraction of a small disturbance in half a cycle, max |λ|.

@@ -80,6 +80,21 @@ pub(crate) enum MultiplierPair<F> {
 }
 
 impl<F: Float> MultiplierPair<F> {
+    /// From the mean, the square of the deviation from it times (1 + 1/R)², 1/R and e^{−ζT}: with the product
+    /// `e^{−2ζT} (R − 1)/(R + 1)`.
+    pub(crate) fn new((mean, discriminant): (F, F), inverse: F, decay: F) -> Self {
+        let (zero, one) = (F::int(0), F::int(1));
+        let spread = discriminant.abs().sqrt() / (one + inverse);
+        if discriminant < zero {
+            return Self::Complex { re: mean, im: spread };
+        }
+        let larger = mean + spread.with_sign_of(mean);
+        // On the border R may round to less than 1, and at the double root the product to more than λ².
+        let product = (one - inverse).or_larger(zero) / (one + inverse) * decay.square();
+        let smaller = if product < larger.square() { product / larger } else { larger };
+        Self::Real(larger, smaller)
+    }
+
     /// The two as (real, imaginary) parts.
     pub(crate) fn parts(self) -> [(F, F); 2] {
         let zero = F::int(0);
@@ -136,17 +151,7 @@ impl<F: Float> Multipliers<F> {
         let (sine, cosine) = ((two * s * c).abs(), (c - s) * (c + s));
         let discriminant = (inverse - sine) * (inverse + sine);
         let mean = -(cosine / (one + inverse));
-        let spread = discriminant.abs().sqrt() / (one + inverse);
-        let half_cycle = if discriminant < F::int(0) {
-            MultiplierPair::Complex { re: mean, im: spread }
-        } else {
-            let larger = mean + spread.with_sign_of(mean);
-            // On the border g may round to less than 1, and at the double root the product to more than λ².
-            let product = (one - inverse).or_larger(F::int(0)) / (one + inverse);
-            let smaller = if product < larger.square() { product / larger } else { larger };
-            MultiplierPair::Real(larger, smaller)
-        };
-        Self { half_cycle }
+        Self { half_cycle: MultiplierPair::new((mean, discriminant), inverse, one) }
     }
 
     /// The multipliers of a known pair.
