@@ -105,6 +105,7 @@ pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
 
+use crate::cycle::border::least_with_static_friction;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, fused};
 use crate::machine::error::{Error, written};
@@ -157,16 +158,6 @@ impl<F: Float> Cycle<F> {
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
-        if ratios.has_higher_static_friction() {
-            return fused!(<F>(ratios: Ratios<F>) -> Result<Cycle<F>, Error> {
-                let p = PhaseFunction::of_valid(ratios.omega());
-                let least = Border::with_static_friction(&p, ratios.static_friction_ratio()).min_force_ratio;
-                if ratios.alpha() < least || ratios.omega() == F::int(1) {
-                    return Err(no_cycle(ratios, least));
-                }
-                Ok(Cycle::at(&p, ratios))
-            });
-        }
         fused!(<F>(ratios: Ratios<F>) -> Result<Cycle<F>, Error> {
             cycle_or_least(ratios).map_err(|least| no_cycle(ratios, least))
         })
@@ -175,12 +166,10 @@ impl<F: Float> Cycle<F> {
     /// The cycle at these ratios; `None` where [`Cycle::new`] has an error.
     #[inline]
     pub(crate) fn find(ratios: Ratios<F>) -> Option<Self> {
-        let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
-        if is_plain {
-            fused!(<F>(ratios: Ratios<F>) -> Option<Cycle<F>> { cycle_or_least(ratios).ok() })
-        } else {
-            Self::new(ratios).ok()
+        if ratios.is_damped() {
+            return Self::damped(ratios).ok();
         }
+        fused!(<F>(ratios: Ratios<F>) -> Option<Cycle<F>> { cycle_or_least(ratios).ok() })
     }
 
     /// The cycle with damping.
@@ -323,7 +312,7 @@ impl<F: Float> Cycle<F> {
 #[inline(always)]
 fn cycle_or_least<F: Float>(ratios: Ratios<F>) -> Result<Cycle<F>, F> {
     let p = PhaseFunction::of_valid(ratios.omega());
-    let least = Border::least_force_ratio(&p);
+    let least = least_with_static_friction(&p, ratios.static_friction_ratio());
     if ratios.alpha() < least || ratios.omega() == F::int(1) { Err(least) } else { Ok(Cycle::at(&p, ratios)) }
 }
 

@@ -54,7 +54,7 @@ pub(crate) use near::border_near;
 pub(crate) use range::ordered_lobes;
 pub(crate) use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
-use stationary::inner_maximum;
+use stationary::{Inner, inner_maximum};
 #[cfg(feature = "mp")]
 pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
 pub(crate) use turning_point::border_force_ratio;
@@ -126,32 +126,26 @@ impl<F: Float> Border<F> {
         }
     }
 
-    /// The border with a static friction of η times the kinetic one, ζ = 0: at the turning point the force
-    /// has to exceed η, so that `Δ₀/B ≥ η/Ω²` there; inside the half cycle nothing changes, because the body
-    /// slides there.
+    /// The border at the frequency ratio of `p`, ζ = 0, with a static friction of η times the kinetic one: at the
+    /// turning point the force has to exceed η, so that `Δ₀/B ≥ η/Ω²` there; inside the half cycle nothing changes,
+    /// because the body slides there.
     #[inline(always)]
     pub(crate) fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
-        let omega = p.omega();
-        // S = η/Ω²
-        let limit = eta.wide() / omega.wide().square();
-        let turning_point = border_force_ratio(p.wide(), p.one_minus_square() * limit).value();
-        let inner = if omega < F::ratio(1, 2) { inner_maximum(*p) } else { None };
-        if let Some(inner) = inner {
-            let least = inner.force_ratio(p);
-            if least > turning_point {
-                return Self {
-                    min_force_ratio: least,
-                    turning_point,
-                    touching_phase: inner.phase(),
-                    min_displacement: (inner.width / p.one_minus_square()).value(),
-                };
-            }
-        }
-        Self {
-            min_force_ratio: turning_point,
-            turning_point,
-            touching_phase: F::int(0),
-            min_displacement: limit.value(),
+        let (turning_point, inner) = candidates(p, eta);
+        let limit = eta / p.omega().square();
+        match inner {
+            Some(inner) => Self {
+                min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
+                turning_point,
+                touching_phase: inner.phase(),
+                min_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
+            },
+            None => Self {
+                min_force_ratio: turning_point,
+                turning_point,
+                touching_phase: F::int(0),
+                min_displacement: limit,
+            },
         }
     }
 
@@ -178,27 +172,7 @@ impl<F: Float> Border<F> {
     /// The border at the frequency ratio of `p`.
     #[inline(always)]
     pub(crate) fn at(p: &PhaseFunction<F>) -> Self {
-        let omega = p.omega();
-        let turning_point = Self::turning_point_at(p);
-        let limit = F::int(1) / omega.square();
-        let at_turning_point = Self {
-            min_force_ratio: turning_point,
-            turning_point,
-            touching_phase: F::int(0),
-            min_displacement: limit,
-        };
-        if omega >= F::ratio(1, 2) {
-            return at_turning_point;
-        }
-        match inner_maximum(*p) {
-            Some(inner) if inner.is_border(p) => Self {
-                min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
-                turning_point,
-                touching_phase: inner.phase(),
-                min_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
-            },
-            _ => at_turning_point,
-        }
+        Self::with_static_friction(p, F::int(1))
     }
 
     #[doc(hidden)]
@@ -213,14 +187,33 @@ impl<F: Float> Border<F> {
     /// [`Border::min_force_ratio`] at the frequency ratio of `p`, without the rest.
     #[inline(always)]
     pub(crate) fn least_force_ratio(p: &PhaseFunction<F>) -> F {
-        let turning_point = Self::turning_point_at(p);
-        if p.omega() >= F::ratio(1, 2) {
-            return turning_point;
+        least_with_static_friction(p, F::int(1))
+    }
+}
+
+/// [`Border::min_force_ratio`] with a static friction of η times the kinetic one, without the rest.
+#[inline(always)]
+pub(crate) fn least_with_static_friction<F: Float>(p: &PhaseFunction<F>, eta: F) -> F {
+    match candidates(p, eta) {
+        (turning_point, Some(inner)) => turning_point.or_larger(inner.force_ratio(p)),
+        (turning_point, None) => turning_point,
+    }
+}
+
+/// The border at the turning point, and the maximum inside the half cycle where that is the border.
+#[inline(always)]
+fn candidates<F: Float>(p: &PhaseFunction<F>, eta: F) -> (F, Option<Inner<F>>) {
+    let (omega, is_higher) = (p.omega(), eta > F::int(1));
+    let held = if is_higher { p.one_minus_square() * eta } else { p.one_minus_square() };
+    let turning_point = turning_point_border(p.wide(), held, omega.wide()).value();
+    if omega >= F::ratio(1, 2) {
+        return (turning_point, None);
+    }
+    match inner_maximum(*p) {
+        Some(inner) if is_stationary_value_larger(held, omega, inner.width, inner.rises && !is_higher) => {
+            (turning_point, Some(inner))
         }
-        match inner_maximum(*p) {
-            Some(inner) if inner.is_border(p) => turning_point.or_larger(inner.force_ratio(p)),
-            _ => turning_point,
-        }
+        _ => (turning_point, None),
     }
 }
 
@@ -229,7 +222,7 @@ impl<F: Float> Border<F> {
 fn without_damping<F: Float>(omega: F, eta: F) -> Border<F> {
     fused!(<F>(omega: F, eta: F) -> Border<F> {
         let p = PhaseFunction::of_valid(omega);
-        if eta > F::int(1) { Border::with_static_friction(&p, eta) } else { Border::at(&p) }
+        Border::with_static_friction(&p, eta)
     })
 }
 

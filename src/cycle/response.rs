@@ -54,24 +54,14 @@ impl<F: Float> Response<F> {
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
-        if ratios.has_higher_static_friction() {
-            return fused!(<F>(ratios: Ratios<F>) -> Response<F> {
-                let p = PhaseFunction::of_valid(ratios.omega());
-                Response::above(&p, ratios, Border::with_static_friction(&p, ratios.static_friction_ratio()))
-            });
-        }
-        fused!(<F>(ratios: Ratios<F>) -> Response<F> { Response::of(ratios) })
+        fused!(<F>(ratios: Ratios<F>) -> Response<F> { Response::undamped(ratios) })
     }
 
+    /// The answer without damping.
     #[inline(always)]
-    fn of(ratios: Ratios<F>) -> Self {
-        let p = PhaseFunction::of_valid(ratios.omega());
-        Self::above(&p, ratios, Border::at(&p))
-    }
-
-    /// The answer without damping, given the border.
-    #[inline(always)]
-    fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
+    fn undamped(ratios: Ratios<F>) -> Self {
+        let p = &PhaseFunction::of_valid(ratios.omega());
+        let border = Border::with_static_friction(p, ratios.static_friction_ratio());
         let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio);
         // There are no closures: they would be compiled separately, without the processor's fused operation.
         let cycle = if slides { Some(Cycle::at(p, ratios)) } else { None };

@@ -1,8 +1,8 @@
 //! The stationary point of the border's function f: where the velocity first touches zero inside the half
 //! cycle.
 
+use super::border_force_ratio;
 use super::near::{Known, near};
-use super::{border_force_ratio, is_stationary_value_larger};
 use crate::cycle::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, Real, at_precision, fused};
@@ -16,7 +16,7 @@ pub(super) struct Inner<F> {
     gamma: Pair<F>,
     eta: F,
     /// Whether T > 0, so that τ* lies in the first quarter.
-    rises: bool,
+    pub(super) rises: bool,
 }
 
 impl<F: Float> Inner<F> {
@@ -26,11 +26,6 @@ impl<F: Float> Inner<F> {
         let eta = root::newton(self.eta, F::int(0), F::pi(), condition).implicit_root(condition);
         let tau = ((self.gamma + Pair::exact(eta)) * self.omega).value();
         if self.rises { tau } else { F::pi() - tau }
-    }
-
-    /// Whether the border is here, and not at the turning point.
-    pub(super) fn is_border(&self, p: &PhaseFunction<F>) -> bool {
-        is_stationary_value_larger(p.one_minus_square(), self.omega, self.width, self.rises)
     }
 
     /// `hypot(K, (1 − Ω²) S)`, whose squares can be out of range where Ω is very small.
