@@ -54,7 +54,7 @@ pub(crate) use near::border_near;
 pub(crate) use range::ordered_lobes;
 pub(crate) use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
-use stationary::{Inner, inner_maximum};
+use stationary::inner_maximum;
 #[cfg(feature = "mp")]
 pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
 pub(crate) use turning_point::border_force_ratio;
@@ -131,21 +131,26 @@ impl<F: Float> Border<F> {
     /// because the body slides there.
     #[inline(always)]
     pub(crate) fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
-        let (turning_point, inner) = candidates(p, eta);
-        let limit = eta / p.omega().square();
-        match inner {
-            Some(inner) => Self {
+        let (omega, held) = (p.omega(), held(p, eta));
+        let turning_point = turning_point_border(p.wide(), held, omega.wide()).value();
+        let limit = eta / omega.square();
+        let at_turning_point = Self {
+            min_force_ratio: turning_point,
+            turning_point,
+            touching_phase: F::int(0),
+            min_displacement: limit,
+        };
+        if omega >= F::ratio(1, 2) {
+            return at_turning_point;
+        }
+        match inner_maximum(*p) {
+            Some(inner) if inner.is_border(held, eta) => Self {
                 min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
                 turning_point,
                 touching_phase: inner.phase(),
                 min_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
             },
-            None => Self {
-                min_force_ratio: turning_point,
-                turning_point,
-                touching_phase: F::int(0),
-                min_displacement: limit,
-            },
+            _ => at_turning_point,
         }
     }
 
@@ -194,27 +199,21 @@ impl<F: Float> Border<F> {
 /// [`Border::min_force_ratio`] with a static friction of η times the kinetic one, without the rest.
 #[inline(always)]
 pub(crate) fn least_with_static_friction<F: Float>(p: &PhaseFunction<F>, eta: F) -> F {
-    match candidates(p, eta) {
-        (turning_point, Some(inner)) => turning_point.or_larger(inner.force_ratio(p)),
-        (turning_point, None) => turning_point,
+    let held = held(p, eta);
+    let turning_point = turning_point_border(p.wide(), held, p.omega().wide()).value();
+    if p.omega() >= F::ratio(1, 2) {
+        return turning_point;
+    }
+    match inner_maximum(*p) {
+        Some(inner) if inner.is_border(held, eta) => turning_point.or_larger(inner.force_ratio(p)),
+        _ => turning_point,
     }
 }
 
-/// The border at the turning point, and the maximum inside the half cycle where that is the border.
+/// `η (1 − Ω²)`.
 #[inline(always)]
-fn candidates<F: Float>(p: &PhaseFunction<F>, eta: F) -> (F, Option<Inner<F>>) {
-    let (omega, is_higher) = (p.omega(), eta > F::int(1));
-    let held = if is_higher { p.one_minus_square() * eta } else { p.one_minus_square() };
-    let turning_point = turning_point_border(p.wide(), held, omega.wide()).value();
-    if omega >= F::ratio(1, 2) {
-        return (turning_point, None);
-    }
-    match inner_maximum(*p) {
-        Some(inner) if is_stationary_value_larger(held, omega, inner.width, inner.rises && !is_higher) => {
-            (turning_point, Some(inner))
-        }
-        _ => (turning_point, None),
-    }
+fn held<F: Float>(p: &PhaseFunction<F>, eta: F) -> Pair<F> {
+    if eta > F::int(1) { p.one_minus_square() * eta } else { p.one_minus_square() }
 }
 
 /// The border without damping at Ω and η.

@@ -54,18 +54,45 @@ impl<F: Float> Response<F> {
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
-        fused!(<F>(ratios: Ratios<F>) -> Response<F> { Response::undamped(ratios) })
+        // With η as a variable in one of the two, an answer with η = 1 takes a tenth more instructions.
+        if ratios.has_higher_static_friction() {
+            return fused!(<F>(ratios: Ratios<F>) -> Response<F> {
+                let p = PhaseFunction::of_valid(ratios.omega());
+                Response::above(&p, ratios, Border::with_static_friction(&p, ratios.static_friction_ratio()))
+            });
+        }
+        fused!(<F>(ratios: Ratios<F>) -> Response<F> { Response::of(ratios) })
     }
 
-    /// The answer without damping.
     #[inline(always)]
-    fn undamped(ratios: Ratios<F>) -> Self {
-        let p = &PhaseFunction::of_valid(ratios.omega());
-        let border = Border::with_static_friction(p, ratios.static_friction_ratio());
+    fn of(ratios: Ratios<F>) -> Self {
+        let p = PhaseFunction::of_valid(ratios.omega());
+        Self::above(&p, ratios, Border::at(&p))
+    }
+
+    /// The answer without damping, given the border.
+    #[inline(always)]
+    fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
+        let regime = regime_of(ratios, border.min_force_ratio);
         let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio);
         // There are no closures: they would be compiled separately, without the processor's fused operation.
-        let cycle = if slides { Some(Cycle::at(p, ratios)) } else { None };
-        Self::of_parts(ratios, border, cycle, (best_force_ratio_at(p), best_loop_size_at(p)))
+        let (cycle, loop_size_stiffness, loop_size_inertia) = if slides {
+            let cycle = Cycle::at(p, ratios);
+            let (a1, a2) = cycle.loop_sizes();
+            (Some(cycle), Some(a1), Some(a2))
+        } else {
+            (None, None, None)
+        };
+        Self {
+            ratios,
+            regime,
+            border,
+            cycle,
+            loop_size_stiffness,
+            loop_size_inertia,
+            best_force_ratio: best_force_ratio_at(p),
+            best_loop_size: finite(best_loop_size_at(p)),
+        }
     }
 
     /// The answer with damping.
@@ -73,30 +100,19 @@ impl<F: Float> Response<F> {
     fn damped(ratios: Ratios<F>) -> Self {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
+        let regime = regime_of(ratios, border.min_force_ratio);
         let cycle = damped::exists(ratios.alpha(), border.min_force_ratio)
             .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
-        Self::of_parts(ratios, border, cycle, damped::best(&half))
-    }
-
-    /// The answer from its border, its cycle, and the best force ratio with its loop.
-    #[inline(always)]
-    fn of_parts(ratios: Ratios<F>, border: Border<F>, cycle: Option<Cycle<F>>, best: (F, F)) -> Self {
-        let (loop_size_stiffness, loop_size_inertia) = match &cycle {
-            Some(cycle) => {
-                let (a1, a2) = cycle.loop_sizes();
-                (Some(a1), Some(a2))
-            }
-            None => (None, None),
-        };
+        let (best_force_ratio, best_loop_size) = damped::best(&half);
         Self {
             ratios,
-            regime: regime_of(ratios, border.min_force_ratio),
+            regime,
             border,
             cycle,
-            loop_size_stiffness,
-            loop_size_inertia,
-            best_force_ratio: best.0,
-            best_loop_size: finite(best.1),
+            loop_size_stiffness: cycle.map(|c| c.loop_size_stiffness()),
+            loop_size_inertia: cycle.map(|c| c.loop_size_inertia()),
+            best_force_ratio,
+            best_loop_size: finite(best_loop_size),
         }
     }
 

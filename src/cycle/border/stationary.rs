@@ -1,8 +1,8 @@
 //! The stationary point of the border's function f: where the velocity first touches zero inside the half
 //! cycle.
 
-use super::border_force_ratio;
 use super::near::{Known, near};
+use super::{border_force_ratio, is_stationary_value_larger};
 use crate::cycle::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, Real, at_precision, fused};
@@ -16,7 +16,7 @@ pub(super) struct Inner<F> {
     gamma: Pair<F>,
     eta: F,
     /// Whether T > 0, so that τ* lies in the first quarter.
-    pub(super) rises: bool,
+    rises: bool,
 }
 
 impl<F: Float> Inner<F> {
@@ -28,7 +28,14 @@ impl<F: Float> Inner<F> {
         if self.rises { tau } else { F::pi() - tau }
     }
 
+    /// Whether the border is here, and not at the turning point; `held` is η (1 − Ω²).
+    #[inline(always)]
+    pub(super) fn is_border(&self, held: Pair<F>, eta: F) -> bool {
+        is_stationary_value_larger(held, self.omega, self.width, self.rises && eta == F::int(1))
+    }
+
     /// `hypot(K, (1 − Ω²) S)`, whose squares can be out of range where Ω is very small.
+    #[inline(always)]
     pub(super) fn force_ratio(&self, p: &PhaseFunction<F>) -> F {
         let (k, width) = (p.wide(), self.width);
         if p.omega() > F::exp2i(-F::RATIO_EXPONENT / 2) {
