@@ -1,5 +1,6 @@
 //! The reason why a calculation along the motion ended early, in one word of memory, and the budget of a search.
 
+use crate::float::Float;
 use crate::machine::error::Error;
 use core::ops::ControlFlow;
 
@@ -44,6 +45,11 @@ impl<'a> Budget<'a> {
     /// Counts the half turns propagated.
     pub(crate) fn spend(&mut self, half_turns: u64) {
         self.half_turns = self.half_turns.saturating_add(half_turns);
+    }
+
+    /// The number of periods of the drive propagated.
+    pub(crate) fn periods<F: Float>(&self) -> F {
+        F::from_f64(self.half_turns as f64) / F::int(2)
     }
 
     /// Asks the caller whether to continue, at every slide and stop.

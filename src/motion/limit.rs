@@ -32,7 +32,7 @@ pub(crate) mod stop_map;
 pub(crate) mod stops;
 pub(crate) mod validate;
 
-use super::broken::Broken;
+use super::broken::{Broken, Budget};
 use super::slide::equation::Equation;
 use super::state::{Point, State};
 use super::trajectory::resolved;
@@ -45,7 +45,7 @@ use long_run::{DEFAULT_BUDGET, LongRun, unsettled};
 use measures::CycleStatistics;
 use rest::come_to_rest;
 use section::{cycle_guess, fastest_point, middle_of_rise, on_six_reversals, settle_in};
-use shooting::{Budget, Guess, Shot, shoot};
+use shooting::{Guess, Shot, shoot};
 use steady::{SteadyParts, SteadyState, Summary};
 use stops::Sticking;
 use validate::validated;
@@ -149,7 +149,7 @@ impl<F: Float> LongRun<F> {
     ) -> Result<Self, Error> {
         match shoot(equation, section, hint, guess, &mut budget)? {
             Shot::Settled(fixed) => {
-                let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
+                let periods = budget.periods();
                 let multipliers = fixed.propagation.monodromy.squared_eigenvalues();
                 let statistics =
                     CycleStatistics::of_periodic(equation, fixed.start, 1, &fixed.propagation, &mut budget)?

@@ -2,8 +2,8 @@
 
 use super::measures::CycleStatistics;
 use super::propagation::follow;
-use super::shooting::Budget;
 use super::steady::{SteadyParts, Summary};
+use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;

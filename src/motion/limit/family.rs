@@ -12,14 +12,14 @@
 use super::long_run::{LongRun, unsettled};
 use super::measures::CycleStatistics;
 use super::propagation::{Propagation, propagate};
-use super::shooting::{Budget, Residual, rate_noise};
+use super::shooting::{Residual, rate_noise};
 use super::steady::{SteadyParts, SteadyState, Summary};
 use crate::cycle::Border;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
-use crate::motion::broken::Broken;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
@@ -159,7 +159,7 @@ pub(crate) fn finish<F: Float>(
         statistics: Summary::of(&statistics, 1),
         multipliers: [(one, zero), (other, zero)],
         distance,
-        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+        periods: budget.periods(),
     })))
 }
 

@@ -44,11 +44,11 @@ use super::long_run::{LongRun, Rest, unsettled};
 use super::matrix::Matrix;
 use super::period_map::{Trial, distance, half_turns, size};
 use super::propagation::propagate;
-use super::shooting::{Budget, rate_noise};
+use super::shooting::rate_noise;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
-use crate::motion::broken::Broken;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
 use observation::{GrowthAtResonance, Observation};
@@ -78,7 +78,7 @@ pub(crate) fn limit<F: Float>(
         let step = half_turns(equation, &y, 1, budget, |part| observation.add(part))?;
         if let Some(position) = step.rest {
             let position = if observation.is_upside_down { -position } else { position };
-            let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
+            let periods = budget.periods();
             return Ok(LongRun::Rest(Rest { position, slides: Some(observation.slides), periods }));
         }
         observation.stretch(&step.derivative, budget.half_turns);

@@ -1,9 +1,9 @@
 //! The limit of a motion.
 
 use super::irregular::Irregular;
-use super::shooting::Budget;
 use super::steady::SteadyState;
 use crate::float::Float;
+use crate::motion::broken::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
 
@@ -143,6 +143,6 @@ pub(crate) fn unsettled<F: Float>(
     LongRun::NotConverged {
         state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
         residual,
-        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+        periods: budget.periods(),
     }
 }

@@ -1,9 +1,8 @@
 //! The properties of a cycle of the motion: extrema, stops, work, and the paper's error measures.
 
 use super::propagation::{MotionPart, Propagation, follow};
-use super::shooting::Budget;
 use crate::float::Float;
-use crate::motion::broken::Broken;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::event::velocity_zero::VelocityZero;
 use crate::motion::slide::Slide;

@@ -1,9 +1,9 @@
 //! The states of a periodic motion at the phases nπ of the drive, which identify it.
 
 use super::period_map::{Located, Trial, half_turns};
-use super::shooting::Budget;
 use crate::float::Float;
 use crate::machine::error::Error;
+use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;

@@ -4,10 +4,10 @@
 use super::matrix::Matrix;
 use super::measures::CycleStatistics;
 use super::propagation::{MotionPart, follow, propagate};
-use super::shooting::{Budget, Residual, is_known};
+use super::shooting::{Residual, is_known};
 use super::steady::{SteadyParts, SteadyState, Summary};
 use crate::float::Float;
-use crate::motion::broken::Broken;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::Direction;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
@@ -80,7 +80,7 @@ pub(crate) fn steady<F: Float>(
         statistics: Summary::of(&statistics, half_turns),
         multipliers,
         distance,
-        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+        periods: budget.periods(),
     }))
 }
 

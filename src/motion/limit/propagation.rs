@@ -2,8 +2,7 @@
 
 use super::matrix::{Matrix, reversal_ratio};
 use crate::float::Float;
-use crate::motion::broken::Broken;
-use crate::motion::broken::Budget;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::event::velocity_zero::{Lost, Outcome, VelocityZero};
 use crate::motion::slide::Slide;

@@ -16,10 +16,10 @@
 //! body does not creep: each slide begins with the acceleration η − 1.
 
 use super::long_run::{LongRun, Rest};
-use super::shooting::Budget;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
+use crate::motion::broken::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::State;
 use crate::motion::trajectory::{Body, End, Trajectory};

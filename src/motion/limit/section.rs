@@ -1,10 +1,10 @@
 //! The section for shooting: a point in the middle of a slide, found from a start or from a closed form.
 
-use super::shooting::{Budget, Guess};
+use super::shooting::Guess;
 use crate::cycle::damped::rising::Rising;
 use crate::cycle::{Cycle, SixReversals};
 use crate::float::Float;
-use crate::motion::broken::Broken;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::Slide;
 use crate::motion::slide::equation::Equation;

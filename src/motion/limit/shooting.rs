@@ -10,7 +10,6 @@
 //! `d/dφ ½(δx² + δw²) = −(r₁ − r₂) δw − 2ζδw² ≤ 0`. So
 //!
 //! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from
-//! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from
 //!   one half turn to the next. A Newton step is kept where it halves the residual; otherwise the motion is
 //!   followed.
 //! * Two periodic motions keep their distance permanently. For α > 1 that leaves **one limit only, and it is
@@ -25,8 +24,7 @@
 use super::matrix::Matrix;
 use super::propagation::{MotionPart, Propagation, propagate};
 use crate::float::Float;
-use crate::motion::broken::Broken;
-pub(crate) use crate::motion::broken::Budget;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
 

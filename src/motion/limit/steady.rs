@@ -2,10 +2,10 @@
 
 use super::measures::{CycleStatistics, ErrorMeasures, Extreme};
 use super::propagation::follow;
-use super::shooting::Budget;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
+use crate::motion::broken::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
 use crate::motion::trajectory::resolved;

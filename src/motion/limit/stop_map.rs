@@ -8,9 +8,9 @@
 
 use super::matrix::{Matrix, reversal_ratio};
 use super::propagation::MotionPart;
-use super::shooting::{Budget, Residual};
+use super::shooting::Residual;
 use crate::float::Float;
-use crate::motion::broken::Broken;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::event::velocity_zero::{Lost, VelocityZero};
 use crate::motion::slide::equation::Equation;

@@ -18,7 +18,7 @@
 use super::long_run::LongRun;
 use super::measures::CycleStatistics;
 use super::propagation::MotionPart;
-use super::shooting::{Budget, Residual};
+use super::shooting::Residual;
 use super::steady::{SteadyParts, SteadyState, Summary};
 use super::stop_map::{Expected, Passage, Station, passage};
 use crate::cycle::Border;
@@ -29,7 +29,7 @@ use crate::cycle::damped::{at_turning_point, border};
 use crate::cycle::displacement::max_displacement;
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
 use crate::float::{Float, fused};
-use crate::motion::broken::Broken;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::limit::stop_map::Miss;
 use crate::motion::slide::Direction;
 use crate::motion::slide::equation::Equation;
@@ -265,7 +265,7 @@ fn steady<F: Float>(
         statistics: Summary::of(&statistics.doubled(), 1),
         multipliers: [(found.rate.square(), zero), (zero, zero)],
         distance,
-        periods: F::from_f64(budget.half_turns as f64) / two,
+        periods: budget.periods(),
     }))))
 }
 

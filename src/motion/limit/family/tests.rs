@@ -2,9 +2,9 @@
 
 use super::{is_near, is_one, member, nearest_edge};
 use crate::motion::DrivePhase;
+use crate::motion::broken::Budget;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::propagation::propagate;
-use crate::motion::limit::shooting::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
 use crate::{Border, Ratios};

@@ -3,10 +3,10 @@
 
 use crate::float::Float;
 use crate::machine::ratios::Ratios;
+use crate::motion::broken::Budget;
 use crate::motion::limit::irregular::Irregular;
 use crate::motion::limit::matrix::Matrix;
 use crate::motion::limit::propagation::MotionPart;
-use crate::motion::limit::shooting::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
 
@@ -147,7 +147,7 @@ impl<F: Float> Observation<F> {
             min_displacement,
             stops: self.stops,
             turns: self.counted / 2,
-            periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+            periods: budget.periods(),
         })
     }
 }

@@ -2,7 +2,7 @@ use super::{MOST_KEPT, MotionPart, follow, propagate};
 use crate::Error;
 use crate::Ratios;
 use crate::motion::DrivePhase;
-use crate::motion::limit::shooting::Budget;
+use crate::motion::broken::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
 use core::ops::ControlFlow;

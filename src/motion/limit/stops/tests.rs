@@ -1,7 +1,7 @@
 use super::{Sticking, fixed_point};
 use crate::Ratios;
+use crate::motion::broken::Budget;
 use crate::motion::limit::propagation::MotionPart;
-use crate::motion::limit::shooting::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::State;
 use crate::motion::trajectory::{Body, Trajectory};

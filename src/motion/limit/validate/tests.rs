@@ -1,11 +1,12 @@
 use super::validated;
 use crate::cycle::Cycle;
 use crate::cycle::phase_function::PhaseFunction;
+use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::propagation::propagate;
 use crate::motion::limit::section::fastest_point;
-use crate::motion::limit::shooting::{Budget, Residual};
+use crate::motion::limit::shooting::Residual;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
 use crate::{Border, Ratios};

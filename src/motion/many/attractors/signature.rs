@@ -2,10 +2,10 @@
 
 use crate::float::Float;
 use crate::machine::error::Error;
+use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::period_map::{Located, Trial};
-use crate::motion::limit::shooting::Budget;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::state::Point;
 use crate::motion::trajectory::Trajectory;
