@@ -3,16 +3,18 @@
 //! | file | content |
 //! |---|---|
 //! | `long_run`, `steady`, `irregular`, `measures`, `peaks`, `steady_outputs`, `observed` | the results: what the motion tends to, what a cycle of it amounts to, its regime |
-//! | `propagation`, `matrix`, `section`, `shooting` | half a turn with its derivative, and its fixed point |
+//! | `propagation`, `matrix` | the motion part by part; m half turns of it with their derivative |
+//! | `fixed_point`, `orbit` | the states that m half turns bring back, and Newton's method for them |
+//! | `shooting`, `section` | η = 1: the limit of every start, by Newton's method from one of them |
 //! | `stop_map`, `stops` | from stop to stop, one number on: the limit where it sticks |
 //! | `validate` | the closed-form cycle shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed` | the limit of one start, where η > 1 |
-//! | `period_map`, `orbit` | m half turns with their derivative, and Newton's method for what they bring back; the states of it |
 
 #[cfg(test)]
 pub(crate) mod accounts;
 pub(crate) mod family;
+pub(crate) mod fixed_point;
 pub(crate) mod followed;
 pub(crate) mod irregular;
 pub(crate) mod long_run;
@@ -21,7 +23,6 @@ pub(crate) mod measures;
 pub(crate) mod observed;
 pub(crate) mod orbit;
 pub(crate) mod peaks;
-pub(crate) mod period_map;
 pub(crate) mod propagation;
 pub(crate) mod rest;
 pub(crate) mod section;
@@ -32,21 +33,19 @@ pub(crate) mod stop_map;
 pub(crate) mod stops;
 pub(crate) mod validate;
 
-use super::broken::{Broken, Budget};
+use super::broken::Budget;
 use super::slide::equation::Equation;
-use super::state::{Point, State};
+use super::state::State;
 use super::trajectory::resolved;
 use crate::cycle::{Cycle, SixReversals};
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use core::ops::ControlFlow;
-use long_run::{DEFAULT_BUDGET, LongRun, unsettled};
-use measures::CycleStatistics;
+use long_run::{DEFAULT_BUDGET, LongRun};
 use rest::come_to_rest;
 use section::{cycle_guess, fastest_point, middle_of_rise, on_six_reversals, settle_in};
-use shooting::{Guess, Shot, shoot};
-use steady::{SteadyParts, SteadyState, Summary};
+use shooting::{Guess, shoot};
 use stops::Sticking;
 use validate::validated;
 
@@ -119,11 +118,11 @@ impl<F: Float> LongRun<F> {
                 let (at, hint) = settle_in(equation, start, &mut Budget::of(0))?;
                 Ok(Some(Guess { at, hint, is_limit: false }))
             };
-            return Self::shot(equation, section, hint, followed, budget);
+            return Ok(shoot(equation, section, hint, followed, &mut budget)?);
         }
         let (section, hint) = settle_in(equation, start, &mut budget)?;
         if is_family {
-            return family::member(equation, section, hint, budget);
+            return family::member(equation, section, hint, &mut budget);
         }
         let guess = || match Cycle::find(ratios) {
             Some(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
@@ -137,35 +136,7 @@ impl<F: Float> LongRun<F> {
                 Ok(Some(Guess { at, hint, is_limit: false }))
             }
         };
-        Self::shot(equation, section, hint, guess, budget)
-    }
-
-    pub(crate) fn shot(
-        equation: Equation<F>,
-        section: Point<F>,
-        hint: F,
-        guess: impl FnOnce() -> Result<Option<Guess<F>>, Broken>,
-        mut budget: Budget<'_>,
-    ) -> Result<Self, Error> {
-        match shoot(equation, section, hint, guess, &mut budget)? {
-            Shot::Settled(fixed) => {
-                let periods = budget.periods();
-                let multipliers = fixed.propagation.monodromy.squared_eigenvalues();
-                let statistics =
-                    CycleStatistics::of_periodic(equation, fixed.start, 1, &fixed.propagation, &mut budget)?
-                        .doubled();
-                Ok(Self::Periodic(SteadyState::of(SteadyParts {
-                    equation,
-                    start: fixed.start,
-                    half_turns: 1,
-                    statistics: Summary::of(&statistics, 1),
-                    multipliers,
-                    distance: fixed.distance,
-                    periods,
-                })))
-            }
-            Shot::Unsettled(y, residual) => Ok(unsettled(&equation, &y, residual, &budget)),
-        }
+        Ok(shoot(equation, section, hint, guess, &mut budget)?)
     }
 }
 
@@ -190,15 +161,15 @@ impl<F: Float> TryFrom<&Cycle<F>> for LongRun<F> {
             return followed::limit(ratios, start, &mut budget);
         }
         if is_family {
-            return family::member(equation, section, hint, budget);
+            return family::member(equation, section, hint, &mut budget);
         }
-        LongRun::shot(equation, section, hint, || Ok(Some(cycle_guess(equation, cycle))), budget)
+        Ok(shoot(equation, section, hint, || Ok(Some(cycle_guess(equation, cycle))), &mut budget)?)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Budget, Equation, settle_in};
+    use super::{Budget, Equation, settle_in, shoot};
     use crate::motion::{LongRun, State};
     use crate::{Border, Ratios};
 
@@ -217,7 +188,7 @@ mod tests {
             let here = here.steady_state().unwrap_or_else(|| panic!("{ratios:?}"));
             let equation = Equation::new(ratios);
             let (at, hint) = settle_in(equation, State::default(), &mut Budget::of(0)).unwrap();
-            let there = LongRun::shot(equation, at, hint, || Ok(None), Budget::of(2000)).unwrap();
+            let there = shoot(equation, at, hint, || Ok(None), &mut Budget::of(2000)).unwrap();
             let there = there.steady_state().unwrap_or_else(|| panic!("{ratios:?}: {there:?}"));
             let size = 1.0 + here.max_displacement.value + here.max_velocity.value * omega;
             let off = |s: &crate::motion::SteadyState<f64>| s.distance.0 + s.distance.1 * omega;

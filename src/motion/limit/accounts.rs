@@ -2,7 +2,7 @@
 
 use super::measures::CycleStatistics;
 use super::propagation::follow;
-use super::steady::{SteadyParts, Summary};
+use super::steady::SteadyParts;
 use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
@@ -51,7 +51,7 @@ fn the_distance_is_in_the_units_of_a_state() {
             equation: steady.equation,
             start: steady.start,
             half_turns: 3,
-            statistics: Summary::of_reversals(steady.max_displacement, steady.max_velocity, 0.0, 0.0),
+            statistics: CycleStatistics::of_reversals(steady.max_displacement, steady.max_velocity, 0.0, 0.0),
             multipliers: steady.multipliers,
             distance: (0.25, 0.5),
             periods: 0.0,

@@ -9,11 +9,10 @@
 //! which touches the border of sticking: the distance decreases only like 1/cycles. The distance never grows
 //! (`shooting`), so that a motion close to this member has it as its limit, to within the distance.
 
+use super::fixed_point::{Residual, rate_noise};
 use super::long_run::{LongRun, unsettled};
-use super::measures::CycleStatistics;
-use super::propagation::{Propagation, propagate};
-use super::shooting::{Residual, rate_noise};
-use super::steady::{SteadyParts, SteadyState, Summary};
+use super::propagation::HalfTurns;
+use super::steady::SteadyState;
 use crate::cycle::Border;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
@@ -42,24 +41,22 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
 /// change is `d μ/(1 − μ)`. This change is added once it is small enough for the motion to be linear in it.
 ///
 /// # Errors
-/// As for [`propagate`].
+/// As for [`HalfTurns::new`].
 pub(crate) fn member<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
     hint: F,
-    mut budget: Budget<'_>,
+    budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
     let one = F::int(1);
     let mut y = start;
-    let mut parts = Vec::new();
     let mut added = false;
     loop {
-        let cycle = propagate(equation, y, 2, hint, parts, &mut budget)?;
-        budget.spend(2);
+        let cycle = HalfTurns::new(equation, y, 2, hint, budget)?;
         let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
-        let other = cycle.monodromy.determinant().abs();
+        let other = cycle.derivative.determinant().abs();
         // Friction is too small compared with the motion for the type to resolve, and the remaining change is
         // unknown.
         let settles = one - other > rate_noise(cycle.count);
@@ -71,25 +68,23 @@ pub(crate) fn member<F: Float>(
         // which proves nothing.
         if is_near(&equation, &y) && settles && (left <= rounding || (added && change <= rounding)) {
             let off = in_the_limit(residual.bound()) + rounding;
-            return Ok(finish(equation, y, &cycle, (off, off), &mut budget)?);
+            return Ok(finish(&cycle, off, budget)?);
         }
         if cycle.sticks && budget.half_turns >= LONG_CREEP {
             let edge = nearest_edge(equation, &y);
             let off = (edge.x - y.x).hypot(edge.w - y.w);
             if off * F::int(16) < size {
-                let cycle = propagate(equation, edge, 2, hint, cycle.parts, &mut budget)?;
-                return Ok(finish(equation, edge, &cycle, (off, off), &mut budget)?);
+                return Ok(finish(&HalfTurns::new(equation, edge, 2, hint, budget)?, off, budget)?);
             }
         }
         if budget.half_turns > budget.most {
-            return Ok(unsettled(&equation, &y, change, &budget));
+            return Ok(unsettled(&equation, &y, change, budget));
         }
         // The neutral disturbance of the jump is of second order: below rounding for a jump of its root.
         let jump = !added && left.square() <= F::epsilon() * F::ratio(1, 64) * size.square() && settles;
         let reach = if jump { one / (one - other) } else { one };
         y = Point { phase: y.phase, x: y.x + dx * reach, w: y.w + dw * reach };
         added = added || jump;
-        parts = cycle.parts;
     }
 }
 
@@ -126,41 +121,33 @@ fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
     if distance(&high) <= distance(&low) { high } else { low }
 }
 
-/// The member through a point, by its motion over one turn; it counts as symmetric if its middle is zero to
-/// within the distance from the limit.
+/// The member with this motion over one turn, at a distance of at most `off` from the limit. The member counts
+/// as symmetric if its middle is zero to within that distance.
 ///
 /// # Errors
-/// As for [`propagate`].
+/// As for [`HalfTurns::steady`].
 pub(crate) fn finish<F: Float>(
-    equation: Equation<F>,
-    start: Point<F>,
-    propagation: &Propagation<F>,
-    distance: (F, F),
+    cycle: &HalfTurns<F>,
+    off: F,
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Broken> {
     let (zero, one) = (F::int(0), F::int(1));
-    // A member reverses twice in a cycle and never stops. The outermost member touches the bound of sticking;
-    // an apparent stop there is rounding, or the remaining creep.
-    let statistics = CycleStatistics {
-        sticks: 0,
-        zeros: 2,
-        rest: zero,
-        ..CycleStatistics::of_periodic(equation, start, 2, propagation, budget)?
-    };
+    let steady = cycle.steady((off, off), budget)?;
     // No disturbance grows (`shooting`): a multiplier above 1 is rounding, where the type cannot resolve
     // friction compared with the force.
-    let other = propagation.monodromy.determinant();
+    let other = cycle.derivative.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
-    let shift = (statistics.max_x.value + statistics.min_x.value).abs();
-    Ok(LongRun::Family(SteadyState::of(SteadyParts {
-        equation,
-        start,
-        half_turns: if shift <= F::int(2) * distance.0 { 1 } else { 2 },
-        statistics: Summary::of(&statistics, 1),
+    let shift = (steady.max_displacement.value + steady.min_displacement.value).abs();
+    Ok(LongRun::Family(SteadyState {
+        // A member reverses twice in a cycle and never stops. The outermost member touches the bound of
+        // sticking; an apparent stop there is rounding, or the remaining creep.
+        sticks_per_cycle: 0,
+        velocity_zeros_per_cycle: 2,
+        stick_fraction: zero,
         multipliers: [(one, zero), (other, zero)],
-        distance,
-        periods: budget.periods(),
-    })))
+        is_symmetric: shift <= F::int(2) * off,
+        ..steady
+    }))
 }
 
 #[cfg(test)]

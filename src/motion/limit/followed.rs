@@ -40,11 +40,10 @@
 mod observation;
 
 use super::family;
+use super::fixed_point::{Trial, distance, rate_noise, size};
 use super::long_run::{LongRun, Rest, unsettled};
 use super::matrix::Matrix;
-use super::period_map::{Trial, distance, half_turns, size};
-use super::propagation::propagate;
-use super::shooting::rate_noise;
+use super::propagation::HalfTurns;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
@@ -54,7 +53,7 @@ use crate::motion::state::{Point, State};
 use observation::{GrowthAtResonance, Observation};
 
 /// Half turns that a periodic motion may take.
-const LONGEST: u64 = 128;
+const LONGEST: u32 = 128;
 
 /// The limit of the motion from a start, α > 1, η > 1.
 ///
@@ -68,14 +67,19 @@ pub(crate) fn limit<F: Float>(
     let equation = Equation::new(ratios);
     let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
     let mut reference = y;
-    let (mut lag, mut next_reference) = (0u64, 16u64);
+    let (mut lag, mut next_reference) = (0u32, 16u64);
+    let usual = F::pi() / equation.omega;
     // Whether the motion returned to this reference, and to the one before.
     let (mut is_tried, mut was_tried) = (false, false);
     let mut observation = Observation::new(budget.most);
     let mut change = F::int(0);
     let grows = GrowthAtResonance::of(&ratios);
     while budget.half_turns < budget.most {
-        let step = half_turns(equation, &y, 1, budget, |part| observation.add(part))?;
+        let step = HalfTurns::new(equation, y, 1, usual, budget)?;
+        step.each_part(budget, |part| {
+            observation.add(part);
+            Ok(())
+        })?;
         if let Some(position) = step.rest {
             let position = if observation.is_upside_down { -position } else { position };
             let periods = budget.periods();
@@ -99,7 +103,7 @@ pub(crate) fn limit<F: Float>(
             }
         }
         if budget.half_turns >= next_reference {
-            next_reference = budget.half_turns.saturating_add(budget.half_turns.min(LONGEST));
+            next_reference = budget.half_turns.saturating_add(budget.half_turns.min(u64::from(LONGEST)));
             (reference, lag, was_tried, is_tried) = (y, 0, is_tried, false);
         }
     }
@@ -113,27 +117,24 @@ pub(crate) fn limit<F: Float>(
 fn periodic<F: Float>(
     ratios: Ratios<F>,
     near: &Point<F>,
-    m: u64,
+    m: u32,
     budget: &mut Budget<'_>,
 ) -> Result<Option<LongRun<F>>, Broken> {
     let equation = Equation::new(ratios);
     let begun = Trial::at(equation, *near, m, budget)?;
-    let (begin, arrived, pattern) = (begun.y, begun.step.end, begun.step.pattern);
-    if family::is_one(ratios) && !is_within(&begun.step.derivative, -F::exp2i(-20)) {
+    let (begin, arrived, pattern) = (begun.motion.start, begun.motion.end, begun.motion.pattern());
+    if family::is_one(ratios) && !is_within(&begun.motion.derivative, -F::exp2i(-20)) {
         // One multiplier is 1: Newton's step is undefined, and the motion is followed until its own change is
         // rounding.
-        let is_settled = begun.left.is_rounding(4) && is_within(&begun.step.derivative, rate_noise(m));
+        let is_settled =
+            begun.left.is_rounding(4) && is_within(&begun.motion.derivative, rate_noise(u64::from(m)));
         // Where the type does not resolve friction, the other multiplier rounds to 1 and the remaining change is unknown.
-        let other = begun.step.derivative.determinant().abs();
-        let settles = F::int(1) - other > rate_noise(m);
-        return if is_settled && settles {
-            member(equation, &begun, other, budget).map(Some)
-        } else {
-            Ok(None)
-        };
+        let other = begun.motion.derivative.determinant().abs();
+        let settles = F::int(1) - other > rate_noise(u64::from(m));
+        return if is_settled && settles { member(&begun, other, budget).map(Some) } else { Ok(None) };
     }
-    let found = begun.newton(equation, budget)?;
-    let Trial { y, step, left, .. } = &found;
+    let found = begun.newton(budget)?;
+    let (y, step, left) = (&found.motion.start, &found.motion, &found.left);
     if !(found.is_periodic(16) && step.rest.is_none() && is_within(&step.derivative, F::int(0))) {
         return Ok(None);
     }
@@ -142,28 +143,23 @@ fn periodic<F: Float>(
     let linear = step.derivative.times(before);
     let off = (arrived.x - y.x - linear.0).hypot(arrived.w - y.w - linear.1);
     let is_followed = away <= F::exp2i(-12) * size(y)
-        && pattern == step.pattern
+        && pattern == step.pattern()
         && off <= away / F::int(8) + F::int(64) * room;
     if !is_followed {
         return Ok(None);
     }
-    let found = found.earliest(equation, 16, budget)?;
-    if !is_within(&found.step.derivative, F::int(0)) {
+    let found = found.earliest(16, budget)?;
+    if !is_within(&found.motion.derivative, F::int(0)) {
         return Ok(None);
     }
-    Ok(Some(LongRun::Periodic(found.steady(equation, budget)?)))
+    Ok(Some(LongRun::Periodic(found.steady(budget)?)))
 }
 
 /// The member of a family at Ω = 1/(2n) that a motion has settled on, `other` being its multiplier that is not 1.
-fn member<F: Float>(
-    equation: Equation<F>,
-    settled: &Trial<F>,
-    other: F,
-    budget: &mut Budget<'_>,
-) -> Result<LongRun<F>, Broken> {
+fn member<F: Float>(settled: &Trial<F>, other: F, budget: &mut Budget<'_>) -> Result<LongRun<F>, Broken> {
     let off = settled.left.bound() / (F::int(1) - other);
-    let cycle = propagate(equation, settled.y, 2, F::pi() / equation.omega, Vec::new(), budget)?;
-    family::finish(equation, settled.y, &cycle, (off, off), budget)
+    let HalfTurns { equation, start, hint, .. } = settled.motion;
+    family::finish(&HalfTurns::new(equation, start, 2, hint, budget)?, off, budget)
 }
 
 /// Whether the multipliers are within the unit circle, with that much room.

@@ -1,12 +1,11 @@
 //! The properties of a cycle of the motion: extrema, stops, work, and the paper's error measures.
 
-use super::propagation::{MotionPart, Propagation, follow};
+use super::propagation::{HalfTurns, MotionPart, follow};
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::event::velocity_zero::VelocityZero;
 use crate::motion::slide::Slide;
-use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;
 use crate::motion::state::Point;
 
@@ -68,8 +67,26 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The statistics of `half_turns` of a periodic motion through `start`; `propagation` is the propagation
-    /// of `half_turns` from `start`.
+    /// The statistics of a symmetric cycle of two slides without damping, from its maximum displacement and
+    /// velocity, and the works of the drive and against friction.
+    #[inline]
+    pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, work_in: F, work_out: F) -> Self {
+        let zero = F::int(0);
+        Self {
+            max_x,
+            min_x: max_x.mirrored(),
+            max_v,
+            min_v: max_v.mirrored(),
+            sticks: 0,
+            zeros: 2,
+            rest: zero,
+            work_in,
+            work_out,
+            damper: zero,
+        }
+    }
+
+    /// The statistics of one cycle of a motion that repeats after these half turns.
     ///
     /// Stops and velocity zeros are counted from a point in the middle of a slide. At a beginning in a stop
     /// the stop would be cut in two, and rounding would decide on which side of the beginning a velocity zero
@@ -77,26 +94,22 @@ impl<F: Float> CycleStatistics<F> {
     ///
     /// # Errors
     /// As for [`follow`].
-    pub(crate) fn of_periodic(
-        equation: Equation<F>,
-        start: Point<F>,
-        half_turns: i64,
-        propagation: &Propagation<F>,
-        budget: &mut Budget<'_>,
-    ) -> Result<Self, Broken> {
+    pub(crate) fn of_cycle(half_turns: &HalfTurns<F>, budget: &mut Budget<'_>) -> Result<Self, Broken> {
+        let HalfTurns { equation, start, m, .. } = *half_turns;
         let omega = equation.omega;
+        let whole = |statistics: Self| if m.is_multiple_of(2) { statistics } else { statistics.doubled() };
         let mut statistics = Self::at(&start, omega);
-        propagation.each_part(equation, start, half_turns, budget, |part| statistics.add(part))?;
+        half_turns.each_part(budget, |part| statistics.add(part))?;
         let most = if statistics.max_v.value > -statistics.min_v.value {
             statistics.max_v.value
         } else {
             -statistics.min_v.value
         };
         if start.w.abs() * F::int(1024) > most * omega {
-            return Ok(statistics);
+            return Ok(whole(statistics));
         }
         let mut longest: Option<(Slide<F>, F)> = None;
-        propagation.each_part(equation, start, half_turns, budget, |part| {
+        half_turns.each_part(budget, |part| {
             if let MotionPart::Slide(slide, VelocityZero { phi, .. }) | MotionPart::Onward(slide, phi, ..) =
                 part
                 && longest.is_none_or(|(_, length)| *phi > length)
@@ -105,12 +118,12 @@ impl<F: Float> CycleStatistics<F> {
             }
             Ok(())
         })?;
-        let Some((slide, length)) = longest else { return Ok(statistics) };
+        let Some((slide, length)) = longest else { return Ok(whole(statistics)) };
         let half = length / F::int(2);
         let seam = slide.point(half);
         let mut statistics = Self::at(&seam, omega);
-        follow(equation, seam, half_turns, half, budget, |part| statistics.add(&part))?;
-        Ok(statistics)
+        follow(equation, seam, m, half, budget, |part| statistics.add(&part))?;
+        Ok(whole(statistics))
     }
 
     /// Adds a part of the motion to the statistics.

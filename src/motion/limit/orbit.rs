@@ -1,6 +1,7 @@
 //! The states of a periodic motion at the phases nπ of the drive, which identify it.
 
-use super::period_map::{Located, Trial, half_turns};
+use super::fixed_point::{Located, Trial};
+use super::propagation::HalfTurns;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::motion::broken::Budget;
@@ -27,14 +28,15 @@ impl<F: Float> Orbit<F> {
     /// The states of a motion that repeats after `count` half turns, from one of them: x/B and x′ in B ω_n.
     ///
     /// # Errors
-    /// As for [`half_turns`].
+    /// As for [`HalfTurns::new`].
     pub(crate) fn of(equation: Equation<F>, count: u32, (x, w): (F, F)) -> Result<Self, Error> {
         let budget = &mut Budget::of(0);
         let mut y = Point { phase: DrivePhase::of_half_turn(0, F::int(0)), x, w };
+        let usual = F::pi() / equation.omega;
         let mut states = Vec::new();
         for _ in 0..count {
-            states.push(Trial::at(equation, y, u64::from(count), budget)?.located());
-            y = half_turns(equation, &y, 1, budget, |_| {})?.end;
+            states.push(Trial::at(equation, y, count, budget)?.located());
+            y = HalfTurns::new(equation, y, 1, usual, budget)?.end;
         }
         Ok(Self { states })
     }

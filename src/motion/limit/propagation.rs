@@ -5,10 +5,10 @@ use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::event::velocity_zero::{Lost, Outcome, VelocityZero};
-use crate::motion::slide::Slide;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;
 use crate::motion::slide::stick::Stick;
+use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::Point;
 use crate::motion::trajectory::Next;
 
@@ -23,72 +23,120 @@ pub(crate) enum MotionPart<F> {
     Stick(Stick<F>, F),
 }
 
-/// The motion over some half turns.
+/// m half turns of the motion from a point: the map `Hᵐ` there, with its derivative.
 #[derive(Debug)]
-pub(crate) struct Propagation<F> {
+pub(crate) struct HalfTurns<F> {
+    pub(crate) equation: Equation<F>,
+    pub(crate) start: Point<F>,
+    /// The number of half turns.
+    pub(crate) m: u32,
+    /// The point at the end, at the phase of the start and with the opposite sign after an odd number of half
+    /// turns.
     pub(crate) end: Point<F>,
-    /// The matrix that maps (δx, δw) at the beginning to the end.
-    pub(crate) monodromy: Matrix<F>,
+    /// The matrix that maps (δx, δw) at the start to the end.
+    pub(crate) derivative: Matrix<F>,
     /// The first parts, up to [`MOST_KEPT`].
     pub(crate) parts: Vec<MotionPart<F>>,
     /// How many parts there are, kept or not.
     pub(crate) count: u64,
     /// Whether the parts include a stop.
     pub(crate) sticks: bool,
+    /// The position at which the body rests permanently, if it does.
+    pub(crate) rest: Option<F>,
     /// The natural time to the first velocity zero, as expected.
     pub(crate) hint: F,
 }
 
-/// The greatest number of parts kept: all parts for Ω above about 1/30. Further parts are propagated again on
+/// The greatest number of parts kept: all parts of a half turn for Ω above about 1/120. Further parts are propagated again on
 /// demand.
-const MOST_KEPT: usize = 256;
+const MOST_KEPT: usize = 1024;
 
-impl<F: Float> Propagation<F> {
-    /// Visits all parts of the propagation, in order.
+impl<F: Float> HalfTurns<F> {
+    /// The motion over m half turns from a point on. `hint` is the natural time to the first velocity zero,
+    /// where one is expected.
+    ///
+    /// # Errors
+    /// As for [`follow`].
+    pub(crate) fn new(
+        equation: Equation<F>,
+        start: Point<F>,
+        m: u32,
+        hint: F,
+        budget: &mut Budget<'_>,
+    ) -> Result<Self, Broken> {
+        // A negligible speed counts as rest, as in a start, because the slide would end after a time that
+        // underflows.
+        let start = if start.w.abs() < F::least_ratio() { Point { w: F::int(0), ..start } } else { start };
+        let (mut parts, mut count) = (Vec::with_capacity(4), 0u64);
+        let (mut sticks, mut rest) = (false, None);
+        let (end, derivative) = follow(equation, start, m, hint, budget, |part| {
+            if let MotionPart::Stick(stick, _) = &part {
+                sticks = true;
+                rest = if stick.release.is_none() { Some(stick.x) } else { None };
+            }
+            count = count.saturating_add(1);
+            if parts.len() < MOST_KEPT {
+                parts.push(part);
+            }
+            Ok(())
+        })?;
+        budget.spend(u64::from(m));
+        let end = Point { phase: start.phase, ..end };
+        let (end, derivative) = if m.is_multiple_of(2) {
+            (end, derivative)
+        } else {
+            (Point { x: -end.x, w: -end.w, ..end }, derivative.negated())
+        };
+        Ok(Self { equation, start, m, end, derivative, parts, count, sticks, rest, hint })
+    }
+
+    /// A number that represents the sequence of slides and stops, as far as they are kept; most sequences differ
+    /// in it.
+    pub(crate) fn pattern(&self) -> u64 {
+        self.parts.iter().fold(self.count, |pattern, part| {
+            let kind = match part {
+                MotionPart::Slide(slide, _) | MotionPart::Onward(slide, ..) => match slide.direction {
+                    Direction::Forward => 1,
+                    Direction::Backward => 2,
+                },
+                MotionPart::Stick(..) => 3,
+            };
+            pattern.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(kind)
+        })
+    }
+
+    /// Visits all parts, in order.
     ///
     /// # Errors
     /// As for [`follow`].
     pub(crate) fn each_part(
         &self,
-        equation: Equation<F>,
-        from: Point<F>,
-        half_turns: i64,
         budget: &mut Budget<'_>,
         mut visit: impl FnMut(&MotionPart<F>) -> Result<(), Broken>,
     ) -> Result<(), Broken> {
         if self.parts.len() as u64 == self.count {
             return self.parts.iter().try_for_each(visit);
         }
-        follow(equation, from, half_turns, self.hint, budget, |part| visit(&part)).map(|_| ())
+        follow(self.equation, self.start, self.m, self.hint, budget, |part| visit(&part)).map(|_| ())
     }
-}
 
-/// The motion over `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where
-/// one is expected.
-///
-/// # Errors
-/// As for [`follow`].
-pub(crate) fn propagate<F: Float>(
-    equation: Equation<F>,
-    from: Point<F>,
-    half_turns: i64,
-    hint: F,
-    mut parts: Vec<MotionPart<F>>,
-    budget: &mut Budget<'_>,
-) -> Result<Propagation<F>, Broken> {
-    parts.clear();
-    let (mut left_out, mut sticks) = (0u64, false);
-    let (end, monodromy) = follow(equation, from, half_turns, hint, budget, |part| {
-        sticks |= matches!(part, MotionPart::Stick(..));
-        if parts.len() < MOST_KEPT {
-            parts.push(part);
-        } else {
-            left_out = left_out.saturating_add(1);
-        }
-        Ok(())
-    })?;
-    let count = left_out.saturating_add(parts.len() as u64);
-    Ok(Propagation { end, monodromy, parts, count, sticks, hint })
+    /// These half turns from another start. The first velocity zero is expected where a change of the start by
+    /// (δx, δw) moves it.
+    ///
+    /// # Errors
+    /// As for [`follow`].
+    pub(crate) fn moved_to(
+        &self,
+        start: Point<F>,
+        change: (F, F),
+        budget: &mut Budget<'_>,
+    ) -> Result<Self, Broken> {
+        let hint = match self.parts.first() {
+            Some(MotionPart::Slide(slide, zero)) => zero.expected(change, slide.equation.damping),
+            Some(MotionPart::Onward(..) | MotionPart::Stick(..)) | None => self.hint,
+        };
+        Self::new(self.equation, start, self.m, hint, budget)
+    }
 }
 
 /// Follows the motion for `half_turns` from a point on, part by part. Returns the point at the end and the
@@ -109,21 +157,21 @@ pub(crate) fn propagate<F: Float>(
 pub(crate) fn follow<F: Float>(
     equation: Equation<F>,
     from: Point<F>,
-    half_turns: i64,
+    half_turns: u32,
     hint: F,
     budget: &mut Budget<'_>,
     mut visit: impl FnMut(MotionPart<F>) -> Result<(), Broken>,
 ) -> Result<(Point<F>, Matrix<F>), Broken> {
-    let (zero, one) = (F::int(0), F::int(1));
+    let zero = F::int(0);
     let usual = F::pi() / equation.omega;
-    let target = from.phase.later_by_half_turns(half_turns);
+    let target = from.phase.later_by_half_turns(i64::from(half_turns));
     let mut monodromy = Matrix::identity();
     let mut hint = hint;
     let mut next = Next::from_state(equation, from.phase, from.x, from.w);
     if matches!(next, Next::Stick(_)) {
         monodromy = monodromy.after_zero(zero);
     }
-    let most = half_turns as f64 * (64.0 + 16.0 / equation.omega.to_f64());
+    let most = f64::from(half_turns) * (64.0 + 16.0 / equation.omega.to_f64());
     for _ in 0..most as u64 {
         budget.ask()?;
         match next {
@@ -145,12 +193,7 @@ pub(crate) fn follow<F: Float>(
                     Outcome::Zero(end) => {
                         visit(MotionPart::Slide(slide, end))?;
                         next = Next::after(&slide, &end).0;
-                        let ratio = match &next {
-                            Next::Slide(on) if on.direction == slide.direction => one,
-                            Next::Slide(back) => reversal_ratio(back.acceleration),
-                            Next::Stick(_) => zero,
-                        };
-                        monodromy = monodromy.after_slide(end.rotation, equation.damping).after_zero(ratio);
+                        monodromy = monodromy.over(&slide, &end, &next);
                         hint = usual;
                     }
                     Outcome::Onward(motion) => {
@@ -163,6 +206,19 @@ pub(crate) fn follow<F: Float>(
         }
     }
     Err(equation.lost("the end of a half turn", from.phase, "64 + 16/Ω slides and stops"))
+}
+
+impl<F: Float> Matrix<F> {
+    /// The disturbance after a slide, its velocity zero `end` and the beginning of what comes next.
+    #[inline]
+    pub(crate) fn over(self, slide: &Slide<F>, end: &VelocityZero<F>, next: &Next<F>) -> Self {
+        let ratio = match next {
+            Next::Slide(on) if on.direction == slide.direction => F::int(1),
+            Next::Slide(back) => reversal_ratio(back.acceleration),
+            Next::Stick(_) => F::int(0),
+        };
+        self.after_slide(end.rotation, slide.equation.damping).after_zero(ratio)
+    }
 }
 
 impl<F: Float> Slide<F> {

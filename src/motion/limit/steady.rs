@@ -1,71 +1,14 @@
 //! The steady state of the motion.
 
 use super::measures::{CycleStatistics, ErrorMeasures, Extreme};
-use super::propagation::follow;
+use super::propagation::{HalfTurns, follow};
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
-use crate::motion::broken::Budget;
+use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
 use crate::motion::trajectory::resolved;
-
-/// The turns of the drive in a cycle of a motion that repeats after `half_turns` half turns: `half_turns` if
-/// this is odd, because the motion is then symmetric, and half of it if it is even.
-fn turns<F: Float>(half_turns: u32) -> F {
-    F::from_f64(f64::from(if half_turns % 2 == 1 { half_turns } else { half_turns / 2 }))
-}
-
-/// The parts of the statistics of a cycle that a steady state keeps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Summary<F> {
-    max_x: Extreme<F>,
-    min_x: Extreme<F>,
-    max_v: Extreme<F>,
-    min_v: Extreme<F>,
-    sticks: u32,
-    zeros: u32,
-    stick_fraction: F,
-    energy_in: F,
-    energy_out: F,
-    damper_work: F,
-}
-
-impl<F: Float> Summary<F> {
-    /// The summary of the statistics of one whole cycle, which repeats after `half_turns` half turns.
-    pub(crate) fn of(statistics: &CycleStatistics<F>, half_turns: u32) -> Self {
-        Self {
-            max_x: statistics.max_x,
-            min_x: statistics.min_x,
-            max_v: statistics.max_v,
-            min_v: statistics.min_v,
-            sticks: statistics.sticks,
-            zeros: statistics.zeros,
-            stick_fraction: statistics.rest / (F::int(2) * F::pi() * turns(half_turns)),
-            energy_in: statistics.work_in,
-            energy_out: statistics.work_out,
-            damper_work: statistics.damper,
-        }
-    }
-
-    /// The summary of a symmetric cycle of two slides without damping, from its maximum displacement and
-    /// velocity, and the works of the drive and against friction.
-    #[inline]
-    pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, energy_in: F, energy_out: F) -> Self {
-        Self {
-            max_x,
-            min_x: max_x.mirrored(),
-            max_v,
-            min_v: max_v.mirrored(),
-            sticks: 0,
-            zeros: 2,
-            stick_fraction: F::int(0),
-            energy_in,
-            energy_out,
-            damper_work: F::int(0),
-        }
-    }
-}
 
 /// A periodic motion, with or without stops.
 ///
@@ -142,7 +85,8 @@ pub(crate) struct SteadyParts<F> {
     pub(crate) start: Point<F>,
     /// The number of half turns after which the state repeats, mirrored if the number is odd.
     pub(crate) half_turns: u32,
-    pub(crate) statistics: Summary<F>,
+    /// The statistics of one whole cycle.
+    pub(crate) statistics: CycleStatistics<F>,
     pub(crate) multipliers: [(F, F); 2],
     /// (x, w), where w = Ω x′.
     pub(crate) distance: (F, F),
@@ -154,6 +98,7 @@ impl<F: Float> SteadyState<F> {
     pub(crate) fn of(found: SteadyParts<F>) -> Self {
         let (statistics, start, omega) = (found.statistics, found.start, found.equation.omega);
         let is_symmetric = found.half_turns % 2 == 1;
+        let turns = if is_symmetric { found.half_turns } else { found.half_turns / 2 };
         Self {
             max_displacement: statistics.max_x,
             min_displacement: statistics.min_x,
@@ -161,12 +106,12 @@ impl<F: Float> SteadyState<F> {
             min_velocity: statistics.min_v,
             sticks_per_cycle: statistics.sticks,
             velocity_zeros_per_cycle: statistics.zeros,
-            stick_fraction: statistics.stick_fraction,
-            energy_in: statistics.energy_in,
-            energy_out: statistics.energy_out,
-            damper_work: statistics.damper_work,
+            stick_fraction: statistics.rest / (F::int(2) * F::pi() * F::from_f64(f64::from(turns))),
+            energy_in: statistics.work_in,
+            energy_out: statistics.work_out,
+            damper_work: statistics.damper,
             multipliers: found.multipliers,
-            turns_per_cycle: if is_symmetric { found.half_turns } else { found.half_turns / 2 },
+            turns_per_cycle: turns,
             is_symmetric,
             state: State { phase: start.phase, x: start.x, v: start.w / omega },
             distance: (found.distance.0, found.distance.1 / omega),
@@ -204,6 +149,30 @@ impl<F: Float> SteadyState<F> {
     }
 }
 
+impl<F: Float> HalfTurns<F> {
+    /// The steady state of a motion that repeats after these half turns; `distance` is the possible distance of
+    /// (x, w) at their start from the limit.
+    ///
+    /// # Errors
+    /// As for [`follow`].
+    pub(crate) fn steady(&self, distance: (F, F), budget: &mut Budget<'_>) -> Result<SteadyState<F>, Broken> {
+        let derivative = self.derivative;
+        Ok(SteadyState::of(SteadyParts {
+            equation: self.equation,
+            start: self.start,
+            half_turns: self.m,
+            statistics: CycleStatistics::of_cycle(self, budget)?,
+            multipliers: if self.m.is_multiple_of(2) {
+                derivative.eigenvalues()
+            } else {
+                derivative.squared_eigenvalues()
+            },
+            distance,
+            periods: budget.periods(),
+        }))
+    }
+}
+
 /// The error measures of the cycle of `turns` turns that begins at a point.
 fn error_measures<F: Float>(
     equation: Equation<F>,
@@ -212,8 +181,9 @@ fn error_measures<F: Float>(
 ) -> Result<ErrorMeasures<F>, Error> {
     let usual = F::pi() / equation.omega;
     let mut statistics = CycleStatistics::at(start, equation.omega);
-    let half_turns = i64::from(turns).saturating_mul(2);
-    follow(equation, *start, half_turns, usual, &mut Budget::of(0), |part| statistics.add(&part))?;
+    follow(equation, *start, turns.saturating_mul(2), usual, &mut Budget::of(0), |part| {
+        statistics.add(&part)
+    })?;
     Ok(statistics.errors(turns))
 }
 

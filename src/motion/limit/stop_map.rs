@@ -6,9 +6,9 @@
 //! the slides until the body stops again: `G′ = −M₁₁`, M the product of their free vibrations and reversals
 //! (`matrix`).
 
-use super::matrix::{Matrix, reversal_ratio};
+use super::fixed_point::Residual;
+use super::matrix::Matrix;
 use super::propagation::MotionPart;
-use super::shooting::Residual;
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
@@ -100,12 +100,7 @@ pub(crate) fn passage<F: Float>(
         };
         parts.push(MotionPart::Slide(slide, zero));
         let next = Next::after(&slide, &zero).0;
-        let ratio = match &next {
-            Next::Slide(on) if on.direction == slide.direction => F::int(1),
-            Next::Slide(back) => reversal_ratio(back.acceleration),
-            Next::Stick(_) => F::int(0),
-        };
-        monodromy = monodromy.after_slide(zero.rotation, equation.damping).after_zero(ratio);
+        monodromy = monodromy.over(&slide, &zero, &next);
         match next {
             Next::Slide(on) => slide = on,
             Next::Stick(stop) => {

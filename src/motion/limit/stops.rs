@@ -15,11 +15,11 @@
 //! The result is judged as in `shooting`, by the residual of half a turn and its rounding. If there are no
 //! such stops half a turn apart, this search has no answer, and `shooting` must find the motion.
 
+use super::fixed_point::Residual;
 use super::long_run::LongRun;
 use super::measures::CycleStatistics;
 use super::propagation::MotionPart;
-use super::shooting::Residual;
-use super::steady::{SteadyParts, SteadyState, Summary};
+use super::steady::{SteadyParts, SteadyState};
 use super::stop_map::{Expected, Passage, Station, passage};
 use crate::cycle::Border;
 use crate::cycle::damped::border::is_far_below;
@@ -262,7 +262,7 @@ fn steady<F: Float>(
         equation,
         start: y,
         half_turns: 1,
-        statistics: Summary::of(&statistics.doubled(), 1),
+        statistics: statistics.doubled(),
         multipliers: [(found.rate.square(), zero), (zero, zero)],
         distance,
         periods: budget.periods(),

@@ -25,10 +25,10 @@
 //!
 //! The cycle proves that the maximum speed is at θ₁; the validation requires a zero acceleration there.
 
+use super::fixed_point::{Residual, is_known};
 use super::matrix::{Matrix, reversal_ratio};
-use super::measures::Extreme;
-use super::shooting::{Residual, is_known};
-use super::steady::{SteadyParts, SteadyState, Summary};
+use super::measures::{CycleStatistics, Extreme};
+use super::steady::{SteadyParts, SteadyState};
 use crate::cycle::Cycle;
 use crate::float::Float;
 use crate::motion::drive::DrivePhase;
@@ -83,7 +83,7 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
         equation,
         start: y,
         half_turns: 1,
-        statistics: Summary::of_reversals(
+        statistics: CycleStatistics::of_reversals(
             greatest,
             max_v,
             two * slide.work_of_drive(&arrival),

@@ -5,8 +5,9 @@ use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::motion::broken::Budget;
+use crate::motion::limit::fixed_point::{Located, Trial, distance};
 use crate::motion::limit::orbit::{Likeness, Orbit};
-use crate::motion::limit::period_map::{Located, Trial, distance, half_turns};
+use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
@@ -136,11 +137,12 @@ pub fn periodic_motions_from<F: Float>(
         return Ok(found);
     }
     let budget = &mut Budget::of(0).while_allowed(keep_going);
-    let most = 2 * u64::from(turns);
+    let most = turns.saturating_mul(2);
+    let usual = F::pi() / equation.omega;
     let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
     let mut path = vec![y];
     for _ in 0..most.saturating_mul(4).saturating_add(FOLLOWED) {
-        let step = half_turns(equation, &y, 1, budget, |_| {})?;
+        let step = HalfTurns::new(equation, y, 1, usual, budget)?;
         if step.rest.is_some() {
             break;
         }
@@ -150,37 +152,37 @@ pub fn periodic_motions_from<F: Float>(
     let mut states: Vec<Located<F>> = Vec::new();
     for m in 1..=most {
         for seed in path.iter().take(FIRST).chain(closest_return(&path, m)) {
-            let trial = Trial::at(equation, *seed, m, budget)?.newton_from_far(equation, budget)?;
-            if trial.step.rest.is_some() || !trial.is_periodic(64) {
+            let trial = Trial::at(equation, *seed, m, budget)?.newton_from_far(budget)?;
+            if trial.motion.rest.is_some() || !trial.is_periodic(64) {
                 continue;
             }
-            let motion = trial.earliest(equation, 64, budget)?;
+            let motion = trial.earliest(64, budget)?;
             let state = motion.located();
             if states.iter().any(|known| known.agrees(&state)) {
                 continue;
             }
             states.push(state);
             // H maps an asymmetric motion to its mirror image.
-            let later = half_turns(equation, &motion.y, 1, budget, |_| {})?.end;
-            let mirror = Trial::at(equation, later, motion.m, budget)?.newton(equation, budget)?;
-            if motion.m % 2 == 0 && mirror.is_periodic(64) {
+            let later = HalfTurns::new(equation, state.at, 1, usual, budget)?.end;
+            let mirror = Trial::at(equation, later, motion.motion.m, budget)?.newton(budget)?;
+            if motion.motion.m.is_multiple_of(2) && mirror.is_periodic(64) {
                 states.push(mirror.located());
-                found.push(mirror.steady(equation, budget)?);
+                found.push(mirror.steady(budget)?);
             }
-            found.push(motion.steady(equation, budget)?);
+            found.push(motion.steady(budget)?);
         }
     }
     Ok(found)
 }
 
 /// The number of half turns computed from a start, in addition to those of the longest period.
-const FOLLOWED: u64 = 32;
+const FOLLOWED: u32 = 32;
 
 /// The number of states at the beginning of the motion from which Newton's method starts.
 const FIRST: usize = 8;
 
 /// The state that returns closest to itself after m half turns.
-fn closest_return<F: Float>(path: &[Point<F>], m: u64) -> Option<&Point<F>> {
+fn closest_return<F: Float>(path: &[Point<F>], m: u32) -> Option<&Point<F>> {
     let later = path.iter().skip(usize::try_from(m).ok()?);
     let missed = path.iter().zip(later).map(|(y, back)| (y, distance(y, back)));
     missed.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(y, _)| y)

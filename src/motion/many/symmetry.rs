@@ -20,8 +20,9 @@ use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::motion::DrivePhase;
 use crate::motion::broken::Budget;
+use crate::motion::limit::fixed_point::{Located, Trial};
 use crate::motion::limit::matrix::Matrix;
-use crate::motion::limit::period_map::{Located, Trial, half_turns};
+use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
@@ -115,12 +116,12 @@ impl<F: Float> VariedForce<F> {
     fn symmetric(&self, alpha: F, seed: Point<F>) -> Result<Option<Symmetric<F>>, Error> {
         let equation = Equation::new(resolved(self.ratios_at(alpha)?)?);
         let budget = &mut Budget::of(0);
-        let trial = Trial::at(equation, seed, 1, budget)?.newton_from_far(equation, budget)?;
-        if trial.step.rest.is_some() || !trial.is_periodic(64) {
+        let trial = Trial::at(equation, seed, 1, budget)?.newton_from_far(budget)?;
+        if trial.motion.rest.is_some() || !trial.is_periodic(64) {
             return Ok(None);
         }
-        let (state, derivative) = (trial.located(), trial.step.derivative);
-        let steady = trial.steady(equation, budget)?;
+        let (state, derivative) = (trial.located(), trial.motion.derivative);
+        let steady = trial.steady(budget)?;
         Ok(Some(Symmetric { alpha, y: state.at, state, derivative, steady }))
     }
 
@@ -152,7 +153,7 @@ impl<F: Float> VariedForce<F> {
         for (place, speed) in [(0, 0), (1, -1), (-1, 1), (3, -3)] {
             let mut y = Point { phase: origin, x: F::ratio(place, 2) * alpha, w: F::ratio(speed, 3) * alpha };
             for _ in 0..FOLLOWED {
-                y = half_turns(equation, &y, 1, &mut Budget::of(0), |_| {})?.end;
+                y = HalfTurns::new(equation, y, 1, F::pi() / equation.omega, &mut Budget::of(0))?.end;
             }
             seeds.push(y);
         }

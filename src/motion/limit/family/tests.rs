@@ -4,7 +4,7 @@ use super::{is_near, is_one, member, nearest_edge};
 use crate::motion::DrivePhase;
 use crate::motion::broken::Budget;
 use crate::motion::limit::long_run::LongRun;
-use crate::motion::limit::propagation::propagate;
+use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
 use crate::{Border, Ratios};
@@ -25,16 +25,16 @@ fn at_maximum(x: f64, w: f64) -> Point<f64> {
 }
 
 fn limit(equation: Equation<f64>, y: Point<f64>, most: u64) -> LongRun<f64> {
-    member(equation, y, 1.0, Budget::of(most)).unwrap()
+    member(equation, y, 1.0, &mut Budget::of(most)).unwrap()
 }
 
 /// Computes some cycles of the motion, and returns its state and whether it sticks in the last cycle.
 fn followed(equation: Equation<f64>, mut y: Point<f64>, cycles: u32) -> (Point<f64>, bool) {
     let mut sticks = false;
     for _ in 0..cycles {
-        let cycle = propagate(equation, y, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
+        let cycle = HalfTurns::new(equation, y, 2, 1.0, &mut Budget::of(0)).unwrap();
         sticks = cycle.sticks;
-        y = Point { phase: y.phase, ..cycle.end };
+        y = cycle.end;
     }
     (y, sticks)
 }
@@ -174,7 +174,7 @@ fn the_edge_is_a_member() {
             for side in [1.0, -1.0] {
                 // A start slightly outside, at the same phase.
                 let (outside, _) = followed(equation, at_maximum(amplitude + side * room, 0.0), 1);
-                let on = propagate(equation, outside, 4, 1.0, Vec::new(), &mut Budget::of(0)).unwrap().end;
+                let on = HalfTurns::new(equation, outside, 4, 1.0, &mut Budget::of(0)).unwrap().end;
                 assert!((on.x - amplitude - side * room).abs() < 1e-9 * amplitude);
                 let edge = nearest_edge(equation, &Point { phase, x: side * 1e6, w: 0.0 });
                 let (back, _) = followed(equation, edge, 1);

@@ -1,4 +1,4 @@
-use super::{MOST_KEPT, MotionPart, follow, propagate};
+use super::{HalfTurns, MOST_KEPT, MotionPart, follow};
 use crate::Error;
 use crate::Ratios;
 use crate::motion::DrivePhase;
@@ -21,10 +21,8 @@ fn the_monodromy_is_the_derivative_of_the_walk() {
         let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
         let equation = Equation::new(ratios);
         let phase = DrivePhase::of(theta).unwrap();
-        let at = |x, w| {
-            propagate(equation, Point { phase, x, w }, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap()
-        };
-        let m = at(x, w).monodromy;
+        let at = |x, w| HalfTurns::new(equation, Point { phase, x, w }, 2, 1.0, &mut Budget::of(0)).unwrap();
+        let m = at(x, w).derivative;
         let h = 1e-6;
         let (right, left) = (at(x + h, w).end, at(x - h, w).end);
         let (up, down) = (at(x, w + h).end, at(x, w - h).end);
@@ -44,17 +42,17 @@ fn no_part_drives_two_motions_apart() {
         Equation::new(Ratios::new(1.319_799_361_868_836_2e-6f64, 8.987_385_541_686_157e62).unwrap());
     let phase = DrivePhase::of_half_turn(1, 2.606_010_784_944_601e-7);
     let from = Point { phase, x: -2.342_122_367_685_313_4e56, w: -1.186_154_571_116_979_4e57 };
-    let propagation = propagate(equation, from, 1, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
-    assert!((propagation.monodromy.determinant() - 1.0).abs() < 1e-15, "{:?}", propagation.monodromy);
+    let half_turn = HalfTurns::new(equation, from, 1, 1.0, &mut Budget::of(0)).unwrap();
+    assert!((half_turn.derivative.determinant() - 1.0).abs() < 1e-15, "{:?}", half_turn.derivative);
 }
 
 /// Only the first of many parts are kept; the others are recomputed on demand.
 #[test]
 fn parts_that_are_not_kept_are_met_again() {
-    let equation = Equation::new(Ratios::new(1e-3, 3.0).unwrap());
+    let equation = Equation::new(Ratios::new(1e-4, 3.0).unwrap());
     let from = Point { phase: DrivePhase::of(0.1).unwrap(), x: 0.2, w: 0.3 };
     let mut budget = Budget::of(0);
-    let propagation = propagate(equation, from, 1, 1.0, Vec::new(), &mut budget).unwrap();
+    let half_turn = HalfTurns::new(equation, from, 1, 1.0, &mut budget).unwrap();
     let mut starts = Vec::new();
     let visit = |part: &MotionPart<f64>| {
         starts.push(match part {
@@ -63,13 +61,13 @@ fn parts_that_are_not_kept_are_met_again() {
         });
         Ok(())
     };
-    propagation.each_part(equation, from, 1, &mut budget, visit).unwrap();
+    half_turn.each_part(&mut budget, visit).unwrap();
     assert!(
-        propagation.parts.len() == MOST_KEPT && propagation.count > 300 && propagation.sticks,
+        half_turn.parts.len() == MOST_KEPT && half_turn.count > 1100 && half_turn.sticks,
         "{}",
-        propagation.count
+        half_turn.count
     );
-    assert_eq!(starts.len() as u64, propagation.count);
+    assert_eq!(starts.len() as u64, half_turn.count);
     assert!(starts.windows(2).all(|pair| pair[1].since(pair[0]) > 0.0));
 }
 
@@ -115,17 +113,13 @@ fn a_turn_at_the_end_ends_it() {
             let w = w * (1.0 + f64::from(by) * f64::EPSILON);
             for half_turns in 1..=4 {
                 let (from, free) = (Point { phase, x, w }, &mut Budget::of(0));
-                let propagation =
-                    propagate(Equation::new(ratios), from, half_turns, 1.0, Vec::new(), free).unwrap();
+                let motion = HalfTurns::new(Equation::new(ratios), from, half_turns, 1.0, free).unwrap();
                 assert!(
-                    propagation.end.x.is_finite() && propagation.end.w.is_finite(),
-                    "{ratios:?} {x:e} {w:e}: {propagation:?}"
+                    motion.end.x.is_finite() && motion.end.w.is_finite(),
+                    "{ratios:?} {x:e} {w:e}: {motion:?}"
                 );
-                assert!(propagation.parts.len() < 16, "{propagation:?}");
-                assert!(matches!(
-                    propagation.parts.last(),
-                    Some(MotionPart::Onward(..) | MotionPart::Stick(..))
-                ));
+                assert!(motion.parts.len() < 16, "{motion:?}");
+                assert!(matches!(motion.parts.last(), Some(MotionPart::Onward(..) | MotionPart::Stick(..))));
             }
         }
     }

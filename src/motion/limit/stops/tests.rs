@@ -2,6 +2,7 @@ use super::{Sticking, fixed_point};
 use crate::Ratios;
 use crate::motion::broken::Budget;
 use crate::motion::limit::propagation::MotionPart;
+use crate::motion::limit::shooting::shoot;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::State;
 use crate::motion::trajectory::{Body, Trajectory};
@@ -30,7 +31,7 @@ fn by_shooting(ratios: Ratios<f64>) -> Option<SteadyState<f64>> {
         });
     let (slide, length) = slides.nth(2)?;
     let start = slide.point(length / 2.0);
-    let found = LongRun::shot(equation, start, length / 2.0, || Ok(None), Budget::of(40_000)).unwrap();
+    let found = shoot(equation, start, length / 2.0, || Ok(None), &mut Budget::of(40_000)).unwrap();
     found.steady_state().copied()
 }
 

@@ -3,10 +3,11 @@ use crate::cycle::Cycle;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
+use crate::motion::limit::fixed_point::Trial;
 use crate::motion::limit::long_run::LongRun;
-use crate::motion::limit::propagation::propagate;
+use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::limit::section::fastest_point;
-use crate::motion::limit::shooting::Residual;
+use crate::motion::limit::shooting::shoot;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
 use crate::{Border, Ratios};
@@ -28,7 +29,7 @@ fn it_is_what_newtons_method_finds() {
         let Some(here) = validated(equation, &cycle) else { continue };
         found += 1;
         let (section, hint) = fastest_point(equation, &cycle);
-        let there = LongRun::shot(equation, section, hint, || Ok(None), Budget::of(100)).unwrap();
+        let there = shoot(equation, section, hint, || Ok(None), &mut Budget::of(100)).unwrap();
         let LongRun::Periodic(there) = there else { panic!("Ω = {omega}") };
         let size = 1.0 + cycle.max_displacement;
         let close = |a: f64, b: f64, units: f64| {
@@ -83,8 +84,7 @@ fn what_is_confirmed_comes_back() {
         let Some(here) = validated(equation, &other) else { continue };
         found += 1;
         let (_, hint) = fastest_point(equation, &cycle);
-        let back = propagate(equation, here.start, 1, hint, Vec::new(), &mut Budget::of(0)).unwrap().end;
-        let left = Residual::new(&equation, &here.start, (-back.x - here.start.x, -back.w - here.start.w));
+        let left = Trial::of(HalfTurns::new(equation, here.start, 1, hint, &mut Budget::of(0)).unwrap()).left;
         assert!(left.is_rounding(4), "Ω = {omega}, {a:e}, {b:e}: {left:?}");
     }
     assert!(found > all / 20 && found < all / 2, "{found} of {all}");

@@ -4,8 +4,8 @@ use crate::float::Float;
 use crate::machine::error::Error;
 use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
+use crate::motion::limit::fixed_point::{Located, Trial};
 use crate::motion::limit::long_run::LongRun;
-use crate::motion::limit::period_map::{Located, Trial};
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::state::Point;
 use crate::motion::trajectory::Trajectory;
@@ -95,7 +95,7 @@ pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<Located<F>, E
     let (x, v) = state_at_zero(steady)?;
     let phase = DrivePhase::of_half_turn(0, F::int(0));
     let y = Point { phase, x, w: v * steady.equation.omega };
-    Ok(Trial::at(steady.equation, y, u64::from(steady.half_turns()), &mut Budget::of(0))?.located())
+    Ok(Trial::at(steady.equation, y, steady.half_turns(), &mut Budget::of(0))?.located())
 }
 
 /// x/B and x′/(Bω_d) at the next phase 2nπ.
