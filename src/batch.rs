@@ -46,7 +46,6 @@ mod low;
 mod places;
 mod run;
 mod stages;
-mod steady;
 mod straight;
 #[cfg(feature = "rayon")]
 mod threads;
@@ -58,7 +57,7 @@ pub use level::Level;
 
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
-use crate::motion::LongRun;
+use crate::motion::{LongRun, State};
 use crate::output::Output;
 use columns::{Looped, Slices, same_length};
 use kernel::Kernel;
@@ -164,13 +163,13 @@ impl Batch {
     /// [`Error::LengthMismatch`] where the slices differ in length.
     pub fn steady(&self, omega: &[f64], alpha: &[f64]) -> Result<Vec<Result<LongRun<f64>, Error>>, Error> {
         same_length(omega.len(), "force ratio α", alpha.len())?;
+        let steady = |(&omega, &alpha)| LongRun::from_start(Ratios::new(omega, alpha)?, State::default());
         #[cfg(feature = "rayon")]
         if self.threads {
             use rayon::prelude::*;
-            let points = omega.par_iter().zip(alpha).with_min_len(16);
-            return Ok(points.map(|(&omega, &alpha)| steady::steady(omega, alpha)).collect());
+            return Ok(omega.par_iter().zip(alpha).with_min_len(16).map(steady).collect());
         }
-        Ok(omega.iter().zip(alpha).map(|(&omega, &alpha)| steady::steady(omega, alpha)).collect())
+        Ok(omega.iter().zip(alpha).map(steady).collect())
     }
 
     fn looped(&self, row: Option<&FixedOmega>, omega: &[f64], alpha: &[f64], out: Looped<'_>) {

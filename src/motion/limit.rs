@@ -7,7 +7,7 @@
 //! | `fixed_point`, `orbit` | the states that m half turns bring back, and Newton's method for them |
 //! | `shooting`, `section` | η = 1: the limit of every start, by Newton's method from one of them |
 //! | `stop_map`, `stops` | from stop to stop, one number on: the limit where it sticks |
-//! | `validate` | the closed-form cycle shown to be that fixed point |
+//! | `validate` | the closed-form cycle, if there is one, shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed` | the limit of one start, where η > 1 |
 
@@ -44,7 +44,7 @@ use crate::machine::ratios::Ratios;
 use core::ops::ControlFlow;
 use long_run::{DEFAULT_BUDGET, LongRun};
 use rest::come_to_rest;
-use section::{cycle_guess, fastest_point, middle_of_rise, on_six_reversals, settle_in};
+use section::{cycle_guess, fastest_point, on_six_reversals, settle_in};
 use shooting::{Guess, shoot};
 use stops::Sticking;
 use validate::validated;
@@ -53,9 +53,8 @@ impl<F: Float> LongRun<F> {
     /// The limit of the motion at (Ω, α) from a start.
     ///
     /// With η = 1 the limit is the same from every start, except for a family and for rest. A motion with
-    /// stops is found from stop to stop, and a damped motion without stops from its closed form. Neither
-    /// search follows the motion from this start: half a turn of the motion shows that the result is the
-    /// limit.
+    /// stops is found from stop to stop, and a motion without stops from its closed form. Neither search
+    /// follows the motion from this start: half a turn of the motion shows that the result is the limit.
     ///
     /// With η > 1 the result holds for this start: a periodic motion of up to 64 turns of the drive (127, if
     /// it is symmetric), rest, or an irregular motion.
@@ -105,36 +104,30 @@ impl<F: Float> LongRun<F> {
             return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
         }
         let equation = Equation::new(ratios);
-        let sticking = Sticking::new(equation);
-        let is_family = !sticking.is_below() && family::is_one(ratios);
-        if sticking.is_below()
-            && let Some(limit) = sticking.limit(&mut budget)?
-        {
-            return Ok(limit);
-        }
-        if let Some(rising) = sticking.rising() {
-            let (section, hint) = middle_of_rise(rising);
-            let followed = || {
-                let (at, hint) = settle_in(equation, start, &mut Budget::of(0))?;
-                Ok(Some(Guess { at, hint, is_limit: false }))
-            };
-            return Ok(shoot(equation, section, hint, followed, &mut budget)?);
-        }
-        let (section, hint) = settle_in(equation, start, &mut budget)?;
-        if is_family {
+        if family::is_one(ratios) {
+            let (section, hint) = settle_in(equation, start, &mut budget)?;
             return family::member(equation, section, hint, &mut budget);
         }
-        let guess = || match Cycle::find(ratios) {
-            Some(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
-            None => {
-                // Below the border the motion has six reversals or stops, and its limit is that of the motion
-                // from rest.
-                let (at, hint) = match SixReversals::new(ratios) {
-                    Some(cycle) => on_six_reversals(equation, &cycle),
-                    None => settle_in(equation, State::default(), &mut Budget::of(0))?,
-                };
-                Ok(Some(Guess { at, hint, is_limit: false }))
-            }
+        let sticking = Sticking::new(equation);
+        let is_known = sticking.is_below || sticking.rising.is_some();
+        let cycle = if is_known { None } else { Cycle::find(ratios) };
+        let damped = sticking.rising.map(|rising| (rising.max_displacement, rising.displacement_phase()));
+        let undamped = cycle.as_ref().map(|cycle| (cycle.max_displacement, cycle.displacement_phase));
+        if let Some(turn) = damped.or(undamped) {
+            return of_closed_form(ratios, turn, cycle.as_ref(), &mut budget);
+        }
+        if let Some(limit) = sticking.limit(&mut budget)? {
+            return Ok(limit);
+        }
+        let (section, hint) = settle_in(equation, start, &mut budget)?;
+        // Below the border the motion has six reversals or stops, and its limit is that of the motion from
+        // rest.
+        let guess = || {
+            let (at, hint) = match SixReversals::new(ratios) {
+                Some(cycle) => on_six_reversals(equation, &cycle),
+                None => settle_in(equation, State::default(), &mut Budget::of(0))?,
+            };
+            Ok(Some(Guess { at, hint, is_limit: false }))
         };
         Ok(shoot(equation, section, hint, guess, &mut budget)?)
     }
@@ -149,22 +142,37 @@ impl<F: Float> TryFrom<&Cycle<F>> for LongRun<F> {
 
     fn try_from(cycle: &Cycle<F>) -> Result<Self, Error> {
         let ratios = resolved(cycle.ratios)?;
-        let equation = Equation::new(ratios);
-        let is_family = family::is_one(ratios);
-        if !is_family && let Some(steady) = validated(equation, cycle) {
-            return Ok(LongRun::Periodic(steady));
+        let budget = &mut Budget::of(2 * u64::from(DEFAULT_BUDGET));
+        if family::is_one(ratios) {
+            let equation = Equation::new(ratios);
+            let (section, hint) = fastest_point(equation, cycle);
+            return family::member(equation, section, hint, budget);
         }
-        let mut budget = Budget::of(2 * u64::from(DEFAULT_BUDGET));
-        let (section, hint) = fastest_point(equation, cycle);
-        if ratios.has_higher_static_friction() {
-            let start = State { phase: section.phase, x: section.x, v: section.w / equation.omega };
-            return followed::limit(ratios, start, &mut budget);
-        }
-        if is_family {
-            return family::member(equation, section, hint, &mut budget);
-        }
-        Ok(shoot(equation, section, hint, || Ok(Some(cycle_guess(equation, cycle))), &mut budget)?)
+        let turn = (cycle.max_displacement, cycle.displacement_phase);
+        of_closed_form(ratios, turn, (!ratios.is_damped()).then_some(cycle), budget)
     }
+}
+
+/// The exact motion of a cycle without stops that is no member of a family, from its maximum displacement and the
+/// phase of it. `cycle` is the cycle without damping.
+#[inline(always)]
+fn of_closed_form<F: Float>(
+    ratios: Ratios<F>,
+    turn: (F, F),
+    cycle: Option<&Cycle<F>>,
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Error> {
+    let equation = Equation::new(ratios);
+    let (section, hint) = match validated(equation, turn, cycle) {
+        Ok(steady) => return Ok(LongRun::Periodic(steady)),
+        Err(section) => section,
+    };
+    if ratios.has_higher_static_friction() {
+        let start = State { phase: section.phase, x: section.x, v: section.w / equation.omega };
+        return followed::limit(ratios, start, budget);
+    }
+    let guess = || Ok(cycle.map(|cycle| cycle_guess(equation, cycle)));
+    Ok(shoot(equation, section, hint, guess, budget)?)
 }
 
 #[cfg(test)]
@@ -177,6 +185,7 @@ mod tests {
     /// computed without it.
     #[test]
     fn a_damped_cycle_is_what_the_motion_from_rest_leads_to() {
+        let mut validated = 0u32;
         for i in 0..300u32 {
             let spread = |step: f64| (f64::from(i) * step).fract();
             let omega = 10f64.powf(2.3 * spread(0.618_034) - 1.1);
@@ -186,6 +195,7 @@ mod tests {
             let ratios = ratios.with_damping_ratio(zeta).unwrap();
             let here = LongRun::from_start(ratios, State::default()).unwrap();
             let here = here.steady_state().unwrap_or_else(|| panic!("{ratios:?}"));
+            validated += u32::from(here.periods == 0.5);
             let equation = Equation::new(ratios);
             let (at, hint) = settle_in(equation, State::default(), &mut Budget::of(0)).unwrap();
             let there = shoot(equation, at, hint, || Ok(None), &mut Budget::of(2000)).unwrap();
@@ -200,10 +210,12 @@ mod tests {
             ] {
                 assert!((a - b).abs() <= room, "{ratios:?}: {a} {b} {room:e}");
             }
-            assert!(here.periods < 3.0, "{ratios:?}: {}", here.periods);
+            assert!(here.periods <= 1.0, "{ratios:?}: {}", here.periods);
             assert_eq!((here.sticks_per_cycle, there.sticks_per_cycle), (0, 0), "{ratios:?}");
             assert_eq!(here.velocity_zeros_per_cycle, 2, "{ratios:?}");
         }
+        // The rest is off by little more than the rounding of a residual, and Newton's method takes a step.
+        assert!(validated > 285, "{validated} of 300");
     }
 
     /// The number of periods computed over a grid of ratios and starts; a useless step on the way to the
@@ -223,7 +235,7 @@ mod tests {
                 (periods, most) = (periods + steady.periods, most.max(steady.periods));
             }
         }
-        // The mean is 4.33 periods per start.
-        assert!(periods <= 3490.0 && most <= 44.0, "{periods} {most}");
+        // The mean is 1.52 periods per start.
+        assert!(periods <= 1220.0 && most <= 44.0, "{periods} {most}");
     }
 }

@@ -6,6 +6,7 @@ use super::steady::SteadyParts;
 use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
+use crate::motion::slide::work::Works;
 use crate::motion::state::Point;
 use crate::motion::{LongRun, State, SteadyState, Trajectory, errors_after};
 use crate::{Cycle, Ratios};
@@ -47,11 +48,17 @@ fn the_distance_is_in_the_units_of_a_state() {
     for omega in [0.25f64, 0.7, 4.0] {
         let limit = LongRun::from_start(ratios(omega, 1.4), State::default()).unwrap();
         let steady = limit.steady_state().unwrap();
+        let none = Works { drive: 0.0, damper: 0.0 };
         let found = SteadyState::of(SteadyParts {
             equation: steady.equation,
             start: steady.start,
             half_turns: 3,
-            statistics: CycleStatistics::of_reversals(steady.max_displacement, steady.max_velocity, 0.0, 0.0),
+            statistics: CycleStatistics::of_reversals(
+                steady.max_displacement,
+                steady.max_velocity,
+                none,
+                0.0,
+            ),
             multipliers: steady.multipliers,
             distance: (0.25, 0.5),
             periods: 0.0,

@@ -19,24 +19,25 @@ pub(crate) fn reversal_ratio<F: Float>(after: F) -> F {
     after.abs() / (after.abs() + F::int(2))
 }
 
+/// A disturbance (δx, δw) after a slide, which is a free vibration. `rotation` contains the free vibrations from
+/// (0, 1) and (1, 0) after the time of the slide, which are (sin φ, cos φ) without damping; `damping` is 2ζ.
+#[inline]
+pub(crate) fn freely<F: Float>((x, w): (F, F), (s, c): (F, F), damping: F) -> (F, F) {
+    (c * x + s * w, (c - damping * s) * w - s * x)
+}
+
 impl<F: Float> Matrix<F> {
     pub(crate) fn identity() -> Self {
         let (zero, one) = (F::int(0), F::int(1));
         Self { a: one, b: zero, c: zero, d: one }
     }
 
-    /// The disturbance after a slide, which is a free vibration. `rotation` contains the free vibrations from
-    /// (0, 1) and (1, 0) after the time of the slide, which are (sin φ, cos φ) without damping; `damping` is
-    /// 2ζ.
+    /// The disturbance after a slide ([`freely`]).
     #[inline]
-    pub(crate) fn after_slide(self, (s, c): (F, F), damping: F) -> Self {
-        let slope = c - damping * s;
-        Self {
-            a: c * self.a + s * self.c,
-            b: c * self.b + s * self.d,
-            c: slope * self.c - s * self.a,
-            d: slope * self.d - s * self.b,
-        }
+    pub(crate) fn after_slide(self, rotation: (F, F), damping: F) -> Self {
+        let (a, c) = freely((self.a, self.c), rotation, damping);
+        let (b, d) = freely((self.b, self.d), rotation, damping);
+        Self { a, b, c, d }
     }
 
     /// The disturbance after a velocity zero: δw is multiplied by the ratio of the accelerations after and

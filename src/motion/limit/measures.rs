@@ -7,6 +7,7 @@ use crate::motion::drive::DrivePhase;
 use crate::motion::event::velocity_zero::VelocityZero;
 use crate::motion::slide::Slide;
 use crate::motion::slide::motion::Motion;
+use crate::motion::slide::work::Works;
 use crate::motion::state::Point;
 
 /// An extreme value and its phase.
@@ -67,11 +68,10 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The statistics of a symmetric cycle of two slides without damping, from its maximum displacement and
-    /// velocity, and the works of the drive and against friction.
+    /// The statistics of a symmetric cycle of two slides, from its maximum displacement and velocity, the works
+    /// of the drive and of the damper, and the work against friction.
     #[inline]
-    pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, work_in: F, work_out: F) -> Self {
-        let zero = F::int(0);
+    pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, works: Works<F>, work_out: F) -> Self {
         Self {
             max_x,
             min_x: max_x.mirrored(),
@@ -79,10 +79,10 @@ impl<F: Float> CycleStatistics<F> {
             min_v: max_v.mirrored(),
             sticks: 0,
             zeros: 2,
-            rest: zero,
-            work_in,
+            rest: F::int(0),
+            work_in: works.drive,
             work_out,
-            damper: zero,
+            damper: works.damper,
         }
     }
 

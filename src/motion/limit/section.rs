@@ -1,7 +1,6 @@
 //! The section for shooting: a point in the middle of a slide, found from a start or from a closed form.
 
 use super::shooting::Guess;
-use crate::cycle::damped::rising::Rising;
 use crate::cycle::{Cycle, SixReversals};
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
@@ -44,25 +43,11 @@ pub(crate) fn settle_in<F: Float>(
     Ok((slide.point(half), half))
 }
 
-/// The middle of the rising half of a cycle with damping, and the natural time from there to the maximum
-/// displacement.
-pub(crate) fn middle_of_rise<F: Float>(rising: &Rising<F>) -> (Point<F>, F) {
-    let two = F::int(2);
-    let half = rising.half.period / two;
-    let at = rising.at(half);
-    let [w, ..] = rising.velocity(&at);
-    let theta = rising.displacement_phase() - F::pi() / two;
-    let theta = if theta < F::int(0) { theta + two * F::pi() } else { theta };
-    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(theta);
-    (Point { phase, x: rising.displacement(&at), w }, half)
-}
-
-/// A non-sticking cycle as a second start of the shooting method. Below Ω = 2/3 the cycle is known to be the
-/// limit if Δ₀ is not large compared with the force. With damping every disturbance decays, and the residual
-/// decides.
+/// A cycle without stops and without damping as a second start of the shooting method. Below Ω = 2/3 the cycle is
+/// known to be the limit if Δ₀ is not large compared with the force.
 pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
     let (at, hint) = fastest_point(equation, cycle);
-    Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) && !equation.is_damped() }
+    Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) }
 }
 
 /// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the

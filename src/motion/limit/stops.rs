@@ -21,7 +21,6 @@ use super::measures::CycleStatistics;
 use super::propagation::MotionPart;
 use super::steady::{SteadyParts, SteadyState};
 use super::stop_map::{Expected, Passage, Station, passage};
-use crate::cycle::Border;
 use crate::cycle::damped::border::is_far_below;
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::cycle::damped::rising::Rising;
@@ -42,7 +41,7 @@ const STATION: Station = Station { half_turn: 0, direction: Direction::Forward }
 /// The greatest number of passages that the search tries.
 const MOST_PASSAGES: u32 = 40;
 
-/// Prediction of the closed form without stops for a motion that may stick.
+/// Prediction of the closed form without stops for a motion that may stick, α > 1 and η = 1.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sticking<F> {
     equation: Equation<F>,
@@ -50,13 +49,15 @@ pub(crate) struct Sticking<F> {
     amplitude: F,
     /// The shift G by which friction reduces the extremum to a − G.
     shift: F,
-    is_below: bool,
-    /// With damping, the rising half of the cycle without stops, from its border on.
-    rising: Option<Rising<F>>,
+    /// Whether the motion is known to stick, or to reverse more than twice: with damping from the border,
+    /// without damping only where the body would stop at its turning points by more than rounding.
+    pub(crate) is_below: bool,
+    /// With damping, the rising half of the cycle without stops, from its border on: it is the limit of every
+    /// start.
+    pub(crate) rising: Option<Rising<F>>,
 }
 
 impl<F: Float> Sticking<F> {
-    /// The prediction at α > 1 and η = 1.
     #[inline]
     pub(crate) fn new(equation: Equation<F>) -> Self {
         if equation.is_damped() {
@@ -69,37 +70,29 @@ impl<F: Float> Sticking<F> {
     #[inline(always)]
     fn undamped(equation: Equation<F>) -> Self {
         let Equation { omega, alpha, .. } = equation;
-        let p = PhaseFunction::of_valid(omega);
-        let amplitude = max_displacement(p.value(), alpha, one_minus_square(omega));
-        // Where a is below 1/Ω² by more than rounding, the force is below the border without a search for it.
-        let is_far = amplitude * omega.square() < F::ratio(15, 16) || !amplitude.is_finite();
-        let is_below = is_far || alpha < Border::least_force_ratio(&p);
+        let k = PhaseFunction::of_valid(omega).value();
+        let amplitude = max_displacement(k, alpha, one_minus_square(omega));
+        let is_below = amplitude * omega.square() < F::ratio(15, 16) || !amplitude.is_finite();
         Self { equation, amplitude, shift: F::int(0), is_below, rising: None }
     }
 
     #[cold]
     #[inline(never)]
     fn damped(equation: Equation<F>) -> Self {
-        let half = HalfPeriod::new(equation.omega, equation.zeta());
-        let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
-        let rising = Rising::of_force(half, equation.alpha);
-        // Below the condition at the turning point, the force is below the border without a search for it.
-        let turns = equation.alpha >= at_turning_point(&half).0;
-        let slides =
-            || is_far_below(&half, rising.amplitude) || equation.alpha >= border(&half).min_force_ratio;
-        let rising = (turns && slides()).then_some(rising);
-        Self { equation, amplitude, shift: half.shift, is_below: rising.is_none(), rising }
-    }
-
-    /// Whether the motion is known to stick, or to reverse more than twice.
-    pub(crate) const fn is_below(&self) -> bool {
-        self.is_below
-    }
-
-    /// With damping, the rising half of the cycle without stops, from its border on: it is the limit of every
-    /// start.
-    pub(crate) const fn rising(&self) -> Option<&Rising<F>> {
-        self.rising.as_ref()
+        let Equation { omega, alpha, .. } = equation;
+        let half = HalfPeriod::new(omega, equation.zeta());
+        let rising = Rising::of_force(half, alpha);
+        // A force below the condition at the turning point, or far above the border, needs no search for the
+        // border.
+        let slides = alpha >= at_turning_point(&half).0
+            && (is_far_below(&half, rising.amplitude) || alpha >= border(&half).min_force_ratio);
+        Self {
+            equation,
+            amplitude: max_displacement(half.k, alpha, half.stiffness),
+            shift: half.shift,
+            is_below: !slides,
+            rising: slides.then_some(rising),
+        }
     }
 
     /// The limit, if it has stops half a turn apart and the search finds them.

@@ -41,7 +41,7 @@ fn it_is_what_shooting_finds() {
     for i in 1..COMPARED {
         let ratios = ratios(i);
         let sticking = Sticking::new(Equation::new(ratios));
-        if !sticking.is_below() {
+        if !sticking.is_below {
             continue;
         }
         below += 1;

@@ -1,4 +1,3 @@
-use super::validated;
 use crate::cycle::Cycle;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::motion::broken::Budget;
@@ -8,9 +7,15 @@ use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::limit::section::fastest_point;
 use crate::motion::limit::shooting::shoot;
+use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
 use crate::{Border, Ratios};
+
+/// The steady state of a cycle, if it is validated.
+fn validated(equation: Equation<f64>, cycle: &Cycle<f64>) -> Option<SteadyState<f64>> {
+    super::validated(equation, (cycle.max_displacement, cycle.displacement_phase), Some(cycle)).ok()
+}
 
 /// The cycle at a multiple of the border, which need not be a possible motion.
 fn cycle(omega: f64, times: f64) -> (Equation<f64>, Cycle<f64>) {
