@@ -113,14 +113,13 @@ impl<F: Float> Sticking<F> {
         if by_cycle > -(one + alpha) && by_cycle < slow { by_cycle } else { slow }
     }
 
-    /// With damping, the positions to try if there is no stop at the first guess. One is where the spring
+    /// The positions to try if there is no stop at the first guess. One is where the spring
     /// balances the drive's amplitude, beyond which a body stops after a slide of a whole free period. The
     /// other is the minimum of the closed form, where a fast drive leaves the body.
     fn other_guesses(&self) -> [Option<F>; 2] {
         let alpha = self.equation.alpha;
         let by_cycle = self.shift - self.amplitude;
-        let is_damped = self.equation.is_damped();
-        [is_damped.then_some(-alpha), (is_damped && by_cycle > F::int(1) - alpha).then_some(by_cycle)]
+        [Some(-alpha), (by_cycle > F::int(1) - alpha).then_some(by_cycle)]
     }
 }
 
@@ -181,22 +180,20 @@ fn fixed_point<F: Float>(
         } else {
             high = x;
         }
-        // The cubic does not apply where the number of slides differs. Without damping it is used
-        // nevertheless, so that the digits stay the same.
-        if equation.is_damped() && best.as_ref().is_some_and(|last| last.parts.len() != tried.parts.len()) {
+        // The cubic does not apply where the number of slides differs.
+        if best.as_ref().is_some_and(|last| last.parts.len() != tried.parts.len()) {
             before = None;
         }
-        let is_other = before.is_none() && equation.is_damped();
-        let halves = is_other || best.as_ref().is_none_or(|last| here.value.abs() * two <= last.left.x.abs());
+        let halves =
+            before.is_none() || best.as_ref().is_none_or(|last| here.value.abs() * two <= last.left.x.abs());
         let next = x + here.step(before);
         x = if halves && next > low && next < high { next } else { (low + high) / two };
         let is_closed = x <= low || x >= high;
         before = Some(here);
         // With a residual above ε^¼ the next passage is not the last one, and with one above ε^⅓ it rarely
-        // is. A proof is more expensive for a slower drive; without damping the digits stay the same.
+        // is.
         let share = (here.value / (one + x.abs())).abs();
-        let power = if equation.is_damped() { share * share.square() } else { share.square().square() };
-        is_proved = power <= F::epsilon();
+        is_proved = share * share.square() <= F::epsilon();
         let last = best.replace(tried);
         if is_closed {
             // The residual is rounding, slightly more than expected.
