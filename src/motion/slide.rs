@@ -284,15 +284,12 @@ impl<F: Float> Slide<F> {
 
     /// The greatest size of the terms of w, per unit of rounding.
     #[inline]
-    pub(crate) fn velocity_scale<const DAMPED: bool>(&self) -> F {
-        let Equation { omega, alpha, .. } = self.equation;
+    pub(crate) fn velocity_scale(&self) -> F {
+        let Equation { omega, alpha, damping, .. } = self.equation;
         // |C|, |S| ≤ 2/|1 − Ω²|; near Ω = 1, where φ ≤ 3π, they are ≤ φ.
         let gain = omega * alpha / (F::int(1) + omega.square());
-        let mut acceleration = self.acceleration.abs();
-        if DAMPED {
-            // The free vibration from (0, 1) is at most 1, and at most 1/2ζ.
-            acceleration = acceleration / F::int(1).or_larger(self.equation.damping);
-        }
+        // The free vibration from (0, 1) is at most 1, and at most 1/2ζ.
+        let acceleration = self.acceleration.abs() / F::int(1).or_larger(damping);
         acceleration + self.w.abs() + F::int(4) * gain
     }
 }

@@ -1,26 +1,15 @@
 //! The maximum speed within a slide.
 //!
-//! The acceleration of a slide obeys `f″ + f = g` like the velocity, with `g ∝ −sin θ`. Its zeros are found
-//! in order with the same proof, and the maximum speed is at one of them or at an end. Outside 1/2 ≤ Ω ≤ 2
-//! there can be as many as the fast periods in the slide, but only the neighbourhoods of its ends and of the
-//! crest of the slow wave matter.
+//! The acceleration of a slide obeys `f″ + 2ζf′ + f = g` like the velocity, with `g ∝ −sin θ`. Its zeros are
+//! found in order with the same proof, and the maximum speed is at one of them or at an end.
 //!
-//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`. For Ω < 1/2 only the neighbourhoods of the crests
-//! of the forced wave matter; their width depends on the size of the free wave (`damped`). These, and short
-//! slides at other ratios, are searched in the same way. Long slides, for Ω > 2 or ζ ≥ 1/2, are searched like
-//! the closed-form cycle, which takes the decay of the free wave into account.
-//!
-//! # Why
-//!
-//! The speed is `a cos(slow angle) + b cos(fast angle)`, a > 0, and the slow angle, counted from its crest,
-//! is within (−π, π) for one period of the slow wave. Say a point of the slide is a fast period P or more
-//! from the crest and from both ends. One of the points P later and P earlier is in the slide, too, and has
-//! the same fast part and a slow angle that is closer to the crest, of the same sign: it is faster. So the
-//! maximum speed is within P of an end or of a crest. A slide holds one crest at most: its speed is positive,
-//! and from a crest of the slow wave to the next there is a zero. (In half of a slow period around its
-//! trough, longer than P, the slow wave is not positive, and the fast one is negative somewhere.)
+//! * For Ω < 1/2 there can be as many zeros as the free periods in the slide, but only the neighbourhoods of the
+//!   crests of the forced wave matter; their width depends on the size of the free wave (`crests`). Slides with
+//!   few zeros are searched as a whole, unless Ω < 1/4, where a crest takes less.
+//! * Long slides with Ω > 2 or ζ ≥ 1/2, and those with many zeros around a crest, are searched like the
+//!   closed-form cycle.
 
-mod damped;
+mod crests;
 
 use super::cover::Cover;
 use super::next_zero;
@@ -28,6 +17,7 @@ use super::search::{FoundZero, Verdict, ZeroSearch};
 use crate::float::Float;
 use crate::motion::broken::Broken;
 use crate::motion::slide::Slide;
+use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;
 
 /// The fastest instant of a slide: its natural time and the velocity there.
@@ -43,58 +33,30 @@ impl<F: Float> Slide<F> {
     /// # Errors
     /// [`crate::Error::SearchBound`].
     pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Result<Fastest<F>, Broken> {
-        let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
-        let omega = self.equation.omega;
+        let (zero, one, two, four) = (F::int(0), F::int(1), F::int(2), F::int(4));
+        let Equation { omega, damping, .. } = self.equation;
         let mut best = Fastest { phi: zero, w: self.w };
         let start = self.motion_at_start();
-        if self.equation.is_damped() {
-            return self.fastest_damped(&start, end, arrival);
-        }
-        let fast = two * F::pi() / one.or_larger(omega);
-        // Two fast periods, one from each end, can cover the whole slide.
-        if (omega * two >= one && omega <= two) || end <= two * fast {
-            self.scan((zero, &start), (end, arrival), &mut best)?;
-            return Ok(best);
-        }
-        let crest = self.slow_crest();
-        let motion = |phi: F| {
-            if phi == zero {
-                start
-            } else if phi == end {
-                *arrival
-            } else {
-                self.motion(phi)
-            }
-        };
-        for (from, to) in [(zero, fast), (crest - fast, crest + fast), (end - fast, end)] {
-            let from = from.or_larger(zero);
-            let to = if to < end { to } else { end };
-            if from < to {
-                self.scan((from, &motion(from)), (to, &motion(to)), &mut best)?;
-                if to - from >= end {
-                    break;
+        let is_long = end > four * F::pi() || omega * four < one;
+        if omega * two < one
+            && is_long
+            && let Some(parts) = self.around_crests(end, arrival, &mut best)
+        {
+            for (from, to) in parts {
+                if from < to {
+                    let motion = |phi: F| if phi >= end { *arrival } else { self.motion(phi) };
+                    let first = if from > zero { motion(from) } else { start };
+                    self.scan((from, &first), (to, &motion(to)), &mut best)?;
                 }
             }
+            return Ok(best);
         }
+        let middle = omega * two >= one && omega <= two && damping < one;
+        if !middle && end * one.or_larger(omega) > F::int(16) {
+            return Ok(self.fastest_of_waves(end, arrival));
+        }
+        self.scan((zero, &start), (end, arrival), &mut best)?;
         Ok(best)
-    }
-
-    /// The natural time of the crest of the slow wave within the slide, if there is one.
-    fn slow_crest(&self) -> F {
-        let (one, two) = (F::int(1), F::int(2));
-        let omega = self.equation.omega;
-        let (sine, cosine) = self.sin_cos_start();
-        let sign = self.direction.sign::<F>();
-        let crest = if omega < one {
-            // s cos θ = 1
-            (-(sign * sine)).atan2(sign * cosine) / omega
-        } else {
-            let forced = self.equation.alpha * omega / ((one - omega) * (one + omega));
-            let rate = self.acceleration + forced * omega * sine;
-            (sign * rate).atan2(sign * (self.w - forced * cosine))
-        };
-        let period = two * F::pi() / if omega < one { omega } else { one };
-        if crest < F::int(0) { crest + period } else { crest }
     }
 
     /// Finds every zero of the acceleration between two instants of known motion, and includes these instants
@@ -117,9 +79,8 @@ impl<F: Float> Slide<F> {
         };
         consider(from, first.w);
         consider(to, last.w);
-        let damped = self.equation.is_damped();
-        let scale = if damped { self.velocity_scale::<true>() } else { self.velocity_scale::<false>() };
-        let noise = F::int(4) * F::epsilon() * scale * F::int(1).or_larger(self.equation.omega);
+        let noise =
+            F::int(4) * F::epsilon() * self.velocity_scale() * F::int(1).or_larger(self.equation.omega);
         let (mut at, mut motion) = (from, *first);
         // At an extremum to within rounding, or at a release, the sign of the jerk decides.
         let mut from_zero = motion.acceleration.abs() <= noise;

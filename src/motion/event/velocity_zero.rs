@@ -191,7 +191,7 @@ impl<F: Float> Slide<F> {
             limit,
             hint,
             safe: if DAMPED { None } else { self.safe_window() },
-            noise: unit * self.velocity_scale::<DAMPED>(),
+            noise: unit * self.velocity_scale(),
             short_noise: Some(self.short_velocity_scale().map(|term| unit * term)),
         }
     }

@@ -72,8 +72,10 @@ pub(crate) fn passage<F: Float>(
     let Some(angle) = release_angle(&equation, x, station.direction) else { return Ok(None) };
     let release = DrivePhase::of_half_turn(station.half_turn, angle);
     let next_half_turn = station.half_turn.saturating_add(1);
-    // A slide is expected to last for half a turn of the drive, or for a free period if that is shorter.
-    let usual = F::pi() / equation.omega.or_larger(F::ratio(1, 2));
+    // A slide is expected to last for half a turn of the drive, or for a free period if that is shorter and
+    // does not decay.
+    let least_rate = if equation.is_damped() { F::int(0) } else { F::ratio(1, 2) };
+    let usual = F::pi() / equation.omega.or_larger(least_rate);
     let mut slide = Slide::released(equation, release, x, station.direction);
     let mut monodromy = Matrix::identity();
     let mut is_proved = true;

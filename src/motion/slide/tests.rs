@@ -14,11 +14,7 @@ fn scales_are_the_sizes_of_the_terms() {
     let s = slide(3.0, 2.0, 0.4, -0.7, -0.9);
     let acceleration: f64 = 2.0 * 0.4f64.sin() + 0.7 + 1.0;
     // 4 Ωα/(1 + Ω²) = 2.4
-    assert!(
-        (s.velocity_scale::<false>() - (acceleration + 0.9 + 2.4)).abs() < 1e-14,
-        "{}",
-        s.velocity_scale::<false>()
-    );
+    assert!((s.velocity_scale() - (acceleration + 0.9 + 2.4)).abs() < 1e-14, "{}", s.velocity_scale());
     let expected = [0.9, acceleration, 6.0 * 0.4f64.cos(), 18.0 * 0.4f64.sin()];
     for (found, expected) in s.short_velocity_scale().into_iter().zip(expected) {
         assert!((found - expected).abs() < 1e-14, "{found} {expected}");

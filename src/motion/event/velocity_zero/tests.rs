@@ -61,7 +61,7 @@ fn a_short_step_on_is_the_motion() {
     }
     let noise = 4.0 * f64::EPSILON;
     let search = slide.velocity_search::<false>(1.0, None);
-    assert_eq!(search.noise, noise * slide.velocity_scale::<false>());
+    assert_eq!(search.noise, noise * slide.velocity_scale());
     assert!(!search.from_zero);
     for (w, direction) in [(0.0, Direction::Forward), (0.0, Direction::Backward), (-1e-9, Direction::Forward)]
     {

@@ -1,4 +1,4 @@
-//! The maximum speed of slow damped slides against dense sampling.
+//! The maximum speed of slow slides against dense sampling.
 
 use crate::Ratios;
 use crate::float::Float;
@@ -12,6 +12,7 @@ fn slow_slides<F: Float>(i: u32) -> Vec<(Slide<F>, F)> {
     let spread = |step: f64| (f64::from(i) * step).fract();
     let scale = |low: f64, high: f64, step: f64| F::from_f64(low * (high / low).powf(spread(step)));
     let (omega, zeta) = (scale(0.01, 0.5, 0.618_034), scale(1e-3, 1.0, 0.437_016));
+    let zeta = if i.is_multiple_of(3) { F::int(0) } else { zeta };
     let alpha = scale(1.05, 60.0, 0.754_878);
     let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
     let share = |step: f64| F::from_f64(2.0 * spread(step) - 1.0);
@@ -47,7 +48,7 @@ fn excess<F: Float>(slide: &Slide<F>, end: F, density: f64) -> F {
 }
 
 #[test]
-fn no_sample_of_a_slow_damped_slide_is_faster() {
+fn no_sample_of_a_slow_slide_is_faster() {
     let (mut slides, mut worst) = (0, 0.0f64);
     for i in 0..1500 {
         for (slide, end) in slow_slides::<f64>(i) {

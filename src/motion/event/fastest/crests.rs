@@ -1,47 +1,13 @@
-//! The maximum speed within a slide with damping.
+//! The maximum speed within a long slide.
 
 use super::Fastest;
 use crate::cycle::damped::fastest::fastest_time;
 use crate::cycle::damped::rising::Vibration;
 use crate::float::Float;
-use crate::motion::broken::Broken;
 use crate::motion::slide::Slide;
-use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;
 
 impl<F: Float> Slide<F> {
-    /// The maximum speed of a damped slide, for [`Slide::fastest`].
-    #[cold]
-    #[inline(never)]
-    pub(super) fn fastest_damped(
-        &self,
-        start: &Motion<F>,
-        end: F,
-        arrival: &Motion<F>,
-    ) -> Result<Fastest<F>, Broken> {
-        let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
-        let Equation { omega, damping, .. } = self.equation;
-        let mut best = Fastest { phi: zero, w: self.w };
-        if omega * two < one
-            && let Some(parts) = self.around_crests(end, arrival, &mut best)
-        {
-            for (from, to) in parts {
-                if from < to {
-                    let motion = |phi: F| if phi >= end { *arrival } else { self.motion(phi) };
-                    let first = if from > zero { motion(from) } else { *start };
-                    self.scan((from, &first), (to, &motion(to)), &mut best)?;
-                }
-            }
-            return Ok(best);
-        }
-        let middle = omega * two >= one && omega <= two && damping < one;
-        if !middle && end * one.or_larger(omega) > F::int(16) {
-            return Ok(self.fastest_of_waves(end, arrival));
-        }
-        self.scan((zero, start), (end, arrival), &mut best)?;
-        Ok(best)
-    }
-
     /// The parts (from, to) of a slide under a slow drive that can contain its maximum speed, around the
     /// crests of the forced wave; a part is empty unless from < to. `None` if the parts contain more than a
     /// few extrema, or if there are too many parts. `best` becomes the greatest of the speeds at the ends and
@@ -49,7 +15,12 @@ impl<F: Float> Slide<F> {
     ///
     /// The speed is `A cos(Ωφ − c) + u` with `|u| ≤ r`, the amplitude of the free wave at the start. Where
     /// the forced wave is below an attained speed by more than r, there is no maximum.
-    fn around_crests(&self, end: F, arrival: &Motion<F>, best: &mut Fastest<F>) -> Option<[(F, F); 2]> {
+    pub(super) fn around_crests(
+        &self,
+        end: F,
+        arrival: &Motion<F>,
+        best: &mut Fastest<F>,
+    ) -> Option<[(F, F); 2]> {
         let (zero, one, two, pi) = (F::int(0), F::int(1), F::int(2), F::pi());
         let omega = self.equation.omega;
         let sign = self.direction.sign::<F>();
@@ -79,7 +50,8 @@ impl<F: Float> Slide<F> {
         // The free wave is bounded by its size at the start, and by a decaying envelope.
         let zeta = vibration.zeta;
         let size = free.hypot(rate);
-        let envelope = free.hypot((rate + zeta * free) / vibration.frequency);
+        let envelope = (vibration.swings() && zeta > zero)
+            .then(|| free.hypot((rate + zeta * free) / vibration.frequency));
         let rounding = F::int(64) * F::epsilon() * (forced + size);
         let least = |free: F| (sign * best.w - free - rounding) / forced;
         let half_width = |least: F| {
@@ -90,8 +62,8 @@ impl<F: Float> Slide<F> {
         let widest = half_width(at_start);
         let part = |crest: F| {
             let earliest = (crest - widest).or_larger(zero);
-            let later = envelope * (-(zeta * earliest)).exp();
-            let width = if vibration.swings() && later < size { half_width(least(later)) } else { widest };
+            let later = envelope.map(|envelope| envelope * (-(zeta * earliest)).exp());
+            let width = later.filter(|later| *later < size).map_or(widest, |later| half_width(least(later)));
             let (from, to) = (crest - width, crest + width);
             (from.or_larger(zero), if to < end { to } else { end })
         };
@@ -101,11 +73,10 @@ impl<F: Float> Slide<F> {
         (at_start > -one && is_short && are_all).then_some(parts)
     }
 
-    /// The maximum speed where there can be many extrema and the free wave decays, by the search of the
-    /// closed-form cycle.
+    /// The maximum speed where there can be many extrema, by the search of the closed-form cycle.
     #[cold]
     #[inline(never)]
-    fn fastest_of_waves(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
+    pub(super) fn fastest_of_waves(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
         let equation = &self.equation;
         let sign = self.direction.sign::<F>();
         let (x, w) = equation.forced(self.sin_cos_start());
