@@ -35,6 +35,8 @@ impl<F: Float> SteadyState<F> {
     pub fn peaks(&self) -> Result<Peaks<F>, Error> {
         let zero = F::int(0);
         let reach = self.max_displacement.value.abs().or_larger(self.min_displacement.value.abs());
+        let speed =
+            self.equation.omega * self.max_velocity.value.abs().or_larger(self.min_velocity.value.abs());
         let mut peaks = Peaks { acceleration: zero, transmitted_force: zero, absolute_displacement: zero };
         let start = self.state;
         let phases = Trajectory::of(self.equation, start);
@@ -46,7 +48,7 @@ impl<F: Float> SteadyState<F> {
             }
             let Some(length) = phase.duration() else { break };
             match &phase.body {
-                Body::Slide(slide, _) => peaks.slide(slide, length, reach),
+                Body::Slide(slide, _) => peaks.slide(slide, length, (reach, speed)),
                 Body::Stick(stick) => peaks.stick(stick, length),
             }
         }
@@ -56,11 +58,12 @@ impl<F: Float> SteadyState<F> {
 }
 
 impl<F: Float> Peaks<F> {
-    /// The peaks of a slide with damping.
+    /// The peaks of a slide, along which the displacement is at most `reach` and the speed w at most `speed`.
     ///
     /// With `w = w_f + h`, h the free vibration, `x″ = a_f + h′` and the force is `x + s + 2ζw = x_f + 2ζw_f
-    /// − h′`. No derivative of h exceeds the initial energy `hypot(h″, h‴)`.
-    fn damped_slide(&mut self, slide: &Slide<F>, length: F, reach: F) {
+    /// − h′`. No derivative of h exceeds the initial energy `hypot(h″, h‴)`. Near resonance both waves are
+    /// large, and the equation of motion gives the smaller bounds.
+    fn slide(&mut self, slide: &Slide<F>, length: F, (reach, speed): (F, F)) {
         let (zero, one) = (F::int(0), F::int(1));
         let equation = &slide.equation;
         let (omega, damping, sign) = (equation.omega, equation.damping, slide.direction.sign::<F>());
@@ -71,62 +74,38 @@ impl<F: Float> Peaks<F> {
         let (h, rate) = (slide.w - w, slide.acceleration + square * x);
         let second = -(h + damping * rate);
         let free = second.hypot(rate + damping * second);
-        let speed = omega * amplitude + h.hypot(rate);
-        let known = |curvature: F| move |_, _| Bound { curvature, value: one / zero };
-        let bend = square.square() * amplitude + free;
-        self.acceleration = greatest(zero, end, self.acceleration, known(bend), |phi| {
+        // |x + s + 2ζw|, |w′| and |w″|.
+        let force = reach + one + damping * speed;
+        let most = equation.alpha + force;
+        let jerk = omega * equation.alpha + speed + damping * most;
+        let known = |waves: F, ode: F| {
+            let curvature = if waves < ode { waves } else { ode };
+            move |_, _| Bound { curvature, value: one / zero }
+        };
+        let bend = known(square.square() * amplitude + free, square * equation.alpha + most + damping * jerk);
+        self.acceleration = greatest(zero, end, self.acceleration, bend, |phi| {
             let m = slide.motion(phi);
             Jet { value: m.acceleration, slope: m.jerk, second: m.higher(equation).0 }
         });
-        let bend = square * amplitude * one.hypot(damping * omega) + free;
-        self.transmitted_force = greatest(zero, end, self.transmitted_force, known(bend), |phi| {
-            let m = slide.motion(phi);
-            let slope = m.w + damping * m.acceleration;
-            Jet { value: m.x + sign + damping * m.w, slope, second: m.acceleration + damping * m.jerk }
-        });
-        let bend = reach + one + damping * speed;
-        self.absolute_displacement = greatest(zero, end, self.absolute_displacement, known(bend), |phi| {
-            let m = slide.motion(phi);
-            let slope = m.w + (m.jerk + m.w + damping * m.acceleration) / square;
-            Jet { value: m.x + m.force / square, slope, second: -(m.x + sign + damping * m.w) }
-        });
-    }
-
-    fn slide(&mut self, slide: &Slide<F>, length: F, reach: F) {
-        if slide.equation.is_damped() {
-            return self.damped_slide(slide, length, reach);
-        }
-        let (one, half) = (F::int(1), F::ratio(1, 2));
-        let (omega, alpha) = (slide.equation.omega, slide.equation.alpha);
-        let (square, sign) = (omega.square(), slide.direction.sign::<F>());
-        let end = length / omega;
-        let (first, last) = (slide.motion_at_start(), slide.motion(end));
-        for motion in [&first, &last] {
-            self.transmitted_force = self.transmitted_force.or_larger((motion.x + sign).abs());
-        }
-        let ode = alpha + reach + one + square * alpha;
-        let curvature = if omega < half {
-            // The slow and the fast wave of x″: the slow one has the frequency Ω, the fast one the amplitude
-            // `fast`.
-            let part = square / (one - square);
-            let fast =
-                (first.acceleration + part * first.force).hypot(first.jerk + part * (first.jerk + first.w));
-            let waves = fast + square * part * alpha;
-            if waves < ode { waves } else { ode }
+        if damping == zero {
+            // The force grows along the slide, and its ends decide.
+            for x in [slide.x, slide.motion(end).x] {
+                self.transmitted_force = self.transmitted_force.or_larger((x + sign).abs());
+            }
         } else {
-            ode
-        };
-        let known = |curvature: F| move |_, _| Bound { curvature, value: one / F::int(0) };
-        self.acceleration = greatest(F::int(0), end, self.acceleration, known(curvature), |phi| {
-            let m = slide.motion(phi);
-            Jet { value: m.acceleration, slope: m.jerk, second: -m.acceleration - square * m.force }
-        });
-        self.absolute_displacement =
-            greatest(F::int(0), end, self.absolute_displacement, known(reach + one), |phi| {
+            let waves = square * amplitude * one.hypot(damping * omega) + free;
+            let bend = known(waves, most + damping * jerk);
+            self.transmitted_force = greatest(zero, end, self.transmitted_force, bend, |phi| {
                 let m = slide.motion(phi);
-                // αΩ cos θ = w″ + w.
-                let slope = m.w + (m.jerk + m.w) / square;
-                Jet { value: m.x + m.force / square, slope, second: -(m.x + sign) }
+                let slope = m.w + damping * m.acceleration;
+                Jet { value: m.x + sign + damping * m.w, slope, second: m.acceleration + damping * m.jerk }
+            });
+        }
+        self.absolute_displacement =
+            greatest(zero, end, self.absolute_displacement, known(force, force), |phi| {
+                let m = slide.motion(phi);
+                let slope = m.w + (m.jerk + m.w + damping * m.acceleration) / square;
+                Jet { value: m.x + m.force / square, slope, second: -(m.x + sign + damping * m.w) }
             });
     }
 
