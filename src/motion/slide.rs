@@ -161,8 +161,8 @@ impl<F: Float> Slide<F> {
 
     #[inline]
     fn undamped_motion(&self, phi: F) -> Motion<F> {
-        if self.is_short::<false>(phi) {
-            return self.short::<false>(phi);
+        if self.is_short(phi) {
+            return self.short(phi);
         }
         if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
             return self.slow_and_fast(phi);
@@ -173,8 +173,8 @@ impl<F: Float> Slide<F> {
     #[cold]
     #[inline(never)]
     fn damped_motion(&self, phi: F) -> Motion<F> {
-        if self.is_short::<true>(phi) {
-            return self.short::<true>(phi);
+        if self.is_short(phi) {
+            return self.short(phi);
         }
         let is_long = self.equation.omega < F::ratio(1, 2) && phi > F::int(1);
         if is_long || self.has_forgotten(phi) {

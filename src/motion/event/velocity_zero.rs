@@ -108,7 +108,7 @@ impl<F: Float> Slide<F> {
             (F::int(0), F::int(2) * hint),
             &self.velocity::<DAMPED>(),
         );
-        found.map(|found| self.arrival::<DAMPED>(&found))
+        found.map(|found| self.arrival(&found))
     }
 
     /// The velocity zero that ends the slide, if it is not after `limit`; otherwise the motion at the limit.
@@ -139,10 +139,9 @@ impl<F: Float> Slide<F> {
     /// The end of the slide, with the presence of damping known at compile time.
     #[inline]
     fn ends_by<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
-        let (search, start) =
-            (self.velocity_search::<DAMPED>(hint, limit), self.velocity_at_start::<DAMPED>());
+        let (search, start) = (self.velocity_search::<DAMPED>(hint, limit), self.velocity_at_start());
         match next_zero(&search, start, self.velocity::<DAMPED>()) {
-            Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival::<DAMPED>(&found))),
+            Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival(&found))),
             Verdict::Clear(Some((_, motion))) => Ok(Outcome::Onward(motion)),
             Verdict::Clear(None) => limit.map(|limit| Outcome::Onward(self.motion(limit))).ok_or(Lost),
             Verdict::Lost(_) => Err(Lost),
@@ -166,13 +165,13 @@ impl<F: Float> Slide<F> {
         let sign = self.direction.sign::<F>();
         move |phi| {
             let m = self.motion_by::<DAMPED>(phi);
-            (m.velocity_jet::<DAMPED>(&self.equation, sign), m)
+            (m.velocity_jet(&self.equation, sign), m)
         }
     }
 
     #[inline]
-    fn velocity_at_start<const DAMPED: bool>(&self) -> Jet<F> {
-        self.motion_at_start().velocity_jet::<DAMPED>(&self.equation, self.direction.sign::<F>())
+    fn velocity_at_start(&self) -> Jet<F> {
+        self.motion_at_start().velocity_jet(&self.equation, self.direction.sign::<F>())
     }
 
     /// The properties of the velocity that are known before it is evaluated.
@@ -198,18 +197,18 @@ impl<F: Float> Slide<F> {
 
     /// The state at a zero: the last step by Taylor's series, whose next term is below rounding.
     #[inline]
-    fn arrival<const DAMPED: bool>(&self, found: &FoundZero<F, Motion<F>>) -> VelocityZero<F> {
+    fn arrival(&self, found: &FoundZero<F, Motion<F>>) -> VelocityZero<F> {
         let FoundZero { at, step: h, motion: m, grazes } = *found;
         let (half, third) = (h / F::int(2), h / F::int(3));
         let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
-        let (fourth, fifth) = m.higher_by::<DAMPED>(&self.equation);
+        let (fourth, fifth) = m.higher(&self.equation);
         let acceleration = m.acceleration + h * (m.jerk + half * (fourth + third * fifth));
         let jerk = m.jerk + h * fourth;
         // s′ = c − 2ζs, s″ = −(s + 2ζs′), s‴ = −(s′ + 2ζs″), and c′ = −s.
         let ((s, c), damping) = (m.rotation, self.equation.damping);
-        let s1 = if DAMPED { c - damping * s } else { c };
-        let s2 = if DAMPED { s + damping * s1 } else { s };
-        let s3 = if DAMPED { s1 - damping * s2 } else { s1 };
+        let s1 = c - damping * s;
+        let s2 = s + damping * s1;
+        let s3 = s1 - damping * s2;
         let rotation = (s + h * (s1 - half * (s2 + third * s3)), c - h * (s + half * (s1 - third * s2)));
         VelocityZero {
             phi: at + h,

@@ -24,29 +24,16 @@ impl<F: Float> Motion<F> {
     /// `w⁗ = −Ω² αΩ cos θ − w″ − 2ζw‴`.
     #[inline]
     pub(crate) fn higher(&self, equation: &Equation<F>) -> (F, F) {
-        if equation.is_damped() {
-            self.higher_by::<true>(equation)
-        } else {
-            self.higher_by::<false>(equation)
-        }
-    }
-
-    /// The two derivatives of w after the jerk, with the presence of damping known at compile time.
-    #[inline]
-    pub(crate) fn higher_by<const DAMPED: bool>(&self, equation: &Equation<F>) -> (F, F) {
         let (square, damping) = (equation.omega.square(), equation.damping);
-        let third = square * self.force + self.acceleration;
-        let third = -(if DAMPED { third + damping * self.jerk } else { third });
-        let force_rate = self.jerk + self.w;
-        let force_rate = if DAMPED { force_rate + damping * self.acceleration } else { force_rate };
-        let fourth = square * force_rate + self.jerk;
-        (third, -(if DAMPED { fourth + damping * third } else { fourth }))
+        let third = -(square * self.force + self.acceleration + damping * self.jerk);
+        let force_rate = self.jerk + self.w + damping * self.acceleration;
+        (third, -(square * force_rate + self.jerk + damping * third))
     }
 
     /// The velocity with its derivatives, multiplied by the sign of the slide.
     #[inline]
-    pub(crate) fn velocity_jet<const DAMPED: bool>(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
-        let third = self.higher_by::<DAMPED>(equation).0;
+    pub(crate) fn velocity_jet(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
+        let third = self.higher(equation).0;
         Jet {
             value: sign * self.w,
             first: sign * self.acceleration,
@@ -104,7 +91,7 @@ mod tests {
                             "{omega} {phi}: {jet} {slope}"
                         )
                     };
-                    let [a, v, b] = [before, at, after].map(|m| m.velocity_jet::<true>(&equation, sign));
+                    let [a, v, b] = [before, at, after].map(|m| m.velocity_jet(&equation, sign));
                     is(v.value, sign * slope(before.x, after.x));
                     is(v.first, slope(a.value, b.value));
                     is(v.second, slope(a.first, b.first));

@@ -18,9 +18,9 @@ use crate::float::Float;
 impl<F: Float> Slide<F> {
     /// Whether φ is short compared with both periods and the decay: `max(1, Ω, 4ζ) φ < 1/8`.
     #[inline]
-    pub(crate) fn is_short<const DAMPED: bool>(&self, phi: F) -> bool {
+    pub(crate) fn is_short(&self, phi: F) -> bool {
         let (one, eight) = (F::int(1), phi * F::int(8));
-        let is_slow = !DAMPED || eight * F::int(2) * self.equation.damping < one;
+        let is_slow = eight * F::int(2) * self.equation.damping < one;
         eight < one && eight * self.equation.omega < one && is_slow
     }
 
@@ -28,7 +28,7 @@ impl<F: Float> Slide<F> {
     ///
     /// From the third derivative of w on each term is a `(max(1, Ω) φ)²/n²`-th of an earlier one, or with
     /// damping a `4ζφ/n`-th. The series therefore has **at most PRECISION terms**, about 12 at f64.
-    pub(crate) fn short<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
+    pub(crate) fn short(&self, phi: F) -> Motion<F> {
         let (zero, one) = (F::int(0), F::int(1));
         let Equation { omega, damping, .. } = self.equation;
         let (sine, cosine) = self.sin_cos_start();
@@ -44,8 +44,7 @@ impl<F: Float> Slide<F> {
             travelled = travelled + derivative * longer;
             w = w + derivative * power;
             acceleration = acceleration + next * power;
-            let after = force_rate - derivative;
-            (derivative, next) = (next, if DAMPED { after - damping * next } else { after });
+            (derivative, next) = (next, force_rate - derivative - damping * next);
             (force_rate, next_force_rate) = (next_force_rate, -(omega.square() * force_rate));
             power = longer;
             // At least one of the first four terms is not small.
@@ -62,9 +61,9 @@ impl<F: Float> Slide<F> {
             x: self.x + travelled,
             w,
             acceleration,
-            jerk: if DAMPED { jerk - damping * acceleration } else { jerk },
+            jerk: jerk - damping * acceleration,
             force: self.equation.alpha * (sine * cos_drive + cosine * sin_drive),
-            rotation: if DAMPED { self.equation.free_waves(phi) } else { phi.sin_cos() },
+            rotation: self.equation.free_waves(phi),
         }
     }
 
@@ -97,8 +96,7 @@ mod tests {
                 let s = slide(omega, 0.3, w);
                 for i in 1..=64 {
                     let phi = f64::from(i) / 512.0 / omega.max(1.0);
-                    let (series, closed) =
-                        (s.short::<true>(phi), s.motion_of::<true>(&s.equation.waves(phi)));
+                    let (series, closed) = (s.short(phi), s.motion_of::<true>(&s.equation.waves(phi)));
                     let close = |a: f64, b: f64, size: f64| {
                         assert!((a - b).abs() <= 4e-15 * size, "Ω = {omega}, φ = {phi}: {a:e} {b:e}");
                     };

@@ -49,7 +49,7 @@ fn a_short_step_on_is_the_motion() {
     let slide = Slide::new(equation, DrivePhase::of(0.3).unwrap(), -0.4, 1.1, Direction::Forward);
     for (at, step) in [(0.4, 2e-3), (1.3, -2e-3), (2.1, 1e-3)] {
         let found = FoundZero { at, step, motion: slide.motion(at), grazes: false };
-        let (zero, exact) = (slide.arrival::<false>(&found), slide.motion(at + step));
+        let (zero, exact) = (slide.arrival(&found), slide.motion(at + step));
         let is = |a: f64, b: f64| assert!((a - b).abs() < 4e-11, "{at}: {a} {b}");
         is(zero.phi, at + step);
         is(zero.phase.since(slide.start), 0.7 * (at + step));
@@ -94,11 +94,11 @@ fn the_work_is_bounded() {
             let evaluations = Cell::new(0);
             let verdict = next_zero(
                 &slide.velocity_search::<false>(hint, None),
-                slide.motion_at_start().velocity_jet::<false>(&equation, 1.0),
+                slide.motion_at_start().velocity_jet(&equation, 1.0),
                 |phi| {
                     evaluations.set(evaluations.get() + 1);
                     let m = slide.motion(phi);
-                    (m.velocity_jet::<false>(&equation, 1.0), m)
+                    (m.velocity_jet(&equation, 1.0), m)
                 },
             );
             let Verdict::Zero(zero) = verdict else { panic!("Ω = {omega}: {slide:?}") };
@@ -134,14 +134,11 @@ fn the_work_is_bounded_at_any_frequency() {
         let slide = Slide::new(equation, DrivePhase::of(theta).unwrap(), x, w, direction);
         let evaluations = Cell::new(0);
         let f = slide.velocity::<false>();
-        let verdict = next_zero(
-            &slide.velocity_search::<false>(PI / omega, None),
-            slide.velocity_at_start::<false>(),
-            |phi| {
+        let verdict =
+            next_zero(&slide.velocity_search::<false>(PI / omega, None), slide.velocity_at_start(), |phi| {
                 evaluations.set(evaluations.get() + 1);
                 f(phi)
-            },
-        );
+            });
         assert!(matches!(verdict, Verdict::Zero(_)), "Ω = {omega}: {slide:?}");
         (most, sum) = (most.max(evaluations.get()), sum + evaluations.get());
     }
@@ -159,7 +156,7 @@ fn a_drive_that_cannot_be_seen_costs_nothing() {
         let evaluations = Cell::new(0);
         let f = slide.velocity::<false>();
         let search = slide.velocity_search::<false>(PI / omega, None);
-        let verdict = next_zero(&search, slide.velocity_at_start::<false>(), |phi| {
+        let verdict = next_zero(&search, slide.velocity_at_start(), |phi| {
             evaluations.set(evaluations.get() + 1);
             f(phi)
         });
