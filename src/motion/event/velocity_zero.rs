@@ -262,7 +262,9 @@ impl<F: Float> Slide<F> {
     /// The window in which the slow wave of the velocity exceeds the amplitude of the fast one, for Ω outside
     /// [1/2, 2] and ζ = 0.
     ///
-    /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²).
+    /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²). The amplitude does not decay, so that the
+    /// window holds for the whole slide; the windows for a damped one (`window`) cost 4 to 16 % of a steady
+    /// state more.
     ///
     /// # Rounding
     /// The circular functions are accurate to ε. G then has an error of 3ε|G|, and r one of `ε r + 6ε max(1,

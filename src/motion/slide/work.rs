@@ -37,7 +37,8 @@ impl<F: Float> Slide<F> {
         Works { drive: self.work_of_drive(end), damper: F::int(0) }
     }
 
-    /// Work of the drive `∫ α sin θ dx` from the start to `end` without damping, in r_y B.
+    /// Work of the drive `∫ α sin θ dx` from the start to `end` without damping, in r_y B: two terms and no circular
+    /// function, in place of the three forms for a damper.
     ///
     /// By parts from `(w″ + w) sin θ = αΩ cos θ sin θ`, without the balance of energy:
     ///
