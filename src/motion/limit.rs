@@ -42,7 +42,7 @@ use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use core::ops::ControlFlow;
-use long_run::{DEFAULT_BUDGET, LongRun};
+use long_run::{DEFAULT_BUDGET, LongRun, growth_at_resonance};
 use rest::come_to_rest;
 use section::{cycle_guess, fastest_point, on_six_reversals, settle_in};
 use shooting::{Guess, shoot};
@@ -93,15 +93,14 @@ impl<F: Float> LongRun<F> {
 
     fn budgeted(ratios: Ratios<F>, start: State<F>, mut budget: Budget<'_>) -> Result<Self, Error> {
         let ratios = resolved(ratios)?;
-        let (one, alpha) = (F::int(1), ratios.alpha());
-        if alpha <= one {
+        if ratios.alpha() <= F::int(1) {
             return come_to_rest(ratios, start, &mut budget);
         }
         if ratios.has_higher_static_friction() {
             return followed::limit(ratios, start, &mut budget);
         }
-        if ratios.omega() == one && F::pi() * alpha > F::int(4) && !ratios.is_damped() {
-            return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
+        if let Some(growth) = growth_at_resonance(&ratios) {
+            return Ok(Self::Unbounded { growth });
         }
         let equation = Equation::new(ratios);
         if family::is_one(ratios) {

@@ -77,9 +77,8 @@ pub(crate) fn rate_noise<F: Float>(parts: u64) -> F {
     F::int(64) * F::epsilon() * F::from_f64(parts as f64 + 1.0)
 }
 
-/// Whether the bound on the distance from the limit is small compared with the motion itself.
-pub(crate) fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
-    let (x, w) = inverse.absolute().times(left.bounds());
+/// Whether a possible distance from the limit is small compared with the motion itself.
+pub(crate) fn is_known<F: Float>(y: &Point<F>, (x, w): (F, F)) -> bool {
     let size = y.x.abs() + y.w.abs();
     F::int(16) * x <= size && F::int(16) * w <= size
 }
@@ -174,7 +173,8 @@ impl<F: Float> Trial<F> {
 
     /// Whether the distance from the fixed point is known.
     pub(crate) fn is_known(&self) -> bool {
-        is_known(&self.motion.start, self.inverse, &self.left)
+        let Located { at, off } = self.located();
+        is_known(&at, off)
     }
 
     /// Whether the motion repeats to within `times` times the rounding, with a known distance from a fixed

@@ -3,6 +3,7 @@
 use super::irregular::Irregular;
 use super::steady::SteadyState;
 use crate::float::Float;
+use crate::machine::ratios::Ratios;
 use crate::motion::broken::Budget;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
@@ -132,6 +133,13 @@ impl<F: Float> core::fmt::Display for LongRun<F> {
 
 /// The number of periods of the drive for which a motion is followed by default.
 pub const DEFAULT_BUDGET: u32 = 20_000;
+
+/// The growth per cycle of a motion at Ω = 1 without damping, πα − 4, where it is above zero.
+pub(crate) fn growth_at_resonance<F: Float>(ratios: &Ratios<F>) -> Option<F> {
+    let growth = F::pi() * ratios.alpha() - F::int(4);
+    let is_resonant = ratios.omega() == F::int(1) && !ratios.is_damped();
+    (is_resonant && growth > F::int(0)).then_some(growth)
+}
 
 /// [`LongRun::NotConverged`] with the state at a point.
 pub(crate) fn unsettled<F: Float>(

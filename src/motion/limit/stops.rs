@@ -15,7 +15,7 @@
 //! The result is judged as in `shooting`, by the residual of half a turn and its rounding. If there are no
 //! such stops half a turn apart, this search has no answer, and `shooting` must find the motion.
 
-use super::fixed_point::Residual;
+use super::fixed_point::{Residual, is_known};
 use super::long_run::LongRun;
 use super::measures::CycleStatistics;
 use super::propagation::MotionPart;
@@ -243,9 +243,7 @@ fn steady<F: Float>(
     let phase = slide.start.advanced(equation.omega * phi / two).later_by_half_turns(1);
     let y = Point { phase, x: -middle.x, w: -middle.w };
     let distance = Residual::new(&equation, &y, (off, off)).bounds();
-    let size = y.x.abs() + y.w.abs();
-    let is_known = F::int(16) * distance.0 <= size && F::int(16) * distance.1 <= size;
-    if !is_known || length < zero {
+    if !is_known(&y, distance) || length < zero {
         return Ok(None);
     }
     Ok(Some(LongRun::Periodic(SteadyState::of(SteadyParts {

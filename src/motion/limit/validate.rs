@@ -90,8 +90,8 @@ pub(crate) fn validated<F: Float>(
         .after_slide(rest, damping)
         .after_zero(reversal)
         .after_slide(middle.rotation, damping);
-    let inverse = monodromy.inverse_of_one_plus();
-    if !(residual.is_rounding(1) && is_known(&y, inverse, &residual)) {
+    let distance = monodromy.inverse_of_one_plus().absolute().times(residual.bounds());
+    if !(residual.is_rounding(1) && is_known(&y, distance)) {
         return Err(start);
     }
     let max_v = if cycle.is_some() {
@@ -112,7 +112,7 @@ pub(crate) fn validated<F: Float>(
             two * (arrival.x - slide.x),
         ),
         multipliers: monodromy.squared_eigenvalues(),
-        distance: inverse.absolute().times(residual.bounds()),
+        distance,
         periods: F::ratio(1, 2),
     }))
 }

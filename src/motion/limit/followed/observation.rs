@@ -5,6 +5,7 @@ use crate::float::Float;
 use crate::machine::ratios::Ratios;
 use crate::motion::broken::Budget;
 use crate::motion::limit::irregular::Irregular;
+use crate::motion::limit::long_run::growth_at_resonance;
 use crate::motion::limit::matrix::Matrix;
 use crate::motion::limit::propagation::MotionPart;
 use crate::motion::slide::equation::Equation;
@@ -21,10 +22,8 @@ pub(super) struct GrowthAtResonance<F> {
 
 impl<F: Float> GrowthAtResonance<F> {
     pub(super) fn of(ratios: &Ratios<F>) -> Option<Self> {
-        let growth = F::pi() * ratios.alpha() - F::int(4);
-        let is_resonant = ratios.omega() == F::int(1) && !ratios.is_damped() && growth > F::int(0);
         let large = F::int(16) * (ratios.alpha() + ratios.static_friction_ratio());
-        is_resonant.then_some(Self { large, growth })
+        growth_at_resonance(ratios).map(|growth| Self { large, growth })
     }
 
     /// The growth per turn of a motion that is so large that it no longer stops, if it grows. The averaged
