@@ -5,7 +5,7 @@
 //!
 //! * For Ω < 1/2 there can be as many zeros as the free periods in the slide, but only the neighbourhoods of the
 //!   crests of the forced wave matter; their width depends on the size of the free wave (`crests`). Slides with
-//!   few zeros are searched as a whole, unless Ω < 1/4, where a crest takes less.
+//!   few zeros are searched as a whole, except for Ω < 1/4 with a damper, whose motion takes longer to evaluate.
 //! * Long slides with Ω > 2 or ζ ≥ 1/2, and those with many zeros around a crest, are searched like the
 //!   closed-form cycle.
 
@@ -37,7 +37,7 @@ impl<F: Float> Slide<F> {
         let Equation { omega, damping, .. } = self.equation;
         let mut best = Fastest { phi: zero, w: self.w };
         let start = self.motion_at_start();
-        let is_long = end > four * F::pi() || omega * four < one;
+        let is_long = end > four * F::pi() || (omega * four < one && self.equation.is_damped());
         if omega * two < one
             && is_long
             && let Some(parts) = self.around_crests(end, arrival, &mut best)
