@@ -139,12 +139,11 @@ fn velocity_target<F: Float>(
     for _ in 0..F::PRECISION {
         let (speed, slope) = reached(amplitude);
         let step = (speed - velocity) / slope;
-        let next = amplitude - step;
-        // Rounding moved the step beyond the solution, or to the border.
-        if !(step > F::epsilon() * amplitude && next > least) {
+        // A smaller step, or one back, is rounding; a force that no number holds is refused below.
+        if !(step > F::epsilon() * amplitude && amplitude > least && step.is_finite()) {
             break;
         }
-        amplitude = next;
+        amplitude = (amplitude - step).or_larger(least);
     }
     force_ratio_of_amplitude(&half, amplitude)
 }
@@ -208,6 +207,22 @@ mod tests {
         assert!(matches!(force_ratio_for_velocity(1.0, 0.0, 9.0), Err(Error::AtResonance { .. })));
         assert!(force_ratio_for_displacement(0.7, 0.0, f64::NAN).is_err());
         assert!(force_ratio_for_displacement(0.7, 0.0, 1e300).is_err());
+    }
+
+    /// Newton's method begins far above the border where the body is fastest far from the middle of its way.
+    #[test]
+    fn the_velocity_of_the_border_itself() {
+        for (omega, zeta) in
+            [(4.943886883868135e-5, 0.0), (1048575.9999999884, 0.0), (0.2, 0.02), (0.34, 1e-9)]
+        {
+            let border = crate::Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+            let at = |force: f64| {
+                Ratios::new(omega, force).and_then(|r| r.with_damping_ratio(zeta)).and_then(Cycle::new)
+            };
+            let target = at(border).unwrap().max_velocity * (1.0 + 1e-15);
+            let force = force_ratio_for_velocity(omega, zeta, target).unwrap();
+            assert!((force / border - 1.0).abs() < 1e-12, "{omega} {zeta}: {force} {border}");
+        }
     }
 
     #[test]

@@ -134,9 +134,9 @@ impl<F: Float> Slide<F> {
             self.equation.alpha.square() * square * phi / two + (second(end) - second(start)),
         );
         let drive = (p * r1 + k * r2) / determinant;
-        let mixed = (p * r2 - k * square * r1) / determinant;
-        let damper = k * mixed + square * drive + (third(end) - third(start));
-        Works { drive, damper }
+        // 2ζJ + Ω²W in one quotient, because the two nearly cancel above Ω = 1.
+        let mixed = (k * r2 + square * (p - k.square()) * r1) / determinant;
+        Works { drive, damper: mixed + (third(end) - third(start)) }
     }
 
     /// `∫ 2ζw² dφ` up to φ by the power series of w around the middles of parts, none longer than half of the
