@@ -19,9 +19,9 @@
 
 use super::Cycle;
 use super::waveform::Motion;
-use crate::cycle::damped::half_period;
-use crate::cycle::damped::rising::Rising;
+use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, Real};
+use crate::greatest::{Bound, Jet, greatest};
 use crate::root::enclosed;
 
 /// Dynamic amplification `k Δ₀/p₀ = (Δ₀/B)/α`.
@@ -51,7 +51,7 @@ impl<F: Float> Cycle<F> {
     pub fn transmitted_force(&self) -> F {
         match &self.motion {
             Motion::Undamped(_) => transmitted_force(self.max_displacement),
-            Motion::Damped(cycle) => cycle.rising.transmitted_force(),
+            Motion::Damped(cycle) => cycle.transmitted_force(),
         }
     }
 
@@ -61,10 +61,48 @@ impl<F: Float> Cycle<F> {
     /// Accuracy at f64: 4 ulp without damping for Ω ≥ 1/2; otherwise 1e-13 of Δ₀/B + α/Ω².
     pub fn max_acceleration(&self) -> F {
         let omega = self.ratios.omega();
-        if !self.ratios.is_damped() && F::int(2) * omega >= F::int(1) {
-            return arrival_acceleration(self.max_displacement, omega);
+        match &self.motion {
+            Motion::Damped(cycle) => cycle.max_acceleration() / omega.square(),
+            Motion::Undamped(_) if F::int(2) * omega >= F::int(1) => {
+                arrival_acceleration(self.max_displacement, omega)
+            }
+            Motion::Undamped(_) => self.max_acceleration_below(),
         }
-        self.rising().max_acceleration() / omega.square()
+    }
+
+    /// The greatest |x″| without damping below Ω = 1/2, `x″ = Ω²Δ₀ sin Ωψ − g`: as a difference of force and
+    /// spring it would lose as many digits as they exceed it by.
+    fn max_acceleration_below(&self) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let (omega, delta) = (self.ratios.omega(), self.max_displacement);
+        let arrival = arrival_acceleration(delta, omega);
+        let tangent = PhaseFunction::of_valid(omega).tangent();
+        let (_, cos_beta) = self.sin_cos_beta();
+        let square = omega.square();
+        let (slow, bent) = (square * delta, omega * tangent);
+        // |x⁗| of the slow wave and the fast one.
+        let curvature = square * (slow + bent.abs()) + one / cos_beta.abs();
+        let motion = |psi: F| {
+            let ((s, c), (sine, cosine)) = ((omega * psi).sin_cos(), psi.sin_cos());
+            let (wave, rate) = (slow * s + bent * c, omega * (slow * c - bent * s));
+            Jet {
+                value: wave - cosine / cos_beta,
+                slope: rate + sine / cos_beta,
+                second: cosine / cos_beta - square * wave,
+            }
+        };
+        let beta = F::pi() / (two * omega);
+        let turn = two * F::pi();
+        // The crest of the slow wave: tan Ωψ = Ω Δ₀/T.
+        let crest = (omega * delta).atan2(tangent.abs()).with_sign_of(-tangent) / omega;
+        let windows = [(-beta, turn - beta), (crest - turn, crest + turn), (beta - turn, beta)];
+        let inside = |(low, high): (F, F)| {
+            let low = low.or_larger(-beta);
+            (low, if high < beta { high } else { beta })
+        };
+        let best = windows.map(inside).into_iter().filter(|(low, high)| low < high);
+        let bound = |_, _| Bound { curvature, value: one / F::int(0) };
+        best.fold(arrival * square, |best, (low, high)| greatest(low, high, best, bound, motion)) / square
     }
 
     /// Maximum absolute displacement, with a base that carries the surface, in B: the maximum of |x + u|,
@@ -74,25 +112,26 @@ impl<F: Float> Cycle<F> {
     /// Hence y′ increases and then decreases, from −K/Ω² to K/Ω²; it has one zero, and y one extremum.
     /// Accuracy at f64: 1e-14 of Δ₀/B + α/Ω²; with damping 1e-13 of it.
     pub fn max_absolute_displacement(&self) -> F {
-        let rising = self.rising();
-        if self.ratios.is_damped() {
-            return rising.max_absolute_displacement();
-        }
-        // The only extremum takes a tenth of the time of a search.
-        let y = |tau: F| {
-            let at = rising.at(tau);
-            rising.absolute(&at, rising.displacement(&at))
+        let omega = self.ratios.omega();
+        let half = match &self.motion {
+            Motion::Damped(cycle) => return cycle.max_absolute_displacement(),
+            Motion::Undamped(cycle) => cycle.half(omega),
         };
-        let (low, high) = enclosed(F::int(0), rising.half.period, |tau| y(tau).slope);
-        y(low).value.abs().or_larger(y(high).value.abs())
+        let square = omega.square();
+        let k = PhaseFunction::of_valid(omega).value();
+        let beta = F::pi() / (F::int(2) * omega);
+        let speed = |psi: F| half.velocity(psi).value + self.drive(psi, k).1 / square;
+        let (low, high) = enclosed(-beta, beta, speed);
+        let at = |psi: F| (half.displacement(psi) + self.drive(psi, k).0 / square).abs();
+        at(low).or_larger(at(high))
     }
 
-    /// The half cycle with x′ > 0.
-    fn rising(&self) -> Rising<F> {
-        match &self.motion {
-            Motion::Undamped(_) => Rising::new(half_period(&self.ratios), self.max_displacement),
-            Motion::Damped(cycle) => cycle.rising,
-        }
+    /// (α sin θ, α cos θ) at the centred time ψ of the half cycle with x′ > 0.
+    fn drive(&self, psi: F, k: F) -> (F, F) {
+        let omega = self.ratios.omega();
+        let sine = (F::int(1) - omega) * (F::int(1) + omega) * self.max_displacement;
+        let (s, c) = (omega * psi).sin_cos();
+        (-(sine * s) - k * c, sine * c - k * s)
     }
 }
 

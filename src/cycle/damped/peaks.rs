@@ -1,4 +1,4 @@
-//! Acceleration, transmitted force and absolute motion of the cycle for any damping ratio, in natural time.
+//! Acceleration, transmitted force and absolute motion of the cycle with damping, in natural time.
 //!
 //! On the half cycle with x′ > 0 the force of spring, damper and friction is `f = x + 2ζx′ + 1`, and
 //!
@@ -8,6 +8,7 @@
 //!
 //! Each is the sum of a driven part, a harmonic of the frequency Ω, and a free part with decreasing energy.
 
+use super::DampedCycle;
 use super::rising::{Moment, Rising};
 use crate::float::{Field, Float};
 use crate::greatest::{Bound, Jet, greatest};
@@ -46,15 +47,15 @@ fn less<F: Float>(a: F, b: F) -> F {
     if a < b { a } else { b }
 }
 
-impl<F: Float> Rising<F> {
+impl<F: Float> DampedCycle<F> {
     /// Greatest |x″|, in B ω_n².
     pub(crate) fn max_acceleration(&self) -> F {
-        let half = &self.half;
-        let (square, swing) = (half.omega.square(), self.vibration().swing());
+        let half = &self.rising.half;
+        let (square, swing) = (half.omega.square(), self.rising.vibration().swing());
         let most = swing * square * half.omega;
         let bound = |a: F, b: F| {
-            let (start, middle) = (self.at(a), self.at((a + b) / F::int(2)));
-            let (v, slope) = self.driven(&middle);
+            let (start, middle) = (self.rising.at(a), self.rising.at((a + b) / F::int(2)));
+            let (v, slope) = self.rising.driven(&middle);
             let driven = Jet { value: slope, slope: -(square * v), second: most };
             let together = self.together(&start, b - a);
             let apart = self.apart(driven, (b - a) / F::int(2), start.free.acceleration_bound());
@@ -63,18 +64,18 @@ impl<F: Float> Rising<F> {
                 value: less(apart, together.acceleration),
             }
         };
-        self.greatest(bound, |at| self.acceleration(at))
+        self.greatest(bound, |at| self.rising.acceleration(at))
     }
 
     /// Greatest |f|, in r_y.
     pub(crate) fn transmitted_force(&self) -> F {
-        let half = &self.half;
-        let (square, damper, swing) = (half.omega.square(), self.damper(), self.vibration().swing());
+        let half = &self.rising.half;
+        let (square, damper, swing) = (half.omega.square(), self.damper(), self.rising.vibration().swing());
         // The driven part of f has the amplitude s √(1/Ω² + 4ζ²), and the free part is −h″.
         let amplitude = swing * (F::int(1) / half.omega).hypot(damper);
         let bound = |a: F, b: F| {
-            let (start, middle) = (self.at(a), self.at((a + b) / F::int(2)));
-            let (v, slope) = self.driven(&middle);
+            let (start, middle) = (self.rising.at(a), self.rising.at((a + b) / F::int(2)));
+            let (v, slope) = self.rising.driven(&middle);
             let driven = Jet {
                 value: damper * v - slope / square,
                 slope: v + damper * slope,
@@ -90,17 +91,17 @@ impl<F: Float> Rising<F> {
                 value: self.apart(driven, (b - a) / F::int(2), start.free.acceleration_bound()),
             }
         };
-        self.greatest(bound, |at| self.force(at, self.displacement(at)))
+        self.greatest(bound, |at| self.rising.force(at, self.rising.displacement(at)))
     }
 
     /// Greatest |y|, in B.
     pub(crate) fn max_absolute_displacement(&self) -> F {
+        let half = &self.rising.half;
         let (damper, one) = (self.damper(), F::int(1));
-        let fastest = self.vibration().swing() + self.at(F::int(0)).free.velocity_bound();
-        let most = self.max_displacement + damper * fastest + one;
+        let most = self.max_displacement + damper * half.omega * self.max_velocity + one;
         self.greatest(
             |_, _| Bound { curvature: most, value: one / F::int(0) },
-            |at| self.absolute(at, self.displacement(at)),
+            |at| self.rising.absolute(at, self.rising.displacement(at)),
         )
     }
 
@@ -110,10 +111,11 @@ impl<F: Float> Rising<F> {
     /// most, and so for its derivatives by αΩ² and αΩ³. Near resonance driven and free part are large and
     /// opposite, and this is far less than the sum of both.
     fn together(&self, at: &Moment<F>, time: F) -> Together<F> {
-        let omega = self.half.omega;
-        let ([_, a, jerk], Jet { second: snap, .. }) = (self.velocity(at), self.acceleration(at));
+        let omega = self.rising.half.omega;
+        let ([_, a, jerk], Jet { second: snap, .. }) =
+            (self.rising.velocity(at), self.rising.acceleration(at));
         // α Ω = s q
-        let growth = self.swing() * self.half.stiffness * omega * time;
+        let growth = self.rising.swing() * self.rising.half.stiffness * omega * time;
         let acceleration = a.hypot(jerk) + growth;
         let jerk = jerk.hypot(snap) + growth * omega;
         Together { acceleration, jerk, snap: jerk }
@@ -121,18 +123,18 @@ impl<F: Float> Rising<F> {
 
     /// No more than the driven and the free part give, where they are computed apart.
     fn apart(&self, driven: Jet<F>, radius: F, free: F) -> F {
-        if self.half.is_resonant { F::int(1) / F::int(0) } else { driven.reach(radius) + free }
+        if self.rising.half.is_resonant { F::int(1) / F::int(0) } else { driven.reach(radius) + free }
     }
 
     /// The maximum over the half cycle, which is that of the other half, too.
     fn greatest(&self, bound: impl Fn(F, F) -> Bound<F>, jet: impl Fn(&Moment<F>) -> Jet<F>) -> F {
-        let half = &self.half;
-        greatest(F::int(0), half.period, F::int(0), bound, |tau| jet(&self.at(tau)))
+        let half = &self.rising.half;
+        greatest(F::int(0), half.period, F::int(0), bound, |tau| jet(&self.rising.at(tau)))
     }
 
     /// 2ζ.
     fn damper(&self) -> F {
-        F::int(2) * self.half.free.zeta
+        F::int(2) * self.rising.half.free.zeta
     }
 }
 
