@@ -68,9 +68,9 @@ pub(crate) const fn base_motion(excitation: Excitation) -> Option<&'static str> 
         Excitation::DampedFootMotion => Some(
             "of the foot of spring and damper over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
         ),
-        // The library may add kinds of motion of a base that carries the surface.
-        Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
+        Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {
             Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")
         }
+        _ => None,
     }
 }

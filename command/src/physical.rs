@@ -81,13 +81,13 @@ impl<F: Value> Physical<F> {
                 add("damped_foot_displacement", Kind::Length, drive.amplitude());
                 add("lead_time", Kind::Time, drive.phase_lead(oscillator) * scales.time);
             }
-            // The library may add kinds of motion of a base that carries the surface.
-            Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
+            Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {
                 let acceleration = p0 / oscillator.mass();
                 add("base_displacement", Kind::Length, acceleration * scales.time.square());
                 add("base_velocity", Kind::Velocity, acceleration * scales.time);
                 add("base_acceleration", Kind::Acceleration, acceleration);
             }
+            _ => {}
         }
         add("friction_displacement", Kind::Length, scales.length);
         if let Some(mean_force) = machine.mean_force {

@@ -13,22 +13,22 @@
 //!
 //! # Where the supremum is, and why it is the global one
 //!
-//! With β = π/2Ω, γ = β mod π ∈ [0, π) and ζ = τ/Ω, `f = [T cos τ + sin(ζ − β)/cos β]/(Ω sin τ)`, and f(π −
+//! With β = π/2Ω, γ = β mod π ∈ [0, π) and σ = τ/Ω, `f = [T cos τ + sin(σ − β)/cos β]/(Ω sin τ)`, and f(π −
 //! τ) = −f(τ), so that it suffices to find the largest |f| on (0, π/2]. Let `f′ sin²τ = G/Ω`. Then `G′ =
-//! −(Ω⁻² − 1) sin τ sin(ζ − β)/cos β`, whose sign is known between known points.
+//! −(Ω⁻² − 1) sin τ sin(σ − β)/cos β`, whose sign is known between known points.
 //!
-//! * **Ω ≥ 1/2.** On (0, π/2], ζ − β runs from −β to 0 within one sign of the sine, and G′ ≤ 0 throughout
-//!   (for Ω > 1 the factor Ω⁻² − 1 changes sign with sin(ζ − β)/cos β). So f falls from 1/Ω² to
+//! * **Ω ≥ 1/2.** On (0, π/2], σ − β runs from −β to 0 within one sign of the sine, and G′ ≤ 0 throughout
+//!   (for Ω > 1 the factor Ω⁻² − 1 changes sign with sin(σ − β)/cos β). So f falls from 1/Ω² to
 //!   f(π/2) = 0, and S = 1/Ω²: **eq. 61 is exact for Ω ≥ 1/2.**
-//! * **Ω < 1/2.** sin(ζ − β)/cos β = sin(ζ − γ)/cos γ opposes T = tan γ for 0 < ζ < γ, helps it for
-//!   γ < ζ < γ + π, and so on in turn. Up to γ, G′ has one sign and G(0) = 0, so that f is monotonic: its
+//! * **Ω < 1/2.** sin(σ − β)/cos β = sin(σ − γ)/cos γ opposes T = tan γ for 0 < σ < γ, helps it for
+//!   γ < σ < γ + π, and so on in turn. Up to γ, G′ has one sign and G(0) = 0, so that f is monotonic: its
 //!   values there lie between the limit 1/Ω² and f at γ. Beyond γ + π, cos τ and 1/sin τ were larger one half
 //!   period earlier: a value of |f| where the sine opposes T is exceeded where it was as large and helped,
-//!   and any value one period earlier. So the largest |f| has γ ≤ ζ ≤ γ + π and the sign of T, or is the
-//!   limit 1/Ω² at ζ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and
-//!   has no zero elsewhere in the lobe: f has there **one** stationary point ζ* = γ + η, the only zero on (0,
-//!   π) of `g(η) = cos Ωζ sin η − sin Ωζ cos η/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωζ sin η > 0.
-//!   `S = max(1/Ω², |f(ζ*)|)`.
+//!   and any value one period earlier. So the largest |f| has γ ≤ σ ≤ γ + π and the sign of T, or is the
+//!   limit 1/Ω² at σ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and
+//!   has no zero elsewhere in the lobe: f has there **one** stationary point σ* = γ + ξ, the only zero on (0,
+//!   π) of `g(ξ) = cos Ωσ sin ξ − sin Ωσ cos ξ/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωσ sin ξ > 0.
+//!   `S = max(1/Ω², |f(σ*)|)`.
 //!
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f increases from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 is
 //! too low on the whole band; for T < 0 it is too low only next to the pole. There is a single root at any Ω,

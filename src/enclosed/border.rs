@@ -72,28 +72,28 @@ impl<const W: usize> Border<W> {
 }
 
 impl<const W: usize> StationaryValue<W> {
-    /// The stationary value at the only zero η of g on (0, π), where g increases.
+    /// The stationary value at the only zero ξ of g on (0, π), where g increases.
     fn at(angle: &Angle<W>) -> Option<Self> {
         let (gamma, rises) = lobe_phase(angle)?;
         let omega = angle.omega;
         let inverse = Ball::int(1) / omega;
         let sin_gamma = gamma.sin();
-        let at = |eta: Ball<W>| ((omega * (gamma + eta)).sin_cos(), eta.sin_cos());
+        let at = |xi: Ball<W>| ((omega * (gamma + xi)).sin_cos(), xi.sin_cos());
         let start = stationary_point(omega.mid(), gamma.mid());
-        let g = |eta| {
-            let (tau, eta) = at(eta);
-            condition(inverse, tau, eta, sin_gamma)
+        let g = |xi| {
+            let (tau, xi) = at(xi);
+            condition(inverse, tau, xi, sin_gamma)
         };
-        let slope = |eta| {
-            let (tau, eta) = at(eta);
-            condition_slope(omega, inverse, tau.0, eta.0)
+        let slope = |xi| {
+            let (tau, xi) = at(xi);
+            condition_slope(omega, inverse, tau.0, xi.0)
         };
-        let eta = only_zero(start, g, slope)?;
-        if !(eta.is_positive() && eta.is_below(&Ball::pi())) {
+        let xi = only_zero(start, g, slope)?;
+        if !(xi.is_positive() && xi.is_below(&Ball::pi())) {
             return None;
         }
-        let tau = omega * (gamma + eta);
-        let value = stationary_value(gamma, angle.sin_cos.1, tau, eta) / omega;
+        let tau = omega * (gamma + xi);
+        let value = stationary_value(gamma, angle.sin_cos.1, tau, xi) / omega;
         Some(Self { value, tau, rises })
     }
 }

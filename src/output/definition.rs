@@ -114,7 +114,7 @@ pub struct Definition {
 }
 
 /// Defines a function for each column that has a value by default.
-macro_rules! columns {
+macro_rules! facts {
     ($($column:ident($($value:ident: $type:ty)?) => $field:ident = $set:expr;)*) => {
         $(
             #[must_use]
@@ -146,7 +146,7 @@ impl Definition {
         }
     }
 
-    columns! {
+    facts! {
         symbol(symbol: &'static str) => symbol = symbol;
         equation(number: u8) => equation = Some(number);
         ulps(ulps: u8) => ulps = Some(ulps);

@@ -14,7 +14,7 @@ impl<F: Float> BandEnd<F> {
     /// The end of the band below the pole 1/(2n+1), n ≥ 1.
     ///
     /// `−tan γ = u tan(π/2u)`, u = 2n + 2γ/π: where the two values of S cross, the velocity of the inner one
-    /// touches zero at ζ = π ([`super::lobe`]). Multiplied by cos γ it is smooth through the pole, and as
+    /// touches zero at σ = π ([`super::lobe`]). Multiplied by cos γ it is smooth through the pole, and as
     /// well conditioned for n = 10⁵ as for n = 1.
     pub(super) fn of(index: u16) -> Self {
         let half_pi = F::pi() / F::int(2);

@@ -9,11 +9,11 @@
 //!   `2κ′² + 2 + 2κκ″`, and κ|κ″| < 1/4 there: strictly convex in 1/Ω², one minimum. As Ω → ∞ α_min rises to
 //!   √(1 + π²/4).
 //! * **2n < u < 2n + 1**, T > 0: α_min rises with u. K² = (u − 1/u)² T² does, and
-//!   `(1 − Ω²) S = (u − 1/u) N/sin τ` with `N = sin ζ + T(cos τ − cos ζ)` does by its explicit derivative
-//!   `∂N/∂u = [(τ − π/2) cos η cos γ + (π/2)(cos τ + sin γ sin η)]/cos²γ = [τ cos η cos γ + (π/2)(cos τ − cos
-//!   ζ)]/cos²γ > 0`: g(η) = 0 asks for cos η > 0, so that τ < ζ < π.
+//!   `(1 − Ω²) S = (u − 1/u) N/sin τ` with `N = sin σ + T(cos τ − cos σ)` does by its explicit derivative
+//!   `∂N/∂u = [(τ − π/2) cos ξ cos γ + (π/2)(cos τ + sin γ sin ξ)]/cos²γ = [τ cos ξ cos γ + (π/2)(cos τ − cos
+//!   σ)]/cos²γ > 0`: g(ξ) = 0 asks for cos ξ > 0, so that τ < σ < π.
 //! * **2n + 1 < u < 2n + 2**, T < 0, t = |T|, c = |cos γ|, n ≥ 1: there `∂N/∂u = −[(π/2)(cos τ + sin γ sin
-//!   η) + (π/2 − τ) c cos η]/c²` is negative, so that `S/(1/Ω²) = N/(u sin τ)` falls throughout, from ∞ at
+//!   ξ) + (π/2 − τ) c cos ξ]/c²` is negative, so that `S/(1/Ω²) = N/(u sin τ)` falls throughout, from ∞ at
 //!   the pole to less than 1/2 at 2n + 2: it is 1 **once**, at u_e, the end of the band where eq. 61 falls
 //!   short. Up to u_e both K² and S fall fast enough for α_min to fall: `|∂N/∂u|/N ≥ (π/2) t` and
 //!   `|T′/T| ≥ π` by u, against `(u² + 1)/(u³ − u) < 1/2`, the rate of u − 1/u; and t > 1/3, because
@@ -24,7 +24,7 @@
 //!   `−u⁴ + (3 + t²)u² + t² ≤ −(u⁴ − 6u² − 3)`, negative for u ≥ 3. So H falls from u_e on, and there is one
 //!   minimum.
 //!
-//! **t(u_e) = u_e tan(π/2u_e).** At ζ = π, τ = π/u, the condition g = 0 reads t = u tan(π/2u), and there
+//! **t(u_e) = u_e tan(π/2u_e).** At σ = π, τ = π/u, the condition g = 0 reads t = u tan(π/2u), and there
 //! |f| = t u cot(π/2u) = u², the limit at the turning point: both suprema meet where the condition holds. As
 //! u tan(π/2u) falls with u, t(u_e) is below 3 tan(π/6) = √3 for n ≥ 1, below 5 tan(π/10) = 1.6246 for n ≥ 2, and tends to π/2.
 //!

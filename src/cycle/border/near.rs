@@ -1,7 +1,7 @@
 //! The stationary point of the border's condition from γ and Ω alone, without branches, and the width that it
 //! has.
 //!
-//! With γ = β mod π, the stationary point η lies between 0.43 γ and 0.502 γ, all but a polynomial in γ² and
+//! With γ = β mod π, the stationary point ξ lies between 0.43 γ and 0.502 γ, all but a polynomial in γ² and
 //! Ω² (to 1.1e-3 γ). One of Householder's steps brings it to 2e-9 γ, and the width, stationary there, to
 //! rounding.
 
@@ -14,7 +14,7 @@ use crate::float::circular::TO_HALF_PI;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
-/// The quantities of an Ω below 1/2 that are known before η.
+/// The quantities of an Ω below 1/2 that are known before ξ.
 pub(super) struct Known<F> {
     omega: F,
     /// K(Ω).
@@ -30,26 +30,26 @@ impl<F: Float> Known<F> {
         Self { omega, phase_function, gamma: angle.lobe_phase(), sin_gamma: angle.sin_cos().0.abs() }
     }
 
-    /// `(1 − Ω²) S = |K| [sin γ cos τ + sin η]/(sin γ sin τ)` at the stationary point η, all terms positive.
+    /// `(1 − Ω²) S = |K| [sin γ cos τ + sin ξ]/(sin γ sin τ)` at the stationary point ξ, all terms positive.
     ///
-    /// S is stationary in η but not in τ and γ: τ = Ω(γ + η), in (0, π/2], is a pair.
+    /// S is stationary in ξ but not in τ and γ: τ = Ω(γ + ξ), in (0, π/2], is a pair.
     #[inline(always)]
-    pub(super) fn width(&self, eta: F) -> Pair<F> {
-        let eta = Pair::exact(eta);
-        let (sin_tau, cos_tau) = F::sin_cos_acute((self.gamma + eta) * self.omega);
-        let (sin_eta, _) = F::sin_cos_acute(eta);
-        self.phase_function.abs() * (self.sin_gamma * cos_tau + sin_eta) / (self.sin_gamma * sin_tau)
+    pub(super) fn width(&self, xi: F) -> Pair<F> {
+        let xi = Pair::exact(xi);
+        let (sin_tau, cos_tau) = F::sin_cos_acute((self.gamma + xi) * self.omega);
+        let (sin_xi, _) = F::sin_cos_acute(xi);
+        self.phase_function.abs() * (self.sin_gamma * cos_tau + sin_xi) / (self.sin_gamma * sin_tau)
     }
 
-    /// η, and whether it is good enough.
+    /// ξ, and whether it is good enough.
     ///
-    /// With ζ = γ + η and τ = Ωζ, of `g(η) = cos τ sin η − sin τ cos η/Ω + sin γ = 0`.
+    /// With σ = γ + ξ and τ = Ωσ, of `g(ξ) = cos τ sin ξ − sin τ cos ξ/Ω + sin γ = 0`.
     #[inline(always)]
     fn stationary_point(&self) -> (F, bool) {
         let (omega, gamma, one) = (self.omega, self.gamma.value(), F::int(1));
         let (pi, inverse, circular) = (F::pi(), one / omega, TO_HALF_PI.of::<F>());
         let (x, y) = ((gamma / pi).square(), F::int(4) * omega.square());
-        // η/γ = 1/2 − (0.0618 − 0.143 (2Ω)²) (γ/π)² − 0.00906 (γ/π)⁴
+        // ξ/γ = 1/2 − (0.0618 − 0.143 (2Ω)²) (γ/π)² − 0.00906 (γ/π)⁴
         let bend = y.mul_add(F::ratio(143_258, 1_000_000), F::ratio(-61_765, 1_000_000));
         let start = gamma * x.mul_add(F::ratio(-9_058, 1_000_000).mul_add(x, bend), F::ratio(1, 2));
         let (sin_tau, cos_tau) = circular.sin_cos(omega * (gamma + start));
@@ -66,14 +66,14 @@ impl<F: Float> Known<F> {
     }
 }
 
-/// η where Ω and γ say enough of it, at the digits of f64 or fewer.
+/// ξ where Ω and γ say enough of it, at the digits of f64 or fewer.
 #[inline(always)]
 pub(super) fn near<F: Float>(known: &Known<F>) -> Option<F> {
     if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return None;
     }
-    let (eta, is_found) = known.stationary_point();
-    is_found.then_some(eta)
+    let (xi, is_found) = known.stationary_point();
+    is_found.then_some(xi)
 }
 
 /// The exact border α_min of 2⁻¹⁰ ≤ Ω < 1/2, and whether it is found this way: as [`super::Border`] has it,
@@ -82,8 +82,8 @@ pub(super) fn near<F: Float>(known: &Known<F>) -> Option<F> {
 #[inline(always)]
 pub(crate) fn border_near<F: Float>(omega: F, angle: &LowAngle<F>, phase_function: Pair<F>) -> (F, bool) {
     let (known, one_minus_square) = (Known::new(omega, angle, phase_function), one_minus_square_wide(omega));
-    let (eta, is_found) = known.stationary_point();
-    let width = known.width(eta);
+    let (xi, is_found) = known.stationary_point();
+    let width = known.width(xi);
     let turning_point = turning_point_border(phase_function, one_minus_square, omega.wide()).value();
     let inner = turning_point.or_larger(border_force_ratio(phase_function, width).value());
     let is_inner = is_stationary_value_larger(one_minus_square, omega, width, angle.is_tangent_positive());

@@ -7,11 +7,11 @@
 //! ```
 //!
 //! Where eq. 61 is exact, b = 1/Ω² − 1 and b′ = −2/Ω³. Elsewhere S is the value of f at a point where f is
-//! stationary in τ, so that only the explicit dependence on Ω counts. With ζ = τ/Ω = γ + η of the border's
-//! module, T′ = −(π/2Ω²)/cos²β and cos ζ + T sin ζ = cos(ζ − β)/cos β,
+//! stationary in τ, so that only the explicit dependence on Ω counts. With σ = τ/Ω = γ + ξ of the border's
+//! module, T′ = −(π/2Ω²)/cos²β and cos σ + T sin σ = cos(σ − β)/cos β,
 //!
 //! ```text
-//! S′ = −S/Ω − [τ cos η/|cos β| + sgn T (π/2)(cos τ − cos ζ)/cos²β]/(Ω³ sin τ).
+//! S′ = −S/Ω − [τ cos ξ/|cos β| + sgn T (π/2)(cos τ − cos σ)/cos²β]/(Ω³ sin τ).
 //! ```
 //!
 //! The border is smooth but at two kinds of points below Ω = 1/2. At Ω = 1/(2n) both pieces have the slope
