@@ -72,7 +72,7 @@ impl Regime {
 }
 
 /// The regime at these ratios, where the border of the two-reversal cycle is `least`.
-#[inline]
+#[inline(always)]
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, least: F) -> Regime {
     let alpha = ratios.alpha();
     if alpha <= F::int(1) {
@@ -87,7 +87,7 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, least: F) -> Regime {
 }
 
 /// The regime at ratios where a motion without a stop exists.
-#[inline]
+#[inline(always)]
 fn regime_of_sliding<F: Float>(ratios: &Ratios<F>) -> Regime {
     if !leads_from_every_start(ratios) {
         Regime::DependsOnStart

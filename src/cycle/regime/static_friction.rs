@@ -41,7 +41,7 @@ use crate::machine::ratios::Ratios;
 
 /// Whether every start leads to a motion without a stop, given that there is one: with η = 1, and where α is so
 /// great.
-#[inline]
+#[inline(always)]
 pub(super) fn leads_from_every_start<F: Float>(ratios: &Ratios<F>) -> bool {
     // The rounding of the bound must not matter.
     let sure = F::int(1) + F::int(16) * F::epsilon();
@@ -51,6 +51,7 @@ pub(super) fn leads_from_every_start<F: Float>(ratios: &Ratios<F>) -> bool {
 
 /// A force ratio above which every start leads to the motion without a stop, for η > 1; `None` where none is
 /// known, without a damper away from Ω = 1.
+#[inline(never)]
 pub(super) fn every_start<F: Float>(ratios: &Ratios<F>) -> Option<F> {
     let (omega, zeta, eta) = (ratios.omega(), ratios.damping_ratio(), ratios.static_friction_ratio());
     if ratios.is_damped() {
