@@ -1,10 +1,11 @@
 //! The points that the loops cannot compute: the library's answer at a single point.
 
 use super::columns::LOOPED;
+use crate::cycle::border::least_with_static_friction;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::cycle::regime::has_two_reversals;
 use crate::cycle::response::Response;
-use crate::cycle::{Border, Reversal, damped};
+use crate::cycle::{Reversal, damped};
 use crate::float::{Float, Task};
 use crate::machine::ratios::Ratios;
 
@@ -49,7 +50,7 @@ impl Task for Amplitude {
     fn run(self) -> [f64; 3] {
         let (omega, alpha) = (self.0.omega(), self.0.alpha());
         let p = PhaseFunction::of_valid(omega);
-        let border = Border::least_force_ratio(&p);
+        let border = least_with_static_friction(&p, 1.0);
         if !has_two_reversals(omega, alpha, border) {
             return [f64::NAN, border, f64::NAN];
         }

@@ -188,12 +188,6 @@ impl<F: Float> Border<F> {
     pub fn turning_point_at(p: &PhaseFunction<F>) -> F {
         turning_point_border(p.wide(), p.one_minus_square(), p.omega().wide()).value()
     }
-
-    /// [`Border::min_force_ratio`] at the frequency ratio of `p`, without the rest.
-    #[inline(always)]
-    pub(crate) fn least_force_ratio(p: &PhaseFunction<F>) -> F {
-        least_with_static_friction(p, F::int(1))
-    }
 }
 
 /// [`Border::min_force_ratio`] with a static friction of η times the kinetic one, without the rest.
