@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks that the bits of answers at f64 depend neither on the compilation target nor on batches: builds
-# benches/bits.rs for x86-64, x86-64-v3 and this processor, and compares the outputs. The first argument is
-# POINTS (100000).
+# benches/bits.rs for each target given, by default x86-64, x86-64-v3 and this processor, and compares the outputs:
+# benches/bits.sh [POINTS [TARGET…]], with 100000 points by default.
 set -euo pipefail
 # Compilation takes a third of the time; the bits do not depend on it.
 export CARGO_PROFILE_BENCH_LTO=off CARGO_PROFILE_BENCH_CODEGEN_UNITS=16 CARGO_PROFILE_BENCH_OPT_LEVEL=1
@@ -11,7 +11,9 @@ bits() { # TARGET
     RUSTFLAGS="-C target-cpu=$1" CARGO_TARGET_DIR="target/bits-$1" cargo bench --quiet --features batch --bench bits -- "$points"
 }
 first=""
-for target in x86-64 x86-64-v3 native; do
+shift || true
+[ $# -gt 0 ] || set -- x86-64 x86-64-v3 native
+for target; do
     echo "$target:"
     found=$(bits "$target")
     echo "$found"
