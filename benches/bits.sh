@@ -3,7 +3,7 @@
 # benches/bits.rs for each target given, by default x86-64, x86-64-v3 and this processor, and compares the outputs:
 # benches/bits.sh [POINTS [TARGET…]], with 100000 points by default.
 set -euo pipefail
-# Compilation takes a third of the time; the bits do not depend on it.
+# These settings shorten the compilation; the bits do not depend on them.
 export CARGO_PROFILE_BENCH_LTO=off CARGO_PROFILE_BENCH_CODEGEN_UNITS=16 CARGO_PROFILE_BENCH_OPT_LEVEL=1
 cd "$(dirname "$0")/.."
 points=${1:-100000}

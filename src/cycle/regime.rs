@@ -91,7 +91,7 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, least: F) -> Regime {
 fn regime_of_sliding<F: Float>(ratios: &Ratios<F>) -> Regime {
     if !leads_from_every_start(ratios) {
         Regime::DependsOnStart
-    } else if ratios.omega() == F::int(1) && !ratios.is_damped() {
+    } else if ratios.is_at_resonance() {
         Regime::Unbounded
     } else {
         Regime::NonSticking

@@ -40,7 +40,7 @@ pub fn most_dissipating_force_ratio<F: Float>(omega: F, damping_ratio: F) -> Res
 /// changes once for y > 0, at `y = qG + Q`, Q = hypot(K, qG). A₁ therefore increases up to this y and
 /// decreases beyond.
 fn optimum_at<F: Float>(ratios: &Ratios<F>) -> Result<Optimum<F>, Error> {
-    if ratios.omega() == F::int(1) && !ratios.is_damped() {
+    if ratios.is_at_resonance() {
         return Err(Error::AtResonance { quantity: Quantity::LoopSizeStiffness });
     }
     let (border, (at, value)) = (Border::of(ratios), damped::best(&damped::half_period(ratios)));

@@ -156,7 +156,7 @@ fn force_ratio_of_amplitude<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> Res
 
 /// The half period at Ω and ζ; at resonance without a damper no steady motion has the target size.
 fn steady<F: Float>(ratios: &Ratios<F>, quantity: Quantity) -> Result<HalfPeriod<F>, Error> {
-    if ratios.omega() == F::int(1) && !ratios.is_damped() {
+    if ratios.is_at_resonance() {
         Err(Error::AtResonance { quantity })
     } else {
         Ok(damped::half_period(ratios))

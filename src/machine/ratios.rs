@@ -88,6 +88,12 @@ impl<F: Float> Ratios<F> {
         self.damping_ratio > F::int(0)
     }
 
+    /// Whether Ω = 1 without a damper, where no cycle without a stop has a finite size above the border.
+    #[inline]
+    pub(crate) fn is_at_resonance(&self) -> bool {
+        self.omega == F::int(1) && !self.is_damped()
+    }
+
     /// Whether the static friction is above the kinetic one, η > 1: the steady motion can then depend on the
     /// start.
     #[inline]

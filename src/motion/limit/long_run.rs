@@ -137,8 +137,7 @@ pub const DEFAULT_BUDGET: u32 = 20_000;
 /// The growth per cycle of a motion at Ω = 1 without damping, πα − 4, where it is above zero.
 pub(crate) fn growth_at_resonance<F: Float>(ratios: &Ratios<F>) -> Option<F> {
     let growth = F::pi() * ratios.alpha() - F::int(4);
-    let is_resonant = ratios.omega() == F::int(1) && !ratios.is_damped();
-    (is_resonant && growth > F::int(0)).then_some(growth)
+    (ratios.is_at_resonance() && growth > F::int(0)).then_some(growth)
 }
 
 /// [`LongRun::NotConverged`] with the state at a point.
