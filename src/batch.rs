@@ -54,6 +54,7 @@ mod velocity;
 pub use columns::Columns;
 pub use fixed::FixedOmega;
 pub use level::Level;
+pub(crate) use level::Loops;
 
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;

@@ -30,6 +30,7 @@
 
 mod numbers;
 mod points;
+mod records;
 mod starts;
 
 use arbitrary::{Arbitrary, Result, Unstructured};
@@ -37,6 +38,7 @@ use arbitrary::{Arbitrary, Result, Unstructured};
 pub(crate) use numbers::neighbours;
 pub(crate) use numbers::{beside, magnitude, ordinary};
 pub(crate) use points::{damping_ratio, force_ratio, frequency_ratio};
+pub use records::Shaken;
 
 /// A frequency ratio and a force ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,6 +17,7 @@
 //! | `event` | the next zero of a vibration with its proof: the end of a slide, its maximum speed | `slide` |
 //! | `limit` | what the motion of one start tends to, and what a cycle of it amounts to | `slide`, `event` |
 //! | `many` | all limits of a machine, periodic motions that no start leads to, the loss of symmetry | `limit` |
+//! | [`record`] | the motion under a measured load | |
 //!
 //! Types that several folders use are files beside them: [`DrivePhase`], the phase of the drive, reduced;
 //! [`State`]; [`Trajectory`] and [`Samples`], the motion segment by segment and at evenly spaced phases;
@@ -32,6 +33,7 @@ pub(crate) mod limit;
 #[cfg(test)]
 mod machines;
 pub(crate) mod many;
+pub mod record;
 mod samples;
 pub(crate) mod slide;
 mod state;

@@ -84,6 +84,53 @@ pub(crate) fn newton_within<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> (
     }
 }
 
+/// A zero in `[low, high]` of an `f` that decreases through it; `f` gives the value and three derivatives. The `start`
+/// may be outside.
+///
+/// This is Halley's method with a bracket, halved as in [`newton_within`]. The search ends after the step whose
+/// error, `|f‴/(6f′) − (f″/2f′)²|` times its cube, is below rounding.
+pub(crate) fn halley_within<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> [F; 4]) -> F {
+    let (mut low, mut high, two) = (low, high, F::int(2));
+    let is_inside = start > low && start < high;
+    let mut x = if is_inside { start } else { low + (high - low) / two };
+    let (mut last, mut last_but_one) = (high - low, high - low);
+    let tolerance = F::epsilon() / two;
+    loop {
+        let [value, slope, bend, third] = f(x);
+        if value == F::int(0) {
+            return x;
+        }
+        if value > F::int(0) {
+            low = x;
+        } else {
+            high = x;
+        }
+        let inverse = F::int(1) / slope;
+        let (newton, curve) = (value * inverse, bend * inverse / two);
+        let step = newton / (F::int(1) - newton * curve);
+        let mut next = x - step;
+        let size = step.abs();
+        let is_fast = size * two <= last_but_one;
+        let is_inside = next > low && next < high;
+        if is_fast && is_inside {
+            let error = step.square() * size * ((third * inverse).abs() / F::int(6) + curve.square());
+            if error <= tolerance * next.abs() {
+                return next;
+            }
+        } else {
+            next = low + (high - low) / two;
+            if !(next > low && next < high) {
+                return x;
+            }
+        }
+        (last_but_one, last) = (last, (next - x).abs());
+        if next == x || last <= tolerance * next.abs() {
+            return next;
+        }
+        x = next;
+    }
+}
+
 /// The two numbers in `[low, high]`, adjacent except for rounding, between which `f` changes sign: the first
 /// on the side of `low`, the second on that of `high`. A zero counts as positive.
 ///

@@ -227,6 +227,42 @@ pub enum Error {
         /// The bound.
         bound: &'static str,
     },
+    /// A sample of a record that is wrong by itself.
+    #[error("sample {}: {error}", index.saturating_add(1))]
+    InSample {
+        /// Its index.
+        index: usize,
+        /// The error.
+        error: Box<Error>,
+    },
+    /// A record with too few samples.
+    #[error("record: the number of samples = {count} must be ≥ 2")]
+    TooFewSamples {
+        /// The number of samples.
+        count: usize,
+    },
+    /// A record of a base motion from which the force does not follow as straight lines.
+    #[error(
+        "record = {excitation} must be a force, a base acceleration or a displacement of the spring's foot"
+    )]
+    RecordOf {
+        /// The excitation.
+        excitation: &'static str,
+    },
+    /// A motion under a record whose numbers leave the range of their type.
+    #[error("record: the motion leaves the range of this number type after the time {time}")]
+    BeyondRange {
+        /// The time.
+        time: Number,
+    },
+    /// A motion under a record with more stops than are followed.
+    #[error(
+        "record: the stops after the time {time} must be fewer than 10⁵, in one step or after the record"
+    )]
+    TooManyEvents {
+        /// The time.
+        time: Number,
+    },
     /// The caller asked a long computation to stop.
     #[error("interrupted")]
     Interrupted,
@@ -258,6 +294,11 @@ impl Error {
             | Self::ForceOfFrequency { .. }
             | Self::TooFewMeasurements { .. }
             | Self::NotIdentified
+            | Self::InSample { .. }
+            | Self::TooFewSamples { .. }
+            | Self::RecordOf { .. }
+            | Self::BeyondRange { .. }
+            | Self::TooManyEvents { .. }
             | Self::InMeasurement { .. }
             | Self::Unexplained { .. }
             | Self::AtResonance { .. }

@@ -70,6 +70,16 @@ pub enum Quantity {
     Velocity,
     /// Samples in a cycle.
     SamplesPerCycle,
+    /// Time step between the samples of a record.
+    TimeStep,
+    /// Time of a record.
+    Time,
+    /// Length of a record.
+    Duration,
+    /// Sample of a record.
+    Sample,
+    /// Factor by which a record is multiplied.
+    ScaleFactor,
     /// Maximum displacement Δ₀, in physical units.
     MaxDisplacement,
     /// Maximum displacement Δ₀/B.
@@ -125,6 +135,11 @@ impl Quantity {
             Self::DriveCycles => "whole cycles",
             Self::Displacement => "displacement x/B",
             Self::Velocity => "velocity v",
+            Self::TimeStep => "time step",
+            Self::Time => "time",
+            Self::Duration => "duration",
+            Self::Sample => "sample",
+            Self::ScaleFactor => "scale factor",
             Self::SamplesPerCycle => "samples per cycle",
             Self::MaxDisplacement => "maximum displacement Δ₀",
             Self::MaxDisplacementRatio => "maximum displacement Δ₀/B",

@@ -1,0 +1,169 @@
+//! The motion under a record as states and events.
+
+use super::answers::RecordAnswer;
+use super::body::Body;
+use super::follow::{Stretch, Watch};
+use super::linear::Linear;
+use super::load::{Piece, Record};
+use super::slide::Slide;
+use super::totals::Totals;
+use crate::float::Float;
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::ratios::positive;
+use core::cmp::Ordering;
+
+/// A state of a body under a record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct RecordState<F> {
+    /// Time.
+    pub time: F,
+    /// Displacement.
+    pub displacement: F,
+    /// Velocity.
+    pub velocity: F,
+    /// Acceleration, in relation to the surface; after an event that of the motion to come.
+    pub acceleration: F,
+    /// ±1 while the body slides in this direction, 0 at rest.
+    pub direction: i8,
+}
+
+/// The beginning or the end of a slide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct RecordEvent<F> {
+    /// Time.
+    pub time: F,
+    /// Displacement.
+    pub displacement: F,
+    /// ±1 for a release in this direction, 0 for a stop.
+    pub direction: i8,
+}
+
+/// The motion of a body under a record.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RecordMotion<F> {
+    /// Its extremes, sums and counts.
+    pub answer: RecordAnswer<F>,
+    /// States at the beginning, at each event, and at equal parts of each step between them.
+    pub states: Vec<RecordState<F>>,
+    /// Releases and stops, to the rest after the record.
+    pub events: Vec<RecordEvent<F>>,
+}
+
+/// The most states that are kept.
+const MOST_STATES: usize = 20_000_000;
+
+/// Collects states and events beside the answers.
+struct History<F> {
+    totals: Totals<F>,
+    states: Vec<RecordState<F>>,
+    events: Vec<RecordEvent<F>>,
+    /// The greatest distance of states.
+    interval: F,
+    /// The time up to which states are kept.
+    until: F,
+}
+
+impl<F: Float> History<F> {
+    fn push(&mut self, time: F, [x, v, a]: [F; 3], sign: F) {
+        let direction = direction(sign);
+        self.states.push(RecordState { time, displacement: x, velocity: v, acceleration: a, direction });
+    }
+
+    /// The number of equal parts of a length that are no longer than the interval.
+    fn parts(&self, length: F) -> f64 {
+        (length / self.interval).to_f64().ceil()
+    }
+}
+
+fn direction<F: Float>(sign: F) -> i8 {
+    match sign.partial_cmp(&F::int(0)) {
+        Some(Ordering::Greater) => 1,
+        Some(Ordering::Less) => -1,
+        _ => 0,
+    }
+}
+
+impl<F: Float> Watch<F> for History<F> {
+    fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()> {
+        self.totals.slid(linear, slide, stretch)?;
+        if stretch.time >= self.until {
+            return Some(());
+        }
+        let parts = self.parts(stretch.length);
+        self.push(stretch.time, [stretch.x, slide.v, slide.a], slide.sign);
+        let mut part = 1.0;
+        while part < parts {
+            let t = stretch.length * F::from_f64(part) / F::from_f64(parts);
+            if stretch.time + t > self.until || self.states.len() > MOST_STATES {
+                break;
+            }
+            let moment = slide.at(linear, t)?;
+            self.push(stretch.time + t, [stretch.x + moment.moved, moment.v, moment.a], slide.sign);
+            part += 1.0;
+        }
+        Some(())
+    }
+
+    fn rested(&mut self, x: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()> {
+        self.totals.rested(x, piece, start, from, length)?;
+        let zero = F::int(0);
+        if length > zero {
+            self.push(start + from, [x, zero, zero], zero);
+        }
+        Some(())
+    }
+
+    fn released(&mut self, time: F, x: F, sign: F) {
+        self.totals.released(time, x, sign);
+        self.events.push(RecordEvent { time, displacement: x, direction: direction(sign) });
+    }
+
+    fn stopped(&mut self, time: F, x: F) -> Option<()> {
+        self.totals.stopped(time, x)?;
+        self.events.push(RecordEvent { time, displacement: x, direction: 0 });
+        Some(())
+    }
+}
+
+impl<F: Float> Body<F> {
+    /// The motion under a record from the displacement x and the velocity v, with its states at distances of at most
+    /// `interval`, and its events.
+    ///
+    /// States are kept to the rest of the body, but no longer after the record than the record is long. The answers
+    /// agree with those of [`Body::follow_from`] to rounding.
+    ///
+    /// # Errors
+    /// As [`Body::follow_from`], and where the interval is not > 0, or more than 2·10⁷ states would be kept.
+    pub fn motion(&self, record: &Record<F>, x: F, v: F, interval: F) -> Result<RecordMotion<F>, Error> {
+        let interval = positive(Quantity::TimeStep, interval)?;
+        let mut followed = self.followed(record, x, v)?;
+        let (start, end) = (record.time(0), record.end());
+        let mut history = History {
+            totals: followed.totals,
+            states: Vec::new(),
+            events: Vec::new(),
+            interval,
+            until: end + (end - start),
+        };
+        let sign = followed.follower.mode.sign();
+        if sign != F::int(0) {
+            history.events.push(RecordEvent { time: start, displacement: x, direction: direction(sign) });
+        }
+        let rest = self.watched(record, &mut followed.follower, &followed.factors, &mut history)?;
+        let zero = F::int(0);
+        let last = history.states.last().map_or(start, |state| state.time);
+        let time = history.events.last().map_or(last, |event| event.time).or_larger(last);
+        if followed.follower.mode.sign() == zero {
+            history.push(time.or_larger(end), [followed.follower.x, zero, zero], zero);
+        }
+        let History { mut totals, states, events, .. } = history;
+        if states.len() > MOST_STATES {
+            return Err(Error::TooManyEvents { time: written(last) });
+        }
+        let answer = self.answered(record, [x, v], rest, &mut totals)?;
+        Ok(RecordMotion { answer, states, events })
+    }
+}

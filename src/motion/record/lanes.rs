@@ -1,0 +1,364 @@
+//! Bodies side by side under one record: each step of a slide without an event is taken in vector lanes, and
+//! whatever else happens by the [`Follower`] of the body alone.
+//!
+//! A step is a table of numbers that a body has for all steps of one length. The lanes decide only that nothing
+//! happens: no stop by the certificate of [`super::slide`], no release, no extreme that would widen a range. Where a
+//! lane cannot exclude it, the follower takes the step again from its start. A lane depends on no other, so that the
+//! answers of a body are the same bits in any company; a body alone is one lane.
+
+use super::follow::{Failed, Follower};
+use super::load::{Factors, Piece, Record};
+use super::totals::Totals;
+use crate::float::Float;
+
+/// A number of each lane.
+type Row<F, const L: usize> = [F; L];
+
+#[inline(always)]
+fn at<F: Float, const L: usize>(row: &Row<F, L>, lane: usize) -> F {
+    row.get(lane).copied().unwrap_or_else(|| F::int(0))
+}
+
+#[inline(always)]
+fn set<F, const L: usize>(row: &mut Row<F, L>, lane: usize, value: F) {
+    if let Some(place) = row.get_mut(lane) {
+        *place = value;
+    }
+}
+
+#[inline(always)]
+fn select<F>(condition: bool, yes: F, no: F) -> F {
+    if condition { yes } else { no }
+}
+
+fn infinity<F: Float>() -> F {
+    F::int(1) / F::int(0)
+}
+
+/// `first` and the other condition, which one lane computes only where the first holds, and several ones always, so
+/// that there is no branch.
+#[inline(always)]
+fn both<const L: usize>(first: bool, second: impl FnOnce() -> bool) -> bool {
+    if L == 1 { first && second() } else { first & second() }
+}
+
+/// A body that is followed, with its answers.
+#[derive(Debug)]
+pub(super) struct Followed<F> {
+    pub(super) follower: Follower<F>,
+    pub(super) factors: Factors<F>,
+    pub(super) totals: Totals<F>,
+    pub(super) failure: Option<Failed<F>>,
+}
+
+/// The numbers that a step changes in all lanes.
+#[derive(Debug, Clone, Copy)]
+struct State<F, const L: usize> {
+    x: Row<F, L>,
+    v: Row<F, L>,
+    load_work: Row<F, L>,
+    stick_time: Row<F, L>,
+    most_velocity: Row<F, L>,
+    most_velocity_time: Row<F, L>,
+    least_velocity: Row<F, L>,
+    least_velocity_time: Row<F, L>,
+    most_acceleration: Row<F, L>,
+    least_acceleration: Row<F, L>,
+    most_free: Row<F, L>,
+    least_free: Row<F, L>,
+}
+
+/// A field of the state, in the lanes and in a body.
+macro_rules! each_field {
+    ($do:ident) => {
+        $do!(x, follower.x);
+        $do!(v, follower.v);
+        $do!(load_work, totals.load_work);
+        $do!(stick_time, totals.stick_time);
+        $do!(most_velocity, totals.velocity.most.value);
+        $do!(most_velocity_time, totals.velocity.most.time);
+        $do!(least_velocity, totals.velocity.least.value);
+        $do!(least_velocity_time, totals.velocity.least.time);
+        $do!(most_acceleration, totals.acceleration.most.value);
+        $do!(least_acceleration, totals.acceleration.least.value);
+        $do!(most_free, totals.free_acceleration.most.value);
+        $do!(least_free, totals.free_acceleration.least.value);
+    };
+}
+
+/// The numbers of all lanes.
+#[derive(Debug)]
+struct Lanes<F, const L: usize> {
+    state: State<F, L>,
+    /// The direction: 0 at rest.
+    sign: Row<F, L>,
+    /// The load per mass of a sample, and of its slope.
+    factor: Row<F, L>,
+    damper: Row<F, L>,
+    mean: Row<F, L>,
+    friction: Row<F, L>,
+    held_forward: Row<F, L>,
+    held_backward: Row<F, L>,
+    rate: Row<F, L>,
+    square: Row<F, L>,
+    omega: Row<F, L>,
+    /// S₁ to S₄ after a step; S₁ is NaN where a step is longer than π/d, so that nothing can be excluded.
+    impulse: Row<F, L>,
+    step: Row<F, L>,
+    ramp: Row<F, L>,
+    parabola: Row<F, L>,
+    /// 1 where something may have happened in the step.
+    event: Row<F, L>,
+}
+
+impl<F: Float, const L: usize> Lanes<F, L> {
+    fn new(bodies: &[Followed<F>]) -> Self {
+        let zero = [F::int(0); L];
+        let mut lanes = Self {
+            state: State {
+                x: zero,
+                v: zero,
+                load_work: zero,
+                stick_time: zero,
+                most_velocity: zero,
+                most_velocity_time: zero,
+                least_velocity: zero,
+                least_velocity_time: zero,
+                most_acceleration: zero,
+                least_acceleration: zero,
+                most_free: zero,
+                least_free: zero,
+            },
+            sign: zero,
+            factor: zero,
+            damper: zero,
+            mean: zero,
+            friction: zero,
+            held_forward: [infinity(); L],
+            held_backward: [infinity(); L],
+            rate: zero,
+            square: zero,
+            omega: zero,
+            impulse: zero,
+            step: zero,
+            ramp: zero,
+            parabola: zero,
+            event: zero,
+        };
+        for (lane, body) in bodies.iter().enumerate() {
+            let c = &body.follower.constants;
+            set(&mut lanes.factor, lane, body.factors.factor);
+            set(&mut lanes.damper, lane, body.factors.damper);
+            set(&mut lanes.mean, lane, c.mean);
+            set(&mut lanes.friction, lane, c.friction);
+            set(&mut lanes.held_forward, lane, c.held);
+            set(&mut lanes.held_backward, lane, select(c.is_one_way, infinity::<F>(), c.held));
+            set(&mut lanes.rate, lane, c.rate);
+            set(&mut lanes.square, lane, c.square);
+            set(&mut lanes.omega, lane, body.follower.omega);
+            lanes.read(lane, body);
+        }
+        lanes
+    }
+
+    /// Sets the responses of all lanes to those after a step.
+    fn set_step(&mut self, bodies: &[Followed<F>], length: F) {
+        for (lane, body) in bodies.iter().enumerate() {
+            let responses = body.follower.whole_step(length);
+            let nan = F::int(0) / F::int(0);
+            set(&mut self.impulse, lane, responses.map_or(nan, |s| s.impulse));
+            set(&mut self.step, lane, responses.map_or(nan, |s| s.step));
+            set(&mut self.ramp, lane, responses.map_or(nan, |s| s.ramp));
+            set(&mut self.parabola, lane, responses.map_or(nan, |s| s.parabola));
+        }
+    }
+
+    /// Takes the state of a body into its lane.
+    fn read(&mut self, lane: usize, body: &Followed<F>) {
+        macro_rules! read {
+            ($field:ident, $($place:ident).+) => {
+                set(&mut self.state.$field, lane, body.$($place).+)
+            };
+        }
+        each_field!(read);
+        set(&mut self.sign, lane, body.follower.mode.sign());
+    }
+
+    /// Returns the state of a lane to its body.
+    fn write(&self, lane: usize, body: &mut Followed<F>) {
+        macro_rules! write {
+            ($field:ident, $($place:ident).+) => {
+                body.$($place).+ = at(&self.state.$field, lane)
+            };
+        }
+        each_field!(write);
+    }
+
+    /// A lane without a body, or with one that is not followed any further: it rests, whatever the load.
+    fn empty(&mut self, lane: usize) {
+        set(&mut self.sign, lane, F::int(0));
+        set(&mut self.held_forward, lane, infinity());
+        set(&mut self.held_backward, lane, infinity());
+    }
+
+    /// Takes the step between two samples in all lanes in which nothing happens. Returns whether something may have
+    /// happened in another one.
+    ///
+    /// The state after a step is the response to the state before it and to the load less friction, g + st:
+    /// `x + S₁v + S₂(g − ω²x) + S₃s` and `v + S₁(g − ω²x − 2βv) + S₂(s − ω²v)`.
+    #[inline(always)]
+    fn pass(&mut self, samples: [F; 2], time: F, step: &Step<F>) -> bool {
+        let zero = F::int(0);
+        let (length, eighth) = (step.length, step.eighth);
+        let end = time + length;
+        for i in 0..L {
+            let factors = Factors { factor: at(&self.factor, i), damper: at(&self.damper, i) };
+            let Piece { from: first, to: last, slope, .. } =
+                Piece::new(&factors, samples, length, step.inverse);
+            let (x, v, sign) = (at(&self.state.x, i), at(&self.state.v, i), at(&self.sign, i));
+            let (rate, square, omega) = (at(&self.rate, i), at(&self.square, i), at(&self.omega, i));
+            let (s1, s2) = (at(&self.impulse, i), at(&self.step, i));
+            let (s3, s4) = (at(&self.ramp, i), at(&self.parabola, i));
+            let mean = at(&self.mean, i);
+            let rests = sign == zero;
+            // A rest.
+            let spring = square * x;
+            let (now, later) = (first + mean - spring, last + mean - spring);
+            let (forward, backward) = (at(&self.held_forward, i), -at(&self.held_backward, i));
+            let rests_on = (now <= forward) & (later <= forward) & (now >= backward) & (later >= backward);
+            // A slide.
+            let push = mean - sign * at(&self.friction, i);
+            let force = (first + push) - spring;
+            let a = force - rate * v;
+            let moved = s1 * v + (s2 * force + s3 * slope);
+            let end_v = v + ((s1 * force + s2 * slope) - (rate * s1 + square * s2) * v);
+            let end_x = x + moved;
+            let end_a = ((last + push) - square * end_x) - rate * end_v;
+            let area = v * (s2 + rate * s3) + (a * s3 + slope * s4);
+            let far = || {
+                let swing = ((slope - square * v) - rate * a).abs() + omega * a.abs();
+                length * (a.abs() + length * swing)
+            };
+            let turns = both::<L>((sign * a < zero) & (sign * end_a > zero), || {
+                let far = far();
+                (sign * v <= far) | (sign * end_v <= far)
+            });
+            let slides_on = (sign * end_v > zero) & !turns;
+            // The derivatives a′ and a″, and bounds of both by energies that do not grow.
+            let (a, end_a) = (select(rests, zero, a), select(rests, zero, end_a));
+            let jerk = |v: F, a: F| (slope - square * v) - rate * a;
+            let bend = |a: F, jerk: F| -(rate * jerk + square * a);
+            let (j, end_j) = (jerk(v, a), jerk(end_v, end_a));
+            let (b, end_b) = (bend(a, j), bend(end_a, end_j));
+            // Extremes at the ends; one between them is no further from the nearer end than g″ allows.
+            let changes = |start: F, end: F| (start < zero) != (end < zero);
+            let beyond_v = || (j.abs() + omega * a.abs()) * eighth;
+            let beyond_a = || (b.abs() + omega * j.abs()) * eighth;
+            let (free, end_free) = (a - first, end_a - last);
+            let extreme = |most: F, least: F, start: F, end: F, may: bool, beyond: &dyn Fn() -> F| {
+                let (top, bottom) = (start.or_larger(end), -((-start).or_larger(-end)));
+                let is_flagged = both::<L>(may, || {
+                    let beyond = beyond();
+                    (top + beyond > most) | (bottom - beyond < least)
+                });
+                (most.or_larger(top), -((-least).or_larger(-bottom)), is_flagged)
+            };
+            let (most, least) = (at(&self.state.most_velocity, i), at(&self.state.least_velocity, i));
+            let (most_v, least_v, is_v) = extreme(most, least, v, end_v, changes(a, end_a), &beyond_v);
+            let most_time = select(most_v > most, end, at(&self.state.most_velocity_time, i));
+            let least_time = select(least_v < least, end, at(&self.state.least_velocity_time, i));
+            let (most, least) = (at(&self.state.most_acceleration, i), at(&self.state.least_acceleration, i));
+            let (most_a, least_a, is_a) = extreme(most, least, a, end_a, changes(j, end_j), &beyond_a);
+            let (most, least) = (at(&self.state.most_free, i), at(&self.state.least_free, i));
+            let bends = changes(j - slope, end_j - slope) | changes(b, end_b);
+            let (most_f, least_f, is_f) = extreme(most, least, free, end_free, bends, &beyond_a);
+            let is_event = (rests & !rests_on) | (!rests & (!slides_on | is_v | is_a | is_f));
+            set(&mut self.event, i, select(is_event, F::int(1), zero));
+            if L == 1 && is_event {
+                return true;
+            }
+            let stays = rests | is_event;
+            let state = &mut self.state;
+            macro_rules! advance {
+                ($field:ident, $unless:expr, $value:expr) => {
+                    let before = at(&state.$field, i);
+                    let value: F = $value(before);
+                    set(&mut state.$field, i, select($unless, before, value));
+                };
+            }
+            advance!(x, stays, |_| end_x);
+            advance!(v, stays, |_| end_v);
+            advance!(load_work, stays, |work| work + (last * moved - slope * area));
+            advance!(stick_time, is_event | !rests, |time| time + length);
+            advance!(most_velocity, stays, |_| most_v);
+            advance!(least_velocity, stays, |_| least_v);
+            advance!(most_velocity_time, stays, |_| most_time);
+            advance!(least_velocity_time, stays, |_| least_time);
+            advance!(most_acceleration, is_event, |_| most_a);
+            advance!(least_acceleration, is_event, |_| least_a);
+            advance!(most_free, is_event, |_| most_f);
+            advance!(least_free, is_event, |_| least_f);
+        }
+        self.event.iter().fold(false, |any, event| any | (*event != zero))
+    }
+}
+
+/// A step of the record: its length h, 1/h and h²/8.
+#[derive(Debug, Clone, Copy)]
+struct Step<F> {
+    length: F,
+    inverse: F,
+    eighth: F,
+}
+
+/// Follows at most `L` bodies through a record; where one cannot be followed, its failure says why.
+#[inline(always)]
+pub(super) fn follow<F: Float, const L: usize>(bodies: &mut [Followed<F>], record: &Record<F>) {
+    let mut lanes = Lanes::<F, L>::new(bodies);
+    for (lane, body) in bodies.iter_mut().enumerate() {
+        if body.failure.is_some() {
+            lanes.empty(lane);
+        }
+    }
+    let mut step = Step { length: F::int(0), inverse: F::int(0), eighth: F::int(0) };
+    let samples = record.samples();
+    for (index, (&first, &second)) in samples.iter().zip(samples.iter().skip(1)).enumerate() {
+        let length = record.step_after(index);
+        if length != step.length {
+            step = Step { length, inverse: F::int(1) / length, eighth: length.square() * F::ratio(1, 8) };
+            lanes.set_step(bodies, length);
+        }
+        let time = record.time(index);
+        if lanes.pass([first, second], time, &step) {
+            step_alone(&mut lanes, bodies, [first, second], time, &step);
+        }
+    }
+    for (lane, body) in bodies.iter_mut().enumerate() {
+        lanes.write(lane, body);
+    }
+}
+
+/// Takes the step in the lanes in which something may have happened.
+#[inline(never)]
+fn step_alone<F: Float, const L: usize>(
+    lanes: &mut Lanes<F, L>,
+    bodies: &mut [Followed<F>],
+    samples: [F; 2],
+    time: F,
+    step: &Step<F>,
+) {
+    for (lane, body) in bodies.iter_mut().enumerate() {
+        if at(&lanes.event, lane) == F::int(0) {
+            continue;
+        }
+        lanes.write(lane, body);
+        let piece = Piece::new(&body.factors, samples, step.length, step.inverse);
+        match body.follower.step(&piece, time, &mut body.totals) {
+            Ok(()) => lanes.read(lane, body),
+            Err(failure) => {
+                body.failure = Some((failure, time));
+                lanes.empty(lane);
+            }
+        }
+    }
+}

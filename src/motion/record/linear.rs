@@ -1,0 +1,193 @@
+//! The linear oscillator `x″ + 2βx′ + ω²x = f(t)` by its impulse response and its integrals.
+
+use super::number::Number;
+
+/// The impulse response S₁ and its first three integrals at one time: `S₁″ + 2βS₁′ + ω²S₁ = 0`, S₁(0) = 0,
+/// S₁′(0) = 1, and S₂, S₃, S₄ the responses to a unit step, a unit ramp and t²/2. As β, ω → 0, `S_n → tⁿ/n!`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Responses<F> {
+    pub(super) impulse: F,
+    pub(super) step: F,
+    pub(super) ramp: F,
+    pub(super) parabola: F,
+}
+
+/// The constants of a linear oscillator, β ≥ 0 and ω ≥ 0, and the series of its responses.
+///
+/// Both may be 0: a body without a spring, without a damper. No form here divides by them unless they are
+/// large in comparison with 1/t.
+#[derive(Debug, Clone)]
+pub(super) struct Linear<F> {
+    /// 2β.
+    pub(super) rate: F,
+    /// ω².
+    pub(super) square: F,
+    /// Coefficients of S₃/t³ and S₄/t⁴ by powers of t, the highest first, in pairs of an even power and the odd one
+    /// after it.
+    series: Vec<[[F; 2]; 2]>,
+    /// The times up to which the series serves: `2βt + ω²t² ≤ 4`, or the longest step where that is shorter.
+    reach: F,
+    /// Whether there is neither spring nor damper.
+    is_exact: bool,
+    pub(super) free: Free<F>,
+    /// 1 over the longest time in which a free vibration has one zero at most, and does not fall by more than e⁴ after
+    /// it: `max(d/π, λ/4)` with λ the slowest decay, and a margin for rounding.
+    ///
+    /// The signs at both ends of such a stretch are certain but for swings of some 100 roundings. Without the second
+    /// bound, a vibration could vanish, swing far, and decay below the rounding of its value at the end.
+    pub(super) shortness: F,
+}
+
+/// The free vibration by the sign of `β² − ω²`, with d its square root in magnitude.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Free<F> {
+    /// `e^{−βt}` times sines of dt.
+    Oscillating {
+        /// β.
+        decay: F,
+        /// d = √(ω² − β²) > 0.
+        frequency: F,
+    },
+    /// `e^{−λ₁t}` and `e^{−λ₂t}`, 0 ≤ λ₁ ≤ λ₂.
+    Creeping {
+        /// λ₁ = ω²/λ₂.
+        slow: F,
+        /// λ₂ = β + d.
+        fast: F,
+        /// 2d.
+        between: F,
+    },
+}
+
+impl<F: Number> Linear<F> {
+    /// The oscillator with 2β = `rate` and ω² = `square`, for any time; with a `longest` one, its series has no more
+    /// terms than that needs.
+    pub(super) fn new(rate: F, square: F, longest: Option<F>) -> Option<Self> {
+        let (half, two, four) = (F::ratio(1, 2), F::int(2), F::int(4));
+        let (beta, omega) = (rate * half, square.sqrt());
+        let difference = (beta - omega) * (beta + omega);
+        let free = if difference.negative()? {
+            Free::Oscillating { decay: beta, frequency: (-difference).sqrt() }
+        } else {
+            let d = difference.sqrt();
+            let fast = beta + d;
+            let slow = if fast.positive()? { square / fast } else { F::int(0) };
+            Free::Creeping { slow, fast, between: two * d }
+        };
+        // The positive root of ω²t² + 2βt = 4.
+        let root = beta + (beta.square() + four * square).sqrt();
+        let reach = match longest {
+            Some(longest) if !(root * longest - four).positive()? => longest,
+            // Without spring and damper the first term is the whole series.
+            _ if root.positive()? => four / root,
+            _ => F::int(1),
+        };
+        let is_exact = !root.positive()?;
+        // y_j t^j with u₀ = 1, u₁ = −2β, u_{j+1} = −2βu_j − ω²u_{j−1} is the series of S₁/t; |u_j tʲ| ≤ pʲ with
+        // p = 2βt + ω²t² where that is ≥ 1, and p^{j/2} below.
+        let mut series = Vec::new();
+        let (mut last, mut now) = (F::int(0), F::int(1));
+        let (mut third, mut fourth) = (F::ratio(1, 6), F::ratio(1, 24));
+        let size = rate * reach + square * reach.square();
+        let growth = if (size - F::int(1)).positive()? { size } else { size.sqrt() };
+        let mut bound = F::int(1);
+        for j in 0..F::MOST_TERMS {
+            series.push([now * third, now * fourth]);
+            (last, now) = (now, -(rate * now + square * last));
+            third = third / F::int(j.saturating_add(4));
+            fourth = fourth / F::int(j.saturating_add(5));
+            bound = bound * growth / F::int(j.saturating_add(4));
+            if is_exact || F::is_negligible(bound) {
+                break;
+            }
+        }
+        if series.len() % 2 == 1 {
+            series.push([F::int(0); 2]);
+        }
+        let mut series: Vec<_> = series.chunks_exact(2).filter_map(|pair| pair.try_into().ok()).collect();
+        series.reverse();
+        let shortness = match free {
+            // A margin of 1/64 leaves the rounding of the length out of the proof.
+            Free::Oscillating { decay, frequency } => {
+                (frequency / F::pi() * F::ratio(65, 64)).larger(decay * F::ratio(1, 4))
+            }
+            Free::Creeping { slow, .. } => slow * F::ratio(1, 4),
+        };
+        Some(Self { rate, square, series, reach, is_exact, free, shortness })
+    }
+
+    /// The responses at a time t ≥ 0.
+    #[inline(always)]
+    pub(super) fn at(&self, t: F) -> Option<Responses<F>> {
+        if !self.is_exact && (self.reach - t).negative()? { self.far(t) } else { Some(self.near(t)) }
+    }
+
+    /// The responses by their series: S₃ and S₄, and from these `S_n = tⁿ/n! − 2βS_{n+1} − ω²S_{n+2}`, whose
+    /// terms become smaller.
+    #[inline(always)]
+    fn near(&self, t: F) -> Responses<F> {
+        let square = t.square();
+        let mut sums = [[F::int(0); 2]; 2];
+        for pair in &self.series {
+            for (sum, terms) in sums.iter_mut().zip(pair) {
+                for (sum, term) in sum.iter_mut().zip(terms) {
+                    *sum = *sum * square + *term;
+                }
+            }
+        }
+        let [even, odd] = sums;
+        let [third, fourth] = [even[0] + t * odd[0], even[1] + t * odd[1]];
+        let (ramp, parabola) = (third * (square * t), fourth * square.square());
+        let step = square * F::ratio(1, 2) - self.rate * ramp - self.square * parabola;
+        let impulse = t - self.rate * step - self.square * ramp;
+        Responses { impulse, step, ramp, parabola }
+    }
+
+    /// The responses in closed form, where `2βt + ω²t² > 4`.
+    #[cold]
+    fn far(&self, t: F) -> Option<Responses<F>> {
+        let (one, half) = (F::int(1), F::ratio(1, 2));
+        Some(match self.free {
+            Free::Oscillating { decay, frequency } => {
+                let (sine, cosine) = (frequency * t).sin_cos();
+                let size = (-(decay * t)).exponential();
+                let impulse = size * sine / frequency;
+                let free = size * cosine - decay * impulse;
+                let step = (one - free - self.rate * impulse) / self.square;
+                let ramp = (t - impulse - self.rate * step) / self.square;
+                let parabola = (t.square() * half - step - self.rate * ramp) / self.square;
+                Responses { impulse, step, ramp, parabola }
+            }
+            // S_n is a divided difference of eᶻᵗ at −λ₁, −λ₂ and n − 1 times 0.
+            Free::Creeping { slow, fast, between } => {
+                let [first, second, third] = growth(slow * t)?.map(|phi| phi * t);
+                let impulse = (-(slow * t)).exponential() * growth(between * t)?[0] * t;
+                let step = (first - impulse) / fast;
+                let ramp = (second * t - step) / fast;
+                let parabola = (third * t.square() - ramp) / fast;
+                Responses { impulse, step, ramp, parabola }
+            }
+        })
+    }
+}
+
+/// φ₁, φ₂, φ₃ at −z, z ≥ 0: `φ₁ = (1 − e^{−z})/z`, `φ_{n+1} = (1/n! − φ_n)/z`.
+fn growth<F: Number>(z: F) -> Option<[F; 3]> {
+    let one = F::int(1);
+    if (z - one).positive()? {
+        let first = (one - (-z).exponential()) / z;
+        let second = (one - first) / z;
+        return Some([first, second, (F::ratio(1, 2) - second) / z]);
+    }
+    // φ₃ by its series, the others from it.
+    let (mut term, mut third) = (F::ratio(1, 6), F::int(0));
+    for j in 4..F::MOST_TERMS {
+        third = third + term;
+        if F::is_negligible(term) {
+            break;
+        }
+        term = -(term * z) / F::int(j);
+    }
+    let second = F::ratio(1, 2) - z * third;
+    Some([one - z * second, second, third])
+}

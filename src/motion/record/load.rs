@@ -1,0 +1,202 @@
+//! A record: samples of a load, and straight lines between them.
+
+use super::body::Body;
+use super::number::Number;
+use crate::float::Float;
+use crate::machine::drive::Excitation;
+use crate::machine::error::{Error, Quantity};
+use crate::machine::ratios::{finite, positive};
+
+/// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
+/// spring's foot, with straight lines between them. Before its first sample and after its last one it is zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record<F> {
+    excitation: Excitation,
+    times: Times<F>,
+    samples: Vec<F>,
+}
+
+/// The times of the samples.
+#[derive(Debug, Clone, PartialEq)]
+enum Times<F> {
+    /// The first one, and the step to the next.
+    Equal(F, F),
+    Each(Vec<F>),
+}
+
+impl<F: Float> Record<F> {
+    /// A record with a sample every `step`, the first at the time 0.
+    ///
+    /// The excitation is [`Excitation::Force`], [`Excitation::FootMotion`], [`Excitation::DampedFootMotion`] or
+    /// [`Excitation::SurfaceAcceleration`].
+    ///
+    /// # Errors
+    /// Where there are fewer than two samples, one is not finite, the step is not finite and > 0, or the
+    /// excitation is another.
+    pub fn new(excitation: Excitation, step: F, samples: Vec<F>) -> Result<Self, Error> {
+        positive(Quantity::TimeStep, step)?;
+        Self { excitation, times: Times::Equal(F::int(0), step), samples }.checked()
+    }
+
+    /// A record with samples at these times, which increase.
+    ///
+    /// # Errors
+    /// As [`Record::new`], and where the times are not as many as the samples, or do not increase.
+    pub fn at_times(excitation: Excitation, times: Vec<F>, samples: Vec<F>) -> Result<Self, Error> {
+        if times.len() != samples.len() {
+            return Err(Error::LengthMismatch { name: "times", found: times.len(), expected: samples.len() });
+        }
+        for (index, &time) in times.iter().enumerate() {
+            let before = index.checked_sub(1).and_then(|before| times.get(before));
+            let step = before.map_or(Ok(time), |&before| positive(Quantity::TimeStep, time - before));
+            finite(Quantity::Time, time).and(step).map_err(|error| in_sample(index, error))?;
+        }
+        Self { excitation, times: Times::Each(times), samples }.checked()
+    }
+
+    fn checked(self) -> Result<Self, Error> {
+        if matches!(self.excitation, Excitation::SurfaceMotion | Excitation::SurfaceVelocity) {
+            return Err(Error::RecordOf { excitation: self.excitation.name() });
+        }
+        if self.samples.len() < 2 {
+            return Err(Error::TooFewSamples { count: self.samples.len() });
+        }
+        for (index, &sample) in self.samples.iter().enumerate() {
+            finite(Quantity::Sample, sample).map_err(|error| in_sample(index, error))?;
+        }
+        finite(Quantity::Time, self.end())?;
+        Ok(self)
+    }
+
+    /// This record with every sample multiplied by a factor.
+    ///
+    /// # Errors
+    /// Where the factor or a product is not finite.
+    pub fn scaled(mut self, factor: F) -> Result<Self, Error> {
+        finite(Quantity::ScaleFactor, factor)?;
+        for sample in &mut self.samples {
+            *sample = *sample * factor;
+        }
+        self.checked()
+    }
+
+    /// The samples of this record within two times, both included; their times stay as they are.
+    ///
+    /// # Errors
+    /// Where the times are not finite, are not in order, or fewer than two samples are between them.
+    pub fn between(self, from: F, to: F) -> Result<Self, Error> {
+        positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
+        let first = (0..self.samples.len()).take_while(|&i| self.time(i) < from).count();
+        let end = (0..self.samples.len()).take_while(|&i| self.time(i) <= to).count();
+        let samples = self.samples.get(first..end).unwrap_or_default().to_vec();
+        let times = match &self.times {
+            Times::Equal(start, step) => Times::Equal(*start + F::count(first) * *step, *step),
+            Times::Each(times) => Times::Each(times.get(first..end).unwrap_or_default().to_vec()),
+        };
+        Self { excitation: self.excitation, times, samples }.checked()
+    }
+
+    /// What the samples are.
+    pub const fn excitation(&self) -> Excitation {
+        self.excitation
+    }
+
+    /// The samples.
+    pub fn samples(&self) -> &[F] {
+        &self.samples
+    }
+
+    /// The time of a sample.
+    pub fn time(&self, index: usize) -> F {
+        match &self.times {
+            Times::Equal(start, step) => *start + F::count(index) * *step,
+            Times::Each(times) => times.get(index).copied().unwrap_or_else(|| F::int(0)),
+        }
+    }
+
+    /// The time of the last sample.
+    pub fn end(&self) -> F {
+        self.time(self.samples.len().saturating_sub(1))
+    }
+
+    /// The greatest absolute value of the samples.
+    pub fn greatest(&self) -> F {
+        self.samples.iter().fold(F::int(0), |most, sample| most.or_larger(sample.abs()))
+    }
+
+    /// The step, where all steps are equal.
+    pub fn step(&self) -> Option<F> {
+        match &self.times {
+            Times::Equal(_, step) => Some(*step),
+            Times::Each(_) => None,
+        }
+    }
+
+    /// The longest step.
+    pub(super) fn longest_step(&self) -> F {
+        match &self.times {
+            Times::Equal(_, step) => *step,
+            Times::Each(times) => {
+                let ends = times.iter().skip(1);
+                ends.zip(times).fold(F::int(0), |most, (&end, &start)| most.or_larger(end - start))
+            }
+        }
+    }
+
+    /// The length of the step after a sample.
+    pub(super) fn step_after(&self, index: usize) -> F {
+        match &self.times {
+            Times::Equal(_, step) => *step,
+            Times::Each(_) => self.time(index.saturating_add(1)) - self.time(index),
+        }
+    }
+}
+
+fn in_sample(index: usize, error: Error) -> Error {
+    Error::InSample { index, error: Box::new(error) }
+}
+
+/// The force per mass that a sample stands for: `sample · factor`, and the change of the sample over the step times
+/// `per_change`/step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Factors<F> {
+    pub(super) factor: F,
+    /// c/m where the damper stands on the moving foot, else 0.
+    pub(super) damper: F,
+}
+
+impl<F: Float> Factors<F> {
+    pub(super) fn new(excitation: Excitation, body: &Body<F>) -> Self {
+        let factor = match excitation {
+            Excitation::Force => F::int(1) / body.mass(),
+            Excitation::FootMotion | Excitation::DampedFootMotion => body.stiffness() / body.mass(),
+            Excitation::SurfaceAcceleration | Excitation::SurfaceMotion | Excitation::SurfaceVelocity => {
+                F::int(-1)
+            }
+        };
+        let is_on_foot = excitation == Excitation::DampedFootMotion;
+        let damper = if is_on_foot { body.damping() / body.mass() } else { F::int(0) };
+        Self { factor, damper }
+    }
+}
+
+/// One step of a load per mass: its length, its values at both ends, and its slope.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece<F> {
+    pub(super) length: F,
+    pub(super) from: F,
+    pub(super) to: F,
+    pub(super) slope: F,
+}
+
+impl<F: Number> Piece<F> {
+    /// The step between two samples; `inverse` is 1 over its length.
+    #[inline(always)]
+    pub(super) fn new(factors: &Factors<F>, [first, second]: [F; 2], length: F, inverse: F) -> Self {
+        let slope = (second - first) * inverse;
+        let (from, to) = (first * factors.factor, second * factors.factor);
+        // The damper on the foot carries the velocity of the foot, which is constant over the step.
+        let of_damper = factors.damper * slope;
+        Self { length, from: from + of_damper, to: to + of_damper, slope: slope * factors.factor }
+    }
+}

@@ -1,0 +1,62 @@
+//! Many bodies under one record, in vector lanes and on all threads.
+
+use super::answers::RecordAnswer;
+use super::body::Body;
+use super::lanes::{self, Followed};
+use super::load::Record;
+use crate::batch::{Level, Loops};
+use crate::machine::error::Error;
+
+/// Bodies side by side: a multiple of the lanes of every instruction set, few enough for the first-level cache.
+const LANES: usize = 16;
+
+/// Follows bodies from rest at x = 0 under one record, on all threads of the current rayon pool with the feature
+/// `rayon`. Answers and errors are those of [`Body::follow`], to the last bit.
+pub fn follow_each(bodies: &[Body<f64>], record: &Record<f64>) -> Vec<Result<RecordAnswer<f64>, Error>> {
+    #[cfg(feature = "rayon")]
+    {
+        use rayon::prelude::*;
+        bodies.par_chunks(LANES).flat_map_iter(|chunk| side_by_side(chunk, record)).collect()
+    }
+    #[cfg(not(feature = "rayon"))]
+    bodies.chunks(LANES).flat_map(|chunk| side_by_side(chunk, record)).collect()
+}
+
+/// Follows at most [`LANES`] bodies.
+fn side_by_side(bodies: &[Body<f64>], record: &Record<f64>) -> Vec<Result<RecordAnswer<f64>, Error>> {
+    let (mut followed, mut errors) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
+    for body in bodies {
+        match body.followed(record, 0.0, 0.0) {
+            Ok(one) => {
+                followed.push(one);
+                errors.push(None);
+            }
+            Err(error) => errors.push(Some(error)),
+        }
+    }
+    Level::best().run(Lanes { bodies: &mut followed, record });
+    let mut followed = followed.into_iter();
+    let answers =
+        bodies.iter().zip(errors).map(|(body, error)| match (error, followed.as_slice().is_empty()) {
+            (None, false) => followed
+                .next()
+                .map_or(Err(Error::Interrupted), |followed| body.settled(record, [0.0; 2], followed)),
+            (error, _) => Err(error.unwrap_or(Error::Interrupted)),
+        });
+    answers.collect()
+}
+
+/// The bodies of all lanes.
+struct Lanes<'a> {
+    bodies: &'a mut [Followed<f64>],
+    record: &'a Record<f64>,
+}
+
+impl Loops for Lanes<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        lanes::follow::<f64, LANES>(self.bodies, self.record);
+    }
+}

@@ -1,0 +1,106 @@
+//! The numbers by which a record is followed: floats, whose signs are certain, and balls, whose signs may not be.
+
+use crate::float::{Float, Real};
+use crate::root::halley_within;
+
+/// A number with a sign, which may be uncertain.
+pub(super) trait Number: Real {
+    /// More terms than a series that converges as eˣ at x = 4 needs.
+    const MOST_TERMS: i32;
+    /// Whether the number is above 0; `None` where that is uncertain, and for NaN.
+    fn positive(self) -> Option<bool>;
+    /// Whether the number is below 0.
+    fn negative(self) -> Option<bool>;
+    /// Whether this number is above another one.
+    #[inline(always)]
+    fn is_above(self, other: Self) -> Option<bool> {
+        (self - other).positive()
+    }
+    /// The larger of two numbers.
+    fn larger(self, other: Self) -> Self;
+    /// `first` or `second`, as the choice says; a number that may be either, or `None`, where it is uncertain.
+    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self>;
+    /// Whether a term of a series, in which the first is of size 1, is lost in rounding.
+    fn is_negligible(term: Self) -> bool;
+    /// eˣ.
+    fn exponential(self) -> Self;
+    /// The zero in `[low, high]` of a function that is positive at `low`, negative at `high` and has no other
+    /// zero between them; `f` gives the value and three derivatives, and `ends` the values at both ends.
+    fn zero_within(
+        low: Self,
+        high: Self,
+        ends: [[Self; 2]; 2],
+        f: impl Fn(Self) -> Option<[Self; 4]>,
+    ) -> Option<Self>;
+    /// The number n, which is exact up to 2⁵³.
+    fn count(n: usize) -> Self;
+    /// n for `n ≤ self < n + 1`, if it is below 2³¹.
+    fn whole(self) -> Option<i32>;
+}
+
+impl<F: Float> Number for F {
+    #[expect(clippy::cast_possible_wrap, reason = "bits of a type are far below i32::MAX")]
+    const MOST_TERMS: i32 = 40 + F::PRECISION as i32;
+
+    #[inline(always)]
+    fn positive(self) -> Option<bool> {
+        if self > F::int(0) { Some(true) } else { (self <= F::int(0)).then_some(false) }
+    }
+
+    #[inline(always)]
+    fn negative(self) -> Option<bool> {
+        (-self).positive()
+    }
+
+    fn larger(self, other: Self) -> Self {
+        self.or_larger(other)
+    }
+
+    #[inline(always)]
+    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self> {
+        is_first.map(|is_first| if is_first { first } else { second })
+    }
+
+    fn is_negligible(term: Self) -> bool {
+        term.abs() < F::epsilon() * F::ratio(1, 64)
+    }
+
+    fn exponential(self) -> Self {
+        self.exp()
+    }
+
+    #[inline(always)]
+    fn zero_within(
+        low: Self,
+        high: Self,
+        [[value, slope], [end, end_slope]]: [[Self; 2]; 2],
+        f: impl Fn(Self) -> Option<[Self; 4]>,
+    ) -> Option<Self> {
+        let nan = F::int(0) / F::int(0);
+        let of = |t| f(t).unwrap_or([nan; 4]);
+        // The first guess is the zero of the parabola through the ends, improved by the cubic one.
+        let (one, two, length) = (F::int(1), F::int(2), high - low);
+        let (first, last) = (slope * length, end_slope * length);
+        let bend = end - value - first;
+        let part = two * value / ((first.square() - two * two * bend * value).sqrt() - first);
+        let cubic = last - first - two * bend;
+        let there = part.square() * (part - one) * cubic;
+        let steepness = first + two * bend * part + part * (F::int(3) * part - two) * cubic;
+        let root = halley_within(low + length * (part - there / steepness), low, high, of);
+        Some(root.implicit_root(|t| {
+            let [value, slope, ..] = of(t);
+            (value, slope)
+        }))
+    }
+
+    fn count(n: usize) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "counts of samples are far below 2⁵³")]
+        F::from_f64(n as f64)
+    }
+
+    fn whole(self) -> Option<i32> {
+        let whole = self.floor().to_f64();
+        #[expect(clippy::cast_possible_truncation, reason = "the value is within the type")]
+        (whole >= 0.0 && whole < f64::from(i32::MAX)).then_some(whole as i32)
+    }
+}

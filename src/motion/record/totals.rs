@@ -1,0 +1,240 @@
+//! The answers of a motion under a record, collected as it is followed.
+
+use super::follow::{Stretch, Watch};
+use super::linear::Linear;
+use super::load::Piece;
+use super::number::Number;
+use super::slide::Slide;
+use core::cmp::Ordering;
+
+/// A value and the time at which the motion has it first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct At<F> {
+    pub(super) value: F,
+    pub(super) time: F,
+}
+
+impl<F: Number> At<F> {
+    fn or(self, is_other: Option<bool>, value: F, time: F) -> Option<Self> {
+        let value = F::chosen(is_other, value, self.value)?;
+        Some(Self { value, time: F::chosen(is_other, time, self.time)? })
+    }
+}
+
+/// The greatest and the least value of a quantity.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Range<F> {
+    pub(super) most: At<F>,
+    pub(super) least: At<F>,
+}
+
+impl<F: Number> Range<F> {
+    fn new(value: F, time: F) -> Self {
+        let at = At { value, time };
+        Self { most: at, least: at }
+    }
+
+    #[inline]
+    fn include(&mut self, value: F, time: F) -> Option<()> {
+        let is_most = F::is_above(value, self.most.value);
+        let is_least = F::is_above(self.least.value, value);
+        if (is_most, is_least) == (Some(false), Some(false)) {
+            return Some(());
+        }
+        self.most = self.most.or(is_most, value, time)?;
+        self.least = self.least.or(is_least, value, time)?;
+        Some(())
+    }
+
+    /// Whether all numbers within `reach` of `value` are within the range.
+    #[inline(always)]
+    fn has_around(&self, value: F, reach: F) -> bool {
+        F::is_above(value + reach, self.most.value) == Some(false)
+            && F::is_above(self.least.value, value - reach) == Some(false)
+    }
+
+    /// Whether a value is within the range.
+    fn has(&self, value: F) -> bool {
+        F::is_above(value, self.most.value) == Some(false)
+            && F::is_above(self.least.value, value) == Some(false)
+    }
+}
+
+/// The sums and extremes of a motion, per mass.
+#[derive(Debug, Clone)]
+pub(super) struct Totals<F> {
+    pub(super) displacement: Range<F>,
+    pub(super) velocity: Range<F>,
+    /// a, and a − f: with a force the acceleration, and the force on the support with its sign turned; with a moving
+    /// surface the acceleration in relation to it, and in space.
+    pub(super) acceleration: Range<F>,
+    pub(super) free_acceleration: Range<F>,
+    pub(super) slides: u64,
+    pub(super) stops: u64,
+    pub(super) stick_time: F,
+    pub(super) path: F,
+    /// ∫ f v dt, without the constant force.
+    pub(super) load_work: F,
+    omega: F,
+    from: F,
+}
+
+impl<F: Number> Totals<F> {
+    /// Of a body at x with the velocity v at a time.
+    pub(super) fn new(omega: F, x: F, v: F, time: F) -> Self {
+        let zero = F::int(0);
+        Self {
+            displacement: Range::new(x, time),
+            velocity: Range::new(v, time),
+            acceleration: Range::new(zero, time),
+            free_acceleration: Range::new(zero, time),
+            slides: 0,
+            stops: 0,
+            stick_time: zero,
+            path: zero,
+            load_work: zero,
+            omega,
+            from: x,
+        }
+    }
+
+    /// A motion that goes on to x without a further stop.
+    pub(super) fn creeps_to(&mut self, x: F, time: F) -> Option<()> {
+        self.path = self.path + (x - self.from).abs();
+        self.displacement.include(x, time)
+    }
+
+    /// Includes a quantity g(t) over a stretch, its extremes inside it, too.
+    ///
+    /// `at` gives g and four derivatives at a time. g″ is a free vibration and g′ such a vibration plus a constant, so
+    /// that g″ has one zero at most on a stretch, and g′ two, one on either side of it.
+    #[inline(never)]
+    fn include(
+        range: &mut Range<F>,
+        [time, length]: [F; 2],
+        [start, end]: [[F; 5]; 2],
+        at: impl Fn(F) -> Option<[F; 5]>,
+    ) -> Option<()> {
+        range.include(start[0], time)?;
+        range.include(end[0], time + length)?;
+        let sign_of = |x: F| Some(x.positive()?.cmp(&x.negative()?));
+        let number = |sign: Ordering| if sign == Ordering::Less { F::int(-1) } else { F::int(1) };
+        let are_opposite = |one: Ordering, two: Ordering| one != Ordering::Equal && two == one.reverse();
+        let (first, last) = (sign_of(start[1])?, sign_of(end[1])?);
+        let (bend, last_bend) = (sign_of(start[2])?, sign_of(end[2])?);
+        let nothing = F::int(0);
+        // The zero of g′ between two moments, where it has the sign `sign` at the first.
+        let extreme = |[low, high]: [F; 2], [from, to]: [&[F; 5]; 2], sign: Ordering| {
+            let of = |[_, d1, d2, d3, d4]: [F; 5]| [d1, d2, d3, d4].map(|d| number(sign) * d);
+            let ends = [from, to].map(|g| [number(sign) * g[1], number(sign) * g[2]]);
+            let t = F::zero_within(low, high, ends, |t| at(t).map(of))?;
+            Some((at(t)?[0], time + t))
+        };
+        if are_opposite(first, last) {
+            // Where g″ has no zero, g is on one side of its tangents at the ends, which meet this far beyond both.
+            let (down, up) = (start[1].abs(), end[1].abs());
+            let beyond = number(first) * (down * up / (down + up) * length);
+            if bend == last_bend
+                && bend != Ordering::Equal
+                && range.has(start[0] + beyond)
+                && range.has(end[0] + beyond)
+            {
+                return Some(());
+            }
+            let (g, t) = extreme([nothing, length], [&start, &end], first)?;
+            return range.include(g, t);
+        }
+        if are_opposite(bend, last_bend) && first == last && are_opposite(bend, first) {
+            let sign = number(bend);
+            let ends = [start, end].map(|g| [sign * g[2], sign * g[3]]);
+            let turn = F::zero_within(nothing, length, ends, |t| {
+                // The fifth derivative serves the error of the last step alone, which the fourth bounds as well.
+                let [_, _, d2, d3, d4] = at(t)?;
+                Some([d2, d3, d4, d4].map(|d| sign * d))
+            })?;
+            let middle = at(turn)?;
+            if are_opposite(first, sign_of(middle[1])?) {
+                let (g, t) = extreme([nothing, turn], [&start, &middle], first)?;
+                range.include(g, t)?;
+                let (g, t) = extreme([turn, length], [&middle, &end], first.reverse())?;
+                range.include(g, t)?;
+            }
+        }
+        Some(())
+    }
+}
+
+impl<F: Number> Totals<F> {
+    /// Includes the extremes of velocity, acceleration and force of a stretch.
+    #[inline(never)]
+    fn include_extremes(
+        &mut self,
+        linear: &Linear<F>,
+        slide: &Slide<F>,
+        stretch: &Stretch<'_, F>,
+    ) -> Option<()> {
+        let Stretch { time, length, load: [first, last], end, .. } = *stretch;
+        let next = |[.., third, fourth]: [F; 5]| -(linear.rate * fourth) - linear.square * third;
+        let at = |t: F| {
+            let moment = slide.at(linear, t)?;
+            let g = slide.derivatives(linear, moment.v, moment.a);
+            Some((g, next(g)))
+        };
+        let ends = [(slide.v, slide.a), (end.v, end.a)].map(|(v, a)| {
+            let g = slide.derivatives(linear, v, a);
+            (g, next(g))
+        });
+        let times = [time, length];
+        Self::include(&mut self.velocity, times, ends.map(|(g, _)| g), |t| Some(at(t)?.0))?;
+        let of_acceleration =
+            |([_, a, jerk, bend, third], fourth): ([F; 5], F)| [a, jerk, bend, third, fourth];
+        let of = ends.map(of_acceleration);
+        Self::include(&mut self.acceleration, times, of, |t| at(t).map(of_acceleration))?;
+        let less = |load: F, [a, jerk, bend, third, fourth]: [F; 5]| {
+            [a - load, jerk - slide.slope, bend, third, fourth]
+        };
+        let [start, finish] = of;
+        Self::include(&mut self.free_acceleration, times, [less(first, start), less(last, finish)], |t| {
+            Some(less(first + slide.slope * t, of_acceleration(at(t)?)))
+        })
+    }
+}
+
+impl<F: Number> Watch<F> for Totals<F> {
+    #[inline(always)]
+    fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()> {
+        let Stretch { length, load: [first, last], responses, end, .. } = *stretch;
+        self.load_work = self.load_work + last * end.moved - slide.slope * slide.area(linear, responses);
+        // Nothing is further from the start than the greatest slope times the length, by an energy that does not grow.
+        let swing = slide.jerk(linear, slide.v, slide.a).abs() + self.omega * slide.a.abs();
+        let reach = length * swing;
+        if self.velocity.has_around(slide.v, length * (slide.a.abs() + reach))
+            && self.acceleration.has_around(slide.a, reach)
+            && self.free_acceleration.has_around(slide.a - first, reach + (last - first).abs())
+        {
+            return Some(());
+        }
+        self.include_extremes(linear, slide, stretch)
+    }
+
+    fn rested(&mut self, _: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()> {
+        self.stick_time = self.stick_time + length;
+        let zero = F::int(0);
+        self.acceleration.include(zero, start + from)?;
+        self.velocity.include(zero, start + from)?;
+        for t in [from, from + length] {
+            self.free_acceleration.include(-(piece.from + piece.slope * t), start + t)?;
+        }
+        Some(())
+    }
+
+    fn released(&mut self, _: F, x: F, _: F) {
+        self.slides = self.slides.saturating_add(1);
+        self.from = x;
+    }
+
+    fn stopped(&mut self, time: F, x: F) -> Option<()> {
+        self.stops = self.stops.saturating_add(1);
+        self.creeps_to(x, time)
+    }
+}

@@ -1,0 +1,13 @@
+//! The motion under records, held against independent values, laws and closed forms.
+
+#[cfg(feature = "generators")]
+#[path = "../drawn/mod.rs"]
+mod drawn;
+#[cfg(feature = "generators")]
+#[path = "../invariants/records.rs"]
+mod invariants;
+
+#[cfg(feature = "generators")]
+mod any;
+mod laws;
+mod references;
