@@ -9,6 +9,7 @@ mod identify;
 mod inputs;
 mod motion;
 mod pictures;
+mod record;
 mod shared;
 mod shell;
 mod sweep;
@@ -34,12 +35,14 @@ use motion::{DECAY_EXAMPLES, SIMULATE_EXAMPLES, STEADY_EXAMPLES};
 pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs};
 use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES};
 pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, Picture};
+pub(crate) use record::{LoadArgs, RecordArgs, SpectrumArgs, SurfaceArgs};
+use record::{RECORD_EXAMPLES, SPECTRUM_EXAMPLES};
 pub(crate) use shared::{Format, Header, OutputArgs, UnitArgs};
 use shell::{COMPLETIONS_EXAMPLES, MAN_EXAMPLES};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 use std::ffi::OsString;
 use sweep::SWEEP_EXAMPLES;
-pub(crate) use sweep::{SweepArgs, SweepFormat, Swept};
+pub(crate) use sweep::{SweepArgs, SweepFormat, Swept, TableArgs};
 
 const AFTER_HELP: &str = "\
 Examples:
@@ -49,8 +52,8 @@ Examples:
   stickslip help sweep
 
 Limits:
-  The model has one harmonic drive, one degree of freedom and Coulomb friction. It has no other waveform, no record of
-  a load, and no friction that depends on speed (Stribeck) or load.
+  The model has one harmonic drive, one degree of freedom and Coulomb friction. Other loads are records (record,
+  spectrum). It has no friction that depends on speed (Stribeck) or load.
 
 Units:
   Without a machine every value is a ratio: lengths are in B = r_y/k, velocities in B ω_d, forces in r_y, energies
@@ -113,6 +116,12 @@ pub(crate) enum Command {
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
     #[command(after_help = DECAY_EXAMPLES)]
     Decay(DecayArgs),
+    /// The motion under a record: an earthquake, or any measured load. No stop is missed.
+    #[command(after_help = RECORD_EXAMPLES)]
+    Record(Box<RecordArgs>),
+    /// The answers under records over periods, frictions and damping ratios, as rows or a picture.
+    #[command(after_help = SPECTRUM_EXAMPLES)]
+    Spectrum(Box<SpectrumArgs>),
     /// Check every equation of the paper against computed cycles, at any precision. The exit status is 1 if
     /// one fails.
     #[command(after_help = VERIFY_EXAMPLES)]

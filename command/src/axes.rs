@@ -1,6 +1,5 @@
 //! Points over grids: each argument is a single value or a grid of values.
 
-use crate::args::MachineArgs;
 use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
 use crate::given::note_percentage;
@@ -17,9 +16,9 @@ pub(crate) struct Axes<F> {
 
 impl<F: Value> Axes<F> {
     /// The typed parameters that the command uses.
-    pub(crate) fn new(machine: &MachineArgs, reader: &Reader) -> Result<Self, Failure> {
+    pub(crate) fn new(typed: &[(Input, String)], reader: &Reader) -> Result<Self, Failure> {
         let (mut fixed, mut grids) = (Given::empty(reader, Naming::Option), Vec::new());
-        for &(parameter, ref text) in machine.iter() {
+        for &(parameter, ref text) in typed {
             let grid = Grid::with_units(parameter.option(), text, reader, parameter.kind())?;
             note_percentage(parameter, text, grid.ends().1);
             if grid.len() == 1 {

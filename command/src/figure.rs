@@ -62,6 +62,17 @@ pub(crate) fn picture_of(file: &Path) -> Result<Picture, Failure> {
     Ok(picture)
 }
 
+/// A drawing, by the extension of the file's name.
+pub(crate) fn drawing(file: &Path, option: &str) -> Result<Picture, Failure> {
+    let name = file.display();
+    let end = file.extension().and_then(|e| e.to_str());
+    let picture = [Picture::Svg, Picture::Png].into_iter().find(|picture| end == Some(picture.extension()));
+    let picture = picture
+        .ok_or_else(|| Failure::Input(format!("{option} {name}: the name must end in .svg or .png")))?;
+    check(picture, &format!("{option} {name}"))?;
+    Ok(picture)
+}
+
 /// Fails for a PNG if the build does not support it.
 fn check(picture: Picture, argument: &str) -> Outcome {
     if picture != Picture::Png || cfg!(feature = "png") {

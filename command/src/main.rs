@@ -28,6 +28,7 @@ mod drawn;
 mod enclose;
 mod failure;
 mod figure;
+mod follow;
 mod given;
 mod grid;
 mod identify;
@@ -35,6 +36,7 @@ mod input;
 mod interrupt;
 mod machine;
 mod map;
+mod measured;
 mod motion_plot;
 mod note;
 mod output;
@@ -49,6 +51,7 @@ mod rows;
 mod shell;
 mod simulate;
 mod sink;
+mod spectrum;
 mod starts;
 mod steady;
 mod style;
@@ -102,6 +105,8 @@ fn run_command(command: &Command) -> Outcome {
         Command::Design(question) => design::run(question, &mut out)?,
         Command::Identify(args) => identify::run(args, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,
+        Command::Record(args) => follow::run(args, &mut out)?,
+        Command::Spectrum(args) => spectrum::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,
         Command::Figure(args) => figure::run(args, &mut out)?,
         Command::Figures(args) => figure::run_all(args, &mut out)?,

@@ -114,7 +114,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
 }
 
 /// An axis that contains all values, with a margin.
-fn axis(label: &str, values: impl Iterator<Item = f64>, room: f64) -> Axis {
+pub(crate) fn axis(label: &str, values: impl Iterator<Item = f64>, room: f64) -> Axis {
     let (low, high) = values
         .filter(|v| v.is_finite())
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));

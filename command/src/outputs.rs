@@ -145,6 +145,29 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("followed_for", "time for which the exact motion was followed"),
 ];
 
+/// The outputs of the motion under a record.
+const RECORD: &[(&str, &str)] = &[
+    (
+        "max_displacement",
+        "greatest displacement from the rest position of the spring, and over the surface where that moves",
+    ),
+    ("min_displacement", "least displacement"),
+    ("max_velocity, min_velocity", "greatest and least velocity"),
+    ("…_time", "time at which the motion has that value first"),
+    ("max_absolute_acceleration", "greatest acceleration in space, regardless of sign"),
+    ("max_transmitted_force", "greatest force of spring, damper and friction together on their support"),
+    ("end_displacement, end_velocity", "state at the end of the record"),
+    (
+        "residual_displacement",
+        "displacement at rest after the record or its limit, none where the body never rests",
+    ),
+    ("path", "path of the body, to its rest"),
+    ("slides, stops", "numbers of releases and of stops, to its rest"),
+    ("stick_time", "time at rest during the record"),
+    ("friction_work, damper_work", "work dissipated by friction and by the damper"),
+    ("load_work", "work of the load and of a constant force on the body"),
+];
+
 /// The definition of an output in ratios.
 pub(crate) fn find(name: &str) -> Option<Key> {
     groups().into_iter().flat_map(|(_, keys)| keys).find(|key| key.name == name)
@@ -181,15 +204,22 @@ pub(crate) fn text() -> String {
         }
         text.push('\n');
     }
+    text.push_str("record, spectrum: the motion under a record, each with its unit\n\n");
+    push_table(&mut text, RECORD);
+    text.push('\n');
     text.push_str("For a machine, under physical, each with its unit\n\n");
-    for (name, meaning) in PHYSICAL {
+    push_table(&mut text, PHYSICAL);
+    text
+}
+
+fn push_table(text: &mut String, rows: &[(&str, &str)]) {
+    for (name, meaning) in rows {
         if name.chars().count() > 29 {
             let _ = writeln!(text, "  {name}\n  {:<31}{meaning}", "");
         } else {
             let _ = writeln!(text, "  {name:<31}{meaning}");
         }
     }
-    text
 }
 
 /// `stickslip outputs`.

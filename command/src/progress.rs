@@ -59,17 +59,19 @@ pub(crate) fn in_order<T: Send>(
     answer: impl Fn(u64) -> Result<T, Failure> + Sync,
     mut take: impl FnMut(T) -> Outcome,
 ) -> Outcome {
-    in_order_kept(points, answer, |found| found.map_or(Ok(()), &mut take))
+    in_order_kept(points, |points| vec![answer(points.start)], |found| found.map_or(Ok(()), &mut take))
 }
 
 /// Answers the points of a range in parallel, and passes the answers on in order. `None` asks the caller to
 /// keep the answers so far, because a second has passed or the command was interrupted.
 ///
+/// `answers` gives those of the first points of a range, at least one.
+///
 /// An answer is passed on as soon as it and all earlier ones exist, however long the next one takes. Few
 /// answers are in memory.
 pub(crate) fn in_order_kept<T: Send>(
     points: Range<u64>,
-    answer: impl Fn(u64) -> Result<T, Failure> + Sync,
+    answers: impl Fn(Range<u64>) -> Vec<Result<T, Failure>> + Sync,
     take: impl FnMut(Option<T>) -> Outcome,
 ) -> Outcome {
     let bar = bar(points.end - points.start, "points");
@@ -86,10 +88,10 @@ pub(crate) fn in_order_kept<T: Send>(
     };
     let outcome = rayon::in_place_scope(|scope| {
         for _ in 0..work.threads {
-            let (work, answer, sender) = (&work, &answer, sender.clone());
+            let (work, answers, sender) = (&work, &answers, sender.clone());
             scope.spawn(move |_| {
                 while let Some(mut stretch) = work.claim() {
-                    if sender.send((stretch.points.start, stretch.answers(answer))).is_err() {
+                    if sender.send((stretch.points.start, stretch.answers(answers))).is_err() {
                         break;
                     }
                 }
@@ -196,12 +198,16 @@ struct Stretch<'a> {
 
 impl Stretch<'_> {
     /// The answers, up to the first failure or for some time; at least one.
-    fn answers<T>(&mut self, answer: impl Fn(u64) -> Result<T, Failure>) -> Vec<Result<T, Failure>> {
+    fn answers<T>(
+        &mut self,
+        answers: impl Fn(Range<u64>) -> Vec<Result<T, Failure>>,
+    ) -> Vec<Result<T, Failure>> {
         let mut found = Vec::new();
-        for point in self.points.by_ref() {
-            let one = answer(point);
-            let failed = one.is_err();
-            found.push(one);
+        while !self.points.is_empty() {
+            let some = answers(self.points.clone());
+            self.points.start += some.len() as u64;
+            let failed = some.iter().any(Result::is_err);
+            found.extend(some);
             if failed || self.begin.elapsed() > LONG {
                 break;
             }
@@ -407,7 +413,7 @@ mod tests {
                 found.extend(point);
                 Ok(())
             };
-            let outcome = in_order_kept(0..500, answer, take);
+            let outcome = in_order_kept(0..500, |points| vec![answer(points.start)], take);
             assert!(matches!(outcome, Err(Failure::Input(text)) if text == bad.to_string()));
             assert_eq!(found, (0..bad).collect::<Vec<_>>());
         }

@@ -27,6 +27,11 @@ pub(crate) trait Rows: Sync {
     /// The text of a row.
     fn text(&self, point: u64) -> Result<Vec<u8>, Failure>;
 
+    /// The texts of the first rows of a range, at least one.
+    fn texts(&self, points: Range<u64>) -> Vec<Result<Vec<u8>, Failure>> {
+        vec![self.text(points.start)]
+    }
+
     /// Whether a row identifies its point.
     fn hold_their_grid(&self) -> bool;
 
@@ -49,14 +54,14 @@ pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
 }
 
 /// Answers the points of a range in parallel, and writes the rows that `take` makes of the answers, in order,
-/// as they are computed.
+/// as they are computed. `answers` gives those of the first points of a range.
 pub(crate) fn write<T: Send, W: Write>(
     points: Range<u64>,
     out: &mut W,
-    answer: impl Fn(u64) -> Result<T, Failure> + Sync,
+    answers: impl Fn(Range<u64>) -> Vec<Result<T, Failure>> + Sync,
     mut take: impl FnMut(T, &mut W) -> Outcome,
 ) -> Outcome {
-    let outcome = progress::in_order_kept(points, answer, |found| match found {
+    let outcome = progress::in_order_kept(points, answers, |found| match found {
         Some(found) => take(found, out),
         None => Ok(out.flush()?),
     });

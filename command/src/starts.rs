@@ -69,7 +69,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         resume::write(
             from..self.count,
             out,
-            |number| self.answer(number),
+            |numbers| vec![self.answer(numbers.start)],
             |(limit, row), out| {
                 out.write_all(&row)?;
                 Ok(all.add(limit)?)

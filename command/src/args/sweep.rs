@@ -70,6 +70,16 @@ pub(crate) struct SweepArgs {
     /// The columns to write, among those of the command WHAT [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) outputs: Option<Vec<String>>,
+    #[command(flatten)]
+    pub(crate) table: TableArgs,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
+    pub(crate) bits: Option<u32>,
+}
+
+/// How a table of many rows is written.
+#[derive(Debug, Args)]
+pub(crate) struct TableArgs {
     /// csv, jsonl or parquet (needs a build with the feature parquet) [default: by the end of FILE's name, or
     /// csv]
     #[arg(long, value_enum, hide_possible_values = true)]
@@ -80,7 +90,7 @@ pub(crate) struct SweepArgs {
     /// Continue after the last complete row of --out FILE (a complete file is left as it is)
     #[arg(long)]
     pub(crate) resume: bool,
-    /// Part I of N parts of the sweep, each a run of its rows
+    /// Part I of N parts of the rows, each a run of them
     #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
     pub(crate) shard: Option<String>,
     /// Header of CSV: names, or names with their units in brackets, such as max_displacement[B]
@@ -89,12 +99,9 @@ pub(crate) struct SweepArgs {
     /// Omit the line of column names
     #[arg(long)]
     pub(crate) no_header: bool,
-    /// Bits of precision (needs a build with the feature mp)
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
-    pub(crate) bits: Option<u32>,
 }
 
-impl SweepArgs {
+impl TableArgs {
     /// The format of `--format`, or that of the end of the file's name; CSV for a name without an end. `None`
     /// where the end names no format.
     pub(crate) fn format(&self) -> Option<SweepFormat> {

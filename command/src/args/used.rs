@@ -59,6 +59,16 @@ const USED: &[(&str, Mode, &str)] = &[
         Machine,
         "file mass SPRING force base-acceleration base-velocity base-displacement foot-displacement amplitude phase format units",
     ),
+    (
+        "record",
+        Machine,
+        "file BODY STATIC mean-force no_spring slope one_way time_step scale from to x0 v0 out interval picture overwrite format bits units",
+    ),
+    (
+        "spectrum",
+        Machine,
+        "files BODY STATIC mean-force no_spring slope one_way time_step scale from to units format out resume shard header no_header picture overwrite",
+    ),
     ("decay", Ratios, "FRICTIONS x0 v0 format bits"),
     ("decay", Machine, "BODY STATIC mean-force x0 v0 format bits units"),
     ("design force", Ratios, "omega FRICTIONS no_stop format bits"),
@@ -114,7 +124,7 @@ pub(crate) fn columns(command: &str) -> Vec<Input> {
 }
 
 /// The positional arguments.
-const PLACES: [&str; 4] = ["question", "quantity", "what", "file"];
+const PLACES: [&str; 5] = ["question", "quantity", "what", "file", "files"];
 
 /// Fails at the first option that the command does not use.
 pub(super) fn check(matches: &ArgMatches) -> Outcome {

@@ -8,15 +8,15 @@
 mod column;
 mod parts;
 
-use super::rows::SweepRows;
-use crate::args::SweepArgs;
+use super::Table;
+use crate::args::TableArgs;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::output::{Lines, PendingFile};
 use crate::progress;
 use crate::record::Record;
-use clap::ValueEnum;
 use column::ParquetColumn;
+use core::marker::PhantomData;
 use parquet::basic::Compression;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
@@ -30,14 +30,13 @@ use std::io;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-use stickslip::inputs::Input;
 
 /// The greatest number of rows in a group.
 const ROWS: usize = 1 << 17;
 /// The approximate greatest size of a group in memory, whatever the precision of its numbers.
 const BYTES: usize = 1 << 26;
 
-pub(super) fn run<F: Value>(args: &SweepArgs, rows: &SweepRows<F>, part: Range<u64>) -> Outcome {
+pub(super) fn run<F: Value, T: Table<F>>(args: &TableArgs, rows: &T, part: Range<u64>) -> Outcome {
     let Some(file) = &args.out else {
         return Err(Failure::Input("--format parquet: give its file by --out FILE".to_owned()));
     };
@@ -46,7 +45,7 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &SweepRows<F>, part: Range<u
             "--no-header: must be left out, because a Parquet file names its columns".to_owned(),
         ));
     }
-    let sweep = Sweep { rows, part, notes: notes(args), columns: columns(rows) };
+    let sweep = Sweep { rows, part, notes: notes(rows), columns: columns(rows), of: PhantomData };
     if file.exists() {
         if !args.resume {
             let text = format!("--out {}: must not exist yet. Continue it with --resume", file.display());
@@ -61,7 +60,7 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &SweepRows<F>, part: Range<u
     let mut table = PendingRows { columns: columns(rows), rows: 0, start: done };
     let outcome = progress::in_order_kept(
         done..sweep.part.end,
-        |point| rows.record(point),
+        |points| rows.records(points),
         |record| match record {
             Some(record) => table.push(&record, &mut parts, &sweep),
             None => table.commit(&mut parts, &sweep),
@@ -80,22 +79,21 @@ fn error_at(file: &Path, what: &str) -> Failure {
 }
 
 /// A sweep, with the metadata that identify it.
-struct Sweep<'a, F> {
-    rows: &'a SweepRows<F>,
+struct Sweep<'a, F, T> {
+    rows: &'a T,
     part: Range<u64>,
     notes: Vec<KeyValue>,
     columns: Vec<ParquetColumn>,
+    of: PhantomData<F>,
 }
 
-impl<F: Value> Sweep<'_, F> {
+impl<F: Value, T: Table<F>> Sweep<'_, F, T> {
     /// Fails unless the file contains the rows of these points, according to its metadata, its columns, their
     /// number, and its first and last rows.
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
         let metadata = reader.metadata().file_metadata();
         let found = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);
-        let grids = Input::ALL.map(Input::column);
-        let keys = ["sweep", "outputs", "shard", "bits", "system"].map(str::to_owned);
-        for key in keys.iter().chain(&grids) {
+        for key in self.notes.iter().chain(found).map(|note| &note.key) {
             let value = |notes: &[KeyValue]| {
                 notes
                     .iter()
@@ -147,23 +145,13 @@ fn open(file: &Path) -> Result<SerializedFileReader<File>, Failure> {
     Ok(SerializedFileReader::new(File::open(file)?)?)
 }
 
-fn notes(args: &SweepArgs) -> Vec<KeyValue> {
-    let note = |key: &str, value: Option<String>| value.map(|value| KeyValue::new(key.to_owned(), value));
+fn notes<F: Value>(rows: &impl Table<F>) -> Vec<KeyValue> {
     let units = "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad, and a unit in brackets where a column has its own";
-    let question = args.question.to_possible_value().map(|value| value.get_name().to_owned());
-    let grids = args.machine.iter().map(|(input, text)| KeyValue::new(input.column(), text.clone()));
-    let notes = [
-        note("units", Some(units.to_owned())),
-        note("system", args.units.units.map(|system| system.to_string())),
-        note("sweep", question),
-        note("outputs", args.outputs.as_ref().map(|names| names.join(","))),
-        note("shard", args.shard.clone()),
-        note("bits", args.bits.map(|bits| bits.to_string())),
-    ];
-    grids.chain(notes.into_iter().flatten()).collect()
+    let notes = rows.notes().into_iter().map(|(key, value)| KeyValue::new(key, value));
+    core::iter::once(KeyValue::new("units".to_owned(), units.to_owned())).chain(notes).collect()
 }
 
-fn columns<F: Value>(rows: &SweepRows<F>) -> Vec<ParquetColumn> {
+fn columns<F: Value>(rows: &impl Table<F>) -> Vec<ParquetColumn> {
     let form = rows.form();
     form.names().into_iter().zip(form.cells()).map(|(name, cell)| ParquetColumn::of(name, &cell)).collect()
 }
@@ -176,7 +164,12 @@ struct PendingRows {
 }
 
 impl PendingRows {
-    fn push<F: Value>(&mut self, record: &Record<F>, parts: &mut Parts, sweep: &Sweep<'_, F>) -> Outcome {
+    fn push<F: Value, T: Table<F>>(
+        &mut self,
+        record: &Record<F>,
+        parts: &mut Parts,
+        sweep: &Sweep<'_, F, T>,
+    ) -> Outcome {
         for (column, cell) in self.columns.iter_mut().zip(record.cells()) {
             column.push(&cell);
         }
@@ -188,7 +181,7 @@ impl PendingRows {
     }
 
     /// Writes the rows in memory as a part.
-    fn commit<F: Value>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, F>) -> Outcome {
+    fn commit<F: Value, T: Table<F>>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, F, T>) -> Outcome {
         // The rows are taken only once, even if the write fails: the columns are then no longer complete.
         let rows = std::mem::take(&mut self.rows);
         if rows > 0 {

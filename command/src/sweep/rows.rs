@@ -1,5 +1,6 @@
 //! The rows of a sweep, each computed from its number alone.
 
+use super::Table;
 use crate::args::{Header, SweepArgs, SweepFormat, Swept};
 use crate::axes::Axes;
 use crate::bits::Value;
@@ -24,15 +25,33 @@ pub(crate) struct SweepRows<F> {
     header: Header,
     /// Whether the requested outputs need the search for peaks.
     peaks: bool,
+    #[cfg(feature = "parquet")]
+    notes: Vec<(String, String)>,
+}
+
+/// What identifies a sweep in a Parquet file.
+#[cfg(feature = "parquet")]
+fn notes(args: &SweepArgs) -> Vec<(String, String)> {
+    let question =
+        clap::ValueEnum::to_possible_value(&args.question).map(|value| value.get_name().to_owned());
+    let grids = args.machine.iter().map(|(input, text)| (input.column(), text.clone()));
+    let notes = [
+        ("system", args.units.units.map(|system| system.to_string())),
+        ("sweep", question),
+        ("outputs", args.outputs.as_ref().map(|names| names.join(","))),
+        ("shard", args.table.shard.clone()),
+        ("bits", args.bits.map(|bits| bits.to_string())),
+    ];
+    grids.chain(notes.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?)))).collect()
 }
 
 impl<F: Value> SweepRows<F> {
     /// The requested rows, if every point has an answer and every column exists.
-    pub(crate) fn new(args: &SweepArgs, axes: Axes<F>) -> Result<Self, Failure> {
-        let csv = args.format() == Some(SweepFormat::Csv);
+    pub(crate) fn new(args: &SweepArgs, format: SweepFormat, axes: Axes<F>) -> Result<Self, Failure> {
+        let csv = format == SweepFormat::Csv;
         let outputs = args.outputs.clone();
         let peaks = outputs.as_ref().is_none_or(|names| names.iter().any(|name| outputs::is_searched(name)));
-        let (question, header) = (args.question, args.header);
+        let (question, header) = (args.question, args.table.header);
         check(question, &axes)?;
         let form = form(question, &axes.named_at(0), peaks)?;
         for (place, wanted) in outputs.iter().flatten().enumerate() {
@@ -51,17 +70,20 @@ impl<F: Value> SweepRows<F> {
             None => form,
         };
         let columns = form.names();
-        Ok(Self { question, axes, outputs, form, columns, csv, header, peaks })
-    }
-
-    /// A row without its motion, with the names of all rows.
-    #[cfg(feature = "parquet")]
-    pub(crate) const fn form(&self) -> &Record<F> {
-        &self.form
-    }
-
-    pub(crate) fn len(&self) -> u64 {
-        self.axes.len()
+        #[cfg(feature = "parquet")]
+        let notes = notes(args);
+        Ok(Self {
+            #[cfg(feature = "parquet")]
+            notes,
+            question,
+            axes,
+            outputs,
+            form,
+            columns,
+            csv,
+            header,
+            peaks,
+        })
     }
 
     fn ratios(&self, point: u64) -> Result<(F, F), Failure> {
@@ -89,6 +111,27 @@ impl<F: Value> SweepRows<F> {
         // The computation is repeated for an error message that contains the values.
         answer(self.question, &self.axes.given_at(point), self.peaks)
             .or_else(|_| answer(self.question, &self.axes.named_at(point), self.peaks))
+    }
+}
+
+impl<F: Value> Table<F> for SweepRows<F> {
+    fn len(&self) -> u64 {
+        self.axes.len()
+    }
+
+    #[cfg(feature = "parquet")]
+    fn form(&self) -> &Record<F> {
+        &self.form
+    }
+
+    #[cfg(feature = "parquet")]
+    fn record(&self, point: u64) -> Result<Record<F>, Failure> {
+        Self::record(self, point)
+    }
+
+    #[cfg(feature = "parquet")]
+    fn notes(&self) -> Vec<(String, String)> {
+        self.notes.clone()
     }
 }
 

@@ -25,6 +25,7 @@ mod options;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod points;
+mod records;
 mod round_trips;
 mod shell;
 mod starts;

@@ -68,6 +68,19 @@ impl<F: Float> Record<F> {
         Ok(self)
     }
 
+    /// This record with its first sample at a time, where its steps are equal.
+    ///
+    /// # Errors
+    /// Where the time is not finite, or the time of the last sample is not.
+    pub fn beginning_at(self, start: F) -> Result<Self, Error> {
+        finite(Quantity::Time, start)?;
+        let times = match self.times {
+            Times::Equal(_, step) => Times::Equal(start, step),
+            each @ Times::Each(_) => each,
+        };
+        Self { times, ..self }.checked()
+    }
+
     /// This record with every sample multiplied by a factor.
     ///
     /// # Errors
@@ -133,7 +146,7 @@ impl<F: Float> Record<F> {
     }
 
     /// The longest step.
-    pub(super) fn longest_step(&self) -> F {
+    pub fn longest_step(&self) -> F {
         match &self.times {
             Times::Equal(_, step) => *step,
             Times::Each(times) => {

@@ -1,5 +1,6 @@
 //! The parts of an incomplete Parquet file: `FILE.parts/START-END.parquet`.
 
+use super::super::Table;
 use super::column::ParquetColumn;
 use super::{PendingFile, ROWS, Sweep, columns, error_at, is_group, open, write_group};
 use crate::bits::Value;
@@ -61,7 +62,7 @@ impl Parts {
     }
 
     /// The point after the last part, if each part belongs to this sweep.
-    pub(super) fn check<F: Value>(&self, sweep: &Sweep<'_, F>) -> Result<u64, Failure> {
+    pub(super) fn check<F: Value, T: Table<F>>(&self, sweep: &Sweep<'_, F, T>) -> Result<u64, Failure> {
         let mut next = sweep.part.start;
         for range in &self.parts {
             let path = self.path(range);
@@ -92,7 +93,7 @@ impl Parts {
     }
 
     /// Merges the parts into the file, which appears complete or not at all, and removes them.
-    pub(super) fn become_file<F: Value>(self, file: &Path, sweep: &Sweep<'_, F>) -> Outcome {
+    pub(super) fn become_file<F: Value, T: Table<F>>(self, file: &Path, sweep: &Sweep<'_, F, T>) -> Outcome {
         if let [whole] = self.parts.as_slice() {
             put_new(&self.path(whole), file).map_err(|e| named(&file.display().to_string(), e))?;
             return self.remove(&[]);

@@ -1,0 +1,123 @@
+//! The arguments of the motion under a record, and of spectra.
+
+use super::{BodyArgs, Format, TableArgs, UnitArgs};
+use clap::Args;
+use std::path::PathBuf;
+
+pub(crate) const RECORD_EXAMPLES: &str = "\
+FILE is a record of the PEER database (.at2, in g), or CSV whose first line names its columns with their units:
+time[s],acceleration[g]. The load is the column acceleration (of the surface that the body slides on), force, or
+foot-displacement (of the spring's foot, with damped-foot-displacement if the damper stands on it, too). Without a
+column time the samples are --time-step apart. Between samples the load is a straight line, and after the last one it
+is zero: the body slides to its rest. No stop is missed.
+
+Examples:
+  stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
+  stickslip record quake.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --scale 1.5 --units kN,mm \\
+    --out motion.csv --picture motion.svg
+  stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json";
+
+pub(crate) const SPECTRUM_EXAMPLES: &str = "\
+Every quantity of the body may be a grid: FROM:TO:COUNT, FROM:TO:COUNT:log, or a list A,B,C. Each row is one body
+under one record. The records vary slowest, and the first grid, in the order of the options, next. Without --mass
+the body has one unit of mass. A picture shows the greatest displacement, the residual displacement and the greatest absolute
+acceleration over the period (or over the only other grid), for each record and, from two records on, their mean.
+
+Examples:
+  stickslip spectrum quake.at2 --period 0.1s:4s:100:log --friction-coefficient 0.02,0.05,0.1 --damping-ratio 5% --out s.csv
+  stickslip spectrum a.at2 b.at2 c.at2 --period 0.1s:4s:100:log --friction-coefficient 0.05 --picture spectra.svg
+  stickslip spectrum *.at2 --no-spring --friction-coefficient 0.05:0.5:50 --slope 10deg --one-way --out newmark.parquet
+  stickslip spectrum *.at2 --period 0.1s:4s:500:log --friction-coefficient 0.05 --out part2.csv --shard 2/8 --resume";
+
+/// How the file of a record is read.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct LoadArgs {
+    /// Time between samples in a file without a column of times, such as 0.005s
+    #[arg(long, value_name = "DT", allow_hyphen_values = true)]
+    pub(crate) time_step: Option<String>,
+    /// Factor by which the record is multiplied
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
+    pub(crate) scale: Option<String>,
+    /// Time at which the record begins: samples before it are left out
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) from: Option<String>,
+    /// Time at which the record ends
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) to: Option<String>,
+}
+
+/// The surface that the body slides on.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct SurfaceArgs {
+    /// A body without a spring
+    #[arg(long)]
+    pub(crate) no_spring: bool,
+    /// Angle by which the surface falls in the direction of x, such as 10deg
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub(crate) slope: Option<String>,
+    /// The body never slides backwards
+    #[arg(long)]
+    pub(crate) one_way: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RecordArgs {
+    /// The record: .at2, or CSV, - for standard input
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) machine: BodyArgs,
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArgs,
+    #[command(flatten)]
+    pub(crate) load: LoadArgs,
+    /// Displacement at the start
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub(crate) x0: Option<String>,
+    /// Velocity at the start
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) v0: Option<String>,
+    /// The motion as CSV
+    #[arg(long, value_name = "FILE.csv")]
+    pub(crate) out: Option<PathBuf>,
+    /// Greatest distance of the states in it [default: the longest step of the record]
+    #[arg(long, value_name = "DT", allow_hyphen_values = true)]
+    pub(crate) interval: Option<String>,
+    /// The motion as a picture, FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+    /// Replace files that exist
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+    /// text or json
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
+    pub(crate) bits: Option<u32>,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SpectrumArgs {
+    /// The records: .at2, or CSV
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) machine: BodyArgs,
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArgs,
+    #[command(flatten)]
+    pub(crate) load: LoadArgs,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+    #[command(flatten)]
+    pub(crate) table: TableArgs,
+    /// The spectra as a picture, FILE.svg or FILE.png, in place of rows
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "format", "resume", "shard", "no_header"])]
+    pub(crate) picture: Option<PathBuf>,
+    /// Replace a picture that exists
+    #[arg(long, requires = "picture")]
+    pub(crate) overwrite: bool,
+}

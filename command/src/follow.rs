@@ -1,0 +1,267 @@
+//! `stickslip record`: the motion of a body under a record.
+
+use crate::args::{Format, RecordArgs, SurfaceArgs};
+use crate::bits::{Value, at_bits, digits};
+use crate::failure::{Failure, Outcome};
+use crate::figure;
+use crate::given;
+use crate::measured;
+use crate::output::{self, PendingFile};
+use crate::physical::Physical;
+use crate::record::Cell;
+use std::io::Write;
+use std::path::Path;
+use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::inputs::{Given, Input, Role};
+use stickslip::motion::record::{Body, Record, RecordAnswer, RecordMotion};
+use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+
+pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    at_bits!(args.bits, follow(args: &RecordArgs, out))
+}
+
+fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    if !matches!(args.format, Format::Text | Format::Json) {
+        return Err(Failure::Input("--format: the answer to record is text or json".to_owned()));
+    }
+    for (option, file) in [("--out", &args.out), ("--picture", &args.picture)] {
+        if let Some(file) = file {
+            output::refuse_existing(file, &format!("{option} {}", file.display()), args.overwrite)?;
+        }
+    }
+    let reader = args.units.reader();
+    let given = given::read::<F>(&args.machine, &reader)?;
+    let surface = Surface::read(&args.surface, &reader)?;
+    let body = surface.body(&given)?;
+    let start = |option: &str, text: &Option<String>, kind: Kind| match text {
+        Some(text) => reader.value::<F>(option, text, kind),
+        None => Ok(F::int(0)),
+    };
+    let x0 = start("--x0", &args.x0, Kind::Length)?;
+    let v0 = start("--v0", &args.v0, Kind::Velocity)?;
+    let interval = args.interval.as_ref().map(|text| reader.value::<F>("--interval", text, Kind::Time));
+    let interval = interval.transpose()?;
+    if args.interval.is_some() && args.out.is_none() {
+        return Err(Failure::Input("--interval: needs a file for the motion, --out FILE.csv".to_owned()));
+    }
+    let record = measured::read::<F>(&args.file, &args.load, &reader)?;
+    let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
+    let answer = body.follow_from(&record, x0, v0).map_err(named)?;
+    let motion = |interval: F| body.motion(&record, x0, v0, interval).map_err(named);
+    if let Some(file) = &args.out {
+        let motion = motion(interval.unwrap_or_else(|| record.longest_step()))?;
+        let argument = format!("--out {}", file.display());
+        PendingFile::create(file, &argument, args.overwrite)?
+            .fill(|out| states(&motion, &given.system, out))?;
+    }
+    if let Some(file) = &args.picture {
+        let picture = figure::drawing(file, "--picture")?;
+        let motion = motion((record.end() - record.time(0)) / F::int(4000))?;
+        let drawn = drawing(&record, &motion, &given.system, &args.file);
+        let argument = format!("--picture {}", file.display());
+        PendingFile::create(file, &argument, args.overwrite)?
+            .fill(|out| figure::write(&drawn, picture, out))?;
+    }
+    let physical = physical(&answer, given.system);
+    for (name, _, cell) in &physical.values {
+        cell.finite(name)?;
+    }
+    if let Format::Json = args.format {
+        serde_json::to_writer_pretty(&mut *out, &physical)?;
+        return Ok(out.write_all(b"\n")?);
+    }
+    text(&answer, &physical, &given.system, out)
+}
+
+/// The surface that a body slides on.
+pub(crate) struct Surface<F> {
+    slope: Option<F>,
+    has_spring: bool,
+    is_one_way: bool,
+}
+
+impl<F: Value> Surface<F> {
+    pub(crate) fn read(args: &SurfaceArgs, reader: &Reader) -> Result<Self, Failure> {
+        let slope = args.slope.as_ref().map(|text| reader.value::<F>("--slope", text, Kind::Angle));
+        Ok(Self { slope: slope.transpose()?, has_spring: !args.no_spring, is_one_way: args.one_way })
+    }
+
+    /// The body of the given inputs on this surface.
+    pub(crate) fn body(&self, given: &Given<F>) -> Result<Body<F>, Failure> {
+        match (given.one_of(Role::Spring)?, self.has_spring) {
+            (None, true) => {
+                let missing = given.missing(&Input::of_role(Role::Spring));
+                return Err(Failure::Input(format!("{missing}. A body without a spring has --no-spring")));
+            }
+            (Some((spring, _)), false) => {
+                let spring = given.label(spring);
+                return Err(Failure::Input(format!("{spring}: must be left out with --no-spring")));
+            }
+            _ => {}
+        }
+        let body = Body::given(given, self.slope)?;
+        Ok(if self.is_one_way { body.one_way() } else { body })
+    }
+}
+
+/// The answers with their units.
+pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Physical<F> {
+    let mut physical = Physical::of(system);
+    physical.values = columns(answer).into();
+    physical
+}
+
+/// The names of the answers, their kinds and their values.
+pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> [(&'static str, Kind, Cell<F>); 20] {
+    let number = |x: F| Cell::Number(Some(x));
+    let count = |n: u64| Cell::Count(Some(n));
+    [
+        ("max_displacement", Kind::Length, number(answer.max_displacement)),
+        ("max_displacement_time", Kind::Time, number(answer.max_displacement_time)),
+        ("min_displacement", Kind::Length, number(answer.min_displacement)),
+        ("min_displacement_time", Kind::Time, number(answer.min_displacement_time)),
+        ("max_velocity", Kind::Velocity, number(answer.max_velocity)),
+        ("max_velocity_time", Kind::Time, number(answer.max_velocity_time)),
+        ("min_velocity", Kind::Velocity, number(answer.min_velocity)),
+        ("min_velocity_time", Kind::Time, number(answer.min_velocity_time)),
+        ("max_absolute_acceleration", Kind::Acceleration, number(answer.max_absolute_acceleration)),
+        ("max_transmitted_force", Kind::Force, number(answer.max_transmitted_force)),
+        ("end_displacement", Kind::Length, number(answer.end_displacement)),
+        ("end_velocity", Kind::Velocity, number(answer.end_velocity)),
+        ("residual_displacement", Kind::Length, Cell::Number(answer.residual_displacement)),
+        ("path", Kind::Length, number(answer.path)),
+        ("slides", Kind::Ratio, count(answer.slides)),
+        ("stops", Kind::Ratio, count(answer.stops)),
+        ("stick_time", Kind::Time, number(answer.stick_time)),
+        ("friction_work", Kind::Energy, number(answer.friction_work)),
+        ("damper_work", Kind::Energy, number(answer.damper_work)),
+        ("load_work", Kind::Energy, number(answer.load_work)),
+    ]
+}
+
+fn text<F: Value>(
+    answer: &RecordAnswer<F>,
+    physical: &Physical<F>,
+    system: &System,
+    out: &mut impl Write,
+) -> Outcome {
+    let unit = |kind: Kind| system.name(kind);
+    let times = |n: u64| if n == 1 { "once".to_owned() } else { format!("{n} times") };
+    let slides = times(answer.slides);
+    match answer.residual_displacement {
+        _ if answer.slides == 0 => writeln!(out, "The body rests throughout.\n")?,
+        Some(rest) => writeln!(
+            out,
+            "The body slides {slides}, and comes to rest at {} {}.\n",
+            digits(rest),
+            unit(Kind::Length)
+        )?,
+        None => writeln!(out, "The body slides {slides}, and does not come to rest.\n")?,
+    }
+    for (name, kind, cell) in &physical.values {
+        let unit = if *kind == Kind::Ratio { String::new() } else { format!(" {}", unit(*kind)) };
+        writeln!(out, "  {:<26} {}{unit}", name.replace('_', " "), cell.text())?;
+    }
+    Ok(())
+}
+
+/// The states of a motion as CSV.
+fn states<F: Value>(motion: &RecordMotion<F>, system: &System, out: &mut impl Write) -> Outcome {
+    let [length, velocity, acceleration] = [Kind::Length, Kind::Velocity, Kind::Acceleration]
+        .map(|kind| crate::outputs::plain(&system.name(kind)));
+    let mut table = csv::Writer::from_writer(out);
+    table.write_record([
+        "time[s]",
+        &format!("displacement[{length}]"),
+        &format!("velocity[{velocity}]"),
+        &format!("acceleration[{acceleration}]"),
+        "direction",
+    ])?;
+    for state in &motion.states {
+        let numbers = [state.time, state.displacement, state.velocity, state.acceleration];
+        let [time, x, v, a] = numbers.map(crate::bits::all_digits);
+        table.write_record([time, x, v, a, state.direction.to_string()])?;
+    }
+    Ok(table.flush()?)
+}
+
+/// The load, the displacement and the velocity over time, and the displacement over the velocity's sign: rests apart.
+fn drawing<F: Value>(record: &Record<F>, motion: &RecordMotion<F>, system: &System, file: &Path) -> Figure {
+    let load: Vec<_> = record
+        .samples()
+        .iter()
+        .enumerate()
+        .map(|(index, sample)| (record.time(index).to_f64(), sample.to_f64()))
+        .collect();
+    let (name, kind) = match record.excitation() {
+        stickslip::Excitation::Force => ("force", Kind::Force),
+        stickslip::Excitation::SurfaceAcceleration => ("acceleration of the surface", Kind::Acceleration),
+        stickslip::Excitation::FootMotion
+        | stickslip::Excitation::DampedFootMotion
+        | stickslip::Excitation::SurfaceMotion
+        | stickslip::Excitation::SurfaceVelocity
+        | _ => ("displacement of the foot", Kind::Length),
+    };
+    let label = |name: &str, kind: Kind| format!("{name} ({})", system.name(kind));
+    let of = |value: fn(&stickslip::motion::record::RecordState<F>) -> F, rests: bool| {
+        let states = motion.states.iter();
+        let mut points: Vec<_> = states
+            .map(|state| {
+                let shown = !rests || state.direction == 0;
+                (state.time.to_f64(), if shown { value(state).to_f64() } else { f64::NAN })
+            })
+            .collect();
+        // A rest is drawn to its end, which is the beginning of the next slide.
+        if rests {
+            for place in 1..points.len() {
+                let is_end = motion.states.get(place - 1).is_some_and(|state| state.direction == 0);
+                if let (true, Some(point), Some(state)) =
+                    (is_end, points.get_mut(place), motion.states.get(place))
+                {
+                    point.1 = value(state).to_f64();
+                }
+            }
+        }
+        points
+    };
+    let ends = |points: &[(f64, f64)]| {
+        let times = points.iter().map(|(time, _)| *time);
+        times.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| (low.min(t), high.max(t)))
+    };
+    let displacement = of(|state| state.displacement, false);
+    let (first, last) = ends(&displacement);
+    let (_, end) = ends(&load);
+    let last = last.max(end);
+    let panel = |title: &str, y: String, series: Vec<Series>, values: &[(f64, f64)]| Panel {
+        title: title.to_owned(),
+        x: Axis::linear("time (s)", first, last),
+        y: crate::motion_plot::axis(&y, values.iter().map(|(_, value)| *value), 0.08),
+        plane: None,
+        series,
+    };
+    let moving = |value: fn(&stickslip::motion::record::RecordState<F>) -> F| {
+        let points = of(value, false);
+        let rests = of(value, true);
+        let mut series = vec![Series::new("sliding", Style::Line, 2, points)];
+        if rests.iter().any(|(_, value)| value.is_finite()) {
+            series.push(Series::new("at rest", Style::Thick, 3, rests));
+        }
+        series
+    };
+    let velocity = of(|state| state.velocity, false);
+    Figure {
+        name: "record".to_owned(),
+        title: format!("Motion under {}", file.file_name().unwrap_or_default().to_string_lossy()),
+        caption: String::new(),
+        panels: vec![
+            panel(name, label(name, kind), vec![Series::new("", Style::Line, 1, load.clone())], &load),
+            panel(
+                "displacement",
+                label("displacement", Kind::Length),
+                moving(|state| state.displacement),
+                &displacement,
+            ),
+            panel("velocity", label("velocity", Kind::Velocity), moving(|state| state.velocity), &velocity),
+        ],
+    }
+}

@@ -1,0 +1,231 @@
+//! `stickslip spectrum`: the answers under records over grids of bodies.
+
+mod picture;
+
+use crate::args::{SpectrumArgs, SweepFormat};
+use crate::axes::Axes;
+use crate::bits::all_digits;
+use crate::failure::{Failure, Outcome};
+use crate::figure;
+use crate::follow::{self, Surface};
+use crate::interrupt;
+use crate::measured;
+use crate::output::PendingFile;
+use crate::outputs::key;
+use crate::physical::Physical;
+use crate::record::{Cell, Record, csv_text};
+use crate::resume;
+use crate::sweep::{self, Table};
+use std::io::Write;
+use std::ops::Range;
+use stickslip::Error;
+use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Given, Input};
+use stickslip::motion::record::{Body, Record as Load, RecordAnswer, follow_each};
+
+/// The greatest number of bodies that are followed side by side.
+const SIDE_BY_SIDE: u64 = 16;
+
+pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
+    let format = if args.picture.is_some() { SweepFormat::Csv } else { sweep::format(&args.table)? };
+    let spectra = Spectra::new(args, format)?;
+    let Some(file) = &args.picture else {
+        return sweep::write_table::<f64>(&args.table, format, &spectra, out);
+    };
+    let picture = figure::drawing(file, "--picture")?;
+    let pending = PendingFile::create(file, &format!("--picture {}", file.display()), args.overwrite)?;
+    let drawn = spectra.figure()?;
+    pending.fill(|out| figure::write(&drawn, picture, out))
+}
+
+/// Answers of bodies by their place in the grids, under one record.
+struct Found {
+    bodies: Range<u64>,
+    answers: Vec<Result<RecordAnswer<f64>, Failure>>,
+}
+
+/// One row for each body under each record.
+struct Spectra<'a> {
+    loads: Vec<(&'static str, Load<f64>)>,
+    axes: Axes<f64>,
+    /// The inputs of a row with their names as columns.
+    inputs: Vec<(Input, &'static str)>,
+    surface: Surface<f64>,
+    system: System,
+    has_mass: bool,
+    form: Record<f64>,
+    format: SweepFormat,
+    args: &'a SpectrumArgs,
+}
+
+impl<'a> Spectra<'a> {
+    fn new(args: &'a SpectrumArgs, format: SweepFormat) -> Result<Self, Failure> {
+        let reader = args.units.reader();
+        let axes = Axes::<f64>::new(&args.machine, &reader)?;
+        let mut loads: Vec<(&'static str, Load<f64>)> = Vec::new();
+        for file in &args.files {
+            // A cell of a row lives as long as the command.
+            let name: &'static str = file.display().to_string().leak();
+            if loads.iter().any(|(earlier, _)| *earlier == name) {
+                return Err(Failure::Input(format!("{name}: must be given only once")));
+            }
+            loads.push((name, measured::read(file, &args.load, &reader)?));
+        }
+        let inputs = Input::ALL.into_iter().filter(|input| axes.has(*input));
+        let inputs = inputs.map(|input| (input, &*input.column().leak())).collect();
+        let (surface, system) = (Surface::read(&args.surface, &reader)?, reader.system());
+        let has_mass = axes.has(Input::Mass);
+        let form = Record::of(Vec::new());
+        let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, format, args };
+        spectra.axes.at_ends(|given| spectra.body(given.clone()).map(|_| ()))?;
+        let first = spectra.loads.first().map_or("", |(name, _)| name);
+        let rest = Load::new(stickslip::Excitation::Force, 1.0, vec![0.0; 2])?;
+        let answer = Body::new(1.0, 1.0).and_then(|body| body.follow(&rest))?;
+        spectra.form = spectra.row(first, &spectra.axes.given_at(0), Some(&answer));
+        Ok(spectra)
+    }
+
+    fn body(&self, mut given: Given<f64>) -> Result<Body<f64>, Failure> {
+        if !self.has_mass {
+            given.set(Input::Mass, 1.0);
+        }
+        self.surface.body(&given)
+    }
+
+    /// A row: the record, the inputs, and the answers.
+    fn row(&self, name: &'static str, given: &Given<f64>, answer: Option<&RecordAnswer<f64>>) -> Record<f64> {
+        let value = |input: Input| Cell::Number(given.get(input));
+        let mut values: Vec<_> =
+            self.inputs.iter().map(|&(input, column)| (column, input.kind(), value(input))).collect();
+        let answers = answer.into_iter().flat_map(|answer| follow::columns(answer));
+        // Forces and works are those of a mass.
+        values.extend(
+            answers.filter(|(_, kind, _)| self.has_mass || !matches!(kind, Kind::Force | Kind::Energy)),
+        );
+        Record {
+            fields: vec![(key!("record"), Cell::Text(name))],
+            physical: Physical::beside(self.system, values),
+        }
+    }
+
+    /// The record of a row, its name, and the place of its body.
+    fn place(&self, point: u64) -> Result<(&'static str, &Load<f64>, u64), Failure> {
+        let bodies = self.axes.len();
+        let load = usize::try_from(point / bodies).ok().and_then(|load| self.loads.get(load));
+        let (name, load) = load.ok_or(Failure::Interrupted)?;
+        Ok((name, load, point % bodies))
+    }
+
+    /// The answers of the first rows of a range, which share a record.
+    fn answers(&self, points: Range<u64>) -> Result<Found, Failure> {
+        interrupt::check()?;
+        let (name, load, first) = self.place(points.start)?;
+        let count = SIDE_BY_SIDE.min(points.end - points.start).min(self.axes.len() - first);
+        let bodies = (first..first + count).map(|body| self.body(self.axes.given_at(body)));
+        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        let answers = follow_each(&bodies, load);
+        let named = |(place, answer): (u64, Result<RecordAnswer<f64>, Error>)| {
+            answer
+                .map_err(|e| Failure::Input(format!("{} {name}: {e}", self.axes.named_at(place).all_typed())))
+        };
+        Ok(Found { bodies: first..first + count, answers: (first..).zip(answers).map(named).collect() })
+    }
+
+    fn rows(&self, points: Range<u64>) -> Vec<Result<Record<f64>, Failure>> {
+        let name = self.place(points.start).map_or("", |(name, ..)| name);
+        match self.answers(points) {
+            Ok(Found { bodies, answers }) => bodies
+                .zip(answers)
+                .map(|(body, answer)| Ok(self.row(name, &self.axes.given_at(body), Some(&answer?))))
+                .collect(),
+            Err(failure) => vec![Err(failure)],
+        }
+    }
+
+    fn written(&self, record: &Record<f64>) -> Result<Vec<u8>, Failure> {
+        if self.format == SweepFormat::Csv {
+            return csv_text(|writer| record.write_row(writer));
+        }
+        let mut text = Vec::new();
+        record.write_line(&mut text)?;
+        Ok(text)
+    }
+}
+
+impl resume::Rows for Spectra<'_> {
+    const OF: &'static str = "these spectra";
+
+    fn header(&self) -> Result<Vec<u8>, Failure> {
+        let is_csv = self.format == SweepFormat::Csv;
+        csv_text(
+            |writer| if is_csv { self.form.write_header(writer, self.args.table.header) } else { Ok(()) },
+        )
+    }
+
+    fn text(&self, point: u64) -> Result<Vec<u8>, Failure> {
+        self.texts(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
+    }
+
+    fn texts(&self, points: Range<u64>) -> Vec<Result<Vec<u8>, Failure>> {
+        self.rows(points).into_iter().map(|row| self.written(&row?)).collect()
+    }
+
+    /// A row begins with the name of its record and with its inputs.
+    fn hold_their_grid(&self) -> bool {
+        true
+    }
+
+    fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
+        let (name, _, body) = self.place(point)?;
+        let due = self.written(&self.row(name, &self.axes.given_at(body), None))?;
+        let due = due.trim_ascii_end();
+        let due = due.strip_suffix(b"}").unwrap_or(due);
+        Ok(line.strip_prefix(due).is_some_and(|rest| rest.first() == Some(&b',')))
+    }
+}
+
+impl Table<f64> for Spectra<'_> {
+    fn len(&self) -> u64 {
+        self.axes.len().saturating_mul(self.loads.len() as u64)
+    }
+
+    #[cfg(feature = "parquet")]
+    fn form(&self) -> &Record<f64> {
+        &self.form
+    }
+
+    #[cfg(feature = "parquet")]
+    fn record(&self, point: u64) -> Result<Record<f64>, Failure> {
+        self.rows(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
+    }
+
+    #[cfg(feature = "parquet")]
+    fn records(&self, points: Range<u64>) -> Vec<Result<Record<f64>, Failure>> {
+        self.rows(points)
+    }
+
+    #[cfg(feature = "parquet")]
+    fn notes(&self) -> Vec<(String, String)> {
+        let args = self.args;
+        let typed = args.machine.iter().map(|(input, text)| (input.column(), text.clone()));
+        let names = self.loads.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(",");
+        let others = [
+            ("records", Some(names)),
+            ("no_spring", args.surface.no_spring.then(String::new)),
+            ("one_way", args.surface.one_way.then(String::new)),
+            ("slope", args.surface.slope.clone()),
+            ("time_step", args.load.time_step.clone()),
+            ("scale", args.load.scale.clone()),
+            ("from", args.load.from.clone()),
+            ("to", args.load.to.clone()),
+            ("shard", args.table.shard.clone()),
+            ("system", args.units.units.map(|system| system.to_string())),
+        ];
+        typed.chain(others.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?)))).collect()
+    }
+}
+
+/// The text of an input's value.
+fn named(input: Input, value: f64) -> String {
+    format!("{} = {}", input.name().replace('-', " "), all_digits(value))
+}

@@ -1,0 +1,116 @@
+//! The picture of spectra.
+
+use super::{Found, Spectra, named};
+use crate::failure::Failure;
+use crate::grid::Grid;
+use crate::progress;
+use stickslip::inputs::Input;
+use stickslip::inputs::units::Kind;
+use stickslip::motion::record::RecordAnswer;
+use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+
+/// Colours of the values of the second grid; similar ones with colour blindness are left out.
+const INDICES: [usize; 5] = [2, 1, 4, 5, 6];
+
+/// The panels: a title, the kind of the values, and the value.
+type Shown = (&'static str, Kind, fn(&RecordAnswer<f64>) -> f64);
+
+const SHOWN: [Shown; 3] = [
+    ("greatest displacement", Kind::Length, |answer| {
+        answer.max_displacement.abs().max(answer.min_displacement.abs())
+    }),
+    ("residual displacement", Kind::Length, |answer| answer.residual_displacement.map_or(f64::NAN, f64::abs)),
+    ("greatest absolute acceleration", Kind::Acceleration, |answer| answer.max_absolute_acceleration),
+];
+
+impl Spectra<'_> {
+    /// One panel for each quantity, with a line for each record and each value of a second grid, and the mean of the
+    /// records.
+    pub(super) fn figure(&self) -> Result<Figure, Failure> {
+        let grids = self.axes.grids();
+        let bad = |text: String| Err(Failure::Input(text));
+        let is_period = |(input, _): &&(Input, Grid<f64>)| *input == Input::Period;
+        let Some((axis, grid)) = grids.iter().find(is_period).or(grids.first()) else {
+            return bad("--picture: needs a grid, such as --period 0.1s:4s:100:log".to_owned());
+        };
+        let others: Vec<_> = grids.iter().filter(|(input, _)| input != axis).collect();
+        let other = match others.as_slice() {
+            [] => None,
+            [other] if other.1.len() <= INDICES.len() as u64 => Some(*other),
+            [other] => {
+                let (name, count) = (other.0.option(), other.1.len());
+                return bad(format!("{name}: {count} values, must be ≤ {} in a picture", INDICES.len()));
+            }
+            _ => return bad("--picture: must have two grids at most".to_owned()),
+        };
+        let mut answers = Vec::new();
+        let all = 0..self.axes.len() * self.loads.len() as u64;
+        let found = |points: std::ops::Range<u64>| match self.answers(points) {
+            Ok(Found { answers, .. }) => answers,
+            Err(failure) => vec![Err(failure)],
+        };
+        progress::in_order_kept(all, found, |answer| {
+            answers.extend(answer);
+            Ok(())
+        })?;
+        let (low, high) = grid.ends();
+        let label = |name: &str, kind: Kind| {
+            if kind == Kind::Ratio { name.to_owned() } else { format!("{name} ({})", self.system.name(kind)) }
+        };
+        let name = label(&axis.name().replace('-', " "), axis.kind());
+        let x = if grid.is_logarithmic() {
+            Axis::logarithmic(&name, low, high)
+        } else {
+            Axis::linear(&name, low, high)
+        };
+        let (count, bodies) = (grid.len(), self.axes.len());
+        // The grids vary in their order, the last fastest.
+        let is_slow = grids.first().is_some_and(|(input, _)| input == axis);
+        let lines = other.map_or(1, |(_, values)| values.len());
+        let body = |place: u64, line: u64| if is_slow { place * lines + line } else { line * count + place };
+        let panels = SHOWN.map(|(title, kind, value)| {
+            let at = |load: u64, line: u64, place: u64| {
+                let index = usize::try_from(load * bodies + body(place, line)).unwrap_or(usize::MAX);
+                answers.get(index).map_or(f64::NAN, value)
+            };
+            let mut series = Vec::new();
+            let mut heights = vec![0.0];
+            for (line, index) in (0..lines).zip(INDICES) {
+                let of = other.map_or(String::new(), |(input, values)| named(*input, values.value(line)));
+                let loads = self.loads.len() as u64;
+                for (load, (name, _)) in (0..).zip(&self.loads) {
+                    let points: Vec<_> =
+                        (0..count).map(|place| (grid.value(place), at(load, line, place))).collect();
+                    heights.extend(points.iter().map(|(_, height)| *height));
+                    let name = match (loads, other) {
+                        (1, Some(_)) => of.clone(),
+                        (1, None) => (*name).to_owned(),
+                        _ if load == 0 && line == 0 => "each record".to_owned(),
+                        _ => String::new(),
+                    };
+                    let style = if loads == 1 { Style::Line } else { Style::Dotted };
+                    series.push(Series::new(name, style, index, points));
+                }
+                if loads > 1 {
+                    let mean =
+                        |place: u64| (0..loads).map(|load| at(load, line, place)).sum::<f64>() / loads as f64;
+                    let points = (0..count).map(|place| (grid.value(place), mean(place)));
+                    let name = if of.is_empty() { "mean".to_owned() } else { format!("mean, {of}") };
+                    series.push(Series::new(name, Style::Line, index, points));
+                }
+            }
+            let label = label(title, kind);
+            Panel {
+                title: title.to_owned(),
+                x: x.clone(),
+                y: crate::motion_plot::axis(&label, heights.into_iter(), 0.05),
+                plane: None,
+                series,
+            }
+        });
+        let (first, count) = (self.loads.first().map_or("", |(name, _)| name), self.loads.len());
+        let title =
+            if count == 1 { format!("Spectra of {first}") } else { format!("Spectra of {count} records") };
+        Ok(Figure { name: "spectrum".to_owned(), title, caption: String::new(), panels: panels.into() })
+    }
+}

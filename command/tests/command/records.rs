@@ -1,0 +1,149 @@
+//! `stickslip record` and `spectrum`: files, answers, refusals, parts.
+
+use crate::command_line::{json, refused, stdout};
+use crate::place::{Place, place};
+use std::fs;
+use std::path::Path;
+
+/// A folder for the files of a test.
+fn folder() -> Place {
+    let folder = place("records");
+    fs::create_dir(&*folder).unwrap();
+    folder
+}
+
+/// A sum of sines under an envelope, as a record of the PEER database.
+fn peer(count: usize) -> String {
+    let samples = (0..count).map(|i| {
+        let t = i as f64 * 0.01;
+        0.2 * (t / 2.0).min(1.0) * ((7.0 * t).sin() + (17.0 * t + 1.0).sin())
+    });
+    let head = format!("A\nB\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  {count}, DT=   .0100 SEC\n");
+    let mut text = head;
+    for (i, sample) in samples.enumerate() {
+        text += &format!("{sample:15.7E}");
+        text += if i % 5 == 4 { "\n" } else { " " };
+    }
+    text
+}
+
+fn file(folder: &Place, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+fn bytes(path: &Path) -> Vec<u8> {
+    fs::read(path).unwrap()
+}
+
+const ISOLATOR: &str = "--mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%";
+
+/// Newmark's block: a(a − r)t²/(2r) under a pulse, from CSV in other units.
+#[test]
+fn a_block_under_a_pulse_has_newmarks_displacement() {
+    let folder = folder();
+    let pulse = file(&folder, "pulse.csv", "time[ms],acceleration[mm/s2]\n0,-2000\n500,-2000\n1000,-2000\n");
+    let found = json(&format!("record {pulse} --mass 2t --no-spring --friction 1kN --format json"));
+    let exact = 2.0 * (2.0 - 0.5) / (2.0 * 0.5);
+    let residual = found["residual_displacement"].as_f64().unwrap();
+    assert!((residual / exact - 1.0).abs() < 1e-13, "{found}");
+    assert_eq!(found["units"]["residual_displacement"], "m");
+    // The same record with its step as an option, scaled and cut.
+    let pulse = file(&folder, "step.csv", "acceleration[mm/s2]\n-1000\n-1000\n-1000\n-1000\n-1000\n");
+    let args =
+        format!("record {pulse} --time-step 0.5s --scale 2 --to 1s --mass 2t --no-spring --friction 1kN");
+    assert_eq!(json(&format!("{args} --format json"))["residual_displacement"].as_f64(), Some(residual));
+}
+
+#[test]
+fn a_record_of_the_peer_database_and_its_motion() {
+    let folder = folder();
+    let quake = file(&folder, "quake.at2", &peer(1001));
+    let motion = folder.join("motion.csv").display().to_string();
+    let found = json(&format!("record {quake} {ISOLATOR} --format json --out {motion}"));
+    let of = |key: &str| found[key].as_f64().unwrap();
+    let text = fs::read_to_string(&motion).unwrap();
+    let mut rows = text.lines();
+    assert_eq!(rows.next(), Some("time[s],displacement[m],velocity[m/s],acceleration[m/s^2],direction"));
+    let greatest = rows.map(|row| row.split(',').nth(1).unwrap().parse::<f64>().unwrap()).fold(0.0, f64::max);
+    assert!((greatest / of("max_displacement") - 1.0).abs() < 1e-12, "{found}");
+    assert!(of("load_work") > of("friction_work"), "{found}");
+    assert!(stdout(&format!("record {quake} {ISOLATOR}")).starts_with("The body slides "));
+}
+
+#[test]
+fn parts_of_spectra_are_the_whole_and_rows_are_those_of_a_body_alone() {
+    let folder = folder();
+    let (a, b) = (file(&folder, "a.at2", &peer(600)), file(&folder, "b.at2", &peer(700)));
+    let args =
+        format!("spectrum {a} {b} --period 0.2s:3s:13 --friction-coefficient 0.02,0.1 --damping-ratio 5%");
+    let whole = stdout(&args);
+    assert_eq!(whole.lines().count(), 1 + 2 * 13 * 2);
+    let parts: String = (1..=3)
+        .map(|part| {
+            let header = if part == 1 { "" } else { "--no-header" };
+            stdout(&format!("{args} --shard {part}/3 {header}"))
+        })
+        .collect();
+    assert_eq!(parts, whole);
+    let row: Vec<&str> = whole.lines().last().unwrap().split(',').collect();
+    let place_of =
+        |name: &str| whole.lines().next().unwrap().split(',').position(|own| own.starts_with(name)).unwrap();
+    let alone = json(&format!(
+        "record {b} --mass 1kg --period 3s --friction-coefficient 0.1 --damping-ratio 5% --format json"
+    ));
+    for name in ["max_displacement", "residual_displacement", "path", "max_absolute_acceleration"] {
+        assert_eq!(row[place_of(name)].parse::<f64>().ok(), alone[name].as_f64(), "{name}");
+    }
+    // A file that was cut off anywhere is continued.
+    let cut = folder.join("cut.csv");
+    for length in [0, 10, whole.len() / 2, whole.len()] {
+        fs::write(&cut, &whole[..length]).unwrap();
+        stdout(&format!("{args} --out {} --resume", cut.display()));
+        assert_eq!(bytes(&cut), whole.as_bytes(), "{length}");
+    }
+    let other = args.replace("5%", "6%");
+    refused(&format!("{other} --out {} --resume", cut.display()), &["not of these spectra"]);
+}
+
+#[test]
+fn broken_records_are_refused_by_line() {
+    let folder = folder();
+    for (name, text, said) in [
+        ("empty.csv", "", "a column of the load is missing"),
+        ("one.csv", "time[s],acceleration[g]\n0,1\n", "the number of samples = 1 must be ≥ 2"),
+        ("gap.csv", "time[s],acceleration[g]\n0,1\n1,\n", "gap.csv line 3: acceleration: is missing"),
+        ("nan.csv", "time[s],acceleration[g]\n0,1\n1,NaN\n", "nan.csv line 3"),
+        ("back.csv", "time[s],acceleration[g]\n0,1\n2,1\n1,1\n", "back.csv line 4: time step"),
+        ("same.csv", "time[s],acceleration[g]\n0,1\n1,1\n1,1\n", "same.csv line 4: time step"),
+        ("unit.csv", "time[s],acceleration[kg]\n0,1\n", "must be an acceleration"),
+        ("word.csv", "time[s],acceleration[g]\n0,1\n1,x\n", "word.csv line 3"),
+        ("misspelt.csv", "time[s],accelaration[g]\n0,1\n", "Spell it acceleration"),
+        ("steps.csv", "acceleration[g]\n0\n1\n", "Give the time between samples by --time-step"),
+        ("short.at2", &peer(20).replace("NPTS=  20", "NPTS=  21"), "NPTS = 21, but the file has 20 samples"),
+        ("odd.at2", &peer(20).replace("NPTS=  20, DT=   .0100 SEC", "?"), "odd.at2 line 4"),
+    ] {
+        let path = file(&folder, name, text);
+        refused(&format!("record {path} {ISOLATOR}"), &[said]);
+    }
+    let good = file(&folder, "good.at2", &peer(50));
+    for (args, said) in [
+        ("--mass 1kg --friction-coefficient 0.1", "A body without a spring has --no-spring"),
+        (
+            "--mass 1kg --period 1s --no-spring --friction-coefficient 0.1",
+            "must be left out with --no-spring",
+        ),
+        ("--mass 1kg --no-spring --damping-ratio 5% --friction-coefficient 0.1", "no critical damping"),
+        (
+            "--mass 1kg --no-spring --friction-coefficient 0.1 --slope 90deg",
+            "slope = 90°: must be > -90° and < 90°",
+        ),
+        ("--mass 1kg --period 1s --friction-coefficient 0.1 --scale x", "--scale x"),
+        ("--mass 1kg --period 1s --friction-coefficient 0.1 --from 3s --to 2s", "--from 3s --to 2s"),
+        ("--mass 1kg --period 1s --friction-coefficient 0.1 --time-step 1s", "must be left out"),
+        ("--mass 1kg --period 1s --friction-coefficient 0.1 --frequency 2Hz", "--frequency"),
+    ] {
+        refused(&format!("record {good} {args}"), &[said]);
+    }
+}
