@@ -10,6 +10,7 @@ mod interrupt;
 mod machine;
 mod motion;
 mod points;
+mod record;
 mod table;
 mod wide;
 
@@ -38,6 +39,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     motion::register(module)?;
     attractors::register(module)?;
     machine::register(module)?;
+    record::register(module)?;
     enclosed::register(module)?;
     design::register(module)?;
     wide::register(module)

@@ -30,7 +30,10 @@ pub(crate) fn excitation(name: &str) -> PyResult<Excitation> {
 }
 
 /// Values by their keywords, as text, in the named system of units or else in SI; and the system, if it is known.
-fn given(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(Given<f64>, Option<String>)> {
+pub(crate) fn given(
+    values: Vec<(String, String)>,
+    units: Option<&str>,
+) -> PyResult<(Given<f64>, Option<String>)> {
     let reader = reader(units)?;
     let mut given = Given::empty(&reader, Naming::Keyword);
     for (name, text) in values {
@@ -40,7 +43,7 @@ fn given(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(Given<
     Ok((given, system(&reader, units)))
 }
 
-fn reader(units: Option<&str>) -> PyResult<Reader> {
+pub(crate) fn reader(units: Option<&str>) -> PyResult<Reader> {
     let of_units = |e: InputError| refused(format!("units {}: {e}", units.unwrap_or_default()));
     let system = units.map(|text| text.parse::<System>().map_err(of_units)).transpose()?;
     Ok(Reader::new(system.as_ref(), "units=\"kN,m\""))

@@ -33,6 +33,7 @@ from ._drive import Drive
 from ._machine import Machine
 from ._motion import Decay, Phases, Samples, decay, simulate
 from ._native import Error, __version__
+from ._record import Block, Followed, Motion, Record, Spectrum, spectrum
 from ._steady import Steady, steady
 
 if hasattr(_os, "register_at_fork"):
@@ -46,17 +47,22 @@ __all__ = [
     "Attractors",
     "Band",
     "BestFriction",
+    "Block",
     "Border",
     "Decay",
     "Drive",
     "Error",
     "Estimate",
     "Figure",
+    "Followed",
     "Identified",
     "Machine",
+    "Motion",
     "Phases",
+    "Record",
     "Response",
     "Samples",
+    "Spectrum",
     "Steady",
     "__version__",
     "attractors",
@@ -67,5 +73,6 @@ __all__ = [
     "identify",
     "response",
     "simulate",
+    "spectrum",
     "steady",
 ]

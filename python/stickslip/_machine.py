@@ -14,6 +14,7 @@ from ._closed_forms import RATIOS, Border, Response, border, response
 from ._drive import Drive, Quantity, angular_of, read, texts
 from ._motion import Decay, Phases, Samples, decay, simulate
 from ._physical import felt_around, in_units, names_of
+from ._record import Followed, Motion, Record, follow, motion
 from ._result import Physical, one, points
 from ._start import REST, Start
 from ._steady import Steady, steady
@@ -238,6 +239,54 @@ class Machine:
         physical = {name: value * sizes[name][1] for name, value in values.items() if value is not None}
         units = names_of(self.units, {name: sizes[name][0] for name in physical})
         return Decay({**found.to_dict(), "physical": Physical(physical, units)})
+
+    def follow(
+        self,
+        record: Record,
+        *,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        mean_force: Quantity = 0.0,
+    ) -> Followed:
+        """The exact motion under a record and after it, until the body rests, in the machine's units.
+
+        No stop is missed: between samples the load is a straight line, under which slides and stops are closed forms.
+        With a record of a base acceleration, displacements and velocities are those in relation to the base.
+
+        >>> import numpy as np, stickslip as ss
+        >>> t = np.arange(0, 12, 0.01)
+        >>> record = ss.Record(0.3 * np.exp(-(((t - 4) / 2) ** 2)) * np.sin(9 * t), time_step="10 ms", unit="g")
+        >>> isolator = ss.Machine(mass="800 kg", period="2.5 s", friction_coefficient=0.06, damping_ratio="5%")
+        >>> found = isolator.follow(record)
+        >>> found.slides == found.stops, found.units["residual_displacement"]
+        (True, 'm')
+        """
+        return follow(self._sliding(mean_force), self.units, record, self._start(displacement, velocity))
+
+    def motion(
+        self,
+        record: Record,
+        *,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        mean_force: Quantity = 0.0,
+        interval: Optional[float] = None,
+    ) -> Motion:
+        """The states and events of the motion under a record, and its answers; see `follow`.
+
+        The states are at most ``interval`` seconds apart; by default the longest step of the record.
+        """
+        start = self._start(displacement, velocity)
+        return motion(self._sliding(mean_force), self.units, record, start, interval)
+
+    def _start(self, displacement: Quantity, velocity: Quantity) -> tuple[float, float]:
+        return self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
+
+    def _sliding(self, mean_force: Quantity) -> tuple[float, float, float, float, float, float, float, bool]:
+        backward = self.friction if self.friction_backward is None else self.friction_backward
+        force = self._value("mean_force", mean_force, "force")
+        ratio = self.static_friction_ratio
+        return (self.mass, self.stiffness, self.damping, self.friction, backward, ratio, force, False)
 
     def border(self, angular_frequency: Union[ArrayLike, str]) -> Border:
         """The border at an angular frequency, in ratios; `min_force` gives it as a force."""

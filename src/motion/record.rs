@@ -19,7 +19,7 @@
 //! use stickslip::Excitation;
 //! use stickslip::motion::record::{Body, Record};
 //! // A block with µ = 0.1 on a surface that accelerates with 0.3 g for 1 s: Newmark's sliding block.
-//! let g = 9.80665;
+//! let g = 9.80665_f64;
 //! let body = Body::new(1.0, 0.1 * g)?;
 //! let pulse = vec![-0.3 * g, -0.3 * g];
 //! let answer = body.follow(&Record::new(Excitation::SurfaceAcceleration, 1.0, pulse)?)?;

@@ -139,6 +139,11 @@ impl<F: Float> Body<F> {
         self.mean_force
     }
 
+    /// Friction r₊ against motion with x′ > 0, and r₋ against motion with x′ < 0.
+    pub fn directional_friction(&self) -> (F, F) {
+        (self.friction + self.friction_offset, self.friction - self.friction_offset)
+    }
+
     /// `(r₊ − r₋)/2`.
     pub(super) const fn friction_offset(&self) -> F {
         self.friction_offset

@@ -1,0 +1,200 @@
+//! The motion under records.
+
+use crate::interrupt::interruptible;
+use crate::machine::given;
+use crate::refused;
+use crate::table::Table;
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stickslip::inputs::Input;
+use stickslip::inputs::units::Kind;
+use stickslip::motion::record::{Body, Record, RecordAnswer, follow_each};
+use stickslip::{Error, Excitation};
+
+/// Mass, stiffness, damping constant, friction against forward and against backward motion, static friction ratio,
+/// constant force, and whether the body moves one way.
+type Sliding = (f64, f64, f64, f64, f64, f64, f64, bool);
+
+/// The bodies that are followed between two looks at the interpreter's signals.
+const AT_ONCE: usize = 1024;
+
+fn body(
+    (mass, stiffness, damping, forward, backward, ratio, mean_force, one_way): Sliding,
+) -> Result<Body<f64>, Error> {
+    let body = Body::new(mass, forward)?
+        .with_directional_friction(forward, backward)?
+        .with_stiffness(stiffness)?
+        .with_damping(damping)?
+        .with_static_friction_ratio(ratio)?
+        .with_mean_force(mean_force)?;
+    Ok(if one_way { body.one_way() } else { body })
+}
+
+/// The record of these samples, at these times, or at equal steps from 0 if there is one time, the step.
+fn load(of: &str, times: &[f64], samples: &[f64]) -> PyResult<Record<f64>> {
+    let excitation = match of {
+        "force" => Excitation::Force,
+        "base_acceleration" => Excitation::SurfaceAcceleration,
+        "foot_displacement" => Excitation::FootMotion,
+        "damped_foot_displacement" => Excitation::DampedFootMotion,
+        _ => {
+            return Err(refused(format!(
+                "of = {of}: must be base_acceleration, force, foot_displacement or damped_foot_displacement"
+            )));
+        }
+    };
+    let record = match times {
+        [step] => Record::new(excitation, *step, samples.to_vec()),
+        times => Record::at_times(excitation, times.to_vec(), samples.to_vec()),
+    };
+    record.map_err(refused)
+}
+
+/// Fails where the samples make no record.
+#[pyfunction]
+fn record_check(
+    of: &str,
+    times: PyReadonlyArray1<'_, f64>,
+    samples: PyReadonlyArray1<'_, f64>,
+) -> PyResult<()> {
+    load(of, times.as_slice()?, samples.as_slice()?).map(|_| ())
+}
+
+/// The body of the given values on a surface that falls by `slope`, and its system of units.
+#[pyfunction]
+fn block(
+    values: Vec<(String, String)>,
+    units: Option<&str>,
+    slope: Option<&str>,
+    one_way: bool,
+) -> PyResult<(Sliding, Option<String>)> {
+    let (given, system) = given(values, units)?;
+    let reader = crate::machine::reader(units)?;
+    let slope = slope.map(|text| reader.value("slope", text, Kind::Angle)).transpose().map_err(refused)?;
+    if given.has(Input::Period) || given.has(Input::Stiffness) {
+        return Err(refused("a block has no spring: see Machine"));
+    }
+    let body = Body::given(&given, slope).map_err(refused)?;
+    let (forward, backward) = body.directional_friction();
+    let ratio = body.static_friction_ratio();
+    let block = (body.mass(), 0.0, body.damping(), forward, backward, ratio, body.mean_force(), one_way);
+    Ok((block, system))
+}
+
+fn table(answers: &[RecordAnswer<f64>]) -> Table {
+    let mut table = Table::default();
+    let mut number = |name: &'static str, of: fn(&RecordAnswer<f64>) -> f64| {
+        table.number(name, answers.iter().map(of).collect());
+    };
+    number("max_displacement", |answer| answer.max_displacement);
+    number("max_displacement_time", |answer| answer.max_displacement_time);
+    number("min_displacement", |answer| answer.min_displacement);
+    number("min_displacement_time", |answer| answer.min_displacement_time);
+    number("max_velocity", |answer| answer.max_velocity);
+    number("max_velocity_time", |answer| answer.max_velocity_time);
+    number("min_velocity", |answer| answer.min_velocity);
+    number("min_velocity_time", |answer| answer.min_velocity_time);
+    number("max_absolute_acceleration", |answer| answer.max_absolute_acceleration);
+    number("max_transmitted_force", |answer| answer.max_transmitted_force);
+    number("end_displacement", |answer| answer.end_displacement);
+    number("end_velocity", |answer| answer.end_velocity);
+    number("residual_displacement", |answer| answer.residual_displacement.unwrap_or(f64::NAN));
+    number("path", |answer| answer.path);
+    number("stick_time", |answer| answer.stick_time);
+    number("friction_work", |answer| answer.friction_work);
+    number("damper_work", |answer| answer.damper_work);
+    number("load_work", |answer| answer.load_work);
+    let count = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
+    table.count("slides", answers.iter().map(|answer| count(answer.slides)).collect());
+    table.count("stops", answers.iter().map(|answer| count(answer.stops)).collect());
+    table
+}
+
+/// The answers of one body from a start, as arrays of one number.
+#[pyfunction]
+fn record_follow<'py>(
+    py: Python<'py>,
+    of: Sliding,
+    kind: &str,
+    times: PyReadonlyArray1<'py, f64>,
+    samples: PyReadonlyArray1<'py, f64>,
+    start: (f64, f64),
+) -> PyResult<Bound<'py, PyDict>> {
+    let body = body(of).map_err(refused)?;
+    let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
+    let answer = py.detach(|| body.follow_from(&record, start.0, start.1)).map_err(refused)?;
+    table(&[answer]).into_dict(py)
+}
+
+/// The answers, the states and the events of one body from a start.
+#[pyfunction]
+fn record_motion<'py>(
+    py: Python<'py>,
+    of: Sliding,
+    kind: &str,
+    times: PyReadonlyArray1<'py, f64>,
+    samples: PyReadonlyArray1<'py, f64>,
+    start: (f64, f64),
+    interval: f64,
+) -> PyResult<[Bound<'py, PyDict>; 3]> {
+    let body = body(of).map_err(refused)?;
+    let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
+    let interval = if interval.is_nan() { record.longest_step() } else { interval };
+    let motion = py.detach(|| body.motion(&record, start.0, start.1, interval)).map_err(refused)?;
+    let mut states = Table::default();
+    let of = |value: fn(&stickslip::motion::record::RecordState<f64>) -> f64| {
+        motion.states.iter().map(value).collect::<Vec<f64>>()
+    };
+    states.number("time", of(|state| state.time));
+    states.number("displacement", of(|state| state.displacement));
+    states.number("velocity", of(|state| state.velocity));
+    states.number("acceleration", of(|state| state.acceleration));
+    states.count("direction", motion.states.iter().map(|state| i64::from(state.direction)).collect());
+    let mut events = Table::default();
+    events.number("time", motion.events.iter().map(|event| event.time).collect());
+    events.number("displacement", motion.events.iter().map(|event| event.displacement).collect());
+    events.count("direction", motion.events.iter().map(|event| i64::from(event.direction)).collect());
+    Ok([table(&[motion.answer]).into_dict(py)?, states.into_dict(py)?, events.into_dict(py)?])
+}
+
+/// The answers of many bodies from rest, given by their values in columns: mass, stiffness, damping constant, friction
+/// and static friction ratio.
+#[pyfunction]
+fn record_spectrum<'py>(
+    py: Python<'py>,
+    columns: [PyReadonlyArray1<'py, f64>; 5],
+    kind: &str,
+    times: PyReadonlyArray1<'py, f64>,
+    samples: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
+    let [mass, stiffness, damping, friction, ratio] = &columns;
+    let rows = mass.as_slice()?.iter().zip(stiffness.as_slice()?).zip(damping.as_slice()?);
+    let rows = rows.zip(friction.as_slice()?.iter().zip(ratio.as_slice()?));
+    let bodies = rows.map(|(((&mass, &stiffness), &damping), (&friction, &ratio))| {
+        body((mass, stiffness, damping, friction, friction, ratio, 0.0, false))
+    });
+    let bodies = bodies.collect::<Result<Vec<_>, _>>().map_err(refused)?;
+    let answers = interruptible(py, |stop| {
+        let mut answers = Vec::with_capacity(bodies.len());
+        for some in bodies.chunks(AT_ONCE) {
+            if stop.asked().is_break() {
+                return Err(Error::Interrupted);
+            }
+            for answer in follow_each(some, &record) {
+                answers.push(answer?);
+            }
+        }
+        Ok(answers)
+    })?;
+    table(&answers.map_err(refused)?).into_dict(py)
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(block, module)?)?;
+    module.add_function(wrap_pyfunction!(record_check, module)?)?;
+    module.add_function(wrap_pyfunction!(record_follow, module)?)?;
+    module.add_function(wrap_pyfunction!(record_motion, module)?)?;
+    module.add_function(wrap_pyfunction!(record_spectrum, module)?)
+}

@@ -1,0 +1,409 @@
+"""The motion under a record: an earthquake, or any measured load."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar, Mapping, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._drive import Quantity, read, texts
+from ._physical import names_of
+from ._result import Floats, Result, Value, numbers, one, points, shaped
+
+#: The kind of the samples of each record.
+_KINDS = {
+    "base_acceleration": "acceleration",
+    "force": "force",
+    "foot_displacement": "length",
+    "damped_foot_displacement": "length",
+}
+#: The kind of each answer; those without one are numbers.
+_UNITS = {
+    "max_displacement": "length",
+    "max_displacement_time": "time",
+    "min_displacement": "length",
+    "min_displacement_time": "time",
+    "max_velocity": "velocity",
+    "max_velocity_time": "time",
+    "min_velocity": "velocity",
+    "min_velocity_time": "time",
+    "max_absolute_acceleration": "acceleration",
+    "max_transmitted_force": "force",
+    "end_displacement": "length",
+    "end_velocity": "velocity",
+    "residual_displacement": "length",
+    "path": "length",
+    "stick_time": "time",
+    "friction_work": "energy",
+    "damper_work": "energy",
+    "load_work": "energy",
+}
+#: Answers that do not depend on the mass, where friction is a coefficient and the damper a ratio.
+_WITHOUT_MASS = tuple(name for name, kind in _UNITS.items() if kind not in ("force", "energy"))
+
+
+@dataclass(frozen=True, init=False)
+class Record:
+    """A measured load: samples, and straight lines between them. After the last sample it is zero.
+
+    Parameters
+    ----------
+    samples : array
+    time_step : float or str
+        Time between the samples, the first of which is at the time 0.
+    times : array
+        In place of the time step: the times of the samples, in seconds, which increase.
+    of : str
+        ``"base_acceleration"`` of the surface that the body slides on, ``"force"`` on the body,
+        ``"foot_displacement"`` of the spring's foot, or ``"damped_foot_displacement"`` if the damper stands on it, too.
+    unit : str, optional
+        Unit of the samples, such as ``"g"``. Without it they are in the system of units of the machine.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> ss.Record([0, -0.3, -0.3, 0], time_step=0.5, unit="g")
+    Record(4 samples of base_acceleration in g, 1.5 s)
+    """
+
+    samples: Floats
+    times: Floats
+    of: str
+    unit: Optional[str]
+
+    def __init__(
+        self,
+        samples: ArrayLike,
+        *,
+        time_step: Optional[Quantity] = None,
+        times: Optional[ArrayLike] = None,
+        of: str = "base_acceleration",
+        unit: Optional[str] = None,
+    ) -> None:
+        if (time_step is None) == (times is None):
+            raise _native.Error("a record needs either time_step or times")
+        values = _column("samples", samples)
+        if times is None:
+            at = np.array([read({"time_step": (time_step, "time")}, None)[0]["time_step"]])
+        else:
+            at = _column("times", times)
+            if len(at) == 1:
+                raise _native.Error("record: the number of samples = 1 must be >= 2")
+        _native.record_check(of, at, values)
+        if unit is not None:
+            _factor(of, unit, None)
+        for name, value in (("samples", values), ("times", at), ("of", of), ("unit", unit)):
+            object.__setattr__(self, name, value)
+
+    def __repr__(self) -> str:
+        end = self.times[0] * (len(self.samples) - 1) if len(self.times) == 1 else self.times[-1] - self.times[0]
+        unit = "" if self.unit is None else f" in {self.unit}"
+        return f"Record({len(self.samples)} samples of {self.of}{unit}, {end:.6g} s)"
+
+    def __len__(self) -> int:
+        return len(self.samples)
+
+    def scaled(self, factor: float) -> "Record":
+        """This record with every sample multiplied by a factor."""
+        new = object.__new__(Record)
+        for name in ("times", "of", "unit"):
+            object.__setattr__(new, name, getattr(self, name))
+        object.__setattr__(new, "samples", self.samples * one("factor", factor))
+        _native.record_check(new.of, new.times, new.samples)
+        return new
+
+    def _in(self, units: Optional[str]) -> tuple[str, Floats, Floats]:
+        """The record for a body in a system of units."""
+        factor = 1.0 if self.unit is None else _factor(self.of, self.unit, units)
+        return self.of, self.times, self.samples * factor if factor != 1.0 else self.samples
+
+
+def _column(name: str, values: ArrayLike) -> Floats:
+    array = numbers(name, values)
+    if array.ndim != 1:
+        raise _native.Error(f"{name}: must be an array of one dimension, not of shape {array.shape}")
+    return np.ascontiguousarray(array)
+
+
+def _factor(of: str, unit: str, units: Optional[str]) -> float:
+    return read({"unit": (f"1 {unit}", _KINDS[of])}, units)[0]["unit"]
+
+
+class Followed(Result):
+    """The motion of a body under a record, to its rest; see `Machine.follow`.
+
+    Attributes
+    ----------
+    max_displacement, max_displacement_time, min_displacement, min_displacement_time : float
+    max_velocity, max_velocity_time, min_velocity, min_velocity_time : float
+        Extremes and the times at which the motion has them first; with a moving surface, in relation to it.
+    max_absolute_acceleration : float
+        Greatest acceleration in space, regardless of sign.
+    max_transmitted_force : float
+        Greatest force of spring, damper and friction together on their support.
+    end_displacement, end_velocity : float
+        State at the end of the record.
+    residual_displacement : float
+        Displacement at rest after the record, or its limit; NaN if the body never rests.
+    path : float
+    slides, stops : int
+    stick_time : float
+        Time at rest during the record.
+    friction_work, damper_work, load_work : float
+    units : dict of str to str, or None
+        The unit of each value; None if the machine was given in numbers without units.
+    """
+
+    _names: ClassVar[Sequence[str]] = (*_UNITS, "slides", "stops", "units")
+
+    max_displacement: float
+    max_displacement_time: float
+    min_displacement: float
+    min_displacement_time: float
+    max_velocity: float
+    max_velocity_time: float
+    min_velocity: float
+    min_velocity_time: float
+    max_absolute_acceleration: float
+    max_transmitted_force: float
+    end_displacement: float
+    end_velocity: float
+    residual_displacement: float
+    path: float
+    slides: int
+    stops: int
+    stick_time: float
+    friction_work: float
+    damper_work: float
+    load_work: float
+    units: Optional[Mapping[str, str]]
+
+
+class Motion(Result):
+    """States of a body under a record, and its events; see `Machine.motion`.
+
+    Attributes
+    ----------
+    time, displacement, velocity, acceleration : array
+        At the beginning, at each event, and between them.
+    direction : array of int
+        1 or -1 while the body slides, 0 at rest.
+    event_time, event_displacement : array
+    event_direction : array of int
+        1 or -1 for a release, 0 for a stop.
+    answer : Followed
+    """
+
+    _names: ClassVar[Sequence[str]] = (
+        "time",
+        "displacement",
+        "velocity",
+        "acceleration",
+        "direction",
+        "event_time",
+        "event_displacement",
+        "event_direction",
+        "answer",
+    )
+
+    time: Floats
+    displacement: Floats
+    velocity: Floats
+    acceleration: Floats
+    direction: NDArray[Any]
+    event_time: Floats
+    event_displacement: Floats
+    event_direction: NDArray[Any]
+    answer: Followed
+
+
+class Spectrum(Result):
+    """The answers of many bodies under a record; see `spectrum`. Each is an array, or a number for one body."""
+
+    _names: ClassVar[Sequence[str]] = (
+        "period",
+        "friction_coefficient",
+        "damping_ratio",
+        "static_friction_ratio",
+        *_WITHOUT_MASS,
+        "slides",
+        "stops",
+    )
+
+    period: Value
+    friction_coefficient: Value
+    damping_ratio: Value
+    static_friction_ratio: Value
+    max_displacement: Value
+    max_displacement_time: Value
+    min_displacement: Value
+    min_displacement_time: Value
+    max_velocity: Value
+    max_velocity_time: Value
+    min_velocity: Value
+    min_velocity_time: Value
+    max_absolute_acceleration: Value
+    end_displacement: Value
+    end_velocity: Value
+    residual_displacement: Value
+    path: Value
+    slides: Union[int, NDArray[Any]]
+    stops: Union[int, NDArray[Any]]
+    stick_time: Value
+
+
+_Sliding = tuple[float, float, float, float, float, float, float, bool]
+
+
+def _answer(found: Mapping[str, NDArray[Any]], units: Optional[str]) -> Followed:
+    values: dict[str, Any] = {name: column.item() for name, column in found.items()}
+    return Followed({**values, "units": names_of(units, _UNITS)})
+
+
+def follow(of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float]) -> Followed:
+    return _answer(_native.record_follow(of, *record._in(units), start), units)
+
+
+def motion(
+    of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float], interval: Optional[float]
+) -> Motion:
+    distance = float("nan") if interval is None else one("interval", interval)
+    answer, states, events = _native.record_motion(of, *record._in(units), start, distance)
+    named = {f"event_{name}": column for name, column in events.items()}
+    return Motion({**states, **named, "answer": _answer(answer, units)})
+
+
+@dataclass(frozen=True, init=False)
+class Block:
+    """A body without a spring on a surface, such as Newmark's sliding block.
+
+    Parameters
+    ----------
+    mass, friction, friction_coefficient, gravity, friction_backward, damping, static_friction, static_friction_ratio
+        As of a `Machine`.
+    mean_force : float or str
+        A constant force on the body.
+    slope : str or float
+        Angle by which the surface falls in the direction of motion, such as ``"10 deg"``; a number is in radians.
+    one_way : bool
+        Whether the body never slides backwards.
+    units : str, optional
+        Units of force and length, such as ``"kN,mm"``.
+
+    Examples
+    --------
+    A block under a pulse a = 0.3 g of 1 s with friction 0.1 g moves by a(a - r)t**2/(2r):
+
+    >>> import stickslip as ss
+    >>> block = ss.Block(mass="1 t", friction_coefficient=0.1)
+    >>> found = block.follow(ss.Record([-0.3, -0.3], time_step="1 s", unit="g"))
+    >>> round(found.residual_displacement / 9.80665, 12), found.units["residual_displacement"]
+    (0.3, 'm')
+    """
+
+    units: Optional[str]
+    _of: _Sliding
+
+    def __init__(
+        self,
+        mass: Quantity,
+        friction: Optional[Quantity] = None,
+        *,
+        friction_coefficient: Optional[Quantity] = None,
+        gravity: Optional[Quantity] = None,
+        friction_backward: Optional[Quantity] = None,
+        damping: Optional[Quantity] = None,
+        static_friction: Optional[Quantity] = None,
+        static_friction_ratio: Optional[Quantity] = None,
+        mean_force: Optional[Quantity] = None,
+        slope: Optional[Quantity] = None,
+        one_way: bool = False,
+        units: Optional[str] = None,
+    ) -> None:
+        given = {
+            "mass": mass,
+            "friction": friction,
+            "friction_coefficient": friction_coefficient,
+            "gravity": gravity,
+            "friction_backward": friction_backward,
+            "damping": damping,
+            "static_friction": static_friction,
+            "static_friction_ratio": static_friction_ratio,
+            "mean_force": mean_force,
+        }
+        values = texts({name: value for name, value in given.items() if value is not None})
+        angle = None if slope is None else texts({"slope": slope})[0][1]
+        of, system = _native.block(values, units, angle, bool(one_way))
+        object.__setattr__(self, "_of", of)
+        object.__setattr__(self, "units", system)
+
+    def follow(self, record: Record, *, displacement: float = 0.0, velocity: float = 0.0) -> Followed:
+        """The motion under a record from a start; see `Machine.follow`."""
+        return follow(self._of, self.units, record, (one("displacement", displacement), one("velocity", velocity)))
+
+    def motion(
+        self, record: Record, *, displacement: float = 0.0, velocity: float = 0.0, interval: Optional[float] = None
+    ) -> Motion:
+        """The states and events of the motion under a record; see `Machine.motion`."""
+        start = (one("displacement", displacement), one("velocity", velocity))
+        return motion(self._of, self.units, record, start, interval)
+
+
+def spectrum(
+    record: Record,
+    *,
+    period: ArrayLike,
+    friction_coefficient: ArrayLike,
+    damping_ratio: ArrayLike = 0.0,
+    static_friction_ratio: ArrayLike = 1.0,
+    gravity: float = 9.80665,
+) -> Spectrum:
+    """The answers of many bodies on springs under a record, in SI, on all cores.
+
+    Each body has the bits of `Machine.follow`. A record without a unit is in m/s**2 or m.
+
+    Parameters
+    ----------
+    record : Record
+        Of a base acceleration or of a displacement of the foot.
+    period, friction_coefficient, damping_ratio, static_friction_ratio : float or array
+        Natural periods in seconds and the others, broadcast to a common shape.
+    gravity : float
+        Of the coefficient of friction.
+
+    Returns
+    -------
+    Spectrum
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> t = np.arange(0, 12, 0.01)
+    >>> record = ss.Record(0.3 * np.exp(-(((t - 4) / 2) ** 2)) * np.sin(9 * t), time_step=0.01, unit="g")
+    >>> found = ss.spectrum(record, period=np.linspace(0.5, 3, 6)[:, None], friction_coefficient=[0.02, 0.1])
+    >>> found.max_displacement.shape
+    (6, 2)
+    """
+    if record.of == "force":
+        raise _native.Error("spectrum: a record of a force needs masses. Use Machine.follow")
+    at = points(
+        period=period,
+        friction_coefficient=friction_coefficient,
+        damping_ratio=damping_ratio,
+        static_friction_ratio=static_friction_ratio,
+    )
+    size = at.size if at.shape is not None else 1
+    columns = [np.ascontiguousarray(np.broadcast_to(np.asarray(column), (size,))) for column in at.columns]
+    periods, coefficients, zeta, eta = columns
+    if not np.all((periods > 0) & np.isfinite(periods)):
+        raise _native.Error("period: must be > 0 and finite")
+    omega = 2 * np.pi / periods
+    bodies = [np.ones(size), omega**2, 2 * zeta * omega, coefficients * one("gravity", gravity), eta]
+    found = _native.record_spectrum(bodies, *record._in("N,m"))
+    values: dict[str, Any] = (
+        {name: column.item() for name, column in found.items()} if at.shape is None else shaped(found, at.shape)
+    )
+    return Spectrum({**at.in_shape(), **values})

@@ -1,0 +1,91 @@
+"""The motion under records: closed forms, agreement of the ways to ask, refusals."""
+
+import re
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+G = 9.80665
+
+
+def quake(n=1200):
+    t = 0.01 * np.arange(n)
+    return 0.3 * np.exp(-(((t - 4) / 2) ** 2)) * np.sin(9 * t) * np.cos(2 * t)
+
+
+def test_newmarks_block():
+    a, r, t = 0.4 * G, 0.1 * G, 2.0
+    record = ss.Record(np.full(5, -0.4), time_step=t / 4, unit="g")
+    found = ss.Block(mass="3 t", friction_coefficient=0.1, units="kN,mm").follow(record)
+    exact = a * (a - r) * t * t / (2 * r)
+    assert found.residual_displacement == pytest.approx(1000 * exact, rel=1e-13)
+    assert (found.slides, found.stops) == (1, 1)
+    assert found.units["residual_displacement"] == "mm" and found.units["friction_work"] == "kN·mm"
+    # On a slope, downhill only.
+    angle = np.radians(3)
+    r, along = 0.1 * G * np.cos(angle), G * np.sin(angle)
+    block = ss.Block(mass=1.0, friction_coefficient=0.1, slope="3 deg", one_way=True, units="N,m")
+    found = block.follow(record)
+    up, down = a + along - r, r - along
+    assert found.residual_displacement == pytest.approx(up * t * t / 2 * (1 + up / down), rel=1e-13)
+
+
+def test_a_spectrum_has_the_bits_of_each_machine():
+    record = ss.Record(quake(), time_step="10 ms", unit="g")
+    periods, mu = np.linspace(0.3, 3, 9), np.array([0.02, 0.1])
+    found = ss.spectrum(record, period=periods[:, None], friction_coefficient=mu, damping_ratio=0.05)
+    assert found.max_displacement.shape == found.slides.shape == (9, 2)
+    omega = 2 * np.pi / periods
+    for i in range(9):
+        for j in range(2):
+            machine = ss.Machine(
+                mass=1.0, stiffness=omega[i] ** 2, friction=mu[j] * G, damping=2 * 0.05 * omega[i], units="N,m"
+            )
+            alone = machine.follow(record)
+            for name in ("max_displacement", "residual_displacement", "path", "stick_time", "slides"):
+                assert getattr(alone, name) == getattr(found, name)[i, j], name
+
+
+def test_states_and_events_are_those_of_the_answer():
+    record = ss.Record(quake(), times=0.01 * np.arange(1200), unit="g")
+    machine = ss.Machine(mass="800 kg", period="2.5 s", friction_coefficient=0.06, damping_ratio="5%")
+    motion = machine.motion(record, displacement="1 mm", interval=0.002)
+    answer = machine.follow(record, displacement="1 mm")
+    assert motion.displacement[0] == 0.001
+    assert motion.displacement.max() == pytest.approx(answer.max_displacement, rel=1e-9)
+    assert np.count_nonzero(motion.event_direction) == answer.slides == motion.answer.slides
+    assert np.all(motion.velocity[motion.direction == 0] == 0)
+    assert np.all(motion.velocity * motion.direction >= -1e-12)
+    assert np.all(np.diff(motion.time) >= -1e-12)
+
+
+@pytest.mark.parametrize(
+    "make, said",
+    [
+        (lambda: ss.Record([1.0], time_step=1.0), "number of samples = 1 must be ≥ 2"),
+        (lambda: ss.Record([1.0, np.nan], time_step=1.0), "sample 2"),
+        (lambda: ss.Record([1.0, 2.0], time_step=0.0), "time step = 0"),
+        (lambda: ss.Record([1.0, 2.0], times=[1.0, 1.0]), "sample 2"),
+        (lambda: ss.Record([1.0, 2.0], times=[1.0, 2.0, 3.0]), "times"),
+        (lambda: ss.Record([1.0, 2.0]), "either time_step or times"),
+        (lambda: ss.Record([1.0, 2.0], time_step=1.0, of="velocity"), "of = velocity"),
+        (lambda: ss.Record([1.0, 2.0], time_step=1.0, unit="kg"), "must be an acceleration"),
+        (lambda: ss.Record([[1.0, 2.0]], time_step=1.0), "one dimension"),
+        (lambda: ss.Block(mass=1.0, friction_coefficient=0.1, slope=2.0), "slope"),
+        (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=0.0, friction_coefficient=0.1), "period"),
+        (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=1.0, friction_coefficient=-1.0), "-9.8"),
+    ],
+)
+def test_what_is_wrong_is_named(make, said):
+    with pytest.raises(ss.Error, match=re.escape(said)):
+        make()
+
+
+def test_a_record_can_be_scaled():
+    record = ss.Record(quake(), time_step=0.01, unit="g")
+    machine = ss.Machine(mass="1 kg", period="1 s", friction="0.5 N")
+    assert machine.follow(record.scaled(0.0)).path == 0.0
+    assert machine.follow(record.scaled(2.0)).path > machine.follow(record).path > 0.0
+    assert len(record) == 1200
