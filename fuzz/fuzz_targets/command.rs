@@ -86,6 +86,8 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         | Command::Outputs
         | Command::ResponseCurve(_)
         | Command::MotionPlot(_)
+        | Command::Record(_)
+        | Command::Spectrum(_)
         | Command::Verify(_)
         | Command::Figure(_)
         | Command::Figures(_)
