@@ -14,6 +14,9 @@ mod points;
 use columns::{ALL, FIVE, Room, THREE};
 use std::time::Instant;
 use stickslip::batch::{Batch, FixedOmega, Level};
+use stickslip::{Output, Ratios, Response};
+
+const AMPLITUDE: [Output; 3] = [Output::MaxDisplacement, Output::MinForceRatio, Output::LoopSizeStiffness];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<_> = std::env::args().skip(1).filter(|a| a != "--bench").collect();
@@ -66,11 +69,20 @@ fn time(omega: &[f64], alpha: &[f64]) {
     report("stickslip, a point alone", "five", &mut || {
         sum += points().map(|(&omega, &alpha)| kernels::five(omega, alpha)[0]).sum::<f64>();
     });
+    let damped = |(&omega, &alpha)| Ratios::new(omega, alpha).and_then(|at| at.with_damping_ratio(0.02)).ok();
+    let damped: Vec<_> = points().filter_map(damped).collect();
+    report("stickslip, a point alone", "damped", &mut || {
+        sum += damped.iter().map(|&ratios| Output::values(AMPLITUDE, ratios)[0]).sum::<f64>();
+    });
+    report("stickslip, a point alone", "damped, all of a cycle", &mut || {
+        sum += damped.iter().filter_map(|&ratios| Response::new(ratios).loop_size_stiffness).sum::<f64>();
+    });
     std::hint::black_box(sum);
     for level in Level::ALL.into_iter().filter(|level| level.is_available() && *level != Level::Portable) {
         let batch = Batch::new().at_level(level);
         let name = format!("stickslip {level:?}");
         report(&name, "triple", &mut || room.run(batch, omega, alpha, THREE));
+        report(&name, "damped", &mut || room.run_each(batch, &damped, THREE));
         report(&name, "five", &mut || room.run(batch, omega, alpha, FIVE));
         report(&name, "all", &mut || room.run(batch, omega, alpha, ALL));
         if let Ok(row) = FixedOmega::new(1.5) {

@@ -9,9 +9,10 @@ pub mod definitions;
 #[cfg(feature = "serde")]
 use crate::cycle::Cycle;
 use crate::cycle::dynamic_amplification;
-use crate::cycle::response::Response;
+use crate::cycle::response::{Response, amplitude};
 use crate::float::{Float, Real};
 use crate::machine::oscillator::Scales;
+use crate::machine::ratios::Ratios;
 
 pub(crate) use answer::columns;
 pub use answer::{Column, ResponseAnswer, Value, When};
@@ -170,6 +171,44 @@ outputs! {
 }
 
 impl Output {
+    /// The dimensionless values of the outputs chosen, NaN where they do not exist: the numbers of
+    /// [`Output::of`], without the time of the others. {Δ₀, α_min, A₁} alone take a third of the time of a
+    /// [`Response`] or less, and with damping those that do not need V₀ take two thirds of it.
+    ///
+    /// ```
+    /// use stickslip::{Output, Ratios};
+    /// let ratios = Ratios::new(0.7, 2.0)?.with_damping_ratio(0.05)?;
+    /// let [far, least] = Output::values([Output::MaxDisplacement, Output::MinForceRatio], ratios);
+    /// assert!((far - 3.18).abs() < 0.01 && (least - 1.35).abs() < 0.01);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    pub fn values<F: Float, const N: usize>(chosen: [Self; N], ratios: Ratios<F>) -> [F; N] {
+        let nan = F::int(0) / F::int(0);
+        if chosen.iter().all(|output| output.is_of_amplitude()) {
+            let [displacement, border, size] = amplitude(ratios);
+            let of = |output| if output == Self::MaxDisplacement { displacement } else { size };
+            return chosen.map(|output| if output == Self::MinForceRatio { border } else { of(output) });
+        }
+        let answer = Self::answer(chosen.iter().any(|output| output.needs_velocity()), ratios);
+        chosen.map(|output| output.of(&answer).unwrap_or(nan))
+    }
+
+    /// The answer from which outputs are taken, those of the maximum velocity among them or not.
+    pub(crate) fn answer<F: Float>(has_velocity: bool, ratios: Ratios<F>) -> Response<F> {
+        if has_velocity { Response::new(ratios) } else { Response::without_velocity(ratios) }
+    }
+
+    /// Whether the output is one of {Δ₀, α_min, A₁}, which need little else.
+    pub(crate) const fn is_of_amplitude(self) -> bool {
+        matches!(self, Self::MaxDisplacement | Self::MinForceRatio | Self::LoopSizeStiffness)
+    }
+
+    /// Whether the output needs the maximum velocity: a search may begin with it.
+    pub(crate) const fn needs_velocity(self) -> bool {
+        matches!(self, Self::MaxVelocity | Self::VelocityPhase | Self::Deviation)
+            || self.definition().is_searched
+    }
+
     /// The output's name, as [`Display`](core::fmt::Display) prints it.
     #[doc(hidden)]
     #[must_use]

@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 use stickslip::batch::{Batch, Columns, FixedOmega};
-use stickslip::{Output, Regime};
+use stickslip::{Output, Ratios, Regime};
 
 /// {Δ₀, α_min, A₁}, which one loop computes, and the outputs that need further loops.
 const OUTPUTS: [Output; 9] = [
@@ -41,6 +41,13 @@ impl Room {
 
     pub(crate) fn run(&mut self, batch: Batch, omega: &[f64], alpha: &[f64], count: usize) {
         assert_eq!(batch.run(black_box(omega), black_box(alpha), self.columns(count)), Ok(()));
+    }
+
+    /// Points that may have a damper.
+    pub(crate) fn run_each(&mut self, batch: Batch, points: &[Ratios<f64>], count: usize) {
+        let points = black_box(points);
+        let at = |i: usize| points.get(i).copied();
+        assert_eq!(batch.run_each(points.len(), at, self.columns(count)), Ok(()));
     }
 
     pub(crate) fn run_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64], count: usize) {

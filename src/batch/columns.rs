@@ -4,7 +4,6 @@ use super::block::Block;
 use crate::cycle::regime::Regime;
 use crate::cycle::response::Response;
 use crate::machine::error::Error;
-use crate::machine::ratios::Ratios;
 use crate::output::Output;
 
 /// An error unless a slice of length `found` is as long as the first.
@@ -90,9 +89,8 @@ impl<'a> Columns<'a> {
 impl<'a> Slices<'a, { Output::ALL.len() }> {
     /// Whether no number is requested but {Δ₀, α_min, A₁}.
     pub(super) fn is_amplitude(&self) -> bool {
-        let [a, b, c, ..] = LOOPED;
         let mut columns = self.numbers.iter().zip(Output::ALL);
-        columns.all(|(slice, output)| slice.is_none() || [a, b, c].contains(&output))
+        columns.all(|(slice, output)| slice.is_none() || output.is_of_amplitude())
     }
 
     /// Removes the slices that the loops fill; the others are computed point by point.
@@ -108,9 +106,14 @@ impl<'a> Slices<'a, { Output::ALL.len() }> {
         looped
     }
 
-    /// Computes a point by itself and writes its outputs; NaN without ratios.
-    pub(super) fn put(&mut self, place: usize, ratios: Option<Ratios<f64>>) {
-        let answer = ratios.map(Response::new);
+    /// Whether an output that needs the maximum velocity is requested.
+    pub(super) fn has_velocity(&self) -> bool {
+        let mut columns = self.numbers.iter().zip(Output::ALL);
+        columns.any(|(slice, output)| slice.is_some() && output.needs_velocity())
+    }
+
+    /// Writes the outputs of the point at a place; NaN without an answer.
+    pub(super) fn put(&mut self, place: usize, answer: Option<Response<f64>>) {
         for (slice, output) in self.numbers.iter_mut().zip(Output::ALL) {
             if let Some(slot) = slice.as_mut().and_then(|slice| slice.get_mut(place)) {
                 *slot = answer.as_ref().and_then(|answer| output.of(answer)).unwrap_or(f64::NAN);

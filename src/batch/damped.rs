@@ -1,13 +1,14 @@
 //! Points that may have a damper and static friction: {Δ₀, α_min, A₁} by a loop, all else point by point.
 
-use super::alone;
 use super::block::{AtPoint, Block, POINTS, each, select, set};
 use super::columns::Slices;
 use super::level::{Level, Loops};
+use super::straight::is_any_nan;
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::cycle::damped::tangent::Angle;
 use crate::cycle::damped::{amplitude_from_turning_point, exists};
 use crate::cycle::regime::regime_of;
+use crate::cycle::response;
 use crate::float::pair::Pair;
 use crate::machine::ratios::Ratios;
 use crate::output::Output;
@@ -102,38 +103,50 @@ pub(super) fn run(
     ratios: &impl Fn(usize) -> Option<Ratios<f64>>,
 ) {
     if !columns.is_amplitude() {
-        return (0..n).for_each(|i| columns.put(i, ratios(start + i)));
+        let has_velocity = columns.has_velocity();
+        let answer = |i| ratios(start + i).map(|ratios| Output::answer(has_velocity, ratios));
+        return (0..n).for_each(|i| columns.put(i, answer(i)));
     }
     let (mut given, mut found) = ([[0.0; POINTS]; 4], [[0.0; POINTS]; 3]);
     let mut work = [[0.0; POINTS]; 14];
-    let mut points = [None; POINTS];
     let mut out = columns.take_looped();
     for first in (0..n).step_by(POINTS) {
         let count = POINTS.min(n - first);
-        for (i, point) in points.iter_mut().take(count).enumerate() {
-            *point = ratios(start + first + i);
-            let parts = point.map_or([1.0, 1.0, 0.0, 1.0], |ratios: Ratios<f64>| {
-                let (zeta, eta) = (ratios.damping_ratio(), ratios.static_friction_ratio());
-                [ratios.omega(), ratios.alpha(), zeta, eta]
+        let mut is_damped = false;
+        for i in 0..count {
+            let point = ratios(start + first + i).map(|point: Ratios<f64>| {
+                is_damped |= point.is_damped();
+                [point.omega(), point.alpha(), point.damping_ratio(), point.static_friction_ratio()]
             });
-            set(&mut given, i, parts);
+            set(&mut given, i, point.unwrap_or(NOWHERE));
         }
         // Without a damper the loops would leave every point.
-        if level == Level::Scalar || given[2].iter().all(|&zeta| zeta == 0.0) {
+        if level == Level::Scalar || !is_damped {
             found[1].fill(f64::NAN);
         } else {
             level.run(Pass { given: &given, found: &mut found, work: &mut work });
         }
-        for (i, point) in points.iter().take(count).enumerate() {
-            if found[1].get(i).is_some_and(|border| border.is_nan()) {
-                let values = point.map_or([f64::NAN; 3], alone::amplitude_of);
-                set(&mut found, i, values);
+        if is_any_nan(&found[1]) {
+            for i in 0..count {
+                if found[1].get(i).is_some_and(|border| border.is_nan()) {
+                    let values = point_at(&given, i).map_or([f64::NAN; 3], response::amplitude);
+                    set(&mut found, i, values);
+                }
             }
         }
         out.put_numbers(first, count, &found);
-        let regimes = out.regime.iter_mut().flat_map(|slice| slice.iter_mut().skip(first));
-        for ((slot, point), &border) in regimes.zip(points.iter().take(count)).zip(&found[1]) {
-            *slot = point.map(|ratios| regime_of(ratios, border));
+        let regimes = out.regime.iter_mut().flat_map(|slice| slice.iter_mut().skip(first)).take(count);
+        for (i, (slot, &border)) in regimes.zip(&found[1]).enumerate() {
+            *slot = point_at(&given, i).map(|ratios| regime_of(ratios, border));
         }
     }
+}
+
+/// What stands for a point without ratios.
+const NOWHERE: [f64; 4] = [f64::NAN; 4];
+
+/// The ratios of a block's point.
+fn point_at(given: &[Block; 4], i: usize) -> Option<Ratios<f64>> {
+    let [omega, alpha, zeta, eta] = given.each_ref().map(|block| block.get(i).copied().unwrap_or(f64::NAN));
+    (!omega.is_nan()).then(|| Ratios::of_valid(omega, alpha, zeta, eta))
 }

@@ -34,10 +34,8 @@ use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
 use crate::machine::ratios::Ratios;
-#[cfg(feature = "batch")]
-use border::has_lobes;
-use border::{least_displacement, needed_at, supremum, turning_point};
-use half_period::HalfPeriod;
+use border::{has_lobes, least_displacement, needed_at, supremum, turning_point};
+pub(crate) use half_period::HalfPeriod;
 use pole::Pole;
 use rising::Rising;
 use summit::Summit;
@@ -57,6 +55,19 @@ impl<F: Float> DampedCycle<F> {
     /// The cycle at ratios on or above the border.
     pub(crate) fn at(half: HalfPeriod<F>, alpha: F) -> Self {
         Self::of(Rising::of_force(half, alpha))
+    }
+
+    /// The cycle at ratios on or above the border, with NaN for the outputs of the maximum velocity.
+    pub(crate) fn without_velocity(half: HalfPeriod<F>, alpha: F) -> Self {
+        let (rising, nan) = (Rising::of_force(half, alpha), F::int(0) / F::int(0));
+        Self {
+            rising,
+            max_displacement: rising.max_displacement,
+            displacement_phase: rising.displacement_phase(),
+            max_velocity: nan,
+            velocity_phase: nan,
+            deviation: nan,
+        }
     }
 
     /// The cycle of equations 21–25 whose half is given, stops or none.
@@ -139,23 +150,25 @@ impl<F: Float> Rising<F> {
     #[inline(always)]
     fn at_force(half: HalfPeriod<F>, alpha: F) -> Self {
         let wide = half.wide();
-        let least = least_displacement(&wide);
+        // An α on the rounded border may be below the true one. a is then at least its value on the border.
         let (amplitude, displacement) = match half.beyond {
             Some([hi, lo]) => {
                 let excess = Pole::excess(Pair::new(hi, lo), alpha) / wide.stiffness.square();
                 let amplitude = (excess + wide.shift.square()).sqrt();
-                (amplitude, excess / (amplitude + wide.shift))
+                let (displacement, least) = (excess / (amplitude + wide.shift), least_displacement(&wide));
+                if displacement.value() >= least.value() {
+                    (amplitude, displacement)
+                } else {
+                    (turning_point(&wide), least)
+                }
             }
             None => {
                 let amplitude = max_displacement(wide.k, alpha.wide(), wide.stiffness);
+                let least = turning_point(&wide);
+                let excess = (amplitude.hi - least.hi) + (amplitude.lo - least.lo);
+                let amplitude = if excess >= F::int(0) { amplitude } else { least };
                 (amplitude, amplitude - wide.shift)
             }
-        };
-        // An α on the rounded border may be below the true one. Δ₀ is then at least its value on the border.
-        let (amplitude, displacement) = if displacement.value() >= least.value() {
-            (amplitude, displacement)
-        } else {
-            (turning_point(&wide), least)
         };
         let displacement = displacement.normalised();
         Self { half, amplitude: amplitude.value(), max_displacement: displacement.hi, rest: displacement.lo }
@@ -246,7 +259,6 @@ fn force_ratio_at_turning_point<F: Float>(half: &HalfPeriod<Pair<F>>) -> F {
 /// {Δ₀, α_min, A₁} where the turning point decides the border: from Ω = d/2 on.
 ///
 /// It has no branches, for loops; Δ₀ and A₁ are meaningless below the border.
-#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn amplitude_from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> [F; 3] {
     let border = force_ratio_at_turning_point(&half.wide());
@@ -255,7 +267,6 @@ pub(crate) fn amplitude_from_turning_point<F: Float>(half: HalfPeriod<F>, alpha:
 }
 
 /// {Δ₀, α_min, A₁} without the rest of the answer; NaN where there is no cycle.
-#[cfg(feature = "batch")]
 pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
     let (omega, alpha, zeta) = (ratios.omega(), ratios.alpha(), ratios.damping_ratio());
     let eta = ratios.static_friction_ratio();

@@ -1,9 +1,10 @@
 //! The complete answer at one (Ω, α): the regime, and the outputs that exist there.
 
+use crate::cycle::border::least_with_static_friction;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::cycle::regime::{Regime, has_two_reversals, regime_of};
 use crate::cycle::six_reversals;
-use crate::cycle::{Border, Cycle, best_force_ratio_at, best_loop_size_at, damped};
+use crate::cycle::{Border, Cycle, DampedCycle, Reversal, best_force_ratio_at, best_loop_size_at, damped};
 use crate::float::{Float, at_precision, fused};
 use crate::machine::ratios::Ratios;
 
@@ -52,7 +53,7 @@ impl<F: Float> Response<F> {
     /// ([`Ratios::moves_from_rest`]). `motion::LongRun` follows one start, and `motion::attractors` many.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.is_damped() {
-            return Self::damped(ratios);
+            return Self::damped(ratios, DampedCycle::at);
         }
         // With η as a variable in one of the two, an answer with η = 1 takes a tenth more instructions.
         if ratios.has_higher_static_friction() {
@@ -95,14 +96,23 @@ impl<F: Float> Response<F> {
         }
     }
 
-    /// The answer with damping.
+    /// The same, but with damping V₀, ω_d t₁ and Δ₁ may be NaN: more than half of the time is spent on them.
+    pub(crate) fn without_velocity(ratios: Ratios<F>) -> Self {
+        if ratios.is_damped() {
+            Self::damped(ratios, DampedCycle::without_velocity)
+        } else {
+            Self::new(ratios)
+        }
+    }
+
+    /// The answer with damping, given the cycle at a half period and α.
     #[cold]
-    fn damped(ratios: Ratios<F>) -> Self {
+    fn damped(ratios: Ratios<F>, cycle: impl FnOnce(damped::HalfPeriod<F>, F) -> DampedCycle<F>) -> Self {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
         let regime = regime_of(ratios, border.min_force_ratio);
         let cycle = damped::exists(ratios.alpha(), border.min_force_ratio)
-            .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
+            .then(|| Cycle::of_damped(cycle(half, ratios.alpha()), ratios));
         let (best_force_ratio, best_loop_size) = damped::best(&half);
         Self {
             ratios,
@@ -163,6 +173,24 @@ impl<F: Float> Response<F> {
     pub fn best_is_reached(&self) -> bool {
         self.best_force_ratio >= self.border.min_force_ratio
     }
+}
+
+/// {Δ₀, α_min, A₁} without the rest of the answer; NaN where one does not exist.
+pub(crate) fn amplitude<F: Float>(ratios: Ratios<F>) -> [F; 3] {
+    if ratios.is_damped() {
+        return damped::amplitude(&ratios);
+    }
+    fused!(<F>(ratios: Ratios<F>) -> [F; 3] {
+        let (omega, alpha, nan) = (ratios.omega(), ratios.alpha(), F::int(0) / F::int(0));
+        let p = PhaseFunction::of_valid(omega);
+        let border = least_with_static_friction(&p, ratios.static_friction_ratio());
+        if has_two_reversals(omega, alpha, border) {
+            let reversal = Reversal::new(&p, alpha).of_sliding(omega);
+            [reversal.max_displacement(), border, reversal.loop_size_stiffness()]
+        } else {
+            [nan, border, nan]
+        }
+    })
 }
 
 /// The number, if it is not infinite.

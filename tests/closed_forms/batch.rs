@@ -239,6 +239,25 @@ fn with_damping_the_loop_has_the_bits_of_the_points_alone() {
     }
 }
 
+/// Outputs chosen at a point are those of its answer, whatever is chosen with them.
+#[test]
+fn chosen_outputs_are_those_of_the_answer() {
+    let (omega, alpha) = points_and_others(600);
+    let bits = |x: f64| if x.is_nan() { None } else { Some(x.to_bits()) };
+    for (i, (&omega, &alpha)) in omega.iter().zip(&alpha).enumerate() {
+        let Ok(ratios) = Ratios::new(omega, alpha) else { continue };
+        let ratios = ratios.with_damping_ratio([0.0, 0.02, 0.6, 3.0][i % 4]).unwrap();
+        let ratios = ratios.with_static_friction_ratio([1.0, 1.0, 1.3][i % 3]).unwrap();
+        let due = Output::ALL.map(|output| output.of(&Response::new(ratios)).unwrap_or(f64::NAN));
+        for (&one, &value) in Output::ALL.iter().zip(&due) {
+            let [found] = Output::values([one], ratios);
+            let [least, beside] = Output::values([Output::MinForceRatio, one], ratios);
+            assert_eq!([found, beside].map(bits), [value; 2].map(bits), "{one} at {ratios:?}");
+            assert_eq!(bits(least), bits(Border::of(&ratios).min_force_ratio), "{ratios:?}");
+        }
+    }
+}
+
 /// Outputs that are not requested are not written, and neither is the regime.
 #[test]
 fn columns_without_the_regime() {

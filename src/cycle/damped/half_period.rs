@@ -75,7 +75,6 @@ impl<F: Float> HalfPeriod<F> {
     }
 
     /// All that Δ₀ and the border at the turning point need: without the waves at T, which are NaN.
-    #[cfg(feature = "batch")]
     #[inline(always)]
     pub(super) fn of_amplitude(omega: F, zeta: F) -> Self {
         Self::by_tangent(omega, zeta).unwrap_or_else(|| Self::at_ratios(omega, zeta))

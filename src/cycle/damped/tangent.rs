@@ -5,18 +5,18 @@
 //! Im t/d`, `G = −Re t − (ζ/d) Im t`. From λT/2 the nearest multiple of iπ/2 is subtracted:
 //!
 //! ```text
-//! v = λT/2 − qiπ/2 = (T/2)(−ζ + iγ),   γ = d − qΩ = (1 − qΩ) − ζ²/(1 + d),   q = 0, 1 or 2,
+//! v = λT/2 − qiπ/2 = (T/2)(−ζ + iγ),   γ = d − qΩ,   q = 0, 1 or 2,
 //! t = v/P for even q,   t = P/v for q = 1,   P = v coth v = p + ir = 1 + v²/(3 + v²/(5 + v²/(7 + …))).
 //! ```
 //!
-//! Here 1 − qΩ is exact. With m = ζ² + γ² and `M = |P|² d/(T/2)` for even q, `M = (T/2) m d` for q = 1,
+//! With `M = |P|² d/(T/2)` for even q and `M = (T/2)(ζ² + γ²) d` for q = 1,
 //!
 //! ```text
-//! ΩH = ±(pγ + rζ)/M,   G = (ζ p A − r B)/M,
-//! A = qΩ, B = 1 − qΩd for even q,   A = 2d − Ω, B = 1 − Ωd − 2ζ² for q = 1,
+//! ΩH = ±(pγ + rζ)/M,   G = (ζ p A − r B)/M,   A = d ∓ γ,   B = dγ ± ζ²,
 //! ```
 //!
-//! with the minus for q = 1. Nothing cancels as ζ → 0 or far above Ω = 1, where G is of the order ζT³/12.
+//! with the lower sign for q = 1. Nothing cancels as ζ → 0 or far above Ω = 1, where q = 0, A = 0, B = 1 and G is
+//! of the order ζT³/12.
 //!
 //! Only the outer level of the fraction is computed in pairs: an error of the others reaches P with the factor
 //! |v|⁴/45. It vanishes towards the pole at Ω = 1 just as Δ₀ = a − G requires, in which a and G are of the order
@@ -65,11 +65,9 @@ impl<F: Float> Angle<F> {
         let square = Pair::two_prod(zeta, zeta);
         let rest = Pair::fast_two_sum(one, -square.hi);
         let d = Pair::new(rest.hi, rest.lo - square.lo).sqrt();
-        let sum = Pair::fast_two_sum(one, d.hi);
-        let less = square / Pair::new(sum.hi, sum.lo + d.lo);
         let inverse = Pair::int(1) / omega;
-        let gamma = Pair::exact(one - Self { d, gamma: less, inverse }.turns(omega).1) - less;
-        Self { d, gamma, inverse }
+        let near = Pair::two_sum(d.hi, -Self { d, gamma: d, inverse }.turns(omega).1);
+        Self { d, gamma: Pair::fast_two_sum(near.hi, near.lo + d.lo), inverse }
     }
 
     /// Whether q is odd, and qΩ.
@@ -106,18 +104,14 @@ impl<F: Float> Angle<F> {
     #[inline(always)]
     pub(crate) fn tangent(&self, omega: F, zeta: F, (p, r): Complex<Pair<F>>) -> (Pair<F>, Pair<F>) {
         let Self { d, gamma, inverse } = *self;
-        let (one, square) = (Pair::int(1), Pair::two_prod(zeta, zeta));
-        let (is_odd, turns) = self.turns(omega);
-        let (a, less) = if is_odd {
-            (d.times(2) - Pair::exact(omega), square.times(2))
-        } else {
-            (Pair::exact(turns), Pair::int(0))
-        };
-        let b = (one - d * turns) - less;
+        let square = Pair::two_prod(zeta, zeta);
+        let (is_odd, _) = self.turns(omega);
+        let (a, b) = if is_odd { (gamma, -square) } else { (-gamma, square) };
+        let (a, b) = (d + a, d * gamma + b);
         let height = gamma * p + r * zeta;
         let height = if is_odd { -height } else { height };
         let half_pi = Pair::pi() * F::ratio(1, 2);
-        let over = if is_odd { one / half_pi * omega } else { inverse * half_pi };
+        let over = if is_odd { Pair::int(1) / half_pi * omega } else { inverse * half_pi };
         let under = if is_odd { square + gamma.square() } else { p.square() + r.square() };
         let factor = over / (under * d);
         (((p * zeta) * a - r * b) * factor, height * factor * inverse)
@@ -191,7 +185,9 @@ mod tests {
                 let is_odd = 3.0 * omega >= 2.0 * d && omega < 2.0 * d;
                 let gamma = (0..3).map(|q| (d - f64::from(q) * omega).abs()).fold(9.0, f64::min);
                 let size = (std::f64::consts::FRAC_PI_2 / omega).powi(2) * (gamma * gamma + zeta * zeta);
-                let unit = 0.4 * f64::EPSILON * if is_odd { size * size } else { size } + 1e-29;
+                let unit = 0.4 * f64::EPSILON * if is_odd { size * size } else { size };
+                // γ has the absolute error of the pair d.
+                let unit = unit + f64::EPSILON.powi(2) / gamma;
                 is_near(found.shift, g, unit, (omega, zeta));
                 is_near(found.h, h, unit, (omega, zeta));
             }
