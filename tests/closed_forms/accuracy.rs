@@ -2,9 +2,11 @@
 //! with 128 bits and with f64.
 
 use crate::ulps::OUTPUTS;
+use crate::ulps::damped::{self, Worst};
 use crate::ulps::points::{ALPHAS, OMEGAS};
 use crate::ulps::reference::{Narrow, errors};
 use crate::ulps::worst::{Survey, hex};
+use stickslip::Ratios;
 
 fn no_error_exceeds_its_allowance_and_no_allowance_is_stale<F: Narrow>() {
     let survey = Survey::of::<F>(20, 200).merge(&Survey::of::<F>(21, 200));
@@ -31,6 +33,19 @@ fn double_precision() {
 #[test]
 fn single_precision() {
     no_error_exceeds_its_allowance_and_no_allowance_is_stale::<f32>();
+}
+
+/// With a damper and static friction: every output per condition number.
+#[test]
+fn double_precision_with_a_damper() {
+    let survey = damped::Survey::of(22, 6).merge(&damped::Survey::of(23, 6));
+    assert!(survey.points > 2000);
+    for ((output, [_, worst]), allowed) in OUTPUTS.iter().zip(survey.worst).zip(damped::ALLOWED) {
+        let Worst { error, ratios } = worst;
+        assert!(error <= allowed, "{}: {error} ulp per condition number at {ratios:?}", output.symbol);
+        // Some points must come within a fifth of the allowance; otherwise the allowance is too generous.
+        assert!(allowed.is_infinite() || error * 5.0 >= allowed, "{}: {error} at worst", output.name);
+    }
 }
 
 /// The worst two of ten million points before cos Ωψ − 1 replaced cos Ωψ, and a pair replaced sin β: 4.71 ulp
@@ -64,6 +79,7 @@ fn of_hex(text: &str) -> f64 {
 #[test]
 fn the_page_has_the_errors_at_its_points() {
     let page = include_str!("../../docs/accuracy.md");
+    let (page, damped_rows) = page.split_once("<!-- damped -->").unwrap();
     let (f64_rows, f32_rows) = page.split_once("\nf32, ").unwrap();
     let mut compared = 0;
     let mut check = |rows: &str, errors_at: &dyn Fn(f64, f64) -> f64, output: usize| {
@@ -87,4 +103,19 @@ fn the_page_has_the_errors_at_its_points() {
         check(f32_rows, &|omega, alpha| errors::<f32>(omega as f32, alpha as f32).unwrap()[output], output);
     }
     assert_eq!(compared, 2 * OUTPUTS.len());
+    for (i, output) in OUTPUTS.iter().enumerate().take(damped::DAMPED) {
+        let name = format!("`{}`", output.name);
+        let row = damped_rows.lines().find(|line| line.contains(&name)).unwrap_or_else(|| panic!("{name}"));
+        let cells: Vec<&str> =
+            row.trim_matches('|').split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+        let [omega, alpha, zeta, eta] = [3, 4, 5, 6].map(|i| of_hex(cells[i]));
+        let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+        let [_, found] = damped::errors(ratios.with_static_friction_ratio(eta).unwrap()).unwrap()[i];
+        let printed: f64 = cells[2].parse().unwrap();
+        let last = if printed < 1e4 { 0.005_001 } else { 0.06 * printed };
+        assert!(
+            (found - printed).abs() <= last,
+            "{row}: now {found} ulp; `--damped --write` renews the page"
+        );
+    }
 }

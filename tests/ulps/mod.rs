@@ -2,6 +2,7 @@
 //!
 //! This table serves the harness (`benches/accuracy.rs`) and the test (`tests/closed_forms/accuracy.rs`).
 
+pub(crate) mod damped;
 pub(crate) mod points;
 pub(crate) mod reference;
 pub(crate) mod worst;

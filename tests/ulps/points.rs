@@ -15,15 +15,15 @@ impl Random {
         z ^ (z >> 31)
     }
     /// A number in [low, high).
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.bits() >> 11) as f64 / (1u64 << 53) as f64)
     }
     /// An integer in low..=high.
-    fn integer(&mut self, low: i64, high: i64) -> i64 {
+    pub(crate) fn integer(&mut self, low: i64, high: i64) -> i64 {
         low + (self.bits() % (high - low + 1) as u64) as i64
     }
     /// 2⁻ᵏ u, with k below the number of digits and u in [−1, 1).
-    fn tiny<F: Narrow>(&mut self) -> f64 {
+    pub(crate) fn tiny<F: Narrow>(&mut self) -> f64 {
         self.between(-1.0, 1.0) * 2f64.powi(-(self.integer(0, i64::from(F::PRECISION) - 1) as i32))
     }
 }
@@ -109,12 +109,21 @@ const fn alphas<F: Narrow>() -> [Alpha<F>; 6] {
     ]
 }
 
+/// Ω of the given measure, if it is in the range and not 1.
+pub(crate) fn frequency_ratio<F: Narrow>(random: &mut Random, measure: usize) -> Option<F> {
+    let omega = omegas::<F>()[measure](random);
+    let is_in_range = omega >= F::from_f64(LEAST) && omega <= F::from_f64(GREATEST);
+    (is_in_range && omega != F::int(1)).then_some(omega)
+}
+
+/// α of the given measure, given the border rounded up.
+pub(crate) fn force_ratio<F: Narrow>(random: &mut Random, measure: usize, omega: F, border: F) -> F {
+    alphas::<F>()[measure](random, omega, border)
+}
+
 /// A point of the given measures that does not stick according to both the number and its reference.
 pub(crate) fn point<F: Narrow>(random: &mut Random, omega: usize, alpha: usize) -> Option<(F, F)> {
-    let omega = omegas::<F>()[omega](random);
-    if omega == F::int(1) || omega < F::from_f64(LEAST) || omega > F::from_f64(GREATEST) {
-        return None;
-    }
+    let omega: F = frequency_ratio(random, omega)?;
     let border = border_from_above(omega)?;
     let own = Border::new(omega).ok()?.min_force_ratio;
     // Within its error the number's border may exceed the true one, so that such an α would count as

@@ -48,9 +48,9 @@ narrow!(f64, Mp<2>, u64);
 // Accurate to a few units in its last place, which are 2⁻²⁹ of those of f32.
 narrow!(f32, f64, u32);
 
-/// Every output at (Ω, α) in the order of [`OUTPUTS`]; `None` where there is no cycle.
-pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]> {
-    let response = Response::new(Ratios::new(omega, alpha).ok()?);
+/// Every output in the order of [`OUTPUTS`]; `None` where there is no cycle.
+pub(crate) fn answers<F: Float>(ratios: Ratios<F>) -> Option<[Option<F>; COUNT]> {
+    let response = Response::new(ratios);
     let (cycle, border) = (response.cycle.as_ref()?, response.border);
     Some([
         Some(cycle.max_displacement),
@@ -66,13 +66,17 @@ pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]
         Some(response.best_force_ratio),
         response.best_loop_size,
         Some(cycle.contraction()),
-        Some(PhaseFunction::new(omega).ok()?.value()),
+        Some(PhaseFunction::new(ratios.omega()).ok()?.value()),
     ])
 }
 
 /// The least number that is not below the border.
 pub(crate) fn border_from_above<F: Narrow>(omega: F) -> Option<F> {
-    let border = Border::new(omega.widened()).ok()?.min_force_ratio;
+    rounded_up(Border::new(omega.widened()).ok()?.min_force_ratio)
+}
+
+/// The least number that is not below another.
+pub(crate) fn rounded_up<F: Narrow>(border: F::Wide) -> Option<F> {
     let nearest = F::nearest(border);
     Some(if nearest.widened() < border { nearest.stepped(1) } else { nearest })
 }
@@ -86,34 +90,34 @@ fn ulp<F: Narrow>(x: F::Wide) -> F::Wide {
 
 /// The error of each output at (Ω, α) in its unit; `None` where neither precision has a cycle.
 pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
-    let narrow = answers(omega, alpha)?;
-    let wide = answers(omega.widened(), alpha.widened())?;
-    let (zero, one, speed) = (F::Wide::int(0), F::Wide::int(1), wide[2]?);
+    errors_at(Ratios::new(omega, alpha).ok()?)
+}
+
+/// The ratios at the precision of the reference.
+pub(crate) fn widened<F: Narrow>(ratios: &Ratios<F>) -> Option<Ratios<F::Wide>> {
+    let wide = Ratios::new(ratios.omega().widened(), ratios.alpha().widened()).ok()?;
+    let wide = wide.with_damping_ratio(ratios.damping_ratio().widened()).ok()?;
+    wide.with_static_friction_ratio(ratios.static_friction_ratio().widened()).ok()
+}
+
+/// The same for a machine that may have a damper and static friction.
+pub(crate) fn errors_at<F: Narrow>(ratios: Ratios<F>) -> Option<[f64; COUNT]> {
+    let narrow = answers(ratios)?;
+    let exact = widened(&ratios)?;
+    let wide = answers(exact)?;
+    let speed = wide[2]?;
     let mut errors = [0.0; COUNT];
     for (((error, output), narrow), wide) in errors.iter_mut().zip(OUTPUTS).zip(narrow).zip(wide) {
-        let (Some(narrow), Some(wide)) = (narrow, wide) else {
+        *error = match (narrow, wide) {
+            (Some(narrow), Some(wide)) => difference_in_ulp::<F>(output.unit, narrow.widened(), wide, speed),
             // An output must exist at both precisions or at neither.
-            *error = if narrow.is_some() == wide.is_some() { 0.0 } else { f64::INFINITY };
-            continue;
+            _ if narrow.is_some() == wide.is_some() => 0.0,
+            _ => f64::INFINITY,
         };
-        let mut difference = (narrow.widened() - wide).abs();
-        let unit = match output.unit {
-            Unit::Own => wide.abs(),
-            Unit::Phase => {
-                let around = (F::Wide::pi() * F::Wide::int(2) - difference).abs();
-                if around < difference {
-                    difference = around;
-                }
-                wide.abs().or_larger(one)
-            }
-            Unit::Velocity => wide.abs().or_larger(speed),
-        };
-        let is_exact_zero = wide == zero && difference == zero;
-        *error = if is_exact_zero { 0.0 } else { (difference / ulp::<F>(unit)).to_f64() };
     }
     // If two maxima are equal except for rounding, either may be found.
     let mut excused = [false; COUNT];
-    if is_other_maximum(omega, alpha, narrow[3]?, wide[3]?, speed) {
+    if is_other_maximum(exact, narrow[3]?, wide[3]?, speed) {
         [excused[3], excused[4]] = [true; 2];
     }
     let is_other_supremum = (narrow[7]?.widened() - wide[7]?).abs() > F::Wide::ratio(1, 100);
@@ -124,13 +128,32 @@ pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
     Some(errors)
 }
 
+/// The difference of two values of an output in its unit; `speed` is V₀.
+pub(crate) fn difference_in_ulp<F: Narrow>(unit: Unit, one: F::Wide, other: F::Wide, speed: F::Wide) -> f64 {
+    let mut difference = (one - other).abs();
+    let size = match unit {
+        Unit::Own => other.abs(),
+        Unit::Phase => {
+            let around = (F::Wide::pi() * F::Wide::int(2) - difference).abs();
+            if around < difference {
+                difference = around;
+            }
+            other.abs().or_larger(F::Wide::int(1))
+        }
+        Unit::Velocity => other.abs().or_larger(speed),
+    };
+    let zero = F::Wide::int(0);
+    let is_exact_zero = other == zero && difference == zero;
+    if is_exact_zero { 0.0 } else { (difference / ulp::<F>(size)).to_f64() }
+}
+
 /// Whether `phase` is that of another maximum of the velocity that is equal except for rounding. Below Ω =
 /// 1/2 there are points on whose two sides different maxima are the greatest; the same holds for the border's
 /// supremum.
-fn is_other_maximum<F: Narrow>(omega: F, alpha: F, phase: F, right: F::Wide, speed: F::Wide) -> bool {
+fn is_other_maximum<F: Narrow>(exact: Ratios<F::Wide>, phase: F, right: F::Wide, speed: F::Wide) -> bool {
     let is_elsewhere = (phase.widened() - right).abs() > F::Wide::ratio(1, 100);
     is_elsewhere
-        && Ratios::new(omega.widened(), alpha.widened()).and_then(Cycle::new).is_ok_and(|cycle| {
+        && Cycle::new(exact).is_ok_and(|cycle| {
             (cycle.velocity_at(phase.widened()) - speed).abs() <= ulp::<F>(speed) * F::Wide::int(8)
         })
 }
