@@ -74,7 +74,12 @@ struct AskedCurve {
     other: Option<(Input, Grid<f64>, Vec<String>)>,
     given: Given<f64>,
     system: System,
+    /// The unit of the axis in words, and its value in rad/s, or 1 for Ω.
+    unit: (&'static str, f64),
 }
+
+/// The units of frequency that an axis may have, each with its value in rad/s. The first is that of bare numbers.
+const UNITS: [(&str, f64); 4] = [("Hz", TAU), ("rpm", TAU / 60.0), ("cpm", TAU / 60.0), ("rad/s", 1.0)];
 
 pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new(args.out.as_deref(), args.overwrite)?;
@@ -95,12 +100,14 @@ impl CurvePoint {
 impl AskedCurve {
     fn new(args: &CurveArgs, reader: &Reader) -> Result<Self, Failure> {
         let mut given = Given::empty(reader, Naming::Option);
-        let (mut grid, mut other) = (None, None);
+        let (mut grid, mut other, mut unit) = (None, None, UNITS[0]);
         for &(parameter, ref text) in args.machine.iter() {
             let name = parameter.option();
             let values = Grid::with_units(name, text, reader, parameter.kind())?;
             let is_axis = matches!(parameter, Input::Omega | Input::Frequency) && values.len() > 1;
             if is_axis {
+                let is_typed = |(name, _): &&(&str, f64)| text.to_lowercase().contains(&name.to_lowercase());
+                unit = UNITS.iter().find(is_typed).copied().unwrap_or(UNITS[0]);
                 if let Some((first, _)) = grid.replace((parameter, values)) {
                     let first: Input = first;
                     return Err(Failure::Input(format!(
@@ -139,7 +146,8 @@ impl AskedCurve {
                 grid.len()
             )));
         }
-        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system() })
+        let unit = if axis == Input::Frequency { unit } else { ("1", 1.0) };
+        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system(), unit })
     }
 
     fn lines(&self) -> Result<Vec<Line>, Failure> {
@@ -242,9 +250,9 @@ impl AskedCurve {
         }
     }
 
-    /// A value of the axis in its unit: hertz, or 1 for Ω.
+    /// A value of the axis in its unit.
     fn in_units(&self, x: f64) -> f64 {
-        if self.axis == Input::Frequency { x / TAU } else { x }
+        x / self.unit.1
     }
 
     fn is_machine(&self) -> bool {
@@ -258,9 +266,10 @@ impl AskedCurve {
             .label()
             .rsplit_once('(')
             .map_or("p₀".to_owned(), |(_, u)| u.trim_end_matches(')').to_owned());
-        let axis = if self.axis == Input::Frequency { "frequency[Hz]" } else { "omega[1]" };
+        let name = if self.axis == Input::Frequency { "frequency" } else { "omega" };
+        let axis = format!("{name}[{}]", self.unit.0);
         let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(["curve", axis, "regime", &format!("{what}[{unit}]"), "margin[1]", "point"])?;
+        writer.write_record(["curve", &axis, "regime", &format!("{what}[{unit}]"), "margin[1]", "point"])?;
         for line in lines {
             for place in &line.places {
                 let value = place.value.map_or(String::new(), |x| x.to_string());

@@ -138,14 +138,16 @@ impl<F: Value> AskedDesign<'_, F> {
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
         let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
         let (newton, length) = (self.system().force(), self.system().length());
-        let mut fields = force_and_base_motions(&body, frequency, force);
+        let unbalance = self.system().name(Kind::Unbalance);
+        let mut fields = force_and_equals(&body, frequency, force);
         let of =
             |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
         let mut sentence = format!(
-            "The body never sticks at a force of {} {newton} or more: a motion of {} {length} of the \
-             spring's foot over a \
-             fixed surface, or of {} {length} of a base that carries the surface.",
+            "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, a \
+             motion of {} {length} of the spring's foot over a fixed surface, or of {} {length} of a base that \
+             carries the surface.",
             of("force"),
+            of("unbalance"),
             of("foot_displacement"),
             of("base_displacement")
         );
@@ -207,10 +209,8 @@ impl<F: Value> AskedDesign<'_, F> {
 
     fn bands(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Frequency)?;
-        let mut searched = self.damping_ratio() > F::int(0);
         let (found, unit) = if self.physical {
             let body = self.body(true, true)?;
-            searched = body.damping() > F::int(0);
             // The frequency of the drive is unknown: only its amplitude counts.
             let drive = self.drive(&body, self.one)?;
             (design::frequency_bands(&body, &drive, low, high), "frequency")
@@ -221,8 +221,9 @@ impl<F: Value> AskedDesign<'_, F> {
         let names =
             if unit == "omega" { ["omega_from", "omega_to"] } else { ["frequency_from", "frequency_to"] };
         let edge = |edge: Edge| if edge == Edge::Range { "end-of-range" } else { "border" };
+        let found = found.map_err(|e| self.fail(e))?;
+        let searched = found.is_searched();
         let rows = found
-            .map_err(|e| self.fail(e))?
             .map(|band| {
                 band.map(|b| {
                     let mut row = vec![
@@ -285,11 +286,12 @@ impl<F: Value> AskedDesign<'_, F> {
     }
 }
 
-/// A force, and the amplitude of either kind of base motion that exerts this force on the body.
-fn force_and_base_motions<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> AnswerRow<F> {
+/// A force, the unbalance, and the amplitude of either kind of base motion that exerts this force on the body.
+fn force_and_equals<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> AnswerRow<F> {
     let acceleration = force / body.mass();
     vec![
         ("force", Kind::Force, some(force)),
+        ("unbalance", Kind::Unbalance, some(force / frequency.square())),
         ("foot_displacement", Kind::Length, some(force / body.stiffness())),
         ("base_displacement", Kind::Length, some(acceleration / frequency.square())),
         ("base_acceleration", Kind::Acceleration, some(acceleration)),

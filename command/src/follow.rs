@@ -196,6 +196,7 @@ fn drawing<F: Value>(record: &Record<F>, motion: &RecordMotion<F>, system: &Syst
     let (name, kind) = match record.excitation() {
         stickslip::Excitation::Force => ("force", Kind::Force),
         stickslip::Excitation::SurfaceAcceleration => ("acceleration of the surface", Kind::Acceleration),
+        stickslip::Excitation::Unbalance => ("unbalance", Kind::Unbalance),
         stickslip::Excitation::FootMotion
         | stickslip::Excitation::DampedFootMotion
         | stickslip::Excitation::SurfaceMotion

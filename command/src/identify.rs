@@ -61,11 +61,13 @@ fn body(given: &Given<f64>) -> Result<Oscillator<f64>, Failure> {
 /// The amplitude of the force, which must be the same at every frequency.
 fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
     match given.one_of(Role::Drive)? {
-        Some((Input::BaseVelocity | Input::BaseDisplacement, _)) => Err(Failure::Input(
-            "--base-velocity and --base-displacement: their force changes with the frequency. Measure at one \
-             --base-acceleration"
-                .to_owned(),
-        )),
+        Some((
+            input @ (Input::BaseVelocity | Input::BaseDisplacement | Input::Unbalance | Input::Eccentricity),
+            _,
+        )) => Err(Failure::Input(format!(
+            "{}: its force changes with the frequency. Measure at one --force or --base-acceleration",
+            input.option()
+        ))),
         // For the other excitations, the force does not depend on the frequency.
         _ => Ok(given.drive(body, 1.0)?.force_amplitude(body)),
     }

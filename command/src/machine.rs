@@ -61,7 +61,7 @@ pub(crate) fn transmitted<F: Value>(
 /// The kind of base motion, and the meaning of x; `None` for a force.
 pub(crate) const fn base_motion(excitation: Excitation) -> Option<&'static str> {
     match excitation {
-        Excitation::Force => None,
+        Excitation::Force | Excitation::Unbalance => None,
         Excitation::FootMotion => {
             Some("of the spring's foot over a fixed surface: p₀ = k u₀, x over the surface")
         }

@@ -8,7 +8,7 @@ use crate::machine::{Machine, base_motion};
 use crate::style;
 use std::io::{self, Write};
 use stickslip::inputs::units::{Kind, System};
-use stickslip::{Cycle, PhaseFunction, Regime, Response};
+use stickslip::{Cycle, Excitation, PhaseFunction, Regime, Response};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
@@ -147,6 +147,14 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
             "  damping constant c       {} {}",
             digits(oscillator.damping()),
             system.name(Kind::Damping)
+        )?;
+    }
+    if drive.excitation() == Excitation::Unbalance {
+        writeln!(
+            out,
+            "  unbalance m_e e          {} {}",
+            digits(drive.amplitude()),
+            system.name(Kind::Unbalance)
         )?;
     }
     writeln!(out, "  force amplitude p₀       {} {force}", digits(drive.force_amplitude(oscillator)))?;

@@ -104,7 +104,10 @@ fn groups() -> [(&'static str, Vec<Key>); 7] {
 /// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets after the
 /// column's name.
 pub(crate) const PHYSICAL: &[(&str, &str)] = &[
-    ("drive", "the drive: a force, the spring's foot, or a base that carries the surface"),
+    (
+        "drive",
+        "the drive: a force, a rotating unbalance, the spring's foot, or a base that carries the surface",
+    ),
     ("frequency", "frequency of the drive in Hz"),
     ("angular_frequency", "ω_d"),
     ("natural_frequency", "ω_n = √(k/m)"),
@@ -118,6 +121,7 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ),
     ("friction_coefficient", "µ = r_y/(m g), where it was given"),
     ("force_amplitude", "amplitude p₀ of the force on the body"),
+    ("unbalance", "unbalance m_e e of the rotating mass"),
     ("foot_displacement", "amplitude of the spring's foot"),
     ("damped_foot_displacement", "amplitude of the foot of spring and damper"),
     ("lead_time", "the time by which the force on the body is ahead of that foot, atan(c ω_d/k)/ω_d"),

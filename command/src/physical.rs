@@ -76,6 +76,7 @@ impl<F: Value> Physical<F> {
         add("force_amplitude", Kind::Force, p0);
         match drive.excitation() {
             Excitation::Force => {}
+            Excitation::Unbalance => add("unbalance", Kind::Unbalance, drive.amplitude()),
             Excitation::FootMotion => add("foot_displacement", Kind::Length, drive.amplitude()),
             Excitation::DampedFootMotion => {
                 add("damped_foot_displacement", Kind::Length, drive.amplitude());

@@ -121,7 +121,9 @@ fn kind(name: &str) -> PyResult<Kind> {
 
 /// The excitations by the keywords of their amplitudes, with the kinds of these.
 fn excitations() -> Vec<(String, &'static str)> {
-    let inputs = Input::ALL.into_iter().filter(|input| input.excitation().is_some());
+    // An unbalance has one keyword.
+    let inputs = Input::ALL.into_iter();
+    let inputs = inputs.filter(|input| input.excitation().is_some() && *input != Input::Eccentricity);
     inputs.map(|input| (input.column(), input.kind().name())).collect()
 }
 

@@ -37,6 +37,9 @@ class Drive:
     ----------
     force : float, str or array
         Amplitude of a force on the body; as text with its unit, such as ``"12 kN"``.
+    unbalance : float, str or array
+        Mass times eccentricity of a mass that rotates on the body, such as ``"0.35 kg*m"``: a force of this times the
+        square of the angular frequency.
     foot_displacement : float, str or array
         Amplitude of a motion of the spring's foot over a fixed surface.
     damped_foot_displacement : float, str or array
@@ -78,6 +81,7 @@ class Drive:
         self,
         *,
         force: Optional[ArrayLike] = None,
+        unbalance: Optional[ArrayLike] = None,
         foot_displacement: Optional[ArrayLike] = None,
         damped_foot_displacement: Optional[ArrayLike] = None,
         base_displacement: Optional[ArrayLike] = None,
@@ -90,6 +94,7 @@ class Drive:
     ) -> None:
         amplitudes = {
             "force": force,
+            "unbalance": unbalance,
             "foot_displacement": foot_displacement,
             "damped_foot_displacement": damped_foot_displacement,
             "base_displacement": base_displacement,

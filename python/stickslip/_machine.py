@@ -36,6 +36,9 @@ class Machine:
         Of the spring.
     period : float or str
         The natural period in place of the stiffness: ``k = m (2 pi/period)**2``.
+    pendulum_radius : float or str
+        Radius of a friction pendulum in place of the stiffness: ``k = m gravity/radius``, for displacements far below
+        the radius.
     friction : float or str
         Friction bound: the force of friction while the body slides.
     friction_coefficient, gravity : float or str
@@ -93,6 +96,7 @@ class Machine:
         damping: Optional[Quantity] = None,
         *,
         period: Optional[Quantity] = None,
+        pendulum_radius: Optional[Quantity] = None,
         friction_coefficient: Optional[Quantity] = None,
         gravity: Optional[Quantity] = None,
         damping_ratio: Optional[Quantity] = None,
@@ -104,6 +108,7 @@ class Machine:
             "mass": mass,
             "stiffness": stiffness,
             "period": period,
+            "pendulum_radius": pendulum_radius,
             "friction": friction,
             "friction_coefficient": friction_coefficient,
             "gravity": gravity,

@@ -9,14 +9,14 @@
 //! such proof, and the bands are searched (`damped`).
 
 use super::band::{Band, Edge};
-use super::damped::{BandSearch, Damper};
+use super::damped::{BandSearch, Damper, Force};
 use super::force::ratios_of;
 use crate::cycle::Border;
 use crate::cycle::border::{Lobe, ordered_lobes};
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
-use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::oscillator::{Drive, Excitation, Oscillator};
 use crate::machine::ratios::{Ratios, positive};
 use crate::root;
 
@@ -89,7 +89,7 @@ pub(super) fn bands_with<F: Float>(alpha: F, damper: Damper<F>, low: F, high: F)
         let quantity = Quantity::FrequencyRatio;
         return Err(Error::EmptyRange { quantity, low: written(low), high: written(high) });
     }
-    let method = Method::Searched(Box::new(BandSearch::new(alpha, damper, low, high)?));
+    let method = Method::Searched(Box::new(BandSearch::new(Force::Constant(alpha), damper, low, high)?));
     Ok(Bands { alpha, low, high, method, frequency: None })
 }
 
@@ -107,26 +107,54 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
 
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
 ///
-/// Only the amplitude of the drive matters, p₀ or `k u_g0`: both are the same at every frequency. Accuracy
-/// and proofs are those of [`bands`].
+/// Only the amplitude of the drive matters, not its frequency. Where the force is the same at every frequency, p₀ or
+/// `k u_g0`, accuracy and proofs are those of [`bands`]. The force of a rotating unbalance, of a moving base given by
+/// its displacement or velocity, or of a damper on a moving foot changes with the frequency: these bands are searched
+/// on a mesh, as with a damper ([`Bands::is_searched`]).
 ///
 /// # Errors
-/// Those of [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base
-/// motions.
+/// Those of [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y.
 pub fn frequency_bands<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
     low: F,
     high: F,
 ) -> Result<Bands<F>, Error> {
-    if !drive.is_same_at_any_frequency() {
-        return Err(Error::ForceOfFrequency { drive: drive.excitation().name() });
-    }
     let natural = body.natural_frequency();
+    let scale = FrequencyScale { natural, low, high };
+    if !drive.is_same_at_any_frequency() {
+        let ratios = |frequency: F| drive.at_frequency(frequency)?.ratios(body);
+        let (from, to) = (ratios(low)?, ratios(high)?);
+        if low > high {
+            let quantity = Quantity::FrequencyRatio;
+            let (low, high) = (written(from.omega()), written(to.omega()));
+            return Err(Error::EmptyRange { quantity, low, high });
+        }
+        let (damper, force) = (Damper::Ratio(body.damping_ratio()), growing(body, drive, natural)?);
+        let search = BandSearch::new(force, damper, from.omega(), to.omega())?;
+        let (low, high) = (from.omega(), to.omega());
+        let method = Method::Searched(Box::new(search));
+        return Ok(Bands { alpha: from.alpha(), low, high, method, frequency: Some(scale) });
+    }
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
     let ratio = |frequency: F| Ok::<F, Error>(ratios_of(body, frequency)?.omega());
     let found = bands(alpha, body.damping_ratio(), ratio(low)?, ratio(high)?)?;
-    Ok(Bands { frequency: Some(FrequencyScale { natural, low, high }), ..found })
+    Ok(Bands { frequency: Some(scale), ..found })
+}
+
+/// α as a function of Ω: a foot with its damper has `p₀² = (k² + c²ω_d²) u₀²`, other drives a power of ω_d.
+fn growing<F: Float>(body: &Oscillator<F>, drive: &Drive<F>, natural: F) -> Result<Force<F>, Error> {
+    let zero = F::int(0);
+    let alpha = drive.at_frequency(natural)?.force_amplitude(body) / body.friction_bound();
+    Ok(Force::Growing(match drive.excitation() {
+        Excitation::Force | Excitation::FootMotion | Excitation::SurfaceAcceleration => [alpha, zero, zero],
+        Excitation::SurfaceVelocity => [zero, alpha, zero],
+        Excitation::Unbalance | Excitation::SurfaceMotion => [zero, zero, alpha],
+        Excitation::DampedFootMotion => {
+            let spring = body.stiffness() * drive.amplitude() / body.friction_bound();
+            [spring, spring * F::int(2) * body.damping_ratio(), zero]
+        }
+    }))
 }
 
 impl<F: Float> Iterator for Bands<F> {
@@ -152,6 +180,11 @@ impl<F: Float> Iterator for Bands<F> {
 }
 
 impl<F: Float> Bands<F> {
+    /// Whether the bands are searched, and not proved to be all.
+    pub const fn is_searched(&self) -> bool {
+        matches!(self.method, Method::Searched(_))
+    }
+
     /// The least value of the border found by a search so far.
     pub(super) fn least(&self) -> Option<F> {
         match &self.method {

@@ -1,7 +1,9 @@
-//! Bands of frequency with a damper: proved and searched statements.
+//! Bands of frequency with a damper, or with a force that changes with the frequency: proved and searched
+//! statements.
 //!
-//! Without damping each lobe of the border has one minimum, so that no band between two frequencies is missed
-//! (`bands`). No such proof is known with damping, where the poles of the border become finite peaks.
+//! Without damping each lobe of the border has one minimum, so that no band of one force is missed
+//! (`bands`). No such proof is known with damping, where the poles of the border become finite peaks, nor for
+//! `α_min(Ω)/α(Ω)` with an α that grows with Ω.
 //!
 //! **Proved:** `α_min ≥ 1/Ω² − 1`, so that there is no band below Ω = 1/√(1 + α). The reason is `G + 2ζΩH =
 //! [sinh ζT + (ζ/d) sin dT]/N ≥ 0`, because `sinh ζT ≥ ζT ≥ (ζ/d) |sin dT|` (a hyperbolic sine for ζ ≥ 1);
@@ -20,8 +22,10 @@
 //! located.
 
 use super::band::{Band, Edge};
+use crate::cycle::Border;
 use crate::cycle::border::Lobe;
 use crate::cycle::damped::{border, half_period_at};
+use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
 use crate::greatest::highest;
 use crate::machine::error::{Error, Quantity, written};
@@ -71,6 +75,27 @@ impl<F: Float> Damper<F> {
     }
 }
 
+/// The force ratio while the frequency ratio changes.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Force<F> {
+    /// The same α at every frequency.
+    Constant(F),
+    /// `α = √(α₀² + α₁²Ω² + α₂²Ω⁴)`, of a rotating unbalance, a base motion, or a foot with its damper.
+    Growing([F; 3]),
+}
+
+impl<F: Float> Force<F> {
+    /// α at Ω.
+    pub(super) fn ratio(self, omega: F) -> F {
+        match self {
+            Self::Constant(alpha) => alpha,
+            Self::Growing([constant, linear, square]) => {
+                constant.hypot(linear * omega).hypot(square * omega.square())
+            }
+        }
+    }
+}
+
 /// Whether `e^{−ζT}`, which determines the peaks of the border, is below the rounding.
 fn has_decayed<F: Float>(zeta: F, omega: F) -> bool {
     zeta * F::pi() > omega * decay_exponent()
@@ -96,7 +121,7 @@ struct MeshPoint<F> {
 /// The bands of a range, by increasing frequency, where the body has a damper.
 #[derive(Debug, Clone)]
 pub(super) struct BandSearch<F> {
-    alpha: F,
+    force: Force<F>,
     damper: Damper<F>,
     /// The ends of the requested range.
     range: (F, F),
@@ -111,13 +136,14 @@ pub(super) struct BandSearch<F> {
 }
 
 impl<F: Float> BandSearch<F> {
-    /// The search at α in the range `[low, high]`, which is valid.
+    /// The search in the range `[low, high]`, which is valid, as are α and ζ at both ends.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] where the free vibration makes too many half turns to be searched.
-    pub(super) fn new(alpha: F, damper: Damper<F>, low: F, high: F) -> Result<Self, Error> {
+    pub(super) fn new(force: Force<F>, damper: Damper<F>, low: F, high: F) -> Result<Self, Error> {
         let one = F::int(1);
-        let from = low.or_larger(one / (one + alpha).sqrt());
+        // α does not fall with Ω.
+        let from = low.or_larger(one / (one + force.ratio(high)).sqrt());
         // The lowest Ω with peaks, for ζ at that Ω.
         let peaks_from = match damper {
             Damper::Ratio(zeta) => from.or_larger(zeta * F::pi() / decay_exponent()),
@@ -135,7 +161,7 @@ impl<F: Float> BandSearch<F> {
             });
         }
         Ok(Self {
-            alpha,
+            force,
             damper,
             range: (low, high),
             next: (from <= high).then_some(from),
@@ -153,7 +179,17 @@ impl<F: Float> BandSearch<F> {
     }
 
     fn excess(&self, omega: F) -> F {
-        self.alpha - border(&half_period_at(omega, self.damper.ratio(omega))).min_force_ratio
+        self.force.ratio(omega) - self.border(omega)
+    }
+
+    /// The border at Ω.
+    fn border(&self, omega: F) -> F {
+        let zeta = self.damper.ratio(omega);
+        if zeta > F::int(0) {
+            border(&half_period_at(omega, zeta)).min_force_ratio
+        } else {
+            Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio
+        }
     }
 
     /// The next point of the mesh.
@@ -163,7 +199,7 @@ impl<F: Float> BandSearch<F> {
         let after = self.damper.next(omega);
         self.next = (omega < high).then(|| if after < high { after } else { high });
         let found = MeshPoint { omega, excess: self.excess(omega) };
-        let least = self.alpha - found.excess;
+        let least = self.force.ratio(omega) - found.excess;
         self.least = Some(self.least.map_or(least, |old| if least < old { least } else { old }));
         Some(found)
     }

@@ -116,16 +116,19 @@ pub fn bands_without_stop<F: Float>(
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping:
 /// [`bands_without_stop`] in physical units.
 ///
-/// Only the amplitude of the drive matters, as for [`frequency_bands`].
+/// Only the amplitude of the drive matters: the force, p₀ or `k u_g0`, must be the same at every frequency.
 ///
 /// # Errors
-/// Those of [`frequency_bands`].
+/// Those of [`frequency_bands`], and [`Error::ForceOfFrequency`] for other drives.
 pub fn frequency_bands_without_stop<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
     low: F,
     high: F,
 ) -> Result<Vec<NoStopBand<F>>, Error> {
+    if !drive.is_same_at_any_frequency() {
+        return Err(Error::ForceOfFrequency { drive: drive.excitation().name() });
+    }
     // This returns the errors in physical units.
     let _ = frequency_bands(body, drive, low, high)?;
     let natural = body.natural_frequency();

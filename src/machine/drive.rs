@@ -18,6 +18,9 @@ use crate::machine::ratios::{Ratios, finite, positive};
 pub enum Excitation {
     /// A force `p₀ sin ω_d t` on the body.
     Force,
+    /// The force of a mass m_e that rotates on the body at an eccentricity e with the speed ω_d, given by the
+    /// unbalance m_e e: `p₀ = m_e e ω_d²`. The mass m is that of the whole body, with m_e.
+    Unbalance,
     /// A motion `u₀ sin ω_d t` of the foot of the spring over a fixed surface: `p₀ = k u₀`. This is the
     /// paper's base motion (`docs/errata.md`, 7).
     FootMotion,
@@ -47,6 +50,7 @@ impl Excitation {
     const fn quantity(self) -> Quantity {
         match self {
             Self::Force => Quantity::ForceAmplitude,
+            Self::Unbalance => Quantity::Unbalance,
             Self::FootMotion | Self::DampedFootMotion | Self::SurfaceMotion => Quantity::BaseAmplitude,
             Self::SurfaceVelocity => Quantity::BaseVelocity,
             Self::SurfaceAcceleration => Quantity::BaseAcceleration,
@@ -59,6 +63,7 @@ impl Excitation {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Force => "force on the body",
+            Self::Unbalance => "rotating unbalance on the body",
             Self::FootMotion => "motion of the spring's foot over a fixed surface",
             Self::DampedFootMotion => "motion of the foot of spring and damper over a fixed surface",
             Self::SurfaceMotion => "motion of the base with its surface",
@@ -98,9 +103,11 @@ impl Excitation {
             Self::DampedFootMotion => {
                 (acceleration * omega.square(), acceleration * F::int(1).hypot(damper) / alpha)
             }
-            Self::Force | Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration => {
-                (force, force / alpha)
-            }
+            Self::Force
+            | Self::Unbalance
+            | Self::SurfaceMotion
+            | Self::SurfaceVelocity
+            | Self::SurfaceAcceleration => (force, force / alpha),
         }
     }
 }
@@ -168,7 +175,7 @@ impl<F: Float> Drive<F> {
         self.angular_frequency
     }
 
-    /// The amplitude as given: p₀ of a force, otherwise the amplitude of the base motion.
+    /// The amplitude as given: p₀ of a force, the unbalance m_e e, or the amplitude of the base motion.
     pub const fn amplitude(&self) -> F {
         self.amplitude
     }
@@ -181,6 +188,14 @@ impl<F: Float> Drive<F> {
     /// The constant force p̄; 0 by default.
     pub(crate) const fn mean_force(&self) -> F {
         self.mean_force
+    }
+
+    /// The same excitation at another angular frequency.
+    ///
+    /// # Errors
+    /// Where ω_d is not finite or not > 0.
+    pub(crate) fn at_frequency(&self, angular_frequency: F) -> Result<Self, Error> {
+        Ok(Self { angular_frequency: positive(Quantity::AngularFrequency, angular_frequency)?, ..*self })
     }
 
     /// Whether the force on the body is the same at every ω_d.
@@ -196,6 +211,7 @@ impl<F: Float> Drive<F> {
         let (amplitude, frequency) = (self.amplitude, self.angular_frequency);
         match self.excitation {
             Excitation::Force => amplitude,
+            Excitation::Unbalance => amplitude * frequency.square(),
             Excitation::FootMotion => oscillator.stiffness() * amplitude,
             Excitation::DampedFootMotion => {
                 oscillator.stiffness().hypot(oscillator.damping() * frequency) * amplitude

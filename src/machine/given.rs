@@ -204,6 +204,9 @@ impl<F: Float + FromStr> Given<F> {
                 let natural = F::int(2) * F::pi() / self.positive(Input::Period, period)?;
                 Some(self.mass()? * natural.square())
             }
+            Some((Input::PendulumRadius, radius)) => {
+                Some(self.mass()? * self.gravity()? / self.positive(Input::PendulumRadius, radius)?)
+            }
             found => found.map(|(_, stiffness)| stiffness),
         })
     }
@@ -218,10 +221,11 @@ impl<F: Float + FromStr> Given<F> {
             let weight = self.mass()? * self.gravity()?;
             return Ok(Some(self.positive(Input::FrictionCoefficient, coefficient)? * weight));
         }
-        if self.has(Input::Gravity) {
-            let [gravity, coefficient] =
-                [Input::Gravity, Input::FrictionCoefficient].map(|input| self.naming.of(input));
-            return Err(InputError(format!("{gravity}: must be left out without {coefficient}")));
+        if self.has(Input::Gravity) && !self.has(Input::PendulumRadius) {
+            let [gravity, coefficient, radius] =
+                [Input::Gravity, Input::FrictionCoefficient, Input::PendulumRadius]
+                    .map(|input| self.naming.of(input));
+            return Err(InputError(format!("{gravity}: must be left out without {coefficient} or {radius}")));
         }
         Ok(found.map(|(_, friction)| friction))
     }
@@ -307,12 +311,27 @@ impl<F: Float + FromStr> Given<F> {
         }
     }
 
-    /// The input that gives the amplitude of the excitation, and its value.
+    /// The input that gives the amplitude of the excitation, and its value. Eccentricity and eccentric mass are an
+    /// unbalance.
     ///
     /// # Errors
-    /// Where none or several are given.
+    /// Where none or several are given, or one of eccentricity and eccentric mass without the other.
     pub fn amplitude(&self) -> Result<(Input, F), InputError> {
-        self.one_of(Role::Drive)?.ok_or_else(|| self.missing(&Input::of_role(Role::Drive)))
+        let found = self.one_of(Role::Drive)?;
+        match (found, self.get(Input::EccentricMass)) {
+            (Some((Input::Eccentricity, eccentricity)), Some(mass)) => {
+                let mass = self.positive(Input::EccentricMass, mass)?;
+                Ok((Input::Unbalance, mass * self.positive(Input::Eccentricity, eccentricity)?))
+            }
+            (Some((Input::Eccentricity, _)), None) => Err(self.missing(&[Input::EccentricMass])),
+            (Some(found), None) => Ok(found),
+            (None, None) => Err(self.missing(&Input::of_role(Role::Drive))),
+            (_, Some(_)) => Err(InputError(format!(
+                "{}: must be given with {} alone",
+                self.label(Input::EccentricMass),
+                self.naming.of(Input::Eccentricity)
+            ))),
+        }
     }
 
     /// The drive of a body at a frequency.

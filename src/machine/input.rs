@@ -22,8 +22,10 @@ pub enum Role {
     MeanForce,
     /// The frequency: by its ratio or in units.
     Frequency,
-    /// The amplitude of the excitation: of a force or a base motion, or the force ratio.
+    /// The amplitude of the excitation: of a force, a rotating unbalance or a base motion, or the force ratio.
     Drive,
+    /// The mass that rotates at an eccentricity.
+    RotatingMass,
     /// The start of a motion.
     Start,
 }
@@ -165,13 +167,16 @@ inputs! {
     Stiffness "--stiffness" "K": Stiffness, Spring, Stiffness [FrequencyRatio FrictionDisplacement];
     /// Natural period of the body on its spring, such as 2.2s, in place of the stiffness: k = m (2π/T)²
     Period "--period" "T": Time, Spring, NaturalPeriod [Stiffness FrequencyRatio FrictionDisplacement];
+    /// Radius of a friction pendulum, such as 2m, in place of the stiffness: k = m g/R, for displacements far below R
+    PendulumRadius "--pendulum-radius" "R": Length, Spring, PendulumRadius
+        [Stiffness FrequencyRatio FrictionDisplacement];
     /// Friction bound r_y, such as 5kN
     Friction "--friction" "RY": Force, Friction, FrictionBound [ForwardFriction ForceRatio FrictionDisplacement];
     /// Coefficient of friction µ of a body that rests on its surface, in place of the bound: r_y = µ m g
     FrictionCoefficient "--friction-coefficient" "µ": Ratio, Friction, FrictionCoefficient
         [FrictionBound ForwardFriction ForceRatio FrictionDisplacement] {letter: Some("mu")};
-    /// Gravity g for the coefficient of friction [default: 9.80665 m/s²]
-    Gravity "--gravity" "G": Acceleration, Body, Gravity [FrictionBound ForwardFriction];
+    /// Gravity g for the coefficient of friction and the pendulum [default: 9.80665 m/s²]
+    Gravity "--gravity" "G": Acceleration, Body, Gravity [FrictionBound ForwardFriction Stiffness];
     /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion (r_y and
     /// r_s are the means of both directions, and at rest the bounds are η r_y ± (r₊ − r₋)/2)
     FrictionBackward "--friction-backward" "R": Force, Body, BackwardFriction [];
@@ -196,6 +201,17 @@ inputs! {
     /// Amplitude p₀ of a force on the body, such as 12kN
     Force "--force" "P0": Force, Drive, ForceAmplitude [ForceRatio StaticEnergy PseudoStaticEnergy]
         {excitation: Some(Excitation::Force)};
+    /// Unbalance m_e e of a mass that rotates on the body, such as 0.35kg*m: p₀ = m_e e ω_d²
+    Unbalance "--unbalance" "ME": Unbalance, Drive, Unbalance
+        [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::Unbalance)};
+    /// Eccentricity e of a mass that rotates on the body, such as 120mm, with --eccentric-mass: p₀ = m_e e ω_d²
+    Eccentricity "--eccentricity" "E": Length, Drive, Eccentricity
+        [Unbalance ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
+        {excitation: Some(Excitation::Unbalance)};
+    /// Mass m_e that rotates on the body, such as 3kg, a part of the mass m
+    EccentricMass "--eccentric-mass" "ME": Mass, RotatingMass, EccentricMass
+        [Unbalance ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy];
     /// Acceleration amplitude of a base that carries the surface, such as 0.15g: p₀ = m a₀, x relative to the
     /// base
     BaseAcceleration "--base-acceleration" "A0": Acceleration, Drive, BaseAcceleration

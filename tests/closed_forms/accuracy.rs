@@ -35,12 +35,17 @@ fn single_precision() {
     no_error_exceeds_its_allowance_and_no_allowance_is_stale::<f32>();
 }
 
+/// The greatest error at any point of harness or test, in ulp per 1 + κ. It is infinite where half of the digits can
+/// be lost: at the flat maximum that τ* is the place of just below Ω = 1/2, and at the contraction's double root.
+const ALLOWED: [f64; damped::DAMPED] =
+    [0.5, 2.0, 2.5, 16.0, 32.0, 2.0, 1.0, f64::INFINITY, 1.0, 1.0, 1.0, 1.0, f64::INFINITY];
+
 /// With a damper and static friction: every output per condition number.
 #[test]
 fn double_precision_with_a_damper() {
     let survey = damped::Survey::of(22, 6).merge(&damped::Survey::of(23, 6));
     assert!(survey.points > 2000);
-    for ((output, [_, worst]), allowed) in OUTPUTS.iter().zip(survey.worst).zip(damped::ALLOWED) {
+    for ((output, [_, worst]), allowed) in OUTPUTS.iter().zip(survey.worst).zip(ALLOWED) {
         let Worst { error, ratios } = worst;
         assert!(error <= allowed, "{}: {error} ulp per condition number at {ratios:?}", output.symbol);
         // Some points must come within a fifth of the allowance; otherwise the allowance is too generous.

@@ -15,11 +15,6 @@ pub(crate) const ZETAS: [&str; 4] =
 /// The outputs that have a meaning with a damper: all but K.
 pub(crate) const DAMPED: usize = COUNT - 1;
 
-/// The greatest error at any point of harness or test, in ulp per 1 + κ. It is infinite where half of the digits can
-/// be lost: at the flat maximum that τ* is the place of just below Ω = 1/2, and at the contraction's double root.
-pub(crate) const ALLOWED: [f64; DAMPED] =
-    [0.5, 2.0, 2.5, 16.0, 32.0, 2.0, 1.0, f64::INFINITY, 1.0, 1.0, 1.0, 1.0, f64::INFINITY];
-
 /// The worst error of one output, and its place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Worst {

@@ -25,8 +25,17 @@ pub(crate) type StartArgs = Typed<START>;
 
 impl<const PARTS: u8> Typed<PARTS> {
     fn inputs() -> impl Iterator<Item = Input> {
-        let part = |role| if role == Role::Drive { DRIVE } else { BODY };
-        let part = move |role| if role == Role::Start { START } else { part(role) };
+        let part = |role| match role {
+            Role::Drive | Role::RotatingMass => DRIVE,
+            Role::Start => START,
+            Role::Body
+            | Role::Spring
+            | Role::Friction
+            | Role::Damper
+            | Role::StaticFriction
+            | Role::MeanForce
+            | Role::Frequency => BODY,
+        };
         Input::ALL.into_iter().filter(move |input| PARTS & part(input.role()) != 0)
     }
 

@@ -57,7 +57,7 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "identify",
         Machine,
-        "file mass SPRING force base-acceleration base-velocity base-displacement foot-displacement amplitude phase format units",
+        "file mass SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement amplitude phase format units",
     ),
     (
         "record",
@@ -86,7 +86,7 @@ const USED: &[(&str, Mode, &str)] = &[
     ("design velocity", Ratios, "omega damping-ratio target format bits"),
     ("design velocity", Machine, "BODY frequency target format bits units"),
     ("design dissipation", Ratios, "omega damping-ratio sticking format bits"),
-    ("design dissipation", Machine, "mass SPRING DAMPER frequency DRIVE sticking format bits units"),
+    ("design dissipation", Machine, "mass SPRING gravity DAMPER frequency DRIVE sticking format bits units"),
     ("design stiffness", Ratios, "alpha from to format bits"),
     (
         "design stiffness",
@@ -97,8 +97,9 @@ const USED: &[(&str, Mode, &str)] = &[
 
 /// The single options of an entry, with its groups of inputs expanded.
 fn options(used: &'static str) -> Vec<&'static str> {
-    let inputs =
-        |role| Input::of_role(role).into_iter().filter(|p| *p != Input::Alpha).map(Input::name).collect();
+    let inputs = |role| -> Vec<_> {
+        Input::of_role(role).into_iter().filter(|p| *p != Input::Alpha).map(Input::name).collect()
+    };
     let expanded = |name| match name {
         "RATIOS" => options("omega alpha FRICTIONS"),
         "FRICTIONS" => options("damping-ratio static-friction-ratio"),
@@ -110,7 +111,7 @@ fn options(used: &'static str) -> Vec<&'static str> {
         "FRICTION" => inputs(Role::Friction),
         "DAMPER" => inputs(Role::Damper),
         "STATIC" => inputs(Role::StaticFriction),
-        "DRIVE" => inputs(Role::Drive),
+        "DRIVE" => [Role::Drive, Role::RotatingMass].map(inputs).concat(),
         single => vec![single],
     };
     used.split(' ').flat_map(expanded).collect()

@@ -4,6 +4,7 @@ use super::{AskedCurve, CurvePoint, Line, Source, words};
 use crate::bits::digits;
 use crate::failure::Failure;
 use crate::map::capital;
+use stickslip::inputs::Input;
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 /// The part of the usual value below which a curve is cut off.
@@ -28,7 +29,9 @@ impl AskedCurve {
         if left >= right {
             return Err(Failure::Input(format!("{}: a picture needs two frequencies", self.axis.option())));
         }
-        let name = if self.is_machine() { "frequency (Hz)" } else { "frequency ratio Ω = ω_d/ω_n" };
+        let frequency = format!("frequency ({})", self.unit.0);
+        let name =
+            if self.axis == Input::Frequency { frequency.as_str() } else { "frequency ratio Ω = ω_d/ω_n" };
         let x = if self.grid.is_logarithmic() {
             Axis::logarithmic(name, left, right)
         } else {

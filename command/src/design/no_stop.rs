@@ -1,6 +1,6 @@
 //! `stickslip design force --no-stop` and `bands --no-stop`, for any number of reversals.
 
-use super::{AskedDesign, DesignAnswer, force_and_base_motions, some};
+use super::{AskedDesign, DesignAnswer, force_and_equals, some};
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::note::no_stop;
@@ -14,7 +14,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let (found, unit, fields) = if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             let forces = design::forces_without_stop(&body, frequency).map_err(|e| self.fail(e))?;
-            let fields = force_and_base_motions(&body, frequency, forces.min());
+            let fields = force_and_equals(&body, frequency, forces.min());
             (forces, self.system().force(), fields)
         } else {
             self.one_friction()?;

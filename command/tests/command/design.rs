@@ -208,7 +208,7 @@ fn without_a_stop_with_a_damper() {
 fn text_begins_with_the_answer() {
     let text = stdout(&format!("design force {BODY} --frequency 6 --units kN,m"));
     assert!(text.starts_with(
-        "The body never sticks at a force of 7.393705 kN or more: a motion of 0.007393705 m of the spring's foot over \
+        "The body never sticks at a force of 7.393705 kN or more: a rotating unbalance of 0.2053807 t·m, a motion of 0.007393705 m of the spring's foot over \
          a fixed surface, or of 0.004107614 m of a base that carries the surface."
     ));
     assert!(stdout("design bands --alpha 12 --from 0.1 --to 2").contains("2 bands of that range"));

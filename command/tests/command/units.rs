@@ -5,6 +5,7 @@
 pub(crate) mod base_motion;
 mod damped_foot;
 mod mean_force;
+mod unbalance;
 
 use crate::command_line::{json, refused, stdout};
 use serde_json::Value;
@@ -117,12 +118,12 @@ fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
         ),
         (
             format!("response {machine} --frequency 2Hz"),
-            vec!["--force (or --base-acceleration", "is missing"],
+            vec!["--force (or --unbalance, --eccentricity, --base-acceleration", "is missing"],
         ),
         (format!("response {machine} --force 1N"), vec!["--frequency is missing"]),
         (
             "response --mass 800kg --friction 1N --frequency 2Hz --force 1N".to_owned(),
-            vec!["--stiffness (or --period, or --omega) is missing"],
+            vec!["--stiffness (or --period, --pendulum-radius, --omega) is missing"],
         ),
         (
             "response --mass 1kg --period -2s --friction 1N --frequency 2Hz --force 1N".to_owned(),
@@ -155,7 +156,8 @@ fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
         ("response --omega 2Hz --alpha 3".to_owned(), vec!["--omega 2Hz", "a plain number"]),
         ("steady --omega 2 --alpha 3 --x0 3mm".to_owned(), vec!["--x0 3mm", "a plain number"]),
         (
-            "design bands --mass 800kg --period 2.2s --friction 1N --base-displacement 3mm --from 1Hz --to 2Hz".to_owned(),
+            "design bands --no-stop --mass 800kg --period 2.2s --friction 1N --base-displacement 3mm --from 1Hz --to 2Hz"
+                .to_owned(),
             vec!["changes with the frequency"],
         ),
         (

@@ -85,3 +85,64 @@ fn in_physical_units() {
         assert_eq!(found[1].high, 4.0);
     }
 }
+
+/// An unbalance, base motions by displacement and velocity, and a damped foot: against the border on a mesh of its own.
+#[test]
+fn bands_of_forces_that_change_with_the_frequency() {
+    use crate::Excitation;
+    let mut ends = 0;
+    for (i, excitation) in [
+        Excitation::Unbalance,
+        Excitation::SurfaceMotion,
+        Excitation::SurfaceVelocity,
+        Excitation::DampedFootMotion,
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        for j in 0..24u32 {
+            let damping = [0.0, 0.02, 0.4, 3.0][j as usize % 4];
+            let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping(damping).unwrap();
+            let amplitude = 0.3 * 1.35f64.powi(j as i32) * [1.0, 0.5, 1.0, 1.0][i];
+            let drive = |omega: f64| Drive::new(excitation, amplitude, omega).unwrap();
+            let excess = |omega: f64| {
+                let ratios = drive(omega).ratios(&body).unwrap();
+                ratios.alpha() - Border::of(&ratios).min_force_ratio
+            };
+            let (low, high) = (0.5, 9.0);
+            let bands = frequency_bands(&body, &drive(1.0), low, high).unwrap();
+            assert!(bands.is_searched());
+            let found: Vec<_> = bands.map(Result::unwrap).collect();
+            for k in 0..=20_000 {
+                let omega = low + (high - low) * (f64::from(k) / 20_000.0);
+                let is_inside = found.iter().any(|band| (band.low..=band.high).contains(&omega));
+                assert_eq!(
+                    is_inside,
+                    excess(omega) >= 0.0,
+                    "{excitation} {amplitude} {damping} {omega} {found:?}"
+                );
+            }
+            for band in &found {
+                for (end, edge, outward) in
+                    [(band.low, band.low_edge, -1.0), (band.high, band.high_edge, 1.0)]
+                {
+                    if edge == Edge::Border {
+                        let outside = excess(end * (1.0 + outward * 1e-12));
+                        assert!(
+                            excess(end * (1.0 - outward * 1e-12)) > 0.0 && outside < 0.0,
+                            "{end} {band:?}"
+                        );
+                        ends += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(ends > 60, "{ends}");
+    let refused = frequency_bands(&Oscillator::new(2.0, 8.0, 3.0).unwrap(), &drive_of(1.0), 3.0, 2.0);
+    assert!(matches!(refused, Err(Error::EmptyRange { .. })));
+}
+
+fn drive_of(unbalance: f64) -> Drive<f64> {
+    Drive::new(crate::Excitation::Unbalance, unbalance, 1.0).unwrap()
+}

@@ -36,6 +36,14 @@ pub enum Quantity {
     MeanDisplacement,
     /// Amplitude p₀ of the driving force.
     ForceAmplitude,
+    /// Unbalance m_e e of a rotating mass.
+    Unbalance,
+    /// Rotating mass m_e.
+    EccentricMass,
+    /// Eccentricity e of a rotating mass.
+    Eccentricity,
+    /// Radius R of a friction pendulum.
+    PendulumRadius,
     /// Amplitude u_g0 of the base motion.
     BaseAmplitude,
     /// Velocity amplitude of the base motion.
@@ -119,6 +127,10 @@ impl Quantity {
             Self::MeanForce => "mean force p̄",
             Self::MeanDisplacement => "mean displacement (p̄ − (r₊ − r₋)/2)/k",
             Self::ForceAmplitude => "force amplitude p₀",
+            Self::Unbalance => "unbalance m_e e",
+            Self::EccentricMass => "eccentric mass m_e",
+            Self::Eccentricity => "eccentricity e",
+            Self::PendulumRadius => "pendulum radius R",
             Self::BaseAmplitude => "base amplitude u_g0",
             Self::BaseVelocity => "base velocity amplitude",
             Self::BaseAcceleration => "base acceleration amplitude",

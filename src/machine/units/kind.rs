@@ -33,10 +33,12 @@ pub enum Kind {
     Damping,
     /// J, kJ.
     Energy,
+    /// Mass times length: kg·m, g·mm.
+    Unbalance,
 }
 
 impl Kind {
-    const ALL: [Self; 12] = [
+    const ALL: [Self; 13] = [
         Self::Ratio,
         Self::Mass,
         Self::Length,
@@ -49,6 +51,7 @@ impl Kind {
         Self::Stiffness,
         Self::Damping,
         Self::Energy,
+        Self::Unbalance,
     ];
 
     pub(super) const fn dimension(self) -> Dimension {
@@ -65,6 +68,7 @@ impl Kind {
             Self::Stiffness => [1, 0, -2, 0],
             Self::Damping => [1, 0, -1, 0],
             Self::Energy => [1, 2, -2, 0],
+            Self::Unbalance => [1, 1, 0, 0],
         }
     }
 
@@ -101,6 +105,7 @@ impl Kind {
             Self::Stiffness => "stiffness",
             Self::Damping => "damping constant",
             Self::Energy => "energy",
+            Self::Unbalance => "unbalance",
         }
     }
 
@@ -119,6 +124,7 @@ impl Kind {
             Self::Stiffness => "a stiffness (N/m, kN/m, kN/mm, lbf/in)",
             Self::Damping => "a damping constant (N*s/m, kN*s/m)",
             Self::Energy => "an energy (J, kJ)",
+            Self::Unbalance => "an unbalance (kg*m, g*mm)",
         }
     }
 }

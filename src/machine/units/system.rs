@@ -109,6 +109,9 @@ impl System {
             Kind::Stiffness => format!("{force}/{length}"),
             Kind::Damping => format!("{force}·s/{length}"),
             Kind::Energy => format!("{force}·{length}"),
+            Kind::Unbalance => {
+                self.mass().map_or_else(|| format!("{force}·s²"), |mass| format!("{mass}·{length}"))
+            }
         }
     }
 

@@ -197,7 +197,9 @@ impl<F: Float> Body<F> {
             (range.most.value - shift).abs().or_larger((range.least.value - shift).abs())
         };
         let (acceleration, transmitted) = match record.excitation() {
-            Excitation::Force => (absolute(acceleration, F::int(0)), absolute(free, mean)),
+            Excitation::Force | Excitation::Unbalance => {
+                (absolute(acceleration, F::int(0)), absolute(free, mean))
+            }
             Excitation::FootMotion | Excitation::DampedFootMotion => {
                 (absolute(acceleration, F::int(0)), absolute(acceleration, mean))
             }

@@ -55,7 +55,10 @@ impl<F: Float> Record<F> {
     }
 
     fn checked(self) -> Result<Self, Error> {
-        if matches!(self.excitation, Excitation::SurfaceMotion | Excitation::SurfaceVelocity) {
+        if matches!(
+            self.excitation,
+            Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::Unbalance
+        ) {
             return Err(Error::RecordOf { excitation: self.excitation.name() });
         }
         if self.samples.len() < 2 {
@@ -181,7 +184,7 @@ pub(super) struct Factors<F> {
 impl<F: Float> Factors<F> {
     pub(super) fn new(excitation: Excitation, body: &Body<F>) -> Self {
         let factor = match excitation {
-            Excitation::Force => F::int(1) / body.mass(),
+            Excitation::Force | Excitation::Unbalance => F::int(1) / body.mass(),
             Excitation::FootMotion | Excitation::DampedFootMotion => body.stiffness() / body.mass(),
             Excitation::SurfaceAcceleration | Excitation::SurfaceMotion | Excitation::SurfaceVelocity => {
                 F::int(-1)
