@@ -11,6 +11,7 @@
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
 //! | friction that dissipates most, with sticking allowed | [`most_dissipating_force_ratio_of_all`] |
 //! [`most_dissipating_friction_of_all`] | `sticking.rs` |
+//! | friction with the least amplitude over a band of frequencies | | [`best_friction_over_band`] | `over_band.rs` |
 //! | friction and damping from a measured response curve | | [`identify()`] | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
@@ -37,6 +38,7 @@ mod friction;
 mod identify;
 mod no_stop;
 mod optimum;
+mod over_band;
 mod sticking;
 mod target;
 mod tuning;
@@ -52,6 +54,7 @@ pub use identify::{
 };
 pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
+pub use over_band::{Aim, BandFriction, BandFrictionKind, best_friction_over_band};
 pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};
 pub use target::{
     force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,

@@ -41,6 +41,7 @@ mod trajectory;
 
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
+pub use limit::amplitude::{Amplitude, Reached};
 pub use limit::irregular::Irregular;
 pub use limit::long_run::{DEFAULT_BUDGET, LongRun, Rest};
 pub use limit::measures::{ErrorMeasures, Extreme};

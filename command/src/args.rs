@@ -27,7 +27,7 @@ pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
 use curve::{CURVE_EXAMPLES, MOTION_EXAMPLES};
 pub(crate) use curve::{CurveArgs, CurveQuantity, MotionPlotArgs};
 use design::DESIGN_EXAMPLES;
-pub(crate) use design::{Question, QuestionArgs};
+pub(crate) use design::{DesignAim, Question, QuestionArgs};
 use identify::IDENTIFY_EXAMPLES;
 pub(crate) use identify::IdentifyArgs;
 pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};

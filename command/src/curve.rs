@@ -19,9 +19,9 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
-use stickslip::inputs::units::{Reader, System};
+use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Naming};
-use stickslip_figures::{Origin, resolved};
+use stickslip_figures::{Figure, Origin, resolved};
 
 /// The greatest number of curves in a picture: with the border, the resonance and the dashes, the key then
 /// has eight lines.
@@ -67,7 +67,7 @@ struct Line {
 }
 
 /// The request: the quantity over one axis, for each value of another.
-struct AskedCurve {
+pub(crate) struct AskedCurve {
     what: CurveQuantity,
     axis: Input,
     grid: Grid<f64>,
@@ -80,6 +80,31 @@ struct AskedCurve {
 
 /// The units of frequency that an axis may have, each with its value in rad/s. The first is that of bare numbers.
 const UNITS: [(&str, f64); 4] = [("Hz", TAU), ("rpm", TAU / 60.0), ("cpm", TAU / 60.0), ("rad/s", 1.0)];
+
+/// The name of a curve: `r_y = 5 kN`, or the quantity in words where it has no symbol.
+fn legend(input: Input, text: &str) -> String {
+    let (words, symbol) = input.symbol().rsplit_once(' ').unwrap_or(("", input.symbol()));
+    let is_word = symbol.len() > 1 && symbol.chars().all(|c| c.is_ascii_lowercase());
+    let spaced = match text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))) {
+        Some(at) if at > 0 => {
+            let (number, unit) = text.split_at(at);
+            let unit = unit.trim();
+            if matches!(unit, "%" | "°") { format!("{number}{unit}") } else { format!("{number} {unit}") }
+        }
+        _ => text.to_owned(),
+    };
+    if is_word && !words.is_empty() {
+        format!("{words} {symbol} {spaced}")
+    } else {
+        format!("{symbol} = {spaced}")
+    }
+}
+
+/// The unit of frequency in a text.
+fn unit_in(text: &str) -> (&'static str, f64) {
+    let is_typed = |(name, _): &&(&str, f64)| text.to_lowercase().contains(&name.to_lowercase());
+    UNITS.iter().find(is_typed).copied().unwrap_or(UNITS[0])
+}
 
 pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new(args.out.as_deref(), args.overwrite)?;
@@ -106,8 +131,7 @@ impl AskedCurve {
             let values = Grid::with_units(name, text, reader, parameter.kind())?;
             let is_axis = matches!(parameter, Input::Omega | Input::Frequency) && values.len() > 1;
             if is_axis {
-                let is_typed = |(name, _): &&(&str, f64)| text.to_lowercase().contains(&name.to_lowercase());
-                unit = UNITS.iter().find(is_typed).copied().unwrap_or(UNITS[0]);
+                unit = unit_in(text);
                 if let Some((first, _)) = grid.replace((parameter, values)) {
                     let first: Input = first;
                     return Err(Failure::Input(format!(
@@ -150,6 +174,27 @@ impl AskedCurve {
         Ok(Self { what: args.what, axis, grid, other, given, system: reader.system(), unit })
     }
 
+    /// The curves of a machine with each of several frictions over a band LOW:HIGH.
+    pub(crate) fn of_frictions(
+        what: CurveQuantity,
+        over: &str,
+        given: Given<f64>,
+        frictions: [f64; 3],
+        reader: &Reader,
+    ) -> Result<Self, Failure> {
+        let grid = Grid::with_units("--over", &format!("{over}:200:log"), reader, Kind::Frequency)?;
+        let system = reader.system();
+        let texts = frictions.map(|friction| format!("{} {}", digits(friction), system.force())).to_vec();
+        let other = Some((Input::Friction, Grid::List(frictions.to_vec()), texts));
+        let (axis, unit) = (Input::Frequency, unit_in(over));
+        Ok(Self { what, axis, grid, other, given, system, unit })
+    }
+
+    /// The picture.
+    pub(crate) fn drawn(&self) -> Result<Figure, Failure> {
+        self.figure(&self.lines()?)
+    }
+
     fn lines(&self) -> Result<Vec<Line>, Failure> {
         let count = self.other.as_ref().map_or(1, |(_, values, _)| values.len());
         (0..count)
@@ -159,7 +204,7 @@ impl AskedCurve {
                     Some((parameter, values, texts)) => {
                         given.set(*parameter, values.value(i));
                         let text = usize::try_from(i).ok().and_then(|i| texts.get(i)).cloned();
-                        format!("{} {}", parameter.symbol(), text.unwrap_or_else(|| digits(values.value(i))))
+                        legend(*parameter, &text.unwrap_or_else(|| digits(values.value(i))))
                     }
                     None => words(self.what).to_owned(),
                 };
@@ -228,7 +273,7 @@ impl AskedCurve {
         let point = self.point(given, x)?;
         let response = Response::new(point.ratios);
         let margin = margin(&response);
-        let (value, regime, sticks) = self.value(&point, &response)?;
+        let (value, regime, sticks) = self.value(&point)?;
         Cell::Number(value).finite(words(self.what)).map_err(|e| behind_all(given, e))?;
         Ok(CurvePoint { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
     }

@@ -3,6 +3,7 @@
 mod asked;
 mod best;
 mod no_stop;
+mod over_band;
 mod static_friction;
 
 use crate::args::{Format, Question, QuestionArgs};
@@ -57,7 +58,10 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
         Question::Force(_) if args.no_stop => asked.forces_without_stop(),
         Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
         Question::Force(_) => asked.min_force(),
-        Question::Friction(_) => asked.max_friction(),
+        Question::Friction(_) => match &args.over {
+            Some(over) => asked.friction_over_band(over),
+            None => asked.max_friction(),
+        },
         Question::Bands(_) => asked.bands(),
         Question::Displacement(_) => asked.displacement(),
         Question::Velocity(_) => asked.velocity(),

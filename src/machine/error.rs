@@ -193,6 +193,15 @@ pub enum Error {
         /// The drive.
         drive: &'static str,
     },
+    /// A displacement in space, without a base that carries the surface.
+    #[error(
+        "drive = {drive} must be a motion of the base that carries the surface: without one the displacement in \
+         space is the displacement itself"
+    )]
+    SurfaceAtRest {
+        /// The drive.
+        drive: &'static str,
+    },
     /// A base motion, whose force k u_g0 depends on the unknown stiffness.
     #[error(
         "drive = base motion must be a force: under base motion the force would depend on the unknown \
@@ -292,6 +301,7 @@ impl Error {
             }
             Self::TargetSticks { .. }
             | Self::ForceOfFrequency { .. }
+            | Self::SurfaceAtRest { .. }
             | Self::TooFewMeasurements { .. }
             | Self::NotIdentified
             | Self::InSample { .. }

@@ -57,7 +57,6 @@ impl<F: Float> Ratios<F> {
     }
 
     /// Ratios that are known to be in the domain.
-    #[cfg(any(feature = "dual", feature = "batch"))]
     pub(crate) const fn of_valid(omega: F, alpha: F, damping_ratio: F, static_friction_ratio: F) -> Self {
         Self { omega, alpha, damping_ratio, static_friction_ratio }
     }

@@ -2,7 +2,7 @@
 //!
 //! | file | content |
 //! |---|---|
-//! | `long_run`, `steady`, `irregular`, `measures`, `peaks`, `steady_outputs`, `observed` | the results: what the motion tends to, what a cycle of it amounts to, its regime |
+//! | `long_run`, `steady`, `irregular`, `measures`, `peaks`, `amplitude`, `steady_outputs`, `observed` | the results: what the motion tends to, what a cycle of it amounts to, its regime |
 //! | `propagation`, `matrix` | the motion part by part; m half turns of it with their derivative |
 //! | `fixed_point`, `orbit` | the states that m half turns bring back, and Newton's method for them |
 //! | `shooting`, `section` | η = 1: the limit of every start, by Newton's method from one of them |
@@ -13,6 +13,7 @@
 
 #[cfg(test)]
 pub(crate) mod accounts;
+pub(crate) mod amplitude;
 pub(crate) mod family;
 pub(crate) mod fixed_point;
 pub(crate) mod followed;

@@ -1,12 +1,14 @@
 //! The arguments of the inverse problems.
 
 use super::{Format, MachineArgs, UnitArgs};
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
+use std::path::PathBuf;
 
 pub(crate) const DESIGN_EXAMPLES: &str = "\
 Examples:
   stickslip design force --mass 50 --stiffness 1000 --friction 5 --frequency 6
   stickslip design friction --mass 50 --stiffness 1000 --frequency 6 --force 12
+  stickslip design friction --mass 800kg --period 2.2s --base-displacement 50mm --over 0.2Hz:2Hz --of absolute-displacement
   stickslip design bands --alpha 12 --from 0.1 --to 2
   stickslip design bands --alpha 80 --from 0.3 --to 0.4 --no-stop
   stickslip design displacement --omega 1.5 --target 2
@@ -18,7 +20,8 @@ Examples:
 pub(crate) enum Question {
     /// The minimum force, or base motion, that keeps the body from sticking
     Force(QuestionArgs),
-    /// The maximum friction with which a force keeps the body from sticking
+    /// The maximum friction with which a force keeps the body from sticking or, with --over, the friction whose greatest
+    /// amplitude over a band is least
     Friction(QuestionArgs),
     /// The frequencies, between --from and --to, at which the body never sticks
     Bands(QuestionArgs),
@@ -30,6 +33,19 @@ pub(crate) enum Question {
     Dissipation(QuestionArgs),
     /// The stiffness, between --from and --to, that dissipates most without sticking
     Stiffness(QuestionArgs),
+}
+
+/// The amplitude that a friction makes small over a band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DesignAim {
+    /// The displacement x
+    Displacement,
+    /// The displacement in space, with a base that carries the surface
+    AbsoluteDisplacement,
+    /// The force on the support
+    TransmittedForce,
+    /// The acceleration in space
+    Acceleration,
 }
 
 #[derive(Debug, Args)]
@@ -49,6 +65,19 @@ pub(crate) struct QuestionArgs {
     /// Ω = 1/3, 1/5, …
     #[arg(long)]
     pub(crate) no_stop: bool,
+    /// For friction: the band of frequencies, such as 0.5Hz:2Hz, over which the greatest amplitude is to be least
+    #[arg(long, value_name = "LOW:HIGH", requires = "of", allow_hyphen_values = true)]
+    pub(crate) over: Option<String>,
+    /// The amplitude that is to be small: displacement, absolute-displacement, transmitted-force or acceleration (in
+    /// space)
+    #[arg(long, value_enum, value_name = "WHAT", requires = "over", hide_possible_values = true)]
+    pub(crate) of: Option<DesignAim>,
+    /// The curves with half the best friction, with it and with twice as much, FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", requires = "over")]
+    pub(crate) picture: Option<PathBuf>,
+    /// Replace a picture that exists
+    #[arg(long, requires = "picture")]
+    pub(crate) overwrite: bool,
     /// Target value: in units of B or B ω_d, or of length or length per time
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) target: Option<String>,

@@ -77,7 +77,7 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "design friction",
         Machine,
-        "mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE format bits units",
+        "mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE over of picture overwrite format bits units",
     ),
     ("design bands", Ratios, "alpha damping-ratio from to no_stop format bits"),
     ("design bands", Machine, "BODY DRIVE from to no_stop format bits units"),

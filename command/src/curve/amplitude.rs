@@ -4,89 +4,39 @@ use super::AskedCurve;
 use crate::args::CurveQuantity;
 use crate::failure::Failure;
 use crate::input::Point;
-use crate::machine::transmitted;
+use crate::machine::excitation;
+use stickslip::Regime;
 use stickslip::inputs::units::Kind;
-use stickslip::motion::{LongRun, State};
-use stickslip::{Error, Regime, Response, observed};
+use stickslip::motion::Amplitude;
 
 impl AskedCurve {
-    /// The value at a point, in the machine's units or in those of p₀; `None` where it grows without bound.
-    pub(super) fn value(
-        &self,
-        point: &Point<f64>,
-        response: &Response<f64>,
-    ) -> Result<(Option<f64>, &'static str, bool), Failure> {
+    /// The value at a point, in the machine's units or in those of p₀; `None` where it grows without bound. Beside it
+    /// the regime by name, and whether the body sticks.
+    pub(super) fn value(&self, point: &Point<f64>) -> Result<(Option<f64>, &'static str, bool), Failure> {
         let (omega, alpha) = (point.ratios.omega(), point.ratios.alpha());
-        let machine = point.machine.as_ref();
-        let felt = |force: f64, acceleration: f64| {
-            let (force, ratio) = transmitted(machine, &point.ratios, force, acceleration);
-            if self.what == CurveQuantity::Force { force } else { ratio }
+        let amplitude = match self.what {
+            CurveQuantity::Displacement => Amplitude::Displacement,
+            CurveQuantity::Velocity => Amplitude::Velocity,
+            CurveQuantity::Acceleration => Amplitude::Acceleration,
+            CurveQuantity::Force => Amplitude::TransmittedForce,
+            CurveQuantity::Transmissibility => Amplitude::Transmissibility,
+            CurveQuantity::Absolute => Amplitude::AbsoluteDisplacement,
         };
-        // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B
-        // ω_d², r_y and B.
-        let (peaks, regime, sticks) = match response.cycle.as_ref() {
-            Some(c) => {
-                let of_cycle = match self.what {
-                    CurveQuantity::Displacement => c.max_displacement,
-                    CurveQuantity::Velocity => c.max_velocity,
-                    CurveQuantity::Acceleration => c.max_acceleration(),
-                    CurveQuantity::Force | CurveQuantity::Transmissibility => {
-                        felt(c.transmitted_force(), c.max_acceleration())
-                    }
-                    CurveQuantity::Absolute => c.max_absolute_displacement(),
-                };
-                (Some(of_cycle), "non-sticking", false)
-            }
-            None if response.regime == Regime::Unbounded => (None, UNBOUNDED, false),
-            None => {
-                let fail = |e: Error| Failure::Input(format!("{}: {e}", self.axis.option()));
-                let limit = LongRun::from_start(point.ratios, State::default()).map_err(fail)?;
-                match (limit.steady_state(), &limit) {
-                    (Some(s), _) => {
-                        let regime = observed(point.ratios, &limit).regime;
-                        let peaks = s.peaks().map_err(fail)?;
-                        let of_motion = match self.what {
-                            CurveQuantity::Displacement => {
-                                s.max_displacement.value.abs().max(s.min_displacement.value.abs())
-                            }
-                            CurveQuantity::Velocity => {
-                                s.max_velocity.value.abs().max(s.min_velocity.value.abs())
-                            }
-                            CurveQuantity::Acceleration => peaks.acceleration,
-                            CurveQuantity::Force | CurveQuantity::Transmissibility => {
-                                felt(peaks.transmitted_force, peaks.acceleration)
-                            }
-                            CurveQuantity::Absolute => peaks.absolute_displacement,
-                        };
-                        (Some(of_motion), regime.name(), regime == Regime::Sticking)
-                    }
-                    // At rest friction carries the whole force, and the body moves with its base.
-                    (None, LongRun::Rest(_)) => {
-                        let at_rest = match self.what {
-                            CurveQuantity::Displacement
-                            | CurveQuantity::Velocity
-                            | CurveQuantity::Acceleration => 0.0,
-                            CurveQuantity::Force | CurveQuantity::Transmissibility => felt(alpha, 0.0),
-                            CurveQuantity::Absolute => alpha / omega.powi(2),
-                        };
-                        (Some(at_rest), "stuck", true)
-                    }
-                    (None, _) => (None, "undecided", false),
-                }
-            }
-        };
+        let excitation = excitation(point.machine.as_ref());
+        let found = amplitude
+            .of(point.ratios, excitation)
+            .map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?;
         let in_units = |x: f64| match (&point.machine, self.what) {
             (_, CurveQuantity::Transmissibility) => x,
-            (Some(m), CurveQuantity::Displacement | CurveQuantity::Absolute) => x * m.scales.length,
-            (Some(m), CurveQuantity::Velocity) => x * m.scales.velocity,
-            (Some(m), CurveQuantity::Acceleration) => x * (m.scales.velocity / m.scales.time),
-            (Some(m), CurveQuantity::Force) => x * m.scales.force,
+            (Some(machine), _) => x * amplitude.unit(&machine.scales),
             // 1/α overflows for the least α.
             (None, CurveQuantity::Displacement | CurveQuantity::Absolute | CurveQuantity::Force) => x / alpha,
             (None, CurveQuantity::Velocity) => x / alpha * omega,
             (None, CurveQuantity::Acceleration) => x / alpha * omega.powi(2),
         };
-        Ok((peaks.map(in_units), regime, sticks))
+        let regime = found.regime.map_or("undecided", Regime::name);
+        let sticks = matches!(found.regime, Some(Regime::Sticking | Regime::Stuck));
+        Ok((found.value.map(in_units), regime, sticks))
     }
 
     /// The name of the quantity with its unit, for an axis.

@@ -244,3 +244,46 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         refused(arguments, &parts);
     }
 }
+
+/// The friction over a band: the answer, the trivial cases, the picture, and one line for each mistake.
+#[test]
+fn the_best_friction_over_a_band() {
+    let isolator = "design friction --mass 800kg --period 2.2s --damping-ratio 5%";
+    let asked = format!("{isolator} --base-displacement 50mm --over 0.2Hz:2Hz --of absolute-displacement");
+    let found = json(&asked);
+    assert!((number(&found["greatest"]) / 0.05 - 1.0).abs() < 1e-9, "{found}");
+    assert_eq!((&found["optimum"], &found["found_by"]), (&"interior".into(), &"search".into()));
+    assert_eq!(found["at_frequencies"].as_array().map(Vec::len), Some(2));
+    // The steady motion at the second of the two has that amplitude, with less friction a greater one.
+    let at = |share: f64| {
+        let friction = share * number(&found["friction"]);
+        let frequency = number(&found["at_frequencies"][1][0]);
+        let machine = format!("--mass 800kg --period 2.2s --damping-ratio 5% --friction {friction}N");
+        let drive = format!("--base-displacement 50mm --frequency {frequency}rad/s");
+        let steady = json(&format!("steady {machine} {drive}"));
+        number(&steady["physical"]["max_absolute_displacement"])
+    };
+    assert!((at(1.0) / 0.05 - 1.0).abs() < 1e-9 && at(0.99) > 0.0501);
+    assert!(stdout(&asked).contains(" and at "), "{}", stdout(&asked));
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("curves.svg");
+    stdout(&format!("{asked} --picture {}", file.display()));
+    assert!(std::fs::read_to_string(&file).unwrap().contains("<svg"));
+    refused(&format!("{asked} --picture {}", file.display()), &["--picture", "must not exist yet"]);
+    let force = format!("{isolator} --force 300N");
+    assert!(
+        stdout(&format!("{force} --over 0.2Hz:2Hz --of displacement")).contains("because the body rests")
+    );
+    let less = stdout(&format!("{force} --over 0.9Hz:2Hz --of transmitted-force"));
+    assert!(less.starts_with("The less friction, the less is the greatest transmitted force"), "{less}");
+    for (arguments, parts) in [
+        ("--over 2Hz --of displacement", ["--over 2Hz", "LOW:HIGH"]),
+        ("--over 2Hz:1Hz --of displacement", ["--over 2Hz:1Hz", "the lower end must be < the upper end"]),
+        ("--over 1Hz:1mm --of displacement", ["--over 1mm", "a frequency"]),
+        ("--over 1Hz:2Hz", ["--of <WHAT>", "not provided"]),
+        ("--over 1Hz:2Hz --of displacement --frequency 1Hz", ["--frequency 1Hz", "must be left out"]),
+        ("--over 1Hz:2Hz --of absolute-displacement", ["--force 300N", "a motion of the base"]),
+    ] {
+        refused(&format!("{force} {arguments}"), &parts);
+    }
+}

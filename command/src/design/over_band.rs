@@ -1,0 +1,160 @@
+//! `stickslip design friction --over`: the friction whose greatest amplitude over a band is least.
+
+use super::{AskedDesign, DesignAnswer, searched_field, some};
+use crate::args::{CurveQuantity, DesignAim};
+use crate::bits::{Value, digits};
+use crate::curve::AskedCurve;
+use crate::failure::{Failure, Outcome};
+use crate::figure;
+use crate::given;
+use crate::output;
+use crate::record::Cell;
+use stickslip::design::{self, Aim, BandFriction, BandFrictionKind};
+use stickslip::inputs::Input;
+use stickslip::inputs::units::Kind;
+
+impl DesignAim {
+    const fn aim(self) -> Aim {
+        match self {
+            Self::Displacement => Aim::Displacement,
+            Self::AbsoluteDisplacement => Aim::AbsoluteDisplacement,
+            Self::TransmittedForce => Aim::TransmittedForce,
+            Self::Acceleration => Aim::Acceleration,
+        }
+    }
+
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Displacement => "displacement",
+            Self::AbsoluteDisplacement => "absolute displacement",
+            Self::TransmittedForce => "transmitted force",
+            Self::Acceleration => "absolute acceleration",
+        }
+    }
+
+    const fn kind(self) -> Kind {
+        match self {
+            Self::Displacement | Self::AbsoluteDisplacement => Kind::Length,
+            Self::TransmittedForce => Kind::Force,
+            Self::Acceleration => Kind::Acceleration,
+        }
+    }
+}
+
+impl<F: Value> AskedDesign<'_, F> {
+    pub(super) fn friction_over_band(&self, over: &str) -> Result<DesignAnswer<F>, Failure> {
+        let Some(of) = self.args.of else {
+            let names = "displacement, absolute-displacement, transmitted-force or acceleration";
+            return Err(Failure::Input(format!("--of is missing beside --over {over}: {names}")));
+        };
+        if !self.physical {
+            return Err(Failure::Input(format!(
+                "--over {over}: needs a machine in units, and --mass is missing"
+            )));
+        }
+        if self.given.has(Input::Frequency) {
+            let frequency = self.given.label(Input::Frequency);
+            return Err(Failure::Input(format!("{frequency}: must be left out beside --over {over}")));
+        }
+        let Some((from, to)) = over.split_once(':') else {
+            return Err(Failure::Input(format!("--over {over}: must be LOW:HIGH, such as 0.5Hz:2Hz")));
+        };
+        let end = |text: &str| self.reader.value::<F>("--over", text, Kind::Frequency);
+        let (low, high) = (end(from)?, end(to)?);
+        if low >= high {
+            return Err(Failure::Input(format!("--over {over}: the lower end must be < the upper end")));
+        }
+        let body = self.body(true, false)?;
+        let drive = self.drive(&body, self.one)?;
+        let found = design::best_friction_over_band(&body, &drive, low, high, of.aim())
+            .map_err(|e| self.fail(e).about(&format!("--over {over}")))?;
+        if let Some(file) = &self.args.picture {
+            self.picture(file, over, of, found.friction.to_f64())?;
+        }
+        let coefficient = found.friction / (body.mass() * self.given.gravity()?);
+        let mut fields = vec![
+            ("friction", Kind::Force, some(found.friction)),
+            ("friction_coefficient", Kind::Ratio, some(coefficient)),
+            ("greatest", of.kind(), some(found.greatest)),
+        ];
+        if !found.at.is_empty() {
+            let mut ranges = found.at.iter().map(|&(from, to)| (from, Some(to)));
+            fields.push(("at_frequencies", Kind::Frequency, Cell::Intervals([ranges.next(), ranges.next()])));
+        }
+        fields.push(("rest_friction", Kind::Force, some(found.rest)));
+        let kind = match found.kind {
+            BandFrictionKind::Interior => "interior",
+            BandFrictionKind::None => "none",
+            BandFrictionKind::Rest | _ => "rest",
+        };
+        fields.push(("optimum", Kind::Ratio, Cell::Text(kind)));
+        if !(found.kind == BandFrictionKind::Rest && found.greatest == F::int(0)) {
+            fields.push(searched_field());
+        }
+        Ok(DesignAnswer::one(self.sentence(of, over, &found), fields))
+    }
+
+    fn sentence(&self, of: DesignAim, over: &str, found: &BandFriction<F>) -> String {
+        let (words, force) = (of.words(), self.system().force());
+        let band = over.replacen(':', " to ", 1);
+        let friction = format!("{} {force}", digits(found.friction));
+        let hertz = |omega: F| digits(omega / (F::int(2) * F::pi()));
+        match found.kind {
+            BandFrictionKind::Rest if found.greatest == F::int(0) => format!(
+                "The greatest {words} from {band} is 0 with a friction bound of {friction} or more, because the \
+                 body rests. Short of that, more friction is as a rule less motion."
+            ),
+            BandFrictionKind::None => format!(
+                "The less friction, the less is the greatest {words} from {band}: {} {} with next to none.",
+                digits(found.greatest),
+                self.system().name(of.kind())
+            ),
+            BandFrictionKind::Rest | BandFrictionKind::Interior | _ => {
+                let places: Vec<String> = found
+                    .at
+                    .iter()
+                    .map(|&(from, to)| {
+                        if from == to {
+                            format!("{} Hz", hertz(from))
+                        } else {
+                            format!("{} to {} Hz", hertz(from), hertz(to))
+                        }
+                    })
+                    .collect();
+                format!(
+                    "The greatest {words} from {band} is least with a friction bound of {friction}: {} {}, at {}. \
+                     The friction is found by a search that is not a proof.",
+                    digits(found.greatest),
+                    self.system().name(of.kind()),
+                    places.join(" and at ")
+                )
+            }
+        }
+    }
+
+    /// The curves with half the friction, with it, and with twice as much.
+    fn picture(&self, file: &std::path::Path, over: &str, of: DesignAim, friction: f64) -> Outcome {
+        let what = match of {
+            DesignAim::Displacement => CurveQuantity::Displacement,
+            DesignAim::AbsoluteDisplacement => CurveQuantity::Absolute,
+            DesignAim::TransmittedForce => CurveQuantity::Force,
+            // Over a moving surface the absolute acceleration is that force over m.
+            DesignAim::Acceleration if self.moves_surface() => CurveQuantity::Force,
+            DesignAim::Acceleration => CurveQuantity::Acceleration,
+        };
+        let option = format!("--picture {}", file.display());
+        let drawing = figure::drawing(file, "--picture")?;
+        output::refuse_existing(file, &option, self.args.overwrite)?;
+        let given = given::read::<f64>(&self.args.machine, self.reader)?;
+        let frictions = [0.5, 1.0, 2.0].map(|share| share * friction);
+        let curve = AskedCurve::of_frictions(what, over, given, frictions, self.reader)?;
+        let drawn = curve.drawn()?;
+        output::PendingFile::create(file, &option, self.args.overwrite)?
+            .fill(|out| figure::write(&drawn, drawing, out))
+    }
+
+    fn moves_surface(&self) -> bool {
+        let input = self.given.amplitude().ok().and_then(|(input, _)| input.excitation());
+        input.is_some_and(stickslip::Excitation::carries_surface)
+    }
+}
