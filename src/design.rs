@@ -13,6 +13,7 @@
 //! [`most_dissipating_friction_of_all`] | `sticking.rs` |
 //! | friction with the least amplitude over a band of frequencies | | [`best_friction_over_band`] | `over_band.rs` |
 //! | friction and damping from a measured response curve | | [`identify()`] | `identify.rs` |
+//! | friction and damping from a measured free decay | | [`identify_turning_points`], [`identify_decay`] | `free_decay.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
 //! All functions allow a damper; in ratios the damping ratio ζ is an argument, 0 without a damper. With
@@ -34,6 +35,12 @@ mod bands;
 mod damped;
 mod dissipation;
 mod force;
+#[allow(
+    clippy::indexing_slicing,
+    clippy::arithmetic_side_effects,
+    reason = "matrices and parameters of one size"
+)]
+mod free_decay;
 mod friction;
 mod identify;
 mod no_stop;
@@ -47,6 +54,7 @@ pub use band::{Band, Edge};
 pub use bands::{Bands, bands, frequency_bands};
 pub use dissipation::{most_dissipating_force_ratio, most_dissipating_friction};
 pub use force::min_amplitude;
+pub use free_decay::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
 pub use friction::max_friction;
 pub use identify::{
     AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading, Residual, identify,

@@ -1,19 +1,24 @@
 //! `stickslip decay`.
 
 use crate::args::{DecayArgs, Format};
-use crate::bits::{Value, at_bits};
+use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
+use crate::figure::Target;
 use crate::given;
+use crate::motion_plot::axis;
 use crate::note::{self, both};
 use crate::outputs::{DAMPING_RATIO, STATIC_FRICTION_RATIO, key};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
+use std::f64::consts::TAU;
 use std::io::Write;
+use std::path::Path;
 use stickslip::definitions::REST_POSITION;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input, Role};
-use stickslip::motion::FreeDecay;
+use stickslip::motion::{FreeDecay, Trajectory};
 use stickslip::{Drive, Excitation, Measure, Oscillator, Quantity};
+use stickslip_figures::{Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     at_bits!(args.bits, respond(args: &DecayArgs, out))
@@ -54,6 +59,9 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
         _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
     })?;
     let record = record(&decay, scales.as_ref(), &frictions).finite()?;
+    if let Some(file) = &args.out {
+        write_file(args, &decay, scales.as_ref(), file)?;
+    }
     match args.format {
         Format::Json => record.write_pretty(out),
         Format::Text => {
@@ -82,12 +90,121 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
             {
                 note::mean_displacement(mean, system, out)?;
             }
-            Ok(())
+            turning_points(&decay, scales.as_ref(), out)
         }
         Format::Jsonl | Format::Csv => {
             Err(Failure::Input("--format: the answer to decay is text or json".to_owned()))
         }
     }
+}
+
+/// The turning points that the answer lists.
+const LISTED: u64 = 12;
+/// The most turning points in a file.
+const MOST: u64 = 1_000_000;
+/// The most half cycles of a picture.
+const MOST_DRAWN: u64 = 2_000;
+
+/// The first turning points, a line each.
+fn turning_points<F: Value>(
+    decay: &FreeDecay<F>,
+    scales: Option<&DecayScales<F>>,
+    out: &mut impl Write,
+) -> Outcome {
+    if decay.turning_point(1).is_none() {
+        return Ok(());
+    }
+    let (length, time) = scales.map_or((F::int(1), F::int(1)), |s| (s.length, s.time));
+    let [when, far] = scales.map_or(["/ω_n", "B"], |s| ["s", s.system.length()]);
+    writeln!(out, "\n  {:>17}  {:>20}", "turning points at", "displacement")?;
+    for (t, x) in (0..LISTED).map_while(|n| decay.turning_point(n)) {
+        let (t, x) = (format!("{} {when}", digits(t * time)), format!("{} {far}", digits(x * length)));
+        writeln!(out, "  {t:>17}  {x:>20}")?;
+    }
+    if decay.turning_point(LISTED).is_some() {
+        writeln!(out, "  and so on: all of them are in --out FILE.csv")?;
+    }
+    Ok(())
+}
+
+/// The turning points as CSV, or the motion as a picture.
+fn write_file<F: Value>(
+    args: &DecayArgs,
+    decay: &FreeDecay<F>,
+    scales: Option<&DecayScales<F>>,
+    file: &Path,
+) -> Outcome {
+    let target = Target::new(Some(file), args.overwrite)?;
+    let of = |scale: Option<F>| scale.map_or(1.0, F::to_f64);
+    let (length, time) = (of(scales.map(|s| s.length)), of(scales.map(|s| s.time)));
+    let units = scales.map_or(["1/ω_n", "B"], |s| ["s", s.system.length()]);
+    let refused = |most: u64| {
+        let count = decay.half_cycles;
+        Failure::Input(format!("--out {}: {count} half cycles, must be ≤ {most}", file.display()))
+    };
+    let rows = |out: &mut dyn Write| -> Outcome {
+        if decay.half_cycles > MOST {
+            return Err(refused(MOST));
+        }
+        let mut writer = csv::Writer::from_writer(out);
+        writer.write_record([
+            "turn",
+            &format!("time[{}]", units[0]),
+            &format!("displacement[{}]", units[1]),
+        ])?;
+        for (n, (t, x)) in (0..).map_while(|n| Some((n, decay.turning_point(n)?))) {
+            let (t, x) = (t.to_f64() * time, x.to_f64() * length);
+            writer.write_record([n.to_string(), t.to_string(), x.to_string()])?;
+        }
+        Ok(writer.flush()?)
+    };
+    target.fill(&mut std::io::sink(), rows, || {
+        if decay.half_cycles > MOST_DRAWN {
+            return Err(refused(MOST_DRAWN));
+        }
+        drawn(decay, [time, length], units)
+    })
+}
+
+fn drawn<F: Value>(
+    decay: &FreeDecay<F>,
+    [time, length]: [f64; 2],
+    units: [&'static str; 2],
+) -> Result<Figure, Failure> {
+    const PER_CYCLE: u32 = 120;
+    let end = match decay.rest_time.to_f64() {
+        end if end.is_finite() => end + TAU / 2.0,
+        // A creep is drawn until it is near its limit.
+        _ => 10.0 * TAU,
+    };
+    let fail = |e: stickslip::Error| Failure::Input(format!("decay: {e}"));
+    let samples = Trajectory::from(*decay).samples(PER_CYCLE).map_err(fail)?;
+    let mut points = Vec::new();
+    for (i, sample) in samples.enumerate() {
+        let t = TAU * i as f64 / f64::from(PER_CYCLE);
+        if t > end {
+            break;
+        }
+        points.push((t * time, sample.map_err(fail)?.state.x.to_f64() * length));
+    }
+    let turns: Vec<(f64, f64)> = (0..)
+        .map_while(|n| decay.turning_point(n))
+        .map(|(t, x)| (t.to_f64() * time, x.to_f64() * length))
+        .collect();
+    let label = |name: &str, unit: &str| format!("{name} ({unit})");
+    let x = axis(&label("time", units[0]), points.iter().map(|p| p.0), 0.0);
+    let y = axis(&label("displacement", units[1]), points.iter().map(|p| p.1), 0.08);
+    let series = vec![
+        Series::new("displacement", Style::Line, 2, points),
+        Series::new("turning points", Style::Marks, 1, turns),
+    ];
+    let panel = Panel { title: String::new(), x, y, plane: None, series };
+    Ok(Figure {
+        name: "decay".to_owned(),
+        title: "Free vibration to rest".to_owned(),
+        caption: String::new(),
+        panels: vec![panel],
+    })
 }
 
 stickslip::define! {

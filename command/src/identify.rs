@@ -1,5 +1,7 @@
 //! `stickslip identify`: friction and damping from a measured response curve.
 
+mod decay;
+
 use crate::args::{Format, IdentifyArgs};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
@@ -28,6 +30,9 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     }
     let reader = args.units.reader();
     let given = given::read::<f64>(&args.machine, &reader)?;
+    if args.decay {
+        return decay::run(args, &given, &reader, out);
+    }
     let body = body(&given)?;
     let force = force(&given, &body)?;
     let name = args.file.display().to_string();
@@ -87,8 +92,8 @@ impl MeasuredColumn {
         header: &StringRecord,
         file: &str,
         reader: &Reader,
+        known: [(&'static str, Kind); 3],
     ) -> Result<([Option<Self>; 3], Vec<String>), Failure> {
-        let known = [("frequency", Kind::Frequency), ("amplitude", Kind::Length), ("phase", Kind::Angle)];
         let (mut found, mut others) = ([None, None, None], Vec::new());
         for (place, text) in header.iter().enumerate() {
             let (own, unit) = name_and_unit(text);
@@ -152,7 +157,8 @@ impl Measured {
         let source = Bounded { source: rows::open(file, name)?, ahead: &ahead };
         let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
         let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
-        let ([frequency, amplitude, phase], others) = MeasuredColumn::all(&header, name, reader)?;
+        let known = [("frequency", Kind::Frequency), ("amplitude", Kind::Length), ("phase", Kind::Angle)];
+        let ([frequency, amplitude, phase], others) = MeasuredColumn::all(&header, name, reader, known)?;
         let due = |column: Option<MeasuredColumn>, which: &str| {
             column.ok_or_else(|| {
                 let found = header.iter().collect::<Vec<_>>().join(",");
@@ -311,6 +317,14 @@ impl IdentifyAnswer {
     }
 }
 
+/// An estimate with its interval.
+fn estimate_line(name: &str, found: &EstimateRecord, out: &mut impl Write) -> Outcome {
+    let unit = if found.unit == "1" { String::new() } else { format!(" {}", found.unit) };
+    let (low, high) = found.interval_95;
+    let (value, low, high) = (digits(found.value), digits(low), digits(high));
+    Ok(writeln!(out, "  {name:<19} {value}{unit}  (95 %: {low} to {high}{unit})")?)
+}
+
 fn of_phase(kind: PhaseKind) -> &'static str {
     match kind {
         PhaseKind::Peak => "ω_d t of the maximum displacement under p₀ sin ω_d t",
@@ -334,10 +348,7 @@ fn text(
         ("damping ratio ζ", &answer.damping_ratio),
         ("damping constant c", &answer.damping),
     ] {
-        let unit = if found.unit == "1" { String::new() } else { format!(" {}", found.unit) };
-        let (low, high) = found.interval_95;
-        let (value, low, high) = (digits(found.value), digits(low), digits(high));
-        writeln!(out, "  {name:<19} {value}{unit}  (95 %: {low} to {high}{unit})")?;
+        estimate_line(name, found, out)?;
     }
     let noise = digits(100.0 * answer.noise);
     writeln!(out, "  noise               {noise} %, relative error of one amplitude")?;

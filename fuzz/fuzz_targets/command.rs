@@ -64,11 +64,16 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
             redirect(&mut args.output, content);
             border::run(args, out)
         }
-        Command::Decay(args) => decay::run(args, out),
+        Command::Decay(args) => {
+            args.out = None;
+            decay::run(args, out)
+        }
         // Bands, whose number is not bounded, and searches take long.
         Command::Design(Question::Bands(_) | Question::Dissipation(_) | Question::Stiffness(_)) => {
             return None;
         }
+        // A friction over a band, too, whose pictures would be files.
+        Command::Design(Question::Friction(args)) if args.over.is_some() => return None,
         Command::Design(question) => design::run(question, out),
         Command::Sweep(args) => {
             let omega = args.machine.text(Input::Omega).unwrap_or("0.5");

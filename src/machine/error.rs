@@ -167,6 +167,15 @@ pub enum Error {
         /// The number of measurements.
         count: usize,
     },
+    /// A measured free decay with too few turning points.
+    #[error("free decay: the number of turning points = {count} must be ≥ 4")]
+    DecayTooShort {
+        /// The number of turning points.
+        count: usize,
+    },
+    /// A measured free vibration that does not decay.
+    #[error("free decay: the amplitude must fall from one turning point to the next")]
+    NotADecay,
     /// A response curve from which friction and damping do not follow.
     #[error(
         "response curve: friction and damping do not follow from it. It must have several frequencies, some \
@@ -304,6 +313,8 @@ impl Error {
             | Self::SurfaceAtRest { .. }
             | Self::TooFewMeasurements { .. }
             | Self::NotIdentified
+            | Self::DecayTooShort { .. }
+            | Self::NotADecay
             | Self::InSample { .. }
             | Self::TooFewSamples { .. }
             | Self::RecordOf { .. }

@@ -124,6 +124,22 @@ impl<F: Float> FreeDecay<F> {
         Ok(found)
     }
 
+    /// The time in 1/ω_n and the displacement x/B of the nth turning point, from 0 on; the start is one where it has no
+    /// velocity, and the last is where the body rests. `None` after it, and in a creep.
+    pub fn turning_point(&self, n: u64) -> Option<(F, F)> {
+        let (one, turns) = (F::int(1), F::from_f64(n as f64));
+        if turns > self.turns || !self.first_time.is_finite() {
+            return None;
+        }
+        if n == 0 {
+            return Some((self.first_time, self.first_turn));
+        }
+        let half = F::pi() / ((one - self.zeta) * (one + self.zeta)).sqrt();
+        let (left, is_opposite) = (self.left_after(turns), (n % 2 == 1) != (self.first_turn < F::int(0)));
+        let x = F::int(0) + if is_opposite { -left } else { left };
+        (self.zeta < one).then(|| (self.first_time + turns * half, x))
+    }
+
     /// Where and when a body with a velocity turns first.
     fn turning(&self) -> (F, F) {
         let (one, two) = (F::int(1), F::int(2));

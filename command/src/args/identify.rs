@@ -11,7 +11,12 @@ The file has the columns frequency and amplitude, and optionally phase. The head
 frequency[Hz],amplitude[mm],phase[deg]. Motion with stops counts, too. Wrong values do not move the answer: they are
 left out and named.
 
+With --decay the file is a free vibration that comes to rest: its peaks, in the column peak[mm], or the sampled
+displacement, in the columns time[s] and displacement[mm]. The answer is a displacement r_y/k, and a force with the
+stiffness, or with the mass where the frequency is known.
+
 Examples:
+  stickslip identify --decay peaks.csv --stiffness 12kN/m
   stickslip identify curve.csv --mass 800kg --period 2.2s --base-acceleration 0.15g
   stickslip identify curve.csv --mass 800kg --period 2.2s --force 1.2kN --amplitude rms --phase transfer-function
   stickslip identify curve.csv --mass 50t --stiffness 1kN/mm --force 12kN --units kN,mm --format json";
@@ -54,7 +59,7 @@ impl From<PhaseArg> for PhaseKind {
 
 #[derive(Debug, Args)]
 pub(crate) struct IdentifyArgs {
-    /// CSV of a measured response curve, - for standard input
+    /// CSV of a measured response curve, or of a free decay, - for standard input
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     #[command(flatten)]
@@ -67,6 +72,13 @@ pub(crate) struct IdentifyArgs {
     /// fits best]
     #[arg(long, value_enum, value_name = "KIND", hide_possible_values = true)]
     pub(crate) phase: Option<PhaseArg>,
+    /// The file is a free decay: columns time and displacement, or peak and optionally time. No machine is needed
+    #[arg(long)]
+    pub(crate) decay: bool,
+    /// With --decay: the peaks are those of both sides without their signs. Otherwise peaks of one sign are one in every
+    /// cycle, and peaks whose signs alternate one in every half cycle
+    #[arg(long, requires = "decay")]
+    pub(crate) half_cycles: bool,
     /// text or json
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,

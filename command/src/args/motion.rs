@@ -2,6 +2,7 @@
 
 use super::{BodyArgs, Format, MachineArgs, OutputArgs, StartArgs, UnitArgs};
 use clap::Args;
+use std::path::PathBuf;
 
 pub(crate) const STEADY_EXAMPLES: &str = "\
 Examples:
@@ -73,6 +74,12 @@ pub(crate) struct DecayArgs {
     /// Velocity at the start: in units of B ω_n, or of length per time
     #[arg(long, value_name = "V", allow_hyphen_values = true, default_value = "0")]
     pub(crate) v0: String,
+    /// The motion as a picture in FILE.svg or FILE.png, its turning points in FILE.csv
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace a file that exists
+    #[arg(long, requires = "out")]
+    pub(crate) overwrite: bool,
     /// text or json
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,

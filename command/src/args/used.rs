@@ -59,6 +59,8 @@ const USED: &[(&str, Mode, &str)] = &[
         Machine,
         "file mass SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement amplitude phase format units",
     ),
+    ("identify", Ratios, "file decay half_cycles format units"),
+    ("identify", Machine, "file decay half_cycles mass SPRING gravity format units"),
     (
         "record",
         Machine,
@@ -69,8 +71,8 @@ const USED: &[(&str, Mode, &str)] = &[
         Machine,
         "files BODY STATIC mean-force no_spring slope one_way time_step scale from to units format out resume shard header no_header picture overwrite",
     ),
-    ("decay", Ratios, "FRICTIONS x0 v0 format bits"),
-    ("decay", Machine, "BODY STATIC mean-force x0 v0 format bits units"),
+    ("decay", Ratios, "FRICTIONS x0 v0 out overwrite format bits"),
+    ("decay", Machine, "BODY STATIC mean-force x0 v0 out overwrite format bits units"),
     ("design force", Ratios, "omega FRICTIONS no_stop format bits"),
     ("design force", Machine, "BODY STATIC frequency no_stop format bits units"),
     ("design friction", Ratios, "omega FRICTIONS format bits"),
@@ -149,7 +151,9 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     };
     let is_machine = given.iter().filter_map(|option| Input::named(option)).any(Input::is_physical);
     let fits = |mode: Mode| given.contains(&"points") == (mode == Points) && (mode != Machine || is_machine);
-    let modes = USED.iter().filter(|(name, mode, _)| *name == command && fits(*mode));
+    // The file of a free decay asks another question than a response curve.
+    let is_asked = |used: &'static str| options(used).contains(&"decay") == given.contains(&"decay");
+    let modes = USED.iter().filter(|(name, mode, used)| *name == command && fits(*mode) && is_asked(used));
     let Some((_, mode, used)) = modes.min_by_key(|(_, _, used)| unused(used).len()) else { return Ok(()) };
     if let Some(id) = unused(used).first() {
         return Err(Failure::Input(format!(

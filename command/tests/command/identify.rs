@@ -180,3 +180,89 @@ fn endless_input_is_refused() {
     #[cfg(unix)]
     refused(&format!("identify /dev/zero {MACHINE}"), &["/dev/zero", "must be ≤ 262144"]);
 }
+
+/// A decay by its peaks and by its samples: the numbers of the body that made them, as a force with the spring or with
+/// the mass.
+#[test]
+fn a_free_decay_gives_friction_and_damping() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let place = folder.path().join(name);
+        std::fs::write(&place, text).unwrap();
+        place.display().to_string()
+    };
+    let decay =
+        "decay --mass 30kg --stiffness 12kN/m --friction 16N --damping-ratio 1% --x0 40mm --units N,mm";
+    let turns = folder.path().join("turns.csv");
+    stdout(&format!("{decay} --out {}", turns.display()));
+    let text = std::fs::read_to_string(&turns).unwrap();
+    assert!(text.starts_with("turn,time[s],displacement[mm]\n0,0,40"), "{text}");
+    // The last turning point is the rest.
+    let lines: Vec<&str> = text.lines().collect();
+    let moving = lines[..lines.len() - 1].join("\n").replace("displacement", "peak");
+    let found = json(&format!("identify --decay {} --mass 30kg --format json", write("p.csv", &moving)));
+    let of = |key: &str| found[key]["value"].as_f64().unwrap();
+    for (key, due) in [
+        ("friction", 16.0),
+        ("friction_coefficient", 16.0 / (30.0 * 9.80665)),
+        ("damping_ratio", 0.01),
+        ("natural_frequency", 20.0 / TAU),
+        ("friction_displacement", 0.016 / 12.0),
+    ] {
+        assert!((of(key) / due - 1.0).abs() < 1e-6, "{key}: {found}");
+    }
+    // One side alone, and the other without signs.
+    let text = "peak[mm]\n40\n33.1\n26.5\n20.2\n14.1\n";
+    let peaks = write("peaks.csv", text);
+    let answer = stdout(&format!("identify --decay {peaks} --stiffness 12kN/m"));
+    assert!(answer.contains("friction bound r_y") && !answer.contains("With --stiffness"), "{answer}");
+    let every = json(&format!("identify --decay {peaks} --half-cycles --format json"));
+    let alone = json(&format!("identify --decay {peaks} --format json"));
+    let friction = |found: &serde_json::Value| found["friction_displacement"]["value"].as_f64().unwrap();
+    assert!((friction(&every) / friction(&alone) - 2.0).abs() < 0.05, "{every} {alone}");
+    // Samples of an undamped body, every millisecond, with a zero of their own.
+    let mut samples = String::from("time[s],displacement[mm]\n");
+    for i in 0..3000 {
+        let t = f64::from(i) * 1e-3;
+        let n = (t / (TAU / 40.0)).floor();
+        let turn = (-1f64).powf(n) * (40.0 - 4.0 * n);
+        let (middle, angle) = (2f64.copysign(turn), 20.0 * t - n * TAU / 2.0);
+        let x = if n < 10.0 { middle + (turn - middle) * angle.cos() } else { 0.0 };
+        writeln!(samples, "{t},{}", 5.0 + x).unwrap();
+    }
+    let found = json(&format!(
+        "identify --decay {} --mass 30kg --units N,mm --format json",
+        write("s.csv", &samples)
+    ));
+    assert!((found["friction"]["value"].as_f64().unwrap() / 24.0 - 1.0).abs() < 1e-3, "{found}");
+    assert!(found["damping_ratio"]["value"].as_f64().unwrap() < 1e-4, "{found}");
+    for (text, parts) in [
+        ("40\n33\n26\n20\n", ["column peak or displacement", "“40”"]),
+        ("peak[mm]\n40\n33\n26\n", ["the number of turning points = 3", "≥ 4"]),
+        ("peak[mm]\n40\n33\nx\n20\n", ["line 4", "peak x"]),
+        ("peak[mm]\n10\n20\n30\n40\n", ["line 3", "must fall"]),
+        ("peak[s]\n10\n20\n30\n40\n", ["column peak", "a length"]),
+        ("displacement[mm]\n1\n2\n", ["column time is missing", "displacement"]),
+        ("time[s],displacement[mm],peak[mm]\n1,2,3\n", ["one of the columns", "peak or displacement"]),
+        ("time[s],displacement[mm]\n0,1\n0,2\n", ["line 3", "time step"]),
+    ] {
+        refused(&format!("identify --decay {}", write("wrong.csv", text)), &parts);
+    }
+    refused("identify --decay missing.csv", &["missing.csv"]);
+    refused(&format!("identify --half-cycles {peaks}"), &["--decay"]);
+    refused(&format!("identify --decay {peaks} --force 3N"), &["--force 3N", "does not use it"]);
+}
+
+/// A decay draws itself, and lists its turning points.
+#[test]
+fn a_decay_lists_its_turning_points_and_draws_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let answer = stdout(&format!("decay --x0 4.5 --out {}", file("a.svg")));
+    assert!(answer.contains("turning points at") && answer.contains("-2.5 B"), "{answer}");
+    assert!(std::fs::read_to_string(file("a.svg")).unwrap().contains("turning points"));
+    refused(&format!("decay --x0 4.5 --out {}", file("a.svg")), &["must not exist yet"]);
+    refused(&format!("decay --x0 1e9 --out {}", file("b.svg")), &["500000000 half cycles", "≤ 2000"]);
+    refused(&format!("decay --x0 4.5 --out {}", file("c.txt")), &[".svg"]);
+    assert!(!stdout("decay --x0 0.5").contains("turning points at"));
+}

@@ -171,3 +171,31 @@ fn half_cycles_beyond_counting_are_an_error() {
     assert_eq!(FreeDecay::new(1e4f32, 0.0, 0.0, 1.0).unwrap().half_cycles, 5000);
     assert!(FreeDecay::new(1e9f32, 0.0, 0.0, 1.0).is_err());
 }
+
+/// The turning points are those of the motion segment by segment.
+#[test]
+fn turning_points_are_those_of_the_motion() {
+    for (x, v, zeta, eta) in
+        [(12.3, 0.0, 0.0, 1.0), (12.3, -4.0, 0.03, 1.0), (-7.7, 2.0, 0.1, 1.4), (30.0, 9.0, 0.0, 2.0)]
+    {
+        let decay = FreeDecay::new(x, v, zeta, eta).unwrap();
+        let slides = Trajectory::from(decay).map(Result::unwrap).take_while(|s| s.duration().is_some());
+        let mut time = 0.0;
+        let mut ends: Vec<(f64, f64)> = slides
+            .map(|s| {
+                time += s.duration().unwrap();
+                (time, s.end().unwrap().x)
+            })
+            .collect();
+        if v == 0.0 {
+            ends.insert(0, (0.0, x));
+        }
+        let found: Vec<_> = (0..).map_while(|n| decay.turning_point(n)).collect();
+        assert_eq!(found.len(), ends.len(), "{x} {v} {zeta}");
+        for (a, b) in found.iter().zip(&ends) {
+            assert!((a.0 - b.0).abs() < 1e-12 * (1.0 + b.0) && (a.1 - b.1).abs() < 1e-12, "{a:?} {b:?}");
+        }
+        assert_eq!(found.last().unwrap().1, decay.rest_position);
+    }
+    assert_eq!(FreeDecay::new(3.0, 1.0, 2.0, 1.0).unwrap().turning_point(1), None);
+}
