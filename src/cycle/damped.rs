@@ -112,7 +112,8 @@ impl<F: Float> DampedCycle<F> {
         match self.multipliers() {
             MultiplierPair::Complex { .. } => {
                 let inverse = one / self.deceleration();
-                half.decay * ((one - inverse) / (one + inverse)).sqrt()
+                // On the border R is 1 but for rounding.
+                half.decay * ((one - inverse).or_larger(F::int(0)) / (one + inverse)).sqrt()
             }
             MultiplierPair::Real(larger, _) => larger.abs(),
         }

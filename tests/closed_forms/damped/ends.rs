@@ -132,3 +132,12 @@ fn sensitivities_with_damping_are_those_of_differences() {
         }
     }
 }
+
+/// On the border the deceleration at the maximum is that of friction but for rounding: the contraction is a number
+/// there.
+#[test]
+fn the_contraction_on_the_border_is_a_number() {
+    let ratios = super::ratios(0.001_999_999_999_957_319, 0.472_574_926_607_863_93, 499_998.893_332_360_84);
+    let cycle = stickslip::Cycle::new(ratios).unwrap();
+    assert!((0.0..=1e-300).contains(&cycle.contraction()), "{}", cycle.contraction());
+}
