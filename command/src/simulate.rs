@@ -7,6 +7,7 @@ use crate::given;
 use crate::input;
 use crate::interrupt;
 use crate::machine::Machine;
+use crate::output::PendingFile;
 use crate::outputs::{DURATION, ENDS_BY, FRICTION, KIND, R, START_CYCLE, START_PHASE, START_V, START_X, key};
 use crate::physical::Physical;
 use crate::progress;
@@ -15,9 +16,10 @@ use crate::sink::Sink;
 use crate::steady::of_motion;
 use core::ops::ControlFlow;
 use indicatif::{ProgressBar, ProgressDrawTarget};
+use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
-use stickslip::inputs::units::Kind as Quantity;
+use stickslip::inputs::units::{Kind as Quantity, Reader};
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
@@ -28,38 +30,69 @@ pub(crate) fn run(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
-    let cycles = input::count("--cycles", &args.cycles, MOST_ROWS as u64)?;
+    let format = format(args)?;
+    match &args.out {
+        None => write::<F>(args, format, out),
+        Some(file) => {
+            let argument = format!("--out {}", file.display());
+            PendingFile::create(file, &argument, args.overwrite)?.fill(|out| write::<F>(args, format, out))
+        }
+    }
+}
+
+/// The format asked for, or that of the file's name.
+fn format(args: &SimulateArgs) -> Result<Format, Failure> {
+    let wrong = |text: String| Err(Failure::Input(text));
+    let end = args.out.as_deref().map(|file| file.extension().and_then(|end| end.to_str()).unwrap_or(""));
+    match (args.format, end) {
+        (Some(Format::Json), _) => wrong("--format: must be text, jsonl or csv with simulate".to_owned()),
+        (Some(format), _) => Ok(format),
+        (None, None) => Ok(Format::Text),
+        (None, Some("csv")) => Ok(Format::Csv),
+        (None, Some("jsonl")) => Ok(Format::Jsonl),
+        (None, Some(_)) => {
+            let file = args.out.as_deref().map_or(String::new(), |file| file.display().to_string());
+            wrong(format!("--out {file}: the name must end in .csv or .jsonl, or --format be given"))
+        }
+    }
+}
+
+fn write<F: Value>(args: &SimulateArgs, format: Format, out: &mut impl Write) -> Outcome {
     let samples = args.samples.as_ref().map(|n| input::count("--samples", n, u64::from(u32::MAX)));
     let samples = samples.transpose()?;
-    let mut sink = match args.format {
-        Format::Text => Sink::table(out),
+    let mut sink = match format {
+        Format::Text | Format::Json => Sink::table(out),
         Format::Jsonl => Sink::lines(out),
         Format::Csv => Sink::rows(out, Header::Names),
-        Format::Json => {
-            return Err(Failure::Input("--format: must be text, jsonl or csv with simulate".to_owned()));
-        }
     };
     let reader = args.units.reader();
     let given = given::read::<F>(&args.machine, &reader)?;
     let point = input::point(&given)?;
-    refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
+    let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;
+    let cycles = extent.cycles();
+    let samples = samples.map_or_else(|| extent.rate.map(Spacing::Turns), |n| Some(Spacing::PerCycle(n)));
+    refuse_years(cycles, samples, point.ratios.omega().to_f64(), &extent)?;
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
     let machine = point.machine.as_ref();
-    let end = i64::try_from(cycles).unwrap_or(i64::MAX);
+    let is_within = |phase: DrivePhase<F>| extent.contains(phase);
     let mut clock = Clock::new(cycles);
     let outcome = match samples {
         None => stream(&mut sink, motion, |phase| {
-            let begins = phase.start().phase.cycles();
-            clock.tick(begins);
-            (begins < end).then(|| of_phase(&phase, machine))
+            let begins = phase.start().phase;
+            clock.tick(begins.cycles());
+            is_within(begins).then(|| of_phase(&phase, machine))
         }),
-        Some(n) => {
-            let mut samples = motion
-                .samples(u32::try_from(n).unwrap_or(u32::MAX))
-                .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?;
-            // One sample more than the cycles contain, so that the end is included.
-            let mut left = cycles.saturating_mul(n).saturating_add(1);
+        Some(spacing) => {
+            let mut samples = match spacing {
+                Spacing::PerCycle(n) => motion
+                    .samples(u32::try_from(n).unwrap_or(u32::MAX))
+                    .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?,
+                Spacing::Turns(turns) => {
+                    motion.samples_every(F::from_f64(turns)).map_err(|e| of_motion(&given, e))?
+                }
+            };
+            let mut left = extent.rows(spacing);
             let heard = || {
                 if interrupt::check().is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
             };
@@ -92,20 +125,92 @@ fn stream<F: Value, T>(
 
 /// Refuses a simulation that would take years. A slide is no longer than half a turn of the drive or of the
 /// body, so that a cycle has about 2 + 2/Ω slides.
-fn refuse_years(cycles: u64, samples: Option<u64>, omega: f64) -> Outcome {
+fn refuse_years(cycles: u64, samples: Option<Spacing>, omega: f64, extent: &Extent) -> Outcome {
     let slides = cycles as f64 * (2.0 + 2.0 / omega);
+    let typed = &extent.typed;
     let too_many = |argument: &str, count: f64, things: &str| {
         Err(Failure::Input(format!(
             "{argument}: about {count:.1e} {things} at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}"
         )))
     };
-    match samples.map(|n| (n, cycles as f64 * n as f64)) {
-        Some((n, rows)) if rows > MOST_ROWS => {
-            too_many(&format!("--cycles {cycles} --samples {n}"), rows, "rows")
+    match samples.map(|spacing| (spacing, extent.rows(spacing) as f64)) {
+        Some((Spacing::PerCycle(n), rows)) if rows > MOST_ROWS + 1.0 => {
+            too_many(&format!("{typed} --samples {n}"), rows - 1.0, "rows")
         }
-        None if slides > MOST_ROWS => too_many(&format!("--cycles {cycles}"), slides, "rows"),
-        Some(_) if slides > MOST_ROWS => too_many(&format!("--cycles {cycles}"), slides, "slides"),
+        Some((Spacing::Turns(_), rows)) if rows > MOST_ROWS + 1.0 => too_many(typed, rows, "rows"),
+        None if slides > MOST_ROWS => too_many(typed, slides, "rows"),
+        Some(_) if slides > MOST_ROWS => too_many(typed, slides, "slides"),
         Some(_) | None => Ok(()),
+    }
+}
+
+/// The distance of samples: so many in a cycle, or turns of the drive from one to the next.
+#[derive(Debug, Clone, Copy)]
+enum Spacing {
+    PerCycle(u64),
+    Turns(f64),
+}
+
+/// How far the motion is followed.
+struct Extent {
+    /// The turns of the drive.
+    turns: f64,
+    /// The arguments as typed.
+    typed: String,
+    /// The turns of the drive from one sample to the next, of a sampling rate.
+    rate: Option<f64>,
+}
+
+impl Extent {
+    fn new<F: Value>(
+        args: &SimulateArgs,
+        machine: Option<&Machine<F>>,
+        reader: &Reader,
+    ) -> Result<Self, Failure> {
+        // The used options make sure that there is a machine where times are given.
+        let per_time = machine.map_or(1.0, |m| 1.0 / m.scales.time.to_f64() / TAU);
+        let positive = |name: &str, text: &str, kind: Quantity| -> Result<f64, Failure> {
+            let value = reader.value::<f64>(name, text, kind)?;
+            if value > 0.0 && value.is_finite() {
+                return Ok(value);
+            }
+            Err(Failure::Input(format!("{name} {text}: must be > 0")))
+        };
+        let rate = args.rate.as_ref().map(|text| {
+            Ok::<f64, Failure>(per_time / (positive("--rate", text, Quantity::Frequency)? / TAU))
+        });
+        let (turns, typed) = match (&args.cycles, &args.duration) {
+            (_, Some(text)) => {
+                (positive("--duration", text, Quantity::Time)? * per_time, format!("--duration {text}"))
+            }
+            (cycles, None) => {
+                let text = cycles.as_deref().unwrap_or("1");
+                let cycles = input::count("--cycles", text, MOST_ROWS as u64)?;
+                (cycles as f64, format!("--cycles {cycles}"))
+            }
+        };
+        let typed = args.rate.as_ref().map_or(typed.clone(), |rate| format!("{typed} --rate {rate}"));
+        Ok(Self { turns, typed, rate: rate.transpose()? })
+    }
+
+    /// Whole cycles, the last one begun.
+    fn cycles(&self) -> u64 {
+        self.turns.ceil() as u64
+    }
+
+    /// The number of samples; the end is included.
+    fn rows(&self, spacing: Spacing) -> u64 {
+        let per_turn = match spacing {
+            Spacing::PerCycle(n) => n as f64,
+            Spacing::Turns(turns) => 1.0 / turns,
+        };
+        // A count that is whole but for rounding is whole.
+        ((self.turns * per_turn * (1.0 + 4.0 * f64::EPSILON)).floor() as u64).saturating_add(1)
+    }
+
+    /// Whether a segment that begins at this phase is shown.
+    fn contains<F: Value>(&self, phase: DrivePhase<F>) -> bool {
+        phase.cycles() as f64 + phase.reduced().to_f64() / TAU < self.turns
     }
 }
 
@@ -203,12 +308,14 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
     let physical = machine.map_or_else(Physical::default, |machine| {
         let scales = &machine.scales;
         let friction = instant.friction * scales.force + scales.mean_friction;
+        let acceleration = scales.velocity / scales.time;
         Physical::beside(
             machine.system,
             vec![
                 ("time", Quantity::Time, number(time(state.phase, machine))),
                 ("displacement", Quantity::Length, number(state.x * scales.length)),
                 ("velocity", Quantity::Velocity, number(state.v * scales.velocity)),
+                ("acceleration", Quantity::Acceleration, number(instant.acceleration * acceleration)),
                 ("friction_force", Quantity::Force, number(friction)),
             ],
         )
@@ -218,7 +325,7 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
 
 #[cfg(test)]
 mod tests {
-    use super::refuse_years;
+    use super::{Extent, Spacing, refuse_years};
 
     /// The limit is ten thousand million rows or slides; a cycle has 2 + 2/Ω slides.
     #[test]
@@ -235,7 +342,10 @@ mod tests {
             (2_500_000_001, Some(1), 1.0, Some("slides")),
             (2_500_000_000, Some(1), 1.0, None),
         ] {
-            let found = refuse_years(cycles, samples, omega).err().map(|failure| failure.to_string());
+            let extent = Extent { turns: cycles as f64, typed: String::new(), rate: None };
+            let spacing = samples.map(Spacing::PerCycle);
+            let found =
+                refuse_years(cycles, spacing, omega, &extent).err().map(|failure| failure.to_string());
             match words {
                 None => assert!(found.is_none(), "{cycles} {samples:?} {omega}: {found:?}"),
                 Some(words) => {

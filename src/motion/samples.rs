@@ -4,10 +4,12 @@ use super::drive::DrivePhase;
 use super::state::Instant;
 use super::trajectory::{Segment, Trajectory};
 use crate::float::Float;
+use crate::float::pair::Pair;
 use crate::machine::error::{Error, Quantity, written};
 use core::ops::ControlFlow;
 
-/// The motion at the phases `θ = 2πk/n`, k counted up from the first that is not before the start.
+/// The motion at the phases `θ = 2πk/n`, or at those of a sampling rate ([`Trajectory::samples_every`]), k counted up
+/// from the first that is not before the start.
 ///
 /// Each phase is computed from its integers k and n, never by adding up steps, so that the millionth cycle is
 /// sampled as accurately as the first. The iterator is endless, also for a body that rests permanently; it
@@ -16,9 +18,32 @@ use core::ops::ControlFlow;
 pub struct Samples<F> {
     trajectory: Trajectory<F>,
     current: Option<Segment<F>>,
-    /// The next sample: its cycle, and its number in the cycle.
-    at: (i64, u32),
-    per_cycle: u32,
+    place: Place<F>,
+}
+
+/// The next sample.
+#[derive(Debug, Clone, Copy)]
+enum Place<F> {
+    /// Its cycle, its number in the cycle, and the number of samples in a cycle.
+    OfCycle((i64, u32), u32),
+    /// Its number k, and the turns of the drive from one sample to the next.
+    Every(u64, F),
+}
+
+impl<F: Float> Place<F> {
+    fn phase(&self) -> DrivePhase<F> {
+        match *self {
+            Self::OfCycle(at, per_cycle) => grid(at, per_cycle),
+            Self::Every(k, turns) => multiple(k, turns),
+        }
+    }
+
+    fn after(&self) -> Self {
+        match *self {
+            Self::OfCycle(at, per_cycle) => Self::OfCycle(after(at, per_cycle), per_cycle),
+            Self::Every(k, turns) => Self::Every(k.saturating_add(1), turns),
+        }
+    }
 }
 
 impl<F: Float> Trajectory<F> {
@@ -44,8 +69,38 @@ impl<F: Float> Trajectory<F> {
                 at = after(at, per_cycle);
             }
         }
-        Ok(Samples { trajectory: self, current, at, per_cycle })
+        Ok(Samples { trajectory: self, current, place: Place::OfCycle(at, per_cycle) })
     }
+
+    /// Samples of the motion at the phases `2πk turns` from 0 on, `turns` being the turns of the drive from one sample
+    /// to the next, f_d/rate at a sampling rate. The first is at the start or after it.
+    ///
+    /// The phase of sample k has the rounding of `turns` k times, and no other.
+    ///
+    /// # Errors
+    /// Where `turns` is not finite or not > 0, and as for the first item of the trajectory.
+    pub fn samples_every(mut self, turns: F) -> Result<Samples<F>, Error> {
+        let turns = crate::machine::ratios::positive(Quantity::SamplesPerCycle, turns)?;
+        let current = self.next().transpose()?;
+        let mut place = Place::Every(0, turns);
+        if let Some(phase) = &current {
+            let start = phase.start().phase;
+            let passed = F::from_f64(start.cycles() as f64) / turns - F::int(2);
+            // The cast of a float to an integer saturates.
+            place = Place::Every(passed.to_f64() as u64, turns);
+            while place.phase().since(start) < F::int(0) {
+                place = place.after();
+            }
+        }
+        Ok(Samples { trajectory: self, current, place })
+    }
+}
+
+/// The phase 2πk turns: the product exactly, less its nearest half turn.
+fn multiple<F: Float>(k: u64, turns: F) -> DrivePhase<F> {
+    let Pair { hi, lo } = Pair::two_prod(F::from_f64(k as f64) * F::int(2), turns);
+    let half_turn = hi.round();
+    DrivePhase::of_half_turn(half_turn.to_f64() as i64, F::pi() * ((hi - half_turn) + lo))
 }
 
 /// The cycle and number of the sample after this one.
@@ -77,11 +132,11 @@ impl<F: Float> Samples<F> {
         &mut self,
         mut keep_going: impl FnMut() -> ControlFlow<()>,
     ) -> Option<Result<Instant<F>, Error>> {
-        let phase = grid(self.at, self.per_cycle);
+        let phase = self.place.phase();
         loop {
             let current = self.current?;
             if current.end().is_none_or(|end| phase.since(end.phase) <= F::int(0)) {
-                self.at = after(self.at, self.per_cycle);
+                self.place = self.place.after();
                 return Some(Ok(current.at(phase)));
             }
             if keep_going().is_break() {
@@ -176,6 +231,34 @@ mod tests {
             };
             assert_eq!(found, sample);
             assert!(asked == 0 || asked > 50, "{asked}");
+        }
+    }
+
+    /// A rate that is no multiple of the frequency: each sample is the motion at its own phase, far on, too.
+    #[test]
+    fn samples_at_a_rate_follow_the_phases() {
+        let motion = Trajectory::new(Ratios::new(0.6, 1.7).unwrap(), State::default()).unwrap();
+        let turns = 0.013_7;
+        for (k, sample) in motion.samples_every(turns).unwrap().take(3000).map(Result::unwrap).enumerate() {
+            let phase = sample.state.phase;
+            let theta = TAU * (turns * k as f64);
+            assert!((phase.half_turns() as f64 * PI + phase.angle() - theta).abs() < 1e-12 * (1.0 + theta));
+            let segment = motion.map(Result::unwrap).find(|s| s.end().unwrap().phase.since(phase) >= 0.0);
+            if k % 500 == 0 {
+                assert_eq!(segment.unwrap().at(phase), sample);
+            }
+        }
+        let same: Vec<_> = motion.samples_every(1.0 / 64.0).unwrap().take(200).map(Result::unwrap).collect();
+        let due: Vec<_> = motion.samples(64).unwrap().take(200).map(Result::unwrap).collect();
+        assert_eq!(same, due);
+        let later =
+            Trajectory::new(Ratios::new(0.6, 1.7).unwrap(), State::new(100.0, 0.0, 0.0).unwrap()).unwrap();
+        let first = later.samples_every(0.3).unwrap().next().unwrap().unwrap();
+        assert!(
+            (0.0..=0.3 * TAU).contains(&first.state.phase.since(State::new(100.0, 0.0, 0.0).unwrap().phase))
+        );
+        for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(motion.samples_every(wrong).is_err());
         }
     }
 

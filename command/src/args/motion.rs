@@ -49,14 +49,26 @@ pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(crate) start: StartArgs,
     /// Cycles of the drive to follow
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
-    pub(crate) cycles: String,
+    #[arg(long, value_name = "N", allow_hyphen_values = true, required_unless_present = "duration")]
+    pub(crate) cycles: Option<String>,
+    /// Time to follow, such as 2s, in place of the cycles
+    #[arg(long, value_name = "T", allow_hyphen_values = true, conflicts_with = "cycles")]
+    pub(crate) duration: Option<String>,
     /// Evenly spaced samples per cycle, instead of segments
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(crate) samples: Option<String>,
-    /// text, jsonl or csv
-    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
-    pub(crate) format: Format,
+    /// Sampling rate, such as 1kHz, in place of the samples per cycle
+    #[arg(long, value_name = "F", allow_hyphen_values = true, conflicts_with = "samples")]
+    pub(crate) rate: Option<String>,
+    /// Output file, FILE.csv or FILE.jsonl [default: standard output]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace FILE if it exists
+    #[arg(long, requires = "out")]
+    pub(crate) overwrite: bool,
+    /// text, jsonl or csv [default: by the end of FILE's name, or text]
+    #[arg(long, value_enum, hide_possible_values = true)]
+    pub(crate) format: Option<Format>,
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,

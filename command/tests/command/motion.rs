@@ -283,3 +283,53 @@ fn the_work_of_a_damper_is_told_apart() {
     let without = stdout("steady --omega 2 --alpha 1.5");
     assert!(without.contains("work against friction") && !without.contains("damper"), "{without}");
 }
+
+/// A time history at a sampling rate, in a file whose header has units.
+#[test]
+fn a_time_history_has_a_rate_and_a_duration() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("history.csv");
+    let machine =
+        "--mass 50t --stiffness 1000kN/m --friction 5kN --frequency 1.3Hz --force 12kN --units kN,mm";
+    let run = format!("simulate {machine} --rate 1kHz --duration 2s");
+    stdout(&format!("{run} --out {}", file.display()));
+    let text = std::fs::read_to_string(&file).unwrap();
+    let (header, rows) = text.split_once('\n').unwrap();
+    assert!(header.contains("time[s],displacement[mm],velocity[mm/s],acceleration[mm/s^2]"), "{header}");
+    let column = |name: &str| header.split(',').position(|other| other.starts_with(name)).unwrap();
+    let rows: Vec<Vec<f64>> =
+        rows.lines().map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    let (time, x, v, a) =
+        (column("time["), column("displacement["), column("velocity["), column("acceleration["));
+    let friction = column("friction_force[");
+    assert_eq!(rows.len(), 2001);
+    for (i, row) in rows.iter().enumerate() {
+        assert!((row[time] - 1e-3 * i as f64).abs() < 1e-12, "{i}");
+        // The equation of motion in kN and mm: 50 t = 0.05 kN s²/mm, 1 kN/mm.
+        let force = 12.0 * (1.3 * std::f64::consts::TAU * row[time]).sin();
+        let balance = 0.05 * row[a] + row[x] + row[friction] - force;
+        assert!(balance.abs() < 1e-9, "{i}: {balance}");
+    }
+    // Velocities are the differences of displacements.
+    for pair in rows.windows(2) {
+        let slope = (pair[1][x] - pair[0][x]) / 1e-3;
+        assert!((slope - (pair[0][v] + pair[1][v]) / 2.0).abs() < 0.5, "{slope} {:?}", pair[0]);
+    }
+    refused(&format!("{run} --out {}", file.display()), &["must not exist yet"]);
+    let lines = folder.path().join("history.jsonl");
+    stdout(&format!("simulate {machine} --duration 2s --out {}", lines.display()));
+    let text = std::fs::read_to_string(&lines).unwrap();
+    assert!(text.lines().all(|line| line.contains("\"kind\"")) && text.lines().count() > 4, "{text}");
+    for (arguments, parts) in [
+        ("--rate 0Hz --cycles 1", ["--rate 0Hz", "> 0"]),
+        ("--duration -1s", ["--duration -1s", "> 0"]),
+        ("--duration 1s --cycles 2", ["--cycles", "--duration"]),
+        ("--cycles 2 --samples 3 --rate 1Hz", ["--samples", "--rate"]),
+        ("--duration 1e9s --rate 1kHz", ["--duration 1e9s --rate 1kHz", "rows"]),
+        ("--cycles 1 --out history.txt", ["--out history.txt", ".csv or .jsonl"]),
+        ("", ["--cycles", "not provided"]),
+    ] {
+        refused(&format!("simulate {machine} {arguments}"), &parts);
+    }
+    refused("simulate --omega 1.5 --alpha 3 --duration 1s", &["--duration 1s", "in ratios"]);
+}
