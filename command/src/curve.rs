@@ -23,9 +23,8 @@ use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Naming};
 use stickslip_figures::{Figure, Origin, resolved};
 
-/// The greatest number of curves in a picture: with the border, the resonance and the dashes, the key then
-/// has eight lines.
-const MOST_CURVES: u64 = 5;
+/// The greatest number of curves in a picture.
+const MOST_CURVES: u64 = 40;
 /// The greatest number of frequencies of a curve.
 const MOST_POINTS: u64 = 100_000;
 
@@ -76,6 +75,47 @@ pub(crate) struct AskedCurve {
     system: System,
     /// The unit of the axis in words, and its value in rad/s, or 1 for Ω.
     unit: (&'static str, f64),
+    look: Look,
+}
+
+/// The look of a picture, as far as it was chosen.
+#[derive(Default)]
+struct Look {
+    title: Option<String>,
+    size: Option<(u32, u32)>,
+    range: Option<(f64, f64)>,
+    is_linear: bool,
+}
+
+impl Look {
+    fn of(args: &CurveArgs) -> Result<Self, Failure> {
+        let pair = |name: &str, text: &str, between: char, such: &str| {
+            let parts = text.split_once(between);
+            let numbers = parts.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
+            numbers.ok_or_else(|| Failure::Input(format!("{name} {text}: must be {such}")))
+        };
+        let size = args.size.as_ref().map(|text| {
+            let (width, height): (f64, f64) =
+                pair("--size", text, 'x', "WIDTHxHEIGHT in pixels, such as 900x500")?;
+            // The conversion saturates, and a size beyond all use is refused.
+            Ok::<_, Failure>((width as u32, height as u32))
+        });
+        let range = args.y_range.as_ref().map(|text| {
+            let (low, high): (f64, f64) = pair("--y-range", text, ':', "LOW:HIGH, such as 0:0.02")?;
+            let least = if args.linear { f64::NEG_INFINITY } else { 0.0 };
+            if !(low < high && low.is_finite() && high.is_finite() && low > least) {
+                let bound = if args.linear { "LOW < HIGH" } else { "0 < LOW < HIGH, or --linear be given" };
+                return Err(Failure::Input(format!("--y-range {text}: must be {bound}")));
+            }
+            Ok((low, high))
+        });
+        Ok(Self {
+            title: args.title.clone(),
+            size: size.transpose()?,
+            range: range.transpose()?,
+            is_linear: args.linear,
+        })
+    }
 }
 
 /// The units of frequency that an axis may have, each with its value in rad/s. The first is that of bare numbers.
@@ -110,6 +150,7 @@ pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new(args.out.as_deref(), args.overwrite)?;
     let reader = args.units.reader();
     let asked = AskedCurve::new(args, &reader)?;
+    let target = target.sized(asked.look.size);
     let lines = asked.lines()?;
     target.fill(out, |mut out| asked.rows(&lines, &mut out), || asked.figure(&lines))
 }
@@ -171,7 +212,8 @@ impl AskedCurve {
             )));
         }
         let unit = if axis == Input::Frequency { unit } else { ("1", 1.0) };
-        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system(), unit })
+        let look = Look::of(args)?;
+        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system(), unit, look })
     }
 
     /// The curves of a machine with each of several frictions over a band LOW:HIGH.
@@ -187,7 +229,7 @@ impl AskedCurve {
         let texts = frictions.map(|friction| format!("{} {}", digits(friction), system.force())).to_vec();
         let other = Some((Input::Friction, Grid::List(frictions.to_vec()), texts));
         let (axis, unit) = (Input::Frequency, unit_in(over));
-        Ok(Self { what, axis, grid, other, given, system, unit })
+        Ok(Self { what, axis, grid, other, given, system, unit, look: Look::default() })
     }
 
     /// The picture.

@@ -88,6 +88,8 @@ pub(crate) struct Target<'a> {
     file: Option<&'a Path>,
     picture: Picture,
     overwrite: bool,
+    /// The width and the height of a picture in pixels.
+    size: Option<(u32, u32)>,
 }
 
 impl<'a> Target<'a> {
@@ -97,7 +99,12 @@ impl<'a> Target<'a> {
         if let Some(file) = file {
             output::refuse_existing(file, &format!("--out {}", file.display()), overwrite)?;
         }
-        Ok(Self { file, picture, overwrite })
+        Ok(Self { file, picture, overwrite, size: None })
+    }
+
+    /// The same with a picture of a given size.
+    pub(crate) fn sized(self, size: Option<(u32, u32)>) -> Self {
+        Self { size, ..self }
     }
 
     /// Writes the rows, or draws the picture.
@@ -110,7 +117,7 @@ impl<'a> Target<'a> {
         let Some(file) = self.file else { return rows(out) };
         beside(file, self.overwrite)?.fill(|out| match self.picture {
             Picture::Csv => rows(out),
-            Picture::Svg | Picture::Png => write(&drawn()?, self.picture, out),
+            Picture::Svg | Picture::Png => write_sized(&drawn()?, self.picture, self.size, out),
         })
     }
 }
@@ -121,10 +128,22 @@ pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<PendingFile, Failur
 }
 
 pub(crate) fn write(figure: &Figure, picture: Picture, out: &mut impl Write) -> Outcome {
+    write_sized(figure, picture, None, out)
+}
+
+/// The same with a width and a height in pixels.
+fn write_sized(figure: &Figure, picture: Picture, size: Option<(u32, u32)>, out: &mut impl Write) -> Outcome {
+    let svg = || size.map_or_else(|| figure.svg(), |size| figure.svg_of_size(size));
     match picture {
-        Picture::Svg => out.write_all(figure.svg()?.as_bytes())?,
+        Picture::Svg => {
+            let text = svg().map_err(|e| Failure::Input(format!("--size: {e}")))?;
+            out.write_all(text.as_bytes())?;
+        }
         #[cfg(feature = "png")]
-        Picture::Png => out.write_all(&figure.png(WIDTH)?)?,
+        Picture::Png => {
+            let image = size.map_or_else(|| figure.png(WIDTH), |size| figure.png_of_size(size));
+            out.write_all(&image.map_err(|e| Failure::Input(format!("--size: {e}")))?)?;
+        }
         #[cfg(not(feature = "png"))]
         Picture::Png => check(picture, "png")?,
         Picture::Csv => figure.write_csv(out)?,

@@ -35,8 +35,15 @@ pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub(super) type Drawn = Result<(), DrawingAreaErrorKind<io::Error>>;
 
 /// The drawing of a figure.
-pub(super) fn svg(figure: &Figure) -> io::Result<String> {
+pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
     let layout = Layout::of(figure);
+    let layout = size.map_or(Some(layout), |size| layout.fitted(size));
+    let layout = layout.ok_or_else(|| {
+        let text = format!(
+            "a size must leave each plot {LEAST} pixels or more beside the texts, and be at most {MOST}"
+        );
+        io::Error::new(io::ErrorKind::InvalidInput, text)
+    })?;
     let (width, height) = layout.size();
     let mut text = String::new();
     {
@@ -67,7 +74,13 @@ const BELOW: i32 = 62;
 /// Margin to the right of the legend.
 const RIGHT: i32 = 24;
 
+/// The least width and height of a plot.
+const LEAST: i32 = 120;
+/// The greatest width and height of a figure.
+const MOST: i32 = 10_000;
+
 /// Sizes in pixels.
+#[derive(Clone, Copy)]
 pub(super) struct Layout {
     /// Width and height of a plot.
     plot: (i32, i32),
@@ -86,6 +99,17 @@ impl Layout {
             2 => Self { plot: (430, 400), columns: 2, panels, legend },
             _ => Self { plot: (400, 250), columns: 2, panels, legend },
         }
+    }
+
+    /// The layout of a figure of a given size in pixels; `None` where the plots would have no room.
+    fn fitted(self, (width, height): (u32, u32)) -> Option<Self> {
+        let (own, given) = (self.size(), (i32::try_from(width).ok()?, i32::try_from(height).ok()?));
+        if given.0 > MOST || given.1 > MOST {
+            return None;
+        }
+        let rows = (self.panels + self.columns - 1) / self.columns;
+        let plot = (self.plot.0 + (given.0 - own.0) / self.columns, self.plot.1 + (given.1 - own.1) / rows);
+        (plot.0 >= LEAST && plot.1 >= LEAST).then_some(Self { plot, ..self })
     }
 
     fn step(&self) -> (i32, i32) {

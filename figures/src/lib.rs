@@ -274,7 +274,15 @@ impl Figure {
     ///
     /// Errors of the drawing library, none of which are known to occur.
     pub fn svg(&self) -> io::Result<String> {
-        draw::svg(self)
+        draw::svg(self, None)
+    }
+
+    /// The same with a width and a height in pixels.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::InvalidInput`] where the plots would have no room, or the size is beyond all use.
+    pub fn svg_of_size(&self, size: (u32, u32)) -> io::Result<String> {
+        draw::svg(self, Some(size))
     }
 
     /// The drawing as PNG, `width` pixels wide, in DejaVu Sans.
@@ -284,6 +292,15 @@ impl Figure {
     #[cfg(feature = "png")]
     pub fn png(&self, width: u32) -> io::Result<Vec<u8>> {
         draw::png(&self.svg()?, width)
+    }
+
+    /// The same with a width and a height in pixels, twice as many of which the image has.
+    ///
+    /// # Errors
+    /// As [`Figure::svg_of_size`].
+    #[cfg(feature = "png")]
+    pub fn png_of_size(&self, size: (u32, u32)) -> io::Result<Vec<u8>> {
+        draw::png(&self.svg_of_size(size)?, size.0.saturating_mul(2))
     }
 }
 

@@ -57,6 +57,18 @@ pub(crate) struct CurveArgs {
     /// Replace FILE if it exists
     #[arg(long)]
     pub(crate) overwrite: bool,
+    /// The title of the picture
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
+    /// The size of the picture in pixels, such as 900x500
+    #[arg(long, value_name = "WIDTHxHEIGHT")]
+    pub(crate) size: Option<String>,
+    /// The vertical range of the picture, in the unit of the answer [default: all values]
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) y_range: Option<String>,
+    /// A linear vertical axis in place of a logarithmic one
+    #[arg(long)]
+    pub(crate) linear: bool,
 }
 
 #[derive(Debug, Args)]

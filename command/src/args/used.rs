@@ -50,8 +50,12 @@ const USED: &[(&str, Mode, &str)] = &[
     ("sweep", Machine, "question SHIFTED units outputs format out resume shard header no_header bits"),
     ("map", Ratios, "quantity RATIOS out overwrite"),
     ("map", Machine, "quantity DRIVEN units out overwrite"),
-    ("response-curve", Ratios, "what omega alpha damping-ratio out overwrite"),
-    ("response-curve", Machine, "what omega alpha BODY frequency DRIVE units out overwrite"),
+    ("response-curve", Ratios, "what omega alpha damping-ratio out overwrite title size y_range linear"),
+    (
+        "response-curve",
+        Machine,
+        "what omega alpha BODY frequency DRIVE units out overwrite title size y_range linear",
+    ),
     ("motion-plot", Ratios, "RATIOS x0 v0 out overwrite"),
     ("motion-plot", Machine, "DRIVEN x0 v0 units out overwrite"),
     (

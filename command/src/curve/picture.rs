@@ -37,9 +37,19 @@ impl AskedCurve {
         } else {
             Axis::linear(name, left, right)
         };
-        let range = VerticalRange::of(lines, self.grid.is_logarithmic());
+        let all = VerticalRange::of(lines, self.grid.is_logarithmic());
+        let range = match self.look.range {
+            Some((low, high)) => VerticalRange { low, high, cut_below: false, cut_above: false },
+            // A linear axis begins at 0.
+            None if self.look.is_linear => VerticalRange { low: 0.0, cut_below: false, ..all },
+            None => all,
+        };
         let (low, high) = (range.low, range.high);
-        let y = Axis::logarithmic(&self.label(), low, high);
+        let y = if self.look.is_linear {
+            Axis::linear(&self.label(), low, high)
+        } else {
+            Axis::logarithmic(&self.label(), low, high)
+        };
         let mut series = Vec::new();
         let naturals: Vec<f64> = lines.iter().map(|line| line.natural).collect();
         let one = naturals.windows(2).all(|pair| matches!(pair, [a, b] if (a / b - 1.0).abs() < 1e-9));
@@ -51,7 +61,9 @@ impl AskedCurve {
                 [(natural, low), (natural, high)],
             ));
         }
-        for (line, index) in lines.iter().zip(INDICES) {
+        // After the last colour the first one again, with another mark.
+        let rounds = (0..).flat_map(|round| INDICES.map(|index| index + 7 * round));
+        for (line, index) in lines.iter().zip(rounds) {
             let own = line.places.iter().map(|place| (place.frequency, place.height(), place.sticks));
             let met = line.border.iter().map(|&(frequency, value)| (frequency, value, false));
             let mut points: Vec<(f64, f64, bool)> = own.chain(met).collect();
@@ -116,6 +128,7 @@ impl AskedCurve {
             (true, false) => format!(", cut off below {}", digits(low)),
             (true, true) => format!(", cut off below {} and at {}", digits(low), digits(high)),
         });
+        let title = self.look.title.clone().unwrap_or(title);
         Ok(Figure {
             name: "response-curve".to_owned(),
             title,

@@ -1,6 +1,6 @@
 //! Response curves and maps show resonance as it is, whatever the number of points.
 
-use crate::command_line::stdout;
+use crate::command_line::{refused, stdout};
 use crate::place::place;
 /// A row of a response curve.
 #[derive(Debug, Clone)]
@@ -301,4 +301,35 @@ fn a_map_is_resolved_at_resonance() {
         assert_eq!(regime.matches("\nunbounded\n").count(), 1, "{grid}");
         assert!(upper_row(&regime).windows(2).all(|pair| pair[1].0 - pair[0].1 <= 8), "{grid}");
     }
+}
+
+/// Title, size and vertical range of a picture; any number of curves, each with a mark of its own.
+#[test]
+fn a_picture_looks_as_it_was_asked_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("curves.svg");
+    let curves = format!(
+        "response-curve --mass 50t --stiffness 1000kN/m --force 12kN --friction 1kN,2kN,3kN,4kN,5kN,6kN,7kN \
+         --frequency 20rpm:120rpm:30 --units kN,mm --out {} --overwrite",
+        file.display()
+    );
+    stdout(&format!("{curves} --title Feeder --size 900x520 --linear --y-range 0:100"));
+    let text = std::fs::read_to_string(&file).unwrap();
+    for part in ["width=\"900\" height=\"520\"", "Feeder", "frequency (rpm)", "7 kN"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    for (arguments, parts) in [
+        ("--size 90x20", ["--size", "120 pixels"]),
+        ("--size 900", ["--size 900", "WIDTHxHEIGHT"]),
+        ("--size NaNxNaN", ["--size", "120 pixels"]),
+        ("--y-range 0:3", ["--y-range 0:3", "0 < LOW < HIGH"]),
+        ("--y-range 3:1 --linear", ["--y-range 3:1", "LOW < HIGH"]),
+        ("--y-range 1:inf", ["--y-range 1:inf", "LOW < HIGH"]),
+        ("--y-range 1", ["--y-range 1", "LOW:HIGH"]),
+    ] {
+        refused(&format!("{curves} {arguments}"), &parts);
+    }
+    let many: Vec<String> = (1..=41).map(|i| format!("{i}kN")).collect();
+    let many = curves.replace("1kN,2kN,3kN,4kN,5kN,6kN,7kN", &many.join(","));
+    refused(&many, &["41 curves", "≤ 40"]);
 }

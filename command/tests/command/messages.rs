@@ -175,7 +175,10 @@ fn the_motion_of_a_machine_has_units_in_its_header() {
         text.lines().next().unwrap().to_owned()
     };
     let samples = header(&format!("{machine} --samples 4 --format csv"));
-    assert!(samples.ends_with(",time[s],displacement[mm],velocity[mm/s],acceleration[mm/s^2],friction_force[kN]"), "{samples}");
+    assert!(
+        samples.ends_with(",time[s],displacement[mm],velocity[mm/s],acceleration[mm/s^2],friction_force[kN]"),
+        "{samples}"
+    );
     let segments = header(&format!("{machine} --format csv"));
     let due = ",start_time[s],end_time[s],start_displacement[mm],start_velocity[mm/s],end_displacement[mm]";
     assert!(segments.ends_with(due), "{segments}");

@@ -31,7 +31,8 @@ pub(super) fn draw(canvas: &Canvas<'_>, index: usize, (x, y): (i32, i32)) -> Dra
         canvas.draw(&PathElement::new(vec![(x + a, y + b), (x - a, y - b)], stroke))?;
         canvas.draw(&PathElement::new(vec![(x + c, y + d), (x - c, y - d)], stroke))
     };
-    match index % 7 {
+    // Series of one colour have different marks.
+    match (index + index / COLOURS.len() * 2) % 7 {
         0 => canvas.draw(&Circle::new((x, y), r, style)),
         1 => canvas.draw(&Rectangle::new([(x - r, y - r), (x + r, y + r)], style)),
         2 => canvas.draw(&Polygon::new(vec![(x, y - long), (x + long, y + r), (x - long, y + r)], style)),
