@@ -1,6 +1,7 @@
 //! `stickslip motion-plot`: a steady motion over time, and its loops.
 
 use crate::args::{MotionPlotArgs, Picture};
+use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::given;
@@ -34,6 +35,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)
         .and_then(|motion| motion.samples(PER_CYCLE))
         .map_err(named)?
+        // The drive begins its cycle at t = 0.
+        .skip_while(|sample| sample.as_ref().is_ok_and(|s| s.state.phase.reduced() != 0.0))
         .take((PER_CYCLE * CYCLES + 1) as usize)
         .collect::<Result<_, _>>()
         .map_err(named)?;
@@ -48,9 +51,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         Some(_) => format!("{name} ({})", system.name(kind)),
         None => format!("{name} {symbol}"),
     };
-    let first = samples.first().map_or(0.0, |s| s.state.phase.reduced());
     let time = |i: usize| {
-        let phase = first + std::f64::consts::TAU * i as f64 / f64::from(PER_CYCLE);
+        let phase = std::f64::consts::TAU * i as f64 / f64::from(PER_CYCLE);
         point.machine.as_ref().map_or(phase, |m| phase * m.scales.time)
     };
     let when = match point.machine {
@@ -89,11 +91,14 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     friction_loop.x = axis(&x, samples.iter().map(|s| s.state.x * length), 0.08);
     let figure = Figure {
         name: "motion".to_owned(),
-        title: format!(
-            "Steady motion at Ω = {}, α = {}",
-            crate::bits::digits(point.ratios.omega()),
-            crate::bits::digits(point.ratios.alpha())
-        ),
+        title: match &point.machine {
+            Some(machine) => format!("Steady motion of {}", in_words(machine)),
+            None => format!(
+                "Steady motion at Ω = {}, α = {}",
+                digits(point.ratios.omega()),
+                digits(point.ratios.alpha())
+            ),
+        },
         caption: String::new(),
         panels: vec![
             panel("displacement", when, x.clone(), over_time(&|s| s.state.x * length)),
@@ -111,6 +116,28 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         Some(file) => figure::beside(file, args.overwrite)?.fill(|out| figure::write(&figure, picture, out)),
         None => figure::write(&figure, picture, out),
     }
+}
+
+/// The machine in a line: mass, stiffness, friction and drive.
+fn in_words(machine: &Machine<f64>) -> String {
+    let (body, system) = (&machine.oscillator, &machine.system);
+    // Seven digits would not fit into a title.
+    let short = |x: f64| digits(format!("{x:.3e}").parse::<f64>().unwrap_or(x));
+    let in_unit = |x: f64, kind: Kind| format!("{} {}", short(x), system.name(kind));
+    let damper = if body.damping() > 0.0 {
+        format!(", ζ = {} %", short(100.0 * body.damping_ratio()))
+    } else {
+        String::new()
+    };
+    let (unit, factor) = system.mass_for_reading();
+    format!(
+        "m = {} {unit}, k = {}, r_y = {}{damper}, p₀ = {} at {} Hz",
+        short(factor.times(body.mass())),
+        in_unit(body.stiffness(), Kind::Stiffness),
+        in_unit(body.friction_bound(), Kind::Force),
+        in_unit(machine.drive.force_amplitude(body), Kind::Force),
+        short(machine.drive.angular_frequency() / std::f64::consts::TAU)
+    )
 }
 
 /// An axis that contains all values, with a margin.

@@ -210,3 +210,18 @@ fn a_picture_has_as_many_points_as_fit() {
         std::fs::remove_file(&file).unwrap();
     }
 }
+
+/// The motion of a machine begins with the cycle of its drive, and is named by the machine's data.
+#[test]
+fn a_motion_has_its_machine_in_the_title() {
+    let machine =
+        "--mass 50t --stiffness 1000kN/m --friction 5kN --frequency 0.55Hz --force 12kN --units kN,mm";
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("motion.csv");
+    stdout(&format!("motion-plot {machine} --out {}", file.display()));
+    let text = std::fs::read_to_string(&file).unwrap();
+    let first = text.lines().nth(1).unwrap();
+    assert!(first.starts_with("displacement,sliding,0,"), "{first}");
+    let drawn = stdout(&format!("motion-plot {machine}"));
+    assert!(drawn.contains("50000 kg") && drawn.contains("12 kN at 0.55 Hz"), "{drawn}");
+}
