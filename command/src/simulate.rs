@@ -20,6 +20,7 @@ use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
 use stickslip::inputs::units::{Kind as Quantity, Reader};
+use stickslip::inputs::{Given, Input};
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
@@ -66,7 +67,7 @@ fn write<F: Value>(args: &SimulateArgs, format: Format, out: &mut impl Write) ->
         Format::Csv => Sink::rows(out, Header::Names),
     };
     let reader = args.units.reader();
-    let given = given::read::<F>(&args.machine, &reader)?;
+    let given = with_no_force(given::read::<F>(&args.machine, &reader)?)?;
     let point = input::point(&given)?;
     let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;
     let cycles = extent.cycles();
@@ -107,6 +108,20 @@ fn write<F: Value>(args: &SimulateArgs, format: Format, out: &mut impl Write) ->
     clock.bar.finish_and_clear();
     sink.flush()?;
     outcome
+}
+
+/// A force of 0 as one far below the rounding of every motion: the free vibration from the start.
+fn with_no_force<F: Value>(mut given: Given<F>) -> Result<Given<F>, Failure> {
+    let nothing = F::epsilon().square() * F::exp2i(-64);
+    if given.get(Input::Alpha) == Some(F::int(0)) {
+        given.set(Input::Alpha, nothing);
+    }
+    if given.get(Input::Force) == Some(F::int(0))
+        && let Some(friction) = given.friction()?
+    {
+        given.set(Input::Force, friction * nothing);
+    }
+    Ok(given)
 }
 
 /// Writes the records until there are no more.

@@ -5,7 +5,10 @@ use crate::refused;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::design::{self, AmplitudeKind, Edge, Measurement, OptimumKind, PhaseKind, Reading};
+use stickslip::design::{
+    self, Aim, AmplitudeKind, BandFrictionKind, Edge, Measurement, OptimumKind, PhaseKind, Reading, TurningPoints,
+};
+use stickslip::uncertainty::Estimate;
 use stickslip::{Drive, Error};
 use stickslip_figures as figures;
 
@@ -69,6 +72,69 @@ fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<
         .into_iter()
         .map(|b| (b.low, b.high, cut(b.low_edge), cut(b.high_edge)))
         .collect())
+}
+
+/// The friction bound with the least greatest amplitude over a band: friction, greatest amplitude, the frequencies that
+/// have it, the kind, and the friction at which the body rests in the whole band.
+#[pyfunction]
+fn best_friction_over(
+    py: Python<'_>,
+    of: Body,
+    excitation: &str,
+    amplitude: f64,
+    low: f64,
+    high: f64,
+    aim: &str,
+) -> PyResult<(f64, f64, Vec<(f64, f64)>, &'static str, f64)> {
+    let drive = drive(excitation, amplitude, 1.0)?;
+    let aims = [
+        (Aim::Displacement, "displacement"),
+        (Aim::AbsoluteDisplacement, "absolute-displacement"),
+        (Aim::TransmittedForce, "transmitted-force"),
+        (Aim::Acceleration, "acceleration"),
+    ];
+    let (aim, _) = kind("of", aim, &aims, |(_, name)| name)?;
+    let found = py
+        .detach(|| body(of).and_then(|body| design::best_friction_over_band(&body, &drive, low, high, aim)))
+        .map_err(refused)?;
+    let kind = match found.kind {
+        BandFrictionKind::Interior => "interior",
+        BandFrictionKind::None => "none",
+        _ => "rest",
+    };
+    Ok((found.friction, found.greatest, found.at, kind, found.rest))
+}
+
+/// Friction displacement and damping ratio from a free decay: of samples, or of turning points in every cycle or half
+/// cycle.
+#[pyfunction]
+fn identify_decay<'py>(
+    py: Python<'py>,
+    displacement: PyReadonlyArray1<'py, f64>,
+    time: Option<PyReadonlyArray1<'py, f64>>,
+    turns: Option<&str>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let values = displacement.as_slice()?;
+    let times = time.as_ref().map(|time| time.as_slice()).transpose()?;
+    let points = [(TurningPoints::EveryCycle, "cycle"), (TurningPoints::EveryHalfCycle, "half-cycle")];
+    let points = turns.map(|text| kind("every", text, &points, |(_, name)| name)).transpose()?;
+    let found = py.detach(|| match points {
+        Some((points, _)) => design::identify_turning_points(values, times, points),
+        None => design::identify_decay(times.unwrap_or_default(), values),
+    });
+    let found = found.map_err(refused)?;
+    let dict = PyDict::new(py);
+    let estimate = |e: Estimate| (e.value, e.standard_error, e.interval());
+    dict.set_item("friction_displacement", estimate(found.friction_displacement))?;
+    dict.set_item("damping_ratio", estimate(found.damping_ratio))?;
+    dict.set_item("amplitude", estimate(found.amplitude))?;
+    dict.set_item("natural_frequency", found.natural_frequency.map(estimate))?;
+    dict.set_item("noise", found.noise)?;
+    dict.set_item("turning_points", found.turning_points.iter().map(|point| point.1).collect::<Vec<_>>())?;
+    let times: Vec<_> = found.turning_points.iter().map(|point| point.0.unwrap_or(f64::NAN)).collect();
+    dict.set_item("times", times)?;
+    dict.set_item("residuals", found.residuals)?;
+    Ok(dict)
 }
 
 /// The kind of this name.
@@ -147,6 +213,8 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(best_friction, module)?)?;
     module.add_function(wrap_pyfunction!(force_for, module)?)?;
     module.add_function(wrap_pyfunction!(bands, module)?)?;
+    module.add_function(wrap_pyfunction!(best_friction_over, module)?)?;
     module.add_function(wrap_pyfunction!(identify, module)?)?;
+    module.add_function(wrap_pyfunction!(identify_decay, module)?)?;
     module.add_function(wrap_pyfunction!(figure, module)?)
 }

@@ -28,7 +28,19 @@ import os as _os
 from . import _native, enclosed
 from ._attractors import Attractor, Attractors, attractors
 from ._closed_forms import OUTPUTS, Border, Response, border, response
-from ._design import FIGURES, Band, BestFriction, Estimate, Figure, Identified, figure, identify
+from ._design import (
+    FIGURES,
+    Band,
+    BandFriction,
+    BestFriction,
+    DecayIdentified,
+    Estimate,
+    Figure,
+    Identified,
+    figure,
+    identify,
+    identify_decay,
+)
 from ._drive import Drive
 from ._machine import Machine
 from ._motion import Decay, Phases, Samples, decay, simulate
@@ -46,10 +58,12 @@ __all__ = [
     "Attractor",
     "Attractors",
     "Band",
+    "BandFriction",
     "BestFriction",
     "Block",
     "Border",
     "Decay",
+    "DecayIdentified",
     "Drive",
     "Error",
     "Estimate",
@@ -71,6 +85,7 @@ __all__ = [
     "enclosed",
     "figure",
     "identify",
+    "identify_decay",
     "response",
     "simulate",
     "spectrum",

@@ -36,6 +36,20 @@ class BestFriction(NamedTuple):
     optimum: str
 
 
+class BandFriction(NamedTuple):
+    """The friction bound whose greatest amplitude over a band is least; see `Machine.best_friction_over`."""
+
+    friction: float
+    #: The greatest amplitude over the band.
+    greatest: float
+    #: The ranges of angular frequency that have it; a single frequency has two equal ends.
+    at: list[tuple[float, float]]
+    #: ``"interior"``; ``"none"`` where less friction is always better; ``"rest"`` where the body had better rest.
+    optimum: str
+    #: The friction from which on the body rests in the whole band.
+    rest_friction: float
+
+
 class Estimate(NamedTuple):
     """An estimate from measurements."""
 
@@ -66,6 +80,25 @@ class Identified(NamedTuple):
     phase_kind: Optional[str]
     #: The kind of amplitude that fits better by more than chance, if any.
     better_amplitude_kind: Optional[str]
+
+
+class DecayIdentified(NamedTuple):
+    """Friction and damping from a free decay; see `identify_decay`."""
+
+    #: Friction bound over stiffness, in the unit of the displacements.
+    friction_displacement: Estimate
+    damping_ratio: Estimate
+    #: The first amplitude.
+    amplitude: Estimate
+    #: Natural angular frequency in radians per second; None without times.
+    natural_frequency: Optional[Estimate]
+    #: Standard error of one displacement, estimated from the residuals.
+    noise: float
+    #: The turning points from the rest of the spring, and their times; NaN without times.
+    turning_points: Floats
+    times: Floats
+    #: Measured minus computed displacements.
+    residuals: Floats
 
 
 class Figure(NamedTuple):
@@ -152,6 +185,51 @@ def identify(
         stops=np.array(found["stops"], dtype=bool),
         phase_kind=found["phase_kind"],
         better_amplitude_kind=found["better_amplitude_kind"],
+    )
+
+
+def identify_decay(
+    displacement: ArrayLike, time: Optional[ArrayLike] = None, *, every: Optional[str] = None
+) -> DecayIdentified:
+    """Friction and damping from a free vibration that comes to rest, by least squares.
+
+    A damper takes the same part of every amplitude, friction the same amount.
+
+    Parameters
+    ----------
+    displacement : array
+        The sampled displacement from any zero, or with ``every`` the turning points from the rest of the spring.
+    time : array, optional
+        The times in seconds, which samples need.
+    every : str, optional
+        ``"cycle"`` for the peaks of one side, ``"half-cycle"`` for those of both sides, with their signs or without.
+
+    Returns
+    -------
+    DecayIdentified
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> found = ss.identify_decay([40, 33.1, 26.5, 20.2, 14.1], every="cycle")
+    >>> round(found.friction_displacement.value, 3), round(found.damping_ratio.value, 4)
+    (1.337, 0.0067)
+    """
+    values = np.ascontiguousarray(numbers("displacement", displacement)).reshape(-1)
+    times = None if time is None else np.ascontiguousarray(numbers("time", time)).reshape(-1)
+    if times is None and every is None:
+        raise _native.Error('give the times of samples, or every="cycle" or every="half-cycle" for turning points')
+    found = _native.identify_decay(values, times, every)
+    natural = found["natural_frequency"]
+    return DecayIdentified(
+        friction_displacement=Estimate(*found["friction_displacement"]),
+        damping_ratio=Estimate(*found["damping_ratio"]),
+        amplitude=Estimate(*found["amplitude"]),
+        natural_frequency=None if natural is None else Estimate(*natural),
+        noise=found["noise"],
+        turning_points=np.array(found["turning_points"]),
+        times=np.array(found["times"]),
+        residuals=np.array(found["residuals"]),
     )
 
 

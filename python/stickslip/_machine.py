@@ -20,7 +20,7 @@ from ._start import REST, Start
 from ._steady import Steady, steady
 
 if TYPE_CHECKING:
-    from ._design import Band, BestFriction
+    from ._design import Band, BandFriction, BestFriction
 
 
 @dataclass(frozen=True, init=False)
@@ -320,6 +320,27 @@ class Machine:
         friction, energy, optimum = _native.best_friction(self._body, *self._single(drive))
         return BestFriction(friction, energy, optimum)
 
+    def best_friction_over(
+        self, drive: Drive, low: Quantity, high: Quantity, of: str = "absolute-displacement"
+    ) -> "BandFriction":
+        """The friction bound whose greatest amplitude between two angular frequencies is least, stops included.
+
+        The friction of this machine and the frequency of the drive play no part. The amplitude is ``"displacement"``,
+        ``"absolute-displacement"``, ``"transmitted-force"`` or ``"acceleration"`` (in space).
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction="1 N", damping_ratio=0.05)
+        >>> drive = ss.Drive(base_displacement="50 mm", frequency="1 Hz")
+        >>> best = machine.best_friction_over(drive, "0.2 Hz", "2 Hz")
+        >>> round(best.friction, 2), round(best.greatest, 9), best.optimum
+        (320.69, 0.05, 'interior')
+        """
+        from ._design import BandFriction
+
+        kind, amplitude, _ = self._single(drive)
+        ends = self._frequency(low), self._frequency(high)
+        return BandFriction(*_native.best_friction_over(self._body, kind, amplitude, *ends, of))
+
     def bands(
         self,
         low: Quantity,
@@ -327,12 +348,27 @@ class Machine:
         *,
         force: Optional[Quantity] = None,
         foot_displacement: Optional[Quantity] = None,
+        unbalance: Optional[Quantity] = None,
+        base_displacement: Optional[Quantity] = None,
+        base_velocity: Optional[Quantity] = None,
+        base_acceleration: Optional[Quantity] = None,
     ) -> "list[Band]":
-        """All bands of angular frequency between two ends in which the body does not stick."""
+        """All bands of angular frequency between two ends in which the body does not stick.
+
+        With a damper, and under an unbalance or a base motion by displacement or velocity, they are found by a search.
+        """
         from ._design import Band
 
-        units = self.units if not any(isinstance(x, str) for x in (force, foot_displacement)) else None
-        drive = Drive(force=force, foot_displacement=foot_displacement, angular_frequency=1.0, units=units)
+        amplitudes = {
+            "force": force,
+            "foot_displacement": foot_displacement,
+            "unbalance": unbalance,
+            "base_displacement": base_displacement,
+            "base_velocity": base_velocity,
+            "base_acceleration": base_acceleration,
+        }
+        units = self.units if not any(isinstance(x, str) for x in amplitudes.values()) else None
+        drive = Drive(**amplitudes, angular_frequency=1.0, units=units)
         kind, amplitude, _ = self._single(drive)
         ends = self._frequency(low), self._frequency(high)
         return [Band(*band) for band in _native.bands(self._body, kind, amplitude, *ends)]

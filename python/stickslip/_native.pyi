@@ -66,6 +66,10 @@ def force_for(of: _Body, angular_frequency: float, target: float, is_velocity: b
 def bands(
     of: _Body, kind: str, amplitude: float, low: float, high: float
 ) -> list[tuple[float, float, bool, bool]]: ...
+def best_friction_over(
+    of: _Body, excitation: str, amplitude: float, low: float, high: float, aim: str
+) -> tuple[float, float, list[tuple[float, float]], str, float]: ...
+def identify_decay(displacement: _Column, time: Optional[_Column], turns: Optional[str]) -> dict[str, Any]: ...
 def identify(
     of: _Body,
     force: float,

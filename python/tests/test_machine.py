@@ -217,3 +217,45 @@ def test_the_bits_are_those_of_the_command(question, ask):
                 assert getattr(point, name, value) == value, (name, omega[i], alpha[i])
             elif value is not None and getattr(found, name, None) is not None:
                 assert getattr(found, name)[i] == value, (name, omega[i], alpha[i])
+
+
+def test_an_unbalance_is_a_force_that_grows_with_the_square_of_the_speed():
+    frequency = HERTZ * np.array([5.0, 8.0, 12.0])
+    turning = isolator().response(ss.Drive(unbalance=0.35, angular_frequency=frequency))
+    for i, omega in enumerate(frequency):
+        force = isolator().response(ss.Drive(force=0.35 * omega**2, angular_frequency=omega))
+        assert turning.max_displacement[i] == pytest.approx(force.max_displacement, rel=1e-12)
+    bands = isolator().bands(1 * HERTZ, 30 * HERTZ, unbalance=20.0)
+    assert len(bands) >= 1 and not bands[0].low_is_end_of_range
+    pendulum = ss.Machine(mass="800 kg", pendulum_radius="2 m", friction="1 N")
+    assert pendulum.natural_frequency == pytest.approx(np.sqrt(9.80665 / 2), rel=1e-12)
+
+
+def test_the_best_friction_over_a_band_is_better_than_others():
+    machine = isolator(damping_ratio=0.05)
+    drive = ss.Drive(base_displacement=0.05, frequency=1.0)
+    low, high = 0.3 * machine.natural_frequency, 4 * machine.natural_frequency
+    best = machine.best_friction_over(drive, low, high)
+    assert best.optimum == "interior" and len(best.at) == 2
+    assert best.greatest == pytest.approx(0.05, rel=1e-9)
+    with pytest.raises(ss.Error, match="of nothing"):
+        machine.best_friction_over(drive, low, high, of="nothing")
+
+
+def test_a_decay_gives_friction_and_damping():
+    kappa = np.exp(-0.02 * np.pi / np.sqrt(1 - 0.02**2))
+    turns = [40.0]
+    for _ in range(8):
+        turns.append(-np.sign(turns[-1]) * (kappa * (abs(turns[-1]) - 1.5) - 1.5))
+    found = ss.identify_decay(turns, time=np.arange(9) * 0.25, every="half-cycle")
+    assert found.friction_displacement.value == pytest.approx(1.5, rel=1e-6)
+    assert found.damping_ratio.value == pytest.approx(0.02, rel=1e-6)
+    assert found.natural_frequency.value == pytest.approx(np.pi / 0.25 / np.sqrt(1 - 0.02**2), rel=1e-6)
+    one_side = ss.identify_decay(turns[::2], every="cycle")
+    assert one_side.friction_displacement.value == pytest.approx(1.5, rel=1e-6) and one_side.natural_frequency is None
+    with pytest.raises(ss.Error, match="times of samples"):
+        ss.identify_decay(turns)
+    with pytest.raises(ss.Error, match="must be ≥ 4"):
+        ss.identify_decay([3.0, 2.0, 1.0], every="cycle")
+    with pytest.raises(ss.Error, match="every third"):
+        ss.identify_decay(turns, every="third")

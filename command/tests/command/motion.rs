@@ -333,3 +333,18 @@ fn a_time_history_has_a_rate_and_a_duration() {
     }
     refused("simulate --omega 1.5 --alpha 3 --duration 1s", &["--duration 1s", "in ratios"]);
 }
+
+/// Without a force the body vibrates freely from its start to rest.
+#[test]
+fn a_force_of_zero_leaves_the_free_vibration() {
+    let body = "--mass 30kg --stiffness 12kN/m --friction 16N --damping-ratio 1% --units N,mm";
+    let run = format!(
+        "simulate {body} --force 0N --frequency 1Hz --x0 40mm --duration 2.5s --rate 100Hz --format csv"
+    );
+    let text = stdout(&run);
+    let last: Vec<f64> = text.lines().last().unwrap().split(',').map(|cell| cell.parse().unwrap()).collect();
+    let rest =
+        json(&format!("decay {body} --x0 40mm --format json"))["physical"]["rest_position"].as_f64().unwrap();
+    assert!((last[7] - rest).abs() < 1e-9 && last[8] == 0.0, "{last:?} {rest}");
+    assert!(stdout("simulate --omega 1.5 --alpha 0 --x0 4.5 --cycles 9").contains("never"));
+}
