@@ -34,7 +34,7 @@ pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
 use motion::{DECAY_EXAMPLES, SIMULATE_EXAMPLES, STEADY_EXAMPLES};
 pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs};
 use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES};
-pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, Picture};
+pub(crate) use pictures::{FigureArgs, FiguresArgs, LookArgs, MapArgs, Picture};
 pub(crate) use record::{LoadArgs, RecordArgs, SpectrumArgs, SurfaceArgs};
 use record::{RECORD_EXAMPLES, SPECTRUM_EXAMPLES};
 pub(crate) use shared::{Format, Header, OutputArgs, UnitArgs};

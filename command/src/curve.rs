@@ -6,7 +6,7 @@ mod picture;
 use crate::args::{CurveArgs, CurveQuantity};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
-use crate::figure::Target;
+use crate::figure::{self, Target};
 use crate::given::behind_all;
 use crate::grid::Grid;
 use crate::input::{self, Point};
@@ -89,29 +89,10 @@ struct Look {
 
 impl Look {
     fn of(args: &CurveArgs) -> Result<Self, Failure> {
-        let pair = |name: &str, text: &str, between: char, such: &str| {
-            let parts = text.split_once(between);
-            let numbers = parts.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
-            numbers.ok_or_else(|| Failure::Input(format!("{name} {text}: must be {such}")))
-        };
-        let size = args.size.as_ref().map(|text| {
-            let (width, height): (f64, f64) =
-                pair("--size", text, 'x', "WIDTHxHEIGHT in pixels, such as 900x500")?;
-            // The conversion saturates, and a size beyond all use is refused.
-            Ok::<_, Failure>((width as u32, height as u32))
-        });
-        let range = args.y_range.as_ref().map(|text| {
-            let (low, high): (f64, f64) = pair("--y-range", text, ':', "LOW:HIGH, such as 0:0.02")?;
-            let least = if args.linear { f64::NEG_INFINITY } else { 0.0 };
-            if !(low < high && low.is_finite() && high.is_finite() && low > least) {
-                let bound = if args.linear { "LOW < HIGH" } else { "0 < LOW < HIGH, or --linear be given" };
-                return Err(Failure::Input(format!("--y-range {text}: must be {bound}")));
-            }
-            Ok((low, high))
-        });
+        let range = args.y_range.as_ref().map(|text| figure::range("--y-range", text, args.linear));
         Ok(Self {
-            title: args.title.clone(),
-            size: size.transpose()?,
+            title: args.look.title.clone(),
+            size: args.look.size()?,
             range: range.transpose()?,
             is_linear: args.linear,
         })

@@ -1,6 +1,6 @@
 //! `stickslip figure` and `figures`.
 
-use crate::args::{FigureArgs, FiguresArgs, Picture};
+use crate::args::{FigureArgs, FiguresArgs, LookArgs, Picture};
 use crate::failure::{Failure, Outcome};
 use crate::output::{self, PendingFile};
 use clap::ValueEnum;
@@ -48,6 +48,34 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
         None => Ok(()),
     })?;
     Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), folder.display())?)
+}
+
+impl LookArgs {
+    /// The width and the height in pixels.
+    pub(crate) fn size(&self) -> Result<Option<(u32, u32)>, Failure> {
+        let read = |text: &String| {
+            // The conversion saturates, and a size beyond all use is refused.
+            let pixels = |part: &str| part.trim().parse::<f64>().ok().map(|pixels| pixels as u32);
+            let parts = text.split_once('x').and_then(|(a, b)| Some((pixels(a)?, pixels(b)?)));
+            parts.ok_or_else(|| {
+                Failure::Input(format!("--size {text}: must be WIDTHxHEIGHT in pixels, such as 900x500"))
+            })
+        };
+        self.size.as_ref().map(read).transpose()
+    }
+}
+
+/// A range LOW:HIGH of values, which are above 0 unless their axis is linear.
+pub(crate) fn range(option: &str, text: &str, is_linear: bool) -> Result<(f64, f64), Failure> {
+    let number = |part: &str| part.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    let ends = text.split_once(':').and_then(|(low, high)| Some((number(low)?, number(high)?)));
+    let bad = |bound: &str| Failure::Input(format!("{option} {text}: must be {bound}"));
+    match ends {
+        None => Err(bad("LOW:HIGH, such as 0:0.02")),
+        Some((low, high)) if low >= high => Err(bad("LOW:HIGH with LOW < HIGH")),
+        Some((low, _)) if low <= 0.0 && !is_linear => Err(bad("0 < LOW < HIGH, or --linear be given")),
+        Some(ends) => Ok(ends),
+    }
 }
 
 /// The content of `--out FILE`, by the extension of its name.

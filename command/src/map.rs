@@ -8,7 +8,7 @@ mod symmetry;
 use crate::args::{MapArgs, Swept};
 use crate::axes::Axes;
 use crate::failure::{Failure, Outcome};
-use crate::figure::Target;
+use crate::figure::{self, Target};
 use crate::grid::Grid;
 use crate::input;
 use crate::interrupt;
@@ -108,6 +108,9 @@ struct Map<'a> {
     across: (Input, Grid<f64>),
     up: (Input, Grid<f64>),
     system: System,
+    title: Option<&'a str>,
+    /// The values of the first and the last shade, where they were chosen.
+    range: Option<(f64, f64)>,
 }
 
 /// The default grids of a map.
@@ -116,6 +119,7 @@ const DEFAULT: [(Input, &str); 2] = [(Input::Omega, "0.0525:1.9975:390"), (Input
 pub(crate) fn run(args: &MapArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new(args.out.as_deref(), args.overwrite)?;
     let map = Map::new(args)?;
+    let target = target.sized(args.look.size()?);
     target.fill(out, |mut out| map.table(&args.quantity, &mut out), || map.picture())
 }
 
@@ -150,7 +154,9 @@ impl<'a> Map<'a> {
             let known = "regime, margin, stops, an output of response, or steady: and an output of steady";
             return Err(Failure::Input(format!("map {}: must be one of {known}", args.quantity)));
         };
-        Ok(Self { quantity, kind, axes, across, up, system: reader.system() })
+        let range = args.range.as_ref().map(|text| figure::range("--range", text, true)).transpose()?;
+        let title = args.look.title.as_deref();
+        Ok(Self { quantity, kind, axes, across, up, system: reader.system(), title, range })
     }
 
     /// Computes the points in order, row by row.

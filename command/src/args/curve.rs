@@ -1,6 +1,6 @@
 //! The arguments of response curves and plots of a motion.
 
-use super::{MachineArgs, StartArgs, UnitArgs};
+use super::{LookArgs, MachineArgs, StartArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -57,12 +57,8 @@ pub(crate) struct CurveArgs {
     /// Replace FILE if it exists
     #[arg(long)]
     pub(crate) overwrite: bool,
-    /// The title of the picture
-    #[arg(long, value_name = "TEXT")]
-    pub(crate) title: Option<String>,
-    /// The size of the picture in pixels, such as 900x500
-    #[arg(long, value_name = "WIDTHxHEIGHT")]
-    pub(crate) size: Option<String>,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
     /// The vertical range of the picture, in the unit of the answer [default: all values]
     #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
     pub(crate) y_range: Option<String>,

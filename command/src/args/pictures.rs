@@ -38,6 +38,17 @@ Examples:
   stickslip map steady:stick_fraction --omega 0.05:1.5:300 --alpha 1.05:8:140 --out sticking.svg
   stickslip map limits --omega 0.1:1.2:56 --alpha 3.1:9.1:31 --damping-ratio 0.02 --static-friction-ratio 2 --out limits.svg";
 
+/// The look of a picture.
+#[derive(Debug, Args)]
+pub(crate) struct LookArgs {
+    /// The title of the picture
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
+    /// The size of the picture in pixels, such as 900x500
+    #[arg(long, value_name = "WIDTHxHEIGHT")]
+    pub(crate) size: Option<String>,
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct FigureArgs {
     /// Name of the figure
@@ -105,4 +116,9 @@ pub(crate) struct MapArgs {
     /// Replace FILE if it exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
+    /// The values of the lightest and the darkest shade, in the unit of the answer [default: all values]
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) range: Option<String>,
 }

@@ -48,8 +48,8 @@ const USED: &[(&str, Mode, &str)] = &[
     ("simulate", Machine, "SHIFTED x0 v0 cycles duration samples rate out overwrite format bits units"),
     ("sweep", Ratios, "question RATIOS outputs format out resume shard header no_header bits"),
     ("sweep", Machine, "question SHIFTED units outputs format out resume shard header no_header bits"),
-    ("map", Ratios, "quantity RATIOS out overwrite"),
-    ("map", Machine, "quantity DRIVEN units out overwrite"),
+    ("map", Ratios, "quantity RATIOS out overwrite title size range"),
+    ("map", Machine, "quantity DRIVEN units out overwrite title size range"),
     ("response-curve", Ratios, "what omega alpha damping-ratio out overwrite title size y_range linear"),
     (
         "response-curve",

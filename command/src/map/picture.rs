@@ -172,8 +172,14 @@ impl Map<'_> {
         let scale = match (named, whole) {
             (true, _) => Scale::Names(names),
             (false, true) => counted(&mut values),
-            (false, false) => self.lit(clipped(Plane::shades(&values), &asked, &mut title)),
+            (false, false) => match (self.range, Plane::shades(&values)) {
+                (Some((low, high)), Scale::Shades { logarithmic, .. }) => {
+                    self.lit(Scale::Shades { low, high, logarithmic: logarithmic && low > 0.0 })
+                }
+                (_, scale) => self.lit(clipped(scale, &asked, &mut title)),
+            },
         };
+        let title = self.title.map_or(title, str::to_owned);
         let mut series = Vec::new();
         let border = self.border();
         if !border.is_empty() {

@@ -225,3 +225,19 @@ fn a_motion_has_its_machine_in_the_title() {
     let drawn = stdout(&format!("motion-plot {machine}"));
     assert!(drawn.contains("50000 kg") && drawn.contains("12 kN at 0.55 Hz"), "{drawn}");
 }
+
+/// A map with a title, a size and a range of shades.
+#[test]
+fn a_map_looks_as_it_was_asked_to() {
+    let map = "map steady:max_displacement --omega 0.5:1.5:8 --alpha 1.1:3:6";
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("map.svg");
+    stdout(&format!("{map} --out {} --range 0:4 --title Stroke --size 700x500", file.display()));
+    let text = std::fs::read_to_string(&file).unwrap();
+    for part in ["width=\"700\" height=\"500\"", "Stroke"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    refused(&format!("{map} --range 4:0"), &["--range 4:0", "LOW < HIGH"]);
+    refused(&format!("{map} --range 4"), &["--range 4", "LOW:HIGH"]);
+    refused(&format!("{map} --size 4"), &["--size 4", "WIDTHxHEIGHT"]);
+}
