@@ -324,7 +324,7 @@ fn a_picture_looks_as_it_was_asked_to() {
         ("--size NaNxNaN", ["--size", "120 pixels"]),
         ("--y-range 0:3", ["--y-range 0:3", "0 < LOW < HIGH"]),
         ("--y-range 3:1 --linear", ["--y-range 3:1", "LOW < HIGH"]),
-        ("--y-range 1:inf", ["--y-range 1:inf", "LOW < HIGH"]),
+        ("--y-range 1:inf", ["--y-range 1:inf", "LOW:HIGH"]),
         ("--y-range 1", ["--y-range 1", "LOW:HIGH"]),
     ] {
         refused(&format!("{curves} {arguments}"), &parts);
