@@ -9,8 +9,9 @@
 //!
 //! **Everything else is searched**: Q on a mesh of frequencies, finer towards Ω = 1, 1/3, 1/5, 1/7 and the damped
 //! resonance, with each of its maxima located by a golden section; F on a mesh of frictions down to 10⁻⁶ of those that
-//! hold the body, and around the best two of its minima by a golden section. A peak of Q that is much narrower than
-//! 2⁻¹² of its frequency could be missed away from these places.
+//! hold the body, and around the best three of its minima by a golden section. A peak of Q that is much narrower than
+//! 2⁻¹² of its frequency could be missed away from these places. A friction with which a motion of the band does not
+//! settle is no candidate.
 
 use crate::float::Float;
 use crate::greatest::highest;
@@ -93,7 +94,8 @@ pub struct BandFriction<F> {
 /// ```
 ///
 /// # Errors
-/// Where `low ≥ high`, a ratio of the band is outside the domain of [`crate::Ratios`], or [`Aim::AbsoluteDisplacement`] is asked of a surface at rest; and those of [`Amplitude::of`].
+/// Where `low ≥ high`, a ratio of the band is outside the domain of [`crate::Ratios`], or [`Aim::AbsoluteDisplacement`] is asked of a surface at rest; and those of [`Amplitude::of`] but
+/// [`Error::NotSettled`].
 pub fn best_friction_over_band<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
@@ -251,7 +253,7 @@ impl<'a, F: Float> Band<'a, F> {
         }
     }
 
-    /// The amplitude at one frequency; infinite where the motion is unbounded.
+    /// The amplitude at one frequency; infinite where the motion is unbounded or does not settle.
     fn at(&self, friction: F, omega: F) -> Result<F, Error> {
         let own = self.body;
         let body = Oscillator::new(own.mass(), own.stiffness(), friction)?
@@ -274,17 +276,14 @@ impl<'a, F: Float> Band<'a, F> {
             ratios.moves_from_rest() && ratios.alpha() <= eta * (F::int(1) + F::exp2i(-33));
         let ratios =
             if is_barely_released { Ratios::of_valid(ratios.omega(), eta, zeta, eta) } else { ratios };
-        let found = amplitude.of(ratios, drive.excitation())?;
+        let found = match amplitude.of(ratios, drive.excitation()) {
+            Err(Error::NotSettled { .. }) => return Ok(F::int(1) / F::int(0)),
+            found => found?,
+        };
         let unit = amplitude.unit(&Scales::new(&body, &drive)?);
         let is_force = self.aim == Aim::Acceleration && amplitude == Amplitude::TransmittedForce;
         let unit = if is_force { unit / body.mass() } else { unit };
-        match (found.value, found.regime) {
-            (Some(value), _) => Ok(value * unit),
-            (None, Some(_)) => Ok(F::int(1) / F::int(0)),
-            (None, None) => {
-                Err(Error::NotSettled { omega: written(ratios.omega()), alpha: written(ratios.alpha()) })
-            }
-        }
+        Ok(found.value.map_or(F::int(1) / F::int(0), |value| value * unit))
     }
 
     /// The greatest amplitude, and the frequencies that have it to a relative 10⁻⁶, as ranges.

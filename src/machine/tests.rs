@@ -69,8 +69,11 @@ fn the_words_are_the_same_with_the_names_of_each_program() {
     let missing =
         |naming, typed: &[(Input, &str)]| given(naming, typed).oscillator().unwrap_err().to_string();
     let without = [BODY[0], BODY[2]];
-    assert_eq!(missing(Naming::Option, &without), "--stiffness (or --period, or --omega) is missing");
-    assert_eq!(missing(Naming::Keyword, &without), "stiffness (or period) is missing");
+    assert_eq!(
+        missing(Naming::Option, &without),
+        "--stiffness (or --period, --pendulum-radius, --omega) is missing"
+    );
+    assert_eq!(missing(Naming::Keyword, &without), "stiffness (or period, or pendulum_radius) is missing");
     assert_eq!(missing(Naming::Keyword, &[BODY[1], (Input::Damping, "3 N*s/m")]), "mass is missing");
     assert_eq!(
         missing(Naming::Keyword, &[(Input::Damping, "3 N*s/m")]),

@@ -98,7 +98,7 @@ impl<F: Float> Trajectory<F> {
 
 /// The phase 2πk turns: the product exactly, less its nearest half turn.
 fn multiple<F: Float>(k: u64, turns: F) -> DrivePhase<F> {
-    let Pair { hi, lo } = Pair::two_prod(F::from_f64(k as f64) * F::int(2), turns);
+    let Pair { hi, lo } = Pair::exact(F::from_f64(k as f64) * F::int(2)) * turns;
     let half_turn = hi.round();
     DrivePhase::of_half_turn(half_turn.to_f64() as i64, F::pi() * ((hi - half_turn) + lo))
 }
