@@ -6,7 +6,8 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::design::{
-    self, Aim, AmplitudeKind, BandFrictionKind, Edge, Measurement, OptimumKind, PhaseKind, Reading, TurningPoints,
+    self, Aim, AmplitudeKind, BandFrictionKind, Edge, Measurement, OptimumKind, PhaseKind, Reading,
+    TurningPoints,
 };
 use stickslip::uncertainty::Estimate;
 use stickslip::{Drive, Error};
