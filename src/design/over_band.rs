@@ -9,7 +9,8 @@
 //!
 //! **Everything else is searched**: Q on a mesh of frequencies, finer towards Ω = 1, 1/3, 1/5, 1/7 and the damped
 //! resonance, with each of its maxima located by a golden section; F on a mesh of frictions down to 10⁻⁶ of those that
-//! hold the body, and around the best three of its minima by a golden section. A peak of Q that is much narrower than
+//! hold the body, which is refined three times where it is best, and around the best three of its minima by a golden
+//! section. A peak of Q that is much narrower than
 //! 2⁻¹² of its frequency could be missed away from these places. A friction with which a motion of the band does not
 //! settle is no candidate.
 
@@ -119,63 +120,80 @@ pub fn best_friction_over_band<F: Float>(
     for friction in geometric(least, rest) {
         tried.push((friction, band.greatest(friction)?.0));
     }
-    let order = |a: F, b: F| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
-    let mut best = (rest, band.greatest(rest)?.0);
-    let mut minima: Vec<usize> = (0..tried.len())
-        .filter(|&i| {
-            let value = |j: Option<usize>| j.and_then(|j| tried.get(j)).map(|place| place.1);
-            let (before, here, after) = (value(i.checked_sub(1)), value(Some(i)), value(i.checked_add(1)));
-            here.is_some_and(|here| before.is_none_or(|b| here <= b) && after.is_none_or(|a| here <= a))
-        })
-        .collect();
-    let value_at = |i: usize| tried.get(i).map_or(best.1, |place| place.1);
-    minima.sort_by(|&a, &b| order(value_at(a), value_at(b)));
-    for &i in minima.iter().take(MINIMA) {
-        let place = |j: usize| tried.get(j).map_or(rest, |place| place.0);
-        let (from, to) = (place(i.saturating_sub(1)), place(i.saturating_add(1)));
+    // Where the body moves with its support the amplitude hardly depends on the friction, and less of it may be a little
+    // better still: the mesh is refined around the least friction that is as good as any.
+    for _ in 0..REFINEMENTS {
+        let (from, to) = around(&tried);
+        let inner = geometric(from, to);
+        for friction in inner.into_iter().step_by(4) {
+            tried.push((friction, band.greatest(friction)?.0));
+        }
+        tried.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
+        tried.dedup_by(|a, b| a.0 == b.0);
+    }
+    for place in minima(&tried) {
+        let at = |j: usize| tried.get(j).map_or(rest, |place| place.0);
+        let (from, to) = (at(place.saturating_sub(1)), at(place.saturating_add(1)));
         let friction = highest(from, to, F::epsilon() * F::int(1 << 18), |friction| {
             band.greatest(friction).map(|(value, _)| -value)
         })?;
-        for friction in [friction, place(i)] {
-            let (value, _) = band.greatest(friction)?;
-            if value < best.1 {
-                best = (friction, value);
-            }
-        }
+        tried.push((friction, band.greatest(friction)?.0));
     }
-    // Where the body moves with its support the amplitude does not depend on the friction: the least of these.
-    let enough = best.1 * (F::int(1) + F::exp2i(-33));
-    let below: Vec<_> = tried.iter().filter(|place| place.0 < best.0).collect();
-    let first = below.iter().rposition(|place| place.1 > enough);
-    let (mut outside, mut inside) = match first.map(|i| (below.get(i), below.get(i.saturating_add(1)))) {
-        Some((Some(outside), Some(inside))) => (outside.0, inside.0),
-        Some((Some(outside), None)) => (outside.0, best.0),
-        _ => (best.0, best.0),
-    };
-    if first.is_none()
-        && let Some(least) = below.first()
-    {
-        (outside, inside) = (least.0, least.0);
-    }
+    tried.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
+    let enough = least_of(&tried);
+    let first = tried.iter().position(|place| place.1 <= enough).unwrap_or(0);
+    let at = |j: usize| tried.get(j).map_or(rest, |place| place.0);
+    let (mut outside, mut inside) = (at(first.saturating_sub(1)), at(first));
     while inside - outside > inside * F::exp2i(-36) {
         let middle = outside + (inside - outside) / F::int(2);
         if band.greatest(middle)?.0 > enough { outside = middle } else { inside = middle }
     }
-    best.0 = inside;
-    let (greatest, at) = band.greatest(best.0)?;
-    let kind = if best.0 <= least * F::ratio(33, 32) {
+    let best = inside;
+    let (greatest, at) = band.greatest(best)?;
+    let kind = if best <= least * F::ratio(33, 32) {
         BandFrictionKind::None
-    } else if best.0 >= rest {
+    } else if best >= rest {
         BandFrictionKind::Rest
     } else {
         BandFrictionKind::Interior
     };
-    Ok(BandFriction { friction: best.0, greatest, at, kind, rest })
+    Ok(BandFriction { friction: best, greatest, at, kind, rest })
+}
+
+/// The least greatest amplitude, and what is as good but for 2⁻³³.
+fn least_of<F: Float>(tried: &[(F, F)]) -> F {
+    let infinite = F::int(1) / F::int(0);
+    let least = tried.iter().fold(infinite, |least, place| if place.1 < least { place.1 } else { least });
+    least * (F::int(1) + F::exp2i(-33))
+}
+
+/// The neighbours of the least friction that is as good as any.
+fn around<F: Float>(tried: &[(F, F)]) -> (F, F) {
+    let enough = least_of(tried);
+    let first = tried.iter().position(|place| place.1 <= enough).unwrap_or(0);
+    let at = |i: usize| tried.get(i).or(tried.last()).map_or(F::int(1), |place| place.0);
+    (at(first.saturating_sub(1)), at(first.saturating_add(1)))
+}
+
+/// The places of the best minima of a mesh.
+fn minima<F: Float>(tried: &[(F, F)]) -> Vec<usize> {
+    let value = |i: Option<usize>| i.and_then(|i| tried.get(i)).map(|place| place.1);
+    let mut found: Vec<usize> = (0..tried.len())
+        .filter(|&i| {
+            let (before, here, after) = (value(i.checked_sub(1)), value(Some(i)), value(i.checked_add(1)));
+            here.is_some_and(|here| before.is_none_or(|b| here <= b) && after.is_none_or(|a| here <= a))
+        })
+        .collect();
+    found.sort_by(|&a, &b| value(Some(a)).partial_cmp(&value(Some(b))).unwrap_or(Ordering::Equal));
+    found.truncate(MINIMA);
+    found
 }
 
 /// The binary logarithm of the range of frictions: 10⁶.
 const LOG_RANGE: i32 = 20;
-/// Minima of the mesh that are refined.
+/// Refinements of the mesh of frictions.
+const REFINEMENTS: usize = 3;
+/// Minima of the mesh around which a golden section searches.
 const MINIMA: usize = 3;
 /// The binary logarithm of the number of steps of a mesh.
 const LOG_STEPS: u32 = 6;
