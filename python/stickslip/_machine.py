@@ -359,16 +359,18 @@ class Machine:
         """
         from ._design import Band
 
-        amplitudes = {
-            "force": force,
-            "foot_displacement": foot_displacement,
-            "unbalance": unbalance,
-            "base_displacement": base_displacement,
-            "base_velocity": base_velocity,
-            "base_acceleration": base_acceleration,
-        }
-        units = self.units if not any(isinstance(x, str) for x in amplitudes.values()) else None
-        drive = Drive(**amplitudes, angular_frequency=1.0, units=units)
+        amplitudes = (force, foot_displacement, unbalance, base_displacement, base_velocity, base_acceleration)
+        units = self.units if not any(isinstance(x, str) for x in amplitudes) else None
+        drive = Drive(
+            force=force,
+            foot_displacement=foot_displacement,
+            unbalance=unbalance,
+            base_displacement=base_displacement,
+            base_velocity=base_velocity,
+            base_acceleration=base_acceleration,
+            angular_frequency=1.0,
+            units=units,
+        )
         kind, amplitude, _ = self._single(drive)
         ends = self._frequency(low), self._frequency(high)
         return [Band(*band) for band in _native.bands(self._body, kind, amplitude, *ends)]
