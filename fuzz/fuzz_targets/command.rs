@@ -7,17 +7,23 @@
 #[path = "../../command/src"]
 mod command {
     pub(crate) mod args;
+    pub(crate) mod attractors;
+    pub(crate) mod axes;
     pub(crate) mod bits;
     pub(crate) mod border;
+    pub(crate) mod curve;
     pub(crate) mod decay;
     pub(crate) mod design;
     pub(crate) mod enclose;
     pub(crate) mod failure;
+    pub(crate) mod figure;
     pub(crate) mod given;
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
     pub(crate) mod machine;
+    pub(crate) mod map;
+    pub(crate) mod motion_plot;
     pub(crate) mod note;
     pub(crate) mod output;
     pub(crate) mod outputs;
@@ -26,15 +32,20 @@ mod command {
     pub(crate) mod progress;
     pub(crate) mod record;
     pub(crate) mod response;
+    pub(crate) mod resume;
     pub(crate) mod rows;
     pub(crate) mod sink;
+    pub(crate) mod starts;
+    pub(crate) mod steady;
     pub(crate) mod style;
+    pub(crate) mod sweep;
 }
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, enclose, failure, given, grid, input, interrupt, machine, note,
-    outputs, physical, points, progress, record, response, rows, sink, style,
+    args, attractors, axes, bits, border, curve, decay, design, enclose, failure, figure, given, grid, input,
+    interrupt, machine, map, motion_plot, note, output, outputs, physical, points, progress, record,
+    response, resume, rows, sink, starts, steady, style, sweep,
 };
 use failure::Failure;
 use std::path::PathBuf;
