@@ -149,7 +149,7 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
     [
         (lambda: ss.Machine(-1, 2, 3), "mass -1.0: mass m = -1 must be > 0"),
         (lambda: ss.Machine(1, 2, 3, damping=math.nan), "damping constant c = NaN"),
-        (lambda: ss.Drive(angular_frequency=1), "force .or base_acceleration, .*, damped_foot_displacement. is missing"),
+        (lambda: ss.Drive(angular_frequency=1), "force .or unbalance, base_acceleration, .*, damped_foot_displacement. is missing"),
         (lambda: ss.Drive(angular_frequency=1, force=1, base_velocity=2), "force and base_velocity: give one of the two, because"),
         (lambda: ss.Machine(1, 2, 3, 0), "friction_backward 0.0: backward friction r₋ = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=0, friction=1), "period 0.0: natural period T = 0 must be > 0"),
@@ -221,9 +221,9 @@ def test_the_bits_are_those_of_the_command(question, ask):
 
 def test_an_unbalance_is_a_force_that_grows_with_the_square_of_the_speed():
     frequency = HERTZ * np.array([5.0, 8.0, 12.0])
-    turning = isolator().response(ss.Drive(unbalance=0.35, angular_frequency=frequency))
+    turning = isolator().response(ss.Drive(unbalance=3.5, angular_frequency=frequency))
     for i, omega in enumerate(frequency):
-        force = isolator().response(ss.Drive(force=0.35 * omega**2, angular_frequency=omega))
+        force = isolator().response(ss.Drive(force=3.5 * omega**2, angular_frequency=omega))
         assert turning.max_displacement[i] == pytest.approx(force.max_displacement, rel=1e-12)
     bands = isolator().bands(1 * HERTZ, 30 * HERTZ, unbalance=20.0)
     assert len(bands) >= 1 and not bands[0].low_is_end_of_range

@@ -35,7 +35,8 @@ pub enum Role {
 pub enum Naming {
     /// As options: `--damping-ratio`.
     Option,
-    /// As keywords: `damping_ratio`. Ω and α are keywords of functions that take no machine.
+    /// As keywords: `damping_ratio`. Ω and α are keywords of functions that take no machine, and an unbalance has one
+    /// keyword.
     Keyword,
 }
 
@@ -51,7 +52,8 @@ impl Naming {
 
     /// The names of inputs of which one is missing: the first, and the others in brackets.
     pub(super) fn of_several(self, inputs: &[Input]) -> String {
-        let is_known = |input: &Input| self == Self::Option || !matches!(input, Input::Omega | Input::Alpha);
+        let is_option = |input: &Input| matches!(input, Input::Omega | Input::Alpha | Input::Eccentricity);
+        let is_known = |input: &Input| self == Self::Option || !is_option(input);
         let names: Vec<_> = inputs.iter().copied().filter(is_known).map(|input| self.of(input)).collect();
         match names.split_first() {
             Some((first, [])) => first.clone(),
