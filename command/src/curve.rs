@@ -19,7 +19,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
-use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::inputs::units::{Kind, Reader, System, split};
 use stickslip::inputs::{Given, Input, Naming};
 use stickslip_figures::{Figure, Origin, resolved};
 
@@ -106,13 +106,10 @@ const UNITS: [(&str, f64); 4] = [("Hz", TAU), ("rpm", TAU / 60.0), ("cpm", TAU /
 fn legend(input: Input, text: &str) -> String {
     let (words, symbol) = input.symbol().rsplit_once(' ').unwrap_or(("", input.symbol()));
     let is_word = symbol.len() > 1 && symbol.chars().all(|c| c.is_ascii_lowercase());
-    let spaced = match text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))) {
-        Some(at) if at > 0 => {
-            let (number, unit) = text.split_at(at);
-            let unit = unit.trim();
-            if matches!(unit, "%" | "°") { format!("{number}{unit}") } else { format!("{number} {unit}") }
-        }
-        _ => text.to_owned(),
+    let spaced = match split(text) {
+        ("", _) | (_, "") => text.to_owned(),
+        (number, unit @ ("%" | "°")) => format!("{number}{unit}"),
+        (number, unit) => format!("{number} {unit}"),
     };
     if is_word && !words.is_empty() {
         format!("{words} {symbol} {spaced}")

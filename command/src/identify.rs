@@ -10,7 +10,7 @@ use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::Serialize;
 use std::f64::consts::TAU;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::iter::zip;
 use std::path::Path;
 use stickslip::design::{self, AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading};
@@ -154,9 +154,7 @@ impl Measured {
     /// The columns `frequency` and `amplitude`, and `phase` if it was measured.
     fn read(file: &Path, name: &str, reader: &Reader) -> Result<Self, Failure> {
         let ahead = Ahead::default();
-        let source = Bounded { source: rows::open(file, name)?, ahead: &ahead };
-        let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
-        let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
+        let (mut table, header) = opened(file, name, &ahead)?;
         let known = [("frequency", Kind::Frequency), ("amplitude", Kind::Length), ("phase", Kind::Angle)];
         let ([frequency, amplitude, phase], others) = MeasuredColumn::all(&header, name, reader, known)?;
         let due = |column: Option<MeasuredColumn>, which: &str| {
@@ -166,30 +164,54 @@ impl Measured {
             })
         };
         let (frequency, amplitude) = (due(frequency, "frequency")?, due(amplitude, "amplitude")?);
-        let (mut curve, mut lines) = (Vec::new(), Vec::new());
-        let mut row = StringRecord::new();
-        let mut begin = table.position().byte();
-        ahead.complete(begin);
-        while table.read_record(&mut row).map_err(|e| unreadable(name, e))? {
-            let end = table.position().byte();
-            ahead.complete(end - begin);
-            begin = end;
-            let line = row.position().map_or(0, csv::Position::line);
-            let at = format!("{name} line {line}");
-            if curve.len() == MOST_ROWS {
-                return Err(Failure::Input(format!(
-                    "{at}: the number of measurements must be ≤ {MOST_ROWS}"
-                )));
-            }
+        let mut curve = Vec::new();
+        let lines = each_row(&mut table, name, &ahead, (MOST_ROWS, "measurements"), |row, at| {
             curve.push(Measurement {
-                angular_frequency: frequency.value(&row, &at, reader)?,
-                amplitude: amplitude.value(&row, &at, reader)?,
-                phase: phase.as_ref().map(|phase| phase.phase(&row, &at, reader)).transpose()?,
+                angular_frequency: frequency.value(row, at, reader)?,
+                amplitude: amplitude.value(row, at, reader)?,
+                phase: phase.as_ref().map(|phase| phase.phase(row, at, reader)).transpose()?,
             });
-            lines.push(line);
-        }
+            Ok(())
+        })?;
         Ok(Self { curve, lines, others })
     }
+}
+
+/// A file of measurements, of which no line may be endless.
+type Table<'a> = csv::Reader<Bounded<'a, Box<dyn Read>>>;
+
+/// The file and its header.
+fn opened<'a>(file: &Path, name: &str, ahead: &'a Ahead) -> Result<(Table<'a>, StringRecord), Failure> {
+    let source = Bounded { source: rows::open(file, name)?, ahead };
+    let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
+    let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
+    Ok((table, header))
+}
+
+/// Takes each row with its place in words, up to a number of things, and returns the lines of the rows.
+fn each_row(
+    table: &mut Table<'_>,
+    name: &str,
+    ahead: &Ahead,
+    (most, things): (usize, &str),
+    mut take: impl FnMut(&StringRecord, &str) -> Outcome,
+) -> Result<Vec<u64>, Failure> {
+    let (mut row, mut lines) = (StringRecord::new(), Vec::new());
+    let mut begin = table.position().byte();
+    ahead.complete(begin);
+    while table.read_record(&mut row).map_err(|e| unreadable(name, e))? {
+        let end = table.position().byte();
+        ahead.complete(end - begin);
+        begin = end;
+        let line = row.position().map_or(0, csv::Position::line);
+        let at = format!("{name} line {line}");
+        if lines.len() == most {
+            return Err(Failure::Input(format!("{at}: the number of {things} must be ≤ {most}")));
+        }
+        take(&row, &at)?;
+        lines.push(line);
+    }
+    Ok(lines)
 }
 
 /// An estimate in JSON.

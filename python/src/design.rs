@@ -6,8 +6,7 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::design::{
-    self, Aim, AmplitudeKind, BandFrictionKind, Edge, Measurement, OptimumKind, PhaseKind, Reading,
-    TurningPoints,
+    self, Aim, AmplitudeKind, Edge, Measurement, OptimumKind, PhaseKind, Reading, TurningPoints,
 };
 use stickslip::uncertainty::Estimate;
 use stickslip::{Drive, Error};
@@ -88,22 +87,11 @@ fn best_friction_over(
     aim: &str,
 ) -> PyResult<(f64, f64, Vec<(f64, f64)>, &'static str, f64)> {
     let drive = drive(excitation, amplitude, 1.0)?;
-    let aims = [
-        (Aim::Displacement, "displacement"),
-        (Aim::AbsoluteDisplacement, "absolute-displacement"),
-        (Aim::TransmittedForce, "transmitted-force"),
-        (Aim::Acceleration, "acceleration"),
-    ];
-    let (aim, _) = kind("of", aim, &aims, |(_, name)| name)?;
+    let aim = kind("of", aim, &Aim::ALL, Aim::name)?;
     let found = py
         .detach(|| body(of).and_then(|body| design::best_friction_over_band(&body, &drive, low, high, aim)))
         .map_err(refused)?;
-    let kind = match found.kind {
-        BandFrictionKind::Interior => "interior",
-        BandFrictionKind::None => "none",
-        _ => "rest",
-    };
-    Ok((found.friction, found.greatest, found.at, kind, found.rest))
+    Ok((found.friction, found.greatest, found.at, found.kind.name(), found.rest))
 }
 
 /// Friction displacement and damping ratio from a free decay: of samples, or of turning points in every cycle or half

@@ -59,7 +59,11 @@ impl<F: Float> DampedCycle<F> {
 
     /// The cycle at ratios on or above the border, with NaN for the outputs of the maximum velocity.
     pub(crate) fn without_velocity(half: HalfPeriod<F>, alpha: F) -> Self {
-        let (rising, nan) = (Rising::of_force(half, alpha), F::int(0) / F::int(0));
+        Self::of_displacement(Rising::of_force(half, alpha))
+    }
+
+    fn of_displacement(rising: Rising<F>) -> Self {
+        let nan = F::int(0) / F::int(0);
         Self {
             rising,
             max_displacement: rising.max_displacement,
@@ -72,16 +76,13 @@ impl<F: Float> DampedCycle<F> {
 
     /// The cycle of equations 21–25 whose half is given, stops or none.
     pub(crate) fn of(rising: Rising<F>) -> Self {
-        let Rising { half, max_displacement, .. } = rising;
-        let displacement_phase = rising.displacement_phase();
+        let (found, omega) = (Self::of_displacement(rising), rising.half.omega);
         let Summit { tau, velocity, displacement } = rising.summit();
         Self {
-            rising,
-            max_displacement,
-            displacement_phase,
-            max_velocity: velocity / half.omega,
-            velocity_phase: reduce(displacement_phase - F::pi() + half.omega * tau),
+            max_velocity: velocity / omega,
+            velocity_phase: reduce(found.displacement_phase - F::pi() + omega * tau),
             deviation: displacement,
+            ..found
         }
     }
 
@@ -108,12 +109,10 @@ impl<F: Float> DampedCycle<F> {
 
     /// The contraction of a small disturbance in half a cycle, max |λ|.
     pub(crate) fn contraction(&self) -> F {
-        let (half, one) = (&self.rising.half, F::int(1));
+        let half = &self.rising.half;
         match self.multipliers() {
             MultiplierPair::Complex { .. } => {
-                let inverse = one / self.deceleration();
-                // On the border R is 1 but for rounding.
-                half.decay * ((one - inverse).or_larger(F::int(0)) / (one + inverse)).sqrt()
+                half.decay * MultiplierPair::product(F::int(1) / self.deceleration()).sqrt()
             }
             MultiplierPair::Real(larger, _) => larger.abs(),
         }

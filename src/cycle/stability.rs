@@ -89,10 +89,16 @@ impl<F: Float> MultiplierPair<F> {
             return Self::Complex { re: mean, im: spread };
         }
         let larger = mean + spread.with_sign_of(mean);
-        // On the border R may round to less than 1, and at the double root the product to more than λ².
-        let product = (one - inverse).or_larger(zero) / (one + inverse) * decay.square();
+        // At the double root the product may round to more than λ².
+        let product = Self::product(inverse) * decay.square();
         let smaller = if product < larger.square() { product / larger } else { larger };
         Self::Real(larger, smaller)
+    }
+
+    /// The product of the two without the damper's part, `(R − 1)/(R + 1)`, from 1/R. On the border R may round to less
+    /// than 1.
+    pub(crate) fn product(inverse: F) -> F {
+        (F::int(1) - inverse).or_larger(F::int(0)) / (F::int(1) + inverse)
     }
 
     /// The two as (real, imaginary) parts.

@@ -23,7 +23,6 @@ use crate::root;
 /// The bands of a range, by increasing frequency: see [`bands`].
 #[derive(Debug, Clone)]
 pub struct Bands<F> {
-    alpha: F,
     low: F,
     high: F,
     method: Method<F>,
@@ -33,8 +32,8 @@ pub struct Bands<F> {
 /// The method that finds the bands.
 #[derive(Debug, Clone)]
 enum Method<F> {
-    /// The lobes that remain, from the next to the last.
-    Lobes(Option<Lobe>, Lobe),
+    /// The lobes that remain at α, from the next to the last.
+    Lobes(F, Option<Lobe>, Lobe),
     /// A search, with a damper.
     Searched(Box<BandSearch<F>>),
 }
@@ -85,12 +84,17 @@ pub(super) fn bands_with<F: Float>(alpha: F, damper: Damper<F>, low: F, high: F)
         return bands_by_lobes(alpha, low, high);
     }
     Ratios::new(high, alpha)?;
+    searched(Force::constant(alpha), damper, low, high)
+}
+
+/// The bands by a search between two Ω that are valid, as are α and ζ at both.
+fn searched<F: Float>(force: Force<F>, damper: Damper<F>, low: F, high: F) -> Result<Bands<F>, Error> {
     if low > high {
         let quantity = Quantity::FrequencyRatio;
         return Err(Error::EmptyRange { quantity, low: written(low), high: written(high) });
     }
-    let method = Method::Searched(Box::new(BandSearch::new(Force::Constant(alpha), damper, low, high)?));
-    Ok(Bands { alpha, low, high, method, frequency: None })
+    let method = Method::Searched(Box::new(BandSearch::new(force, damper, low, high)?));
+    Ok(Bands { low, high, method, frequency: None })
 }
 
 /// The bands without damping, lobe by lobe.
@@ -102,7 +106,7 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
     // The conversion of a float to an integer saturates.
     let reachable = ((1.0 + alpha.to_f64()).sqrt() / 2.0) as u16;
     let next = first.min(Lobe::new(reachable)).max(last);
-    Ok(Bands { alpha, low, high, method: Method::Lobes(Some(next), last), frequency: None })
+    Ok(Bands { low, high, method: Method::Lobes(alpha, Some(next), last), frequency: None })
 }
 
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
@@ -120,33 +124,24 @@ pub fn frequency_bands<F: Float>(
     low: F,
     high: F,
 ) -> Result<Bands<F>, Error> {
-    let natural = body.natural_frequency();
-    let scale = FrequencyScale { natural, low, high };
-    if !drive.is_same_at_any_frequency() {
-        let ratios = |frequency: F| drive.at_frequency(frequency)?.ratios(body);
-        let (from, to) = (ratios(low)?, ratios(high)?);
-        if low > high {
-            let quantity = Quantity::FrequencyRatio;
-            let (low, high) = (written(from.omega()), written(to.omega()));
-            return Err(Error::EmptyRange { quantity, low, high });
-        }
-        let (damper, force) = (Damper::Ratio(body.damping_ratio()), growing(body, drive, natural)?);
-        let search = BandSearch::new(force, damper, from.omega(), to.omega())?;
-        let (low, high) = (from.omega(), to.omega());
-        let method = Method::Searched(Box::new(search));
-        return Ok(Bands { alpha: from.alpha(), low, high, method, frequency: Some(scale) });
-    }
-    let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
-    let ratio = |frequency: F| Ok::<F, Error>(ratios_of(body, frequency)?.omega());
-    let found = bands(alpha, body.damping_ratio(), ratio(low)?, ratio(high)?)?;
-    Ok(Bands { frequency: Some(scale), ..found })
+    let (natural, zeta) = (body.natural_frequency(), body.damping_ratio());
+    let found = if drive.is_same_at_any_frequency() {
+        let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
+        let ratio = |frequency: F| Ok::<F, Error>(ratios_of(body, frequency)?.omega());
+        bands(alpha, zeta, ratio(low)?, ratio(high)?)?
+    } else {
+        let ratio = |frequency: F| Ok::<F, Error>(drive.at_frequency(frequency)?.ratios(body)?.omega());
+        let (from, to) = (ratio(low)?, ratio(high)?);
+        searched(growing(body, drive, natural)?, Damper::Ratio(zeta), from, to)?
+    };
+    Ok(Bands { frequency: Some(FrequencyScale { natural, low, high }), ..found })
 }
 
 /// α as a function of Ω: a foot with its damper has `p₀² = (k² + c²ω_d²) u₀²`, other drives a power of ω_d.
 fn growing<F: Float>(body: &Oscillator<F>, drive: &Drive<F>, natural: F) -> Result<Force<F>, Error> {
     let zero = F::int(0);
     let alpha = drive.at_frequency(natural)?.force_amplitude(body) / body.friction_bound();
-    Ok(Force::Growing(match drive.excitation() {
+    Ok(Force(match drive.excitation() {
         Excitation::Force | Excitation::FootMotion | Excitation::SurfaceAcceleration => [alpha, zero, zero],
         Excitation::SurfaceVelocity => [zero, alpha, zero],
         Excitation::Unbalance | Excitation::SurfaceMotion => [zero, zero, alpha],
@@ -164,10 +159,10 @@ impl<F: Float> Iterator for Bands<F> {
         loop {
             let found = match &mut self.method {
                 Method::Searched(search) => Ok(Some(search.next()?)),
-                Method::Lobes(next, last) => {
+                Method::Lobes(alpha, next, last) => {
                     let lobe = (*next)?;
                     *next = if lobe == *last { None } else { lobe.above() };
-                    band_in(lobe, self.alpha, self.low, self.high)
+                    band_in(lobe, *alpha, self.low, self.high)
                 }
             };
             match found {

@@ -75,24 +75,21 @@ impl<F: Float> Damper<F> {
     }
 }
 
-/// The force ratio while the frequency ratio changes.
+/// The force ratio while the frequency ratio changes, `α = √(α₀² + α₁²Ω² + α₂²Ω⁴)`: of a force, of a base motion by its
+/// velocity, of a rotating unbalance or a base motion by its displacement, or of a foot with its damper.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Force<F> {
-    /// The same α at every frequency.
-    Constant(F),
-    /// `α = √(α₀² + α₁²Ω² + α₂²Ω⁴)`, of a rotating unbalance, a base motion, or a foot with its damper.
-    Growing([F; 3]),
-}
+pub(super) struct Force<F>(pub(super) [F; 3]);
 
 impl<F: Float> Force<F> {
+    /// The same α at every frequency.
+    pub(super) fn constant(alpha: F) -> Self {
+        Self([alpha, F::int(0), F::int(0)])
+    }
+
     /// α at Ω.
     pub(super) fn ratio(self, omega: F) -> F {
-        match self {
-            Self::Constant(alpha) => alpha,
-            Self::Growing([constant, linear, square]) => {
-                constant.hypot(linear * omega).hypot(square * omega.square())
-            }
-        }
+        let Self([constant, linear, square]) = self;
+        constant.hypot(linear * omega).hypot(square * omega.square())
     }
 }
 

@@ -12,10 +12,13 @@
 //! turning points, and with samples also the time of the first, ω and the rest c of the spring. The fit does not know that
 //! B and ζ are not negative: so its intervals contain the truth as often as they say. An estimate below 0 is given as 0.
 
+mod fit;
+
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{finite, positive};
 use crate::uncertainty::Estimate;
 use core::f64::consts::PI;
+use fit::Fit;
 
 /// The turning points that were measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -117,7 +120,7 @@ pub fn identify_turning_points(
         None => None,
     };
     let points = turns.iter().enumerate().map(|(i, &x)| (times.and_then(|t| t.get(i).copied()), x)).collect();
-    Ok(fit.identified([2, 1, 0], natural_frequency, points))
+    Ok(identified(fit, natural_frequency, points))
 }
 
 /// The same of a sampled displacement: times that increase, and the displacement from any zero.
@@ -137,10 +140,7 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
     for (index, (&t, &x)) in times.iter().zip(displacements).enumerate() {
         let wrong = |error| Error::InMeasurement { index, error: Box::new(error) };
         finite(Quantity::Time, t).and(finite(Quantity::Displacement, x)).map_err(wrong)?;
-        if t <= before {
-            return Err(wrong(positive(Quantity::TimeStep, t - before).err().unwrap_or(Error::NotADecay)));
-        }
-        before = t;
+        before = after(before, t).map_err(wrong)?;
     }
     let turns = turning_points(displacements);
     if turns.len() < LEAST {
@@ -163,7 +163,7 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
     // Amplitude, ζ, B, rest, time of the first turning point in half cycles, half cycles in those of the guess.
     let model = |p: &[f64]| {
         let (zeta, kappa) = (p[1], ratio(p[1]));
-        let d = (1.0 - zeta * zeta).max(1e-12).sqrt();
+        let d = swing(zeta);
         let length = half * p[5];
         let (mut y, mut n, mut s) = (p[0], 0.0, sign);
         let mut found = Vec::with_capacity(when.len());
@@ -187,7 +187,7 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
     let scales = [amplitude, 0.1, amplitude, amplitude, 1.0, 1.0];
     let fit = Fit::best(&used, &model, &starts, &scales)?;
     let (zeta, length) = (fit.at[1], half * fit.at[5]);
-    let d = (1.0 - zeta * zeta).max(1e-12).sqrt();
+    let d = swing(zeta);
     let value = PI / (length * d);
     let spread = (fit.error(5) / fit.at[5]).hypot(zeta * fit.error(1) / (d * d));
     let natural_frequency = fit.estimate(value, value * spread, f64::INFINITY);
@@ -199,7 +199,25 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
         point
     });
     let points = points.collect();
-    Ok(fit.identified([2, 1, 0], Some(natural_frequency), points))
+    Ok(identified(fit, Some(natural_frequency), points))
+}
+
+/// The answer from a fit of the first amplitude, ζ and B, and of further parameters or none.
+fn identified(
+    fit: Fit,
+    natural_frequency: Option<Estimate>,
+    turning_points: Vec<(Option<f64>, f64)>,
+) -> DecayIdentified {
+    let of = |i: usize, greatest| fit.estimate(fit.at[i].max(0.0), fit.error(i), greatest);
+    DecayIdentified {
+        friction_displacement: of(2, f64::INFINITY),
+        damping_ratio: of(1, 1.0),
+        amplitude: of(0, f64::INFINITY),
+        natural_frequency,
+        noise: fit.noise(),
+        turning_points,
+        residuals: fit.residuals,
+    }
 }
 
 /// The least number of turning points.
@@ -207,7 +225,20 @@ const LEAST: usize = 4;
 
 /// κ = e^{−ζπ/√(1 − ζ²)}, with a continuation below ζ = 0 for the fit.
 fn ratio(zeta: f64) -> f64 {
-    (-zeta * PI / (1.0 - zeta * zeta).max(1e-12).sqrt()).exp()
+    (-zeta * PI / swing(zeta)).exp()
+}
+
+/// √(1 − ζ²), above 0.
+fn swing(zeta: f64) -> f64 {
+    (1.0 - zeta * zeta).max(1e-12).sqrt()
+}
+
+/// A time after another one.
+fn after(before: f64, t: f64) -> Result<f64, Error> {
+    if t <= before {
+        positive(Quantity::TimeStep, t - before)?;
+    }
+    Ok(t)
 }
 
 /// The natural frequency from the times of turning points that are so many half cycles apart, by a straight line.
@@ -216,10 +247,7 @@ fn frequency(times: &[f64], halves: f64, zeta: f64) -> Result<Estimate, Error> {
     for (index, &t) in times.iter().enumerate() {
         let wrong = |error| Error::InMeasurement { index, error: Box::new(error) };
         finite(Quantity::Time, t).map_err(wrong)?;
-        if t <= before {
-            return Err(wrong(positive(Quantity::TimeStep, t - before).err().unwrap_or(Error::NotADecay)));
-        }
-        before = t;
+        before = after(before, t).map_err(wrong)?;
     }
     let n = times.len() as f64;
     let (middle, mean) = ((n - 1.0) / 2.0, times.iter().sum::<f64>() / n);
@@ -228,7 +256,7 @@ fn frequency(times: &[f64], halves: f64, zeta: f64) -> Result<Estimate, Error> {
     let slope = times.iter().enumerate().map(|(i, t)| off(i) * (t - mean)).sum::<f64>() / square;
     let rest: f64 = times.iter().enumerate().map(|(i, t)| (t - mean - slope * off(i)).powi(2)).sum();
     let spread = (rest / (n - 2.0) / square).sqrt() / slope;
-    let value = halves * PI / (slope * (1.0 - zeta * zeta).max(1e-12).sqrt());
+    let value = halves * PI / (slope * swing(zeta));
     let range = (0.0, f64::INFINITY);
     Ok(Estimate { value, standard_error: value * spread, degrees_of_freedom: n - 2.0, range })
 }
@@ -266,174 +294,6 @@ fn turning_points(x: &[f64]) -> Vec<usize> {
         found.remove(0);
     }
     found
-}
-
-/// A least-squares fit.
-struct Fit {
-    at: Vec<f64>,
-    /// The covariance over the variance of one measurement, by rows.
-    covariance: Vec<Vec<f64>>,
-    sum: f64,
-    residuals: Vec<f64>,
-}
-
-impl Fit {
-    /// The best fit from several starts.
-    fn best(
-        measured: &[f64],
-        model: &impl Fn(&[f64]) -> Vec<f64>,
-        starts: &[Vec<f64>],
-        scales: &[f64],
-    ) -> Result<Self, Error> {
-        let fits = starts.iter().filter_map(|start| {
-            let at = descend(measured, model, start.clone(), scales)?;
-            let residuals = residuals(measured, model, &at);
-            let sum = squares(&residuals);
-            Some(Self { covariance: inverse(&normal(model, &at, scales).0)?, at, sum, residuals })
-        });
-        fits.min_by(|a, b| a.sum.total_cmp(&b.sum)).ok_or(Error::NotADecay)
-    }
-
-    fn degrees_of_freedom(&self) -> f64 {
-        self.residuals.len().saturating_sub(self.at.len()).max(1) as f64
-    }
-
-    /// The standard error of one measurement.
-    fn noise(&self) -> f64 {
-        (self.sum / self.degrees_of_freedom()).sqrt()
-    }
-
-    /// The standard error of a parameter.
-    fn error(&self, i: usize) -> f64 {
-        self.covariance.get(i).and_then(|row| row.get(i)).map_or(f64::NAN, |v| v.sqrt()) * self.noise()
-    }
-
-    fn estimate(&self, value: f64, standard_error: f64, greatest: f64) -> Estimate {
-        let degrees_of_freedom = self.degrees_of_freedom();
-        Estimate { value, standard_error, degrees_of_freedom, range: (0.0, greatest) }
-    }
-
-    fn identified(
-        self,
-        [friction, damping, amplitude]: [usize; 3],
-        natural_frequency: Option<Estimate>,
-        turning_points: Vec<(Option<f64>, f64)>,
-    ) -> DecayIdentified {
-        let of = |i: usize, greatest| self.estimate(self.at[i].max(0.0), self.error(i), greatest);
-        DecayIdentified {
-            friction_displacement: of(friction, f64::INFINITY),
-            damping_ratio: of(damping, 1.0),
-            amplitude: of(amplitude, f64::INFINITY),
-            natural_frequency,
-            noise: self.noise(),
-            turning_points,
-            residuals: self.residuals,
-        }
-    }
-}
-
-fn squares(residuals: &[f64]) -> f64 {
-    residuals.iter().map(|r| r * r).sum()
-}
-
-fn residuals(measured: &[f64], model: &impl Fn(&[f64]) -> Vec<f64>, at: &[f64]) -> Vec<f64> {
-    measured.iter().zip(model(at)).map(|(m, c)| m - c).collect()
-}
-
-/// The slopes by each parameter, by central differences, and the matrix of the normal equations.
-fn normal(model: &impl Fn(&[f64]) -> Vec<f64>, at: &[f64], scales: &[f64]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
-    let slopes: Vec<Vec<f64>> = scales
-        .iter()
-        .enumerate()
-        .map(|(i, scale)| {
-            let step = 1e-6 * scale;
-            let moved = |by: f64| {
-                let mut at = at.to_vec();
-                at[i] += by;
-                model(&at)
-            };
-            moved(step).iter().zip(moved(-step)).map(|(a, b)| (a - b) / (2.0 * step)).collect()
-        })
-        .collect();
-    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum();
-    (slopes.iter().map(|a| slopes.iter().map(|b| product(a, b)).collect()).collect(), slopes)
-}
-
-/// Levenberg and Marquardt's descent.
-fn descend(
-    measured: &[f64],
-    model: &impl Fn(&[f64]) -> Vec<f64>,
-    mut at: Vec<f64>,
-    scales: &[f64],
-) -> Option<Vec<f64>> {
-    let mut rest = residuals(measured, model, &at);
-    let mut sum = squares(&rest);
-    let mut damping = 1e-3;
-    for _ in 0..200 {
-        let (matrix, slopes) = normal(model, &at, scales);
-        let gradient: Vec<f64> =
-            slopes.iter().map(|slope| slope.iter().zip(&rest).map(|(a, b)| a * b).sum()).collect();
-        let mut is_moved = false;
-        for _ in 0..30 {
-            let mut damped = matrix.clone();
-            for (i, row) in damped.iter_mut().enumerate() {
-                row[i] *= 1.0 + damping;
-            }
-            let inverse = inverse(&damped)?;
-            let along = |row: &Vec<f64>| -> f64 { row.iter().zip(&gradient).map(|(a, g)| a * g).sum() };
-            let step: Vec<f64> = inverse.iter().map(along).collect();
-            let mut next: Vec<f64> = at.iter().zip(&step).map(|(a, s)| a + s).collect();
-            // ζ stays where κ is defined.
-            next[1] = next[1].clamp(-0.9, 0.99);
-            let trial = residuals(measured, model, &next);
-            let smaller = squares(&trial);
-            if smaller <= sum {
-                let gain = sum - smaller;
-                (at, rest, damping) = (next, trial, (damping / 10.0).max(1e-12));
-                is_moved = gain > 1e-14 * sum;
-                sum = smaller;
-                break;
-            }
-            damping *= 10.0;
-        }
-        if !is_moved {
-            break;
-        }
-    }
-    at.iter().all(|x| x.is_finite()).then_some(at)
-}
-
-/// The inverse of a positive matrix, by elimination with the rows scaled by the diagonal.
-fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    let n = matrix.len();
-    let scale: Vec<f64> = (0..n).map(|i| matrix[i][i].sqrt()).collect();
-    if scale.iter().any(|s| !(*s > 0.0 && s.is_finite())) {
-        return None;
-    }
-    let mut left: Vec<Vec<f64>> =
-        (0..n).map(|i| (0..n).map(|j| matrix[i][j] / (scale[i] * scale[j])).collect()).collect();
-    let mut right: Vec<Vec<f64>> =
-        (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
-    for i in 0..n {
-        let pivot = left[i][i];
-        if pivot <= 1e-14 {
-            return None;
-        }
-        for j in 0..n {
-            left[i][j] /= pivot;
-            right[i][j] /= pivot;
-        }
-        for k in 0..n {
-            if k != i {
-                let factor = left[k][i];
-                for j in 0..n {
-                    left[k][j] -= factor * left[i][j];
-                    right[k][j] -= factor * right[i][j];
-                }
-            }
-        }
-    }
-    Some((0..n).map(|i| (0..n).map(|j| right[i][j] / (scale[i] * scale[j])).collect()).collect())
 }
 
 #[cfg(test)]

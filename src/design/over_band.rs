@@ -10,9 +10,8 @@
 //! **Everything else is searched**: Q on a mesh of frequencies, finer towards Ω = 1, 1/3, 1/5, 1/7 and the damped
 //! resonance, with each of its maxima located by a golden section; F on a mesh of frictions down to 10⁻⁶ of those that
 //! hold the body, which is refined three times where it is best, and around the best three of its minima by a golden
-//! section. A peak of Q that is much narrower than
-//! 2⁻¹² of its frequency could be missed away from these places. A friction with which a motion of the band does not
-//! settle is no candidate.
+//! section. A peak of Q that is much narrower than 2⁻¹² of its frequency could be missed away from these places. A
+//! friction with which a motion of the band does not settle is no candidate.
 
 use crate::float::Float;
 use crate::greatest::highest;
@@ -36,6 +35,23 @@ pub enum Aim {
     Acceleration,
 }
 
+impl Aim {
+    /// Every aim.
+    pub const ALL: [Self; 4] =
+        [Self::Displacement, Self::AbsoluteDisplacement, Self::TransmittedForce, Self::Acceleration];
+
+    /// Its name in the command and in Python.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Displacement => "displacement",
+            Self::AbsoluteDisplacement => "absolute-displacement",
+            Self::TransmittedForce => "transmitted-force",
+            Self::Acceleration => "acceleration",
+        }
+    }
+}
+
 /// The kind of a best friction over a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -49,6 +65,18 @@ pub enum BandFrictionKind {
     None,
     /// The body rests in the whole band, and no motion is better.
     Rest,
+}
+
+impl BandFrictionKind {
+    /// Its name in the command and in Python.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Interior => "interior",
+            Self::None => "none",
+            Self::Rest => "rest",
+        }
+    }
 }
 
 /// The friction whose greatest amplitude over a band is least.
@@ -78,7 +106,8 @@ pub struct BandFriction<F> {
 /// start, the amplitude is that of [`Amplitude::of`].
 ///
 /// Unit of force; the greatest amplitude in a unit of length, force or acceleration, accurate to a relative 10⁻⁹. The
-/// friction has a relative error of some 10⁻¹⁰ where two frequencies balance, and of 10⁻⁵ at a smooth minimum. What is proved and what is searched is in the module's documentation: `src/design/over_band.rs`.
+/// friction has a relative error of some 10⁻¹⁰ where two frequencies balance, and of 10⁻⁵ at a smooth minimum. The
+/// documentation of `src/design/over_band.rs` says which answers are proved and which are searched.
 ///
 /// ```
 /// use stickslip::design::{Aim, BandFrictionKind, best_friction_over_band};
@@ -95,7 +124,8 @@ pub struct BandFriction<F> {
 /// ```
 ///
 /// # Errors
-/// Where `low ≥ high`, a ratio of the band is outside the domain of [`crate::Ratios`], or [`Aim::AbsoluteDisplacement`] is asked of a surface at rest; and those of [`Amplitude::of`] but
+/// Where `low ≥ high`, a ratio of the band is outside the domain of [`crate::Ratios`], or
+/// [`Aim::AbsoluteDisplacement`] is asked of a surface at rest; and those of [`Amplitude::of`] but
 /// [`Error::NotSettled`].
 pub fn best_friction_over_band<F: Float>(
     body: &Oscillator<F>,
@@ -128,7 +158,7 @@ pub fn best_friction_over_band<F: Float>(
         for friction in inner.into_iter().step_by(4) {
             tried.push((friction, band.greatest(friction)?.0));
         }
-        tried.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
+        tried.sort_by(by_place);
         tried.dedup_by(|a, b| a.0 == b.0);
     }
     for place in minima(&tried) {
@@ -139,9 +169,8 @@ pub fn best_friction_over_band<F: Float>(
         })?;
         tried.push((friction, band.greatest(friction)?.0));
     }
-    tried.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
-    let enough = least_of(&tried);
-    let first = tried.iter().position(|place| place.1 <= enough).unwrap_or(0);
+    tried.sort_by(by_place);
+    let (enough, first) = as_good_as_any(&tried);
     let at = |j: usize| tried.get(j).map_or(rest, |place| place.0);
     let (mut outside, mut inside) = (at(first.saturating_sub(1)), at(first));
     while inside - outside > inside * F::exp2i(-36) {
@@ -160,17 +189,22 @@ pub fn best_friction_over_band<F: Float>(
     Ok(BandFriction { friction: best, greatest, at, kind, rest })
 }
 
-/// The least greatest amplitude, and what is as good but for 2⁻³³.
-fn least_of<F: Float>(tried: &[(F, F)]) -> F {
+/// The order of frictions, or of frequencies, with their values.
+fn by_place<F: Float>(a: &(F, F), b: &(F, F)) -> Ordering {
+    a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal)
+}
+
+/// The least greatest amplitude but for 2⁻³³, and the first friction that is as good.
+fn as_good_as_any<F: Float>(tried: &[(F, F)]) -> (F, usize) {
     let infinite = F::int(1) / F::int(0);
     let least = tried.iter().fold(infinite, |least, place| if place.1 < least { place.1 } else { least });
-    least * (F::int(1) + F::exp2i(-33))
+    let enough = least * (F::int(1) + F::exp2i(-33));
+    (enough, tried.iter().position(|place| place.1 <= enough).unwrap_or(0))
 }
 
 /// The neighbours of the least friction that is as good as any.
 fn around<F: Float>(tried: &[(F, F)]) -> (F, F) {
-    let enough = least_of(tried);
-    let first = tried.iter().position(|place| place.1 <= enough).unwrap_or(0);
+    let (_, first) = as_good_as_any(tried);
     let at = |i: usize| tried.get(i).or(tried.last()).map_or(F::int(1), |place| place.0);
     (at(first.saturating_sub(1)), at(first.saturating_add(1)))
 }
@@ -278,13 +312,16 @@ impl<'a, F: Float> Band<'a, F> {
             .with_damping(own.damping())?
             .with_static_friction_ratio(own.static_friction_ratio())?;
         let drive = self.drive.at_frequency(omega)?;
-        let amplitude = match self.aim {
-            Aim::Displacement => Amplitude::Displacement,
-            Aim::AbsoluteDisplacement => Amplitude::AbsoluteDisplacement,
-            Aim::TransmittedForce => Amplitude::TransmittedForce,
+        let one = F::int(1);
+        let (amplitude, mass) = match self.aim {
+            Aim::Displacement => (Amplitude::Displacement, one),
+            Aim::AbsoluteDisplacement => (Amplitude::AbsoluteDisplacement, one),
+            Aim::TransmittedForce => (Amplitude::TransmittedForce, one),
             // Nothing else acts on a body over a moving surface.
-            Aim::Acceleration if drive.excitation().carries_surface() => Amplitude::TransmittedForce,
-            Aim::Acceleration => Amplitude::Acceleration,
+            Aim::Acceleration if drive.excitation().carries_surface() => {
+                (Amplitude::TransmittedForce, body.mass())
+            }
+            Aim::Acceleration => (Amplitude::Acceleration, one),
         };
         let ratios = drive.ratios(&body)?;
         // A force barely above the one that releases the body moves it by as little, and settles as slowly: its
@@ -298,9 +335,7 @@ impl<'a, F: Float> Band<'a, F> {
             Err(Error::NotSettled { .. }) => return Ok(F::int(1) / F::int(0)),
             found => found?,
         };
-        let unit = amplitude.unit(&Scales::new(&body, &drive)?);
-        let is_force = self.aim == Aim::Acceleration && amplitude == Amplitude::TransmittedForce;
-        let unit = if is_force { unit / body.mass() } else { unit };
+        let unit = amplitude.unit(&Scales::new(&body, &drive)?) / mass;
         Ok(found.value.map_or(F::int(1) / F::int(0), |value| value * unit))
     }
 
@@ -337,7 +372,7 @@ impl<'a, F: Float> Band<'a, F> {
         let most = peaks.iter().fold(most, |most, place| most.or_larger(place.1));
         let nearly = most * (F::int(1) - F::ratio(1, 1_000_000));
         values.extend(peaks);
-        values.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
+        values.sort_by(by_place);
         let mut at: Vec<(F, F)> = Vec::new();
         let mut is_run = false;
         for (omega, value) in values {

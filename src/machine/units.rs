@@ -153,8 +153,9 @@ impl Reader {
     }
 }
 
-/// The number at the beginning of a text, and the rest of the text.
-fn split(text: &str) -> (&str, &str) {
+/// The number at the beginning of a text, and the rest of the text: its unit.
+#[must_use]
+pub fn split(text: &str) -> (&str, &str) {
     let text = text.trim();
     let bytes = text.as_bytes();
     let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);

@@ -7,7 +7,7 @@ use crate::curve::AskedCurve;
 use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::given;
-use crate::output;
+use crate::output::PendingFile;
 use crate::record::Cell;
 use stickslip::design::{self, Aim, BandFriction, BandFrictionKind};
 use stickslip::inputs::Input;
@@ -82,12 +82,7 @@ impl<F: Value> AskedDesign<'_, F> {
             fields.push(("at_frequencies", Kind::Frequency, Cell::Intervals([ranges.next(), ranges.next()])));
         }
         fields.push(("rest_friction", Kind::Force, some(found.rest)));
-        let kind = match found.kind {
-            BandFrictionKind::Interior => "interior",
-            BandFrictionKind::None => "none",
-            BandFrictionKind::Rest | _ => "rest",
-        };
-        fields.push(("optimum", Kind::Ratio, Cell::Text(kind)));
+        fields.push(("optimum", Kind::Ratio, Cell::Text(found.kind.name())));
         if !(found.kind == BandFrictionKind::Rest && found.greatest == F::int(0)) {
             fields.push(searched_field());
         }
@@ -144,13 +139,11 @@ impl<F: Value> AskedDesign<'_, F> {
         };
         let option = format!("--picture {}", file.display());
         let drawing = figure::drawing(file, "--picture")?;
-        output::refuse_existing(file, &option, self.args.overwrite)?;
+        let pending = PendingFile::create(file, &option, self.args.overwrite)?;
         let given = given::read::<f64>(&self.args.machine, self.reader)?;
         let frictions = [0.5, 1.0, 2.0].map(|share| share * friction);
         let curve = AskedCurve::of_frictions(what, over, given, frictions, self.reader)?;
-        let drawn = curve.drawn()?;
-        output::PendingFile::create(file, &option, self.args.overwrite)?
-            .fill(|out| figure::write(&drawn, drawing, out))
+        pending.fill(|out| figure::write(&curve.drawn()?, drawing, out))
     }
 
     fn moves_surface(&self) -> bool {

@@ -1,11 +1,10 @@
 //! `stickslip identify --decay`: friction and damping from a free decay.
 
-use super::{EstimateRecord, MeasuredColumn, estimate_line};
+use super::{EstimateRecord, MeasuredColumn, each_row, estimate_line, opened};
 use crate::args::{Format, IdentifyArgs};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
-use crate::rows::{self, Ahead, Bounded, unreadable};
-use csv::{ReaderBuilder, StringRecord, Trim};
+use crate::rows::Ahead;
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -67,9 +66,7 @@ impl DecayFile {
     /// The columns `time` and `displacement`, or `peak` and optionally `time`.
     fn read(file: &Path, name: &str, reader: &Reader) -> Result<Self, Failure> {
         let ahead = Ahead::default();
-        let source = Bounded { source: rows::open(file, name)?, ahead: &ahead };
-        let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
-        let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
+        let (mut table, header) = opened(file, name, &ahead)?;
         let known = [("time", Kind::Time), ("displacement", Kind::Length), ("peak", Kind::Length)];
         let ([time, displacement, peak], others) = MeasuredColumn::all(&header, name, reader, known)?;
         let (is_sampled, column) = match (displacement, peak) {
@@ -86,25 +83,14 @@ impl DecayFile {
         if is_sampled && time.is_none() {
             return Err(Failure::Input(format!("{name}: the column time is missing beside displacement")));
         }
-        let (mut values, mut times, mut lines) = (Vec::new(), Vec::new(), Vec::new());
-        let mut row = StringRecord::new();
-        let mut begin = table.position().byte();
-        ahead.complete(begin);
-        while table.read_record(&mut row).map_err(|e| unreadable(name, e))? {
-            let end = table.position().byte();
-            ahead.complete(end - begin);
-            begin = end;
-            let line = row.position().map_or(0, csv::Position::line);
-            let at = format!("{name} line {line}");
-            if values.len() == MOST_ROWS {
-                return Err(Failure::Input(format!("{at}: the number of rows must be ≤ {MOST_ROWS}")));
-            }
-            values.push(column.value(&row, &at, reader)?);
+        let (mut values, mut times) = (Vec::new(), Vec::new());
+        let lines = each_row(&mut table, name, &ahead, (MOST_ROWS, "rows"), |row, at| {
+            values.push(column.value(row, at, reader)?);
             if let Some(time) = &time {
-                times.push(time.value(&row, &at, reader)?);
+                times.push(time.value(row, at, reader)?);
             }
-            lines.push(line);
-        }
+            Ok(())
+        })?;
         Ok(Self { times: time.map(|_| times), values, is_sampled, lines, others })
     }
 

@@ -1,0 +1,156 @@
+//! Least squares of a model of a few parameters, by Levenberg and Marquardt's descent from several starts.
+
+use crate::machine::error::Error;
+use crate::uncertainty::Estimate;
+
+/// A least-squares fit.
+pub(super) struct Fit {
+    /// The parameters.
+    pub(super) at: Vec<f64>,
+    /// The covariance over the variance of one measurement, by rows.
+    covariance: Vec<Vec<f64>>,
+    sum: f64,
+    pub(super) residuals: Vec<f64>,
+}
+
+impl Fit {
+    /// The best fit from several starts.
+    pub(super) fn best(
+        measured: &[f64],
+        model: &impl Fn(&[f64]) -> Vec<f64>,
+        starts: &[Vec<f64>],
+        scales: &[f64],
+    ) -> Result<Self, Error> {
+        let fits = starts.iter().filter_map(|start| {
+            let at = descend(measured, model, start.clone(), scales)?;
+            let residuals = residuals(measured, model, &at);
+            let sum = squares(&residuals);
+            Some(Self { covariance: inverse(&normal(model, &at, scales).0)?, at, sum, residuals })
+        });
+        fits.min_by(|a, b| a.sum.total_cmp(&b.sum)).ok_or(Error::NotADecay)
+    }
+
+    fn degrees_of_freedom(&self) -> f64 {
+        self.residuals.len().saturating_sub(self.at.len()).max(1) as f64
+    }
+
+    /// The standard error of one measurement.
+    pub(super) fn noise(&self) -> f64 {
+        (self.sum / self.degrees_of_freedom()).sqrt()
+    }
+
+    /// The standard error of a parameter.
+    pub(super) fn error(&self, i: usize) -> f64 {
+        self.covariance.get(i).and_then(|row| row.get(i)).map_or(f64::NAN, |v| v.sqrt()) * self.noise()
+    }
+
+    /// An estimate that is not negative, of a value with a standard error.
+    pub(super) fn estimate(&self, value: f64, standard_error: f64, greatest: f64) -> Estimate {
+        let degrees_of_freedom = self.degrees_of_freedom();
+        Estimate { value, standard_error, degrees_of_freedom, range: (0.0, greatest) }
+    }
+}
+
+fn squares(residuals: &[f64]) -> f64 {
+    residuals.iter().map(|r| r * r).sum()
+}
+
+fn residuals(measured: &[f64], model: &impl Fn(&[f64]) -> Vec<f64>, at: &[f64]) -> Vec<f64> {
+    measured.iter().zip(model(at)).map(|(m, c)| m - c).collect()
+}
+
+/// The slopes by each parameter, by central differences, and the matrix of the normal equations.
+fn normal(model: &impl Fn(&[f64]) -> Vec<f64>, at: &[f64], scales: &[f64]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+    let slopes: Vec<Vec<f64>> = scales
+        .iter()
+        .enumerate()
+        .map(|(i, scale)| {
+            let step = 1e-6 * scale;
+            let moved = |by: f64| {
+                let mut at = at.to_vec();
+                at[i] += by;
+                model(&at)
+            };
+            moved(step).iter().zip(moved(-step)).map(|(a, b)| (a - b) / (2.0 * step)).collect()
+        })
+        .collect();
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum();
+    (slopes.iter().map(|a| slopes.iter().map(|b| product(a, b)).collect()).collect(), slopes)
+}
+
+/// Levenberg and Marquardt's descent.
+fn descend(
+    measured: &[f64],
+    model: &impl Fn(&[f64]) -> Vec<f64>,
+    mut at: Vec<f64>,
+    scales: &[f64],
+) -> Option<Vec<f64>> {
+    let mut rest = residuals(measured, model, &at);
+    let mut sum = squares(&rest);
+    let mut damping = 1e-3;
+    for _ in 0..200 {
+        let (matrix, slopes) = normal(model, &at, scales);
+        let gradient: Vec<f64> =
+            slopes.iter().map(|slope| slope.iter().zip(&rest).map(|(a, b)| a * b).sum()).collect();
+        let mut is_moved = false;
+        for _ in 0..30 {
+            let mut damped = matrix.clone();
+            for (i, row) in damped.iter_mut().enumerate() {
+                row[i] *= 1.0 + damping;
+            }
+            let inverse = inverse(&damped)?;
+            let along = |row: &Vec<f64>| -> f64 { row.iter().zip(&gradient).map(|(a, g)| a * g).sum() };
+            let step: Vec<f64> = inverse.iter().map(along).collect();
+            let mut next: Vec<f64> = at.iter().zip(&step).map(|(a, s)| a + s).collect();
+            // ζ stays where κ is defined.
+            next[1] = next[1].clamp(-0.9, 0.99);
+            let trial = residuals(measured, model, &next);
+            let smaller = squares(&trial);
+            if smaller <= sum {
+                let gain = sum - smaller;
+                (at, rest, damping) = (next, trial, (damping / 10.0).max(1e-12));
+                is_moved = gain > 1e-14 * sum;
+                sum = smaller;
+                break;
+            }
+            damping *= 10.0;
+        }
+        if !is_moved {
+            break;
+        }
+    }
+    at.iter().all(|x| x.is_finite()).then_some(at)
+}
+
+/// The inverse of a positive matrix, by elimination with the rows scaled by the diagonal.
+fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+    let n = matrix.len();
+    let scale: Vec<f64> = (0..n).map(|i| matrix[i][i].sqrt()).collect();
+    if scale.iter().any(|s| !(*s > 0.0 && s.is_finite())) {
+        return None;
+    }
+    let mut left: Vec<Vec<f64>> =
+        (0..n).map(|i| (0..n).map(|j| matrix[i][j] / (scale[i] * scale[j])).collect()).collect();
+    let mut right: Vec<Vec<f64>> =
+        (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
+    for i in 0..n {
+        let pivot = left[i][i];
+        if pivot <= 1e-14 {
+            return None;
+        }
+        for j in 0..n {
+            left[i][j] /= pivot;
+            right[i][j] /= pivot;
+        }
+        for k in 0..n {
+            if k != i {
+                let factor = left[k][i];
+                for j in 0..n {
+                    left[k][j] -= factor * left[i][j];
+                    right[k][j] -= factor * right[i][j];
+                }
+            }
+        }
+    }
+    Some((0..n).map(|i| (0..n).map(|j| right[i][j] / (scale[i] * scale[j])).collect()).collect())
+}
