@@ -327,7 +327,7 @@ impl<F: Float + FromStr> Given<F> {
             (Some(found), None) => Ok(found),
             (None, None) => Err(self.missing(&Input::of_role(Role::Drive))),
             (_, Some(_)) => Err(InputError(format!(
-                "{}: must be given with {} alone",
+                "{}: needs {}, and no other drive",
                 self.label(Input::EccentricMass),
                 self.naming.of(Input::Eccentricity)
             ))),
