@@ -32,7 +32,7 @@ use identify::IDENTIFY_EXAMPLES;
 pub(crate) use identify::IdentifyArgs;
 pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
 use motion::{DECAY_EXAMPLES, SIMULATE_EXAMPLES, STEADY_EXAMPLES};
-pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs};
+pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs, StreamFormat};
 use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES};
 pub(crate) use pictures::{FigureArgs, FiguresArgs, LookArgs, MapArgs, Picture};
 pub(crate) use record::{LoadArgs, RecordArgs, SpectrumArgs, SurfaceArgs};

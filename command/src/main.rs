@@ -41,6 +41,8 @@ mod motion_plot;
 mod note;
 mod output;
 mod outputs;
+#[cfg(feature = "parquet")]
+mod parquet_file;
 mod physical;
 mod points;
 mod progress;

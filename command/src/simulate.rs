@@ -1,6 +1,6 @@
 //! `stickslip simulate`.
 
-use crate::args::{Format, Header, SimulateArgs};
+use crate::args::{Header, SimulateArgs, StreamFormat};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
@@ -14,10 +14,13 @@ use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
 use crate::steady::of_motion;
+#[cfg(not(feature = "parquet"))]
+use crate::sweep::no_parquet;
 use core::ops::ControlFlow;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
+use std::path::Path;
 use stickslip::Error;
 use stickslip::inputs::units::{Kind as Quantity, Reader};
 use stickslip::inputs::{Given, Input};
@@ -31,8 +34,11 @@ pub(crate) fn run(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
-    let format = format(args)?;
+    let format = args.format.map_or_else(|| format(args.out.as_deref()), Ok)?;
     match &args.out {
+        None if format == StreamFormat::Parquet => {
+            Err(Failure::Input("--format parquet: give its file by --out FILE".to_owned()))
+        }
         None => write::<F>(args, format, out),
         Some(file) => {
             let argument = format!("--out {}", file.display());
@@ -41,30 +47,28 @@ fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
     }
 }
 
-/// The format asked for, or that of the file's name.
-fn format(args: &SimulateArgs) -> Result<Format, Failure> {
-    let wrong = |text: String| Err(Failure::Input(text));
-    let end = args.out.as_deref().map(|file| file.extension().and_then(|end| end.to_str()).unwrap_or(""));
-    match (args.format, end) {
-        (Some(Format::Json), _) => wrong("--format: must be text, jsonl or csv with simulate".to_owned()),
-        (Some(format), _) => Ok(format),
-        (None, None) => Ok(Format::Text),
-        (None, Some("csv")) => Ok(Format::Csv),
-        (None, Some("jsonl")) => Ok(Format::Jsonl),
-        (None, Some(_)) => {
-            let file = args.out.as_deref().map_or(String::new(), |file| file.display().to_string());
-            wrong(format!("--out {file}: the name must end in .csv or .jsonl, or --format be given"))
-        }
-    }
+/// The format of the file's name; text without a file.
+fn format(out: Option<&Path>) -> Result<StreamFormat, Failure> {
+    let Some(file) = out else { return Ok(StreamFormat::Text) };
+    StreamFormat::of(file).ok_or_else(|| {
+        Failure::Input(format!(
+            "--out {}: the name must end in .csv, .jsonl or .parquet, or --format be given",
+            file.display()
+        ))
+    })
 }
 
-fn write<F: Value>(args: &SimulateArgs, format: Format, out: &mut impl Write) -> Outcome {
+fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Write) -> Outcome {
     let samples = args.samples.as_ref().map(|n| input::count("--samples", n, u64::from(u32::MAX)));
     let samples = samples.transpose()?;
     let mut sink = match format {
-        Format::Text | Format::Json => Sink::table(out),
-        Format::Jsonl => Sink::lines(out),
-        Format::Csv => Sink::rows(out, Header::Names),
+        StreamFormat::Text => Sink::table(out),
+        StreamFormat::Jsonl => Sink::lines(out),
+        StreamFormat::Csv => Sink::rows(out, Header::Names),
+        #[cfg(feature = "parquet")]
+        StreamFormat::Parquet => Sink::parquet(out),
+        #[cfg(not(feature = "parquet"))]
+        StreamFormat::Parquet => return Err(no_parquet()),
     };
     let reader = args.units.reader();
     let given = with_no_force(given::read::<F>(&args.machine, &reader)?)?;
@@ -106,7 +110,7 @@ fn write<F: Value>(args: &SimulateArgs, format: Format, out: &mut impl Write) ->
         }
     };
     clock.bar.finish_and_clear();
-    sink.flush()?;
+    sink.finish()?;
     outcome
 }
 

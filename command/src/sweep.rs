@@ -106,7 +106,12 @@ fn to_parquet<F: Value>(args: &TableArgs, rows: &impl Table<F>, part: Range<u64>
 
 #[cfg(not(feature = "parquet"))]
 fn to_parquet<F: Value>(_: &TableArgs, _: &impl Table<F>, _: Range<u64>) -> Outcome {
-    Err(Failure::Input("--format parquet: needs a build with the feature parquet".to_owned()))
+    Err(no_parquet())
+}
+
+#[cfg(not(feature = "parquet"))]
+pub(crate) fn no_parquet() -> Failure {
+    Failure::Input("--format parquet: needs a build with the feature parquet".to_owned())
 }
 
 /// Writes the rows of a part, with their header.

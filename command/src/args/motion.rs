@@ -1,8 +1,8 @@
 //! The arguments of what the exact motion answers.
 
-use super::{BodyArgs, Format, MachineArgs, OutputArgs, StartArgs, UnitArgs};
-use clap::Args;
-use std::path::PathBuf;
+use super::{BodyArgs, Format, MachineArgs, OutputArgs, StartArgs, SweepFormat, UnitArgs};
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
 
 pub(crate) const STEADY_EXAMPLES: &str = "\
 Examples:
@@ -42,6 +42,26 @@ pub(crate) struct SteadyArgs {
     pub(crate) output: OutputArgs,
 }
 
+/// How a motion is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum StreamFormat {
+    Text,
+    Jsonl,
+    Csv,
+    Parquet,
+}
+
+impl StreamFormat {
+    /// The format named by the end of a file's name.
+    pub(crate) fn of(file: &Path) -> Option<Self> {
+        Some(match SweepFormat::of(file)? {
+            SweepFormat::Jsonl => Self::Jsonl,
+            SweepFormat::Csv => Self::Csv,
+            SweepFormat::Parquet => Self::Parquet,
+        })
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
@@ -60,15 +80,16 @@ pub(crate) struct SimulateArgs {
     /// Sampling rate, such as 1kHz, in place of the samples per cycle
     #[arg(long, value_name = "F", allow_hyphen_values = true, conflicts_with = "samples")]
     pub(crate) rate: Option<String>,
-    /// Output file, FILE.csv or FILE.jsonl [default: standard output]
+    /// Output file, FILE.csv, FILE.jsonl or FILE.parquet [default: standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     /// Replace FILE if it exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,
-    /// text, jsonl or csv [default: by the end of FILE's name, or text]
+    /// text, jsonl, csv or parquet (needs a build with the feature parquet) [default: by the end of FILE's
+    /// name, or text]
     #[arg(long, value_enum, hide_possible_values = true)]
-    pub(crate) format: Option<Format>,
+    pub(crate) format: Option<StreamFormat>,
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,

@@ -48,7 +48,7 @@ pub(crate) enum SweepFormat {
 
 impl SweepFormat {
     /// The format named by the end of a file's name.
-    fn of(file: &Path) -> Option<Self> {
+    pub(super) fn of(file: &Path) -> Option<Self> {
         match file.extension()?.to_str()? {
             "csv" => Some(Self::Csv),
             "jsonl" => Some(Self::Jsonl),

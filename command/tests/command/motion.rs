@@ -236,7 +236,10 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("simulate --omega 0.4 --alpha 6 --cycles 1e99", vec!["--cycles 1e99"]),
         ("simulate --omega 0.0001 --alpha 6 --cycles 9999999999", vec!["rows", "≤ 1e10"]),
         ("simulate --omega 0.4 --alpha 6 --cycles 2 --samples 0", vec!["--samples 0", "≥ 1"]),
-        ("simulate --omega 0.4 --alpha 6 --cycles 2 --format json", vec!["--format", "jsonl or csv"]),
+        (
+            "simulate --omega 0.4 --alpha 6 --cycles 2 --format json",
+            vec!["--format", "text, jsonl, csv, parquet"],
+        ),
         ("decay --x0 nan", vec!["--x0 nan", "finite"]),
         ("decay --x0 1 --mass 2", vec!["--friction (or --friction-coefficient) is missing"]),
         ("decay --x0 1 --mass 2 --friction 3", vec!["--stiffness (or --period", "is missing"]),
@@ -326,7 +329,7 @@ fn a_time_history_has_a_rate_and_a_duration() {
         ("--duration 1s --cycles 2", ["--cycles", "--duration"]),
         ("--cycles 2 --samples 3 --rate 1Hz", ["--samples", "--rate"]),
         ("--duration 1e9s --rate 1kHz", ["--duration 1e9s --rate 1kHz", "rows"]),
-        ("--cycles 1 --out history.txt", ["--out history.txt", ".csv or .jsonl"]),
+        ("--cycles 1 --out history.txt", ["--out history.txt", ".csv, .jsonl or .parquet"]),
         ("", ["--cycles", "not provided"]),
     ] {
         refused(&format!("simulate {machine} {arguments}"), &parts);

@@ -54,6 +54,32 @@ fn what_is_read_back_is_what_csv_has() {
     }
 }
 
+/// A time history of more rows than a group holds in memory.
+#[test]
+fn a_time_history_is_what_csv_has() {
+    let folder = tempfile::tempdir().unwrap();
+    for (n, run) in [
+        "simulate --omega 0.4 --alpha 6 --cycles 3",
+        "simulate --mass 50 --stiffness 1000 --friction 5 --frequency 2Hz --force 12 --units N,m --rate 1kHz --duration 200s",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let file = folder.path().join(format!("{n}.parquet"));
+        assert_eq!(stdout(&format!("{run} --out {}", file.display())), "");
+        let csv: Vec<String> = stdout(&format!("{run} --format csv")).lines().map(written_alike).collect();
+        let read: Vec<String> = text(&file).lines().map(written_alike).collect();
+        assert!(read == csv, "{run}: {:?} {:?}", read.first(), csv.first());
+        let groups = SerializedFileReader::new(std::fs::File::open(&file).unwrap()).unwrap().num_row_groups();
+        assert_eq!(groups, 1 + n, "{run}");
+        refused(&format!("{run} --out {}", file.display()), &["must not exist yet"]);
+    }
+    refused(
+        "simulate --omega 0.4 --alpha 6 --cycles 3 --format parquet",
+        &["--format parquet", "--out FILE"],
+    );
+}
+
 /// The numbers of a line in a uniform format.
 fn written_alike(line: &str) -> String {
     let cell = |cell: &str| cell.parse::<f64>().map_or(cell.to_owned(), |number| format!("{number:e}"));

@@ -176,5 +176,7 @@ fn a_file_of_json_lines_is_named_so() {
 #[cfg(not(feature = "parquet"))]
 #[test]
 fn a_build_without_parquet_says_so() {
-    refused("sweep border --omega 1 --out rows.parquet", &["--format parquet", "feature parquet"]);
+    for run in ["sweep border --omega 1", "simulate --omega 1.5 --alpha 3 --cycles 1"] {
+        refused(&format!("{run} --out rows.parquet"), &["--format parquet", "feature parquet"]);
+    }
 }

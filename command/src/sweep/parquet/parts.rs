@@ -1,12 +1,12 @@
 //! The parts of an incomplete Parquet file: `FILE.parts/START-END.parquet`.
 
 use super::super::Table;
-use super::column::ParquetColumn;
-use super::{PendingFile, ROWS, Sweep, columns, error_at, is_group, open, write_group};
+use super::{PendingFile, Sweep, error_at, open};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output::{self, Lines, named, put_new, with_suffix};
+use crate::parquet_file::{ParquetColumn, ROWS, columns, is_group, write_group};
 use parquet::file::reader::FileReader;
 use std::fs::{self, File};
 use std::ops::Range;
@@ -101,7 +101,7 @@ impl Parts {
         let argument = format!("--out {}", file.display());
         PendingFile::create(file, &argument, false)?.fill_with(|out| {
             let mut writer = sweep.writer(out)?;
-            let mut gathered = columns(sweep.rows);
+            let mut gathered = columns(sweep.rows.form());
             let mut rows = 0;
             for range in &self.parts {
                 let reader = open(&self.path(range))?;

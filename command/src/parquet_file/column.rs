@@ -13,7 +13,7 @@ use parquet::schema::types::Type;
 use std::fs::File;
 
 /// A column of the file: the existing values, and for each row 1 if it has a value and 0 otherwise.
-pub(super) struct ParquetColumn {
+pub(crate) struct ParquetColumn {
     name: String,
     values: Values,
     there: Vec<i16>,
@@ -30,7 +30,7 @@ enum Values {
 
 impl ParquetColumn {
     /// A column for cells of the same kind as `cell`.
-    pub(super) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
+    pub(crate) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
         let values = match cell {
             Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) if F::PRECISION <= f64::MANTISSA_DIGITS => {
                 Values::Doubles(Vec::new())
@@ -45,7 +45,7 @@ impl ParquetColumn {
     }
 
     /// The field in the file's schema.
-    pub(super) fn field(&self) -> Result<Type, ParquetError> {
+    pub(crate) fn field(&self) -> Result<Type, ParquetError> {
         let (physical, logical) = match self.values {
             Values::Doubles(_) => (Physical::DOUBLE, None),
             Values::Counts(_) => (Physical::INT64, None),
@@ -58,7 +58,7 @@ impl ParquetColumn {
             .build()
     }
 
-    pub(super) fn push<F: Value>(&mut self, cell: &Cell<F>) {
+    pub(crate) fn push<F: Value>(&mut self, cell: &Cell<F>) {
         let before = self.len();
         match (&mut self.values, cell) {
             (Values::Doubles(values), Cell::Number(number)) => values.extend(number.map(F::to_f64)),
@@ -89,7 +89,7 @@ impl ParquetColumn {
     }
 
     /// Appends some of the rows of a file.
-    pub(super) fn read(&mut self, reader: &mut ColumnReader, count: usize) -> Result<(), ParquetError> {
+    pub(crate) fn read(&mut self, reader: &mut ColumnReader, count: usize) -> Result<(), ParquetError> {
         let before = self.len();
         let there = Some(&mut self.there);
         let read = match (&mut self.values, reader) {
@@ -117,12 +117,12 @@ impl ParquetColumn {
     }
 
     /// The approximate size in memory.
-    pub(super) const fn bytes(&self) -> usize {
+    pub(crate) const fn bytes(&self) -> usize {
         self.bytes
     }
 
     /// Writes the rows and clears them.
-    pub(super) fn write(&mut self, writer: &mut ColumnWriter<'_>) -> Result<(), ParquetError> {
+    pub(crate) fn write(&mut self, writer: &mut ColumnWriter<'_>) -> Result<(), ParquetError> {
         let there = Some(self.there.as_slice());
         match (&mut self.values, writer) {
             (Values::Doubles(values), ColumnWriter::DoubleColumnWriter(writer)) => {
@@ -150,7 +150,7 @@ impl ParquetColumn {
 }
 
 /// The first and the last row of a file.
-pub(super) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, Row)>, ParquetError> {
+pub(crate) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, Row)>, ParquetError> {
     let Some(last_group) = reader.num_row_groups().checked_sub(1) else { return Ok(None) };
     let first = reader.get_row_group(0)?.get_row_iter(None)?.next().transpose()?;
     let last = reader.get_row_group(last_group)?.get_row_iter(None)?.last().transpose()?;
@@ -158,7 +158,7 @@ pub(super) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, R
 }
 
 /// Whether a row that was read equals the record.
-pub(super) fn equals<F: Value>(row: &Row, record: &Record<F>) -> bool {
+pub(crate) fn equals<F: Value>(row: &Row, record: &Record<F>) -> bool {
     let field = |cell: Cell<F>| match cell {
         Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),
         Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),
