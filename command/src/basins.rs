@@ -28,6 +28,8 @@ struct Basins<F> {
     x: Axed<F>,
     v: Axed<F>,
     all: Attractors<F>,
+    /// The inputs in a line.
+    machine: String,
 }
 
 /// The values along an axis, in the units in which they were given.
@@ -87,7 +89,8 @@ impl<F: Value> Basins<F> {
                 .map_err(|e| Failure::Input(format!("--x0 {place}, --v0 {speed}: {e}")))
         };
         let all = Starts { ratios: point.ratios, count, at: start, periods }.limits(&given, &args.rows)?;
-        Ok(Self { x, v, all })
+        let machine = given::line(&args.machine, |_| true, &given.system);
+        Ok(Self { x, v, all, machine })
     }
 
     /// The starts, row by row, each with the number of its limit.
@@ -136,7 +139,7 @@ impl<F: Value> Basins<F> {
             title: "The limit that each start leads to".to_owned(),
             caption: String::new(),
             panels: vec![Panel {
-                title: String::new(),
+                title: self.machine.clone(),
                 x: Axis::linear(&self.x.label, across.0, across.1),
                 y: Axis::linear(&self.v.label, up.0, up.1),
                 series,

@@ -7,7 +7,7 @@ use crate::args::{CurveArgs, CurveQuantity};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure::{self, Target};
-use crate::given::behind_all;
+use crate::given::{self, behind_all, in_symbols, line};
 use crate::grid::Grid;
 use crate::input::{self, Point};
 use crate::interrupt;
@@ -19,8 +19,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
-use stickslip::inputs::units::{Kind, Reader, System, split};
-use stickslip::inputs::{Given, Input, Naming};
+use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::inputs::{Given, Input, Naming, Role};
 use stickslip_figures::{Figure, Origin, resolved};
 
 /// The greatest number of curves in a picture.
@@ -75,6 +75,8 @@ pub(crate) struct AskedCurve {
     system: System,
     /// The unit of the axis in words, and its value in rad/s, or 1 for Ω.
     unit: (&'static str, f64),
+    /// The inputs that all curves share.
+    machine: String,
     look: Look,
 }
 
@@ -101,22 +103,6 @@ impl Look {
 
 /// The units of frequency that an axis may have, each with its value in rad/s. The first is that of bare numbers.
 const UNITS: [(&str, f64); 4] = [("Hz", TAU), ("rpm", TAU / 60.0), ("cpm", TAU / 60.0), ("rad/s", 1.0)];
-
-/// The name of a curve: `r_y = 5 kN`, or the quantity in words where it has no symbol.
-fn legend(input: Input, text: &str) -> String {
-    let (words, symbol) = input.symbol().rsplit_once(' ').unwrap_or(("", input.symbol()));
-    let is_word = symbol.len() > 1 && symbol.chars().all(|c| c.is_ascii_lowercase());
-    let spaced = match split(text) {
-        ("", _) | (_, "") => text.to_owned(),
-        (number, unit @ ("%" | "°")) => format!("{number}{unit}"),
-        (number, unit) => format!("{number} {unit}"),
-    };
-    if is_word && !words.is_empty() {
-        format!("{words} {symbol} {spaced}")
-    } else {
-        format!("{symbol} = {spaced}")
-    }
-}
 
 /// The unit of frequency in a text.
 fn unit_in(text: &str) -> (&'static str, f64) {
@@ -190,24 +176,29 @@ impl AskedCurve {
             )));
         }
         let unit = if axis == Input::Frequency { unit } else { ("1", 1.0) };
-        let look = Look::of(args)?;
-        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system(), unit, look })
+        let (look, system) = (Look::of(args)?, reader.system());
+        let machine = line(&args.machine, |input| given.has(input), &system);
+        Ok(Self { what: args.what, axis, grid, other, given, system, unit, machine, look })
     }
 
     /// The curves of a machine with each of several frictions over a band LOW:HIGH.
     pub(crate) fn of_frictions(
         what: CurveQuantity,
         over: &str,
-        given: Given<f64>,
+        machine: &[(Input, String)],
         frictions: [f64; 3],
         reader: &Reader,
     ) -> Result<Self, Failure> {
+        let given = given::read::<f64>(machine, reader)?;
         let grid = Grid::with_units("--over", &format!("{over}:200:log"), reader, Kind::Frequency)?;
         let system = reader.system();
-        let texts = frictions.map(|friction| format!("{} {}", digits(friction), system.force())).to_vec();
+        // A legend has no room for all digits.
+        let short = |x: f64| digits(format!("{x:.3e}").parse::<f64>().unwrap_or(x));
+        let texts = frictions.map(|friction| format!("{} {}", short(friction), system.force())).to_vec();
         let other = Some((Input::Friction, Grid::List(frictions.to_vec()), texts));
         let (axis, unit) = (Input::Frequency, unit_in(over));
-        Ok(Self { what, axis, grid, other, given, system, unit, look: Look::default() })
+        let machine = line(machine, |input| input.role() != Role::Friction, &system);
+        Ok(Self { what, axis, grid, other, given, system, unit, machine, look: Look::default() })
     }
 
     /// The picture.
@@ -224,7 +215,7 @@ impl AskedCurve {
                     Some((parameter, values, texts)) => {
                         given.set(*parameter, values.value(i));
                         let text = usize::try_from(i).ok().and_then(|i| texts.get(i)).cloned();
-                        legend(*parameter, &text.unwrap_or_else(|| digits(values.value(i))))
+                        in_symbols(*parameter, &text.unwrap_or_else(|| digits(values.value(i))), &self.system)
                     }
                     None => words(self.what).to_owned(),
                 };

@@ -162,12 +162,14 @@ fn write_file<F: Value>(
         if decay.half_cycles > MOST_DRAWN {
             return Err(refused(MOST_DRAWN));
         }
-        drawn(decay, [time, length], units)
+        let machine = given::line(&args.machine, |_| true, &args.units.reader().system());
+        drawn(decay, machine, [time, length], units)
     })
 }
 
 fn drawn<F: Value>(
     decay: &FreeDecay<F>,
+    machine: String,
     [time, length]: [f64; 2],
     units: [&'static str; 2],
 ) -> Result<Figure, Failure> {
@@ -198,7 +200,7 @@ fn drawn<F: Value>(
         Series::new("displacement", Style::Line, 2, points),
         Series::new("turning points", Style::Marks, 1, turns),
     ];
-    let panel = Panel { title: String::new(), x, y, plane: None, series };
+    let panel = Panel { title: machine, x, y, plane: None, series };
     Ok(Figure {
         name: "decay".to_owned(),
         title: "Free vibration to rest".to_owned(),

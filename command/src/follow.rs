@@ -57,7 +57,8 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if let Some(file) = &args.picture {
         let picture = figure::drawing(file, "--picture")?;
         let motion = motion((record.end() - record.time(0)) / F::int(4000))?;
-        let drawn = drawing(&record, &motion, &given.system, &args.file);
+        let machine = given::line(&args.machine, |_| true, &given.system);
+        let drawn = drawing(&record, &motion, &given.system, &args.file, &machine);
         let argument = format!("--picture {}", file.display());
         PendingFile::create(file, &argument, args.overwrite)?
             .fill(|out| figure::write(&drawn, picture, out))?;
@@ -186,7 +187,13 @@ fn states<F: Value>(motion: &RecordMotion<F>, system: &System, out: &mut impl Wr
 }
 
 /// The load, the displacement and the velocity over time, and the displacement over the velocity's sign: rests apart.
-fn drawing<F: Value>(record: &Record<F>, motion: &RecordMotion<F>, system: &System, file: &Path) -> Figure {
+fn drawing<F: Value>(
+    record: &Record<F>,
+    motion: &RecordMotion<F>,
+    system: &System,
+    file: &Path,
+    machine: &str,
+) -> Figure {
     let load: Vec<_> = record
         .samples()
         .iter()
@@ -252,7 +259,7 @@ fn drawing<F: Value>(record: &Record<F>, motion: &RecordMotion<F>, system: &Syst
     let velocity = of(|state| state.velocity, false);
     Figure {
         name: "record".to_owned(),
-        title: format!("Motion under {}", file.file_name().unwrap_or_default().to_string_lossy()),
+        title: format!("Motion under {}: {machine}", file.file_name().unwrap_or_default().to_string_lossy()),
         caption: String::new(),
         panels: vec![
             panel(name, label(name, kind), vec![Series::new("", Style::Line, 1, load.clone())], &load),

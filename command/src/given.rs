@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::progress;
-use stickslip::inputs::units::Reader;
+use stickslip::inputs::units::{Kind, Reader, System, split};
 use stickslip::inputs::{Given, Input, Naming};
 
 /// The typed inputs, in the system of the reader.
@@ -32,4 +32,31 @@ pub(crate) fn note_percentage<F: Value>(input: Input, text: &str, value: F) {
             "{option} {text} is {percent} % of critical damping. A damping ratio of {text} percent is {option} {text}%"
         ));
     }
+}
+
+/// An input as on a picture: `r_y = 5 kN`, or the quantity in words where it has no symbol.
+pub(crate) fn in_symbols(input: Input, text: &str, system: &System) -> String {
+    let is_word = |part: &&str| part.len() > 1 && part.chars().all(|c| c.is_ascii_lowercase());
+    let symbol: Vec<&str> = input.symbol().split(' ').skip_while(is_word).collect();
+    let value = match split(text) {
+        ("", _) => text.to_owned(),
+        (number, "") if input.kind() == Kind::Ratio => number.to_owned(),
+        (number, "") => format!("{number} {}", system.name(input.kind())),
+        (number, unit @ ("%" | "°")) => format!("{number}{unit}"),
+        (number, unit) => format!("{number} {}", unit.replace('*', "·")),
+    };
+    if input == Input::Frequency && !value.ends_with("rad/s") {
+        // ω_d is in rad/s only.
+        format!("f = {value}")
+    } else if symbol.is_empty() {
+        format!("{} {value}", input.symbol())
+    } else {
+        format!("{} = {value}", symbol.join(" "))
+    }
+}
+
+/// The typed inputs that are shown on a picture, in a line.
+pub(crate) fn line(typed: &[(Input, String)], shown: impl Fn(Input) -> bool, system: &System) -> String {
+    let shown = typed.iter().filter(|(input, _)| shown(*input));
+    shown.map(|(input, text)| in_symbols(*input, text, system)).collect::<Vec<_>>().join(", ")
 }

@@ -9,6 +9,7 @@ use crate::args::{MapArgs, Swept};
 use crate::axes::Axes;
 use crate::failure::{Failure, Outcome};
 use crate::figure::{self, Target};
+use crate::given;
 use crate::grid::Grid;
 use crate::input;
 use crate::interrupt;
@@ -109,6 +110,8 @@ struct Map<'a> {
     up: (Input, Grid<f64>),
     system: System,
     title: Option<&'a str>,
+    /// The inputs that all points share.
+    machine: String,
     /// The values of the first and the last shade, where they were chosen.
     range: Option<(f64, f64)>,
 }
@@ -156,7 +159,10 @@ impl<'a> Map<'a> {
         };
         let range = args.range.as_ref().map(|text| figure::range("--range", text, true)).transpose()?;
         let title = args.look.title.as_deref();
-        Ok(Self { quantity, kind, axes, across, up, system: reader.system(), title, range })
+        let system = reader.system();
+        let is_fixed = |input| input != across.0 && input != up.0;
+        let machine = given::line(&args.machine, is_fixed, &system);
+        Ok(Self { quantity, kind, axes, across, up, system, title, machine, range })
     }
 
     /// Computes the points in order, row by row.

@@ -1,7 +1,6 @@
 //! `stickslip motion-plot`: a steady motion over time, and its loops.
 
 use crate::args::{MotionPlotArgs, Picture};
-use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::given;
@@ -91,14 +90,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     friction_loop.x = axis(&x, samples.iter().map(|s| s.state.x * length), 0.08);
     let figure = Figure {
         name: "motion".to_owned(),
-        title: match &point.machine {
-            Some(machine) => format!("Steady motion of {}", in_words(machine)),
-            None => format!(
-                "Steady motion at Ω = {}, α = {}",
-                digits(point.ratios.omega()),
-                digits(point.ratios.alpha())
-            ),
-        },
+        title: format!("Steady motion: {}", given::line(&args.machine, |_| true, &given.system)),
         caption: String::new(),
         panels: vec![
             panel("displacement", when, x.clone(), over_time(&|s| s.state.x * length)),
@@ -116,28 +108,6 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         Some(file) => figure::beside(file, args.overwrite)?.fill(|out| figure::write(&figure, picture, out)),
         None => figure::write(&figure, picture, out),
     }
-}
-
-/// The machine in a line: mass, stiffness, friction and drive.
-fn in_words(machine: &Machine<f64>) -> String {
-    let (body, system) = (&machine.oscillator, &machine.system);
-    // Seven digits would not fit into a title.
-    let short = |x: f64| digits(format!("{x:.3e}").parse::<f64>().unwrap_or(x));
-    let in_unit = |x: f64, kind: Kind| format!("{} {}", short(x), system.name(kind));
-    let damper = if body.damping() > 0.0 {
-        format!(", ζ = {} %", short(100.0 * body.damping_ratio()))
-    } else {
-        String::new()
-    };
-    let (unit, factor) = system.mass_for_reading();
-    format!(
-        "m = {} {unit}, k = {}, r_y = {}{damper}, p₀ = {} at {} Hz",
-        short(factor.times(body.mass())),
-        in_unit(body.stiffness(), Kind::Stiffness),
-        in_unit(body.friction_bound(), Kind::Force),
-        in_unit(machine.drive.force_amplitude(body), Kind::Force),
-        short(machine.drive.angular_frequency() / std::f64::consts::TAU)
-    )
 }
 
 /// An axis that contains all values, with a margin.

@@ -4,7 +4,6 @@ mod picture;
 
 use crate::args::{SpectrumArgs, SweepFormat};
 use crate::axes::Axes;
-use crate::bits::all_digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::follow::{self, Surface};
@@ -223,9 +222,4 @@ impl Table<f64> for Spectra<'_> {
         ];
         typed.chain(others.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?)))).collect()
     }
-}
-
-/// The text of an input's value.
-fn named(input: Input, value: f64) -> String {
-    format!("{} = {}", input.name().replace('-', " "), all_digits(value))
 }

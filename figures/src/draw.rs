@@ -36,34 +36,44 @@ pub(super) type Drawn = Result<(), DrawingAreaErrorKind<io::Error>>;
 
 /// The drawing of a figure.
 pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
-    let layout = Layout::of(figure);
-    let layout = size.map_or(Some(layout), |size| layout.fitted(size));
-    let layout = layout.ok_or_else(|| {
-        let text = format!(
-            "a size must leave each plot {LEAST} pixels or more beside the texts, and be at most {MOST}"
-        );
-        io::Error::new(io::ErrorKind::InvalidInput, text)
-    })?;
+    let fitted = |legend| {
+        let layout = Layout::of(figure, legend);
+        let layout = size.map_or(Some(layout), |size| layout.fitted(size));
+        layout.ok_or_else(|| {
+            let text = format!(
+                "a size must leave each plot {LEAST} pixels or more beside the texts, and be at most {MOST}"
+            );
+            io::Error::new(io::ErrorKind::InvalidInput, text)
+        })
+    };
+    let inside = fitted(0)?;
+    let (layout, place) = match inside.legend_inside(figure) {
+        Some(place) => (inside, place),
+        None => {
+            let layout = fitted(legend::width(figure))?;
+            (layout, (LEFT + layout.panels_width() - 44, TOP - 5))
+        }
+    };
     let (width, height) = layout.size();
     let mut text = String::new();
     {
         let size = ((width * UNITS).unsigned_abs(), (height * UNITS).unsigned_abs());
         let canvas = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        paint(figure, &layout, &canvas).map_err(|e| io::Error::other(e.to_string()))?;
+        paint(figure, &layout, place, &canvas).map_err(|e| io::Error::other(e.to_string()))?;
     }
     let full = format!("width=\"{}\" height=\"{}\"", width * UNITS, height * UNITS);
     let text = text.replacen(&full, &format!("width=\"{width}\" height=\"{height}\""), 1);
     Ok(subscript::set(&text))
 }
 
-fn paint(figure: &Figure, layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
+fn paint(figure: &Figure, layout: &Layout, legend: (i32, i32), canvas: &Canvas<'_>) -> Drawn {
     canvas.fill(&WHITE)?;
     let middle = LEFT + layout.panels_width() / 2 - LEFT / 2;
-    write(canvas, &figure.title, (middle, 12), 18, Anchor::Above)?;
+    title(canvas, &figure.title, (middle, 12), 18, layout.panels_width())?;
     for (panel, origin) in figure.panels.iter().zip(layout.origins()) {
         Frame::new(panel, origin, layout.plot).draw(canvas)?;
     }
-    legend::draw(figure, (LEFT + layout.panels_width() - 44, TOP + 6), layout, canvas)?;
+    legend::draw(figure, legend, layout, canvas)?;
     canvas.present()
 }
 
@@ -86,14 +96,13 @@ pub(super) struct Layout {
     plot: (i32, i32),
     columns: i32,
     panels: i32,
-    /// Width of the legend.
+    /// Width of the legend beside the plots; 0 where it is inside.
     legend: i32,
 }
 
 impl Layout {
-    fn of(figure: &Figure) -> Self {
+    fn of(figure: &Figure, legend: i32) -> Self {
         let panels = i32::try_from(figure.panels.len()).unwrap_or(i32::MAX).max(1);
-        let legend = legend::width(figure);
         match panels {
             1 => Self { plot: (640, 440), columns: 1, panels, legend },
             2 => Self { plot: (430, 400), columns: 2, panels, legend },
@@ -110,6 +119,14 @@ impl Layout {
         let rows = (self.panels + self.columns - 1) / self.columns;
         let plot = (self.plot.0 + (given.0 - own.0) / self.columns, self.plot.1 + (given.1 - own.1) / rows);
         (plot.0 >= LEAST && plot.1 >= LEAST).then_some(Self { plot, ..self })
+    }
+
+    /// The place of the legend in the plot of a single panel, where it covers nothing.
+    fn legend_inside(&self, figure: &Figure) -> Option<(i32, i32)> {
+        let [panel] = figure.panels.as_slice() else { return None };
+        let frame = Frame::new(panel, (LEFT, TOP), self.plot);
+        let places = legend::places(figure, (LEFT, TOP), self.plot)?;
+        places.into_iter().find(|&place| frame.is_free(place, legend::size(figure)))
     }
 
     fn step(&self) -> (i32, i32) {
@@ -150,6 +167,13 @@ pub(super) enum Anchor {
     Middle,
     /// The middle of the text's lower edge; the text runs upwards.
     Upwards,
+}
+
+/// Writes a title around a place, in smaller letters where it would be too wide.
+fn title(canvas: &Canvas<'_>, text: &str, place: (i32, i32), size: i32, width: i32) -> Drawn {
+    // A letter is about half as wide as high.
+    let letters = i32::try_from(text.chars().count()).unwrap_or(i32::MAX).max(1);
+    write(canvas, text, place, size.min(2 * width / letters).max(8), Anchor::Above)
 }
 
 /// Writes text of the given size at a place, both in pixels.

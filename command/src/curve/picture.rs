@@ -133,7 +133,7 @@ impl AskedCurve {
             name: "response-curve".to_owned(),
             title,
             caption: String::new(),
-            panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
+            panels: vec![Panel { title: self.machine.clone(), x, y, plane: None, series }],
         })
     }
 }

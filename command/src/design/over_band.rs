@@ -6,7 +6,6 @@ use crate::bits::{Value, digits};
 use crate::curve::AskedCurve;
 use crate::failure::{Failure, Outcome};
 use crate::figure;
-use crate::given;
 use crate::output::PendingFile;
 use crate::record::Cell;
 use stickslip::design::{self, Aim, BandFriction, BandFrictionKind};
@@ -140,9 +139,8 @@ impl<F: Value> AskedDesign<'_, F> {
         let option = format!("--picture {}", file.display());
         let drawing = figure::drawing(file, "--picture")?;
         let pending = PendingFile::create(file, &option, self.args.overwrite)?;
-        let given = given::read::<f64>(&self.args.machine, self.reader)?;
         let frictions = [0.5, 1.0, 2.0].map(|share| share * friction);
-        let curve = AskedCurve::of_frictions(what, over, given, frictions, self.reader)?;
+        let curve = AskedCurve::of_frictions(what, over, &self.args.machine, frictions, self.reader)?;
         pending.fill(|out| figure::write(&curve.drawn()?, drawing, out))
     }
 

@@ -214,7 +214,7 @@ impl Map<'_> {
             title,
             caption: String::new(),
             panels: vec![Panel {
-                title: String::new(),
+                title: self.machine.clone(),
                 x: self.axis(&self.across, across),
                 y: self.axis(&self.up, up),
                 series,

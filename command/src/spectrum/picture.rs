@@ -1,7 +1,9 @@
 //! The picture of spectra.
 
-use super::{Found, Spectra, named};
+use super::{Found, Spectra};
+use crate::bits::digits;
 use crate::failure::Failure;
+use crate::given;
 use crate::grid::Grid;
 use crate::progress;
 use stickslip::inputs::Input;
@@ -11,6 +13,9 @@ use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 /// Colours of the values of the second grid; similar ones with colour blindness are left out.
 const INDICES: [usize; 5] = [2, 1, 4, 5, 6];
+
+/// The number of marks on a line.
+const MARKS: usize = 12;
 
 /// The panels: a title, the kind of the values, and the value.
 type Shown = (&'static str, Kind, fn(&RecordAnswer<f64>) -> f64);
@@ -67,6 +72,10 @@ impl Spectra<'_> {
         // The grids vary in their order, the last fastest.
         let is_slow = grids.first().is_some_and(|(input, _)| input == axis);
         let lines = other.map_or(1, |(_, values)| values.len());
+        let marked = match usize::try_from(count) {
+            Ok(count) if lines > 1 => Style::Marked(count / MARKS + 1),
+            _ => Style::Line,
+        };
         let body = |place: u64, line: u64| if is_slow { place * lines + line } else { line * count + place };
         let panels = SHOWN.map(|(title, kind, value)| {
             let at = |load: u64, line: u64, place: u64| {
@@ -76,7 +85,9 @@ impl Spectra<'_> {
             let mut series = Vec::new();
             let mut heights = vec![0.0];
             for (line, index) in (0..lines).zip(INDICES) {
-                let of = other.map_or(String::new(), |(input, values)| named(*input, values.value(line)));
+                let of = other.map_or(String::new(), |(input, values)| {
+                    given::in_symbols(*input, &digits(values.value(line)), &self.system)
+                });
                 let loads = self.loads.len() as u64;
                 for (load, (name, _)) in (0..).zip(&self.loads) {
                     let points: Vec<_> =
@@ -88,7 +99,7 @@ impl Spectra<'_> {
                         _ if load == 0 && line == 0 => "each record".to_owned(),
                         _ => String::new(),
                     };
-                    let style = if loads == 1 { Style::Line } else { Style::Dotted };
+                    let style = if loads == 1 { marked } else { Style::Dotted };
                     series.push(Series::new(name, style, index, points));
                 }
                 if loads > 1 {
@@ -96,7 +107,7 @@ impl Spectra<'_> {
                         |place: u64| (0..loads).map(|load| at(load, line, place)).sum::<f64>() / loads as f64;
                     let points = (0..count).map(|place| (grid.value(place), mean(place)));
                     let name = if of.is_empty() { "mean".to_owned() } else { format!("mean, {of}") };
-                    series.push(Series::new(name, Style::Line, index, points));
+                    series.push(Series::new(name, marked, index, points));
                 }
             }
             let label = label(title, kind);
@@ -109,8 +120,14 @@ impl Spectra<'_> {
             }
         });
         let (first, count) = (self.loads.first().map_or("", |(name, _)| name), self.loads.len());
-        let title =
-            if count == 1 { format!("Spectra of {first}") } else { format!("Spectra of {count} records") };
+        let records = if count == 1 { first.to_owned() } else { format!("{count} records") };
+        let is_fixed = |input| grids.iter().all(|(other, _)| *other != input);
+        let machine = given::line(&self.args.machine, is_fixed, &self.system);
+        let title = if machine.is_empty() {
+            format!("Spectra of {records}")
+        } else {
+            format!("Spectra of {records}: {machine}")
+        };
         Ok(Figure { name: "spectrum".to_owned(), title, caption: String::new(), panels: panels.into() })
     }
 }

@@ -333,3 +333,31 @@ fn a_picture_looks_as_it_was_asked_to() {
     let many = curves.replace("1kN,2kN,3kN,4kN,5kN,6kN,7kN", &many.join(","));
     refused(&many, &["41 curves", "≤ 40"]);
 }
+
+/// The inputs that a picture shares stand below its title, each with its symbol and its unit.
+#[test]
+fn a_picture_shows_the_data_of_its_machine() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("picture.svg");
+    let machine = "--mass 50t --stiffness 1000 --unbalance 0.35kg*m --units kN,mm";
+    let grids = "--friction 1kN,2kN --frequency 20rpm:120rpm:9";
+    for (command, line) in [
+        (
+            format!("response-curve {machine} {grids}"),
+            "e = 0.35 kg·m\n",
+        ),
+        (format!("map {machine} {grids}"), "m = 50 t, k = 1000 kN/mm"),
+        ("response-curve --omega 0.5:2:9 --alpha 2,3 --damping-ratio 5%".to_owned(), "ζ = 5%\n"),
+        (format!("motion-plot {machine} --friction 10N --frequency 90rpm"), "f = 90 rpm"),
+        (
+            "motion-plot --mass 800kg --period 2.2s --friction-coefficient 0.05 --base-acceleration 0.2g --frequency 3rad/s"
+                .to_owned(),
+            "Steady motion: m = 800 kg, T = 2.2 s, µ = 0.05, ω",
+        ),
+    ] {
+        stdout(&format!("{command} --out {} --overwrite", file.display()));
+        let text = std::fs::read_to_string(&file).unwrap();
+        let shown: Vec<&str> = text.lines().filter(|line| line.contains(" = ")).collect();
+        assert!(text.contains(line), "{command}: {shown:?}");
+    }
+}

@@ -223,7 +223,7 @@ fn a_motion_has_its_machine_in_the_title() {
     let first = text.lines().nth(1).unwrap();
     assert!(first.starts_with("displacement,sliding,0,"), "{first}");
     let drawn = stdout(&format!("motion-plot {machine}"));
-    assert!(drawn.contains("50000 kg") && drawn.contains("12 kN at 0.55 Hz"), "{drawn}");
+    assert!(drawn.contains("m = 50 t") && drawn.contains("f = 0.55 Hz"), "{drawn}");
 }
 
 /// A map with a title, a size and a range of shades.

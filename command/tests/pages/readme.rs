@@ -90,6 +90,7 @@ const KEPT: [&str; 3] = ["basins.svg", "limits.svg", "response.svg"];
 #[test]
 fn every_command_prints_what_is_shown() {
     let (mut compared, mut only_run) = (0, 0);
+    let mut files = crate::kept::Kept::default();
     for (page, text) in crate::book_pages::all() {
         let folder = folder(&page);
         for (kind, block) in blocks(&text) {
@@ -106,7 +107,7 @@ fn every_command_prints_what_is_shown() {
                 assert_eq!(success, !shown.starts_with("stickslip: "), "{page}: {command}\n{printed}");
                 for name in KEPT.into_iter().filter(|name| command.ends_with(&format!("--out {name}"))) {
                     let drawn = std::fs::read_to_string(folder.join(name)).unwrap();
-                    let kept = crate::kept::Kept::default().at(&format!("docs/figures/{name}"), &drawn);
+                    let kept = files.at(&format!("docs/figures/{name}"), &drawn);
                     assert!(kept == drawn, "docs/figures/{name} is not what is drawn");
                 }
                 if shown.is_empty() {

@@ -2,7 +2,7 @@
 
 use super::line::{arrow, stroke, whole};
 use super::ticks::ticks;
-use super::{Anchor, Canvas, Drawn, UNITS, mark, write};
+use super::{Anchor, Canvas, Drawn, UNITS, mark, title, write};
 use crate::{Axis, Panel, Plane, Series, Style};
 use plotters::element::{PathElement, Rectangle};
 use plotters::style::{BLACK, Color, RGBColor, WHITE};
@@ -63,8 +63,8 @@ impl<'a> Frame<'a> {
             write(canvas, text, (left - 7, pixels(y)), 13, Anchor::Right)?;
         }
         write(canvas, &self.panel.x.label, (middle, bottom + 28), 14, Anchor::Above)?;
-        write(canvas, &self.panel.y.label, (left - 56, top + pixels(self.height) / 2), 14, Anchor::Upwards)?;
-        write(canvas, &self.panel.title, (middle, top - 22), 14, Anchor::Above)
+        write(canvas, &self.panel.y.label, (left - 63, top + pixels(self.height) / 2), 14, Anchor::Upwards)?;
+        title(canvas, &self.panel.title, (middle, top - 22), 14, pixels(self.width))
     }
 
     /// The place of a point of the plot, in units of the drawing; infinite values are on the upper edge.
@@ -77,6 +77,41 @@ impl<'a> Frame<'a> {
     fn holds(&self, (x, y): (f64, f64)) -> bool {
         let within = |at: f64, low: f64, length: f64| at >= low - 0.5 && at <= low + length + 0.5;
         within(x, self.left, self.width) && within(y, self.top, self.height)
+    }
+
+    /// Whether nothing is drawn in a rectangle, in pixels, nor close to it.
+    pub(super) fn is_free(&self, (x, y): (i32, i32), (width, height): (i32, i32)) -> bool {
+        let units = |pixels: i32| f64::from(pixels * UNITS);
+        let area = |room: i32| {
+            ((units(x - room), units(y - room)), (units(width + 2 * room), units(height + 2 * room)))
+        };
+        self.panel.plane.is_none()
+            && self.panel.series.iter().all(|series| {
+                let is_tip = series.style == Style::Beyond;
+                let on_edge = |(x, y): (f64, f64)| (x, if is_tip { f64::INFINITY } else { y });
+                let points = series.points.iter();
+                let places: Vec<_> = points.map(|&point| self.place(on_edge(point))).collect();
+                // Letters at a point are wider than marks, and marks than lines.
+                let around = |room| places.iter().all(|&at| within(area(room), at, at).is_none());
+                match series.style {
+                    Style::Note => true,
+                    Style::Named => around(40),
+                    Style::Marks | Style::Dots | Style::Beyond => around(12),
+                    Style::Line
+                    | Style::Thick
+                    | Style::Dashed
+                    | Style::Dotted
+                    | Style::Marked(_)
+                    | Style::Arrow => places.windows(2).all(|pair| match pair {
+                        [from, to] => within(area(8), *from, *to).is_none(),
+                        _ => true,
+                    }),
+                }
+            })
+    }
+
+    fn area(&self) -> Area {
+        ((self.left, self.top), (self.width, self.height))
     }
 
     fn series(&self, series: &Series, canvas: &Canvas<'_>) -> Drawn {
@@ -124,7 +159,7 @@ impl<'a> Frame<'a> {
         let mut lines: Vec<Vec<(i32, i32)>> = Vec::new();
         for pair in places.windows(2) {
             let [from, to] = pair else { continue };
-            let Some((a, b)) = self.within(*from, *to) else { continue };
+            let Some((a, b)) = within(self.area(), *from, *to) else { continue };
             let (a, b) = (whole(a), whole(b));
             match lines.last_mut() {
                 Some(line) if line.last() == Some(&a) => {
@@ -136,34 +171,6 @@ impl<'a> Frame<'a> {
             }
         }
         lines
-    }
-
-    /// The part of a straight piece within the frame.
-    fn within(&self, (ax, ay): (f64, f64), (bx, by): (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
-        if [ax, ay, bx, by].iter().any(|c| !c.is_finite()) {
-            return None;
-        }
-        let (dx, dy) = (bx - ax, by - ay);
-        let (mut enter, mut leave) = (0.0f64, 1.0f64);
-        let sides = [
-            (-dx, ax - self.left),
-            (dx, self.left + self.width - ax),
-            (-dy, ay - self.top),
-            (dy, self.top + self.height - ay),
-        ];
-        for (towards, room) in sides {
-            if towards == 0.0 {
-                if room < 0.0 {
-                    return None;
-                }
-            } else if towards < 0.0 {
-                enter = enter.max(room / towards);
-            } else {
-                leave = leave.min(room / towards);
-            }
-        }
-        let at = |t: f64| (ax + t * dx, ay + t * dy);
-        (enter <= leave).then(|| (at(enter), at(leave)))
     }
 
     /// Draws the plane as rows of rectangles; neighbours of the same colour are merged.
@@ -191,6 +198,36 @@ impl<'a> Frame<'a> {
         }
         Ok(())
     }
+}
+
+/// The upper left corner of a rectangle, its width and its height.
+type Area = ((f64, f64), (f64, f64));
+
+/// The part of a straight piece within a rectangle.
+fn within(
+    ((left, top), (width, height)): Area,
+    (ax, ay): (f64, f64),
+    (bx, by): (f64, f64),
+) -> Option<((f64, f64), (f64, f64))> {
+    if [ax, ay, bx, by].iter().any(|c| !c.is_finite()) {
+        return None;
+    }
+    let (dx, dy) = (bx - ax, by - ay);
+    let (mut enter, mut leave) = (0.0f64, 1.0f64);
+    let sides = [(-dx, ax - left), (dx, left + width - ax), (-dy, ay - top), (dy, top + height - ay)];
+    for (towards, room) in sides {
+        if towards == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if towards < 0.0 {
+            enter = enter.max(room / towards);
+        } else {
+            leave = leave.min(room / towards);
+        }
+    }
+    let at = |t: f64| (ax + t * dx, ay + t * dy);
+    (enter <= leave).then(|| (at(enter), at(leave)))
 }
 
 /// From 0 at the start of an axis to 1 at its end.

@@ -1,4 +1,4 @@
-//! The legend of lines, marks and colours, beside the panels so that it covers nothing.
+//! The legend of lines, marks and colours, in a single panel where there is room, otherwise beside the panels.
 
 use super::line::stroke;
 use super::shade::{STEPS, shade};
@@ -6,14 +6,23 @@ use super::ticks::ticks;
 use super::{Anchor, Canvas, Drawn, Layout, UNITS, mark, write};
 use crate::{Axis, Figure, Plane, Scale, Series, Style};
 use plotters::element::Rectangle;
-use plotters::style::Color;
+use plotters::style::{Color, RGBColor, WHITE};
 
 /// Pixels between two entries.
 const LINE: i32 = 22;
+/// Pixels between the legend and the frame around it.
+const ROOM: i32 = 14;
 
 /// Draws the legend downwards from an upper left corner, in pixels.
 pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
-    let mut y = top;
+    let mut y = top + LINE / 2;
+    if layout.legend == 0 && !entries(figure).is_empty() {
+        let (width, height) = size(figure);
+        let corners = [(left - 6, top - 4), (left + width + 6, top + height + 4)];
+        let corners = corners.map(|(x, y)| (x * UNITS, y * UNITS));
+        canvas.draw(&Rectangle::new(corners, WHITE.filled()))?;
+        canvas.draw(&Rectangle::new(corners, RGBColor(200, 200, 200).stroke_width(UNITS.unsigned_abs())))?;
+    }
     for series in entries(figure) {
         entry(series, (left, y), canvas)?;
         y += LINE;
@@ -45,6 +54,27 @@ pub(super) fn width(figure: &Figure) -> i32 {
         [7 * letters(&plane.label), 28 + 7 * names.unwrap_or(0)]
     });
     series.chain(planes).max().unwrap_or(0)
+}
+
+/// The width and the height of the legend of a figure without planes.
+pub(super) fn size(figure: &Figure) -> (i32, i32) {
+    let lines = i32::try_from(entries(figure).len()).unwrap_or(i32::MAX / LINE);
+    (width(figure), lines * LINE)
+}
+
+/// The upper left corners of the legend in a plot, best first: its corners, then the middle of its sides. `None`
+/// for a figure with planes or without entries.
+pub(super) fn places(figure: &Figure, (left, top): (i32, i32), plot: (i32, i32)) -> Option<[(i32, i32); 7]> {
+    let (width, height) = size(figure);
+    if height == 0 || !keys(figure).is_empty() {
+        return None;
+    }
+    let (right, middle) = (left + plot.0 - width - ROOM, left + (plot.0 - width) / 2);
+    let (bottom, centre) = (top + plot.1 - height - ROOM, top + (plot.1 - height) / 2);
+    let (left, top) = (left + ROOM, top + ROOM);
+    let places = [(right, top), (left, top), (right, bottom), (left, bottom)];
+    let [a, b, c, d] = places;
+    Some([a, b, c, d, (middle, top), (right, centre), (left, centre)])
 }
 
 /// The series in the legend, each key once. Series that are named at their points or have no key are omitted.
@@ -145,7 +175,7 @@ type Error = plotters::drawing::DrawingAreaErrorKind<std::io::Error>;
 #[cfg(test)]
 mod tests {
     use super::keys;
-    use crate::{Axis, Figure, Panel, Plane, Scale};
+    use crate::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
     /// A panel with a plane of this label and shades up to `high`.
     fn panel(label: &str, high: f64) -> Panel {
@@ -183,5 +213,49 @@ mod tests {
         assert!(warm.len() == 1 && cold.len() == 2, "{warm:?} {cold:?}");
         // At least 60 pixels of shades lie between each key and the next.
         assert!(cold[0] > warm[0] + 600 && cold[1] > cold[0] + 600, "{warm:?} {cold:?}");
+    }
+
+    /// A panel of curves through these points of the unit square.
+    fn curves(points: Vec<Vec<(f64, f64)>>) -> Figure {
+        let axis = |name| Axis::linear(name, 0.0, 1.0);
+        let series = points.into_iter().enumerate();
+        let series = series.map(|(i, points)| Series::new(format!("curve {i}"), Style::Line, i, points));
+        let panel =
+            Panel { title: String::new(), x: axis("x"), y: axis("y"), plane: None, series: series.collect() };
+        Figure { name: "one".to_owned(), title: String::new(), caption: String::new(), panels: vec![panel] }
+    }
+
+    /// The left edge of a text in the drawing, and its height, in units of the drawing.
+    fn place(drawing: &str, text: &str) -> (i32, i32) {
+        let element = drawing.split("<text ").find(|e| e.contains(&format!(">\n{text}\n"))).unwrap();
+        let number = |name: &str| {
+            element.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+        };
+        (
+            format!(" {element}").split(" x=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap(),
+            number("y"),
+        )
+    }
+
+    /// The legend takes the first corner that no curve crosses; without one it stands beside the plot.
+    #[test]
+    fn a_legend_covers_nothing() {
+        let rising = vec![(0.0, 0.0), (1.0, 1.0)];
+        let falling = vec![(0.0, 1.0), (1.0, 0.0)];
+        let edge = |y| vec![(0.0, y), (1.0, y)];
+        let plot = (super::super::LEFT * super::UNITS, (super::super::LEFT + 640) * super::UNITS);
+        let middle = ((plot.0 + plot.1) / 2, (super::super::TOP + 220) * super::UNITS);
+        for (points, is_right, is_top) in [
+            (vec![edge(0.5)], true, true),
+            (vec![rising.clone()], false, true),
+            (vec![rising.clone(), edge(0.95)], true, false),
+            (vec![edge(0.95), falling.clone()], false, false),
+        ] {
+            let (x, y) = place(&curves(points.clone()).svg().unwrap(), "curve 0");
+            assert!(plot.0 < x && x < plot.1, "{points:?}: {x}");
+            assert_eq!((x > middle.0, y < middle.1), (is_right, is_top), "{points:?}: {x} {y}");
+        }
+        let everywhere: Vec<_> = (0..=20).map(|i| edge(f64::from(i) / 20.0)).collect();
+        assert!(place(&curves(everywhere).svg().unwrap(), "curve 0").0 > plot.1);
     }
 }
