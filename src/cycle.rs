@@ -110,6 +110,7 @@ use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, fused};
 use crate::machine::error::{Error, written};
 use crate::machine::ratios::Ratios;
+use core::fmt;
 use damped::DampedCycle;
 use undamped::Undamped;
 use waveform::Motion;
@@ -127,7 +128,7 @@ use waveform::Motion;
 /// assert!((cycle.max_velocity - 1.654152276482076).abs() < 1e-15);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 #[must_use]
 pub struct Cycle<F> {
@@ -145,6 +146,19 @@ pub struct Cycle<F> {
     /// f64: 4 ulp of max(phase, 1).
     pub velocity_phase: F,
     motion: Motion<F>,
+}
+
+/// The public fields: the others are split numbers.
+impl<F: fmt::Debug> fmt::Debug for Cycle<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Cycle")
+            .field("ratios", &self.ratios)
+            .field("max_displacement", &self.max_displacement)
+            .field("displacement_phase", &self.displacement_phase)
+            .field("max_velocity", &self.max_velocity)
+            .field("velocity_phase", &self.velocity_phase)
+            .finish_non_exhaustive()
+    }
 }
 
 impl<F: Float> Cycle<F> {

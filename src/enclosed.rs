@@ -25,6 +25,7 @@
 //! | `damped` | half a period of the drive; the border with damping |
 //! | `greatest` | the greatest value of a function, proved |
 //! | `motion` | the exact motion, stops included, proved to exist ([`steady`]) |
+//! | `record` | the motion under a record ([`follow`]) |
 //! | `root` | the only zero of a function in a ball, if it is proved |
 //! | `widen` | more bits until the answers are sharp |
 //!
@@ -45,6 +46,7 @@ mod enclosure;
 mod greatest;
 mod known;
 mod motion;
+mod record;
 mod root;
 mod widen;
 
@@ -54,6 +56,7 @@ pub use crate::float::ball::Ball;
 pub use enclosure::Enclosure;
 pub use known::Known;
 pub use motion::{Event, Steady, Unproved, steady};
+pub use record::follow;
 
 use crate::cycle::damped::best_of;
 use crate::cycle::regime::sliding_bound;

@@ -75,6 +75,11 @@ pub use task::{AtPrecision, Task};
 pub(crate) use task::{at_precision, fused};
 
 /// The operations that decisions need: order, precision, range.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a number of this library",
+    label = "write 50.0 in place of 50",
+    note = "numbers are f32, f64, float::Mp and float::Dual, and your own types that implement Field, Real and Float"
+)]
 pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Bits of the significand: 24 for `f32`, 53 for `f64`.
     const PRECISION: u32;

@@ -1,8 +1,8 @@
 //! The greatest absolute value of a smooth function on an interval, and the place of a single maximum.
 
 use crate::float::Float;
+use alloc::collections::BinaryHeap;
 use core::cmp::Ordering;
-use std::collections::BinaryHeap;
 
 /// A value and its first two derivatives.
 #[derive(Debug, Clone, Copy)]

@@ -89,14 +89,15 @@
 //!
 //! # Features
 //!
-//! * default: the library, for `f32` and `f64`;
+//! * `std`, the only default one: the processor's fused operations and Brent's method of the crate roots. Without it
+//!   the library is `no_std` with alloc, several times slower, and a search for a zero may differ in its last digits;
 //! * `mp`: the number `float::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links
 //!   GMP and MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which
 //!   needs m4 and make;
 //! * `dual`: the number `float::Dual<N>` with derivatives by N parameters, and `sensitivity`: every
 //!   output by every parameter;
 //! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::MonteCarlo`);
-//! * `serde`: numbers to and from text by serde (with `mp`);
+//! * `serde`: machines, ratios and states to and from serde's formats, and every result and error to them;
 //! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on
 //!   threads;
 //! * `generators`: adversarial inputs for property tests and fuzzing of code that uses this library
@@ -104,6 +105,8 @@
 //! * `matching`: the matching problem solved by Newton's method with nalgebra
 //!   (`cycle::matching::newton`), over `Mp` too with `mp`.
 
+#![cfg_attr(not(any(feature = "std", test)), no_std)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(
     not(test),
     deny(
@@ -116,6 +119,8 @@
         clippy::wildcard_enum_match_arm
     )
 )]
+
+extern crate alloc;
 
 // Tests of the formulae by their internal names, written with the crate's name as users write it.
 #[cfg(test)]

@@ -13,6 +13,8 @@ use crate::cycle::response::{Response, amplitude};
 use crate::float::{Float, Real};
 use crate::machine::oscillator::Scales;
 use crate::machine::ratios::Ratios;
+use alloc::borrow::ToOwned;
+use alloc::string::String;
 
 pub(crate) use answer::columns;
 pub use answer::{Column, ResponseAnswer, Value, When};
@@ -33,6 +35,7 @@ macro_rules! outputs {
         /// [`Output::of`] gives the dimensionless value. Multiply it by [`Output::unit`] for physical units.
         /// [`Output::definition`] has its symbol, its equation, its unit and its accuracy.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(try_from = "alloc::string::String"))]
         #[non_exhaustive]
         pub enum Output {
             $(

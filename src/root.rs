@@ -1,12 +1,14 @@
 //! Zeros of functions of one variable: a bracket at f64, then refinement at the precision of the type.
 
 use crate::float::Float;
+#[cfg(feature = "std")]
 use roots::{SimpleConvergency, find_root_brent};
 
 /// A zero of `f` in `[low, high]`, where it changes sign, by Brent's method at f64.
 ///
 /// Where rounding hides the change of sign, the result is the end at which |f| is smaller: the zero is within
 /// rounding of it.
+#[cfg(feature = "std")]
 pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let mut convergency = SimpleConvergency { eps: 1e-15, max_iter: 200 };
     match find_root_brent(low, high, &mut f, &mut convergency) {
@@ -17,6 +19,28 @@ pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f
             } else {
                 high
             }
+        }
+    }
+}
+
+/// A zero of `f` in `[low, high]`, where it changes sign, by halving the interval down to neighbouring numbers: the crate
+/// roots needs the standard library.
+#[cfg(not(feature = "std"))]
+pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (low, high);
+    let (start, end) = (f(low), f(high));
+    if (start < 0.0) == (end < 0.0) {
+        return if start.abs() <= end.abs() { low } else { high };
+    }
+    loop {
+        let middle = low + (high - low) / 2.0;
+        if middle <= low || middle >= high {
+            return middle;
+        }
+        if (f(middle) < 0.0) == (start < 0.0) {
+            low = middle;
+        } else {
+            high = middle;
         }
     }
 }

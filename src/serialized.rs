@@ -1,4 +1,4 @@
-//! Results with private fields are serialised as maps, with the names of the command's JSON. Results with
+//! Numbers, inputs and results in the formats of serde. Results with private fields are serialised as maps, with the names of the command's JSON. Results with
 //! public fields derive it.
 
 use crate::cycle::response::Response;
@@ -6,13 +6,70 @@ use crate::cycle::{Border, Cycle};
 #[cfg(feature = "mp")]
 use crate::enclosed::{self, Enclosure};
 use crate::float::Float;
+use crate::machine::error::{Error, Quantity};
+use crate::machine::units::InputError;
+use crate::motion::record::Record;
 use crate::motion::{FreeDecay, SteadyOutput, SteadyState};
-use crate::output::Output;
+use crate::output::{Output, UnknownOutput};
 #[cfg(feature = "dual")]
 use crate::sensitivity::{Sensitivities, Sensitivity};
 #[cfg(feature = "random")]
 use crate::uncertainty::MonteCarlo;
 use serde::ser::{Serialize, SerializeMap, Serializer};
+
+mod inputs;
+
+pub(crate) use inputs::{
+    BodyFields, DriveFields, DrivePhaseFields, IntervalFields, OscillatorFields, RatiosFields, RecordFields,
+    StateFields,
+};
+
+/// Serialises as the text that `Display` prints.
+macro_rules! as_text {
+    ($($type:ty),* $(,)?) => {
+        $(impl Serialize for $type {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.collect_str(self)
+            }
+        })*
+    };
+}
+
+as_text!(Error, InputError, Quantity, UnknownOutput);
+#[cfg(feature = "mp")]
+as_text!(crate::float::ParseError, crate::float::PrecisionError, crate::float::Inexact);
+#[cfg(feature = "matching")]
+as_text!(crate::cycle::MatchingError);
+
+/// Serialises as the name in the command's JSON.
+macro_rules! as_name {
+    ($($type:ident),*) => {
+        $(impl Serialize for $type {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_str(self.definition().name)
+            }
+        })*
+    };
+}
+
+as_name!(Output, SteadyOutput);
+
+/// The excitation, the times and the samples; equal steps by the first time and the step.
+impl<F: Float + Serialize> Serialize for Record<F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        in_map(serializer, None, |map| {
+            map.serialize_entry("excitation", &self.excitation())?;
+            match self.times() {
+                Ok((start, step)) => {
+                    map.serialize_entry("start", &start)?;
+                    map.serialize_entry("step", &step)?;
+                }
+                Err(times) => map.serialize_entry("times", times)?,
+            }
+            map.serialize_entry("samples", self.samples())
+        })
+    }
+}
 
 /// A map of `len` entries, if their number is known.
 fn in_map<S: Serializer>(

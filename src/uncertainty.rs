@@ -91,7 +91,14 @@ use crate::machine::ratios::within;
 
 /// The knowledge of a parameter: it lies between two numbers, inclusive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::IntervalFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 #[must_use]
 pub struct Interval<F> {
     low: F,

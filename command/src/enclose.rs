@@ -4,7 +4,11 @@
 mod found;
 #[cfg(feature = "mp")]
 mod motion;
+#[cfg(feature = "mp")]
+mod record;
 
+#[cfg(not(feature = "mp"))]
+use crate::args::RecordArgs;
 use crate::args::{BodyArgs, MachineArgs, OutputArgs, Typed};
 use crate::failure::{Failure, Outcome};
 use std::io::Write;
@@ -45,6 +49,8 @@ pub(crate) use found::BITS;
 use found::{border as enclosed_border, response as enclosed_response};
 #[cfg(feature = "mp")]
 use motion::steady as enclosed_steady;
+#[cfg(feature = "mp")]
+pub(crate) use record::record;
 
 #[cfg(not(feature = "mp"))]
 fn enclosed_response(_: (&str, &str), _: Others<'_>, _: &OutputArgs, _: &mut impl Write) -> Outcome {
@@ -58,6 +64,11 @@ fn enclosed_border(_: &str, _: Others<'_>, _: &OutputArgs, _: &mut impl Write) -
 
 #[cfg(not(feature = "mp"))]
 fn enclosed_steady(_: (&str, &str), _: Others<'_>, _: &OutputArgs, _: &mut impl Write) -> Outcome {
+    Err(no_balls())
+}
+
+#[cfg(not(feature = "mp"))]
+pub(crate) fn record(_: &RecordArgs, _: &mut impl Write) -> Outcome {
     Err(no_balls())
 }
 

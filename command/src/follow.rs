@@ -2,6 +2,7 @@
 
 use crate::args::{Format, RecordArgs, SurfaceArgs};
 use crate::bits::{Value, at_bits, digits};
+use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::given;
@@ -17,34 +18,25 @@ use stickslip::motion::record::{Body, Record, RecordAnswer, RecordMotion};
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    if args.enclose {
+        return enclose::record(args, out);
+    }
     at_bits!(args.bits, follow(args: &RecordArgs, out))
 }
 
 fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    if !matches!(args.format, Format::Text | Format::Json) {
-        return Err(Failure::Input("--format: the answer to record is text or json".to_owned()));
-    }
     for (option, file) in [("--out", &args.out), ("--picture", &args.picture)] {
         if let Some(file) = file {
             output::refuse_existing(file, &format!("{option} {}", file.display()), args.overwrite)?;
         }
     }
-    let reader = args.units.reader();
-    let given = given::read::<F>(&args.machine, &reader)?;
-    let surface = Surface::read(&args.surface, &reader)?;
-    let body = surface.body(&given)?;
-    let start = |option: &str, text: &Option<String>, kind: Kind| match text {
-        Some(text) => reader.value::<F>(option, text, kind),
-        None => Ok(F::int(0)),
-    };
-    let x0 = start("--x0", &args.x0, Kind::Length)?;
-    let v0 = start("--v0", &args.v0, Kind::Velocity)?;
-    let interval = args.interval.as_ref().map(|text| reader.value::<F>("--interval", text, Kind::Time));
+    let interval = args.interval.as_ref();
+    let interval = interval.map(|text| args.units.reader().value::<F>("--interval", text, Kind::Time));
     let interval = interval.transpose()?;
     if args.interval.is_some() && args.out.is_none() {
         return Err(Failure::Input("--interval: needs a file for the motion, --out FILE.csv".to_owned()));
     }
-    let record = measured::read::<F>(&args.file, &args.load, &reader)?;
+    let Shaken { given, body, record, start: [x0, v0] } = Shaken::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
     let answer = body.follow_from(&record, x0, v0).map_err(named)?;
     let motion = |interval: F| body.motion(&record, x0, v0, interval).map_err(named);
@@ -72,6 +64,32 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         return Ok(out.write_all(b"\n")?);
     }
     text(&answer, &physical, &given.system, out)
+}
+
+/// The body, the record and the start of a motion.
+pub(crate) struct Shaken<F> {
+    pub(crate) given: Given<F>,
+    pub(crate) body: Body<F>,
+    pub(crate) record: Record<F>,
+    pub(crate) start: [F; 2],
+}
+
+impl<F: Value> Shaken<F> {
+    pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
+        if !matches!(args.format, Format::Text | Format::Json) {
+            return Err(Failure::Input("--format: the answer to record is text or json".to_owned()));
+        }
+        let reader = args.units.reader();
+        let given = given::read::<F>(&args.machine, &reader)?;
+        let body = Surface::read(&args.surface, &reader)?.body(&given)?;
+        let start = |option: &str, text: &Option<String>, kind: Kind| match text {
+            Some(text) => reader.value::<F>(option, text, kind),
+            None => Ok(F::int(0)),
+        };
+        let start = [start("--x0", &args.x0, Kind::Length)?, start("--v0", &args.v0, Kind::Velocity)?];
+        let record = measured::read::<F>(&args.file, &args.load, &reader)?;
+        Ok(Self { given, body, record, start })
+    }
 }
 
 /// The surface that a body slides on.
@@ -112,32 +130,48 @@ pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Ph
     physical
 }
 
+/// An answer: a number, which may not exist, or a count.
+pub(crate) enum Entry<'a, T> {
+    Value(Option<&'a T>),
+    Count(u64),
+}
+
 /// The names of the answers, their kinds and their values.
-pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> [(&'static str, Kind, Cell<F>); 20] {
-    let number = |x: F| Cell::Number(Some(x));
-    let count = |n: u64| Cell::Count(Some(n));
+pub(crate) fn entries<T>(answer: &RecordAnswer<T>) -> [(&'static str, Kind, Entry<'_, T>); 20] {
+    use Entry::{Count, Value};
     [
-        ("max_displacement", Kind::Length, number(answer.max_displacement)),
-        ("max_displacement_time", Kind::Time, number(answer.max_displacement_time)),
-        ("min_displacement", Kind::Length, number(answer.min_displacement)),
-        ("min_displacement_time", Kind::Time, number(answer.min_displacement_time)),
-        ("max_velocity", Kind::Velocity, number(answer.max_velocity)),
-        ("max_velocity_time", Kind::Time, number(answer.max_velocity_time)),
-        ("min_velocity", Kind::Velocity, number(answer.min_velocity)),
-        ("min_velocity_time", Kind::Time, number(answer.min_velocity_time)),
-        ("max_absolute_acceleration", Kind::Acceleration, number(answer.max_absolute_acceleration)),
-        ("max_transmitted_force", Kind::Force, number(answer.max_transmitted_force)),
-        ("end_displacement", Kind::Length, number(answer.end_displacement)),
-        ("end_velocity", Kind::Velocity, number(answer.end_velocity)),
-        ("residual_displacement", Kind::Length, Cell::Number(answer.residual_displacement)),
-        ("path", Kind::Length, number(answer.path)),
-        ("slides", Kind::Ratio, count(answer.slides)),
-        ("stops", Kind::Ratio, count(answer.stops)),
-        ("stick_time", Kind::Time, number(answer.stick_time)),
-        ("friction_work", Kind::Energy, number(answer.friction_work)),
-        ("damper_work", Kind::Energy, number(answer.damper_work)),
-        ("load_work", Kind::Energy, number(answer.load_work)),
+        ("max_displacement", Kind::Length, Value(Some(&answer.max_displacement))),
+        ("max_displacement_time", Kind::Time, Value(Some(&answer.max_displacement_time))),
+        ("min_displacement", Kind::Length, Value(Some(&answer.min_displacement))),
+        ("min_displacement_time", Kind::Time, Value(Some(&answer.min_displacement_time))),
+        ("max_velocity", Kind::Velocity, Value(Some(&answer.max_velocity))),
+        ("max_velocity_time", Kind::Time, Value(Some(&answer.max_velocity_time))),
+        ("min_velocity", Kind::Velocity, Value(Some(&answer.min_velocity))),
+        ("min_velocity_time", Kind::Time, Value(Some(&answer.min_velocity_time))),
+        ("max_absolute_acceleration", Kind::Acceleration, Value(Some(&answer.max_absolute_acceleration))),
+        ("max_transmitted_force", Kind::Force, Value(Some(&answer.max_transmitted_force))),
+        ("end_displacement", Kind::Length, Value(Some(&answer.end_displacement))),
+        ("end_velocity", Kind::Velocity, Value(Some(&answer.end_velocity))),
+        ("residual_displacement", Kind::Length, Value(answer.residual_displacement.as_ref())),
+        ("path", Kind::Length, Value(Some(&answer.path))),
+        ("slides", Kind::Ratio, Count(answer.slides)),
+        ("stops", Kind::Ratio, Count(answer.stops)),
+        ("stick_time", Kind::Time, Value(Some(&answer.stick_time))),
+        ("friction_work", Kind::Energy, Value(Some(&answer.friction_work))),
+        ("damper_work", Kind::Energy, Value(Some(&answer.damper_work))),
+        ("load_work", Kind::Energy, Value(Some(&answer.load_work))),
     ]
+}
+
+/// The answers as cells.
+pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> [(&'static str, Kind, Cell<F>); 20] {
+    entries(answer).map(|(name, kind, entry)| {
+        let cell = match entry {
+            Entry::Value(value) => Cell::Number(value.copied()),
+            Entry::Count(count) => Cell::Count(Some(count)),
+        };
+        (name, kind, cell)
+    })
 }
 
 fn text<F: Value>(

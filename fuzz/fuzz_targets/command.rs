@@ -1,4 +1,4 @@
-//! A command line and a file of points: the command's answer, except for computations that take long.
+//! A command line and a file of points or of a record: the command's answer, except for computations that take long.
 //!
 //! The command's own modules are compiled in; any further module that they use must be listed here.
 #![no_main]
@@ -17,12 +17,14 @@ mod command {
     pub(crate) mod enclose;
     pub(crate) mod failure;
     pub(crate) mod figure;
+    pub(crate) mod follow;
     pub(crate) mod given;
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
     pub(crate) mod machine;
     pub(crate) mod map;
+    pub(crate) mod measured;
     pub(crate) mod motion_plot;
     pub(crate) mod note;
     pub(crate) mod output;
@@ -43,8 +45,8 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, attractors, axes, bits, border, curve, decay, design, enclose, failure, figure, given, grid, input,
-    interrupt, machine, map, motion_plot, note, output, outputs, physical, points, progress, record,
+    args, attractors, axes, bits, border, curve, decay, design, enclose, failure, figure, follow, given, grid, input,
+    interrupt, machine, map, measured, motion_plot, note, output, outputs, physical, points, progress, record,
     response, resume, rows, sink, starts, steady, style, sweep,
 };
 use failure::Failure;
@@ -52,7 +54,7 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 use stickslip::inputs::Input;
 
-/// The file with the points of a run.
+/// The file of a run.
 static POINTS: LazyLock<PathBuf> =
     LazyLock::new(|| std::env::temp_dir().join(format!("stickslip-fuzz-{}.csv", std::process::id())));
 
@@ -74,6 +76,12 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         Command::Border(args) => {
             redirect(&mut args.output, content);
             border::run(args, out)
+        }
+        Command::Record(args) => {
+            std::fs::write(&*POINTS, content).expect("a temporary file");
+            args.file = POINTS.clone();
+            (args.out, args.picture, args.interval) = (None, None, None);
+            follow::run(args, out)
         }
         Command::Decay(args) => {
             args.out = None;
@@ -102,7 +110,6 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         | Command::Outputs
         | Command::ResponseCurve(_)
         | Command::MotionPlot(_)
-        | Command::Record(_)
         | Command::Spectrum(_)
         | Command::Verify(_)
         | Command::Figure(_)

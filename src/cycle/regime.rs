@@ -26,7 +26,7 @@ use crate::machine::ratios::Ratios;
 /// start leads to this behaviour; elsewhere it is [`Regime::DependsOnStart`] (`src/cycle/regime/static_friction.rs` has
 /// the proofs). The regime of one motion from one start is that of the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Regime {
     /// α ≤ 1: the force cannot overcome friction permanently, and the body ends at rest.

@@ -11,6 +11,7 @@
 //! the cycle is stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
 use crate::float::{Field, Float};
+use alloc::vec::Vec;
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
 #[inline]

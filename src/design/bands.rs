@@ -19,6 +19,9 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Excitation, Oscillator};
 use crate::machine::ratios::{Ratios, positive};
 use crate::root;
+use alloc::boxed::Box;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The bands of a range, by increasing frequency: see [`bands`].
 #[derive(Debug, Clone)]

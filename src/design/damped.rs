@@ -30,7 +30,7 @@ use crate::float::Float;
 use crate::greatest::highest;
 use crate::machine::error::{Error, Quantity, written};
 use crate::root;
-use std::collections::VecDeque;
+use alloc::collections::VecDeque;
 
 /// The parameter of the damper that is constant while the frequency ratio changes.
 #[derive(Debug, Clone, Copy)]

@@ -17,11 +17,17 @@ mod fit;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{finite, positive};
 use crate::uncertainty::Estimate;
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
 use core::f64::consts::PI;
 use fit::Fit;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The turning points that were measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum TurningPoints {
     /// Those of both sides, one in every half cycle, with their signs or without.

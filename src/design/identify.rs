@@ -25,14 +25,18 @@ use crate::machine::oscillator::{Drive, Excitation, Oscillator};
 use crate::machine::ratios::{Ratios, finite, positive};
 use crate::motion::{State, Trajectory};
 use crate::uncertainty::Estimate;
+use alloc::boxed::Box;
+use alloc::vec::Vec;
 use core::f64::consts::{SQRT_2, TAU};
+use core::iter::zip;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 use outliers::{Judged, is_larger, judge};
 use search::{Fit, MeasuredPoint, RANGE, ResponseCurve, Rule, StartGrid, kept};
-use std::iter::zip;
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Measurement {
     /// Angular frequency ω_d.
     pub angular_frequency: f64,
@@ -44,7 +48,7 @@ pub struct Measurement {
 
 /// The amplitude that was measured.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum AmplitudeKind {
     /// The maximum displacement, half of peak to peak.
     #[default]
@@ -70,7 +74,7 @@ impl AmplitudeKind {
 
 /// The phase that was measured, the force being p₀ sin ω_d t.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum PhaseKind {
     /// ω_d t₂, at which the body arrives at its maximum displacement: about π/2 far below
     /// resonance.
@@ -95,6 +99,7 @@ impl PhaseKind {
 
 /// How the values of a curve are read.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Reading {
     /// The kind of the amplitudes.
     pub amplitude: AmplitudeKind,

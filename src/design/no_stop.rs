@@ -12,6 +12,9 @@ use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::positive;
 use crate::root;
+use alloc::vec::Vec;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::no_stop_force_ratios`].
 ///

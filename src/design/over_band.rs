@@ -19,10 +19,13 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Oscillator, Scales};
 use crate::machine::ratios::{Ratios, positive};
 use crate::motion::Amplitude;
+use alloc::vec;
+use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 /// The amplitude that is to be small.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Aim {
     /// The displacement x; on a base that carries the surface in relation to the base.

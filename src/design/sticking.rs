@@ -48,6 +48,7 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::{Ratios, positive, within};
 use crate::motion::{LongRun, State, SteadyState};
+use alloc::vec::Vec;
 
 /// A computed loop size and an upper bound of it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,6 +14,8 @@ mod functions;
 mod operations;
 
 use super::Float;
+use alloc::format;
+use alloc::string::String;
 
 /// A promise that a number type breaks.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

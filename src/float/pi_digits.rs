@@ -3,6 +3,8 @@
 //! Numbers here are in fixed point: `Σ dₖ 2⁻²⁴ᵏ`, k from 0, with signed digits dₖ.
 
 use super::Float;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// Bits of a digit.
 const BITS: u32 = 24;

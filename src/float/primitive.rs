@@ -4,10 +4,25 @@
 use super::circular::ARCTANGENT;
 use super::{Field, Float, Real, Task};
 
+/// An operation that IEEE 754 rounds correctly: by the processor, or without the standard library by `libm`, with the
+/// same bits.
+#[cfg(feature = "std")]
+macro_rules! exact {
+    ($own:expr, $libm:expr) => {
+        $own
+    };
+}
+#[cfg(not(feature = "std"))]
+macro_rules! exact {
+    ($own:expr, $libm:expr) => {
+        $libm
+    };
+}
+
 macro_rules! primitive {
     ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal, pi_rest: $second:literal $third:literal,
      $sin:ident $cos:ident $sin_cos:ident $tan:ident $atan2:ident $hypot:ident
-     exp: $exp:ident $expm1:ident) => {
+     exp: $exp:ident $expm1:ident exact: $sqrt:ident $fma:ident $floor:ident $round:ident) => {
         impl Field for $float {
             #[inline(always)]
             fn int(n: i32) -> Self {
@@ -15,7 +30,7 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
-                self.sqrt()
+                exact!(self.sqrt(), libm::$sqrt(self))
             }
             #[inline(always)]
             fn abs(self) -> Self {
@@ -54,7 +69,7 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                self.mul_add(a, b)
+                exact!(self.mul_add(a, b), libm::$fma(self, a, b))
             }
         }
 
@@ -86,11 +101,11 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn floor(self) -> Self {
-                self.floor()
+                exact!(self.floor(), libm::$floor(self))
             }
             #[inline(always)]
             fn round(self) -> Self {
-                self.round()
+                exact!(self.round(), libm::$round(self))
             }
             #[inline(always)]
             fn is_finite(self) -> bool {
@@ -122,8 +137,8 @@ macro_rules! primitive {
 }
 
 /// Runs the task compiled for fused operations on an x86-64 processor that has them, if the program was not
-/// compiled for them.
-#[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
+/// compiled for them. The standard library looks for them.
+#[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
 #[inline(always)]
 #[allow(unsafe_code, reason = "a call that needs a feature of the processor, which is looked for")]
 fn fused<T: Task>(task: T) -> T::Output {
@@ -144,16 +159,16 @@ fn fused<T: Task>(task: T) -> T::Output {
     }
 }
 
-#[cfg(not(all(target_arch = "x86_64", not(target_feature = "fma"))))]
+#[cfg(not(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma"))))]
 #[inline(always)]
 fn fused<T: Task>(task: T) -> T::Output {
     task.run()
 }
 
 primitive!(f32, u32, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced, sinf cosf sincosf tanf atan2f hypotf
-    exp: expf expm1f);
+    exp: expf expm1f exact: sqrtf fmaf floorf roundf);
 primitive!(f64, u64, ratio_exponent: 250, pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc,
-    sin cos sincos tan atan2 hypot exp: exp expm1);
+    sin cos sincos tan atan2 hypot exp: exp expm1 exact: sqrt fma floor round);
 
 #[cfg(test)]
 mod tests {

@@ -12,7 +12,7 @@ use crate::machine::ratios::{Ratios, finite, positive};
 /// the base also carries the **surface**, as under an isolator or in an earthquake, x is the displacement
 /// relative to the base, and the force is that of inertia.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Excitation {
@@ -115,7 +115,14 @@ impl Excitation {
 /// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion of its base ([`Excitation`]), and a
 /// constant force p̄ if there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::DriveFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 pub struct Drive<F> {
     excitation: Excitation,
     amplitude: F,

@@ -3,6 +3,7 @@
 mod number;
 mod quantity;
 
+use alloc::boxed::Box;
 pub use number::Number;
 pub(crate) use number::written;
 pub use quantity::Quantity;
@@ -273,6 +274,14 @@ pub enum Error {
         /// The time.
         time: Number,
     },
+    /// A motion under a record in which a sign stays uncertain, whatever the bits.
+    #[error(
+        "record: whether the body slides or turns after the time {time} is uncertain: the load is at the bound of friction, a velocity grazes zero, or the damping is critical"
+    )]
+    UncertainEvent {
+        /// The time.
+        time: Number,
+    },
     /// A motion under a record with more stops than are followed.
     #[error(
         "record: the stops after the time {time} must be fewer than 10⁵, in one step or after the record"
@@ -319,6 +328,7 @@ impl Error {
             | Self::TooFewSamples { .. }
             | Self::RecordOf { .. }
             | Self::BeyondRange { .. }
+            | Self::UncertainEvent { .. }
             | Self::TooManyEvents { .. }
             | Self::InMeasurement { .. }
             | Self::Unexplained { .. }

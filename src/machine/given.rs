@@ -6,6 +6,11 @@ use crate::machine::error::{Error, Number, Quantity};
 use crate::machine::oscillator::{Drive, Oscillator, Scales};
 use crate::machine::ratios::{Ratios, positive};
 use crate::machine::units::{InputError, Reader, System, scaled};
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
+use alloc::string::ToString;
+use alloc::vec::Vec;
 use core::str::FromStr;
 
 /// The given inputs in one system of units, with the text of those that were typed.

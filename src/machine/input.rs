@@ -3,6 +3,10 @@
 use crate::machine::error::Quantity;
 use crate::machine::oscillator::Excitation;
 use crate::machine::units::Kind;
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 /// The part of an input in a machine. The inputs of one role determine each other, so that one of them is given; only
 /// those of the body itself stand beside each other.

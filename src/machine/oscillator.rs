@@ -25,7 +25,14 @@ use crate::machine::ratios::{
 /// [`Scales::mean_displacement`]; all else is as with r_y in both directions. Static friction then exceeds
 /// the kinetic one by (η − 1) r_y in each direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::OscillatorFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 pub struct Oscillator<F> {
     mass: F,
     stiffness: F,
@@ -111,6 +118,17 @@ impl<F: Float> Oscillator<F> {
             friction_offset: (forward - backward) * half,
             ..self
         })
+    }
+
+    /// This body with friction that differs by direction by twice this force, `(r₊ − r₋)/2`.
+    ///
+    /// # Errors
+    /// Where r₊ or r₋ is not finite or not > 0.
+    #[cfg(feature = "serde")]
+    pub(crate) fn with_friction_offset(self, friction_offset: F) -> Result<Self, Error> {
+        positive(Quantity::ForwardFriction, self.friction_bound + friction_offset)?;
+        positive(Quantity::BackwardFriction, self.friction_bound - friction_offset)?;
+        Ok(Self { friction_offset, ..self })
     }
 
     /// Mass m.

@@ -16,7 +16,14 @@ use crate::machine::error::{Error, Quantity, written};
 ///
 /// Inside that domain no closed form overflows or underflows; outside it, construction is an error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::RatiosFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 pub struct Ratios<F> {
     omega: F,
     alpha: F,

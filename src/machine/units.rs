@@ -19,13 +19,16 @@ mod kind;
 mod system;
 mod table;
 
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
 pub use factor::Factor;
 pub use kind::Kind;
 pub use system::System;
 
 use crate::float::Float;
+use core::cell::RefCell;
 use core::str::FromStr;
-use std::cell::RefCell;
 use table::Unit;
 
 /// The error of an input: the argument, its text, and the condition that it violates.

@@ -2,6 +2,7 @@
 
 use crate::float::Float;
 use crate::machine::error::Error;
+use alloc::boxed::Box;
 use core::ops::ControlFlow;
 
 /// Why the calculation of a motion ended early: a boxed [`Error`], so that the result of every slide stays

@@ -11,10 +11,20 @@
 use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity, written};
 use crate::machine::ratios::finite;
+#[cfg(feature = "serde")]
+use crate::machine::ratios::within;
+use alloc::string::ToString;
 
 /// A phase `θ = ω_d t = nπ + a` of the drive: n half turns and the angle `a` in `[−π/2, π/2)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::DrivePhaseFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 #[must_use]
 pub struct DrivePhase<F> {
     half_turns: i64,
@@ -56,6 +66,18 @@ impl<F: Float> DrivePhase<F> {
             });
         }
         Self::of(theta).map(|p| p.later_by_half_turns(half_turns))
+    }
+
+    /// The phase of so many half turns and an angle in `[−π/2, π/2]` beyond them.
+    ///
+    /// # Errors
+    /// Where the angle or the number of half turns is outside its range.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_half_turns(half_turns: i64, angle: F) -> Result<Self, Error> {
+        let quarter = F::pi() * F::ratio(1, 2);
+        let angle = within(Quantity::DrivePhase, angle, -quarter, quarter)?;
+        Ok(Self::new(half_turns / 2, F::int(0))?.later_by_half_turns(half_turns % 2))
+            .map(|p| Self { angle, ..p })
     }
 
     /// Whole half turns n.

@@ -27,6 +27,8 @@ use super::trajectory::Trajectory;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::{valid_damping_ratio, valid_static_friction_ratio};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Free vibration from a start, to rest.
 ///

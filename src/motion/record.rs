@@ -30,6 +30,15 @@
 //! ```
 
 mod answers;
+#[cfg(feature = "mp")]
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "operators of balls and of multiple precision, which do not overflow"
+    )
+)]
+mod balls;
 mod body;
 mod follow;
 mod history;
@@ -44,6 +53,8 @@ mod slide;
 mod totals;
 
 pub use answers::RecordAnswer;
+#[cfg(feature = "mp")]
+pub(crate) use balls::follow as follow_in_balls;
 pub use body::Body;
 pub use history::{RecordEvent, RecordMotion, RecordState};
 pub use load::Record;

@@ -7,7 +7,14 @@ use crate::machine::ratios::finite;
 
 /// The state of the body at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::StateFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 pub struct State<F> {
     /// Phase θ = ω_d t.
     pub phase: DrivePhase<F>,

@@ -3,6 +3,9 @@
 use crate::float::Real;
 use crate::machine::oscillator::{Excitation, Scales};
 use crate::machine::units::Kind;
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
 
 /// Defines the measures from one row each: the unit in ratios as a text, the kind of the quantity in the units
 /// of a machine, and the physical size of one unit.

@@ -1,6 +1,9 @@
+use crate::design::{Aim, Measurement};
 use crate::motion::attractors;
-use crate::motion::{FreeDecay, LongRun, State};
-use crate::{Border, Cycle, Output, Ratios, Response, Verdict};
+use crate::motion::record::{Body, Record};
+use crate::motion::{FreeDecay, LongRun, State, Trajectory};
+use crate::uncertainty::Interval;
+use crate::{Border, Cycle, Drive, Excitation, Oscillator, Output, Ratios, Response, Verdict};
 use serde_json::{Value, json, to_value};
 
 #[test]
@@ -82,4 +85,89 @@ fn enclosures() {
     let motion = crate::enclosed::steady(&omega, &alpha, &zeta, &eta, 64).unwrap().unwrap();
     let map = to_value(&motion).unwrap();
     assert_eq!((&map["symmetric"], &map["sticks_per_cycle"]), (&json!(true), &json!(0)));
+}
+
+/// What is read back after writing has the same bits.
+#[test]
+fn inputs_are_read_as_they_were_written() {
+    fn back<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + core::fmt::Debug>(input: &T) {
+        let text = serde_json::to_string(input).unwrap();
+        assert_eq!(serde_json::from_str::<T>(&text).as_ref().ok(), Some(input), "{text}");
+    }
+    let ratios = Ratios::new(0.1f64 + 0.2, 2.5).unwrap().with_damping_ratio(0.02).unwrap();
+    back(&ratios.with_static_friction_ratio(1.3).unwrap());
+    let body = Oscillator::new(50.0f64, 1000.0, 5.0).unwrap().with_damping(1.0 / 3.0).unwrap();
+    back(&body.with_directional_friction(5.1, 4.7).unwrap().with_static_friction_ratio(1.1).unwrap());
+    for excitation in [Excitation::Force, Excitation::Unbalance, Excitation::SurfaceAcceleration] {
+        back(&excitation);
+        back(&Drive::new(excitation, 0.1f64, 0.7).unwrap().with_mean_force(-0.3).unwrap());
+    }
+    let mut motion = Trajectory::new(ratios, State::default()).unwrap();
+    for _ in 0..20 {
+        back(&motion.next().unwrap().unwrap().start());
+    }
+    back(&Interval::between(0.1f64, 0.3).unwrap());
+    for output in Output::ALL {
+        back(&output);
+        assert_eq!(to_value(output).unwrap(), json!(output.name()));
+    }
+    let block = Body::new(2.0f64, 0.7).unwrap().with_directional_friction(0.9, 0.3).unwrap();
+    back(&block.with_mean_force(0.2).unwrap().one_way());
+    let samples = vec![0.0f64, 0.1, -0.2];
+    back(&Record::new(Excitation::Force, 0.01, samples.clone()).unwrap().beginning_at(0.3).unwrap());
+    back(&Record::at_times(Excitation::SurfaceAcceleration, vec![0.0, 0.1, 0.4], samples).unwrap());
+    back(&Measurement { angular_frequency: 3.0, amplitude: 0.1, phase: None });
+    for (aim, name) in [(Aim::Displacement, "displacement"), (Aim::TransmittedForce, "transmitted-force")] {
+        back(&aim);
+        assert_eq!(to_value(aim).unwrap(), json!(name));
+    }
+}
+
+/// Fields that a machine need not have are left out, and a value outside its domain is an error with the inequality.
+#[test]
+fn inputs_obey_the_rules_of_their_constructors() {
+    let plain: Oscillator<f64> =
+        serde_json::from_value(json!({ "mass": 50, "stiffness": 1000, "friction_bound": 5 })).unwrap();
+    assert_eq!(plain, Oscillator::new(50.0, 1000.0, 5.0).unwrap());
+    let state: State<f64> = serde_json::from_value(json!({ "x": 0.5, "v": -1 })).unwrap();
+    assert_eq!(state, State::new(0.0, 0.5, -1.0).unwrap());
+    fn refused<T: serde::de::DeserializeOwned>(input: Value, parts: &[&str]) {
+        let said =
+            serde_json::from_value::<T>(input.clone()).err().map(|e| e.to_string()).unwrap_or_default();
+        assert!(parts.iter().all(|part| said.contains(part)), "{input}: {said}");
+    }
+    refused::<Ratios<f64>>(json!({ "omega": -1, "alpha": 2 }), &["Ω = -1", "> 0"]);
+    refused::<Ratios<f64>>(json!({ "omega": 1, "alpha": 2, "zeta": 0 }), &["zeta"]);
+    refused::<Ratios<f64>>(json!({ "omega": 1 }), &["alpha"]);
+    refused::<Oscillator<f64>>(
+        json!({ "mass": 1, "stiffness": 1, "friction_bound": 1, "friction_offset": -1 }),
+        &["r₊ = 0"],
+    );
+    refused::<Oscillator<f64>>(
+        json!({ "mass": 1, "stiffness": 1, "friction_bound": 1, "friction_offset": 2 }),
+        &["r₋ = -1"],
+    );
+    refused::<Drive<f64>>(
+        json!({ "excitation": "force", "amplitude": 0, "angular_frequency": 1 }),
+        &["p₀ = 0"],
+    );
+    refused::<Drive<f64>>(json!({ "excitation": "push", "amplitude": 1, "angular_frequency": 1 }), &["push"]);
+    refused::<State<f64>>(json!({ "phase": { "angle": 2 }, "x": 0, "v": 0 }), &["= 2", "1.57"]);
+    refused::<State<f64>>(
+        json!({ "phase": { "half_turns": i64::MAX, "angle": 0 }, "x": 0, "v": 0 }),
+        &["cycles"],
+    );
+    refused::<Interval<f64>>(json!({ "low": 2, "high": 1 }), &["2", "1"]);
+    refused::<Output>(json!("max_speed"), &["max_speed"]);
+    refused::<Body<f64>>(json!({ "mass": 1, "friction": 1, "friction_offset": 2 }), &["r₋ = -1"]);
+    refused::<Record<f64>>(json!({ "excitation": "force", "samples": [0, 1] }), &["a step or times"]);
+    refused::<Record<f64>>(
+        json!({ "excitation": "force", "step": 1, "times": [0, 1], "samples": [0, 1] }),
+        &["a step or times"],
+    );
+    refused::<Record<f64>>(json!({ "excitation": "force", "times": [1, 1], "samples": [0, 1] }), &["> 0"]);
+    assert_eq!(
+        to_value(Ratios::new(0.7, f64::NAN).unwrap_err()).unwrap(),
+        json!("force ratio α = NaN must be finite")
+    );
 }

@@ -3,6 +3,7 @@
 use super::{Interval, Known, Range};
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
 use crate::float::Float;
+use alloc::vec::Vec;
 
 /// A piece of Ω: the bounds of K² and of 1/|1 − Ω²| on it.
 #[derive(Debug, Clone, Copy)]

@@ -12,6 +12,7 @@ use crate::output::Output;
 /// Mass, stiffness, friction bound, amplitude and angular frequency in independent intervals, and a damper if
 /// there is one ([`MachineBox::with_damping`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct MachineBox<F> {
     mass: Interval<F>,

@@ -19,6 +19,7 @@ const VERDICT_PARTS: u32 = 1000;
 /// Frequency and force ratio in intervals, and the damping ratio if there is a damper
 /// ([`RatioBox::with_damping_ratio`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct RatioBox<F> {
     omega: Interval<F>,

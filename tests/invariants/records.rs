@@ -2,7 +2,7 @@
 
 use stickslip::generators::Shaken;
 use stickslip::motion::record::{Body, Record, RecordMotion};
-use stickslip::{Error, Excitation};
+use stickslip::{Error, Excitation, Float};
 
 const EXCITATIONS: [Excitation; 4] = [
     Excitation::Force,
@@ -12,25 +12,25 @@ const EXCITATIONS: [Excitation; 4] = [
 ];
 
 /// The body and the record of an input.
-pub(crate) fn built(shaken: &Shaken) -> Result<(Body<f64>, Record<f64>), Error> {
-    let [forward, backward] = shaken.friction;
-    let mut body = Body::new(shaken.mass, forward)?
-        .with_stiffness(shaken.stiffness)?
-        .with_damping(shaken.damping)?
-        .with_static_friction_ratio(shaken.static_friction_ratio)?
+pub(crate) fn built<F: Float + From<f64>>(shaken: &Shaken) -> Result<(Body<F>, Record<F>), Error> {
+    let [forward, backward] = shaken.friction.map(F::from);
+    let mut body = Body::new(shaken.mass.into(), forward)?
+        .with_stiffness(shaken.stiffness.into())?
+        .with_damping(shaken.damping.into())?
+        .with_static_friction_ratio(shaken.static_friction_ratio.into())?
         .with_directional_friction(forward, backward)?;
     if shaken.is_one_way {
         body = body.one_way();
     }
     let excitation = EXCITATIONS[usize::from(shaken.excitation) % 4];
-    let samples = shaken.samples.clone();
+    let samples = shaken.samples.iter().copied().map(F::from).collect();
     let record = if let [step] = shaken.steps[..] {
-        Record::new(excitation, step, samples)?
+        Record::new(excitation, step.into(), samples)?
     } else {
-        let mut times = vec![1.0];
+        let mut times = vec![F::int(1)];
         times.extend(shaken.steps.iter().scan(1.0, |time, step| {
             *time += step;
-            Some(*time)
+            Some(F::from(*time))
         }));
         Record::at_times(excitation, times, samples)?
     };
@@ -43,7 +43,7 @@ pub(crate) fn built(shaken: &Shaken) -> Result<(Body<f64>, Record<f64>), Error> 
 /// # Panics
 /// If a promise is broken.
 pub(crate) fn followed(shaken: &Shaken) {
-    let Ok((body, record)) = built(shaken) else { return };
+    let Ok((body, record)) = built::<f64>(shaken) else { return };
     let [x, v] = shaken.start;
     let shortest = shaken.steps.iter().fold(f64::INFINITY, |least, step| least.min(*step));
     let longest = shaken.steps.iter().fold(0.0f64, |most, step| most.max(*step));

@@ -10,6 +10,10 @@ mod dither;
 #[path = "../../examples/isolator.rs"]
 #[allow(dead_code, reason = "its main runs it as a program")]
 mod isolator;
+#[cfg(feature = "serde")]
+#[path = "../../examples/machine.rs"]
+#[allow(dead_code, reason = "its main runs it as a program")]
+mod machine;
 #[cfg(feature = "mp")]
 #[path = "../../examples/resonance.rs"]
 #[allow(dead_code, reason = "its main runs it as a program")]
@@ -60,6 +64,8 @@ fn the_page_shows_what_they_print() {
     assert_eq!(printed(dither::answer), shown("dither"));
     assert_eq!(printed(isolator::answer), shown("isolator"));
     assert_eq!(printed(damper::answer), shown("damper"));
+    #[cfg(feature = "serde")]
+    assert_eq!(printed(machine::answer), shown("machine"));
     #[cfg(feature = "mp")]
     assert_eq!(printed(resonance::answer), shown("resonance"));
     #[cfg(feature = "dual")]
@@ -149,4 +155,25 @@ fn the_sensitivities_are_differences() {
         let elasticity = (stroke(up) - stroke(down)) / stroke(at) / 2e-5;
         assert!((elasticity - numbers(line)[1]).abs() < 1e-3, "{line}: {elasticity}");
     }
+}
+
+/// The trough moves as small steps of time say.
+#[cfg(feature = "serde")]
+#[test]
+fn the_trough_of_the_file_moves_as_far_as_it_is_said() {
+    let (mass, stiffness, friction, damping, speed) = (240.0, 180e3, 150.0, 300.0, TAU * 10.0);
+    let force = 0.35 * speed * speed;
+    let (mut x, mut v, mut greatest) = (0.0, 0.0, 0.0f64);
+    let (step, turns) = (TAU / speed / 20_000.0, 400);
+    for i in 0..20_000 * turns {
+        let drive = force * (speed * step * f64::from(i)).sin();
+        let next: f64 = v + step * (drive - stiffness * x - damping * v - friction * f64::signum(v)) / mass;
+        v = next;
+        x += step * v;
+        if i > 20_000 * (turns - 2) {
+            greatest = greatest.max(x);
+        }
+    }
+    let said = numbers(&shown("machine"))[0];
+    assert!((1e3 * greatest - said).abs() < 2e-3, "{greatest} {said}");
 }

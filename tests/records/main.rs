@@ -11,3 +11,5 @@ mod invariants;
 mod any;
 mod laws;
 mod references;
+#[cfg(all(feature = "dual", feature = "mp"))]
+mod sensitivities;

@@ -86,3 +86,54 @@ fn every_answer_of_the_references_is_met_to_20_digits() {
     use stickslip::float::Mp;
     hold(|text| text.parse::<Mp<2>>().unwrap(), Mp::from(1e-20), Mp::from(1e-20));
 }
+
+/// Every answer of the references is enclosed to 18 digits, and so is the motion at 512 bits.
+#[cfg(feature = "mp")]
+#[test]
+fn every_answer_of_the_references_is_enclosed() {
+    use stickslip::Field;
+    use stickslip::enclosed::{self, Enclosure};
+    use stickslip::float::Mp;
+    for (index, case) in cases().iter().enumerate() {
+        let (body, record) = built(case, |text| text.parse::<Mp<17>>().unwrap());
+        let found = enclosed::follow(&body, &record, Mp::ZERO, Mp::ZERO, 64);
+        let found = found.unwrap_or_else(|e| panic!("{index}: {e}"));
+        let (body, record) = built(case, |text| text.parse::<Mp<8>>().unwrap());
+        let exact = body.follow(&record).unwrap();
+        assert_eq!((found.slides, found.stops), (exact.slides, exact.stops), "{index}");
+        let length = exact.max_displacement.abs().or_larger(exact.min_displacement.abs());
+        let speed = exact.max_velocity.abs().or_larger(exact.min_velocity.abs());
+        let (work, one) = (exact.load_work.abs(), Mp::<8>::int(1));
+        let hold = |name: &str, found: &Enclosure, exact: Mp<8>, size: Mp<8>| {
+            let rad = Mp::<8>::from_rug(&found.rad);
+            assert!(found.contains(&rug::Float::from(exact)), "{index} {name}: {found} and {exact}");
+            assert!(rad < size * Mp::from(1e-18), "{index} {name}: ± {rad}");
+            if let Some(reference) = case["answer"].get(name) {
+                let reference = text(reference).parse::<Mp<8>>().unwrap();
+                let off = (reference - Mp::from_rug(&found.mid)).abs();
+                assert!(off < rad + size * Mp::from(1e-21), "{index} {name}: {found} and {reference}");
+            }
+        };
+        hold("max_x", &found.max_displacement, exact.max_displacement, length);
+        hold("min_x", &found.min_displacement, exact.min_displacement, length);
+        hold("max_v", &found.max_velocity, exact.max_velocity, speed);
+        hold("min_v", &found.min_velocity, exact.min_velocity, speed);
+        hold("path", &found.path, exact.path, length);
+        hold("end_x", &found.end_displacement, exact.end_displacement, length);
+        hold(
+            "residual_x",
+            found.residual_displacement.as_ref().unwrap(),
+            exact.residual_displacement.unwrap(),
+            length,
+        );
+        hold("friction_work", &found.friction_work, exact.friction_work, work);
+        hold("damper_work", &found.damper_work, exact.damper_work, work);
+        hold("load_work", &found.load_work, exact.load_work, work);
+        hold("max_x_time", &found.max_displacement_time, exact.max_displacement_time, one);
+        hold("min_v_time", &found.min_velocity_time, exact.min_velocity_time, one);
+        let greatest = exact.max_absolute_acceleration;
+        hold("max_acceleration", &found.max_absolute_acceleration, greatest, greatest);
+        let greatest = exact.max_transmitted_force;
+        hold("max_force", &found.max_transmitted_force, greatest, greatest);
+    }
+}

@@ -15,6 +15,7 @@ Examples:
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
   stickslip record quake.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --scale 1.5 --units kN,mm \\
     --out motion.csv --picture motion.svg
+  stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --enclose
   stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json";
 
 pub(crate) const SPECTRUM_EXAMPLES: &str = "\
@@ -89,6 +90,9 @@ pub(crate) struct RecordArgs {
     /// Replace files that exist
     #[arg(long)]
     pub(crate) overwrite: bool,
+    /// Guaranteed digits, and a proof of every stop: for the inputs as typed (needs a build with the feature mp)
+    #[arg(long, conflicts_with_all = ["out", "picture", "interval"])]
+    pub(crate) enclose: bool,
     /// text or json
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,

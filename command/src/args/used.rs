@@ -68,7 +68,7 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "record",
         Machine,
-        "file BODY STATIC mean-force no_spring slope one_way time_step scale from to x0 v0 out interval picture overwrite format bits units",
+        "file BODY STATIC mean-force no_spring slope one_way time_step scale from to x0 v0 out interval picture overwrite enclose format bits units",
     ),
     (
         "spectrum",

@@ -147,3 +147,38 @@ fn broken_records_are_refused_by_line() {
         refused(&format!("record {good} {args}"), &[said]);
     }
 }
+
+/// Every enclosure contains the answer at f64, to its rounding; what is not certain is an error, and a file or a picture
+/// has no enclosure.
+#[cfg(feature = "mp")]
+#[test]
+fn answers_are_enclosed() {
+    let folder = folder();
+    let quake = file(&folder, "quake.at2", &peer(500));
+    let found = json(&format!("record {quake} {ISOLATOR} --enclose --format json --units kN,mm"));
+    let plain = json(&format!("record {quake} {ISOLATOR} --format json --units kN,mm"));
+    assert_eq!(found["units"], plain["units"]);
+    for (name, value) in plain.as_object().unwrap() {
+        let Some(value) = value.as_f64() else { continue };
+        let Some(mid) = found[name]["mid"].as_str() else {
+            assert_eq!(found[name], plain[name], "{name}");
+            continue;
+        };
+        let (mid, rad): (f64, f64) =
+            (mid.parse().unwrap(), found[name]["rad"].as_str().unwrap().parse().unwrap());
+        assert!((mid - value).abs() <= 1e-11 * value.abs() + 1e-13, "{name}: {mid} {value}");
+        assert!(rad <= 1e-18 * mid.abs(), "{name}: {rad}");
+    }
+    let text = stdout(&format!("record {quake} {ISOLATOR} --enclose"));
+    assert!(text.contains("This is certain.") && text.contains(" ± "), "{text}");
+    refused(
+        &format!("record {quake} --mass 1t --period 1s --friction 1N --damping-ratio 1 --enclose"),
+        &["quake.at2", "uncertain", "critical"],
+    );
+    for option in ["--out motion.csv", "--picture motion.svg"] {
+        refused(
+            &format!("record {quake} {ISOLATOR} --enclose {option}"),
+            &["--enclose", "cannot be used with"],
+        );
+    }
+}

@@ -9,6 +9,7 @@
 use super::rising::{Moment, Vibration};
 use crate::float::{Float, at_precision};
 use crate::root::{newton, newton_within};
+use alloc::vec;
 
 /// The time τ of the maximum velocity.
 pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {

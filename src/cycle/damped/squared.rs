@@ -2,6 +2,7 @@
 //! would cancel.
 
 use crate::float::Float;
+use alloc::vec::Vec;
 
 /// A velocity w at one time, and the drive upon it: `w″ + 2ζw′ + w = f`, `f″ = −Ω²f`.
 #[derive(Debug, Clone, Copy)]

@@ -7,6 +7,7 @@ use crate::cycle::six_reversals::{Within, force_ratios, within_edges};
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
+use alloc::vec::Vec;
 
 /// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α,
 /// four of ζ. `error` is the border's own relative error bound.

@@ -16,6 +16,8 @@
 use super::equations::{Closing, Edge, Problem, Unknowns};
 use super::{at_force, solved};
 use crate::float::Float;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The edges at one Ω, ζ and η.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,7 +7,7 @@ use super::{Fastest, fastest};
 use crate::cycle::displacement::squared_sine;
 use crate::cycle::half_cycle::{HalfCycle, Jet};
 use crate::cycle::phase_function::PhaseFunction;
-use crate::float::{Float, Real, at_precision};
+use crate::float::{Field, Float, Real, at_precision};
 use crate::root;
 
 /// The maximum velocity by iteration, and (sin, cos) of its ψ where that is known.
@@ -91,7 +91,7 @@ pub(super) fn from_bracket(half: &HalfCycle<f64>, k: f64, alpha: f64) -> f64 {
     use core::f64::consts::{FRAC_PI_2, TAU};
     let omega = half.omega();
     // asin(K/α) as atan2(K, √(α² − K²))
-    let angle = Real::atan2(k, squared_sine(k, alpha).or_larger(0.0).sqrt());
+    let angle = Real::atan2(k, Field::sqrt(squared_sine(k, alpha).or_larger(0.0)));
     let centre = if half.is_below_one() { -angle } else { angle } / omega;
     let crest = FRAC_PI_2.with_sign_of(half.cos_beta());
     let crest = crest + TAU * ((centre - crest) / TAU).round();

@@ -2,6 +2,9 @@
 
 use crate::machine::error::Error;
 use crate::uncertainty::Estimate;
+use alloc::vec::Vec;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// A least-squares fit.
 pub(super) struct Fit {

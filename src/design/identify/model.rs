@@ -6,6 +6,8 @@ use crate::cycle::damped::half_period::HalfPeriod;
 use crate::machine::ratios::Ratios;
 use crate::motion::{LongRun, SteadyState, Trajectory};
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, TAU};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// κ = r_y/p₀ and ζ.
 pub(super) type Parameters = [f64; 2];

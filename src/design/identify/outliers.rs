@@ -4,8 +4,11 @@ use super::model::Parameters;
 use super::search::{Fit, ResponseCurve, Rule, StartGrid, descend, kept};
 use crate::machine::error::Error;
 use crate::uncertainty::student;
+use alloc::vec::Vec;
 use core::f64::consts::TAU;
-use std::iter::zip;
+use core::iter::zip;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Least squares over the values that belong to the curve.
 #[derive(Debug, Clone)]

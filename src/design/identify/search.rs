@@ -3,7 +3,10 @@
 use super::model::{ModelMotion, Parameters, motion};
 use super::{AmplitudeKind, PhaseKind};
 use crate::machine::error::Error;
-use std::iter::zip;
+use alloc::vec::Vec;
+use core::iter::zip;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// One measurement in ratios: Ω, the amplitude in units of p₀/k, and the phase.
 #[derive(Debug, Clone, Copy)]

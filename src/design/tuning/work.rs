@@ -52,6 +52,8 @@ use crate::cycle::damped::half_period::HalfPeriod;
 use crate::float::Float;
 use crate::machine::error::{Error, written};
 use crate::root;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// The work of friction at a force ratio and a damping constant, by the stiffness.
 #[derive(Debug, Clone, Copy)]

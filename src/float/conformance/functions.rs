@@ -3,6 +3,11 @@
 use super::{Broken, both, hold};
 use crate::float::pair::Pair;
 use crate::float::{AtPrecision, Field, Float, pi_digits};
+use alloc::format;
+use alloc::string::ToString;
+use alloc::vec::Vec;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 pub(super) fn check<F: Float>() -> Result<(), Broken> {
     pi::<F>()?;

@@ -2,6 +2,11 @@
 
 use super::{Broken, both, hold, spread};
 use crate::float::Float;
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
+use alloc::string::ToString;
+use alloc::vec::Vec;
 
 pub(super) fn check<F: Float>() -> Result<(), Broken> {
     integers::<F>()?;
@@ -231,7 +236,8 @@ fn conversions<F: Float>() -> Result<(), Broken> {
         };
         hold(is, "Float::from_f64", || short.to_string(), nearest)?;
         let off = (own.to_f64() - short).abs();
-        let allowed = if is_wide { 0.0 } else { short.abs() * 2f64.powi(2 - F::PRECISION as i32) };
+        let allowed =
+            if is_wide { 0.0 } else { short.abs() * <f64 as Float>::exp2i(2 - F::PRECISION as i32) };
         hold(
             off <= allowed,
             "Float::to_f64",

@@ -1,6 +1,9 @@
 //! The numbers of an error.
 
 use crate::float::Float;
+use alloc::boxed::Box;
+use alloc::format;
+use alloc::string::ToString;
 use core::fmt::{self, Display, Formatter};
 
 /// A number in an error. It is printed with all the digits that identify it; its text is created on demand,

@@ -1,6 +1,7 @@
 //! The ratio of two units: a ratio of integers times a power of π.
 
 use crate::float::Float;
+use alloc::string::ToString;
 use core::str::FromStr;
 
 /// The ratio of two units: `numerator/denominator · πⁿ`, in lowest terms.

@@ -5,6 +5,9 @@ use super::factor::Factor;
 use super::kind::{Dimension, Kind};
 use super::table::{mass_of, symbol};
 use crate::float::Float;
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
 use core::fmt;
 use core::str::FromStr;
 

@@ -2,6 +2,8 @@
 
 use super::factor::Factor;
 use super::kind::Dimension;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// A unit: its dimension, and its value in kg, m, s and rad.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -26,6 +26,8 @@ use crate::cycle::damped::free::Free;
 use crate::float::Float;
 use crate::motion::slide::Slide;
 use crate::motion::slide::equation::Equation;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The two waves of a slide's velocity.
 #[derive(Debug, Clone, Copy)]

@@ -10,8 +10,8 @@ use crate::motion::slide::work::Works;
 use crate::motion::state::Point;
 use crate::motion::{LongRun, State, SteadyState, Trajectory, errors_after};
 use crate::{Cycle, Ratios};
-use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
+use core::f64::consts::{PI, TAU};
+use core::ops::ControlFlow;
 
 fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
     Ratios::new(omega, alpha).unwrap()

@@ -12,6 +12,7 @@ use crate::motion::State;
 
 /// An amplitude of the steady motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Amplitude {
     /// The greatest displacement |x|, in B.
@@ -30,6 +31,7 @@ pub enum Amplitude {
 
 /// An amplitude at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Reached<F> {
     /// The amplitude; `None` where the motion is unbounded, or no limit was found.

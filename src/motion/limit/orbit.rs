@@ -8,6 +8,7 @@ use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
+use alloc::vec::Vec;
 
 /// The relation between two motions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

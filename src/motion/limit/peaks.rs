@@ -7,7 +7,7 @@ use crate::machine::error::Error;
 use crate::motion::slide::Slide;
 use crate::motion::slide::stick::Stick;
 use crate::motion::trajectory::{Body, Trajectory};
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 /// The maximum absolute values in a cycle of the exact motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

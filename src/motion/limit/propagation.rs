@@ -11,6 +11,7 @@ use crate::motion::slide::stick::Stick;
 use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::Point;
 use crate::motion::trajectory::Next;
+use alloc::vec::Vec;
 
 /// A part of the motion: a slide or a stop, or the share of it within the time followed.
 #[derive(Debug, Clone, Copy)]

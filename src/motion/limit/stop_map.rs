@@ -18,6 +18,7 @@ use crate::motion::slide::stick::{Stick, release_angle};
 use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::Point;
 use crate::motion::trajectory::Next;
+use alloc::vec::Vec;
 
 /// The stops that the search uses: those released in one direction, in one half turn of the drive.
 #[derive(Debug, Clone, Copy)]

@@ -34,6 +34,7 @@ use crate::motion::slide::Direction;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::stick::Stick;
 use crate::motion::state::Point;
+use alloc::vec::Vec;
 
 /// The search uses stops that are released forward, around θ = 0.
 const STATION: Station = Station { half_turn: 0, direction: Direction::Forward };

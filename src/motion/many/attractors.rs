@@ -14,9 +14,10 @@ use crate::motion::limit::fixed_point::Located;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::orbit::{Likeness, Orbit};
 use crate::motion::state::{Point, State};
+use alloc::vec::Vec;
+use core::ops::ControlFlow;
 pub use signature::Signature;
 pub(crate) use signature::at_zero;
-use std::ops::ControlFlow;
 
 /// A limit, and the number of starts that lead to it.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,6 +12,8 @@ use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
 use crate::motion::trajectory::resolved;
+use alloc::vec;
+use alloc::vec::Vec;
 use core::ops::ControlFlow;
 
 /// A periodic motion, found by a search.

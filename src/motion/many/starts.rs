@@ -3,6 +3,8 @@
 use crate::float::Float;
 use crate::machine::ratios::Ratios;
 use crate::motion::state::State;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Starts at ω_d t = 0 within |x| ≤ R and |v| ≤ R, in B and B ω_d, for [`crate::motion::Attractors`].
 ///

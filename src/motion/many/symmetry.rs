@@ -28,6 +28,7 @@ use crate::motion::slide::equation::Equation;
 use crate::motion::state::Point;
 use crate::motion::trajectory::resolved;
 use crate::root::enclosed;
+use alloc::vec::Vec;
 
 /// How a symmetric motion is lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,6 +4,7 @@ use super::body::Body;
 use super::follow::{Constants, Failed, Failure, Follower, Mode, Watch};
 use super::lanes::{self, Followed};
 use super::load::{Factors, Piece, Record};
+use super::number::Number;
 use super::settle::Rest;
 use super::totals::Totals;
 use crate::float::Float;
@@ -61,12 +62,45 @@ pub struct RecordAnswer<F> {
     pub load_work: F,
 }
 
+#[cfg(feature = "mp")]
+impl<F> RecordAnswer<F> {
+    /// The answers in another form; `None` where one has none.
+    pub(crate) fn map<G>(&self, of: impl Fn(&F) -> Option<G>) -> Option<RecordAnswer<G>> {
+        let residual_displacement = match &self.residual_displacement {
+            Some(residual) => Some(of(residual)?),
+            None => None,
+        };
+        Some(RecordAnswer {
+            max_displacement: of(&self.max_displacement)?,
+            max_displacement_time: of(&self.max_displacement_time)?,
+            min_displacement: of(&self.min_displacement)?,
+            min_displacement_time: of(&self.min_displacement_time)?,
+            max_velocity: of(&self.max_velocity)?,
+            max_velocity_time: of(&self.max_velocity_time)?,
+            min_velocity: of(&self.min_velocity)?,
+            min_velocity_time: of(&self.min_velocity_time)?,
+            max_absolute_acceleration: of(&self.max_absolute_acceleration)?,
+            max_transmitted_force: of(&self.max_transmitted_force)?,
+            end_displacement: of(&self.end_displacement)?,
+            end_velocity: of(&self.end_velocity)?,
+            residual_displacement,
+            path: of(&self.path)?,
+            slides: self.slides,
+            stops: self.stops,
+            stick_time: of(&self.stick_time)?,
+            friction_work: of(&self.friction_work)?,
+            damper_work: of(&self.damper_work)?,
+            load_work: of(&self.load_work)?,
+        })
+    }
+}
+
 /// The state at the end of a record, and the rest after it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct End<F> {
-    x: F,
-    v: F,
-    rest: Rest<F>,
+    pub(super) x: F,
+    pub(super) v: F,
+    pub(super) rest: Rest<F>,
 }
 
 impl<F: Float> End<F> {
@@ -104,13 +138,19 @@ impl<F: Float> Body<F> {
         self.settled(record, [x, v], followed)
     }
 
-    /// The body at the start of a record.
-    pub(super) fn followed(&self, record: &Record<F>, x: F, v: F) -> Result<Followed<F>, Error> {
-        let x = finite(Quantity::Displacement, x)?;
+    /// Fails where x or v is not finite, or v < 0 in a body that moves one way.
+    pub(crate) fn check_start(&self, x: F, v: F) -> Result<(), Error> {
+        finite(Quantity::Displacement, x)?;
         let v = finite(Quantity::Velocity, v)?;
         if self.is_one_way() && v < F::int(0) {
             return Err(Error::Negative { quantity: Quantity::Velocity, value: written(v) });
         }
+        Ok(())
+    }
+
+    /// The body at the start of a record.
+    pub(super) fn followed(&self, record: &Record<F>, x: F, v: F) -> Result<Followed<F>, Error> {
+        self.check_start(x, v)?;
         let start = record.time(0);
         let follower = Follower::new(Constants::of(self), x, v, Some(record.longest_step()));
         let follower = follower.ok_or_else(|| failed((Failure::Uncertain, start)))?;
@@ -168,35 +208,73 @@ impl<F: Float> Body<F> {
     fn answer(
         &self,
         record: &Record<F>,
+        start: [F; 2],
+        end: End<F>,
+        totals: &mut Totals<F>,
+    ) -> Option<RecordAnswer<F>> {
+        Weights::of(self).answer(record.excitation(), record.end(), start, end, totals)
+    }
+}
+
+/// The parameters of a body that its answers have, and its motion per mass has not.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Weights<F> {
+    pub(super) mass: F,
+    pub(super) friction: F,
+    pub(super) friction_offset: F,
+    pub(super) stiffness: F,
+    pub(super) mean_force: F,
+    pub(super) has_damper: bool,
+}
+
+impl<F: Float> Weights<F> {
+    fn of(body: &Body<F>) -> Self {
+        Self {
+            mass: body.mass(),
+            friction: body.friction(),
+            friction_offset: body.friction_offset(),
+            stiffness: body.stiffness(),
+            mean_force: body.mean_force(),
+            has_damper: body.damping() != F::int(0),
+        }
+    }
+}
+
+impl<F: Number> Weights<F> {
+    /// The answers of a motion from x and v that was followed to its end.
+    pub(super) fn answer(
+        &self,
+        excitation: Excitation,
+        record_end: F,
         [x, v]: [F; 2],
         end: End<F>,
         totals: &mut Totals<F>,
     ) -> Option<RecordAnswer<F>> {
-        let (mass, half) = (self.mass(), F::ratio(1, 2));
+        let &Self { mass, friction, friction_offset, stiffness, mean_force, has_damper } = self;
+        let half = F::ratio(1, 2);
         // Where it never rests, the sums are those of the record.
         let (last, speed, residual) = match end.rest {
             Rest::At(x) => (x, F::int(0), Some(x)),
             Rest::Limit(x) => {
-                totals.creeps_to(x, record.end())?;
+                totals.creeps_to(x, record_end)?;
                 (x, F::int(0), Some(x))
             }
             Rest::Never => {
-                totals.creeps_to(end.x, record.end())?;
+                totals.creeps_to(end.x, record_end)?;
                 (end.x, end.v, None)
             }
         };
         let net = last - x;
-        let friction_work = self.friction() * totals.path + self.friction_offset() * net;
-        let load_work = mass * totals.load_work + self.mean_force() * net;
-        let stored = mass * (speed - v) * (speed + v) * half + self.stiffness() * net * (last + x) * half;
-        let damper_work =
-            if self.damping() == F::int(0) { F::int(0) } else { load_work - friction_work - stored };
+        let friction_work = friction * totals.path + friction_offset * net;
+        let load_work = mass * totals.load_work + mean_force * net;
+        let stored = mass * (speed - v) * (speed + v) * half + stiffness * net * (last + x) * half;
+        let damper_work = if has_damper { load_work - friction_work - stored } else { F::int(0) };
         let (acceleration, free) = (&totals.acceleration, &totals.free_acceleration);
-        let mean = self.mean_force() / mass;
+        let mean = mean_force / mass;
         let absolute = |range: &super::totals::Range<F>, shift: F| {
-            (range.most.value - shift).abs().or_larger((range.least.value - shift).abs())
+            (range.most.value - shift).abs().larger((range.least.value - shift).abs())
         };
-        let (acceleration, transmitted) = match record.excitation() {
+        let (acceleration, transmitted) = match excitation {
             Excitation::Force | Excitation::Unbalance => {
                 (absolute(acceleration, F::int(0)), absolute(free, mean))
             }

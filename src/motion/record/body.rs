@@ -6,6 +6,7 @@ use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::{finite, non_negative, positive, valid_static_friction_ratio};
 use crate::machine::units::InputError;
 use crate::machine::{Given, Input, Role};
+use alloc::format;
 use core::str::FromStr;
 
 /// A body of mass m on a surface with dry friction, which may have a spring k, a damper c, and a constant force p̄:
@@ -25,7 +26,14 @@ use core::str::FromStr;
 /// Friction that differs by direction is friction of the mean and a constant force, as for an [`Oscillator`]. A
 /// body that moves **one way** resists every force backwards: a block on a slope, in Newmark's sense.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::BodyFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 pub struct Body<F> {
     mass: F,
     friction: F,
@@ -93,6 +101,17 @@ impl<F: Float> Body<F> {
             friction_offset: (forward - backward) * half,
             ..self
         })
+    }
+
+    /// This body with friction that differs by direction by twice this force, `(r₊ − r₋)/2`.
+    ///
+    /// # Errors
+    /// Where r₊ or r₋ is not finite or < 0.
+    #[cfg(feature = "serde")]
+    pub(crate) fn with_friction_offset(self, friction_offset: F) -> Result<Self, Error> {
+        non_negative(Quantity::ForwardFriction, self.friction + friction_offset)?;
+        non_negative(Quantity::BackwardFriction, self.friction - friction_offset)?;
+        Ok(Self { friction_offset, ..self })
     }
 
     /// This body with a constant force p̄ in the direction of x.

@@ -18,6 +18,9 @@ pub(super) struct Constants<F> {
     pub(super) friction: F,
     /// Static friction per mass.
     pub(super) held: F,
+    /// The acceleration of a body that the static friction no longer holds: `held − friction`, and exactly 0 where the
+    /// two frictions are one.
+    pub(super) excess: F,
     /// The constant force per mass, with that of friction by direction.
     pub(super) mean: F,
     pub(super) is_one_way: bool,
@@ -27,11 +30,13 @@ impl<F: Float> Constants<F> {
     pub(super) fn of(body: &Body<F>) -> Self {
         let mass = body.mass();
         let friction = body.friction() / mass;
+        let held = body.static_friction_ratio() * friction;
         Self {
             rate: body.damping() / mass,
             square: body.stiffness() / mass,
             friction,
-            held: body.static_friction_ratio() * friction,
+            held,
+            excess: held - friction,
             mean: (body.mean_force() - body.friction_offset()) / mass,
             is_one_way: body.is_one_way(),
         }
@@ -287,7 +292,7 @@ impl<F: Number> Follower<F> {
             if (sign * later - c.held).positive()? {
                 let after = (c.held - sign * now) / (sign * piece.slope);
                 let after = if (left - after).negative()? { left } else { after };
-                return Some(Some(Release { after, sign, a: sign * (c.held - c.friction) }));
+                return Some(Some(Release { after, sign, a: sign * c.excess }));
             }
         }
         Some(None)

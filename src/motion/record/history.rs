@@ -10,7 +10,10 @@ use super::totals::Totals;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::positive;
+use alloc::vec::Vec;
 use core::cmp::Ordering;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// A state of a body under a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,6 +45,7 @@ pub struct RecordEvent<F> {
 
 /// The motion of a body under a record.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct RecordMotion<F> {
     /// Its extremes, sums and counts.

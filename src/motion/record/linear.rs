@@ -1,6 +1,7 @@
 //! The linear oscillator `x″ + 2βx′ + ω²x = f(t)` by its impulse response and its integrals.
 
 use super::number::Number;
+use alloc::vec::Vec;
 
 /// The impulse response S₁ and its first three integrals at one time: `S₁″ + 2βS₁′ + ω²S₁ = 0`, S₁(0) = 0,
 /// S₁′(0) = 1, and S₂, S₃, S₄ the responses to a unit step, a unit ramp and t²/2. As β, ω → 0, `S_n → tⁿ/n!`.
@@ -89,7 +90,7 @@ impl<F: Number> Linear<F> {
         let (mut last, mut now) = (F::int(0), F::int(1));
         let (mut third, mut fourth) = (F::ratio(1, 6), F::ratio(1, 24));
         let size = rate * reach + square * reach.square();
-        let growth = if (size - F::int(1)).positive()? { size } else { size.sqrt() };
+        let growth = size.larger(size.sqrt());
         let mut bound = F::int(1);
         for j in 0..F::MOST_TERMS {
             series.push([now * third, now * fourth]);
@@ -100,6 +101,11 @@ impl<F: Number> Linear<F> {
             if is_exact || F::is_negligible(bound) {
                 break;
             }
+        }
+        if let (false, Some(first)) = (is_exact, series.first_mut()) {
+            // The terms left out are at most a third of the bound: the first is a sixth, and each is less than half of
+            // the one before.
+            *first = first.map(|term| term.widened(bound));
         }
         if series.len() % 2 == 1 {
             series.push([F::int(0); 2]);
@@ -119,7 +125,7 @@ impl<F: Number> Linear<F> {
     /// The responses at a time t ≥ 0.
     #[inline(always)]
     pub(super) fn at(&self, t: F) -> Option<Responses<F>> {
-        if !self.is_exact && (self.reach - t).negative()? { self.far(t) } else { Some(self.near(t)) }
+        if self.is_exact || t.is_within(self.reach)? { Some(self.near(t)) } else { self.far(t) }
     }
 
     /// The responses by their series: S₃ and S₄, and from these `S_n = tⁿ/n! − 2βS_{n+1} − ω²S_{n+2}`, whose
@@ -174,7 +180,7 @@ impl<F: Number> Linear<F> {
 /// φ₁, φ₂, φ₃ at −z, z ≥ 0: `φ₁ = (1 − e^{−z})/z`, `φ_{n+1} = (1/n! − φ_n)/z`.
 fn growth<F: Number>(z: F) -> Option<[F; 3]> {
     let one = F::int(1);
-    if (z - one).positive()? {
+    if !z.is_within(one)? {
         let first = (one - (-z).exponential()) / z;
         let second = (one - first) / z;
         return Some([first, second, (F::ratio(1, 2) - second) / z]);
@@ -188,6 +194,8 @@ fn growth<F: Number>(z: F) -> Option<[F; 3]> {
         }
         term = -(term * z) / F::int(j);
     }
+    // The terms alternate and fall, so that those left out are less than the last one.
+    let third = third.widened(term);
     let second = F::ratio(1, 2) - z * third;
     Some([one - z * second, second, third])
 }

@@ -6,10 +6,20 @@ use crate::float::Float;
 use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{finite, positive};
+use alloc::boxed::Box;
+use alloc::vec::Vec;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
 /// spring's foot, with straight lines between them. Before its first sample and after its last one it is zero.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::RecordFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 pub struct Record<F> {
     excitation: Excitation,
     times: Times<F>,
@@ -110,6 +120,15 @@ impl<F: Float> Record<F> {
             Times::Each(times) => Times::Each(times.get(first..end).unwrap_or_default().to_vec()),
         };
         Self { excitation: self.excitation, times, samples }.checked()
+    }
+
+    /// The time of the first sample and the step, where the steps are equal; otherwise the time of each sample.
+    #[cfg(feature = "serde")]
+    pub(crate) fn times(&self) -> Result<(F, F), &[F]> {
+        match &self.times {
+            Times::Equal(start, step) => Ok((*start, *step)),
+            Times::Each(times) => Err(times),
+        }
     }
 
     /// What the samples are.

@@ -16,6 +16,10 @@ pub(super) trait Number: Real {
     fn is_above(self, other: Self) -> Option<bool> {
         (self - other).positive()
     }
+    /// Whether this number is at most `reach`, to which a series serves.
+    fn is_within(self, reach: Self) -> Option<bool>;
+    /// This number, widened by the error of a series.
+    fn widened(self, error: Self) -> Self;
     /// The larger of two numbers.
     fn larger(self, other: Self) -> Self;
     /// `first` or `second`, as the choice says; a number that may be either, or `None`, where it is uncertain.
@@ -50,6 +54,16 @@ impl<F: Float> Number for F {
     #[inline(always)]
     fn negative(self) -> Option<bool> {
         (-self).positive()
+    }
+
+    #[inline(always)]
+    fn is_within(self, reach: Self) -> Option<bool> {
+        (reach - self).negative().map(|is_beyond| !is_beyond)
+    }
+
+    #[inline(always)]
+    fn widened(self, _: Self) -> Self {
+        self
     }
 
     fn larger(self, other: Self) -> Self {

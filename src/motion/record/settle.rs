@@ -106,10 +106,14 @@ impl<F: Number> Follower<F> {
         let slide = self.slide_at_rest(sign);
         let braking = self.constants.friction + self.constants.mean.abs();
         let mut length = (sign * self.v) / braking;
-        for _ in 0..DOUBLINGS {
+        for doubling in 0..DOUBLINGS {
             let moment = slide.at(&self.linear, length).ok_or(Failure::Uncertain)?;
-            if !(sign * moment.v).positive().ok_or(Failure::Uncertain)? {
-                return Ok(length);
+            match (sign * moment.v).positive() {
+                Some(false) => return Ok(length),
+                Some(true) => {}
+                // Friction alone stops the body exactly at the first time.
+                None if doubling == 0 => {}
+                None => return Err(Failure::Uncertain),
             }
             length = length + length;
         }

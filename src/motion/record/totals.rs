@@ -174,7 +174,9 @@ impl<F: Number> Totals<F> {
         stretch: &Stretch<'_, F>,
     ) -> Option<()> {
         let Stretch { time, length, load: [first, last], end, .. } = *stretch;
-        let next = |[.., third, fourth]: [F; 5]| -(linear.rate * fourth) - linear.square * third;
+        // The derivative of a free vibration, by its value and the one before.
+        let swing = |before: F, now: F| -(linear.rate * now) - linear.square * before;
+        let next = |[.., third, fourth]: [F; 5]| swing(third, fourth);
         let at = |t: F| {
             let moment = slide.at(linear, t)?;
             let g = slide.derivatives(linear, moment.v, moment.a);
@@ -190,12 +192,13 @@ impl<F: Number> Totals<F> {
             |([_, a, jerk, bend, third], fourth): ([F; 5], F)| [a, jerk, bend, third, fourth];
         let of = ends.map(of_acceleration);
         Self::include(&mut self.acceleration, times, of, |t| at(t).map(of_acceleration))?;
-        let less = |load: F, [a, jerk, bend, third, fourth]: [F; 5]| {
-            [a - load, jerk - slide.slope, bend, third, fourth]
+        // The jerk less the slope of the load is exactly 0 at a release without an excess of static friction.
+        let less = |load: F, ([v, a, _, bend, third], fourth): ([F; 5], F)| {
+            [a - load, swing(v, a), bend, third, fourth]
         };
-        let [start, finish] = of;
+        let [start, finish] = ends;
         Self::include(&mut self.free_acceleration, times, [less(first, start), less(last, finish)], |t| {
-            Some(less(first + slide.slope * t, of_acceleration(at(t)?)))
+            Some(less(first + slide.slope * t, at(t)?))
         })
     }
 }

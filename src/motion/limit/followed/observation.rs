@@ -10,6 +10,8 @@ use crate::motion::limit::matrix::Matrix;
 use crate::motion::limit::propagation::MotionPart;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{Point, State};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Parts of the time for the standard error of the Lyapunov exponent.
 const PARTS: u64 = 32;

@@ -1,0 +1,76 @@
+//! `record --enclose`: every answer with a bound of its error, and every stop proved.
+
+use super::found::BITS;
+use crate::args::{Format, RecordArgs};
+use crate::failure::{Failure, Outcome};
+use crate::follow::{Entry, Shaken, entries};
+use crate::style;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::io::Write;
+use stickslip::enclosed::{self, Enclosure};
+use stickslip::float::Mp;
+use stickslip::inputs::units::{Kind, System};
+use stickslip::motion::record::RecordAnswer;
+
+/// The precision at which inputs are read, in words of 64 bits: that of the widest computation.
+const WORDS: usize = 65;
+
+/// The answers in a system of units.
+struct EnclosedRecord {
+    found: RecordAnswer<Enclosure>,
+    system: System,
+}
+
+pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    let Shaken { given, body, record, start: [x, v] } = Shaken::<Mp<WORDS>>::read(args)?;
+    let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
+    let found = enclosed::follow(&body, &record, x, v, args.bits.unwrap_or(BITS)).map_err(named)?;
+    let answer = EnclosedRecord { found, system: given.system };
+    if args.format == Format::Json {
+        serde_json::to_writer_pretty(&mut *out, &answer)?;
+        return Ok(out.write_all(b"\n")?);
+    }
+    answer.text(out)
+}
+
+impl EnclosedRecord {
+    fn text(&self, out: &mut impl Write) -> Outcome {
+        let found = &self.found;
+        let ends = if found.residual_displacement.is_some() { "comes" } else { "does not come" };
+        let verdict = match found.slides {
+            0 => "The body rests throughout. This is certain.".to_owned(),
+            1 => format!("The body slides once, and {ends} to rest. This is certain."),
+            n => format!("The body slides {n} times, and {ends} to rest. This is certain."),
+        };
+        writeln!(out, "{}\n", style::verdict(&verdict))?;
+        for (name, kind, entry) in entries(found) {
+            let name = name.replace('_', " ");
+            match entry {
+                Entry::Value(Some(value)) => {
+                    writeln!(out, "  {name:<26} {value} {}", self.system.name(kind))?
+                }
+                Entry::Value(None) => writeln!(out, "  {name:<26} –")?,
+                Entry::Count(count) => writeln!(out, "  {name:<26} {count}")?,
+            }
+        }
+        Ok(writeln!(out, "\nEach value lies within ± of the number printed, for the inputs as typed.")?)
+    }
+}
+
+impl Serialize for EnclosedRecord {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let entries = entries(&self.found);
+        let mut map = serializer.serialize_map(None)?;
+        for (name, _, entry) in &entries {
+            match entry {
+                Entry::Value(value) => map.serialize_entry(name, value)?,
+                Entry::Count(count) => map.serialize_entry(name, count)?,
+            }
+        }
+        let unit = |kind: Kind| self.system.name(kind);
+        let units: std::collections::BTreeMap<_, _> =
+            entries.iter().map(|(name, kind, _)| (*name, unit(*kind))).collect();
+        map.serialize_entry("units", &units)?;
+        map.end()
+    }
+}

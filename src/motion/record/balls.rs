@@ -1,0 +1,230 @@
+//! The motion under a record in balls: every answer with a bound of its error, and every decision certain.
+//!
+//! The text is that of the floats. A sign that the balls leave open ends the motion with [`Failure::Uncertain`]; more
+//! bits decide it, unless the body is exactly on a bound. A zero is enclosed by two times at which the function has
+//! certain signs.
+
+use super::answers::{End, RecordAnswer, Weights};
+use super::body::Body;
+use super::follow::{Constants, Failure, Follower, Mode, Watch};
+use super::load::{Factors, Piece, Record};
+use super::number::Number;
+use super::totals::Totals;
+use crate::float::ball::{Ball, Radius};
+use crate::float::mp::Mp;
+use crate::float::{Field, Float};
+use crate::machine::drive::Excitation;
+use crate::machine::error::{Error, written};
+use core::cmp::Ordering;
+
+impl<const W: usize> Number for Ball<W> {
+    const MOST_TERMS: i32 = <Mp<W> as Number>::MOST_TERMS;
+
+    fn positive(self) -> Option<bool> {
+        match self.sign() {
+            Some(sign) => Some(sign == Ordering::Greater),
+            None => (self.upper() <= Mp::ZERO).then_some(false),
+        }
+    }
+
+    fn negative(self) -> Option<bool> {
+        (-self).positive()
+    }
+
+    fn is_within(self, reach: Self) -> Option<bool> {
+        (!self.is_entire()).then(|| self.upper() <= reach.upper())
+    }
+
+    fn widened(self, error: Self) -> Self {
+        let most = error.abs().upper();
+        Self::new(self.mid(), self.rad().plus(Radius::above(most)))
+    }
+
+    fn larger(self, other: Self) -> Self {
+        Self::larger(&self, &other)
+    }
+
+    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self> {
+        Some(match is_first {
+            Some(true) => first,
+            Some(false) => second,
+            None => first.hull(&second),
+        })
+    }
+
+    fn is_negligible(term: Self) -> bool {
+        <Mp<W> as Number>::is_negligible(term.abs().upper())
+    }
+
+    fn exponential(self) -> Self {
+        self.exp()
+    }
+
+    /// An approximate zero by Newton's method at midpoints, and certain signs at both sides of it.
+    fn zero_within(
+        low: Self,
+        high: Self,
+        _: [[Self; 2]; 2],
+        f: impl Fn(Self) -> Option<[Self; 4]>,
+    ) -> Option<Self> {
+        let at = |t: Mp<W>| f(Self::exact(t));
+        let (mut left, mut right) = (low.mid(), high.mid());
+        let mut t = (left + right).scale2(-1);
+        for _ in 0..Self::MOST_TERMS {
+            let [value, slope, ..] = at(t)?;
+            if value.contains_zero() {
+                break;
+            }
+            if value.mid() > Mp::ZERO {
+                left = t;
+            } else {
+                right = t;
+            }
+            let next = t - value.mid() / slope.mid();
+            let next = if next > left && next < right { next } else { (left + right).scale2(-1) };
+            let step = (next - t).abs();
+            t = next;
+            if step <= t.abs() * Mp::epsilon() {
+                break;
+            }
+        }
+        let [value, slope, ..] = at(t)?;
+        let reach = (value.abs().upper() / slope.mid()).abs() + t.abs() * Mp::epsilon();
+        let mut reach = reach.scale2(2);
+        for _ in 0..Self::MOST_TERMS {
+            // Beyond an end the sign is that of the end, which the caller knows.
+            let (before, after) = (t - reach, t + reach);
+            let from = if before <= low.upper() {
+                Some(low.lower())
+            } else {
+                (at(before)?[0].is_positive()).then_some(before)
+            };
+            let to = if after >= high.lower() {
+                Some(high.upper())
+            } else {
+                (at(after)?[0].is_negative()).then_some(after)
+            };
+            if let (Some(from), Some(to)) = (from, to) {
+                return Some(Self::between(from, to));
+            }
+            reach = reach.scale2(1);
+        }
+        None
+    }
+
+    fn count(n: usize) -> Self {
+        Self::exact(<Mp<W> as Number>::count(n))
+    }
+
+    fn whole(self) -> Option<i32> {
+        <Mp<W> as Number>::whole(self.upper())
+    }
+}
+
+/// A number of the input as a ball: all numbers within 64 units in its last place, which is more than reading and
+/// converting it can have rounded. 0 is exact.
+fn known<const N: usize, const W: usize>(x: Mp<N>) -> Ball<W> {
+    let mid = Mp::<W>::rounded(x);
+    let own = Radius::above(x).times(Radius::power_of_two(6 - i64::from(Mp::<N>::BITS)));
+    let rounding = if W < N {
+        Radius::above(mid).times(Radius::power_of_two(-i64::from(Mp::<W>::BITS)))
+    } else {
+        Radius::ZERO
+    };
+    Ball::new(mid, own.plus(rounding))
+}
+
+/// The body per mass, and what its answers need besides.
+fn constants<const N: usize, const W: usize>(body: &Body<Mp<N>>) -> (Constants<Ball<W>>, Weights<Ball<W>>) {
+    let [mass, friction, stiffness, damping] =
+        [body.mass(), body.friction(), body.stiffness(), body.damping()].map(known::<N, W>);
+    let [mean_force, friction_offset] = [body.mean_force(), body.friction_offset()].map(known::<N, W>);
+    let per_mass = friction / mass;
+    // η − 1 is exactly 0 where the two frictions are one.
+    let excess = known::<N, W>(body.static_friction_ratio() - Mp::<N>::int(1)) * per_mass;
+    let constants = Constants {
+        rate: damping / mass,
+        square: stiffness / mass,
+        friction: per_mass,
+        held: per_mass + excess,
+        excess,
+        mean: (mean_force - friction_offset) / mass,
+        is_one_way: body.is_one_way(),
+    };
+    let has_damper = !body.damping().is_zero();
+    (constants, Weights { mass, friction, friction_offset, stiffness, mean_force, has_damper })
+}
+
+/// The steps of a record, each with its time and its load per mass.
+fn pieces<const N: usize, const W: usize>(
+    record: &Record<Mp<N>>,
+    factors: Factors<Ball<W>>,
+) -> impl Iterator<Item = (Ball<W>, Piece<Ball<W>>)> + '_ {
+    let samples = record.samples();
+    let step = record.step().map(known::<N, W>);
+    let time = move |index: usize| match step {
+        Some(step) => known(record.time(0)) + Ball::count(index) * step,
+        None => known(record.time(index)),
+    };
+    samples.iter().zip(samples.iter().skip(1)).enumerate().map(move |(index, (&first, &second))| {
+        let start = time(index);
+        let length = step.unwrap_or_else(|| time(index.saturating_add(1)) - start);
+        let from = known(first);
+        // Equal samples are one number, so that the load between them has no slope.
+        let is_flat = first == second;
+        let to = if is_flat { from } else { known(second) };
+        let mut piece = Piece::new(&factors, [from, to], length, Ball::int(1) / length);
+        if is_flat {
+            piece = Piece {
+                from: from * factors.factor,
+                to: from * factors.factor,
+                slope: Ball::int(0),
+                ..piece
+            };
+        }
+        (start, piece)
+    })
+}
+
+/// The motion of a body under a record from x and v, at one precision of the balls.
+pub(crate) fn follow<const N: usize, const W: usize>(
+    body: &Body<Mp<N>>,
+    record: &Record<Mp<N>>,
+    [x, v]: [Mp<N>; 2],
+) -> Result<RecordAnswer<Ball<W>>, Error> {
+    let failed = |(failure, time): (Failure, Mp<N>)| match failure {
+        Failure::Uncertain => Error::UncertainEvent { time: written(time) },
+        Failure::Bound => Error::TooManyEvents { time: written(time) },
+    };
+    let (constants, weights) = constants::<N, W>(body);
+    let uncertain = |time: Mp<N>| failed((Failure::Uncertain, time));
+    let (begin, start) = (record.time(0), [x, v].map(known::<N, W>));
+    let [x, v] = start;
+    let longest = known(record.longest_step());
+    let mut follower = Follower::new(constants, x, v, Some(longest)).ok_or_else(|| uncertain(begin))?;
+    let mut totals = Totals::new(follower.omega, x, v, known(begin));
+    if let Mode::Slide(sign) = follower.mode {
+        totals.released(known(begin), x, sign);
+    }
+    let excitation = record.excitation();
+    let damper = if excitation == Excitation::DampedFootMotion { constants.rate } else { Ball::int(0) };
+    let factor = match excitation {
+        Excitation::Force | Excitation::Unbalance => Ball::int(1) / weights.mass,
+        Excitation::FootMotion | Excitation::DampedFootMotion => constants.square,
+        Excitation::SurfaceAcceleration | Excitation::SurfaceMotion | Excitation::SurfaceVelocity => {
+            Ball::int(-1)
+        }
+    };
+    for (index, (time, piece)) in pieces::<N, W>(record, Factors { factor, damper }).enumerate() {
+        follower.step(&piece, time, &mut totals).map_err(|failure| failed((failure, record.time(index))))?;
+    }
+    let end = record.end();
+    let (x, v) = (follower.x, follower.v);
+    let ended = match record.step() {
+        Some(step) => known(begin) + Ball::count(record.samples().len().saturating_sub(1)) * known(step),
+        None => known(end),
+    };
+    let rest = follower.settle(ended, &mut totals).map_err(|failure| failed((failure, end)))?;
+    let answer = weights.answer(excitation, ended, start, End { x, v, rest }, &mut totals);
+    answer.ok_or_else(|| uncertain(end))
+}

@@ -1,0 +1,132 @@
+//! Inputs are read from maps of their fields, by the rules of their constructors: a value that breaks one is an error
+//! of the format, with the inequality. What is written is read back with the same bits.
+
+use crate::Excitation;
+use crate::float::Float;
+use crate::machine::error::Error;
+use crate::motion::record::{Body, Record};
+use crate::motion::{DrivePhase, State};
+use crate::output::{Output, UnknownOutput};
+use crate::uncertainty::Interval;
+use crate::{Drive, Oscillator, Ratios};
+use alloc::borrow::ToOwned;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use serde::Deserialize;
+
+/// The condition that a field violates.
+#[derive(thiserror::Error, Debug)]
+#[error("{0}")]
+pub(crate) struct Unread(String);
+
+impl From<Error> for Unread {
+    fn from(error: Error) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// Defines the fields from which an input is read; those with a value may be left out.
+macro_rules! fields {
+    ($($name:ident -> $input:ident { $($field:ident: $type:ty $(= $value:expr)?,)* } by $read:expr;)*) => {
+        $(
+            #[derive(Deserialize)]
+            #[serde(deny_unknown_fields, bound(deserialize = "F: Float + Deserialize<'de>"))]
+            pub(crate) struct $name<F> {
+                $($(#[serde(default = $value)])? $field: $type,)*
+            }
+
+            impl<F: Float> TryFrom<$name<F>> for $input<F> {
+                type Error = Unread;
+
+                fn try_from($name { $($field),* }: $name<F>) -> Result<Self, Unread> {
+                    let read: fn($($type),*) -> Result<Self, Unread> = $read;
+                    read($($field),*)
+                }
+            }
+        )*
+    };
+}
+
+fields! {
+    RatiosFields -> Ratios {
+        omega: F, alpha: F, damping_ratio: F = "zero", static_friction_ratio: F = "one",
+    } by |omega, alpha, damping_ratio, static_friction_ratio| {
+        Ok(Ratios::new(omega, alpha)?
+            .with_damping_ratio(damping_ratio)?
+            .with_static_friction_ratio(static_friction_ratio)?)
+    };
+    OscillatorFields -> Oscillator {
+        mass: F, stiffness: F, friction_bound: F, damping: F = "zero", friction_offset: F = "zero",
+        static_friction_ratio: F = "one",
+    } by |mass, stiffness, friction_bound, damping, friction_offset, static_friction_ratio| {
+        Ok(Oscillator::new(mass, stiffness, friction_bound)?
+            .with_damping(damping)?
+            .with_friction_offset(friction_offset)?
+            .with_static_friction_ratio(static_friction_ratio)?)
+    };
+    DriveFields -> Drive {
+        excitation: Excitation, amplitude: F, angular_frequency: F, mean_force: F = "zero",
+    } by |excitation, amplitude, angular_frequency, mean_force| {
+        Ok(Drive::new(excitation, amplitude, angular_frequency)?.with_mean_force(mean_force)?)
+    };
+    DrivePhaseFields -> DrivePhase {
+        half_turns: i64 = "no_turns", angle: F,
+    } by |half_turns, angle| Ok(DrivePhase::from_half_turns(half_turns, angle)?);
+    StateFields -> State {
+        phase: DrivePhase<F> = "no_phase", x: F, v: F,
+    } by |phase, x, v| Ok(State { phase, ..State::new(F::int(0), x, v)? });
+    IntervalFields -> Interval { low: F, high: F, } by |low, high| Ok(Interval::between(low, high)?);
+    BodyFields -> Body {
+        mass: F, friction: F, stiffness: F = "zero", damping: F = "zero", static_friction_ratio: F = "one",
+        mean_force: F = "zero", friction_offset: F = "zero", is_one_way: bool = "no",
+    } by |mass, friction, stiffness, damping, static_friction_ratio, mean_force, friction_offset, is_one_way| {
+        let body = Body::new(mass, friction)?
+            .with_stiffness(stiffness)?
+            .with_damping(damping)?
+            .with_static_friction_ratio(static_friction_ratio)?
+            .with_mean_force(mean_force)?
+            .with_friction_offset(friction_offset)?;
+        Ok(if is_one_way { body.one_way() } else { body })
+    };
+    RecordFields -> Record {
+        excitation: Excitation, start: F = "zero", step: Option<F> = "absent", times: Option<Vec<F>> = "absent",
+        samples: Vec<F>,
+    } by |excitation, start, step, times, samples| match (step, times) {
+        (Some(step), None) => Ok(Record::new(excitation, step, samples)?.beginning_at(start)?),
+        (None, Some(times)) => Ok(Record::at_times(excitation, times, samples)?),
+        (Some(_), Some(_)) | (None, None) => Err(Unread("record: needs a step or times, and not both".to_owned())),
+    };
+}
+
+fn zero<F: Float>() -> F {
+    F::int(0)
+}
+
+fn one<F: Float>() -> F {
+    F::int(1)
+}
+
+const fn no_turns() -> i64 {
+    0
+}
+
+fn no_phase<F: Float>() -> DrivePhase<F> {
+    State::default().phase
+}
+
+const fn no() -> bool {
+    false
+}
+
+const fn absent<T>() -> Option<T> {
+    None
+}
+
+/// An output by its name.
+impl TryFrom<String> for Output {
+    type Error = UnknownOutput;
+
+    fn try_from(name: String) -> Result<Self, UnknownOutput> {
+        name.parse()
+    }
+}
