@@ -1,21 +1,25 @@
 """The study on Ray Data, a worker of which dies while it writes a part, against one process."""
 
+import importlib
 import os
 import signal
 from pathlib import Path
 
 import pytest
-from test_study import load
 
 pytest.importorskip("ray", reason="the study runs on Ray")
 
 
 def test_a_worker_that_dies_does_not_change_a_bit(tmp_path, monkeypatch):
-    study = load()
+    studies = str(Path(__file__).parent.parent / "studies")
+    monkeypatch.syspath_prepend(studies)
+    # Workers import the studies, too.
+    monkeypatch.setenv("PYTHONPATH", studies)
+    study, engines = importlib.import_module("steady_map"), importlib.import_module("engines")
     alone, spread = tmp_path / "alone", tmp_path / "spread"
     alone.mkdir(), spread.mkdir()
     options = (6, 24, 40)
-    expected = study.whole([study.part(n, *options, str(alone)) for n in range(6)])
+    expected = engines.whole([study.part(n, *options, str(alone)) for n in range(6)])
     whole_part = study.part
 
     def deadly(number, parts, rows, columns, out):
@@ -25,8 +29,7 @@ def test_a_worker_that_dies_does_not_change_a_bit(tmp_path, monkeypatch):
             os.kill(os.getpid(), signal.SIGKILL)
         return whole_part(number, parts, rows, columns, out)
 
-    monkeypatch.setattr(study, "part", deadly)
-    found = study.whole(study.on_ray(2, (*options, str(spread))))
+    found = engines.whole(engines.on_ray(2, deadly, (*options, str(spread))))
     assert (spread / "died.tmp").exists()
     assert found == expected
     for path in sorted(alone.iterdir()):

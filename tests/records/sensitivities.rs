@@ -72,7 +72,7 @@ fn derivatives_are_those_of_differences() {
             }
             let at = |sign: i32| {
                 let mut moved = wide;
-                moved[parameter] = moved[parameter] * (Mp::int(1) + Mp::int(sign) * h);
+                moved[parameter] *= Mp::int(1) + Mp::int(sign) * h;
                 follow(moved, excitation, &samples).unwrap()
             };
             let (less, more) = (at(-1), at(1));
