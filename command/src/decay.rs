@@ -17,7 +17,7 @@ use stickslip::definitions::REST_POSITION;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::{FreeDecay, Trajectory};
-use stickslip::{Drive, Excitation, Measure, Oscillator, Quantity};
+use stickslip::{Excitation, Measure, Quantity};
 use stickslip_figures::{Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
@@ -257,17 +257,8 @@ fn body<F: Value>(given: &Given<F>) -> Result<(Option<DecayScales<F>>, Frictions
     let scales = DecayScales {
         length: body.friction_displacement(),
         time: F::int(1) / body.natural_frequency(),
-        mean_displacement: shifted.then(|| mean_displacement(given, &body)).transpose()?,
+        mean_displacement: shifted.then(|| given::mean_displacement(given, &body)).transpose()?,
         system: given.system,
     };
     Ok((Some(scales), frictions))
-}
-
-/// The shift of the motion, which is the same under any drive.
-fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>) -> Result<F, Failure> {
-    Drive::force(body.friction_bound(), body.natural_frequency())
-        .and_then(|drive| given.with_mean_force(drive))
-        .and_then(|drive| stickslip::Scales::new(body, &drive))
-        .map(|scales| scales.mean_displacement)
-        .map_err(|e| given.at_fault(&e).into())
 }

@@ -10,10 +10,12 @@ use crate::args::{Format, Question, QuestionArgs};
 use crate::bits::digits;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
+use crate::given;
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
+use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::{Drive, Error, Excitation, NoStop, Oscillator};
 
@@ -144,6 +146,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let (newton, length) = (self.system().force(), self.system().length());
         let unbalance = self.system().name(Kind::Unbalance);
         let mut fields = force_and_equals(&body, frequency, force);
+        fields.extend(self.shift(&body)?);
         let of =
             |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
         let mut sentence = format!(
@@ -261,7 +264,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let target = self.target(Kind::Length)?;
         if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
-            return self.force_for(design::force_for_displacement(&body, frequency, target));
+            return self.force_for(&body, design::force_for_displacement(&body, frequency, target));
         }
         let (omega, zeta) = (self.omega()?, self.damping_ratio());
         self.ratio_for(design::force_ratio_for_displacement(omega, zeta, target))
@@ -271,16 +274,26 @@ impl<F: Value> AskedDesign<'_, F> {
         let target = self.target(Kind::Velocity)?;
         if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
-            return self.force_for(design::force_for_velocity(&body, frequency, target));
+            return self.force_for(&body, design::force_for_velocity(&body, frequency, target));
         }
         let (omega, zeta) = (self.omega()?, self.damping_ratio());
         self.ratio_for(design::force_ratio_for_velocity(omega, zeta, target))
     }
 
-    fn force_for(&self, force: Result<F, Error>) -> Result<DesignAnswer<F>, Failure> {
+    fn force_for(&self, body: &Oscillator<F>, force: Result<F, Error>) -> Result<DesignAnswer<F>, Failure> {
         let force = force.map_err(|e| self.fail(e))?;
         let sentence = format!("The force needed is {} {}.", digits(force), self.system().force());
-        Ok(DesignAnswer::one(sentence, vec![("force", Kind::Force, some(force))]))
+        let mut fields = vec![("force", Kind::Force, some(force))];
+        fields.extend(self.shift(body)?);
+        Ok(DesignAnswer::one(sentence, fields))
+    }
+
+    /// The shift of the motion by a constant force, which changes no amplitude.
+    fn shift(&self, body: &Oscillator<F>) -> Result<AnswerRow<F>, Failure> {
+        if !self.given.has(Input::MeanForce) {
+            return Ok(Vec::new());
+        }
+        Ok(vec![("mean_displacement", Kind::Length, some(given::mean_displacement(&self.given, body)?))])
     }
 
     fn ratio_for(&self, ratio: Result<F, Error>) -> Result<DesignAnswer<F>, Failure> {

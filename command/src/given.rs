@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::progress;
 use stickslip::inputs::units::{Kind, Reader, System, split};
 use stickslip::inputs::{Given, Input, Naming};
+use stickslip::{Drive, Oscillator};
 
 /// The typed inputs, in the system of the reader.
 pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Result<Given<F>, Failure> {
@@ -59,4 +60,13 @@ pub(crate) fn in_symbols(input: Input, text: &str, system: &System) -> String {
 pub(crate) fn line(typed: &[(Input, String)], shown: impl Fn(Input) -> bool, system: &System) -> String {
     let shown = typed.iter().filter(|(input, _)| shown(*input));
     shown.map(|(input, text)| in_symbols(*input, text, system)).collect::<Vec<_>>().join(", ")
+}
+
+/// The shift of the motion, which is the same under any drive.
+pub(crate) fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>) -> Result<F, Failure> {
+    Drive::force(body.friction_bound(), body.natural_frequency())
+        .and_then(|drive| given.with_mean_force(drive))
+        .and_then(|drive| stickslip::Scales::new(body, &drive))
+        .map(|scales| scales.mean_displacement)
+        .map_err(|e| given.at_fault(&e).into())
 }
