@@ -42,16 +42,17 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
     Ok(())
 }
 
-/// The width of the legend in pixels, at seven per letter.
+/// The width of the legend in pixels, at seven and a half per letter.
 pub(super) fn width(figure: &Figure) -> i32 {
-    let letters = |text: &str| i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 16);
-    let series = entries(figure).into_iter().map(|series| 42 + 7 * letters(&series.key));
+    let letters =
+        |text: &str| i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 32).saturating_mul(15) / 2;
+    let series = entries(figure).into_iter().map(|series| 42 + letters(&series.key));
     let planes = keys(figure).into_iter().flat_map(|plane| {
         let names = match &plane.scale {
             Scale::Names(names) => names.iter().map(|name| letters(name)).max(),
-            Scale::Shades { .. } => Some(8),
+            Scale::Shades { .. } => Some(60),
         };
-        [7 * letters(&plane.label), 28 + 7 * names.unwrap_or(0)]
+        [letters(&plane.label), 28 + names.unwrap_or(0)]
     });
     series.chain(planes).max().unwrap_or(0)
 }
