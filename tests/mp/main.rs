@@ -8,10 +8,13 @@ mod multiple;
 mod widths;
 #[path = "../drawn/mod.rs"]
 mod drawn;
+#[path = "../kept/mod.rs"]
+mod kept;
 #[path = "../random/mod.rs"]
 mod random;
 
 mod boxes;
+mod cases;
 mod enclosed;
 #[cfg(feature = "matching")]
 mod field;

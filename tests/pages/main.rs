@@ -9,3 +9,4 @@ mod figure_3;
 mod formulae;
 mod proof_page;
 mod test_files;
+mod validation;
