@@ -205,7 +205,7 @@ fn arrow_steady<'py>(
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyAny>> {
     mapped(py, input, |points, stop| {
-        motion::table(points, start, max_periods, stop).map_err(|e| e.to_string())
+        motion::table(points, start, max_periods, false, stop).map_err(|e| e.to_string())
     })
 }
 

@@ -136,20 +136,61 @@ fn steady_columns<'py>(
     n: usize,
     start: Start,
     max_periods: u32,
+    with_peaks: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let points = Points::of(&points, n)?;
     // An invalid start is one error; it does not mark every point as invalid.
     State::new(start.0, start.1, start.2).map_err(refused)?;
-    let work = |stop: &Stop| table(points, start, max_periods, stop);
+    let work = |stop: &Stop| table(points, start, max_periods, with_peaks, stop);
     interruptible(py, work)?.map_err(refused)?.into_dict(py)
 }
 
-/// The columns at the given points.
-pub(crate) fn table(points: Points<'_>, start: Start, max_periods: u32, stop: &Stop) -> Result<Table, Error> {
+/// The outputs that need a search for the peaks of a cycle.
+const OF_PEAKS: [&str; 5] = [
+    "dynamic_amplification",
+    "max_acceleration",
+    "transmitted_force",
+    "transmissibility",
+    "max_absolute_displacement",
+];
+
+/// The columns at the given points, with those of [`OF_PEAKS`] where they are asked for.
+pub(crate) fn table(
+    points: Points<'_>,
+    start: Start,
+    max_periods: u32,
+    with_peaks: bool,
+    stop: &Stop,
+) -> Result<Table, Error> {
     let nowhere = (f64::NAN, f64::NAN, f64::NAN, f64::NAN);
     let limit = |i: usize| follow(points.at(i).unwrap_or(nowhere), start, max_periods, &mut || stop.asked());
     let found: Vec<_> = (0..points.n).into_par_iter().with_min_len(16).map(limit).collect();
-    columns(&found, points.has_static_friction())
+    let mut table = columns(&found, points.has_static_friction())?;
+    if with_peaks {
+        let of_peaks = |(i, found): (usize, &Result<FoundLimit, Error>)| {
+            let nothing = [f64::NAN; OF_PEAKS.len()];
+            if stop.asked().is_break() {
+                return nothing;
+            }
+            let Ok(FoundLimit { limit, seen }) = found else { return nothing };
+            let Ok(ratios) = ratios(points.at(i).unwrap_or(nowhere)) else { return nothing };
+            let peaks = limit.steady_state().and_then(|steady| steady.peaks().ok());
+            let excitation = Excitation::Force;
+            let answer = SteadyAnswer { ratios, excitation, limit, seen: *seen, errors: None, peaks };
+            OF_PEAKS.map(|name| {
+                let column = SteadyAnswer::COLUMNS.iter().find(|column| column.definition.name == name);
+                match column.map(|column| (column.of)(&answer)) {
+                    Some(Value::Number(Some(number))) => number,
+                    _ => f64::NAN,
+                }
+            })
+        };
+        let rows: Vec<_> = found.par_iter().enumerate().map(of_peaks).collect();
+        for (place, name) in OF_PEAKS.into_iter().enumerate() {
+            table.number(name, rows.iter().map(|row| row.get(place).copied().unwrap_or(f64::NAN)).collect());
+        }
+    }
+    Ok(table)
 }
 
 /// The columns. A point outside the domain is marked as invalid; any other error is returned.

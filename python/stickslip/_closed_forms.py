@@ -86,6 +86,9 @@ class Response(Result):
 
     _names: ClassVar[Sequence[str]] = (*RATIOS, *OUTPUTS, "physical")
 
+    _numbers: ClassVar[frozenset[str]] = frozenset(("reversals_per_cycle", *_native.OUTPUTS))
+    _optional: ClassVar[frozenset[str]] = frozenset(OUTPUTS)
+
     omega: Value
     alpha: Value
     damping_ratio: Value
@@ -176,7 +179,8 @@ def response(
         Ratio of static to kinetic friction, >= 1. It raises the border, but does not change the non-sticking cycle.
         Above 1 the motion can depend on the start.
     outputs : names, optional
-        The outputs to compute for arrays, from `OUTPUTS`; a few take less time than all. The others are None.
+        The outputs to compute, from `OUTPUTS`; a few take less time than all. By default all at a single point, and
+        those of one pass, `OF_ARRAYS`, for arrays.
     out : mapping of names to arrays, optional
         For array arguments: existing arrays that receive the named outputs. Each is C-contiguous, of type float64 and
         of the broadcast shape. Reusing arrays avoids new memory.
@@ -189,7 +193,7 @@ def response(
     -------
     Response
         Floats for single numbers, and arrays of the broadcast shape otherwise. A value that does not exist, such as
-        the displacement of a body that sticks, is None, or NaN in an array.
+        the displacement of a body that sticks, is NaN; ``regime`` says why.
 
     Raises
     ------

@@ -128,9 +128,14 @@ class Machine:
         object.__setattr__(self, "units", system)
 
     @property
-    def natural_frequency(self) -> float:
+    def natural_angular_frequency(self) -> float:
         """Natural angular frequency ``sqrt(k/m)``, in radians per second."""
         return float(np.sqrt(self.stiffness / self.mass))
+
+    @property
+    def natural_frequency(self) -> float:
+        """Natural frequency ``sqrt(k/m)/(2 pi)``, in hertz, as the frequency of a `Drive`."""
+        return self.natural_angular_frequency / (2 * np.pi)
 
     @property
     def _body(self) -> tuple[float, float, float, float, float, float]:
@@ -150,13 +155,27 @@ class Machine:
             physical = Physical({name: values[name] for name in physical._names}, physical.units)
         return Response(answer._with({"physical": physical}))
 
-    def steady(self, drive: Drive, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Steady:
+    def steady(
+        self,
+        drive: Drive,
+        *,
+        start: Start = REST,
+        max_periods: int = _native.MAX_PERIODS,
+        outputs: Optional[Iterable[str]] = None,
+    ) -> Steady:
         """The steady state, in ratios and, as ``physical``, in the machine's units; see `steady`.
 
-        The start is given in radians, B and B w.
+        The start is given in radians, B and B w. Transmissibility over frequency, stops included:
+
+        >>> import numpy as np, stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05, damping_ratio="5%")
+        >>> drive = ss.Drive(base_acceleration="0.15 g", frequency=np.linspace(0.3, 3, 4))
+        >>> machine.steady(drive, outputs=["transmissibility"]).transmissibility.round(3)
+        array([1.943, 0.48 , 0.38 , 0.358])
         """
         drive, ratios, scales = self._ratios(drive)
-        answer = Steady(felt_around(steady(**ratios, start=start, max_periods=max_periods), drive, ratios))
+        found = steady(**ratios, start=start, max_periods=max_periods, outputs=outputs)
+        answer = Steady(felt_around(found, drive, ratios))
         return Steady(answer._with({"physical": in_units(answer, drive, ratios, scales)}))
 
     @overload
@@ -235,7 +254,7 @@ class Machine:
         (7, 0.0025, 'm')
         """
         x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
-        time = 1.0 / self.natural_frequency
+        time = 1.0 / self.natural_angular_frequency
         _, ratios, scales = self._ratios(Drive(force=self.friction, angular_frequency=1.0, units=self.units))
         length = scales["length"]
         found = decay(x / length, v * time / length, ratios["damping_ratio"], ratios["static_friction_ratio"])

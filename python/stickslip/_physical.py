@@ -42,7 +42,7 @@ def in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Ma
     }
     kinds = dict(zip(physical, ("frequency", "force", "length", "length")))
     for name in answer._names:
-        value = getattr(answer, name) if name in outputs else None
+        value = getattr(answer, name) if name in outputs and answer._has(name) else None
         if value is not None:
             named, scale, kind = outputs[name]
             # Friction that differs by direction is symmetric about its mean.
@@ -63,9 +63,10 @@ def felt_around(answer: Result, drive: Drive, ratios: Mapping[str, Any]) -> dict
     force, ratio = (column.reshape(shape) for column in _native.transmitted(drive.excitation, columns))
     # The surface is fixed, so that the displacement over it is absolute.
     least = values.get("min_displacement")
-    amplitude = values["max_displacement"] if least is None else max(abs(values["max_displacement"]), abs(least))
+    most: Any = values.get("max_displacement")
+    amplitude: Any = most if least is None else np.maximum(np.abs(most), np.abs(least))
     felt = {"transmitted_force": force, "transmissibility": ratio, "max_absolute_displacement": amplitude}
     for name, value in felt.items():
         if values.get(name) is not None:
-            values[name] = value if shape or value is amplitude else value.item()
+            values[name] = value if shape or value is most else value.item()
     return values

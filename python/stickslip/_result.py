@@ -27,21 +27,35 @@ class Result:
 
     #: The names of the values, in order.
     _names: ClassVar[Sequence[str]] = ()
+    #: The names of the numbers that are NaN, and of the counts that are -1, where they do not exist.
+    _numbers: ClassVar[frozenset[str]] = frozenset()
+    _counts: ClassVar[frozenset[str]] = frozenset()
+    #: The names of the values that are computed only where `outputs` names them.
+    _optional: ClassVar[frozenset[str]] = frozenset()
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         codes = {}
+        nan = Decimal("NaN") if any(isinstance(value, Decimal) for value in values.values()) else float("nan")
         for name in self._names:
+            if name in self._optional and name not in values:
+                continue
             value = values.get(name)
             if isinstance(value, Codes):
                 codes[name] = value
-            else:
-                object.__setattr__(self, name, value)
+                continue
+            if value is None and name in self._numbers:
+                value = nan
+            elif value is None and name in self._counts:
+                value = -1
+            object.__setattr__(self, name, value)
         object.__setattr__(self, "_codes", codes)
 
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
             codes = self.__dict__.get("_codes", {}).get(name)
+            if codes is None and name in self._optional:
+                raise AttributeError(f"{name} was not computed. Name it in outputs=")
             if codes is None:
                 raise AttributeError(f"{type(self).__name__} has no value {name}. Its values are {', '.join(self._names)}")
             words = np.asarray(codes.names)[codes.places]
@@ -52,20 +66,67 @@ class Result:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
 
     def __repr__(self) -> str:
-        values = (f"{name}={value!r}" for name, value in self.to_dict().items() if value is not None)
+        values = (f"{name}={_short(value)}" for name, value in self.to_dict().items() if value is not None)
         return f"{type(self).__name__}({', '.join(values)})"
 
     def to_dict(self) -> dict[str, Any]:
-        """All values by name. A value that does not exist is None for a single point, and NaN in an array."""
-        return {name: getattr(self, name) for name in self._names}
+        """All values by name. A number that does not exist is NaN, and a count -1."""
+        return {name: getattr(self, name) for name in self._names if self._has(name)}
+
+    def _has(self, name: str) -> bool:
+        """Whether a value was computed."""
+        return name in self.__dict__ or name in self._codes
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._names:
+            raise KeyError(name)
+        return getattr(self, name)
+
+    def keys(self) -> list[str]:
+        """The names of the values, so that ``dict(result)`` has all of them."""
+        return list(self.to_dict())
+
+    def __len__(self) -> int:
+        return len(self.keys())
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._codes})
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        assert isinstance(other, Result)
+        mine, others = self.to_dict(), other.to_dict()
+        return mine.keys() == others.keys() and all(_are_same(value, others[name]) for name, value in mine.items())
+
+    __hash__ = None  # type: ignore[assignment]
 
     def _with(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The stored values, with some replaced by name."""
-        own = {name: self._codes.get(name, self.__dict__.get(name)) for name in self._names}
+        own = {name: self._codes.get(name, self.__dict__.get(name)) for name in self._names if self._has(name)}
         return {**own, **values}
 
     if TYPE_CHECKING:
         _codes: Mapping[str, Codes]
+
+
+def _short(value: Any) -> str:
+    """A value for reading; of a long array its shape and its range."""
+    if not isinstance(value, np.ndarray) or value.size <= 6:
+        return repr(value)
+    if value.dtype.kind not in "iuf" or np.all(np.isnan(value)):
+        return f"<{value.dtype}, {value.shape}>"
+    return f"<{value.shape}, {np.nanmin(value):.6g} to {np.nanmax(value):.6g}>"
+
+
+def _are_same(one: Any, other: Any) -> bool:
+    """Whether two values are equal, NaN included."""
+    if isinstance(one, (np.ndarray, float)) and isinstance(other, (np.ndarray, float)):
+        a, b = np.asarray(one), np.asarray(other)
+        return a.shape == b.shape and np.array_equal(a, b, equal_nan=a.dtype.kind == "f" and b.dtype.kind == "f")
+    if isinstance(one, Decimal) and isinstance(other, Decimal) and one.is_nan():
+        return other.is_nan()
+    return bool(one == other)
 
 
 class Physical(Result):
@@ -92,7 +153,7 @@ class Physical(Result):
         units = self.units or {}
         values = self.to_dict()
         values.pop("units", None)
-        texts = (f"{name}={value!r} {units.get(name, '')}".rstrip() for name, value in values.items())
+        texts = (f"{name}={_short(value)} {units.get(name, '')}".rstrip() for name, value in values.items())
         return f"Physical({', '.join(texts)})"
 
     def to_dict(self) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from typing import Any, ClassVar, Optional, Sequence
+from typing import Any, ClassVar, Iterable, Optional, Sequence
 
 from numpy.typing import ArrayLike
 
@@ -11,6 +11,16 @@ from . import _native
 from ._closed_forms import RATIOS, wide_ratios
 from ._result import Codes, Physical, Result, Value, decimals, digits, points, precision, shaped
 from ._start import REST, STATE, Start, periods_of, state, three
+
+
+#: The outputs that need a search for the peaks of a cycle.
+OF_PEAKS = (
+    "dynamic_amplification",
+    "max_acceleration",
+    "transmitted_force",
+    "transmissibility",
+    "max_absolute_displacement",
+)
 
 
 class Steady(Result):
@@ -51,8 +61,8 @@ class Steady(Result):
         Whether each half of a cycle is the mirror image of the other; in an array 1, 0, or -1 where there is no cycle.
     lyapunov_exponent, lyapunov_exponent_error, turns_observed : float, float and int, or arrays
         Lyapunov exponent of an irregular motion per turn of the drive, its standard error, and the turns observed.
-    dynamic_amplification, max_acceleration, transmitted_force, transmissibility, max_absolute_displacement : float
-        As for `response` (a single point only).
+    dynamic_amplification, max_acceleration, transmitted_force, transmissibility, max_absolute_displacement : float or array
+        As for `response`; in arrays where ``outputs`` names them.
     physical : Physical or None
         The same outputs in the machine's units; None without a machine.
     """
@@ -97,6 +107,18 @@ class Steady(Result):
         "max_absolute_displacement",
         "physical",
     )
+
+    _counts: ClassVar[frozenset[str]] = frozenset(
+        (
+            "sticks_per_cycle",
+            "velocity_zeros_per_cycle",
+            "reversals_per_cycle",
+            "turns_per_cycle",
+            "turns_observed",
+        )
+    )
+    _numbers: ClassVar[frozenset[str]] = frozenset(_names) - _counts - {*RATIOS, "regime", "limit", "multipliers", "symmetric", "physical"}
+    _optional: ClassVar[frozenset[str]] = frozenset(_names) - {*RATIOS, "physical"}
 
     omega: Value
     alpha: Value
@@ -149,6 +171,7 @@ def steady(
     *,
     start: Start = REST,
     max_periods: int = _native.MAX_PERIODS,
+    outputs: Optional[Iterable[str]] = None,
     bits: Optional[int] = None,
 ) -> Steady:
     """The steady state of the exact motion from a start, stops included.
@@ -167,6 +190,9 @@ def steady(
         In radians of the drive, B and B w; at rest by default.
     max_periods : int
         Periods of the drive to follow; a motion that has not settled by then is ``"not-converged"``.
+    outputs : names, optional
+        The outputs to keep. For arrays those that need a search for the peaks of a cycle, such as
+        ``"transmissibility"``, are computed only where they are named.
     bits : int, optional
         For a single point: the precision, as for `response`.
 
@@ -182,19 +208,41 @@ def steady(
     ('sticking', 2, 6.793822)
     >>> ss.steady([0.4, 0.7, 1.5], 6).sticks_per_cycle
     array([2, 0, 0])
+    >>> ss.steady([0.4, 0.7, 1.5], 6, outputs=["transmissibility"]).transmissibility.round(4)
+    array([1.299 , 2.1046, 0.9432])
     """
+    chosen = None if outputs is None else known(outputs)
     periods, begin = periods_of(max_periods), start
     if bits is not None:
         texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
         state_digits = tuple(digits(name, value) for name, value in zip(STATE, three(begin)))
         wide = decimals(_native.wide_steady(precision(bits), texts, state_digits, periods))
-        return Steady({**wide, **dict(zip(RATIOS, map(Decimal, texts)))})
+        return Steady({**kept(wide, chosen), **dict(zip(RATIOS, map(Decimal, texts)))})
     at = points(
         omega=omega, alpha=alpha, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio
     )
     if at.shape is None:
-        return Steady({**at.in_shape(), **_native.steady_at(at.columns, state(begin), periods)})
-    table = shaped(_native.steady_columns(at.columns, at.size, state(begin), periods), at.shape)
+        return Steady({**at.in_shape(), **kept(_native.steady_at(at.columns, state(begin), periods), chosen)})
+    with_peaks = chosen is not None and any(name in OF_PEAKS for name in chosen)
+    table: dict[str, Any] = shaped(
+        _native.steady_columns(at.columns, at.size, state(begin), periods, with_peaks), at.shape
+    )
     table["regime"] = Codes(table["regime"], _native.REGIMES)
     table["limit"] = Codes(table["limit"], _native.LIMITS)
-    return Steady({**at.in_shape(), **table})
+    if chosen is not None and (missing := [name for name in chosen if name not in table]):
+        raise _native.Error(f"outputs: {', '.join(missing)} exist for a single point only, or with static friction")
+    return Steady({**at.in_shape(), **kept(table, chosen)})
+
+
+def known(outputs: Iterable[str]) -> tuple[str, ...]:
+    chosen = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+    names = [name for name in Steady._names if name in Steady._optional]
+    for name in chosen:
+        if name not in names:
+            raise _native.Error(f"output {name!r} is none of {', '.join(names)}")
+    return chosen
+
+
+def kept(values: dict[str, Any], chosen: Optional[tuple[str, ...]]) -> dict[str, Any]:
+    """The chosen values; all of them by default."""
+    return values if chosen is None else {name: values[name] for name in chosen}

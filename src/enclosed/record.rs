@@ -29,7 +29,7 @@ use crate::motion::record::{Body, Record, RecordAnswer, follow_in_balls};
 /// let pulse = Record::new(Excitation::SurfaceAcceleration, number("1")?, vec![number("-3")?, number("-3")?])?;
 /// let found = enclosed::follow(&body, &pulse, number("0")?, number("0")?, 64)?;
 /// let residual = found.residual_displacement.unwrap();
-/// assert!(residual.contains(&number("3")?.into()) && residual.rad < 1e-70);
+/// assert!(residual.contains(&number("3")?.into()) && residual.rad < 1e-18);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn follow<const N: usize>(
