@@ -85,16 +85,20 @@ pub(crate) struct AskedCurve {
 struct Look {
     title: Option<String>,
     size: Option<(u32, u32)>,
+    x_range: Option<(f64, f64)>,
     range: Option<(f64, f64)>,
     is_linear: bool,
 }
 
 impl Look {
-    fn of(args: &CurveArgs) -> Result<Self, Failure> {
+    fn of(args: &CurveArgs, is_logarithmic: bool) -> Result<Self, Failure> {
+        let x_range = args.x_range.as_ref();
+        let x_range = x_range.map(|text| figure::range("--x-range", text, !is_logarithmic)).transpose()?;
         let range = args.y_range.as_ref().map(|text| figure::range("--y-range", text, args.linear));
         Ok(Self {
             title: args.look.title.clone(),
             size: args.look.size()?,
+            x_range,
             range: range.transpose()?,
             is_linear: args.linear,
         })
@@ -176,7 +180,7 @@ impl AskedCurve {
             )));
         }
         let unit = if axis == Input::Frequency { unit } else { ("1", 1.0) };
-        let (look, system) = (Look::of(args)?, reader.system());
+        let (look, system) = (Look::of(args, grid.is_logarithmic())?, reader.system());
         let machine = line(&args.machine, |input| given.has(input), &system);
         Ok(Self { what: args.what, axis, grid, other, given, system, unit, machine, look })
     }

@@ -51,6 +51,27 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
 }
 
 impl LookArgs {
+    /// Fails where a look was asked for without a picture.
+    pub(crate) fn needs(&self, picture: Option<&Path>) -> Outcome {
+        match (picture, &self.title, &self.size) {
+            (None, Some(_), _) => {
+                Err(Failure::Input("--title: needs a picture, --picture FILE.svg".to_owned()))
+            }
+            (None, None, Some(_)) => {
+                Err(Failure::Input("--size: needs a picture, --picture FILE.svg".to_owned()))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes a figure with this look.
+    pub(crate) fn write(&self, mut figure: Figure, picture: Picture, out: &mut impl Write) -> Outcome {
+        if let Some(title) = &self.title {
+            figure.title.clone_from(title);
+        }
+        write_sized(&figure, picture, self.size()?, out)
+    }
+
     /// The width and the height in pixels.
     pub(crate) fn size(&self) -> Result<Option<(u32, u32)>, Failure> {
         let read = |text: &String| {
@@ -73,7 +94,7 @@ pub(crate) fn range(option: &str, text: &str, is_linear: bool) -> Result<(f64, f
     match ends {
         None => Err(bad("LOW:HIGH, such as 0:0.02")),
         Some((low, high)) if low >= high => Err(bad("LOW:HIGH with LOW < HIGH")),
-        Some((low, _)) if low <= 0.0 && !is_linear => Err(bad("0 < LOW < HIGH, or --linear be given")),
+        Some((low, _)) if low <= 0.0 && !is_linear => Err(bad("0 < LOW < HIGH on a logarithmic axis")),
         Some(ends) => Ok(ends),
     }
 }

@@ -25,6 +25,7 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    args.look.needs(args.picture.as_deref())?;
     for (option, file) in [("--out", &args.out), ("--picture", &args.picture)] {
         if let Some(file) = file {
             output::refuse_existing(file, &format!("{option} {}", file.display()), args.overwrite)?;
@@ -53,7 +54,7 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         let drawn = drawing(&record, &motion, &given.system, &args.file, &machine);
         let argument = format!("--picture {}", file.display());
         PendingFile::create(file, &argument, args.overwrite)?
-            .fill(|out| figure::write(&drawn, picture, out))?;
+            .fill(|out| args.look.write(drawn, picture, out))?;
     }
     let physical = physical(&answer, given.system);
     for (name, _, cell) in &physical.values {

@@ -105,8 +105,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         ],
     };
     match &args.out {
-        Some(file) => figure::beside(file, args.overwrite)?.fill(|out| figure::write(&figure, picture, out)),
-        None => figure::write(&figure, picture, out),
+        Some(file) => figure::beside(file, args.overwrite)?.fill(|out| args.look.write(figure, picture, out)),
+        None => args.look.write(figure, picture, out),
     }
 }
 

@@ -28,13 +28,14 @@ const SIDE_BY_SIDE: u64 = 16;
 pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
     let format = if args.picture.is_some() { SweepFormat::Csv } else { sweep::format(&args.table)? };
     let spectra = Spectra::new(args, format)?;
+    args.look.needs(args.picture.as_deref())?;
     let Some(file) = &args.picture else {
         return sweep::write_table::<f64>(&args.table, format, &spectra, out);
     };
     let picture = figure::drawing(file, "--picture")?;
     let pending = PendingFile::create(file, &format!("--picture {}", file.display()), args.overwrite)?;
     let drawn = spectra.figure()?;
-    pending.fill(|out| figure::write(&drawn, picture, out))
+    pending.fill(|out| args.look.write(drawn, picture, out))
 }
 
 /// Answers of bodies by their place in the grids, under one record.

@@ -59,6 +59,9 @@ pub(crate) struct CurveArgs {
     pub(crate) overwrite: bool,
     #[command(flatten)]
     pub(crate) look: LookArgs,
+    /// The horizontal range of the picture, in the unit of the axis [default: that of the grid]
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) x_range: Option<String>,
     /// The vertical range of the picture, in the unit of the answer [default: all values]
     #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
     pub(crate) y_range: Option<String>,
@@ -75,6 +78,8 @@ pub(crate) struct MotionPlotArgs {
     pub(crate) start: StartArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
     /// Output file: a picture in FILE.svg or FILE.png, its data in FILE.csv [default: SVG to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

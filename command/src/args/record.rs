@@ -1,6 +1,6 @@
 //! The arguments of the motion under a record, and of spectra.
 
-use super::{BodyArgs, Format, TableArgs, UnitArgs};
+use super::{BodyArgs, Format, LookArgs, TableArgs, UnitArgs};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -87,6 +87,8 @@ pub(crate) struct RecordArgs {
     /// The motion as a picture, FILE.svg or FILE.png
     #[arg(long, value_name = "FILE")]
     pub(crate) picture: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
     /// Replace files that exist
     #[arg(long)]
     pub(crate) overwrite: bool,
@@ -121,6 +123,8 @@ pub(crate) struct SpectrumArgs {
     /// The spectra as a picture, FILE.svg or FILE.png, in place of rows
     #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "format", "resume", "shard", "no_header"])]
     pub(crate) picture: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
     /// Replace a picture that exists
     #[arg(long, requires = "picture")]
     pub(crate) overwrite: bool,

@@ -50,14 +50,18 @@ const USED: &[(&str, Mode, &str)] = &[
     ("sweep", Machine, "question SHIFTED units outputs format out resume shard header no_header bits"),
     ("map", Ratios, "quantity RATIOS out overwrite title size range"),
     ("map", Machine, "quantity DRIVEN units out overwrite title size range"),
-    ("response-curve", Ratios, "what omega alpha damping-ratio out overwrite title size y_range linear"),
+    (
+        "response-curve",
+        Ratios,
+        "what omega alpha damping-ratio out overwrite title size x_range y_range linear",
+    ),
     (
         "response-curve",
         Machine,
-        "what omega alpha BODY frequency DRIVE units out overwrite title size y_range linear",
+        "what omega alpha BODY frequency DRIVE units out overwrite title size x_range y_range linear",
     ),
-    ("motion-plot", Ratios, "RATIOS x0 v0 out overwrite"),
-    ("motion-plot", Machine, "DRIVEN x0 v0 units out overwrite"),
+    ("motion-plot", Ratios, "RATIOS x0 v0 out overwrite title size"),
+    ("motion-plot", Machine, "DRIVEN x0 v0 units out overwrite title size"),
     (
         "identify",
         Machine,
@@ -68,12 +72,12 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "record",
         Machine,
-        "file BODY STATIC mean-force no_spring slope one_way time_step scale from to x0 v0 out interval picture overwrite enclose format bits units",
+        "file BODY STATIC mean-force no_spring slope one_way time_step scale from to x0 v0 out interval picture title size overwrite enclose format bits units",
     ),
     (
         "spectrum",
         Machine,
-        "files BODY STATIC mean-force no_spring slope one_way time_step scale from to units format out resume shard header no_header picture overwrite",
+        "files BODY STATIC mean-force no_spring slope one_way time_step scale from to units format out resume shard header no_header picture title size overwrite",
     ),
     ("decay", Ratios, "FRICTIONS x0 v0 out overwrite format bits"),
     ("decay", Machine, "BODY STATIC mean-force x0 v0 out overwrite format bits units"),

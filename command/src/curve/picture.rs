@@ -29,6 +29,7 @@ impl AskedCurve {
         if left >= right {
             return Err(Failure::Input(format!("{}: a picture needs two frequencies", self.axis.option())));
         }
+        let (left, right) = self.look.x_range.unwrap_or((left, right));
         let frequency = format!("frequency ({})", self.unit.0);
         let name =
             if self.axis == Input::Frequency { frequency.as_str() } else { "frequency ratio Ω = ω_d/ω_n" };

@@ -313,11 +313,12 @@ fn a_picture_looks_as_it_was_asked_to() {
          --frequency 20rpm:120rpm:30 --units kN,mm --out {} --overwrite",
         file.display()
     );
-    stdout(&format!("{curves} --title Feeder --size 900x520 --linear --y-range 0:100"));
+    stdout(&format!("{curves} --title Feeder --size 900x520 --linear --x-range 33:77 --y-range 0:100"));
     let text = std::fs::read_to_string(&file).unwrap();
-    for part in ["width=\"900\" height=\"520\"", "Feeder", "frequency (rpm)", "7 kN"] {
+    for part in ["width=\"900\" height=\"520\"", "Feeder", "frequency (rpm)", "7 kN", "\n70\n"] {
         assert!(text.contains(part), "{part}: {text}");
     }
+    assert!(!text.contains("\n80\n") || text.contains("\n100\n"), "{text}");
     for (arguments, parts) in [
         ("--size 90x20", ["--size", "120 pixels"]),
         ("--size 900", ["--size 900", "WIDTHxHEIGHT"]),
@@ -326,6 +327,8 @@ fn a_picture_looks_as_it_was_asked_to() {
         ("--y-range 3:1 --linear", ["--y-range 3:1", "LOW < HIGH"]),
         ("--y-range 1:inf", ["--y-range 1:inf", "LOW:HIGH"]),
         ("--y-range 1", ["--y-range 1", "LOW:HIGH"]),
+        ("--x-range 1", ["--x-range 1", "LOW:HIGH"]),
+        ("--x-range 3:2", ["--x-range 3:2", "LOW < HIGH"]),
     ] {
         refused(&format!("{curves} {arguments}"), &parts);
     }

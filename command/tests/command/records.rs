@@ -175,6 +175,17 @@ fn answers_are_enclosed() {
         &format!("record {quake} --mass 1t --period 1s --friction 1N --damping-ratio 1 --enclose"),
         &["quake.at2", "uncertain", "critical"],
     );
+    for look in ["--title Quake", "--size 900x600"] {
+        refused(&format!("record {quake} {ISOLATOR} {look}"), &["needs a picture"]);
+        refused(
+            &format!("spectrum {quake} --period 1s:2s:3 --friction-coefficient 0.1 {look}"),
+            &["needs a picture"],
+        );
+    }
+    let picture = folder.join("motion.svg").display().to_string();
+    stdout(&format!("record {quake} {ISOLATOR} --picture {picture} --title Quake --size 1200x700"));
+    let drawn = fs::read_to_string(&picture).unwrap();
+    assert!(drawn.contains("width=\"1200\" height=\"700\"") && drawn.contains("Quake\n"));
     for option in ["--out motion.csv", "--picture motion.svg"] {
         refused(
             &format!("record {quake} {ISOLATOR} --enclose {option}"),
