@@ -5,14 +5,12 @@ mod arrow;
 mod attractors;
 mod closed_forms;
 mod design;
-mod enclosed;
 mod interrupt;
 mod machine;
 mod motion;
 mod points;
 mod record;
 mod table;
-mod wide;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -40,7 +38,5 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     attractors::register(module)?;
     machine::register(module)?;
     record::register(module)?;
-    enclosed::register(module)?;
-    design::register(module)?;
-    wide::register(module)
+    design::register(module)
 }

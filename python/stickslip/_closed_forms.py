@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._result import Codes, Physical, Points, Result, Value, decimals, digits, points, precision
+from ._wide import wide
 
 #: The ratios that determine the motion.
 RATIOS = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
@@ -221,7 +222,7 @@ def response(
         raise _native.Error("out: names the outputs itself, in floats, so that outputs and bits must be left out")
     if bits is not None:
         texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
-        answer = decimals(_native.wide_response(precision(bits), texts))
+        answer = decimals(wide("wide_response", precision(bits), texts))
         names = OUTPUTS if outputs is None else known(outputs)
         return Response({**dict(zip(RATIOS, map(Decimal, texts))), **{name: answer[name] for name in names}})
     at = points(
@@ -285,8 +286,8 @@ def border(
     # The border does not depend on the force ratio, so any value serves.
     if bits is not None:
         texts = wide_ratios(omega, "1", damping_ratio, static_friction_ratio)
-        wide = decimals(_native.wide_response(precision(bits), texts))
-        return Border({**wide, **dict(zip(RATIOS, map(Decimal, texts)))})
+        found = decimals(wide("wide_response", precision(bits), texts))
+        return Border({**found, **dict(zip(RATIOS, map(Decimal, texts)))})
     found = response(omega, 1.0, damping_ratio, static_friction_ratio, outputs=_OF_BORDER).to_dict()
     single = np.ndim(found["omega"]) == 0 and found["static_friction_ratio"] == 1
     no_stop = _native.no_stop(found["omega"], found["damping_ratio"]) if single else None

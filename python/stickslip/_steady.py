@@ -11,6 +11,7 @@ from . import _native
 from ._closed_forms import RATIOS, wide_ratios
 from ._result import Codes, Physical, Result, Value, decimals, digits, points, precision, shaped
 from ._start import REST, STATE, Start, periods_of, state, three
+from ._wide import wide
 
 
 #: The outputs that need a search for the peaks of a cycle.
@@ -216,8 +217,8 @@ def steady(
     if bits is not None:
         texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
         state_digits = tuple(digits(name, value) for name, value in zip(STATE, three(begin)))
-        wide = decimals(_native.wide_steady(precision(bits), texts, state_digits, periods))
-        return Steady({**kept(wide, chosen), **dict(zip(RATIOS, map(Decimal, texts)))})
+        found = decimals(wide("wide_steady", precision(bits), texts, state_digits, periods))
+        return Steady({**kept(found, chosen), **dict(zip(RATIOS, map(Decimal, texts)))})
     at = points(
         omega=omega, alpha=alpha, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio
     )

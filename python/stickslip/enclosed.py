@@ -10,6 +10,7 @@ from typing import Any, ClassVar, NamedTuple, Optional, Sequence, Union
 
 from . import _native
 from ._result import Result, digits, precision
+from ._wide import wide
 
 __all__ = ["Enclosure", "Response", "Steady", "Unproved", "border", "response", "steady"]
 
@@ -169,7 +170,7 @@ def response(
     ('non-sticking', '13.69686082687735713... ± ...')
     """
     texts = _texts(omega, alpha, damping_ratio, static_friction_ratio)
-    return _response(_native.enclosed_response(texts, precision(bits)))
+    return _response(wide("enclosed_response", texts, precision(bits)))
 
 
 def border(
@@ -177,7 +178,7 @@ def border(
 ) -> Response:
     """The border at omega, with its error bound; parameters as for `response`."""
     omega_text, _, *others = _texts(omega, 1, damping_ratio, static_friction_ratio)
-    return _response(_native.enclosed_border([omega_text, *others], precision(bits)))
+    return _response(wide("enclosed_border", [omega_text, *others], precision(bits)))
 
 
 def steady(
@@ -205,7 +206,7 @@ def steady(
     (2, '6.7938216049671567... ± ...')
     """
     texts = _texts(omega, alpha, damping_ratio, static_friction_ratio)
-    found = _native.enclosed_steady(texts, precision(bits))
+    found = wide("enclosed_steady", texts, precision(bits))
     if "reason" in found:
         return Unproved(found["reason"])
     pairs = (

@@ -1,0 +1,1 @@
+"""The compiled part of high precision and enclosures; `stickslip` calls it."""
