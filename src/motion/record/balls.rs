@@ -141,7 +141,8 @@ fn constants<const N: usize, const W: usize>(body: &Body<Mp<N>>) -> (Constants<B
     let [mean_force, friction_offset] = [body.mean_force(), body.friction_offset()].map(known::<N, W>);
     let per_mass = friction / mass;
     // η − 1 is exactly 0 where the two frictions are one.
-    let excess = known::<N, W>(body.static_friction_ratio() - Mp::<N>::int(1)) * per_mass;
+    let (eta, one) = (body.static_friction_ratio(), Mp::<N>::int(1));
+    let excess = if eta == one { Ball::int(0) } else { (known::<N, W>(eta) - Ball::int(1)) * per_mass };
     let constants = Constants {
         rate: damping / mass,
         square: stiffness / mass,

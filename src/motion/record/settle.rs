@@ -51,8 +51,10 @@ impl<F: Number> Follower<F> {
                     return Ok(if is_damped { Rest::Limit(c.mean / c.square) } else { Rest::Never });
                 }
                 Free::Oscillating { .. } if creeps > F::MOST_TERMS => {
-                    // What is left of the way to the stop is lost in rounding.
+                    // What is left of the way to the stop is lost in rounding; the swing beyond the limit is no longer
+                    // than the way to it.
                     let limit = (c.mean - sign * c.friction) / c.square;
+                    let limit = limit.widened(self.x - limit);
                     watch.stopped(time + from, limit).ok_or(Failure::Uncertain)?;
                     (self.x, self.v, self.mode) = (limit, zero, Mode::Rest);
                     return Ok(Rest::At(limit));
