@@ -46,9 +46,15 @@ pub(crate) fn run(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn draw<F: Value>(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
+    args.look.needs("--out", args.out.as_deref())?;
     let target = Target::new(args.out.as_deref(), args.overwrite)?;
     let basins = Basins::<F>::new(args)?;
-    target.fill(out, |mut out| basins.table(&mut out), || basins.figure())
+    let target = target.sized(args.look.size()?);
+    target.fill(
+        out,
+        |mut out| basins.table(&mut out),
+        || basins.figure().map(|figure| args.look.titled(figure)),
+    )
 }
 
 impl<F: Value> Basins<F> {

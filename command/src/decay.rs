@@ -59,6 +59,7 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
         _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
     })?;
     let record = record(&decay, scales.as_ref(), &frictions).finite()?;
+    args.look.needs("--out", args.out.as_deref())?;
     if let Some(file) = &args.out {
         write_file(args, &decay, scales.as_ref(), file)?;
     }
@@ -134,7 +135,7 @@ fn write_file<F: Value>(
     scales: Option<&DecayScales<F>>,
     file: &Path,
 ) -> Outcome {
-    let target = Target::new(Some(file), args.overwrite)?;
+    let target = Target::new(Some(file), args.overwrite)?.sized(args.look.size()?);
     let of = |scale: Option<F>| scale.map_or(1.0, F::to_f64);
     let (length, time) = (of(scales.map(|s| s.length)), of(scales.map(|s| s.time)));
     let units = scales.map_or(["1/ω_n", "B"], |s| ["s", s.system.length()]);
@@ -163,7 +164,7 @@ fn write_file<F: Value>(
             return Err(refused(MOST_DRAWN));
         }
         let machine = given::line(&args.machine, |_| true, &args.units.reader().system());
-        drawn(decay, machine, [time, length], units)
+        drawn(decay, machine, [time, length], units).map(|figure| args.look.titled(figure))
     })
 }
 

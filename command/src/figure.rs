@@ -51,25 +51,24 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
 }
 
 impl LookArgs {
-    /// Fails where a look was asked for without a picture.
-    pub(crate) fn needs(&self, picture: Option<&Path>) -> Outcome {
+    /// Fails where a look was asked for without the option of a picture.
+    pub(crate) fn needs(&self, option: &str, picture: Option<&Path>) -> Outcome {
+        let refused = |look: &str| Err(Failure::Input(format!("{look}: needs a picture, {option} FILE.svg")));
         match (picture, &self.title, &self.size) {
-            (None, Some(_), _) => {
-                Err(Failure::Input("--title: needs a picture, --picture FILE.svg".to_owned()))
-            }
-            (None, None, Some(_)) => {
-                Err(Failure::Input("--size: needs a picture, --picture FILE.svg".to_owned()))
-            }
+            (None, Some(_), _) => refused("--title"),
+            (None, None, Some(_)) => refused("--size"),
             _ => Ok(()),
         }
     }
 
+    /// The figure with the title of this look.
+    pub(crate) fn titled(&self, figure: Figure) -> Figure {
+        Figure { title: self.title.clone().unwrap_or(figure.title), ..figure }
+    }
+
     /// Writes a figure with this look.
-    pub(crate) fn write(&self, mut figure: Figure, picture: Picture, out: &mut impl Write) -> Outcome {
-        if let Some(title) = &self.title {
-            figure.title.clone_from(title);
-        }
-        write_sized(&figure, picture, self.size()?, out)
+    pub(crate) fn write(&self, figure: Figure, picture: Picture, out: &mut impl Write) -> Outcome {
+        write_sized(&self.titled(figure), picture, self.size()?, out)
     }
 
     /// The width and the height in pixels.

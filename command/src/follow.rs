@@ -25,7 +25,7 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    args.look.needs(args.picture.as_deref())?;
+    args.look.needs("--picture", args.picture.as_deref())?;
     for (option, file) in [("--out", &args.out), ("--picture", &args.picture)] {
         if let Some(file) = file {
             output::refuse_existing(file, &format!("{option} {}", file.display()), args.overwrite)?;

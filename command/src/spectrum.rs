@@ -28,7 +28,7 @@ const SIDE_BY_SIDE: u64 = 16;
 pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
     let format = if args.picture.is_some() { SweepFormat::Csv } else { sweep::format(&args.table)? };
     let spectra = Spectra::new(args, format)?;
-    args.look.needs(args.picture.as_deref())?;
+    args.look.needs("--picture", args.picture.as_deref())?;
     let Some(file) = &args.picture else {
         return sweep::write_table::<f64>(&args.table, format, &spectra, out);
     };

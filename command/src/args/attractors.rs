@@ -1,6 +1,6 @@
 //! The arguments of `stickslip attractors` and `basins`.
 
-use super::{Format, MachineArgs, UnitArgs};
+use super::{Format, LookArgs, MachineArgs, UnitArgs};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -92,6 +92,8 @@ pub(crate) struct BasinsArgs {
     /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
     /// Replace FILE if it exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,

@@ -1,6 +1,6 @@
 //! The arguments of what the exact motion answers.
 
-use super::{BodyArgs, Format, MachineArgs, OutputArgs, StartArgs, SweepFormat, UnitArgs};
+use super::{BodyArgs, Format, LookArgs, MachineArgs, OutputArgs, StartArgs, SweepFormat, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -110,6 +110,8 @@ pub(crate) struct DecayArgs {
     /// The motion as a picture in FILE.svg or FILE.png, its turning points in FILE.csv
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
     /// Replace a file that exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,
