@@ -1,21 +1,23 @@
 //! Arrow tables, exchanged through the PyCapsule interface.
 
 use crate::closed_forms;
-use crate::interrupt::{Stop, interruptible};
 use crate::motion::{self, Start};
 use crate::points::{Points, Values};
 use crate::refused;
-use crate::table::Table;
 use arrow_array::cast::AsArray;
 use arrow_array::ffi::{FFI_ArrowArray, FFI_ArrowSchema};
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::types::*;
-use arrow_array::{Array, Float64Array, RecordBatch, RecordBatchIterator, RecordBatchReader, StructArray};
-use arrow_schema::{ArrowError, DataType, Schema};
+use arrow_array::{
+    Array, ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, RecordBatchReader, StructArray,
+};
+use arrow_schema::{ArrowError, DataType, Field, Schema};
+use interrupt::{Stop, interruptible};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
 use std::sync::Arc;
+use stickslip::Error;
 
 /// The ratios of a batch; ζ and η are optional. A null becomes NaN, which is outside the domain, so that all
 /// outputs of its row are null.
@@ -159,16 +161,27 @@ fn names(schema: &Schema) -> String {
     schema.fields().iter().map(|field| field.name().as_str()).collect::<Vec<_>>().join(", ")
 }
 
-/// Computes the answer to each batch in order. A batch gives a batch, and a stream gives a table.
+/// Computes the answer to each batch in order, and puts it beside the columns of the batch. A batch gives a batch, and
+/// a stream gives a table.
 fn mapped<'py>(
     py: Python<'py>,
     input: AnyRecordBatch,
-    answer: impl Fn(Points<'_>, &Stop) -> Result<Table, String> + Sync,
+    answer: impl Fn(Points<'_>, &Stop) -> Result<Vec<(String, ArrayRef)>, Error> + Sync,
 ) -> PyResult<Bound<'py, PyAny>> {
     let one = |py: Python<'py>, batch: &RecordBatch| -> PyResult<RecordBatch> {
         let columns = Columns::of(batch)?;
-        let table = interruptible(py, |stop| answer(columns.points(), stop))?.map_err(refused)?;
-        table.into_batch().map_err(refused)
+        let found = interruptible(py, |stop| answer(columns.points(), stop))?.map_err(refused)?;
+        let (mut fields, mut arrays) = (batch.schema().fields().to_vec(), batch.columns().to_vec());
+        for (name, array) in found {
+            if batch.column_by_name(&name).is_some() {
+                return Err(refused(format!(
+                    "column {name}: is in the table, too. Rename it, or leave it out"
+                )));
+            }
+            fields.push(Arc::new(Field::new(name, array.data_type().clone(), true)));
+            arrays.push(array);
+        }
+        RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays).map_err(refused)
     };
     match input {
         AnyRecordBatch::RecordBatch(batch) => {
@@ -191,21 +204,21 @@ fn arrow_response<'py>(
     input: AnyRecordBatch,
     outputs: Vec<String>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let (columns, regime) = closed_forms::columns(&outputs)?;
-    mapped(py, input, |points, stop| {
-        closed_forms::table(points, &columns, regime, stop).map_err(|e| e.to_string())
-    })
+    let rows = closed_forms::rows(&outputs)?;
+    mapped(py, input, |points, stop| Ok(closed_forms::stored(points, &rows, stop)?.into_arrays()))
 }
 
 #[pyfunction]
 fn arrow_steady<'py>(
     py: Python<'py>,
     input: AnyRecordBatch,
+    outputs: Vec<String>,
     start: Start,
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyAny>> {
+    let rows = motion::rows(&outputs)?;
     mapped(py, input, |points, stop| {
-        motion::table(points, start, max_periods, false, stop).map_err(|e| e.to_string())
+        Ok(motion::stored(points, &rows, start, max_periods, stop)?.into_arrays())
     })
 }
 

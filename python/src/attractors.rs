@@ -1,9 +1,9 @@
 //! All attractors to which a set of starts leads.
 
-use crate::interrupt::{Stop, interruptible};
 use crate::motion::Start;
 use crate::points::{Point, ratios};
 use crate::refused;
+use interrupt::{Stop, interruptible};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -37,7 +37,7 @@ fn attractors_at<'py>(
     for (place, limit) in found.limits.iter().enumerate() {
         list.append(row(py, &found, place, limit, &starts)?)?;
     }
-    let of_start = (0..starts.len()).map(|i| found.of_start[i].and_then(|n| i64::try_from(n).ok()));
+    let of_start = found.of_start.iter().map(|n| n.and_then(|n| i64::try_from(n).ok()));
     let dict = PyDict::new(py);
     dict.set_item("starts", found.of_start.len())?;
     dict.set_item("reach", reach)?;

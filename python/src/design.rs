@@ -2,6 +2,7 @@
 
 use crate::machine::{Body, body, excitation};
 use crate::refused;
+use interrupt::left_behind;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -61,11 +62,17 @@ fn best_friction(
 /// The bands of angular frequency without sticking: both ends, and whether each is an end of the requested
 /// range.
 #[pyfunction]
-fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<Vec<(f64, f64, bool, bool)>> {
-    let drive = drive(kind, amplitude, 1.0)?;
-    let found = body(of).and_then(|body| {
-        design::frequency_bands(&body, &drive, low, high)?.collect::<Result<Vec<_>, Error>>()
-    });
+fn bands(
+    py: Python<'_>,
+    of: Body,
+    kind: &str,
+    amplitude: f64,
+    low: f64,
+    high: f64,
+) -> PyResult<Vec<(f64, f64, bool, bool)>> {
+    let (drive, body) = (drive(kind, amplitude, 1.0)?, body(of).map_err(refused)?);
+    let work = move || design::frequency_bands(&body, &drive, low, high)?.collect::<Result<Vec<_>, Error>>();
+    let found = left_behind(py, work)?;
     let cut = |edge| edge == Edge::Range;
     Ok(found
         .map_err(refused)?
@@ -73,6 +80,9 @@ fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<
         .map(|b| (b.low, b.high, cut(b.low_edge), cut(b.high_edge)))
         .collect())
 }
+
+/// Friction, greatest amplitude, the ranges of frequency that have it, the kind of optimum, and the friction at rest.
+type FoundFriction = (f64, f64, Vec<(f64, f64)>, &'static str, f64);
 
 /// The friction bound with the least greatest amplitude over a band: friction, greatest amplitude, the frequencies that
 /// have it, the kind, and the friction at which the body rests in the whole band.
@@ -85,12 +95,12 @@ fn best_friction_over(
     low: f64,
     high: f64,
     aim: &str,
-) -> PyResult<(f64, f64, Vec<(f64, f64)>, &'static str, f64)> {
+) -> PyResult<FoundFriction> {
     let drive = drive(excitation, amplitude, 1.0)?;
     let aim = kind("of", aim, &Aim::ALL, Aim::name)?;
-    let found = py
-        .detach(|| body(of).and_then(|body| design::best_friction_over_band(&body, &drive, low, high, aim)))
-        .map_err(refused)?;
+    let body = body(of).map_err(refused)?;
+    let work = move || design::best_friction_over_band(&body, &drive, low, high, aim);
+    let found = left_behind(py, work)?.map_err(refused)?;
     Ok((found.friction, found.greatest, found.at, found.kind.name(), found.rest))
 }
 
@@ -107,10 +117,11 @@ fn identify_decay<'py>(
     let times = time.as_ref().map(|time| time.as_slice()).transpose()?;
     let points = [(TurningPoints::EveryCycle, "cycle"), (TurningPoints::EveryHalfCycle, "half-cycle")];
     let points = turns.map(|text| kind("every", text, &points, |(_, name)| name)).transpose()?;
-    let found = py.detach(|| match points {
-        Some((points, _)) => design::identify_turning_points(values, times, points),
-        None => design::identify_decay(times.unwrap_or_default(), values),
-    });
+    let (values, times) = (values.to_vec(), times.map(<[f64]>::to_vec));
+    let found = left_behind(py, move || match points {
+        Some((points, _)) => design::identify_turning_points(&values, times.as_deref(), points),
+        None => design::identify_decay(times.as_deref().unwrap_or_default(), &values),
+    })?;
     let found = found.map_err(refused)?;
     let dict = PyDict::new(py);
     let estimate = |e: Estimate| (e.value, e.standard_error, e.interval());
@@ -163,7 +174,8 @@ fn identify<'py>(
         amplitude: kind("amplitude_kind", amplitude_kind, &amplitudes, AmplitudeKind::name)?,
         phase: phase_kind.map(|text| kind("phase_kind", text, &phases, PhaseKind::name)).transpose()?,
     };
-    let found = py.detach(|| design::identify_as(&body, force, &curve, reading)).map_err(refused)?;
+    let work = move || design::identify_as(&body, force, &curve, reading);
+    let found = left_behind(py, work)?.map_err(refused)?;
     let dict = PyDict::new(py);
     for (name, estimate) in [("friction", found.friction_bound), ("damping_ratio", found.damping_ratio)] {
         dict.set_item(name, (estimate.value, estimate.standard_error, estimate.interval()))?;

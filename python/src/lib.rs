@@ -4,8 +4,8 @@
 mod arrow;
 mod attractors;
 mod closed_forms;
+mod columns;
 mod design;
-mod interrupt;
 mod machine;
 mod motion;
 mod points;

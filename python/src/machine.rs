@@ -1,8 +1,8 @@
 //! Machines in physical units: their ratios, and the scales of their answers.
 
+use crate::points::{self, Values};
 use crate::refused;
 use crate::table::Table;
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
@@ -73,28 +73,6 @@ fn drive(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(String
     Ok((input.column(), amplitude, given.get(Input::MeanForce).unwrap_or(0.0), system))
 }
 
-/// The transmitted force (in r_y) and the transmissibility under an excitation, from the transmitted force
-/// and the acceleration under a force.
-#[pyfunction]
-fn transmitted<'py>(
-    py: Python<'py>,
-    kind: &str,
-    columns: [PyReadonlyArray1<'py, f64>; 5],
-) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
-    let kind = excitation(kind)?;
-    let [omega, alpha, zeta, force, acceleration] = &columns;
-    let (omega, alpha, zeta) = (omega.as_slice()?, alpha.as_slice()?, zeta.as_slice()?);
-    let points =
-        omega.iter().zip(alpha).zip(zeta).zip(force.as_slice()?.iter().zip(acceleration.as_slice()?));
-    let (force, ratio): (Vec<_>, Vec<_>) = points
-        .map(|(((&omega, &alpha), &zeta), (&force, &acceleration))| {
-            let ratios = Ratios::new(omega, alpha).and_then(|ratios| ratios.with_damping_ratio(zeta));
-            ratios.map_or((f64::NAN, f64::NAN), |ratios| kind.transmitted(&ratios, force, acceleration))
-        })
-        .unzip();
-    Ok([force.into_pyarray(py), ratio.into_pyarray(py)])
-}
-
 /// Reads values, each given by name, text and kind, in the named system of units or else in SI.
 #[pyfunction]
 fn read_values(
@@ -127,59 +105,55 @@ fn excitations() -> Vec<(String, &'static str)> {
     inputs.map(|input| (input.column(), input.kind().name())).collect()
 }
 
-/// Ω, α, ζ and the scales of one body under many drives.
+/// A value of a body under a drive.
+type OfDrive = fn(&Ratios<f64>, &Scales<f64>) -> f64;
+
+/// The values of a body under a drive by their names.
+const OF_DRIVE: [(&str, OfDrive); 13] = [
+    ("omega", |ratios, _| ratios.omega()),
+    ("alpha", |ratios, _| ratios.alpha()),
+    ("damping_ratio", |ratios, _| ratios.damping_ratio()),
+    ("static_friction_ratio", |ratios, _| ratios.static_friction_ratio()),
+    ("length", |_, scales| scales.length),
+    ("velocity", |_, scales| scales.velocity),
+    ("time", |_, scales| scales.time),
+    ("force", |_, scales| scales.force),
+    ("energy", |_, scales| scales.energy_stiffness),
+    ("energy_inertia", |_, scales| scales.energy_inertia),
+    ("acceleration", |_, scales| scales.velocity / scales.time),
+    ("mean_displacement", |_, scales| scales.mean_displacement),
+    ("mean_friction", |_, scales| scales.mean_friction),
+];
+
+/// Ratios or scales of one body under `n` drives, by their names.
 #[pyfunction]
 fn machine_columns<'py>(
     py: Python<'py>,
     of: Body,
     kind: &str,
-    amplitude: PyReadonlyArray1<'py, f64>,
-    angular_frequency: PyReadonlyArray1<'py, f64>,
+    drives: [points::Given<'py>; 2],
+    n: usize,
     mean_force: f64,
+    names: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (body, kind) = (body(of).map_err(refused)?, excitation(kind)?);
-    let names = [
-        "omega",
-        "alpha",
-        "damping_ratio",
-        "static_friction_ratio",
-        "length",
-        "velocity",
-        "time",
-        "force",
-        "energy",
-        "energy_inertia",
-        "acceleration",
-        "mean_displacement",
-        "mean_friction",
-    ];
-    let mut columns: [Vec<f64>; 13] = Default::default();
-    for (&amplitude, &frequency) in amplitude.as_slice()?.iter().zip(angular_frequency.as_slice()?) {
-        let row = (|| {
+    let [amplitude, frequency] = &drives;
+    let (amplitude, frequency) = (Values::of(amplitude)?, Values::of(frequency)?);
+    let chosen: Vec<_> = OF_DRIVE.iter().filter(|(name, _)| names.iter().any(|own| own == name)).collect();
+    let mut columns: Vec<_> = chosen.iter().map(|_| Vec::with_capacity(n)).collect();
+    let filled = py.detach(|| {
+        for (amplitude, frequency) in (0..n).filter_map(|i| Some((amplitude.at(i)?, frequency.at(i)?))) {
             let drive = Drive::new(kind, amplitude, frequency)?.with_mean_force(mean_force)?;
             let (ratios, scales) = (drive.ratios(&body)?, Scales::new(&body, &drive)?);
-            Ok::<_, Error>([
-                ratios.omega(),
-                ratios.alpha(),
-                ratios.damping_ratio(),
-                ratios.static_friction_ratio(),
-                scales.length,
-                scales.velocity,
-                scales.time,
-                scales.force,
-                scales.energy_stiffness,
-                scales.energy_inertia,
-                scales.velocity / scales.time,
-                scales.mean_displacement,
-                scales.mean_friction,
-            ])
-        })();
-        for (column, value) in columns.iter_mut().zip(row.map_err(refused)?) {
-            column.push(value);
+            for (column, (_, value)) in columns.iter_mut().zip(&chosen) {
+                column.push(value(&ratios, &scales));
+            }
         }
-    }
+        Ok::<_, Error>(())
+    });
+    filled.map_err(refused)?;
     let mut table = Table::default();
-    for (name, column) in names.into_iter().zip(columns) {
+    for ((name, _), column) in chosen.into_iter().zip(columns) {
         table.number(name, column);
     }
     table.into_dict(py)
@@ -222,7 +196,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("EXCITATIONS", excitations())?;
     module.add_function(wrap_pyfunction!(machine, module)?)?;
     module.add_function(wrap_pyfunction!(drive, module)?)?;
-    module.add_function(wrap_pyfunction!(transmitted, module)?)?;
     module.add_function(wrap_pyfunction!(read_values, module)?)?;
     module.add_function(wrap_pyfunction!(unit_of, module)?)?;
     module.add_function(wrap_pyfunction!(physical_outputs, module)?)?;

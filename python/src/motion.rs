@@ -1,19 +1,21 @@
 //! The exact motion: its limit, phases and samples, and free vibration.
 
-use crate::closed_forms::{REGIMES, code};
-use crate::interrupt::{Stop, interruptible, left_behind};
+use crate::closed_forms::REGIMES;
+use crate::columns::{self, Kind, Places, Row, Store, Target, halves, named};
+use crate::machine::excitation;
 use crate::points::{Given, Point, Points, ratios};
 use crate::refused;
 use crate::table::Table;
 use core::ops::ControlFlow;
+use interrupt::{Stop, interruptible};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rayon::prelude::*;
-use stickslip::Error;
+use std::sync::LazyLock;
+use stickslip::definitions::{ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT};
 use stickslip::motion::{
-    DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory,
+    self, DEFAULT_BUDGET, End, FreeDecay, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory,
 };
-use stickslip::{Excitation, Observed, Value, observed};
+use stickslip::{Definition, Error, Excitation, Observed, Ratios, Value, observed};
 
 /// The maximum number of rows of a simulation, which memory limits.
 const MOST_ROWS: usize = 1 << 28;
@@ -28,208 +30,214 @@ pub(crate) const LIMITS: [&str; 7] = {
     [periodic, family, rest, irregular, none, not_converged, "invalid"]
 };
 
-/// The code of a kind of limit.
-pub(crate) fn limit_code(limit: Option<&LongRun<f64>>) -> u8 {
-    let place = limit.and_then(|limit| LIMITS.iter().position(|name| *name == limit.name()));
-    place.map_or(6, |place| place as u8)
-}
-
 /// A limit and its observed regime and counts.
 struct FoundLimit {
+    ratios: Ratios<f64>,
     limit: LongRun<f64>,
     seen: Observed,
 }
+
+type KeepGoing<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
 fn follow(
     point: Point,
     (phase, x, v): Start,
     periods: u32,
-    keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+    keep_going: KeepGoing<'_>,
 ) -> Result<FoundLimit, Error> {
     let ratios = ratios(point)?;
     let limit = LongRun::within(ratios, State::new(phase, x, v)?, periods, keep_going)?;
     let seen = observed(ratios, &limit);
-    Ok(FoundLimit { limit, seen })
+    Ok(FoundLimit { ratios, limit, seen })
 }
 
-/// A number of a limit, if it exists.
-type Number = fn(&LongRun<f64>) -> Option<f64>;
-
-/// The numbers of a limit in addition to those of its cycle.
-const NUMBERS: [(&str, Number); 2] =
-    [("periods", |limit| limit.periods()), ("rest_position", |limit| limit.rest_position())];
-
-/// The numbers of a motion with a static friction above the kinetic one.
-const OF_STATIC_FRICTION: [(&str, Number); 2] = [
-    ("lyapunov_exponent", |limit| limit.irregular().map(|m| m.lyapunov_exponent)),
-    ("lyapunov_exponent_error", |limit| limit.irregular().map(|m| m.lyapunov_exponent_error)),
-];
-
-/// A number of a cycle, or the extremes of an irregular motion.
-fn number(limit: &LongRun<f64>, output: SteadyOutput) -> Option<f64> {
-    match output {
-        SteadyOutput::MaxDisplacement => limit.extrema().map(|(_, most)| most),
-        SteadyOutput::MinDisplacement => limit.extrema().map(|(least, _)| least),
-        _ => limit.steady_state().map(|steady| output.of(steady)),
+impl FoundLimit {
+    /// The answer, with the peaks and the measures of asymmetry where a column needs them.
+    fn answer(
+        &self,
+        excitation: Excitation,
+        needs: Needs,
+        keep_going: KeepGoing<'_>,
+    ) -> Result<SteadyAnswer<'_, f64>, Error> {
+        let steady = self.limit.steady_state();
+        let peaks =
+            steady.filter(|_| needs.peaks).map(|steady| steady.peaks_while(keep_going)).transpose()?;
+        let errors = steady.filter(|_| needs.errors).map(SteadyState::errors).transpose()?;
+        let Self { ratios, limit, seen } = self;
+        Ok(SteadyAnswer { ratios: *ratios, excitation, limit, seen: *seen, errors, peaks })
     }
 }
 
-/// A drive is slow below this frequency ratio.
-const SLOW: f64 = 1e-3;
+/// The source of a column.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Column {
+    /// A column of the answer, by its place.
+    Place(usize),
+    Contraction,
+}
 
-/// All outputs of the limit from one start.
+impl Column {
+    fn value(self, answer: &SteadyAnswer<'_, f64>) -> Option<Value<f64>> {
+        match self {
+            Self::Place(place) => SteadyAnswer::COLUMNS.get(place).map(|column| (column.of)(answer)),
+            Self::Contraction => {
+                let of = |steady| SteadyOutput::Contraction.of(steady);
+                Some(Value::Number(answer.limit.steady_state().map(of)))
+            }
+        }
+    }
+}
+
+/// What an answer needs beside the limit, for the requested columns.
+#[derive(Clone, Copy, Default)]
+struct Needs {
+    peaks: bool,
+    errors: bool,
+}
+
+impl Needs {
+    fn of<'a>(mut definitions: impl Iterator<Item = &'a Definition> + Clone) -> Self {
+        let of_errors = [ERROR_1, ERROR_2, ERROR_3, ERROR_4];
+        let errors = definitions.clone().any(|own| of_errors.contains(&own));
+        Self { peaks: definitions.any(|own| own.is_searched), errors }
+    }
+}
+
+/// Every output of a steady state.
+static ROWS: LazyLock<Vec<Row<Column>>> = LazyLock::new(|| {
+    let mut rows = Vec::new();
+    let point = (1.5, 2.5, 0.0, 1.0);
+    let example = follow(point, (0.0, 0.0, 0.0), DEFAULT_BUDGET, &mut || ControlFlow::Continue(()));
+    let Ok(example) = example else { return rows };
+    let answer = example.answer(Excitation::Force, Needs::default(), &mut || ControlFlow::Continue(()));
+    let Ok(answer) = answer else { return rows };
+    let places = SteadyAnswer::<f64>::COLUMNS.iter().enumerate();
+    let places = places.map(|(place, column)| (column.definition, Column::Place(place)));
+    for (definition, column) in places.chain([(SteadyOutput::Contraction.definition(), Column::Contraction)])
+    {
+        let words: &[&str] = if definition == LIMIT { &LIMITS } else { &REGIMES };
+        if let Some(value) = column.value(&answer) {
+            rows.push(Row { definition, kind: Kind::of(&value, words), column });
+        }
+    }
+    rows
+});
+
+/// The outputs of these names.
+pub(crate) fn rows(names: &[String]) -> PyResult<Vec<Row<Column>>> {
+    named(&ROWS, names)
+}
+
+/// The steps of a motion between two looks at the interpreter's signals.
+const STEPS: u32 = 1 << 13;
+
+/// Chosen outputs of the limit from one start under an excitation.
 #[pyfunction]
 fn steady_at<'py>(
     py: Python<'py>,
     point: Point,
+    kind: &str,
+    outputs: Vec<String>,
     start: Start,
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let (rows, kind) = (rows(&outputs)?, excitation(kind)?);
     let mut signal = None;
-    let found = py.detach(|| {
-        let mut slides = 0_u32;
-        follow(point, start, max_periods, &mut || {
-            slides = slides.wrapping_add(1);
-            if slides.is_multiple_of(1 << 15) {
-                signal = Python::attach(|py| py.check_signals().err());
-            }
-            if signal.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        })
+    let mut steps = 0_u32;
+    let mut keep_going = || {
+        steps = steps.wrapping_add(1);
+        if steps.is_multiple_of(STEPS) {
+            signal = Python::attach(|py| py.check_signals().err());
+        }
+        if signal.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let needs = Needs::of(rows.iter().map(|row| row.definition));
+    let values = py.detach(|| {
+        let found = follow(point, start, max_periods, &mut keep_going)?;
+        let answer = found.answer(kind, needs, &mut keep_going)?;
+        Ok::<_, Error>(rows.iter().map(|row| row.column.value(&answer)).collect::<Vec<_>>())
     });
     if let Some(signal) = signal {
         return Err(signal);
     }
-    let found = found.map_err(refused)?;
-    let (limit, seen) = (&found.limit, found.seen);
-    let steady = limit.steady_state();
-    // Under a slow drive a cycle has so many oscillations that the computation of its peaks takes seconds.
-    let peaks = match steady.copied() {
-        Some(steady) if point.0 < SLOW => left_behind(py, move || Some(steady.peaks()))?,
-        steady => steady.map(|steady| steady.peaks()),
-    };
-    let peaks = peaks.transpose().map_err(refused)?;
-    let errors = steady.map(SteadyState::errors).transpose().map_err(refused)?;
-    let ratios = ratios(point).map_err(refused)?;
-    let answer = SteadyAnswer { ratios, excitation: Excitation::Force, limit, seen, errors, peaks };
     let dict = PyDict::new(py);
-    for column in SteadyAnswer::COLUMNS {
-        let name = column.definition.name;
-        match (column.of)(&answer) {
-            Value::Number(number) => dict.set_item(name, number)?,
-            Value::Count(count) => dict.set_item(name, count)?,
-            Value::Flag(flag) => dict.set_item(name, flag)?,
-            Value::Text(text) => dict.set_item(name, text)?,
-            Value::Pairs(pairs) => dict.set_item(name, pairs.map(|pairs| pairs.to_vec()))?,
+    for (row, value) in rows.iter().zip(values.map_err(refused)?) {
+        if let Some(value) = value {
+            columns::set(&dict, row.definition.name, value)?;
         }
     }
-    let contraction = SteadyOutput::Contraction;
-    dict.set_item(contraction.definition().name, number(limit, contraction))?;
     Ok(dict)
 }
 
-/// Columns of the limits at `n` points, all from one start. A value that does not exist is NaN, and such a
-/// count is −1.
+/// Writes outputs of the limits at `n` points, all from one start, to existing arrays.
 #[pyfunction]
-fn steady_columns<'py>(
+#[allow(clippy::too_many_arguments, reason = "the points, the question and the arrays")]
+fn steady_into<'py>(
     py: Python<'py>,
     points: [Given<'py>; 4],
     n: usize,
+    kind: &str,
+    outputs: Vec<String>,
+    mut arrays: Vec<Target<'py>>,
     start: Start,
     max_periods: u32,
-    with_peaks: bool,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<()> {
+    let kind = excitation(kind)?;
     let points = Points::of(&points, n)?;
+    let places = Places::of(rows(&outputs)?, &mut arrays, n)?;
     // An invalid start is one error; it does not mark every point as invalid.
     State::new(start.0, start.1, start.2).map_err(refused)?;
-    let work = |stop: &Stop| table(points, start, max_periods, with_peaks, stop);
-    interruptible(py, work)?.map_err(refused)?.into_dict(py)
+    interruptible(py, |stop| fill(points, places, kind, start, max_periods, stop))?.map_err(refused)
 }
 
-/// The outputs that need a search for the peaks of a cycle.
-const OF_PEAKS: [&str; 5] = [
-    "dynamic_amplification",
-    "max_acceleration",
-    "transmitted_force",
-    "transmissibility",
-    "max_absolute_displacement",
-];
-
-/// The columns at the given points, with those of [`OF_PEAKS`] where they are asked for.
-pub(crate) fn table(
+/// The outputs at the given points under a force, in memory of their own.
+pub(crate) fn stored(
     points: Points<'_>,
+    rows: &[Row<Column>],
     start: Start,
     max_periods: u32,
-    with_peaks: bool,
     stop: &Stop,
-) -> Result<Table, Error> {
-    let nowhere = (f64::NAN, f64::NAN, f64::NAN, f64::NAN);
-    let limit = |i: usize| follow(points.at(i).unwrap_or(nowhere), start, max_periods, &mut || stop.asked());
-    let found: Vec<_> = (0..points.n).into_par_iter().with_min_len(16).map(limit).collect();
-    let mut table = columns(&found, points.has_static_friction())?;
-    if with_peaks {
-        let of_peaks = |(i, found): (usize, &Result<FoundLimit, Error>)| {
-            let nothing = [f64::NAN; OF_PEAKS.len()];
-            if stop.asked().is_break() {
-                return nothing;
-            }
-            let Ok(FoundLimit { limit, seen }) = found else { return nothing };
-            let Ok(ratios) = ratios(points.at(i).unwrap_or(nowhere)) else { return nothing };
-            let peaks = limit.steady_state().and_then(|steady| steady.peaks().ok());
-            let excitation = Excitation::Force;
-            let answer = SteadyAnswer { ratios, excitation, limit, seen: *seen, errors: None, peaks };
-            OF_PEAKS.map(|name| {
-                let column = SteadyAnswer::COLUMNS.iter().find(|column| column.definition.name == name);
-                match column.map(|column| (column.of)(&answer)) {
-                    Some(Value::Number(Some(number))) => number,
-                    _ => f64::NAN,
-                }
-            })
-        };
-        let rows: Vec<_> = found.par_iter().enumerate().map(of_peaks).collect();
-        for (place, name) in OF_PEAKS.into_iter().enumerate() {
-            table.number(name, rows.iter().map(|row| row.get(place).copied().unwrap_or(f64::NAN)).collect());
-        }
-    }
-    Ok(table)
+) -> Result<Store<Column>, Error> {
+    let mut store = Store::new(rows.to_vec(), points.n);
+    fill(points, store.places(), Excitation::Force, start, max_periods, stop)?;
+    Ok(store)
 }
 
-/// The columns. A point outside the domain is marked as invalid; any other error is returned.
-fn columns(found: &[Result<FoundLimit, Error>], with_static_friction: bool) -> Result<Table, Error> {
-    let is_of_domain = |error: &Error| error.quantity().is_some();
-    if let Some(Err(error)) = found.iter().find(|f| f.as_ref().is_err_and(|e| !is_of_domain(e))) {
-        return Err(error.clone());
-    }
-    let found = || found.par_iter().map(|f| f.as_ref().ok());
-    let numbers = |of: &(dyn Fn(&LongRun<f64>) -> Option<f64> + Sync)| {
-        found().map(|f| f.and_then(|f| of(&f.limit)).unwrap_or(f64::NAN)).collect()
-    };
-    let counts = |of: &(dyn Fn(&FoundLimit) -> Option<u64> + Sync)| {
-        found().map(|f| f.and_then(of).and_then(|n| i64::try_from(n).ok()).unwrap_or(-1)).collect()
-    };
-    let of_cycle = |value: fn(&SteadyState<f64>) -> u32| {
-        counts(&move |f| f.limit.steady_state().map(|steady| u64::from(value(steady))))
-    };
-    let mut table = Table::default();
-    table.code("regime", found().map(|f| code(f.map(|f| f.seen.regime))).collect(), &REGIMES);
-    table.code("limit", found().map(|f| limit_code(f.map(|f| &f.limit))).collect(), &LIMITS);
-    for output in SteadyOutput::ALL {
-        table.number(output.definition().name, numbers(&|limit| number(limit, output)));
-    }
-    table.count("velocity_zeros_per_cycle", of_cycle(|s| s.velocity_zeros_per_cycle));
-    table.count("sticks_per_cycle", counts(&|f| f.seen.sticks.map(u64::from)));
-    table.count("reversals_per_cycle", counts(&|f| f.seen.reversals.map(u64::from)));
-    for (name, value) in NUMBERS {
-        table.number(name, numbers(&value));
-    }
-    if with_static_friction {
-        for (name, value) in OF_STATIC_FRICTION {
-            table.number(name, numbers(&value));
+/// Points per task.
+const TASK: usize = 32;
+
+/// Fills the places, until `stop` is set. A point outside the domain is marked as invalid; any other error is
+/// returned.
+fn fill(
+    points: Points<'_>,
+    places: Places<'_, Column>,
+    kind: Excitation,
+    start: Start,
+    max_periods: u32,
+    stop: &Stop,
+) -> Result<(), Error> {
+    let needs = Needs::of(places.0.iter().map(|(row, _)| row.definition));
+    let keep_going = || stop.asked();
+    halves(points, places, TASK, stop, &|points, mut places| {
+        for (i, point) in (0..points.n).filter_map(|i| Some((i, points.at(i)?))) {
+            let found = match follow(point, start, max_periods, &mut { keep_going }) {
+                Ok(found) => found,
+                Err(error) if error.quantity().is_some() => {
+                    places.put(i, |_| None);
+                    continue;
+                }
+                Err(Error::Interrupted) => return Ok(()),
+                Err(error) => return Err(error),
+            };
+            // The peaks of a cycle that cannot be followed do not exist, but its other outputs do.
+            let answer = found.answer(kind, needs, &mut { keep_going });
+            match answer.or_else(|_| found.answer(kind, Needs::default(), &mut { keep_going })) {
+                Ok(answer) => places.put(i, |column| column.value(&answer)),
+                Err(error) => return Err(error),
+            }
         }
-        table.count("turns_per_cycle", of_cycle(|s| s.turns_per_cycle));
-        table.count("symmetric", of_cycle(|steady| u32::from(steady.is_symmetric)));
-        table.count("turns_observed", counts(&|f| f.limit.irregular().map(|m| m.turns)));
-    }
-    Ok(table)
+        Ok(())
+    })
 }
 
 /// The segments of a motion that begin within a number of drive cycles after its start; the last one is
@@ -255,9 +263,9 @@ fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<B
                 return Err(format!("cycles {cycles}: more than {MOST_ROWS} phases"));
             }
             kinds.push(match phase.kind {
-                Kind::SlideForward => 0,
-                Kind::SlideBackward => 1,
-                Kind::Stick => 2,
+                motion::Kind::SlideForward => 0,
+                motion::Kind::SlideBackward => 1,
+                motion::Kind::Stick => 2,
             });
             ends.push(match phase.ends_by {
                 End::Reversal => 0,
@@ -280,8 +288,8 @@ fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<B
             }
         }
         let mut table = Table::default();
-        table.code("kind", kinds, &[]);
-        table.code("ends_by", ends, &[]);
+        table.code("kind", kinds);
+        table.code("ends_by", ends);
         let names = [
             "start_phase",
             "end_phase",
@@ -374,15 +382,16 @@ fn decay_at(
     dict.set_item("half_cycles", decay.half_cycles)?;
     dict.set_item("first_turn", decay.first_turn)?;
     dict.set_item("rest_position", decay.rest_position)?;
-    dict.set_item("rest_time", Some(decay.rest_time).filter(|time| time.is_finite()))?;
+    dict.set_item("rest_time", Some(decay.rest_time).filter(|time| time.is_finite()).unwrap_or(f64::NAN))?;
     Ok(dict)
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("STEADY", columns::told(&ROWS))?;
     module.add("LIMITS", LIMITS.to_vec())?;
     module.add("MAX_PERIODS", DEFAULT_BUDGET)?;
     module.add_function(wrap_pyfunction!(steady_at, module)?)?;
-    module.add_function(wrap_pyfunction!(steady_columns, module)?)?;
+    module.add_function(wrap_pyfunction!(steady_into, module)?)?;
     module.add_function(wrap_pyfunction!(phases, module)?)?;
     module.add_function(wrap_pyfunction!(samples, module)?)?;
     module.add_function(wrap_pyfunction!(decay_at, module)?)

@@ -28,7 +28,7 @@ impl<'a> Values<'a> {
         })
     }
 
-    fn at(self, i: usize) -> Option<f64> {
+    pub(crate) fn at(self, i: usize) -> Option<f64> {
         match self {
             Self::One(value, _) => Some(value),
             Self::Many(values) => values.get(i).copied(),
@@ -133,11 +133,6 @@ impl<'a> Points<'a> {
     /// Whether no point has damping or a static friction above the kinetic one.
     pub(crate) fn is_plain(self) -> bool {
         self.damping.is_constant(0.0) && self.static_friction.is_constant(1.0)
-    }
-
-    /// Whether any point may have a static friction above the kinetic one.
-    pub(crate) fn has_static_friction(self) -> bool {
-        !self.static_friction.is_constant(1.0)
     }
 
     /// The ratios at a point.

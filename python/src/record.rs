@@ -1,9 +1,9 @@
 //! The motion under records.
 
-use crate::interrupt::interruptible;
 use crate::machine::given;
 use crate::refused;
 use crate::table::Table;
+use interrupt::interruptible;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -16,8 +16,9 @@ use stickslip::{Error, Excitation};
 /// constant force, and whether the body moves one way.
 type Sliding = (f64, f64, f64, f64, f64, f64, f64, bool);
 
-/// The bodies that are followed between two looks at the interpreter's signals.
+/// The most bodies, and about the steps, that are followed between two looks at the interpreter's signals.
 const AT_ONCE: usize = 1024;
+const STEPS_AT_ONCE: usize = 1 << 22;
 
 fn body(
     (mass, stiffness, damping, forward, backward, ratio, mean_force, one_way): Sliding,
@@ -176,9 +177,10 @@ fn record_spectrum<'py>(
         body((mass, stiffness, damping, friction, friction, ratio, 0.0, false))
     });
     let bodies = bodies.collect::<Result<Vec<_>, _>>().map_err(refused)?;
+    let at_once = (STEPS_AT_ONCE / samples.as_slice()?.len().max(1)).clamp(16, AT_ONCE);
     let answers = interruptible(py, |stop| {
         let mut answers = Vec::with_capacity(bodies.len());
-        for some in bodies.chunks(AT_ONCE) {
+        for some in bodies.chunks(at_once) {
             if stop.asked().is_break() {
                 return Err(Error::Interrupted);
             }

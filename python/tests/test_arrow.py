@@ -18,7 +18,7 @@ def test_a_table_has_the_numbers_of_the_arrays_and_nulls_where_there_are_none():
     omega, alpha = points()
     found = pa.table(stickslip.arrow.response(pa.table({"alpha": alpha, "omega": omega})))
     expected = ss.response(omega, alpha)
-    assert found.num_rows == 1000 and len(found.column_names) == 10
+    assert found.num_rows == 1000 and found.column_names[:2] == ["alpha", "omega"] and len(found.column_names) == 12
     assert found["regime"].to_pylist() == list(expected.regime)
     for name in ("max_displacement", "contraction", "min_force_ratio"):
         numbers = getattr(expected, name)
@@ -41,7 +41,7 @@ def test_steady_states_and_damping():
     found = pa.table(stickslip.arrow.steady(pa.table({"omega": omega, "alpha": alpha})))
     expected = ss.steady(omega, alpha)
     np.testing.assert_array_equal(found["max_displacement"].to_numpy(), expected.max_displacement)
-    counts = [n if n >= 0 else None for n in expected.sticks_per_cycle.tolist()]
+    counts = [None if n != n else int(n) for n in expected.sticks_per_cycle.tolist()]
     assert found["sticks_per_cycle"].to_pylist() == counts
     damped = pa.table(stickslip.arrow.response(pa.table({"omega": omega, "alpha": alpha, "damping_ratio": np.full(100, 0.1)})))
     np.testing.assert_array_equal(damped["max_displacement"].to_numpy(), ss.response(omega, alpha, 0.1).max_displacement)
@@ -53,7 +53,7 @@ def test_nulls_and_other_numbers_go_in():
     assert found["regime"].to_pylist() == ["non-sticking", None, "non-sticking"]
     assert found["min_force_ratio"].null_count == 1
     empty = pa.table(stickslip.arrow.response(table.slice(0, 0)))
-    assert empty.num_rows == 0 and len(empty.column_names) == 10
+    assert empty.num_rows == 0 and len(empty.column_names) == 12
 
 
 def test_bad_tables_are_refused_in_words():

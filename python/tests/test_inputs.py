@@ -22,9 +22,11 @@ def plain(name="max_displacement"):
 def test_masked_places_have_no_answer():
     masked = np.ma.masked_array(OMEGA, [False, True, False, False])
     found = ss.response(masked, 2.5)
-    assert list(found.regime) == ["sticking", "invalid", "non-sticking", "non-sticking"]
-    assert list(ss.steady(masked, 2.5).limit)[1] == "invalid"
-    assert not isinstance(found.max_displacement, np.ma.MaskedArray)
+    assert found.regime.data.tolist() == ["sticking", "invalid", "non-sticking", "non-sticking"]
+    assert ss.steady(masked, 2.5).limit.data[1] == "invalid"
+    # The mask is that of the arguments: places without a displacement are NaN, and not masked.
+    assert isinstance(found.max_displacement, np.ma.MaskedArray)
+    assert found.max_displacement.mask.tolist() == [False, True, False, False] and np.isnan(found.max_displacement.data[0])
 
 
 def test_numbers_of_other_types():

@@ -37,8 +37,8 @@ def test_an_isolator_under_a_base_that_carries_the_surface():
     # The other reading, that of the spring's foot, is another machine.
     foot = ss.Drive(foot_displacement=0.15 * 9.80665 / (2 * HERTZ) ** 2, angular_frequency=2 * HERTZ)
     assert isolator().response(foot).regime == "stuck"
-    with pytest.raises(AttributeError, match="no value"):
-        isolator().response(ss.Drive(force=1200.0, angular_frequency=2 * HERTZ)).physical.max_absolute_displacement
+    forced = isolator().response(ss.Drive(force=1200.0, angular_frequency=2 * HERTZ))
+    assert math.isnan(forced.physical.max_absolute_displacement) and forced.max_absolute_displacement > 0
 
 
 def test_the_physical_values_have_their_units():
@@ -74,7 +74,7 @@ def test_design_answers_hold_on_both_sides():
     machine = isolator()
     frequency = 1.7 * HERTZ
     for excitation in ("force", "base_acceleration", "foot_displacement", "base_displacement"):
-        least = machine.min_force(frequency, excitation)
+        least = machine.min_force(angular_frequency=frequency, excitation=excitation)
         regime = lambda share: machine.response(
             ss.Drive(**{excitation: least * share}, angular_frequency=frequency)
         ).regime
@@ -88,14 +88,14 @@ def test_design_answers_hold_on_both_sides():
     at = lambda friction: ss.Machine(machine.mass, machine.stiffness, friction).response(drive).physical
     assert at(best.friction).energy_per_cycle == pytest.approx(best.energy, rel=1e-12)
     assert at(best.friction * 0.99).energy_per_cycle < best.energy
-    force = machine.force_for_displacement(frequency, 0.01)
+    force = machine.force_for_displacement(0.01, angular_frequency=frequency)
     assert machine.response(ss.Drive(force=force, angular_frequency=frequency)).physical.max_displacement == pytest.approx(0.01)
-    force = machine.force_for_velocity(frequency, 0.12)
+    force = machine.force_for_velocity(0.12, angular_frequency=frequency)
     assert machine.response(ss.Drive(force=force, angular_frequency=frequency)).physical.max_velocity == pytest.approx(0.12)
 
 
 def test_bands_are_where_it_does_not_stick():
-    bands = isolator().bands(0.2 * HERTZ, 5 * HERTZ, force=900.0)
+    bands = isolator().bands(angular_frequency=(0.2 * HERTZ, 5 * HERTZ), force=900.0)
     frequencies = np.linspace(0.2 * HERTZ, 5 * HERTZ, 501)
     regime = isolator().response(ss.Drive(force=900.0, angular_frequency=frequencies)).regime
     inside = np.any([(frequencies >= b.low) & (frequencies <= b.high) for b in bands], axis=0)
@@ -107,12 +107,12 @@ def test_friction_and_damping_are_found_again():
     frequency = machine.natural_angular_frequency * np.linspace(0.75, 1.5, 30)
     exact = machine.response(ss.Drive(force=900.0, angular_frequency=frequency)).physical.max_displacement
     noisy = exact * (1 + 0.01 * np.random.default_rng(4).standard_normal(30))
-    found = ss.identify(machine.mass, machine.stiffness, 900.0, frequency, noisy)
+    found = ss.identify(machine.mass, machine.stiffness, 900.0, angular_frequency=frequency, amplitude=noisy)
     assert abs(found.friction.value - machine.friction) < 4 * found.friction.standard_error
     assert abs(found.damping_ratio.value - 0.04) < 4 * found.damping_ratio.standard_error
     assert 0.005 < found.noise < 0.02
     with pytest.raises(ss.Error, match="different lengths"):
-        ss.identify(1.0, 1.0, 1.0, [1.0, 2.0], [1.0])
+        ss.identify(1.0, 1.0, 1.0, frequency=[1.0, 2.0], amplitude=[1.0])
 
 
 def test_wrong_and_other_readings_are_told():
@@ -122,16 +122,16 @@ def test_wrong_and_other_readings_are_told():
     exact, phase = motion.physical.max_displacement, motion.displacement_phase
     wrong = exact.copy()
     wrong[[4, 20]] *= 2.0
-    found = ss.identify(machine.mass, machine.stiffness, 900.0, frequency, wrong, phase)
+    found = ss.identify(machine.mass, machine.stiffness, 900.0, angular_frequency=frequency, amplitude=wrong, phase=phase)
     assert np.flatnonzero(found.suspect).tolist() == [4, 20] and found.phase_kind == "peak"
     assert found.friction.value == pytest.approx(machine.friction, rel=1e-6)
     assert np.abs(found.phase_residuals).max() < 1e-6 and not found.stops.any()
-    both = ss.identify(machine.mass, machine.stiffness, 900.0, frequency, 2 * exact)
+    both = ss.identify(machine.mass, machine.stiffness, 900.0, angular_frequency=frequency, amplitude=2 * exact)
     assert both.better_amplitude_kind == "peak-to-peak"
     with pytest.raises(ss.Error, match="amplitude_kind size: must be one of peak, peak-to-peak, rms"):
-        ss.identify(machine.mass, machine.stiffness, 900.0, frequency, exact, amplitude_kind="size")
+        ss.identify(machine.mass, machine.stiffness, 900.0, angular_frequency=frequency, amplitude=exact, amplitude_kind="size")
     with pytest.raises(ss.Error, match="measurement 1: phase"):
-        ss.identify(machine.mass, machine.stiffness, 900.0, frequency, exact, 90 + 0 * exact)
+        ss.identify(machine.mass, machine.stiffness, 900.0, angular_frequency=frequency, amplitude=exact, phase=90 + 0 * exact)
 
 
 def test_friction_by_direction_and_a_mean_force_are_a_shift():
@@ -177,8 +177,8 @@ def test_a_motion_in_units_is_that_in_ratios_times_its_scales():
         found = machine.simulate(drive, **begin, cycles=2, samples=samples)
         scales = {"phase": 1 / rate, "duration": 1 / rate, "displacement": 0.005, "velocity": 0.005 * rate, "friction": 5e3}
         names = {"phase": "time", "friction": "friction_force"}
-        assert bare.physical is None and found.physical.mean_displacement == pytest.approx(0.002)
-        for name in bare._names[:-1]:
+        assert not hasattr(bare, "physical") and found.physical.mean_displacement == pytest.approx(0.002)
+        for name in bare:
             values, kind = getattr(bare, name), name.removeprefix("start_").removeprefix("end_")
             if kind not in scales:
                 assert (getattr(found, name) == values).all()
@@ -217,8 +217,9 @@ def test_the_bits_are_those_of_the_command(question, ask):
                 assert np.isnan(getattr(point, name, np.nan)), (name, omega[i], alpha[i])
             elif point is not None:
                 assert getattr(point, name, value) == value, (name, omega[i], alpha[i])
-            elif value is not None and getattr(found, name, None) is not None:
-                assert getattr(found, name)[i] == value, (name, omega[i], alpha[i])
+            elif value is not None and name in found:
+                value = np.ravel(value).view(complex) if name == "multipliers" else value
+                assert np.all(getattr(found, name)[i] == value), (name, omega[i], alpha[i])
 
 
 def test_an_unbalance_is_a_force_that_grows_with_the_square_of_the_speed():
@@ -227,7 +228,7 @@ def test_an_unbalance_is_a_force_that_grows_with_the_square_of_the_speed():
     for i, omega in enumerate(frequency):
         force = isolator().response(ss.Drive(force=3.5 * omega**2, angular_frequency=omega))
         assert turning.max_displacement[i] == pytest.approx(force.max_displacement, rel=1e-12)
-    bands = isolator().bands(1 * HERTZ, 30 * HERTZ, unbalance=2.0)
+    bands = isolator().bands(frequency=(1.0, 30.0), unbalance=2.0)
     assert len(bands) >= 1 and not bands[0].low_is_end_of_range
     pendulum = ss.Machine(mass="800 kg", pendulum_radius="2 m", friction="1 N")
     assert pendulum.natural_angular_frequency == pytest.approx(np.sqrt(9.80665 / 2), rel=1e-12)
@@ -237,11 +238,13 @@ def test_the_best_friction_over_a_band_is_better_than_others():
     machine = isolator(damping_ratio=0.05)
     drive = ss.Drive(base_displacement=0.05, frequency=1.0)
     low, high = 0.3 * machine.natural_angular_frequency, 4 * machine.natural_angular_frequency
-    best = machine.best_friction_over(drive, low, high)
+    best = machine.best_friction_over(drive, angular_frequency=(low, high))
+    assert best.at == [(pytest.approx(2 * math.pi * a), pytest.approx(2 * math.pi * b)) for a, b in
+        machine.best_friction_over(drive, frequency=(low / 2 / math.pi, high / 2 / math.pi)).at]
     assert best.optimum == "interior" and len(best.at) == 2
     assert best.greatest == pytest.approx(0.05, rel=1e-9)
     with pytest.raises(ss.Error, match="of nothing"):
-        machine.best_friction_over(drive, low, high, of="nothing")
+        machine.best_friction_over(drive, angular_frequency=(low, high), of="nothing")
 
 
 def test_a_decay_gives_friction_and_damping():
@@ -252,7 +255,8 @@ def test_a_decay_gives_friction_and_damping():
     found = ss.identify_decay(turns, time=np.arange(9) * 0.25, every="half-cycle")
     assert found.friction_displacement.value == pytest.approx(1.5, rel=1e-6)
     assert found.damping_ratio.value == pytest.approx(0.02, rel=1e-6)
-    assert found.natural_frequency.value == pytest.approx(np.pi / 0.25 / np.sqrt(1 - 0.02**2), rel=1e-6)
+    assert found.natural_angular_frequency.value == pytest.approx(np.pi / 0.25 / np.sqrt(1 - 0.02**2), rel=1e-6)
+    assert found.natural_frequency.value == pytest.approx(2.0 / np.sqrt(1 - 0.02**2), rel=1e-6)
     one_side = ss.identify_decay(turns[::2], every="cycle")
     assert one_side.friction_displacement.value == pytest.approx(1.5, rel=1e-6) and one_side.natural_frequency is None
     with pytest.raises(ss.Error, match="times of samples"):
@@ -273,12 +277,9 @@ def test_transmissibility_with_stops_over_frequency_is_one_call():
             alone = machine.steady(ss.Drive(**{kind: amplitude, "frequency": float(hertz)}))
             assert found.transmissibility[i] == alone.transmissibility
             assert found.physical.max_acceleration[i] == alone.physical.max_acceleration
-    with pytest.raises(AttributeError, match="stick_fraction was not computed"):
-        found.stick_fraction
+    assert "stick_fraction" not in found and found.stick_fraction.shape == (7,)
     with pytest.raises(ss.Error, match="'stroke' is none of"):
         ss.steady([0.4], 2, outputs=["stroke"])
-    with pytest.raises(ss.Error, match="multipliers exist for a single point only"):
-        ss.steady([0.4], 2, outputs=["multipliers"])
 
 
 def test_the_natural_frequency_is_that_of_a_drive():

@@ -34,7 +34,7 @@ def test_a_named_system_is_that_of_bare_numbers_and_of_the_answers():
         assert answer.energy_per_cycle == pytest.approx(found[0].energy_per_cycle * unit, rel=1e-13)
         assert answer.max_displacement == pytest.approx(0.009914465, rel=1e-6)
     assert "max_displacement=0.0099144" in repr(found[0]) and " m," in repr(found[0])
-    assert found[0].to_dict()["units"]["force_amplitude"] == "N"
+    assert found[0].units["force_amplitude"] == "N"
     bare = ss.Machine(50, 1000, 5).response(ss.Drive(force=12, frequency=1)).physical
     assert bare.units is None and bare.max_displacement == found[2].max_displacement
 
@@ -50,19 +50,20 @@ def test_arrays_are_in_the_named_system():
 
 def test_questions_of_design_take_units():
     machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient="5 %")
-    assert machine.min_force("1.7 Hz") == pytest.approx(machine.min_force(1.7 * 2 * math.pi), rel=1e-14)
-    assert machine.force_for_displacement("1.7 Hz", "10 mm") == pytest.approx(
-        machine.force_for_displacement(1.7 * 2 * math.pi, 0.01), rel=1e-12
+    assert machine.min_force(frequency="1.7 Hz") == machine.min_force(frequency=1.7)
+    assert machine.min_force(frequency=1.7) == pytest.approx(machine.min_force(angular_frequency=1.7 * 2 * math.pi), rel=1e-14)
+    assert machine.force_for_displacement("10 mm", frequency="1.7 Hz") == pytest.approx(
+        machine.force_for_displacement(0.01, angular_frequency=1.7 * 2 * math.pi), rel=1e-12
     )
-    assert machine.bands("0.2 Hz", "5 Hz", force="0.9 kN") == machine.bands("0.2 Hz", "5 Hz", force=900.0)
+    assert machine.bands(frequency=("0.2 Hz", "5 Hz"), force="0.9 kN") == machine.bands(frequency=(0.2, 5.0), force=900.0)
     frequency = np.linspace(14.0, 28.0, 20)
     tested = ss.Machine("2 kg", "0.8 kN/m", "3 N", damping_ratio=0.05)
     curve = tested.response(ss.Drive(force="9 N", angular_frequency=frequency)).physical.max_displacement
-    found = ss.identify("2 kg", "0.8 kN/m", "9 N", frequency, curve, units="N,m")
-    assert found.friction == ss.identify(2.0, 800.0, 9.0, frequency, curve).friction
+    found = ss.identify("2 kg", "0.8 kN/m", "9 N", angular_frequency=frequency, amplitude=curve, units="N,m")
+    assert found.friction == ss.identify(2.0, 800.0, 9.0, angular_frequency=frequency, amplitude=curve).friction
     assert found.friction.value == pytest.approx(3.0, rel=1e-6)
     with pytest.raises(ss.Error, match="amplitude .*: has no unit beside mass 2 kg"):
-        ss.identify("2 kg", "0.8 kN/m", "9 N", frequency, curve)
+        ss.identify("2 kg", "0.8 kN/m", "9 N", angular_frequency=frequency, amplitude=curve)
 
 
 @pytest.mark.parametrize(
@@ -83,7 +84,7 @@ def test_questions_of_design_take_units():
         (lambda: ss.Drive(force=[1.0, 2.0], frequency=1, mean_force="2 N"), "force 1.0: has no unit beside mean_force 2 N"),
         (lambda: ss.Machine(1, 2, 3).response(ss.Drive(force="1 N", frequency=1)), "the machine: has no unit beside the drive"),
         (lambda: ss.Machine("1 kg", "2 N/m", "3 N").response(ss.Drive(force=1, frequency=1)), "the drive: has no unit"),
-        (lambda: ss.Machine(1, 2, 3).force_for_displacement(1.0, "3 mm"), "max_displacement 3 mm: has a unit"),
+        (lambda: ss.Machine(1, 2, 3).force_for_displacement("3 mm", frequency=1.0), "max_displacement 3 mm: has a unit"),
     ],
 )
 def test_bad_input_is_refused_in_words(call, words):

@@ -1,7 +1,7 @@
 //! Results with error bounds: decimal numbers in, midpoint and radius out.
 
-use crate::interrupt::interruptible;
 use crate::refused;
+use interrupt::left_behind;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::enclosed::{self, Enclosure, Known, Regime, Response};
@@ -38,7 +38,7 @@ fn four([omega, alpha, zeta, eta]: &[String; 4]) -> PyResult<[Known; 4]> {
 #[pyfunction]
 fn enclosed_response<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
     let [omega, alpha, zeta, eta] = four(&ratios)?;
-    dict(py, interruptible(py, |_| enclosed::response(&omega, &alpha, &zeta, &eta, bits))?)
+    dict(py, left_behind(py, move || enclosed::response(&omega, &alpha, &zeta, &eta, bits))?)
 }
 
 /// The border.
@@ -47,14 +47,14 @@ fn enclosed_border<'py>(py: Python<'py>, ratios: [String; 3], bits: u32) -> PyRe
     let [omega, zeta, eta] = &ratios;
     let (omega, zeta) = (known("omega", omega)?, known("damping_ratio", zeta)?);
     let eta = known("static_friction_ratio", eta)?;
-    dict(py, interruptible(py, |_| enclosed::border(&omega, &zeta, &eta, bits))?)
+    dict(py, left_behind(py, move || enclosed::border(&omega, &zeta, &eta, bits))?)
 }
 
 /// A steady motion that is proved to exist, or the reason why there is no proof.
 #[pyfunction]
 fn enclosed_steady<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
     let [omega, alpha, zeta, eta] = four(&ratios)?;
-    let found = interruptible(py, |_| enclosed::steady(&omega, &alpha, &zeta, &eta, bits))?;
+    let found = left_behind(py, move || enclosed::steady(&omega, &alpha, &zeta, &eta, bits))?;
     let dict = PyDict::new(py);
     let found = match found.map_err(refused)? {
         Ok(found) => found,

@@ -2,9 +2,6 @@
 //! whose licence is LGPL-3.0-or-later. The public functions are in `stickslip/*.py`.
 
 mod enclosed;
-#[allow(dead_code, reason = "the other functions serve the package stickslip")]
-#[path = "../../src/interrupt.rs"]
-mod interrupt;
 mod wide;
 
 use pyo3::exceptions::PyValueError;

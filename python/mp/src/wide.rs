@@ -1,15 +1,17 @@
 //! Results at a chosen precision: decimal digits in, decimal digits out.
 
-use crate::interrupt::{Stop, interruptible};
 use crate::refused;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
+use interrupt::{Stop, interruptible};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::definitions::TURNS_OBSERVED;
 use stickslip::float::{Mp, ParseError};
-use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput};
-use stickslip::{Definition, Excitation, Float, Output, Ratios, Response, Value, When, no_stop_force_ratios};
+use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput, SteadyState};
+use stickslip::{
+    Definition, Excitation, Float, Output, Ratios, Response, ResponseAnswer, Value, no_stop_force_ratios,
+    observed,
+};
 
 /// A value on its way to Python.
 enum Cell {
@@ -93,15 +95,14 @@ fn digits<F: Display>(value: Option<F>) -> Cell {
     Cell::Digits(value.map(|x| x.to_string()))
 }
 
-fn response<F: Float>(ratios: Ratios<F>) -> Cells {
-    let answer = Response::guarded(ratios);
-    let mut cells = vec![
-        ("regime", Cell::Word(answer.regime.name())),
-        ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle().map(u64::from))),
-        ("motion_without_stop", Cell::Flag(Some(answer.has_motion_without_stop()))),
-        ("moves_from_rest", Cell::Flag(Some(ratios.moves_from_rest()))),
-    ];
-    cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
+fn response<F: Float + Display>(ratios: Ratios<F>) -> Cells {
+    let response = Response::guarded(ratios);
+    let answer = ResponseAnswer { response: &response, excitation: Excitation::Force, peaks: true };
+    let is_output =
+        |definition: &Definition| Output::ALL.iter().any(|output| output.definition() == definition);
+    let others = ResponseAnswer::COLUMNS.iter().filter(|column| !is_output(column.definition));
+    let mut cells: Cells = others.map(|c| (c.definition.name, (c.of)(&answer).into())).collect();
+    cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&response)))));
     if !ratios.has_higher_static_friction()
         && let Ok(no_stop) = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
     {
@@ -118,13 +119,12 @@ fn steady<F: Float>(
     stop: &Stop,
 ) -> Result<Cells, stickslip::Error> {
     let limit = LongRun::within(ratios, start, periods, &mut || stop.asked())?;
-    let answer = SteadyAnswer::new(ratios, Excitation::Force, &limit, false)?;
-    let is_left_out = |output: &Definition| {
-        output.is_searched || [Output::DynamicAmplification.definition(), TURNS_OBSERVED].contains(&output)
-    };
-    let is_there = |when| when != When::StaticFriction || ratios.has_higher_static_friction();
-    let columns = SteadyAnswer::COLUMNS.into_iter();
-    let columns = columns.filter(|column| is_there(column.when) && !is_left_out(column.definition));
+    let steady = limit.steady_state();
+    let peaks = steady.map(|steady| steady.peaks_while(&mut || stop.asked())).transpose()?;
+    let errors = steady.map(SteadyState::errors).transpose()?;
+    let (excitation, seen) = (Excitation::Force, observed(ratios, &limit));
+    let answer = SteadyAnswer { ratios, excitation, limit: &limit, seen, errors, peaks };
+    let columns = SteadyAnswer::COLUMNS.iter();
     let mut cells: Cells = columns.map(|c| (c.definition.name, (c.of)(&answer).into())).collect();
     let contraction = SteadyOutput::Contraction;
     let value = limit.steady_state().map(|steady| contraction.of(steady));

@@ -8,6 +8,7 @@ use crate::motion::slide::Slide;
 use crate::motion::slide::stick::Stick;
 use crate::motion::trajectory::{Body, Trajectory};
 use core::f64::consts::TAU;
+use core::ops::ControlFlow;
 
 /// The maximum absolute values in a cycle of the exact motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +34,13 @@ impl<F: Float> SteadyState<F> {
     /// # Errors
     /// Those of the motion ([`Trajectory`]).
     pub fn peaks(&self) -> Result<Peaks<F>, Error> {
+        self.peaks_while(&mut || ControlFlow::Continue(()))
+    }
+
+    /// As [`SteadyState::peaks`], but stops with [`Error::Interrupted`] where `keep_going`, asked at every segment,
+    /// breaks: under a slow drive a cycle has very many.
+    #[doc(hidden)]
+    pub fn peaks_while(&self, keep_going: &mut dyn FnMut() -> ControlFlow<()>) -> Result<Peaks<F>, Error> {
         let zero = F::int(0);
         let reach = self.max_displacement.value.abs().or_larger(self.min_displacement.value.abs());
         let speed =
@@ -43,6 +51,9 @@ impl<F: Float> SteadyState<F> {
         let cycle = TAU * f64::from(self.turns_per_cycle);
         for phase in phases {
             let phase = phase?;
+            if keep_going().is_break() {
+                return Err(Error::Interrupted);
+            }
             if phase.start().phase.since(start.phase).to_f64() >= cycle {
                 break;
             }

@@ -6,9 +6,9 @@ Ratios are exact: ``"0.4"`` is four tenths, ``"1/3"`` is one third, and a float 
 from __future__ import annotations
 
 from decimal import Decimal, localcontext
-from typing import Any, ClassVar, NamedTuple, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
-from . import _native
+from ._closed_forms import CLOSED_FORMS as _OUTPUTS
 from ._result import Result, digits, precision
 from ._wide import wide
 
@@ -56,10 +56,11 @@ class Response(Result):
         The outputs, with the names of `stickslip.response`; None if one does not exist or has no enclosure.
     """
 
-    _names: ClassVar[Sequence[str]] = ("regime", "moves_from_rest", "bits", *_native.OUTPUTS)
+    _names = ("regime", "moves_from_rest", "bits", *_OUTPUTS)
 
-    def __getattr__(self, name: str) -> Any:
-        raise AttributeError(f"no output {name}; there are {', '.join(self._names)}")
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
 
 
 class Steady(Result):
@@ -82,23 +83,6 @@ class Steady(Result):
         Within this distance (B) of ``start_displacement`` there is no other motion of the same kind.
     bits : int
     """
-
-    _names: ClassVar[Sequence[str]] = (
-        "symmetric",
-        "turns_per_cycle",
-        "max_displacement",
-        "min_displacement",
-        "max_velocity",
-        "min_velocity",
-        "stick_fraction",
-        "sticks_per_cycle",
-        "velocity_zeros_per_cycle",
-        "multipliers",
-        "start_phase",
-        "start_displacement",
-        "only_within",
-        "bits",
-    )
 
     symmetric: bool
     turns_per_cycle: int
@@ -140,7 +124,7 @@ def _texts(*values: Any) -> list[str]:
 
 
 def _response(found: dict[str, Any]) -> Response:
-    outputs = {name: _enclosure(found[name]) for name in _native.OUTPUTS}
+    outputs = {name: _enclosure(found[name]) for name in _OUTPUTS}
     own = {name: found[name] for name in ("regime", "moves_from_rest", "bits")}
     return Response({**own, **outputs})
 

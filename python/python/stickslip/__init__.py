@@ -46,7 +46,7 @@ from ._machine import Machine
 from ._motion import Decay, Phases, Samples, decay, simulate
 from ._native import Error, __version__
 from ._record import Block, Followed, Motion, Record, Spectrum, spectrum
-from ._steady import Steady, steady
+from ._steady import STEADY_OUTPUTS, Steady, steady
 
 if hasattr(_os, "register_at_fork"):
     # A forked child inherits the memory of the worker threads, but not the threads themselves.
@@ -55,6 +55,7 @@ if hasattr(_os, "register_at_fork"):
 __all__ = [
     "FIGURES",
     "OUTPUTS",
+    "STEADY_OUTPUTS",
     "Attractor",
     "Attractors",
     "Band",

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, Mapping, Optional, Sequence, Union
+from collections.abc import Mapping
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._native import Error
 from ._drive import Quantity, read, texts
 from ._physical import names_of
 from ._result import Floats, Result, Value, numbers, one, points, shaped
@@ -84,14 +86,14 @@ class Record:
         unit: Optional[str] = None,
     ) -> None:
         if (time_step is None) == (times is None):
-            raise _native.Error("a record needs either time_step or times")
+            raise Error("a record needs either time_step or times")
         values = _column("samples", samples)
         if times is None:
             at = np.array([read({"time_step": (time_step, "time")}, None)[0]["time_step"]])
         else:
             at = _column("times", times)
             if len(at) == 1:
-                raise _native.Error("record: the number of samples = 1 must be >= 2")
+                raise Error("record: the number of samples = 1 must be >= 2")
         _native.record_check(of, at, values)
         if unit is not None:
             _factor(of, unit, None)
@@ -124,7 +126,7 @@ class Record:
 def _column(name: str, values: ArrayLike) -> Floats:
     array = numbers(name, values)
     if array.ndim != 1:
-        raise _native.Error(f"{name}: must be an array of one dimension, not of shape {array.shape}")
+        raise Error(f"{name}: must be an array of one dimension, not of shape {array.shape}")
     return np.ascontiguousarray(array)
 
 
@@ -156,8 +158,6 @@ class Followed(Result):
     units : dict of str to str, or None
         The unit of each value; None if the machine was given in numbers without units.
     """
-
-    _names: ClassVar[Sequence[str]] = (*_UNITS, "slides", "stops", "units")
 
     max_displacement: float
     max_displacement_time: float
@@ -197,18 +197,6 @@ class Motion(Result):
     answer : Followed
     """
 
-    _names: ClassVar[Sequence[str]] = (
-        "time",
-        "displacement",
-        "velocity",
-        "acceleration",
-        "direction",
-        "event_time",
-        "event_displacement",
-        "event_direction",
-        "answer",
-    )
-
     time: Floats
     displacement: Floats
     velocity: Floats
@@ -222,16 +210,6 @@ class Motion(Result):
 
 class Spectrum(Result):
     """The answers of many bodies under a record; see `spectrum`. Each is an array, or a number for one body."""
-
-    _names: ClassVar[Sequence[str]] = (
-        "period",
-        "friction_coefficient",
-        "damping_ratio",
-        "static_friction_ratio",
-        *_WITHOUT_MASS,
-        "slides",
-        "stops",
-    )
 
     period: Value
     friction_coefficient: Value
@@ -388,7 +366,7 @@ def spectrum(
     (6, 2)
     """
     if record.of == "force":
-        raise _native.Error("spectrum: a record of a force needs masses. Use Machine.follow")
+        raise Error("spectrum: a record of a force needs masses. Use Machine.follow")
     at = points(
         period=period,
         friction_coefficient=friction_coefficient,
@@ -399,7 +377,7 @@ def spectrum(
     columns = [np.ascontiguousarray(np.broadcast_to(np.asarray(column), (size,))) for column in at.columns]
     periods, coefficients, zeta, eta = columns
     if not np.all((periods > 0) & np.isfinite(periods)):
-        raise _native.Error("period: must be > 0 and finite")
+        raise Error("period: must be > 0 and finite")
     omega = 2 * np.pi / periods
     bodies = [np.ones(size), omega**2, 2 * zeta * omega, coefficients * one("gravity", gravity), eta]
     found = _native.record_spectrum(bodies, *record._in("N,m"))

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._drive import Quantity, read
+from ._drive import Quantity, angular_of, read
+from ._native import Error
 from ._result import Floats, numbers
 
 #: Names of the figures that `figure` draws.
@@ -17,7 +18,7 @@ FIGURES: tuple[str, ...] = tuple(_native.FIGURES)
 
 
 class Band(NamedTuple):
-    """A band of angular frequency in which the body does not stick, both ends included."""
+    """A band of frequency in which the body does not stick, both ends included, in the unit of the requested range."""
 
     low: float
     high: float
@@ -42,7 +43,7 @@ class BandFriction(NamedTuple):
     friction: float
     #: The greatest amplitude over the band.
     greatest: float
-    #: The ranges of angular frequency that have it; a single frequency has two equal ends.
+    #: The ranges of frequency that have it, in the unit of the band; a single frequency has two equal ends.
     at: list[tuple[float, float]]
     #: ``"interior"``; ``"none"`` where less friction is always better; ``"rest"`` where the body had better rest.
     optimum: str
@@ -91,7 +92,7 @@ class DecayIdentified(NamedTuple):
     #: The first amplitude.
     amplitude: Estimate
     #: Natural angular frequency in radians per second; None without times.
-    natural_frequency: Optional[Estimate]
+    natural_angular_frequency: Optional[Estimate]
     #: Standard error of one displacement, estimated from the residuals.
     noise: float
     #: The turning points from the rest of the spring, and their times; NaN without times.
@@ -99,6 +100,14 @@ class DecayIdentified(NamedTuple):
     times: Floats
     #: Measured minus computed displacements.
     residuals: Floats
+
+    @property
+    def natural_frequency(self) -> Optional[Estimate]:
+        """Natural frequency in hertz; None without times."""
+        if self.natural_angular_frequency is None:
+            return None
+        value, error, (low, high) = (np.array(part) / (2 * np.pi) for part in self.natural_angular_frequency)
+        return Estimate(float(value), float(error), (float(low), float(high)))
 
 
 class Figure(NamedTuple):
@@ -116,10 +125,11 @@ def identify(
     mass: Quantity,
     stiffness: Quantity,
     force: Quantity,
-    angular_frequency: ArrayLike,
+    *,
     amplitude: ArrayLike,
     phase: Optional[ArrayLike] = None,
-    *,
+    frequency: Optional[ArrayLike] = None,
+    angular_frequency: Optional[ArrayLike] = None,
     amplitude_kind: str = "peak",
     phase_kind: Optional[str] = None,
     units: Optional[str] = None,
@@ -132,8 +142,10 @@ def identify(
     ----------
     mass, stiffness, force : float or str
         Mass and stiffness of the machine, and amplitude of the harmonic force, with or without units.
-    angular_frequency, amplitude : array
-        Angular frequencies, and the amplitude of the displacement measured at each.
+    amplitude : array
+        The amplitude of the displacement measured at each frequency.
+    frequency, angular_frequency : array
+        The frequencies, in hertz or in radians per second: one of the two.
     phase : array, optional
         Phases in radians, from -2π to 2π; NaN where they were not measured.
     amplitude_kind : str
@@ -153,19 +165,20 @@ def identify(
     --------
     >>> import numpy as np, stickslip as ss
     >>> machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0, damping_ratio=0.05)
-    >>> frequency = machine.natural_angular_frequency * np.linspace(0.7, 1.4, 20)
-    >>> measured = machine.response(ss.Drive(force=9.0, angular_frequency=frequency)).physical.max_displacement
-    >>> found = ss.identify(2.0, 800.0, 9.0, frequency, measured)
+    >>> frequency = machine.natural_frequency * np.linspace(0.7, 1.4, 20)
+    >>> measured = machine.response(ss.Drive(force=9.0, frequency=frequency)).physical.max_displacement
+    >>> found = ss.identify(2.0, 800.0, 9.0, frequency=frequency, amplitude=measured)
     >>> round(found.friction.value, 6), round(found.damping_ratio.value, 6)
     (3.0, 0.05)
     """
-    given = {"angular_frequency": angular_frequency, "amplitude": amplitude, "phase": phase}
+    angular = angular_of(frequency, angular_frequency)
+    given = {"angular_frequency": angular, "amplitude": amplitude, "phase": phase}
     columns = {
         name: np.ascontiguousarray(numbers(name, column)).reshape(-1) for name, column in given.items() if column is not None
     }
     lengths = {column.size for column in columns.values()}
     if len(lengths) != 1:
-        raise _native.Error(f"columns of the curve have different lengths: {sorted(lengths)}")
+        raise Error(f"columns of the curve have different lengths: {sorted(lengths)}")
     # The first amplitude stands for the columns when units are checked. The friction bound is the unknown, so that
     # its value here has no effect.
     texts = {"mass": (mass, "mass"), "stiffness": (stiffness, "stiffness"), "force": (force, "force")}
@@ -218,14 +231,14 @@ def identify_decay(
     values = np.ascontiguousarray(numbers("displacement", displacement)).reshape(-1)
     times = None if time is None else np.ascontiguousarray(numbers("time", time)).reshape(-1)
     if times is None and every is None:
-        raise _native.Error('give the times of samples, or every="cycle" or every="half-cycle" for turning points')
+        raise Error('give the times of samples, or every="cycle" or every="half-cycle" for turning points')
     found = _native.identify_decay(values, times, every)
     natural = found["natural_frequency"]
     return DecayIdentified(
         friction_displacement=Estimate(*found["friction_displacement"]),
         damping_ratio=Estimate(*found["damping_ratio"]),
         amplitude=Estimate(*found["amplitude"]),
-        natural_frequency=None if natural is None else Estimate(*natural),
+        natural_angular_frequency=None if natural is None else Estimate(*natural),
         noise=found["noise"],
         turning_points=np.array(found["turning_points"]),
         times=np.array(found["times"]),

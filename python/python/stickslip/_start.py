@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import _native
+from ._native import Error
 from ._result import one
 
 #: Displacement and velocity at a phase of the drive, as (phase, displacement, velocity).
@@ -17,7 +17,7 @@ def three(start: Any) -> tuple[Any, Any, Any]:
     try:
         phase, displacement, velocity = start
     except (TypeError, ValueError):
-        raise _native.Error(f"start = {start!r}: must be (phase, displacement, velocity)") from None
+        raise Error(f"start = {start!r}: must be (phase, displacement, velocity)") from None
     return phase, displacement, velocity
 
 
@@ -25,9 +25,3 @@ def state(start: Any) -> Start:
     """A start for the compiled part."""
     phase, displacement, velocity = (one(f"start: {name}", value) for name, value in zip(STATE, three(start)))
     return phase, displacement, velocity
-
-
-def periods_of(max_periods: int) -> int:
-    if not 1 <= max_periods < 2**32:
-        raise _native.Error(f"max_periods = {max_periods} must be >= 1 and < 2**32")
-    return int(max_periods)

@@ -2,6 +2,7 @@
 
 use core::ops::ControlFlow;
 use core::panic::AssertUnwindSafe;
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::panic::catch_unwind;
@@ -14,16 +15,16 @@ use std::time::Duration;
 const EVERY: Duration = Duration::from_millis(50);
 
 /// Whether work should stop: set once the interpreter has a signal.
-pub(crate) struct Stop(AtomicBool);
+pub struct Stop(AtomicBool);
 
 impl Stop {
     /// A flag that is not set, which suffices for short work.
-    pub(crate) const fn never() -> Self {
+    pub const fn never() -> Self {
         Self(AtomicBool::new(false))
     }
 
     /// The flag in the form that the library's hooks expect.
-    pub(crate) fn asked(&self) -> ControlFlow<()> {
+    pub fn asked(&self) -> ControlFlow<()> {
         if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
@@ -64,12 +65,12 @@ fn awaited<T: Send>(
 }
 
 fn no_answer() -> PyErr {
-    crate::refused("the computation ended without an answer: this is a defect of stickslip")
+    PyRuntimeError::new_err("the computation ended without an answer: this is a defect of stickslip")
 }
 
 /// Runs `work` on the worker threads, while the calling thread waits for its end and for signals. A signal,
 /// for example from Ctrl-C, sets the flag and is raised when the work has ended.
-pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
+pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop::never();
     let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };
     let mut raised = None;
@@ -97,7 +98,7 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
 }
 
 /// Runs work that cannot be interrupted on a separate thread, which is abandoned on a signal.
-pub(crate) fn left_behind<T: Send + 'static>(
+pub fn left_behind<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
@@ -109,6 +110,10 @@ pub(crate) fn left_behind<T: Send + 'static>(
     awaited(py, ended, |py| py.check_signals())
 }
 
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+/// Adds the function that a fork calls.
+///
+/// # Errors
+/// Those of the interpreter.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(forked, module)?)
 }

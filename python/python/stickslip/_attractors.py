@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, Optional, Sequence, Union
+from collections.abc import Sequence
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._closed_forms import RATIOS
-from ._result import Result, one
-from ._start import Start, periods_of, state
+from ._result import RATIOS, Result, one, paired, whole_number
+from ._start import Start, state
 
 
 class Attractor(Result):
-    """An attractor and the starts that lead to it; see `attractors`.
+    """An attractor and the starts that lead to it; see `attractors`. A number that does not exist is NaN.
 
     Attributes
     ----------
@@ -28,41 +28,19 @@ class Attractor(Result):
         Displacement (B) and velocity (B w) of the first start that leads to it.
     mirror : int or None
         The index of its mirror image.
-    symmetric : bool or None
-    turns_per_cycle : int or None
+    symmetric : bool, NaN where there is no cycle
+    turns_per_cycle : int, or NaN
         Turns of the drive in a cycle.
-    max_displacement, min_displacement : float or None
+    max_displacement, min_displacement : float
         Extreme displacements if the body moves (B).
-    sticks_per_cycle, velocity_zeros_per_cycle : int or None
-    stick_fraction : float or None
-    multipliers : list of (float, float) or None
-    lyapunov_exponent, lyapunov_exponent_error : float or None
+    sticks_per_cycle, velocity_zeros_per_cycle : int, or NaN
+    stick_fraction : float
+    multipliers : array of two complex numbers
+    lyapunov_exponent, lyapunov_exponent_error : float
         Lyapunov exponent of an irregular motion per turn of the drive, and its standard error.
-    rest_from, rest_to : float or None
+    rest_from, rest_to : float
         The range of the rest positions found, or of the midpoints of the members of a family (B).
     """
-
-    _names: ClassVar[Sequence[str]] = (
-        "attractor",
-        "limit",
-        "share",
-        "starts",
-        "first_x",
-        "first_v",
-        "mirror",
-        "symmetric",
-        "turns_per_cycle",
-        "max_displacement",
-        "min_displacement",
-        "sticks_per_cycle",
-        "velocity_zeros_per_cycle",
-        "stick_fraction",
-        "multipliers",
-        "lyapunov_exponent",
-        "lyapunov_exponent_error",
-        "rest_from",
-        "rest_to",
-    )
 
     attractor: int
     limit: str
@@ -71,18 +49,18 @@ class Attractor(Result):
     first_x: float
     first_v: float
     mirror: Optional[int]
-    symmetric: Optional[bool]
-    turns_per_cycle: Optional[int]
-    max_displacement: Optional[float]
-    min_displacement: Optional[float]
-    sticks_per_cycle: Optional[int]
-    velocity_zeros_per_cycle: Optional[int]
-    stick_fraction: Optional[float]
-    multipliers: Optional[list[tuple[float, float]]]
-    lyapunov_exponent: Optional[float]
-    lyapunov_exponent_error: Optional[float]
-    rest_from: Optional[float]
-    rest_to: Optional[float]
+    symmetric: float
+    turns_per_cycle: float
+    max_displacement: float
+    min_displacement: float
+    sticks_per_cycle: float
+    velocity_zeros_per_cycle: float
+    stick_fraction: float
+    multipliers: NDArray[np.complex128]
+    lyapunov_exponent: float
+    lyapunov_exponent_error: float
+    rest_from: float
+    rest_to: float
 
 
 class Attractors(Result):
@@ -92,8 +70,8 @@ class Attractors(Result):
     ----------
     omega, alpha, damping_ratio, static_friction_ratio : float
     starts : int
-    reach : float or None
-        The largest displacement (B) and velocity (B w) of the spread starts; None for a list of starts.
+    reach : float
+        The largest displacement (B) and velocity (B w) of the spread starts; NaN for a list of starts.
     unsettled : int
         Starts whose motion had not settled.
     of_start : array of int
@@ -101,14 +79,12 @@ class Attractors(Result):
     attractors : list of Attractor
     """
 
-    _names: ClassVar[Sequence[str]] = (*RATIOS, "starts", "reach", "unsettled", "of_start", "attractors")
-
     omega: float
     alpha: float
     damping_ratio: float
     static_friction_ratio: float
     starts: int
-    reach: Optional[float]
+    reach: float
     unsettled: int
     of_start: NDArray[np.int64]
     attractors: list[Attractor]
@@ -158,12 +134,19 @@ def attractors(
     given = zip(RATIOS, (omega, alpha, damping_ratio, static_friction_ratio))
     point = tuple(one(name, value) for name, value in given)
     if isinstance(starts, (int, np.integer)):
-        asked: Any = int(starts)
-        if asked < 1:
-            raise _native.Error(f"starts = {asked} must be >= 1")
+        asked: Any = whole_number("starts", starts, 10_000_001)
     else:
         asked = [state(start) for start in starts]
     far = None if reach is None else one("reach", reach)
-    found = _native.attractors_at(point, asked, far, periods_of(max_periods))
-    limits = [Attractor(limit) for limit in found.pop("attractors")]
-    return Attractors({**dict(zip(RATIOS, point)), **found, "attractors": limits})
+    found = _native.attractors_at(point, asked, far, whole_number("max_periods", max_periods))
+    limits = [Attractor(paired(_existing(limit, "mirror"))) for limit in found.pop("attractors")]
+    return Attractors({**dict(zip(RATIOS, point)), **_existing(found), "attractors": limits})
+
+
+def _existing(values: dict[str, Any], *optional: str) -> dict[str, Any]:
+    """The values, with NaN for those that do not exist."""
+    nan = {"multipliers": [float("nan")] * 4}
+    return {
+        name: nan.get(name, float("nan")) if value is None and name not in optional else value
+        for name, value in values.items()
+    }

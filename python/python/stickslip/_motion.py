@@ -2,17 +2,42 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, Optional, Sequence, Union, overload
-
-from numpy.typing import NDArray
+from typing import Any, Optional, Union, overload
 
 from . import _native
-from ._closed_forms import RATIOS
-from ._result import Codes, Floats, Physical, Result, one
+from ._result import RATIOS, Codes, Floats, Physical, PhysicalResult, Result, Words, one, whole_number
 from ._start import REST, Start, state
 
 _KINDS = ("slide-forward", "slide-backward", "stick")
 _ENDS = ("reversal", "stop", "grazing", "release", "never")
+
+
+class PhysicalPhases(Physical[float]):
+    """The segments of a motion in the machine's units."""
+
+    start_time: Floats
+    end_time: Floats
+    duration: Floats
+    start_displacement: Floats
+    start_velocity: Floats
+    end_displacement: Floats
+
+
+class PhysicalSamples(Physical[float]):
+    """The samples of a motion in the machine's units."""
+
+    time: Floats
+    displacement: Floats
+    velocity: Floats
+    friction_force: Floats
+
+
+class PhysicalDecay(PhysicalResult):
+    """Free vibration to rest in the machine's units."""
+
+    first_turn: float
+    rest_position: float
+    rest_time: float
 
 
 class Phases(Result):
@@ -28,31 +53,25 @@ class Phases(Result):
         In radians of the drive; NaN for a segment that never ends.
     start_displacement, start_velocity, end_displacement : array
         In B and B w.
-    physical : Physical or None
-        The times, displacements and velocities in the machine's units; None without a machine.
+    physical : of a machine alone
+        The same in the machine's units.
     """
 
-    _names: ClassVar[Sequence[str]] = (
-        "kind",
-        "ends_by",
-        "start_phase",
-        "end_phase",
-        "duration",
-        "start_displacement",
-        "start_velocity",
-        "end_displacement",
-        "physical",
-    )
-
-    kind: NDArray[Any]
-    ends_by: NDArray[Any]
+    kind: Words
+    ends_by: Words
     start_phase: Floats
     end_phase: Floats
     duration: Floats
     start_displacement: Floats
     start_velocity: Floats
     end_displacement: Floats
-    physical: Optional[Physical]
+    _physical: Optional[PhysicalPhases]
+
+    @property
+    def physical(self) -> PhysicalPhases:
+        if self._physical is None:
+            raise AttributeError("physical")
+        return self._physical
 
 
 class Samples(Result):
@@ -66,17 +85,21 @@ class Samples(Result):
         In B and B w.
     friction : array
         Friction force in units of the kinetic friction: -1 or 1 while the body slides.
-    physical : Physical or None
-        Time, displacement, velocity and friction force in the machine's units; None without a machine.
+    physical : of a machine alone
+        The same in the machine's units.
     """
-
-    _names: ClassVar[Sequence[str]] = ("phase", "displacement", "velocity", "friction", "physical")
 
     phase: Floats
     displacement: Floats
     velocity: Floats
     friction: Floats
-    physical: Optional[Physical]
+    _physical: Optional[PhysicalSamples]
+
+    @property
+    def physical(self) -> PhysicalSamples:
+        if self._physical is None:
+            raise AttributeError("physical")
+        return self._physical
 
 
 class Decay(Result):
@@ -88,19 +111,23 @@ class Decay(Result):
         Half cycles of sliding until rest, counted from the start.
     first_turn, rest_position : float
         Displacements at the first turning point and at rest (B).
-    rest_time : float or None
-        Time until rest, in units of ``sqrt(m/k)``; None if the body creeps for ever.
-    physical : Physical or None
-        The same outputs in the machine's units; None without a machine.
+    rest_time : float
+        Time until rest, in units of ``sqrt(m/k)``; NaN if the body creeps for ever.
+    physical : of a machine alone
+        The same in the machine's units.
     """
-
-    _names: ClassVar[Sequence[str]] = ("half_cycles", "first_turn", "rest_position", "rest_time", "physical")
 
     half_cycles: int
     first_turn: float
     rest_position: float
-    rest_time: Optional[float]
-    physical: Optional[Physical]
+    rest_time: float
+    _physical: Optional[PhysicalDecay]
+
+    @property
+    def physical(self) -> PhysicalDecay:
+        if self._physical is None:
+            raise AttributeError("physical")
+        return self._physical
 
 
 @overload
@@ -173,9 +200,8 @@ def simulate(
         table["kind"] = Codes(table["kind"], _KINDS)
         table["ends_by"] = Codes(table["ends_by"], _ENDS)
         return Phases(table)
-    if samples < 1:
-        raise _native.Error(f"samples = {samples} must be >= 1")
-    return Samples(_native.samples(point, state(start), one("cycles", cycles), int(samples)))
+    number = whole_number("samples", samples)
+    return Samples(_native.samples(point, state(start), one("cycles", cycles), number))
 
 
 def decay(

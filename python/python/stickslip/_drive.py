@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Mapping, Optional, Union
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Generic, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._result import numbers, one
+from ._native import Error
+from ._result import Floats, Like, V, Value, numbers, one, points
 
 #: The kind of the amplitude of each excitation.
 _KINDS = dict(_native.EXCITATIONS)
@@ -30,7 +32,7 @@ def read(given: Mapping[str, tuple[Any, str]], units: Optional[str]) -> tuple[di
 
 
 @dataclass(frozen=True, init=False)
-class Drive:
+class Drive(Generic[V]):
     """A harmonic drive: one amplitude and a frequency, numbers or arrays.
 
     Parameters
@@ -72,10 +74,45 @@ class Drive:
     """
 
     excitation: str
-    amplitude: ArrayLike
-    angular_frequency: ArrayLike
+    amplitude: Value
+    angular_frequency: Value
     mean_force: float
     units: Optional[str]
+    _like: Optional[Like] = field(repr=False, compare=False)
+
+    @overload
+    def __init__(
+        self: "Drive[float]",
+        *,
+        force: Optional[Quantity] = None,
+        unbalance: Optional[Quantity] = None,
+        foot_displacement: Optional[Quantity] = None,
+        damped_foot_displacement: Optional[Quantity] = None,
+        base_displacement: Optional[Quantity] = None,
+        base_velocity: Optional[Quantity] = None,
+        base_acceleration: Optional[Quantity] = None,
+        frequency: Optional[Quantity] = None,
+        angular_frequency: Optional[Quantity] = None,
+        mean_force: Quantity = 0.0,
+        units: Optional[str] = None,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: "Drive[Floats]",
+        *,
+        force: Optional[ArrayLike] = None,
+        unbalance: Optional[ArrayLike] = None,
+        foot_displacement: Optional[ArrayLike] = None,
+        damped_foot_displacement: Optional[ArrayLike] = None,
+        base_displacement: Optional[ArrayLike] = None,
+        base_velocity: Optional[ArrayLike] = None,
+        base_acceleration: Optional[ArrayLike] = None,
+        frequency: Optional[ArrayLike] = None,
+        angular_frequency: Optional[ArrayLike] = None,
+        mean_force: Quantity = 0.0,
+        units: Optional[str] = None,
+    ) -> None: ...
 
     def __init__(
         self,
@@ -102,27 +139,34 @@ class Drive:
             "base_acceleration": base_acceleration,
         }
         given = {name: value for name, value in amplitudes.items() if value is not None}
-        if (frequency is None) == (angular_frequency is None):
-            raise _native.Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
-        object.__setattr__(self, "angular_frequency", angular_of(frequency, angular_frequency))
+        angular = angular_of(frequency, angular_frequency)
+        object.__setattr__(self, "angular_frequency", angular)
         # An amplitude that is not text is a number or an array, whose first element stands for all when it is read.
         arrays = {name: numbers(name, value) for name, value in given.items() if not isinstance(value, str)}
         values = {**given, **{name: array.flat[0] if array.size else 1.0 for name, array in arrays.items()}}
         if isinstance(mean_force, str) or one("mean_force", mean_force) != 0.0:
             values["mean_force"] = mean_force
         name, amplitude, mean, system = _native.drive(texts(values), units)
+        of_pandas_or_masked = {
+            "amplitude": given[name] if name in arrays else amplitude,
+            "frequency": frequency if angular_frequency is None else angular_frequency,
+        }
+        like: dict[str, Any] = {
+            key: angular if isinstance(value, str) else value for key, value in of_pandas_or_masked.items()
+        }
+        object.__setattr__(self, "_like", points(**like).like)
         object.__setattr__(self, "excitation", name)
         object.__setattr__(self, "amplitude", _plain(arrays[name]) if name in arrays else amplitude)
         object.__setattr__(self, "mean_force", mean)
         object.__setattr__(self, "units", system)
 
-    def _in(self, units: Optional[str]) -> "Drive":
+    def _in(self, units: Optional[str]) -> "Drive[V]":
         """The same drive in a machine's system of units."""
         if units == self.units:
             return self
         if units is None or self.units is None:
             bare, other = ("the machine", "the drive") if units is None else ("the drive", "the machine")
-            raise _native.Error(
+            raise Error(
                 f"{bare}: has no unit beside {other}. Give every value a unit, or name the system of bare numbers, "
                 'as by units="kN,m"'
             )
@@ -130,28 +174,28 @@ class Drive:
         for kind in (_KINDS[self.excitation], "force"):
             text = f"1 {_native.unit_of(self.units, kind)}"
             factors[kind] = read({self.excitation: (text, kind)}, units)[0][self.excitation]
+        new: Drive[V] = object.__new__(Drive)
         amplitude = np.asarray(self.amplitude) * factors[_KINDS[self.excitation]]
-        return Drive(
-            **{self.excitation: _plain(amplitude)},
-            angular_frequency=self.angular_frequency,
-            mean_force=self.mean_force * factors["force"],
-            units=units,
-        )
+        values = {"amplitude": _plain(amplitude), "mean_force": self.mean_force * factors["force"], "units": units}
+        for name in ("excitation", "amplitude", "angular_frequency", "mean_force", "units", "_like"):
+            object.__setattr__(new, name, values.get(name, getattr(self, name)))
+        return new
 
 
-def _plain(array: np.ndarray) -> ArrayLike:
+def _plain(array: Floats) -> Value:
     return float(array) if array.ndim == 0 else array
 
 
-def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> ArrayLike:
-    """The angular frequency, whose unit is the same in all systems of units."""
+def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> Value:
+    """The angular frequency of one given in hertz or in radians per second; it is the same in all systems of units."""
+    if (frequency is None) == (angular_frequency is None):
+        raise Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
     for name, value in (("frequency", frequency), ("angular_frequency", angular_frequency)):
         if isinstance(value, str):
             values, system = read({name: (value, "frequency")}, None)
-            if system is None and name == "frequency":
-                # A bare number as text.
-                return values[name] * 2 * np.pi
-            return values[name]
+            # A bare number as text has no unit.
+            return values[name] * (2 * np.pi if system is None and name == "frequency" else 1.0)
     if frequency is not None:
         return _plain(numbers("frequency", frequency) * (2 * np.pi))
-    return _plain(numbers("angular_frequency", angular_frequency if angular_frequency is not None else np.nan))
+    assert angular_frequency is not None
+    return _plain(numbers("angular_frequency", angular_frequency))

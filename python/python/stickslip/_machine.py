@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterable, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native
+from . import _closed_forms, _native, _steady
 from ._attractors import Attractors, attractors
-from ._closed_forms import RATIOS, Border, Response, border, response
+from ._closed_forms import OUTPUTS, Border, Response, border
 from ._drive import Drive, Quantity, angular_of, read, texts
-from ._motion import Decay, Phases, Samples, decay, simulate
-from ._physical import felt_around, in_units, names_of
+from ._motion import Decay, Phases, PhysicalDecay, PhysicalPhases, PhysicalSamples, Samples, decay, simulate
+from ._native import Error
+from ._outputs import PhysicalResponse, PhysicalSteady
+from ._physical import Driven, Scaled, names_of
 from ._record import Followed, Motion, Record, follow, motion
-from ._result import Physical, one, points
-from ._start import REST, Start
-from ._steady import Steady, steady
+from ._result import RATIOS, Floats, PhysicalResult, Result, Words, WrongType, named, one, whole_number
+from ._start import REST, Start, state
+from ._steady import STEADY_OUTPUTS, Steady
 
 if TYPE_CHECKING:
     from ._design import Band, BandFriction, BestFriction
+
+
+_R = TypeVar("_R", bound=Result)
 
 
 @dataclass(frozen=True, init=False)
@@ -142,27 +148,47 @@ class Machine:
         backward = float("nan") if self.friction_backward is None else self.friction_backward
         return (self.mass, self.stiffness, self.friction, backward, self.damping, self.static_friction_ratio)
 
-    def response(self, drive: Drive, *, outputs: Optional[Iterable[str]] = None) -> Response:
-        """The response in closed form, in ratios and, as ``physical``, in the machine's units; see `response`."""
-        drive, ratios, scales = self._ratios(drive)
-        answer = Response(felt_around(response(**ratios, outputs=outputs), drive, ratios))
-        physical = in_units(answer, drive, ratios, scales)
-        values = physical.to_dict()
-        if "best_force_energy" in values:
-            # This is the loop at the best force, not at the given one.
-            best = values["best_force"] / values["force_amplitude"]
-            values["best_force_energy"] = values["best_force_energy"] * best**2
-            physical = Physical({name: values[name] for name in physical._names}, physical.units)
-        return Response(answer._with({"physical": physical}))
+    @overload
+    def response(self, drive: Drive[float], *, outputs: Optional[Iterable[str]] = None) -> Response[float, str]: ...
 
+    @overload
+    def response(self, drive: Drive[Floats], *, outputs: Optional[Iterable[str]] = None) -> Response[Floats, Words]: ...
+
+    def response(self, drive: Drive[Any], *, outputs: Optional[Iterable[str]] = None) -> Response[Any, Any]:
+        """The response in closed form, in ratios and, as ``physical``, in the machine's units; see `response`."""
+        chosen = None if outputs is None else named(outputs, OUTPUTS)
+        driven = self._driven(drive)
+        answer = _closed_forms.of_points(driven.ratios(), chosen, driven.excitation)
+        return _with_units(answer, PhysicalResponse, driven, chosen)
+
+    @overload
     def steady(
         self,
-        drive: Drive,
+        drive: Drive[float],
         *,
         start: Start = REST,
         max_periods: int = _native.MAX_PERIODS,
         outputs: Optional[Iterable[str]] = None,
-    ) -> Steady:
+    ) -> Steady[float, str]: ...
+
+    @overload
+    def steady(
+        self,
+        drive: Drive[Floats],
+        *,
+        start: Start = REST,
+        max_periods: int = _native.MAX_PERIODS,
+        outputs: Optional[Iterable[str]] = None,
+    ) -> Steady[Floats, Words]: ...
+
+    def steady(
+        self,
+        drive: Drive[Any],
+        *,
+        start: Start = REST,
+        max_periods: int = _native.MAX_PERIODS,
+        outputs: Optional[Iterable[str]] = None,
+    ) -> Steady[Any, Any]:
         """The steady state, in ratios and, as ``physical``, in the machine's units; see `steady`.
 
         The start is given in radians, B and B w. Transmissibility over frequency, stops included:
@@ -170,18 +196,19 @@ class Machine:
         >>> import numpy as np, stickslip as ss
         >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05, damping_ratio="5%")
         >>> drive = ss.Drive(base_acceleration="0.15 g", frequency=np.linspace(0.3, 3, 4))
-        >>> machine.steady(drive, outputs=["transmissibility"]).transmissibility.round(3)
+        >>> machine.steady(drive).transmissibility.round(3)
         array([1.943, 0.48 , 0.38 , 0.358])
         """
-        drive, ratios, scales = self._ratios(drive)
-        found = steady(**ratios, start=start, max_periods=max_periods, outputs=outputs)
-        answer = Steady(felt_around(found, drive, ratios))
-        return Steady(answer._with({"physical": in_units(answer, drive, ratios, scales)}))
+        chosen = None if outputs is None else named(outputs, STEADY_OUTPUTS)
+        periods = whole_number("max_periods", max_periods)
+        driven = self._driven(drive)
+        answer = _steady.of_points(driven.ratios(), chosen, state(start), periods, driven.excitation)
+        return _with_units(answer, PhysicalSteady, driven, chosen)
 
     @overload
     def simulate(
         self,
-        drive: Drive,
+        drive: Drive[float],
         *,
         phase: float = 0.0,
         displacement: Quantity = 0.0,
@@ -193,7 +220,7 @@ class Machine:
     @overload
     def simulate(
         self,
-        drive: Drive,
+        drive: Drive[float],
         *,
         phase: float = 0.0,
         displacement: Quantity = 0.0,
@@ -204,7 +231,7 @@ class Machine:
 
     def simulate(
         self,
-        drive: Drive,
+        drive: Drive[float],
         *,
         phase: float = 0.0,
         displacement: Quantity = 0.0,
@@ -224,22 +251,27 @@ class Machine:
         >>> found.physical.displacement.round(6), found.physical.units["displacement"]
         (array([ 0.001   ,  0.008907, -0.018173]), 'm')
         """
-        drive, ratios, scales = self._ratios(drive)
-        if np.ndim(ratios["omega"]) or np.ndim(ratios["alpha"]):
-            raise _native.Error("a motion takes a drive of one amplitude and one frequency")
+        driven = self._driven(drive)
+        point = driven.ratios()
+        if point.shape is not None:
+            raise Error("a motion takes a drive of one amplitude and one frequency")
         x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
-        start = (one("phase", phase), x / scales["length"], v / scales["velocity"])
+        start = (one("phase", phase), x / one("length", driven.scale("length")), v / one("velocity", driven.scale("velocity")))
+        ratios: dict[str, Any] = dict(zip(RATIOS, point.columns))
         if samples is None:
-            phases = simulate(**ratios, start=start, cycles=cycles)
-            return Phases(phases._with({"physical": in_units(phases, drive, ratios, scales)}))
-        found = simulate(**ratios, start=start, cycles=cycles, samples=samples)
-        return Samples(found._with({"physical": in_units(found, drive, ratios, scales)}))
+            phases: Phases = simulate(**ratios, start=start, cycles=cycles)
+            return _with_units(phases, PhysicalPhases, driven)
+        found: Samples = simulate(**ratios, start=start, cycles=cycles, samples=samples)
+        return _with_units(found, PhysicalSamples, driven)
 
     def attractors(
-        self, drive: Drive, *, starts: Any = 1000, reach: Optional[float] = None, max_periods: int = 2000
+        self, drive: Drive[float], *, starts: Any = 1000, reach: Optional[float] = None, max_periods: int = 2000
     ) -> Attractors:
         """All attractors that many starts lead to, in ratios; see `attractors`."""
-        _, ratios, _ = self._ratios(drive)
+        at = self._driven(drive).ratios()
+        if at.shape is not None:
+            raise Error("attractors take a drive of one amplitude and one frequency")
+        ratios: dict[str, Any] = dict(zip(RATIOS, at.columns))
         return attractors(**ratios, starts=starts, reach=reach, max_periods=max_periods)
 
     def decay(self, displacement: Quantity, velocity: Quantity = 0.0) -> Decay:
@@ -255,14 +287,14 @@ class Machine:
         """
         x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
         time = 1.0 / self.natural_angular_frequency
-        _, ratios, scales = self._ratios(Drive(force=self.friction, angular_frequency=1.0, units=self.units))
-        length = scales["length"]
-        found = decay(x / length, v * time / length, ratios["damping_ratio"], ratios["static_friction_ratio"])
+        driven = self._driven(Drive(force=self.friction, angular_frequency=1.0, units=self.units))
+        length = driven.constant("length")
+        ratios = driven.constant("damping_ratio"), driven.constant("static_friction_ratio")
+        found = decay(x / length, v * time / length, *ratios)
         sizes = {"first_turn": ("length", length), "rest_position": ("length", length), "rest_time": ("time", time)}
-        values = {name: getattr(found, name) for name in sizes}
-        physical = {name: value * sizes[name][1] for name, value in values.items() if value is not None}
-        units = names_of(self.units, {name: sizes[name][0] for name in physical})
-        return Decay({**found.to_dict(), "physical": Physical(physical, units)})
+        values = {name: found[name] * size for name, (_, size) in sizes.items()}
+        units = names_of(self.units, {name: kind for name, (kind, _) in sizes.items()})
+        return Decay(dict(found), physical=PhysicalDecay(values, units=units))
 
     def follow(
         self,
@@ -312,27 +344,47 @@ class Machine:
         ratio = self.static_friction_ratio
         return (self.mass, self.stiffness, self.damping, self.friction, backward, ratio, force, False)
 
-    def border(self, angular_frequency: Union[ArrayLike, str]) -> Border:
-        """The border at an angular frequency, in ratios; `min_force` gives it as a force."""
-        drive = Drive(force=self.friction, angular_frequency=angular_frequency, units=self.units)
-        _, ratios, _ = self._ratios(drive)
-        return border(ratios["omega"], ratios["damping_ratio"], ratios["static_friction_ratio"])
+    @overload
+    def border(
+        self, *, frequency: Optional[Quantity] = None, angular_frequency: Optional[Quantity] = None
+    ) -> Border[float]: ...
 
-    def min_force(self, angular_frequency: Quantity, excitation: str = "force") -> float:
-        """The minimum amplitude of an excitation at which the cycle without a stop exists.
+    @overload
+    def border(
+        self, *, frequency: Optional[ArrayLike] = None, angular_frequency: Optional[ArrayLike] = None
+    ) -> Border[Floats]: ...
+
+    def border(
+        self, *, frequency: Optional[ArrayLike] = None, angular_frequency: Optional[ArrayLike] = None
+    ) -> Border[Any]:
+        """The border at a frequency, in ratios; `min_force` gives it as a force."""
+        given: dict[str, Any] = {"frequency": frequency, "angular_frequency": angular_frequency}
+        drive: Drive[Any] = Drive(force=self.friction, units=self.units, **given)
+        at = self._driven(drive).ratios()
+        omega, _, damping, ratio = at.given.values()
+        return border(omega, damping, ratio)
+
+    def min_force(
+        self,
+        *,
+        frequency: Optional[Quantity] = None,
+        angular_frequency: Optional[Quantity] = None,
+        excitation: str = "force",
+    ) -> float:
+        """The minimum amplitude of an excitation at which the cycle without a stop exists, at a frequency.
 
         With one friction the body then never sticks. With a static friction above the kinetic one the cycle attracts
         its neighbourhood, and a body at rest is released only by a force above the static friction.
 
         The excitation is the force, or another amplitude by its name in `Drive`.
         """
-        return _native.min_amplitude(self._body, excitation, self._frequency(angular_frequency))
+        return _native.min_amplitude(self._body, excitation, _one_frequency(frequency, angular_frequency))
 
-    def max_friction(self, drive: Drive) -> float:
+    def max_friction(self, drive: Drive[float]) -> float:
         """The maximum friction bound with which the cycle without a stop exists under a drive; see `min_force`."""
         return _native.max_friction(self._body, *self._single(drive))
 
-    def best_friction(self, drive: Drive) -> "BestFriction":
+    def best_friction(self, drive: Drive[float]) -> "BestFriction":
         """The friction bound that dissipates most under a drive, among those at which the body does not stick."""
         from ._design import BestFriction
 
@@ -340,9 +392,14 @@ class Machine:
         return BestFriction(friction, energy, optimum)
 
     def best_friction_over(
-        self, drive: Drive, low: Quantity, high: Quantity, of: str = "absolute-displacement"
+        self,
+        drive: Drive[float],
+        *,
+        frequency: Optional[tuple[Quantity, Quantity]] = None,
+        angular_frequency: Optional[tuple[Quantity, Quantity]] = None,
+        of: str = "absolute-displacement",
     ) -> "BandFriction":
-        """The friction bound whose greatest amplitude between two angular frequencies is least, stops included.
+        """The friction bound whose greatest amplitude between two frequencies is least, stops included.
 
         The friction of this machine and the frequency of the drive play no part. The amplitude is ``"displacement"``,
         ``"absolute-displacement"``, ``"transmitted-force"`` or ``"acceleration"`` (in space).
@@ -350,21 +407,22 @@ class Machine:
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction="1 N", damping_ratio=0.05)
         >>> drive = ss.Drive(base_displacement="50 mm", frequency="1 Hz")
-        >>> best = machine.best_friction_over(drive, "0.2 Hz", "2 Hz")
+        >>> best = machine.best_friction_over(drive, frequency=(0.2, 2.0))
         >>> round(best.friction, 2), round(best.greatest, 9), best.optimum
         (320.69, 0.05, 'interior')
         """
         from ._design import BandFriction
 
         kind, amplitude, _ = self._single(drive)
-        ends = self._frequency(low), self._frequency(high)
-        return BandFriction(*_native.best_friction_over(self._body, kind, amplitude, *ends, of))
+        ends, unit = _range(frequency, angular_frequency)
+        friction, greatest, at, optimum, rest = _native.best_friction_over(self._body, kind, amplitude, *ends, of)
+        return BandFriction(friction, greatest, [(low / unit, high / unit) for low, high in at], optimum, rest)
 
     def bands(
         self,
-        low: Quantity,
-        high: Quantity,
         *,
+        frequency: Optional[tuple[Quantity, Quantity]] = None,
+        angular_frequency: Optional[tuple[Quantity, Quantity]] = None,
         force: Optional[Quantity] = None,
         foot_displacement: Optional[Quantity] = None,
         unbalance: Optional[Quantity] = None,
@@ -372,9 +430,14 @@ class Machine:
         base_velocity: Optional[Quantity] = None,
         base_acceleration: Optional[Quantity] = None,
     ) -> "list[Band]":
-        """All bands of angular frequency between two ends in which the body does not stick.
+        """All bands between two frequencies in which the body does not stick, in hertz or in radians per second as given.
 
         With a damper, and under an unbalance or a base motion by displacement or velocity, they are found by a search.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+        >>> [(round(band.low, 3), band.high) for band in machine.bands(frequency=(0.2, 5.0), force="0.9 kN")]
+        [(0.252, 5.0)]
         """
         from ._design import Band
 
@@ -391,47 +454,75 @@ class Machine:
             units=units,
         )
         kind, amplitude, _ = self._single(drive)
-        ends = self._frequency(low), self._frequency(high)
-        return [Band(*band) for band in _native.bands(self._body, kind, amplitude, *ends)]
+        ends, unit = _range(frequency, angular_frequency)
+        found = _native.bands(self._body, kind, amplitude, *ends)
+        return [Band(low / unit, high / unit, *cut) for low, high, *cut in found]
 
-    def force_for_displacement(self, angular_frequency: Quantity, max_displacement: Quantity) -> float:
-        """The force amplitude at which the cycle has a given maximum displacement."""
+    def force_for_displacement(
+        self,
+        max_displacement: Quantity,
+        *,
+        frequency: Optional[Quantity] = None,
+        angular_frequency: Optional[Quantity] = None,
+    ) -> float:
+        """The force amplitude at which the cycle has a given maximum displacement, at a frequency."""
         target = self._value("max_displacement", max_displacement, "length")
-        return _native.force_for(self._body, self._frequency(angular_frequency), target, False)
+        return _native.force_for(self._body, _one_frequency(frequency, angular_frequency), target, False)
 
-    def force_for_velocity(self, angular_frequency: Quantity, max_velocity: Quantity) -> float:
-        """The force amplitude at which the cycle has a given maximum velocity."""
+    def force_for_velocity(
+        self,
+        max_velocity: Quantity,
+        *,
+        frequency: Optional[Quantity] = None,
+        angular_frequency: Optional[Quantity] = None,
+    ) -> float:
+        """The force amplitude at which the cycle has a given maximum velocity, at a frequency."""
         target = self._value("max_velocity", max_velocity, "velocity")
-        return _native.force_for(self._body, self._frequency(angular_frequency), target, True)
+        return _native.force_for(self._body, _one_frequency(frequency, angular_frequency), target, True)
 
     def _value(self, name: str, value: Quantity, kind: str) -> float:
         """A value as a number in the machine's system of units, to which bare numbers belong."""
         if isinstance(value, str) and self.units is None:
-            raise _native.Error(f"{name} {value}: has a unit, and the machine's values have none")
+            raise Error(f"{name} {value}: has a unit, and the machine's values have none")
         return read({name: (value, kind)}, self.units)[0][name]
 
-    def _frequency(self, value: Quantity) -> float:
-        return one("angular_frequency", angular_of(None, value))
+    def _driven(self, drive: Drive[Any]) -> Driven:
+        return Driven.by(self._body, drive._in(self.units))
 
-    def _ratios(self, drive: Drive) -> tuple[Drive, dict[str, Any], dict[str, Any]]:
-        drive = drive._in(self.units)
-        at = points(amplitude=drive.amplitude, angular_frequency=drive.angular_frequency)
-        size = (at.size,) if at.shape is not None else (1,)
-        columns = [np.ascontiguousarray(np.broadcast_to(np.asarray(column), size)) for column in at.columns]
-        found = _native.machine_columns(self._body, drive.excitation, columns[0], columns[1], drive.mean_force)
-        of_shape = {
-            name: column.item() if at.shape is None else column.reshape(at.shape) for name, column in found.items()
-        }
-        ratios = {name: of_shape.pop(name) for name in RATIOS}
-        if at.shape is not None:
-            # These ratios are the same at all points. Passed as single numbers, they permit the batch kernels.
-            ratios.update({name: float(ratios[name].flat[0]) for name in RATIOS[2:] if ratios[name].size})
-        return drive, ratios, of_shape
+    def _single(self, drive: Drive[Any]) -> tuple[str, float, float]:
+        at = self._driven(drive)
+        if at.drives.shape is not None:
+            raise Error("a design takes a drive of one amplitude and one frequency")
+        amplitude, frequency = (float(column) for column in at.drives.columns)
+        return at.excitation, amplitude, frequency
 
-    def _single(self, drive: Drive) -> tuple[str, float, float]:
-        drive = drive._in(self.units)
-        at = points(amplitude=drive.amplitude, angular_frequency=drive.angular_frequency)
-        if at.shape is not None:
-            raise _native.Error("a design takes a drive of one amplitude and one frequency")
-        return drive.excitation, float(at.columns[0]), float(at.columns[1])
 
+def _one_frequency(frequency: Optional[Quantity], angular_frequency: Optional[Quantity]) -> float:
+    """One frequency in radians per second."""
+    return one("frequency", angular_of(frequency, angular_frequency))
+
+
+_Range = Optional[tuple[Quantity, Quantity]]
+
+
+def _range(frequency: _Range, angular_frequency: _Range) -> tuple[tuple[float, float], float]:
+    """The ends of a range in radians per second, and the unit in which it was given."""
+    if (frequency is None) == (angular_frequency is None):
+        raise Error("give one of frequency (in Hz) and angular_frequency (in rad/s), as (low, high)")
+    try:
+        low, high = frequency if angular_frequency is None else angular_frequency  # type: ignore[misc]
+    except (TypeError, ValueError):
+        raise WrongType("a range of frequency must be (low, high)") from None
+    if angular_frequency is None:
+        return (_one_frequency(low, None), _one_frequency(high, None)), 2 * np.pi
+    return (_one_frequency(None, low), _one_frequency(None, high)), 1.0
+
+
+def _with_units(answer: _R, physical: type[PhysicalResult], driven: Driven, chosen: Optional[Iterable[str]] = None) -> _R:
+    """The answer with its values in the machine's units."""
+    kinds = driven.kinds(answer._names if chosen is None else chosen)
+    names = [name for name in physical._names if name in kinds]
+    units = names_of(driven.units, kinds)
+    values = physical({}, Scaled(answer, driven), units=units, chosen=names, like=answer._like)
+    object.__setattr__(answer, "_physical", values)
+    return answer

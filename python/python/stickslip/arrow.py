@@ -10,8 +10,10 @@ from __future__ import annotations
 from typing import Any, Iterable, Optional, Protocol, Union
 
 from . import _native
-from ._closed_forms import OF_ARRAYS, known
-from ._start import REST, Start, periods_of, state
+from ._closed_forms import OF_ARRAYS, OUTPUTS
+from ._result import named, whole_number
+from ._start import REST, Start, state
+from ._steady import AT_ONCE, STEADY_OUTPUTS
 
 __all__ = ["response", "steady"]
 
@@ -35,29 +37,39 @@ def response(table: Table, outputs: Optional[Iterable[str]] = None) -> Any:
     table : Arrow table or record batch
         With the columns ``omega`` and ``alpha``, and optionally ``damping_ratio`` and ``static_friction_ratio``.
     outputs : names, optional
-        The columns of the result, from `stickslip.OUTPUTS`.
+        The outputs, from `stickslip.OUTPUTS`; by default those that one pass computes.
 
     Returns
     -------
     Arrow table, or record batch for a record batch
-        One row for each row of the table, with null for values that do not exist.
+        The columns of the table and after them the outputs, with null for values that do not exist.
     """
-    chosen = OF_ARRAYS if outputs is None else known(outputs)
+    chosen = OF_ARRAYS if outputs is None else named(outputs, OUTPUTS)
     return _native.arrow_response(table, list(chosen))
 
 
-def steady(table: Table, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Any:
+def steady(
+    table: Table,
+    outputs: Optional[Iterable[str]] = None,
+    *,
+    start: Start = REST,
+    max_periods: int = _native.MAX_PERIODS,
+) -> Any:
     """The steady state at every row; see `stickslip.steady`.
 
     Parameters
     ----------
     table : Arrow table or record batch
         As for `response`.
+    outputs : names, optional
+        The outputs, from `stickslip.STEADY_OUTPUTS`; by default those that need no search.
     start, max_periods
         As for `stickslip.steady`, the same for all rows.
 
     Returns
     -------
     Arrow table, or record batch for a record batch
+        As for `response`; ``multipliers`` are four columns of real and imaginary parts.
     """
-    return _native.arrow_steady(table, state(start), periods_of(max_periods))
+    chosen = AT_ONCE if outputs is None else named(outputs, STEADY_OUTPUTS)
+    return _native.arrow_steady(table, list(chosen), state(start), whole_number("max_periods", max_periods))

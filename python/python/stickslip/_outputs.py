@@ -1,0 +1,269 @@
+"""The outputs of results by name, with their types and meanings.
+
+Written by `tests/outputs.py` from the library's table; the tests compare the two.
+"""
+
+from __future__ import annotations
+
+from typing import Generic, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._result import Physical, Result, V, W
+
+
+class ResponseOutputs(Result, Generic[V, W]):
+    """The ratios and outputs of `response`."""
+
+    omega: V
+    """Frequency ratio."""
+    alpha: V
+    """Force ratio."""
+    damping_ratio: V
+    """Damping ratio of the viscous damper."""
+    static_friction_ratio: V
+    """Ratio of static to kinetic friction."""
+    regime: W
+    """What the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction
+    leaves it to the start."""
+    motion_without_stop: V
+    """Whether a motion without a stop exists and attracts its neighbourhood, where static friction was given (True
+    or False; 1 or 0 in an array)."""
+    moves_from_rest: V
+    """Whether a body at rest is released, α > η, where static friction was given (True or False; 1 or 0 in an
+    array)."""
+    reversals_per_cycle: V
+    """Reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, … (a count)."""
+    best_force_ratio_slides: V
+    """Whether the body slides at α* (True or False; 1 or 0 in an array)."""
+    damper_work: V
+    """Energy that the damper dissipates in a cycle, where damping was given (r_y B)."""
+    max_displacement: V
+    """Maximum displacement Δ₀ (eq. 44) (B)."""
+    displacement_phase: V
+    """Phase ω_d t₂ of the maximum displacement (eq. 43) (rad)."""
+    max_velocity: V
+    """Maximum velocity V₀ (eq. 49) (B ω_d)."""
+    velocity_phase: V
+    """Phase ω_d t₁ of the maximum velocity (eq. 46) (rad)."""
+    deviation: V
+    """Displacement Δ₁ at the maximum velocity (eq. 47) (B)."""
+    loop_size_stiffness: V
+    """Friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64)."""
+    loop_size_inertia: V
+    """The same per p₀²/(2 m ω_d²), A₂ (eq. 67)."""
+    contraction: V
+    """Fraction of a disturbance that remains after half a cycle."""
+    margin: V
+    """Force over the minimum force without sticking, α/α_min."""
+    min_force_ratio: V
+    """Minimum force ratio α_min without sticking."""
+    min_force_ratio_turning_point: V
+    """The same by eq. 61, which falls short below Ω = 1/2."""
+    least_displacement: V
+    """Maximum displacement on the border (B)."""
+    border_phase: V
+    """Phase after the maximum displacement at which the velocity first touches zero, on the border (rad)."""
+    best_force_ratio: V
+    """Force ratio α* of the largest A₁ (eq. 65)."""
+    best_loop_size: V
+    """That largest A₁ (eq. 66)."""
+    dynamic_amplification: V
+    """Maximum displacement over p₀/k: compares machines of different friction."""
+    max_acceleration: V
+    """Maximum acceleration |x″| (B ω_d²)."""
+    transmitted_force: V
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot (r_y)."""
+    transmissibility: V
+    """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
+    base."""
+    max_absolute_displacement: V
+    """Maximum absolute displacement, with a base that carries the surface (B)."""
+
+
+class BorderOutputs(Result, Generic[V]):
+    """The ratios and outputs of `border`."""
+
+    omega: V
+    """Frequency ratio."""
+    damping_ratio: V
+    """Damping ratio of the viscous damper."""
+    static_friction_ratio: V
+    """Ratio of static to kinetic friction."""
+    min_force_ratio: V
+    """Minimum force ratio α_min without sticking."""
+    min_force_ratio_turning_point: V
+    """The same by eq. 61, which falls short below Ω = 1/2."""
+    border_phase: V
+    """Phase after the maximum displacement at which the velocity first touches zero, on the border (rad)."""
+    least_displacement: V
+    """Maximum displacement on the border (B)."""
+    best_force_ratio: V
+    """Force ratio α* of the largest A₁ (eq. 65)."""
+    no_stop_force_ratios: Optional[list[tuple[V, Optional[V]]]]
+    """The intervals of the force ratio without any stop, for a single omega with one friction."""
+
+
+class SteadyOutputs(Result, Generic[V, W]):
+    """The ratios and outputs of `steady`."""
+
+    omega: V
+    """Frequency ratio."""
+    alpha: V
+    """Force ratio."""
+    damping_ratio: V
+    """Damping ratio of the viscous damper."""
+    static_friction_ratio: V
+    """Ratio of static to kinetic friction."""
+    regime: W
+    """What the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction
+    leaves it to the start."""
+    limit: W
+    """Periodic, family (one of many, by the start), rest, irregular, none or not-converged."""
+    max_displacement: V
+    """Maximum displacement Δ₀ (eq. 44) (B)."""
+    max_displacement_phase: V
+    """Phase ω_d t of the maximum displacement (rad)."""
+    min_displacement: V
+    """Minimum displacement (B)."""
+    min_displacement_phase: V
+    """Its phase (rad)."""
+    max_velocity: V
+    """Maximum velocity V₀ (eq. 49) (B ω_d)."""
+    max_velocity_phase: V
+    """Phase of the maximum velocity (rad)."""
+    min_velocity: V
+    """Minimum velocity (B ω_d)."""
+    min_velocity_phase: V
+    """Its phase (rad)."""
+    sticks_per_cycle: V
+    """Stops in a cycle (a count)."""
+    velocity_zeros_per_cycle: V
+    """Instants of zero velocity in a cycle, a stop being one (a count)."""
+    stick_fraction: V
+    """Fraction of time at rest."""
+    error_1: V
+    """|max x + min x|/max x: 0 for a symmetric motion, as are the other three."""
+    error_2: V
+    """Difference of the phases of max x and min x, less half a turn, in turns."""
+    error_3: V
+    """|max x′ + min x′|/max x′."""
+    error_4: V
+    """Error_2 of the velocities."""
+    energy_in: V
+    """Work of the drive in a cycle (r_y B)."""
+    energy_out: V
+    """Work against friction in a cycle, without damper_work where damping was given (r_y B)."""
+    multipliers: NDArray[np.complex128]
+    """Floquet multipliers of a cycle, as pairs of real and imaginary part."""
+    distance: V
+    """Estimated distance of the motion found from the limit (B)."""
+    rest_position: V
+    """Where the body comes to rest for good (B)."""
+    periods: V
+    """Periods of the drive that were followed (2π/ω_d)."""
+    reversals_per_cycle: V
+    """Reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, … (a count)."""
+    dynamic_amplification: V
+    """Maximum displacement over p₀/k: compares machines of different friction."""
+    max_acceleration: V
+    """Maximum acceleration |x″| (B ω_d²)."""
+    transmitted_force: V
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot (r_y)."""
+    transmissibility: V
+    """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
+    base."""
+    max_absolute_displacement: V
+    """Maximum absolute displacement, with a base that carries the surface (B)."""
+    damper_work: V
+    """Energy that the damper dissipates in a cycle, where damping was given (r_y B)."""
+    turns_per_cycle: V
+    """Turns of the drive in a cycle (this and the next four outputs where static friction was given) (a count)."""
+    symmetric: V
+    """Whether half a cycle is the mirror image of the other half: true or false (True or False; 1 or 0 in an
+    array)."""
+    lyapunov_exponent: V
+    """Lyapunov exponent of an irregular motion, per turn of the drive."""
+    lyapunov_exponent_error: V
+    """Its standard error."""
+    turns_observed: V
+    """Turns of the drive over which an irregular motion was observed (a count)."""
+    contraction: V
+    """Fraction of a disturbance that remains after a cycle."""
+
+
+class PhysicalResponse(Physical[V]):
+    """The outputs of `response` in a machine's units."""
+
+    damper_energy_per_cycle: V
+    """Energy that the damper dissipates in a cycle, where damping was given, as an energy."""
+    max_displacement: V
+    """Maximum displacement Δ₀ (eq. 44), as a length."""
+    displacement_time: V
+    """Phase ω_d t₂ of the maximum displacement (eq. 43), as a time."""
+    max_velocity: V
+    """Maximum velocity V₀ (eq. 49), as a velocity."""
+    velocity_time: V
+    """Phase ω_d t₁ of the maximum velocity (eq. 46), as a time."""
+    deviation: V
+    """Displacement Δ₁ at the maximum velocity (eq. 47), as a length."""
+    energy_per_cycle: V
+    """Friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64), as an energy."""
+    min_force: V
+    """Minimum force ratio α_min without sticking, as a force."""
+    min_force_turning_point: V
+    """The same by eq. 61, which falls short below Ω = 1/2, as a force."""
+    least_displacement: V
+    """Maximum displacement on the border, as a length."""
+    border_time: V
+    """Phase after the maximum displacement at which the velocity first touches zero, on the border, as a time."""
+    best_force: V
+    """Force ratio α* of the largest A₁ (eq. 65), as a force."""
+    best_force_energy: V
+    """That largest A₁ (eq. 66), as an energy."""
+    max_acceleration: V
+    """Maximum acceleration |x″|, as an acceleration."""
+    transmitted_force: V
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, as a force."""
+    max_absolute_displacement: V
+    """Maximum absolute displacement, with a base that carries the surface, as a length."""
+
+
+class PhysicalSteady(Physical[V]):
+    """The outputs of `steady` in a machine's units."""
+
+    max_displacement: V
+    """Maximum displacement Δ₀ (eq. 44), as a length."""
+    max_displacement_time: V
+    """Phase ω_d t of the maximum displacement, as a time."""
+    min_displacement: V
+    """Minimum displacement, as a length."""
+    min_displacement_time: V
+    """Its phase, as a time."""
+    max_velocity: V
+    """Maximum velocity V₀ (eq. 49), as a velocity."""
+    max_velocity_time: V
+    """Phase of the maximum velocity, as a time."""
+    min_velocity: V
+    """Minimum velocity, as a velocity."""
+    min_velocity_time: V
+    """Its phase, as a time."""
+    energy_in: V
+    """Work of the drive in a cycle, as an energy."""
+    energy_out: V
+    """Work against friction in a cycle, without damper_work where damping was given, as an energy."""
+    distance: V
+    """Estimated distance of the motion found from the limit, as a length."""
+    rest_position: V
+    """Where the body comes to rest for good, as a length."""
+    followed_for: V
+    """Periods of the drive that were followed, as a time."""
+    max_acceleration: V
+    """Maximum acceleration |x″|, as an acceleration."""
+    transmitted_force: V
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, as a force."""
+    damper_energy_per_cycle: V
+    """Energy that the damper dissipates in a cycle, where damping was given, as an energy."""
+    max_absolute_displacement: V
+    """Maximum absolute displacement, with a base that carries the surface, as a length."""
