@@ -6,16 +6,17 @@ use crate::points::{Points, Values};
 use crate::refused;
 use arrow_array::cast::AsArray;
 use arrow_array::ffi::{FFI_ArrowArray, FFI_ArrowSchema};
-use arrow_array::ffi_stream::FFI_ArrowArrayStream;
+use arrow_array::ffi_stream::{ArrowArrayStreamReader, FFI_ArrowArrayStream};
 use arrow_array::types::*;
 use arrow_array::{
     Array, ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, RecordBatchReader, StructArray,
 };
 use arrow_schema::{ArrowError, DataType, Field, Schema};
+use core::ffi::CStr;
 use interrupt::{Stop, interruptible};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
-use pyo3_arrow::input::AnyRecordBatch;
 use std::sync::Arc;
 use stickslip::Error;
 
@@ -161,11 +162,53 @@ fn names(schema: &Schema) -> String {
     schema.fields().iter().map(|field| field.name().as_str()).collect::<Vec<_>>().join(", ")
 }
 
+/// A table as any library gives it through the PyCapsule interface.
+enum Given {
+    Batch(RecordBatch),
+    Stream(ArrowArrayStreamReader),
+}
+
+/// Takes the structure out of a capsule by `take`, one of the functions `from_raw` of arrow-array, which leaves a released
+/// structure behind.
+fn taken<T>(capsule: &Bound<'_, PyAny>, name: &CStr, take: unsafe fn(*mut T) -> T) -> PyResult<T> {
+    let pointer = capsule.cast::<PyCapsule>()?.pointer_checked(Some(name))?;
+    // SAFETY: by the PyCapsule interface a capsule of this name holds a valid structure of this type until it is taken, and
+    // the capsule outlives this call.
+    Ok(unsafe { take(pointer.as_ptr().cast()) })
+}
+
+fn given(input: &Bound<'_, PyAny>) -> PyResult<Given> {
+    if input.hasattr("__arrow_c_array__")? {
+        let (schema, array): (Bound<'_, PyAny>, Bound<'_, PyAny>) =
+            input.call_method0("__arrow_c_array__")?.extract()?;
+        let schema = taken(&schema, c"arrow_schema", FFI_ArrowSchema::from_raw)?;
+        let array = taken(&array, c"arrow_array", FFI_ArrowArray::from_raw)?;
+        // SAFETY: the array and its schema come from one call, and are what the interface prescribes.
+        let data = unsafe { arrow_array::ffi::from_ffi(array, &schema) }.map_err(refused)?;
+        if !matches!(data.data_type(), DataType::Struct(_)) || data.null_count() > 0 {
+            return Err(refused(format!(
+                "table: has the type {}, must be a batch of rows",
+                data.data_type()
+            )));
+        }
+        return Ok(Given::Batch(RecordBatch::from(StructArray::from(data))));
+    }
+    if input.hasattr("__arrow_c_stream__")? {
+        let stream = input.call_method0("__arrow_c_stream__")?;
+        let stream = taken(&stream, c"arrow_array_stream", FFI_ArrowArrayStream::from_raw)?;
+        return Ok(Given::Stream(ArrowArrayStreamReader::try_new(stream).map_err(refused)?));
+    }
+    let of = input.get_type().name()?;
+    Err(PyTypeError::new_err(format!(
+        "table: must have __arrow_c_array__ or __arrow_c_stream__, as tables of Arrow and polars have, not {of}"
+    )))
+}
+
 /// Computes the answer to each batch in order, and puts it beside the columns of the batch. A batch gives a batch, and
 /// a stream gives a table.
 fn mapped<'py>(
     py: Python<'py>,
-    input: AnyRecordBatch,
+    input: &Bound<'py, PyAny>,
     answer: impl Fn(Points<'_>, &Stop) -> Result<Vec<(String, ArrayRef)>, Error> + Sync,
 ) -> PyResult<Bound<'py, PyAny>> {
     let one = |py: Python<'py>, batch: &RecordBatch| -> PyResult<RecordBatch> {
@@ -183,12 +226,9 @@ fn mapped<'py>(
         }
         RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays).map_err(refused)
     };
-    match input {
-        AnyRecordBatch::RecordBatch(batch) => {
-            Ok(Batch(one(py, batch.as_ref())?).into_pyobject(py)?.into_any())
-        }
-        AnyRecordBatch::Stream(stream) => {
-            let reader: Box<dyn RecordBatchReader + Send> = stream.into_reader()?;
+    match given(input)? {
+        Given::Batch(batch) => Ok(Batch(one(py, &batch)?).into_pyobject(py)?.into_any()),
+        Given::Stream(reader) => {
             let empty = RecordBatch::new_empty(reader.schema());
             let schema: Arc<Schema> = one(py, &empty)?.schema();
             let found: PyResult<Vec<RecordBatch>> =
@@ -201,7 +241,7 @@ fn mapped<'py>(
 #[pyfunction]
 fn arrow_response<'py>(
     py: Python<'py>,
-    input: AnyRecordBatch,
+    input: &Bound<'py, PyAny>,
     outputs: Vec<String>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let rows = closed_forms::rows(&outputs)?;
@@ -211,7 +251,7 @@ fn arrow_response<'py>(
 #[pyfunction]
 fn arrow_steady<'py>(
     py: Python<'py>,
-    input: AnyRecordBatch,
+    input: &Bound<'py, PyAny>,
     outputs: Vec<String>,
     start: Start,
     max_periods: u32,

@@ -3,7 +3,7 @@
 use crate::machine::given;
 use crate::refused;
 use crate::table::Table;
-use interrupt::interruptible;
+use interrupt::{interruptible, left_behind};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -31,6 +31,9 @@ fn body(
         .with_mean_force(mean_force)?;
     Ok(if one_way { body.one_way() } else { body })
 }
+
+/// The samples up to which a motion takes no longer than a thousandth of a second.
+const SHORT: usize = 1 << 14;
 
 /// The record of these samples, at these times, or at equal steps from 0 if there is one time, the step.
 fn load(of: &str, times: &[f64], samples: &[f64]) -> PyResult<Record<f64>> {
@@ -124,7 +127,12 @@ fn record_follow<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let body = body(of).map_err(refused)?;
     let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
-    let answer = py.detach(|| body.follow_from(&record, start.0, start.1)).map_err(refused)?;
+    let answer = if samples.as_slice()?.len() > SHORT {
+        left_behind(py, move || body.follow_from(&record, start.0, start.1))?
+    } else {
+        py.detach(|| body.follow_from(&record, start.0, start.1))
+    };
+    let answer = answer.map_err(refused)?;
     table(&[answer]).into_dict(py)
 }
 
@@ -142,7 +150,8 @@ fn record_motion<'py>(
     let body = body(of).map_err(refused)?;
     let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
     let interval = if interval.is_nan() { record.longest_step() } else { interval };
-    let motion = py.detach(|| body.motion(&record, start.0, start.1, interval)).map_err(refused)?;
+    let motion =
+        left_behind(py, move || body.motion(&record, start.0, start.1, interval))?.map_err(refused)?;
     let mut states = Table::default();
     let of = |value: fn(&stickslip::motion::record::RecordState<f64>) -> f64| {
         motion.states.iter().map(value).collect::<Vec<f64>>()

@@ -63,5 +63,24 @@ def test_bad_tables_are_refused_in_words():
         stickslip.arrow.response(pa.table({"omega": ["1"], "alpha": [2.0]}))
     with pytest.raises(ss.Error, match="is none of"):
         stickslip.arrow.response(pa.table({"omega": [1.0], "alpha": [2.0]}), ["speed"])
-    with pytest.raises(ValueError):
+    with pytest.raises(TypeError, match="as tables of Arrow and polars have, not list"):
         stickslip.arrow.response([1, 2])
+    with pytest.raises(ss.Error, match="column margin: is in the table, too"):
+        stickslip.arrow.response(pa.table({"omega": [1.0], "alpha": [2.0], "margin": [3.0]}), ["margin"])
+    with pytest.raises(ss.Error, match="must be a batch of rows"):
+        stickslip.arrow.response(pa.array([1.0]))
+
+
+def test_the_other_columns_are_kept_and_any_library_serves():
+    polars = pytest.importorskip("polars")
+    frame = polars.DataFrame({"name": ["a", "b"], "omega": [0.4, 1.5], "alpha": [6, 3]})
+    found = polars.DataFrame(stickslip.arrow.steady(frame, ["transmissibility", "sticks_per_cycle", "symmetric", "multipliers"]))
+    assert found.columns[:5] == ["name", "omega", "alpha", "transmissibility", "sticks_per_cycle"]
+    assert found["name"].to_list() == ["a", "b"] and found["sticks_per_cycle"].to_list() == [2, 0]
+    assert found["symmetric"].dtype == polars.Boolean
+    expected = ss.steady(frame["omega"], frame["alpha"])
+    np.testing.assert_array_equal(found["transmissibility"], expected.transmissibility)
+    np.testing.assert_array_equal(found["multipliers_2_re"], expected.multipliers[:, 1].real)
+    # Bits of memory are given back: the columns of a result outlive it.
+    column = pa.table(stickslip.arrow.response(pa.table({"omega": np.full(1000, 0.7), "alpha": np.full(1000, 2.0)})))["max_displacement"]
+    assert column.to_pylist() == [ss.response(0.7, 2.0).max_displacement] * 1000

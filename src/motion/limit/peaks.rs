@@ -7,6 +7,7 @@ use crate::machine::error::Error;
 use crate::motion::slide::Slide;
 use crate::motion::slide::stick::Stick;
 use crate::motion::trajectory::{Body, Trajectory};
+use core::cell::{Cell, RefCell};
 use core::f64::consts::TAU;
 use core::ops::ControlFlow;
 
@@ -37,8 +38,8 @@ impl<F: Float> SteadyState<F> {
         self.peaks_while(&mut || ControlFlow::Continue(()))
     }
 
-    /// As [`SteadyState::peaks`], but stops with [`Error::Interrupted`] where `keep_going`, asked at every segment,
-    /// breaks: under a slow drive a cycle has very many.
+    /// As [`SteadyState::peaks`], but stops with [`Error::Interrupted`] where `keep_going`, asked at every step of the
+    /// search, breaks: under a slow drive a cycle has very many oscillations.
     #[doc(hidden)]
     pub fn peaks_while(&self, keep_going: &mut dyn FnMut() -> ControlFlow<()>) -> Result<Peaks<F>, Error> {
         let zero = F::int(0);
@@ -49,9 +50,15 @@ impl<F: Float> SteadyState<F> {
         let start = self.state;
         let phases = Trajectory::of(self.equation, start);
         let cycle = TAU * f64::from(self.turns_per_cycle);
+        let keep_going = RefCell::new(keep_going);
+        let is_interrupted = Cell::new(false);
+        let stops = || {
+            is_interrupted.set(is_interrupted.get() || (keep_going.borrow_mut())().is_break());
+            is_interrupted.get()
+        };
         for phase in phases {
             let phase = phase?;
-            if keep_going().is_break() {
+            if stops() {
                 return Err(Error::Interrupted);
             }
             if phase.start().phase.since(start.phase).to_f64() >= cycle {
@@ -59,9 +66,12 @@ impl<F: Float> SteadyState<F> {
             }
             let Some(length) = phase.duration() else { break };
             match &phase.body {
-                Body::Slide(slide, _) => peaks.slide(slide, length, (reach, speed)),
+                Body::Slide(slide, _) => peaks.slide(slide, length, (reach, speed), &stops),
                 Body::Stick(stick) => peaks.stick(stick, length),
             }
+        }
+        if is_interrupted.get() {
+            return Err(Error::Interrupted);
         }
         let square = self.equation.omega.square();
         Ok(Peaks { acceleration: peaks.acceleration / square, ..peaks })
@@ -74,7 +84,9 @@ impl<F: Float> Peaks<F> {
     /// With `w = w_f + h`, h the free vibration, `x″ = a_f + h′` and the force is `x + s + 2ζw = x_f + 2ζw_f
     /// − h′`. No derivative of h exceeds the initial energy `hypot(h″, h‴)`. Near resonance both waves are
     /// large, and the equation of motion gives the smaller bounds.
-    fn slide(&mut self, slide: &Slide<F>, length: F, (reach, speed): (F, F)) {
+    ///
+    /// Once `stops` is true, a search ends at once with an infinite value.
+    fn slide(&mut self, slide: &Slide<F>, length: F, (reach, speed): (F, F), stops: &dyn Fn() -> bool) {
         let (zero, one) = (F::int(0), F::int(1));
         let equation = &slide.equation;
         let (omega, damping, sign) = (equation.omega, equation.damping, slide.direction.sign::<F>());
@@ -91,7 +103,7 @@ impl<F: Float> Peaks<F> {
         let jerk = omega * equation.alpha + speed + damping * most;
         let known = |waves: F, ode: F| {
             let curvature = if waves < ode { waves } else { ode };
-            move |_, _| Bound { curvature, value: one / zero }
+            move |_, _| Bound { curvature: if stops() { one / zero } else { curvature }, value: one / zero }
         };
         let bend = known(square.square() * amplitude + free, square * equation.alpha + most + damping * jerk);
         self.acceleration = greatest(zero, end, self.acceleration, bend, |phi| {
