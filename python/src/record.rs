@@ -18,7 +18,7 @@ type Sliding = (f64, f64, f64, f64, f64, f64, f64, bool);
 
 /// The most bodies, and about the steps, that are followed between two looks at the interpreter's signals.
 const AT_ONCE: usize = 1024;
-const STEPS_AT_ONCE: usize = 1 << 22;
+const STEPS_AT_ONCE: usize = 1 << 21;
 
 fn body(
     (mass, stiffness, damping, forward, backward, ratio, mean_force, one_way): Sliding,

@@ -24,7 +24,6 @@ def test_a_point_has_the_values_of_the_formulae():
 def test_what_does_not_exist_is_nan():
     assert math.isnan(ss.response(0.4, 6).max_displacement)
     assert math.isnan(ss.response(1.0, 2.0).best_loop_size)
-    assert ss.response("0.4", 6, bits=100).max_displacement.is_nan()
     machine = ss.Machine(mass=1.0, stiffness=1.0, friction=1.0)
     assert math.isnan(machine.response(ss.Drive(force=6.0, angular_frequency=0.4)).physical.max_displacement)
     table = ss.response([0.4, 0.4, -1.0], [6.0, 7.0, 2.0])

@@ -1,11 +1,15 @@
 """Enclosures: what they contain, and how sharp they are."""
 
+import copy
+import pickle
 from decimal import Decimal
 
 import pytest
 
 import stickslip as ss
 from stickslip import enclosed
+
+pytest.importorskip("stickslip_mp._native", reason="the extra mp")
 
 
 def test_the_closed_forms_contain_what_more_bits_say():
@@ -50,6 +54,13 @@ def test_a_steady_motion_is_proved():
     unproved = enclosed.steady("0.7", "0.9")
     assert isinstance(unproved, enclosed.Unproved) and not unproved
     assert "does not become periodic" in unproved.reason
+
+
+def test_results_are_copied_and_sent():
+    found = enclosed.border("0.4")
+    for other in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
+        assert other == found and repr(other) == repr(found)
+    assert enclosed.border("0.4").max_displacement is None and "min_force_ratio" in found
 
 
 def test_bad_input():

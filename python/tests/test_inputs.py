@@ -101,7 +101,6 @@ def test_a_result_does_not_reach_into_what_was_given():
         lambda: ss.attractors(0.5, 4, 0.02, 1.3, starts=5),
         lambda: ss.Machine(1, 2, 3),
         lambda: ss.Drive(force=[1, 2], frequency=3),
-        lambda: ss.enclosed.border("0.4"),
         lambda: ss.simulate(0.4, 6),
     ],
 )
@@ -109,6 +108,14 @@ def test_results_are_copied_and_sent(make):
     found = make()
     for other in (pickle.loads(pickle.dumps(found)), copy.copy(found), copy.deepcopy(found)):
         assert repr(other) == repr(found) and type(other) is type(found)
+
+
+def test_high_precision_without_the_extra_says_what_to_install(monkeypatch):
+    monkeypatch.setitem(sys.modules, "stickslip_mp._native", None)
+    for call in (lambda: ss.response("0.7", 2, bits=100), lambda: ss.steady("0.7", 2, bits=100), lambda: ss.enclosed.border("0.4")):
+        with pytest.raises(ss.Error, match=r"pip install stickslip\[mp\]") as caught:
+            call()
+        assert isinstance(caught.value, ImportError)
 
 
 def test_errors_are_sent():

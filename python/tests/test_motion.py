@@ -1,6 +1,7 @@
 """The exact motion, against an integration by hand, against the closed forms, and interrupted."""
 
 import math
+import os
 import signal
 import subprocess
 import sys
@@ -115,6 +116,12 @@ def test_bad_input_is_refused_in_words(call, words):
     [
         "ss.steady(np.full(10**7, 1e-4), 50.0)",
         "ss.steady(1e-6, 1e9)",
+        "ss.steady(np.linspace(0.2, 1.6, 2000), np.linspace(1.02, 5, 2000)[:, None], 0.02, outputs=['transmissibility'])",
+        "ss.steady(1e-6, 1e6).transmissibility",
+        "ss.response(np.linspace(0.2, 3, 10**6), 3.0, 0.05, outputs=ss.OUTPUTS)",
+        "ss.attractors(0.573, 3.92, 0.005, 1.87, starts=10**6)",
+        "ss.spectrum(ss.Record(np.sin(np.arange(4000.0)), time_step=0.01), period=np.linspace(0.2, 4, 10**5), friction_coefficient=0.05)",
+        "ss.Machine(1, 9, 1, damping_ratio=0.05).best_friction_over(ss.Drive(base_displacement=9, frequency=1), frequency=(0.05, 5))",
         "ss.simulate(0.4, 6.0, cycles=1e8)",
         "ss.simulate(0.4, 6.0, cycles=1e5, samples=1000)",
     ],
@@ -122,15 +129,27 @@ def test_bad_input_is_refused_in_words(call, words):
 def test_ctrl_c_is_heard(work):
     # A shell that runs tests in the background has its children ignore the signal.
     hear = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
-    code = f"{hear}\nimport stickslip as ss, numpy as np\nprint('ready', flush=True)\nwhile True: {work}"
+    code = f"""{hear}
+import time, stickslip as ss, numpy as np
+print('ready', flush=True)
+try:
+    while True: {work}
+except KeyboardInterrupt:
+    print(time.time(), flush=True)
+    raise
+"""
     run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         assert run.stdout.readline() == "ready\n"
         time.sleep(0.3)
+        sent = time.time()
         run.send_signal(signal.SIGINT)
-        _, words = run.communicate(timeout=20)
+        heard, words = run.communicate(timeout=20)
     finally:
         run.kill()
+    # A thread waits for as many others as there are for each processor.
+    load = os.getloadavg()[0] / (os.cpu_count() or 1) if hasattr(os, "getloadavg") else 4.0
+    assert float(heard) - sent < 0.3 * (1 + load), work
     assert run.returncode != 0 and words.rstrip().endswith("KeyboardInterrupt")
 
 
@@ -143,3 +162,30 @@ def test_friction_and_damper_take_what_the_drive_gives():
     machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0, damping_ratio=0.1)
     physical = machine.steady(ss.Drive(force=9.0, angular_frequency=16.0)).physical
     assert physical.energy_in == pytest.approx(physical.energy_out + physical.damper_energy_per_cycle, rel=1e-12)
+
+
+MEMORY = """
+import resource, sys, numpy as np, stickslip as ss
+peak = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+ss.steady([0.4, 0.7], 6)
+before = peak()
+{work}
+values = [getattr(value, "places", value) for value in (*found._values.values(), *getattr(found._physical, "_values", {{}}).values())]
+size = sum(value.nbytes for value in values if value.flags.writeable)
+print((peak() - before) / size, size)
+"""
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        "found = ss.steady(np.linspace(0.3, 2, 1000), np.linspace(1.1, 6, 1000)[:, None])",
+        "found = ss.response(np.linspace(0.3, 2, 10**6), 3.0)",
+        "drive = ss.Drive(force=9.0, frequency=np.linspace(1, 9, 10**6)); found = ss.Machine(2, 800, 3).steady(drive); found.physical.max_velocity",
+    ],
+)
+def test_a_result_takes_little_more_memory_than_its_values(work):
+    pytest.importorskip("resource", reason="the measure of memory is that of Unix")
+    run = subprocess.run([sys.executable, "-c", MEMORY.format(work=work)], capture_output=True, text=True, check=True)
+    share, size = map(float, run.stdout.split())
+    assert share < 3 and size > 5e7, run.stdout

@@ -7,6 +7,7 @@ import pytest
 import stickslip as ss
 
 mpmath = pytest.importorskip("mpmath")
+pytest.importorskip("stickslip_mp._native", reason="the extra mp")
 
 
 def test_the_displacement_of_the_formula_at_300_bits():
@@ -43,6 +44,22 @@ def test_a_limit_with_stops_at_200_bits():
     assert float(wide.max_displacement) == pytest.approx(narrow.max_displacement, rel=1e-14)
     assert abs(wide.energy_in - wide.energy_out) < Decimal("1e-55")
     assert abs(wide.max_displacement + wide.min_displacement) < Decimal("1e-55")
+
+
+def test_every_output_is_there_and_nan_where_it_does_not_exist():
+    """As for numbers of 64 bits, which the digits round to."""
+    for ask, point, names in ((ss.response, ("0.4", 6), ss.OUTPUTS), (ss.steady, ("0.4", 6), ss.STEADY_OUTPUTS), (ss.steady, ("0.7", "0.5"), ss.STEADY_OUTPUTS)):
+        wide, narrow = ask(*point, bits=100), ask(*map(float, point))
+        for name in set(names) - {"periods", "distance"}:  # These are of the search.
+            value, near = wide[name], narrow[name]
+            if name == "multipliers":
+                value = [complex(*pair) for pair in value] if isinstance(value, list) else value
+                assert value == pytest.approx(list(near), abs=1e-9) if isinstance(value, list) else value.is_nan()
+            elif isinstance(value, Decimal):
+                assert float(value) == pytest.approx(near, rel=1e-9, abs=1e-9, nan_ok=True), name
+            else:
+                assert value == near, name
+    assert ss.response("0.4", 6, bits=100).max_displacement.is_nan()
 
 
 @pytest.mark.parametrize(

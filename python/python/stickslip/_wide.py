@@ -6,14 +6,18 @@ import importlib
 import os
 from typing import Any
 
-from . import _native
+from ._native import Error
+
+
+class MissingExtra(Error, ImportError):
+    """The package of high precision is not installed."""
 
 
 def _module() -> Any:
     try:
         return importlib.import_module("stickslip_mp._native")
     except ImportError:
-        raise _native.Error(
+        raise MissingExtra(
             "bits and enclosures need the package stickslip-mp, which links GMP and MPFR (LGPL): pip install stickslip[mp]"
         ) from None
 
@@ -35,4 +39,4 @@ def wide(name: str, *arguments: Any) -> Any:
     try:
         return getattr(module, name)(*arguments)
     except module.Error as error:
-        raise _native.Error(str(error)) from None
+        raise Error(str(error)) from None
