@@ -11,7 +11,6 @@ _Start = tuple[float, float, float]
 _Sliding = tuple[float, float, float, float, float, float, float, bool]
 _Ratios = Sequence[Union[float, _Column]]
 
-__all__: list[str]
 __version__: str
 RESPONSE: list[tuple[str, str, str, str, bool]]
 STEADY: list[tuple[str, str, str, str, bool]]
