@@ -124,6 +124,8 @@ def test_indices_are_kept_where_there_is_one():
     answer = machine.steady(ss.Drive(force=9.0, frequency=omega))
     assert answer.physical.max_displacement.index.equals(omega.index)
     assert answer.physical.transmitted_force.index.equals(omega.index)
+    record = ss.Record(np.sin(np.arange(200.0)), time_step=0.02)
+    assert ss.spectrum(record, period=omega, friction_coefficient=0.02).path.index.equals(omega.index)
     gaps = ss.response(pandas.Series([0.7, None], dtype="Float64"), ALPHA)
     assert gaps.regime.tolist() == ["non-sticking", "invalid"] and math.isnan(gaps.max_displacement[1])
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from collections.abc import Mapping
-from typing import Any, Optional, Union
+from dataclasses import dataclass
+from typing import Any, Generic, Optional, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._native import Error
 from ._drive import Quantity, read, texts
+from ._native import Error
 from ._physical import names_of
-from ._result import Floats, Result, Value, numbers, one, points, shaped
+from ._result import Floats, Result, V, numbers, one, points, shaped
 
 #: The kind of the samples of each record.
 _KINDS = {
@@ -208,29 +208,29 @@ class Motion(Result):
     answer: Followed
 
 
-class Spectrum(Result):
+class Spectrum(Result, Generic[V]):
     """The answers of many bodies under a record; see `spectrum`. Each is an array, or a number for one body."""
 
-    period: Value
-    friction_coefficient: Value
-    damping_ratio: Value
-    static_friction_ratio: Value
-    max_displacement: Value
-    max_displacement_time: Value
-    min_displacement: Value
-    min_displacement_time: Value
-    max_velocity: Value
-    max_velocity_time: Value
-    min_velocity: Value
-    min_velocity_time: Value
-    max_absolute_acceleration: Value
-    end_displacement: Value
-    end_velocity: Value
-    residual_displacement: Value
-    path: Value
-    slides: Union[int, NDArray[Any]]
-    stops: Union[int, NDArray[Any]]
-    stick_time: Value
+    period: V
+    friction_coefficient: V
+    damping_ratio: V
+    static_friction_ratio: V
+    max_displacement: V
+    max_displacement_time: V
+    min_displacement: V
+    min_displacement_time: V
+    max_velocity: V
+    max_velocity_time: V
+    min_velocity: V
+    min_velocity_time: V
+    max_absolute_acceleration: V
+    end_displacement: V
+    end_velocity: V
+    residual_displacement: V
+    path: V
+    slides: V
+    stops: V
+    stick_time: V
 
 
 _Sliding = tuple[float, float, float, float, float, float, float, bool]
@@ -330,6 +330,19 @@ class Block:
         return motion(self._of, self.units, record, start, interval)
 
 
+@overload
+def spectrum(
+    record: Record,
+    *,
+    period: float,
+    friction_coefficient: float,
+    damping_ratio: float = 0.0,
+    static_friction_ratio: float = 1.0,
+    gravity: float = 9.80665,
+) -> Spectrum[float]: ...
+
+
+@overload
 def spectrum(
     record: Record,
     *,
@@ -338,7 +351,18 @@ def spectrum(
     damping_ratio: ArrayLike = 0.0,
     static_friction_ratio: ArrayLike = 1.0,
     gravity: float = 9.80665,
-) -> Spectrum:
+) -> Spectrum[Floats]: ...
+
+
+def spectrum(
+    record: Record,
+    *,
+    period: ArrayLike,
+    friction_coefficient: ArrayLike,
+    damping_ratio: ArrayLike = 0.0,
+    static_friction_ratio: ArrayLike = 1.0,
+    gravity: float = 9.80665,
+) -> Spectrum[Any]:
     """The answers of many bodies on springs under a record, in SI, on all cores.
 
     Each body has the bits of `Machine.follow`. A record without a unit is in m/s**2 or m.
@@ -384,4 +408,4 @@ def spectrum(
     values: dict[str, Any] = (
         {name: column.item() for name, column in found.items()} if at.shape is None else shaped(found, at.shape)
     )
-    return Spectrum({**at.in_shape(), **values})
+    return Spectrum({**at.in_shape(), **values}, like=at.like)
