@@ -42,6 +42,7 @@ pub(crate) mod dual;
 mod exponential;
 mod field;
 mod foreign;
+mod fused;
 #[cfg(feature = "mp")]
 #[cfg_attr(
     not(test),

@@ -179,6 +179,8 @@ pub mod sensitivity;
 #[cfg(feature = "serde")]
 mod serialized;
 pub mod uncertainty;
+#[doc(hidden)]
+pub mod words;
 
 /// The inputs of a machine with their rules, and numbers with units: for the command and the Python package.
 #[doc(hidden)]

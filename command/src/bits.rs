@@ -5,6 +5,8 @@ use num_traits::Pow;
 use std::str::FromStr;
 use stickslip::Float;
 
+pub(crate) use stickslip::words::digits;
+
 /// A number type that the command can read, write and space evenly.
 pub(crate) trait Value: Float + FromStr + Pow<Self, Output = Self> + Send + Sync {}
 
@@ -72,20 +74,6 @@ fn run_wide(bits: u32, task: impl Task) -> Outcome {
 #[cfg(not(feature = "mp"))]
 fn run_wide(bits: u32, _: impl Task) -> Outcome {
     Err(Failure::Input(format!("--bits {bits}: must be ≤ 53 in a build without the feature mp")))
-}
-
-/// Seven significant digits at f64, without trailing zeros; all digits of a wider number.
-pub(crate) fn digits<F: Value>(x: F) -> String {
-    if F::PRECISION > f64::MANTISSA_DIGITS {
-        return x.to_string();
-    }
-    let x = x.to_f64();
-    let rounded: f64 = format!("{x:.6e}").parse().unwrap_or(x);
-    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
 }
 
 /// All digits, with a power of ten where there would be many zeros.

@@ -8,6 +8,7 @@ use crate::machine::{Machine, base_motion};
 use crate::style;
 use std::io::{self, Write};
 use stickslip::inputs::units::{Kind, System};
+use stickslip::words;
 use stickslip::{Cycle, Excitation, PhaseFunction, Regime, Response};
 
 use force::needed_force;
@@ -27,39 +28,6 @@ pub(crate) fn both_in_words<F: Value>(x: F, unit: &str, scale: Option<F>, name: 
     both(x, unit, scale, name).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The verdict in one sentence.
-fn verdict<F: Value>(response: &Response<F>) -> String {
-    let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
-    let margin = digits(alpha / response.border.min_force_ratio);
-    if response.ratios.has_higher_static_friction() {
-        return static_friction::verdict(response);
-    }
-    match response.regime {
-        Regime::Stuck => {
-            "Stuck: α ≤ 1, so the force never exceeds friction and the body comes to rest for good.".into()
-        }
-        Regime::Sticking => format!(
-            "Sticking: the body stops in each cycle. The force is {margin} of the minimum for continuous \
-             sliding."
-        ),
-        Regime::NonSticking if response.cycle.as_ref().is_none() => format!(
-            "Non-sticking: the body never stops and reverses six times a cycle. The force is {margin} of \
-             the minimum for two reversals."
-        ),
-        Regime::NonSticking => {
-            format!(
-                "Non-sticking: the body never stops. The force is {margin} times the minimum for continuous \
-                 sliding."
-            )
-        }
-        // With one friction nothing depends on the start.
-        Regime::Unbounded | Regime::DependsOnStart => format!(
-            "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance, and the \
-             displacement grows in every cycle."
-        ),
-    }
-}
-
 /// The note on a response.
 pub(crate) fn response<F: Value>(
     response: &Response<F>,
@@ -68,7 +36,7 @@ pub(crate) fn response<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
-    writeln!(out, "{}\n", style::verdict(&verdict(response)))?;
+    writeln!(out, "{}\n", style::verdict(&words::verdict(response)))?;
     writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
     writeln!(out, "  force ratio α            {}", digits(alpha))?;
     if response.ratios.is_damped() {

@@ -19,6 +19,8 @@ macro_rules! exact {
     };
 }
 
+pub(super) use exact;
+
 macro_rules! primitive {
     ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal, pi_rest: $second:literal $third:literal,
      $sin:ident $cos:ident $sin_cos:ident $tan:ident $atan2:ident $hypot:ident
@@ -69,7 +71,7 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                exact!(self.mul_add(a, b), libm::$fma(self, a, b))
+                super::fused::$fma(self, a, b)
             }
         }
 

@@ -7,10 +7,9 @@ use crate::machine::{Machine, base_motion, transmitted};
 use crate::note::{both, both_in_words, decay, measured_from, without_mean_force};
 use crate::style;
 use std::io::{self, Write};
-use stickslip::Regime;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::motion::{LongRun, Peaks, SteadyState};
-use stickslip::{Observed, observed};
+use stickslip::words;
 
 /// The answer as a note.
 pub(super) fn note<F: Value>(
@@ -22,43 +21,25 @@ pub(super) fn note<F: Value>(
     let scales = point.machine.as_ref().map(|m| &m.scales);
     let length = |x| both(x, "B", scales.map(|s| s.length), units.length());
     let in_words = |x| both_in_words(x, "B", scales.map(|s| s.length), units.length());
-    let seen = observed(point.ratios, limit);
     if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
         writeln!(out, "Base motion {base}.")?;
     }
     measured_from(point.machine.as_ref(), out)?;
+    let verdict = style::verdict(&words::limit(point.ratios, limit, in_words));
     match limit {
         LongRun::Periodic(steady) => {
-            let verdict = style::verdict(&verdict(steady, &seen));
             writeln!(out, "{verdict} {}\n", from_where(point, steady))?;
             motion(steady, point, units, out)
         }
         LongRun::Family(steady) => {
             writeln!(
                 out,
-                "{} At Ω = 1/(2n) the periodic motions form a family. The start \
-                 leads to this one.\n",
-                style::verdict(&verdict(steady, &seen))
+                "{verdict} At Ω = 1/(2n) the periodic motions form a family. The start leads to this one.\n"
             )?;
             motion(steady, point, units, out)
         }
-        LongRun::Rest(rest) => {
-            let place = in_words(rest.position);
-            let sentence = match rest.slides {
-                Some(0) if rest.position == F::int(0) => "Stuck: the body never moves.".to_owned(),
-                Some(0) => format!("Stuck: the body never moves from {place}."),
-                Some(1) => format!("Stuck: the body comes to rest at {place} after one slide."),
-                Some(slides) => format!("Stuck: the body comes to rest at {place} after {slides} slides."),
-                None => format!("Stuck: the body creeps towards rest at {place} for ever."),
-            };
-            writeln!(out, "{}", style::verdict(&sentence))
-        }
         LongRun::Irregular(found) => {
-            let turns = found.turns;
-            let sentence = format!(
-                "Irregular: the motion from this start did not repeat itself in {turns} turns of the drive."
-            );
-            writeln!(out, "{}\n", style::verdict(&sentence))?;
+            writeln!(out, "{verdict}\n")?;
             writeln!(out, "  greatest displacement    {}", length(found.max_displacement))?;
             writeln!(out, "  least displacement       {}", length(found.min_displacement))?;
             let (exponent, error) = (found.lyapunov_exponent, found.lyapunov_exponent_error);
@@ -70,23 +51,8 @@ pub(super) fn note<F: Value>(
             )?;
             writeln!(out, "  stops                    {}", found.stops)
         }
-        LongRun::Unbounded { growth } => {
-            let growth = in_words(*growth);
-            let sentence = format!("Unbounded: in the long run the amplitude grows by {growth} a cycle.");
-            writeln!(out, "{}", style::verdict(&sentence))
-        }
-        LongRun::NotConverged { residual, periods, .. } => {
-            let (periods, left) = (digits(periods.to_f64()), in_words(*residual));
-            let limit = if seen.regime == Regime::DependsOnStart {
-                "The borders do not decide its limit.".to_owned()
-            } else {
-                format!("By the borders its limit is {}.", seen.regime.name())
-            };
-            let sentence = format!(
-                "Undecided: after {periods} periods the motion still changes by {left} in half a cycle. Allow \
-                 more with --max-periods. {limit}"
-            );
-            writeln!(out, "{}", style::verdict(&sentence))
+        LongRun::Rest(_) | LongRun::Unbounded { .. } | LongRun::NotConverged { .. } => {
+            writeln!(out, "{verdict}")
         }
     }
 }
@@ -106,27 +72,6 @@ fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
         " It is not symmetric: its mirror image is a motion from other starts."
     };
     format!("The limit of this start. Other starts can have others.{cycle}{symmetry}")
-}
-
-fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
-    match seen.sticks.unwrap_or_default() {
-        0 if seen.sticks.is_none() => {
-            "Sticking: its stops cannot be counted, because friction is lost in the rounding of the motion."
-                .to_owned()
-        }
-        0 if seen.regime == Regime::Sticking => {
-            "Sticking: α is so close below the border that the stops are too short for this arithmetic."
-                .to_owned()
-        }
-        0 => match seen.reversals {
-            Some(n) if n > 2 => format!("Non-sticking: the body never stops and reverses {n} times a cycle."),
-            Some(_) | None => "Non-sticking: the body never stops.".to_owned(),
-        },
-        n => {
-            let part = digits((steady.stick_fraction.to_f64() * 1e4).round() / 1e2);
-            format!("Sticking: {n} stops in a cycle, {part} % of the time.")
-        }
-    }
 }
 
 fn motion<F: Value>(
