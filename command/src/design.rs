@@ -305,13 +305,16 @@ impl<F: Value> AskedDesign<'_, F> {
 
 /// A force, the unbalance, and the amplitude of either kind of base motion that exerts this force on the body.
 fn force_and_equals<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> AnswerRow<F> {
-    let acceleration = force / body.mass();
+    let equal = |name, kind, excitation| {
+        let unit = Drive::new(excitation, F::int(1), frequency).map(|unit| unit.force_amplitude(body));
+        (name, kind, Cell::Number(unit.ok().map(|unit| force / unit)))
+    };
     vec![
         ("force", Kind::Force, some(force)),
-        ("unbalance", Kind::Unbalance, some(force / frequency.square())),
-        ("foot_displacement", Kind::Length, some(force / body.stiffness())),
-        ("base_displacement", Kind::Length, some(acceleration / frequency.square())),
-        ("base_acceleration", Kind::Acceleration, some(acceleration)),
+        equal("unbalance", Kind::Unbalance, Excitation::Unbalance),
+        equal("foot_displacement", Kind::Length, Excitation::FootMotion),
+        equal("base_displacement", Kind::Length, Excitation::SurfaceMotion),
+        equal("base_acceleration", Kind::Acceleration, Excitation::SurfaceAcceleration),
     ]
 }
 

@@ -14,7 +14,7 @@ use std::io::Write;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
-use stickslip::motion::record::{Body, Record, RecordAnswer, RecordMotion};
+use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordMotion};
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
@@ -131,42 +131,9 @@ pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Ph
     physical
 }
 
-/// An answer: a number, which may not exist, or a count.
-pub(crate) enum Entry<'a, T> {
-    Value(Option<&'a T>),
-    Count(u64),
-}
-
-/// The names of the answers, their kinds and their values.
-pub(crate) fn entries<T>(answer: &RecordAnswer<T>) -> [(&'static str, Kind, Entry<'_, T>); 20] {
-    use Entry::{Count, Value};
-    [
-        ("max_displacement", Kind::Length, Value(Some(&answer.max_displacement))),
-        ("max_displacement_time", Kind::Time, Value(Some(&answer.max_displacement_time))),
-        ("min_displacement", Kind::Length, Value(Some(&answer.min_displacement))),
-        ("min_displacement_time", Kind::Time, Value(Some(&answer.min_displacement_time))),
-        ("max_velocity", Kind::Velocity, Value(Some(&answer.max_velocity))),
-        ("max_velocity_time", Kind::Time, Value(Some(&answer.max_velocity_time))),
-        ("min_velocity", Kind::Velocity, Value(Some(&answer.min_velocity))),
-        ("min_velocity_time", Kind::Time, Value(Some(&answer.min_velocity_time))),
-        ("max_absolute_acceleration", Kind::Acceleration, Value(Some(&answer.max_absolute_acceleration))),
-        ("max_transmitted_force", Kind::Force, Value(Some(&answer.max_transmitted_force))),
-        ("end_displacement", Kind::Length, Value(Some(&answer.end_displacement))),
-        ("end_velocity", Kind::Velocity, Value(Some(&answer.end_velocity))),
-        ("residual_displacement", Kind::Length, Value(answer.residual_displacement.as_ref())),
-        ("path", Kind::Length, Value(Some(&answer.path))),
-        ("slides", Kind::Ratio, Count(answer.slides)),
-        ("stops", Kind::Ratio, Count(answer.stops)),
-        ("stick_time", Kind::Time, Value(Some(&answer.stick_time))),
-        ("friction_work", Kind::Energy, Value(Some(&answer.friction_work))),
-        ("damper_work", Kind::Energy, Value(Some(&answer.damper_work))),
-        ("load_work", Kind::Energy, Value(Some(&answer.load_work))),
-    ]
-}
-
 /// The answers as cells.
 pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> [(&'static str, Kind, Cell<F>); 20] {
-    entries(answer).map(|(name, kind, entry)| {
+    answer.entries().map(|(name, kind, entry)| {
         let cell = match entry {
             Entry::Value(value) => Cell::Number(value.copied()),
             Entry::Count(count) => Cell::Count(Some(count)),

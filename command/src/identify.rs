@@ -4,9 +4,10 @@ mod decay;
 
 use crate::args::{Format, IdentifyArgs};
 use crate::bits::digits;
+use crate::columns::{is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
 use crate::given;
-use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
+use crate::rows::{self, Ahead, Bounded, unreadable};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::Serialize;
 use std::f64::consts::TAU;

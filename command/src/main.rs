@@ -19,6 +19,7 @@ mod axes;
 mod basins;
 mod bits;
 mod border;
+mod columns;
 mod curve;
 mod decay;
 mod design;

@@ -1,27 +1,19 @@
 //! A record from a file: of the PEER database, or CSV with units in its header.
 
+mod text;
+
 use crate::args::LoadArgs;
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::progress;
-use crate::rows::{self, is_misspelt, name_and_unit, unreadable};
-use csv::{ReaderBuilder, StringRecord, Trim};
+use crate::rows;
 use std::io::Read;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::motion::record::Record;
-use stickslip::{Error, Excitation};
 
 /// The greatest length of a file in bytes.
 const LONGEST: u64 = 1 << 32;
-
-/// The columns of a load: the name, the kind of its values, and the excitation.
-const LOADS: [(&str, Kind, Excitation); 4] = [
-    ("acceleration", Kind::Acceleration, Excitation::SurfaceAcceleration),
-    ("force", Kind::Force, Excitation::Force),
-    ("foot-displacement", Kind::Length, Excitation::FootMotion),
-    ("damped-foot-displacement", Kind::Length, Excitation::DampedFootMotion),
-];
 
 /// Reads a record in the units of the reader, and scales and cuts it.
 pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> Result<Record<F>, Failure> {
@@ -34,18 +26,12 @@ pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> R
     let time = |option: &str, text: &Option<String>| {
         text.as_ref().map(|text| reader.value::<F>(option, text, Kind::Time)).transpose()
     };
-    let step = time("--time-step", &args.time_step)?;
-    let samples = if peer(&text).is_some() {
-        if let Some(text) = &args.time_step {
-            return Err(Failure::Input(format!(
-                "--time-step {text}: must be left out, because {name} states its own"
-            )));
-        }
-        Samples::of_peer(&text, &name, reader)?
-    } else {
-        Samples::of_table(&text, &name, reader, step)?
-    };
-    let mut record = samples.record(&name)?;
+    let step = args.time_step.as_ref().map(|text| format!("--time-step {text}"));
+    let step = time("--time-step", &args.time_step)?.zip(step.as_deref());
+    let (mut record, unused) = text::read(&text, &name, reader, step).map_err(Failure::Input)?;
+    if !unused.is_empty() {
+        progress::note(&format!("{name}: columns not used: {}", unused.join(", ")));
+    }
     if let Some(text) = &args.scale {
         let factor = crate::input::number::<F>("--scale", text)?;
         record = record.scaled(factor).map_err(|e| Failure::Input(format!("--scale {text}: {e}")))?;
@@ -62,200 +48,4 @@ pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> R
             .map_err(|e| Failure::Input(format!("{}: {e}", typed.join(" "))))?;
     }
     Ok(record)
-}
-
-/// The samples of a file.
-struct Samples<F> {
-    excitation: Excitation,
-    times: Times<F>,
-    values: Vec<F>,
-    /// The line of each row of a table.
-    lines: Vec<u64>,
-}
-
-enum Times<F> {
-    /// The step, from 0 on.
-    Step(F),
-    Each(Vec<F>),
-}
-
-impl<F: Value> Samples<F> {
-    fn record(self, name: &str) -> Result<Record<F>, Failure> {
-        let Self { excitation, times, values, lines } = self;
-        let record = match times {
-            Times::Step(step) => Record::new(excitation, step, values),
-            Times::Each(times) => match even(&times) {
-                Some((start, step)) => {
-                    Record::new(excitation, step, values).and_then(|record| record.beginning_at(start))
-                }
-                None => Record::at_times(excitation, times, values),
-            },
-        };
-        record.map_err(|e| {
-            if let Error::InSample { index, error } = &e
-                && let Some(line) = lines.get(*index)
-            {
-                return Failure::Input(format!("{name} line {line}: {error}"));
-            }
-            Failure::Input(format!("{name}: {e}"))
-        })
-    }
-
-    /// The accelerations of a record of the PEER database, in g. Its fourth line has the number of samples and the step.
-    fn of_peer(text: &str, name: &str, reader: &Reader) -> Result<Self, Failure> {
-        let bad = |line: usize, what: String| Failure::Input(format!("{name} line {line}: {what}"));
-        let (count, step) = peer(text).flatten().ok_or_else(|| {
-            bad(4, "must state the number of samples and the step: NPTS= 4000, DT= .005 SEC".to_owned())
-        })?;
-        let unit = reader.factor_of_column(name, "g", Kind::Acceleration)?;
-        let second = reader.factor_of_column(name, "s", Kind::Time)?;
-        let step = second.times(crate::input::number::<F>(&format!("{name} line 4: DT"), step)?);
-        let mut values = Vec::with_capacity(count.min(1 << 24));
-        for (line, text) in (1..).zip(text.lines()).skip(4) {
-            for word in text.split_whitespace() {
-                let value = crate::input::number::<F>(&format!("{name} line {line}"), word)?;
-                values.push(unit.times(value));
-            }
-        }
-        if values.len() != count {
-            let found = values.len();
-            return Err(bad(4, format!("NPTS = {count}, but the file has {found} samples")));
-        }
-        Ok(Self {
-            excitation: Excitation::SurfaceAcceleration,
-            times: Times::Step(step),
-            values,
-            lines: Vec::new(),
-        })
-    }
-
-    /// The samples of a table with a header.
-    fn of_table(text: &str, name: &str, reader: &Reader, step: Option<F>) -> Result<Self, Failure> {
-        let bad = |what: String| Failure::Input(format!("{name}: {what}"));
-        let first = text.lines().next().unwrap_or_default();
-        let delimiter = [b',', b';', b'\t'].into_iter().find(|byte| first.as_bytes().contains(byte));
-        let mut table = ReaderBuilder::new()
-            .trim(Trim::All)
-            .delimiter(delimiter.unwrap_or(b','))
-            .from_reader(text.as_bytes());
-        let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
-        let [time, load] = columns(&header, name)?;
-        let (place, index, unit) = load.ok_or_else(|| {
-            let names = LOADS.map(|(name, ..)| name).join(", ");
-            bad(format!("a column of the load is missing in the header “{first}”. Name one of {names}, such as acceleration[g]"))
-        })?;
-        let Some(&(column, kind, excitation)) = LOADS.get(index) else {
-            return Err(bad("no load".to_owned()));
-        };
-        let factor = |column: &str, unit: Option<&str>, kind: Kind| {
-            unit.map(|unit| reader.factor_of_column(&format!("{name}: column {column}"), unit, kind))
-                .transpose()
-        };
-        let scale = factor(column, unit, kind)?;
-        let time = time.map(|(place, _, unit)| Ok::<_, Failure>((place, factor("time", unit, Kind::Time)?)));
-        let time = time.transpose()?;
-        if time.is_none() && step.is_none() {
-            return Err(bad("has no column time. Give the time between samples by --time-step".to_owned()));
-        }
-        if time.is_some() && step.is_some() {
-            return Err(Failure::Input(format!(
-                "--time-step: must be left out, because {name} has a column time"
-            )));
-        }
-        let (mut times, mut values, mut lines) = (Vec::new(), Vec::new(), Vec::new());
-        let mut row = StringRecord::new();
-        while table.read_record(&mut row).map_err(|e| unreadable(name, e))? {
-            let line = row.position().map_or(0, csv::Position::line);
-            let value =
-                |place: usize, column: &str, factor: Option<stickslip::inputs::units::Factor>, kind: Kind| {
-                    let (text, at) =
-                        (row.get(place).unwrap_or_default(), format!("{name} line {line}: {column}"));
-                    if text.is_empty() {
-                        return Err(Failure::Input(format!("{at}: is missing")));
-                    }
-                    Ok::<F, Failure>(match factor {
-                        Some(factor) => factor.times(crate::input::number(&at, text)?),
-                        None => reader.value(&at, text, kind)?,
-                    })
-                };
-            values.push(value(place, column, scale, kind)?);
-            if let Some((place, factor)) = time {
-                times.push(value(place, "time", factor, Kind::Time)?);
-            }
-            lines.push(line);
-        }
-        let times = step.map_or(Times::Each(times), Times::Step);
-        Ok(Self { excitation, times, values, lines })
-    }
-}
-
-/// A column: its place, its index among the loads, and its unit.
-type Column<'a> = Option<(usize, usize, Option<&'a str>)>;
-
-/// The columns of the time and of the load; others are named in a note.
-fn columns<'a>(header: &'a StringRecord, name: &str) -> Result<[Column<'a>; 2], Failure> {
-    let (mut found, mut others) = ([None; 2], Vec::new());
-    for (place, text) in header.iter().enumerate() {
-        let (own, unit) = name_and_unit(text);
-        let same = own.to_ascii_lowercase().replace('_', "-");
-        let same = same.strip_prefix("base-").unwrap_or(&same);
-        let index = LOADS.iter().position(|(name, ..)| *name == same);
-        let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
-        let slot = match index {
-            Some(_) => 1,
-            None if same == "time" || same == "t" => 0,
-            None => {
-                let known = LOADS.iter().map(|(name, ..)| *name).chain(["time"]);
-                if let Some(name) = known.into_iter().find(|name| is_misspelt(own, name)) {
-                    return refused(&format!("is unknown. Spell it {name}, or rename it"));
-                }
-                others.push(own);
-                continue;
-            }
-        };
-        let [time, load] = &mut found;
-        let column: &mut Column<'a> = if slot == 0 { time } else { load };
-        if column.replace((place, index.unwrap_or(0), unit)).is_some() {
-            return refused("must be the only one of its kind. Rename the others");
-        }
-    }
-    if !others.is_empty() {
-        progress::note(&format!("{name}: columns not used: {}", others.join(", ")));
-    }
-    Ok(found)
-}
-
-/// The number of samples and the step of a record of the PEER database, if the text is one. The inner `None` says that
-/// its fourth line does not state them.
-fn peer(text: &str) -> Option<Option<(usize, &str)>> {
-    let mut lines = text.lines().skip(2);
-    let units = lines.next()?.to_ascii_uppercase();
-    if !units.contains("TIME SERIES") || !units.contains("UNITS OF G") {
-        return None;
-    }
-    let line = lines.next().unwrap_or_default();
-    let split = |c: char| c.is_whitespace() || matches!(c, '=' | ',');
-    let words: Vec<&str> = line.split(split).filter(|word| !word.is_empty()).collect();
-    let after = |name: &str| {
-        let place = words.iter().position(|word| word.eq_ignore_ascii_case(name))?;
-        words.get(place + 1).copied().filter(|word| word.parse::<f64>().is_ok())
-    };
-    // Older files state the numbers first: 4000 0.005 NPTS, DT.
-    let first = |place: usize| words.get(place).copied().filter(|word| word.parse::<f64>().is_ok());
-    let count = after("NPTS").or_else(|| first(0)).and_then(|word| word.parse().ok());
-    let step = after("DT").or_else(|| first(1));
-    Some(count.zip(step))
-}
-
-/// The first time and the step, if the times are equally spaced but for the rounding of their text: no time is further
-/// than a millionth of the step from its place.
-fn even<F: Value>(times: &[F]) -> Option<(F, F)> {
-    let (&first, &last) = (times.first()?, times.last()?);
-    let count = times.len().checked_sub(1).filter(|count| *count > 0)?;
-    let step = (last - first) / F::from_f64(count as f64);
-    let near = |(index, time): (usize, &F)| {
-        let place = first + step * F::from_f64(index as f64);
-        (*time - place).abs() <= step.abs() * F::ratio(1, 1_000_000)
-    };
-    (step > F::int(0) && times.iter().enumerate().all(near)).then_some((first, step))
 }

@@ -2,13 +2,14 @@
 
 use crate::args::{Format, Header, OutputArgs, StartArgs, used};
 use crate::bits::Value;
+use crate::columns::{is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
 use crate::input::number;
 use crate::interrupt;
 use crate::outputs;
 use crate::progress;
 use crate::record::Record;
-use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
+use crate::rows::{self, Ahead, Bounded, unreadable};
 use crate::sink::Sink;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::cell::RefCell;

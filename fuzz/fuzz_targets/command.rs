@@ -11,6 +11,7 @@ mod command {
     pub(crate) mod axes;
     pub(crate) mod bits;
     pub(crate) mod border;
+    pub(crate) mod columns;
     pub(crate) mod curve;
     pub(crate) mod decay;
     pub(crate) mod design;
@@ -45,7 +46,7 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, attractors, axes, bits, border, curve, decay, design, enclose, failure, figure, follow, given,
+    args, attractors, axes, bits, border, columns, curve, decay, design, enclose, failure, figure, follow, given,
     grid, input, interrupt, machine, map, measured, motion_plot, note, output, outputs, physical, points,
     progress, record, response, resume, rows, sink, starts, steady, style, sweep,
 };

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
-use stickslip::motion::record::{Body, Record, RecordAnswer, follow_each};
+use stickslip::motion::record::{Body, Record, Entry, RecordAnswer, follow_each};
 use stickslip::{Error, Excitation};
 
 /// Mass, stiffness, damping constant, friction against forward and against backward motion, static friction ratio,
@@ -87,31 +87,20 @@ fn block(
 }
 
 fn table(answers: &[RecordAnswer<f64>]) -> Table {
+    let Some(first) = answers.first() else { return Table::default() };
+    let mut columns = first.entries().map(|(name, ..)| (name, Vec::new(), Vec::new()));
+    for answer in answers {
+        for ((_, values, counts), (.., entry)) in columns.iter_mut().zip(answer.entries()) {
+            match entry {
+                Entry::Value(value) => values.push(value.copied().unwrap_or(f64::NAN)),
+                Entry::Count(count) => counts.push(i64::try_from(count).unwrap_or(i64::MAX)),
+            }
+        }
+    }
     let mut table = Table::default();
-    let mut number = |name: &'static str, of: fn(&RecordAnswer<f64>) -> f64| {
-        table.number(name, answers.iter().map(of).collect());
-    };
-    number("max_displacement", |answer| answer.max_displacement);
-    number("max_displacement_time", |answer| answer.max_displacement_time);
-    number("min_displacement", |answer| answer.min_displacement);
-    number("min_displacement_time", |answer| answer.min_displacement_time);
-    number("max_velocity", |answer| answer.max_velocity);
-    number("max_velocity_time", |answer| answer.max_velocity_time);
-    number("min_velocity", |answer| answer.min_velocity);
-    number("min_velocity_time", |answer| answer.min_velocity_time);
-    number("max_absolute_acceleration", |answer| answer.max_absolute_acceleration);
-    number("max_transmitted_force", |answer| answer.max_transmitted_force);
-    number("end_displacement", |answer| answer.end_displacement);
-    number("end_velocity", |answer| answer.end_velocity);
-    number("residual_displacement", |answer| answer.residual_displacement.unwrap_or(f64::NAN));
-    number("path", |answer| answer.path);
-    number("stick_time", |answer| answer.stick_time);
-    number("friction_work", |answer| answer.friction_work);
-    number("damper_work", |answer| answer.damper_work);
-    number("load_work", |answer| answer.load_work);
-    let count = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
-    table.count("slides", answers.iter().map(|answer| count(answer.slides)).collect());
-    table.count("stops", answers.iter().map(|answer| count(answer.stops)).collect());
+    for (name, values, counts) in columns {
+        if counts.is_empty() { table.number(name, values) } else { table.count(name, counts) }
+    }
     table
 }
 

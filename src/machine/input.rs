@@ -42,6 +42,8 @@ pub enum Naming {
     /// As keywords: `damping_ratio`. Ω and α are keywords of functions that take no machine, and an unbalance has one
     /// keyword.
     Keyword,
+    /// As fields of a form: `damping ratio`.
+    Field,
 }
 
 impl Naming {
@@ -51,13 +53,14 @@ impl Naming {
         match self {
             Self::Option => input.option().to_owned(),
             Self::Keyword => input.column(),
+            Self::Field => input.name().replace('-', " "),
         }
     }
 
     /// The names of inputs of which one is missing: the first, and the others in brackets.
     pub(super) fn of_several(self, inputs: &[Input]) -> String {
         let is_option = |input: &Input| matches!(input, Input::Omega | Input::Alpha | Input::Eccentricity);
-        let is_known = |input: &Input| self == Self::Option || !is_option(input);
+        let is_known = |input: &Input| self != Self::Keyword || !is_option(input);
         let names: Vec<_> = inputs.iter().copied().filter(is_known).map(|input| self.of(input)).collect();
         match names.split_first() {
             Some((first, [])) => first.clone(),

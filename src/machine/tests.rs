@@ -74,6 +74,7 @@ fn the_words_are_the_same_with_the_names_of_each_program() {
         "--stiffness (or --period, --pendulum-radius, --omega) is missing"
     );
     assert_eq!(missing(Naming::Keyword, &without), "stiffness (or period, or pendulum_radius) is missing");
+    assert_eq!(missing(Naming::Field, &without), "stiffness (or period, pendulum radius, omega) is missing");
     assert_eq!(missing(Naming::Keyword, &[BODY[1], (Input::Damping, "3 N*s/m")]), "mass is missing");
     assert_eq!(
         missing(Naming::Keyword, &[(Input::Damping, "3 N*s/m")]),

@@ -36,6 +36,12 @@ use table::Unit;
 #[error("{0}")]
 pub struct InputError(pub(crate) String);
 
+impl From<InputError> for String {
+    fn from(error: InputError) -> Self {
+        error.0
+    }
+}
+
 /// Reads values into one system of units.
 ///
 /// Values with units are converted, and bare numbers are in that system. If no system was named, bare numbers

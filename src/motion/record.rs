@@ -52,6 +52,8 @@ mod settle;
 mod slide;
 mod totals;
 
+#[doc(hidden)]
+pub use answers::Entry;
 pub use answers::RecordAnswer;
 #[cfg(feature = "mp")]
 pub(crate) use balls::follow as follow_in_balls;

@@ -3,7 +3,7 @@
 use super::found::BITS;
 use crate::args::{Format, RecordArgs};
 use crate::failure::{Failure, Outcome};
-use crate::follow::{Entry, Shaken, entries};
+use crate::follow::Shaken;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
@@ -43,7 +43,7 @@ impl EnclosedRecord {
             n => format!("The body slides {n} times, and {ends} to rest. This is certain."),
         };
         writeln!(out, "{}\n", style::verdict(&verdict))?;
-        for (name, kind, entry) in entries(found) {
+        for (name, kind, entry) in found.entries() {
             let name = name.replace('_', " ");
             match entry {
                 Entry::Value(Some(value)) => {
@@ -59,7 +59,7 @@ impl EnclosedRecord {
 
 impl Serialize for EnclosedRecord {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let entries = entries(&self.found);
+        let entries = self.found.entries();
         let mut map = serializer.serialize_map(None)?;
         for (name, _, entry) in &entries {
             match entry {

@@ -11,6 +11,7 @@ use crate::float::Float;
 use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::finite;
+use crate::machine::units::Kind;
 
 /// The motion of a body under a record and after it, until it rests: extremes, sums and counts, in the units of the
 /// body and the record.
@@ -60,6 +61,44 @@ pub struct RecordAnswer<F> {
     pub damper_work: F,
     /// Work of the load and of the constant force on the body.
     pub load_work: F,
+}
+
+/// An answer: a number, which may not exist, or a count.
+#[doc(hidden)]
+#[derive(Debug)]
+pub enum Entry<'a, T> {
+    Value(Option<&'a T>),
+    Count(u64),
+}
+
+impl<F> RecordAnswer<F> {
+    /// The names of the answers, their kinds and their values.
+    #[doc(hidden)]
+    pub fn entries(&self) -> [(&'static str, Kind, Entry<'_, F>); 20] {
+        use Entry::{Count, Value};
+        [
+            ("max_displacement", Kind::Length, Value(Some(&self.max_displacement))),
+            ("max_displacement_time", Kind::Time, Value(Some(&self.max_displacement_time))),
+            ("min_displacement", Kind::Length, Value(Some(&self.min_displacement))),
+            ("min_displacement_time", Kind::Time, Value(Some(&self.min_displacement_time))),
+            ("max_velocity", Kind::Velocity, Value(Some(&self.max_velocity))),
+            ("max_velocity_time", Kind::Time, Value(Some(&self.max_velocity_time))),
+            ("min_velocity", Kind::Velocity, Value(Some(&self.min_velocity))),
+            ("min_velocity_time", Kind::Time, Value(Some(&self.min_velocity_time))),
+            ("max_absolute_acceleration", Kind::Acceleration, Value(Some(&self.max_absolute_acceleration))),
+            ("max_transmitted_force", Kind::Force, Value(Some(&self.max_transmitted_force))),
+            ("end_displacement", Kind::Length, Value(Some(&self.end_displacement))),
+            ("end_velocity", Kind::Velocity, Value(Some(&self.end_velocity))),
+            ("residual_displacement", Kind::Length, Value(self.residual_displacement.as_ref())),
+            ("path", Kind::Length, Value(Some(&self.path))),
+            ("slides", Kind::Ratio, Count(self.slides)),
+            ("stops", Kind::Ratio, Count(self.stops)),
+            ("stick_time", Kind::Time, Value(Some(&self.stick_time))),
+            ("friction_work", Kind::Energy, Value(Some(&self.friction_work))),
+            ("damper_work", Kind::Energy, Value(Some(&self.damper_work))),
+            ("load_work", Kind::Energy, Value(Some(&self.load_work))),
+        ]
+    }
 }
 
 #[cfg(feature = "mp")]

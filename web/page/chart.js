@@ -1,0 +1,205 @@
+// Charts as SVG: axes with round numbers, lines, marks and areas of cells.
+"use strict";
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function node(name, attributes = {}, text = undefined) {
+  const made = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  if (text !== undefined) made.textContent = text;
+  return made;
+}
+
+// A number on an axis.
+function tick(x) {
+  const size = Math.abs(x);
+  if (size === 0) return "0";
+  if (size >= 1e5 || size < 1e-3) return x.toExponential(1).replace(".0e", "e").replace("e+", "e");
+  return String(Number(x.toPrecision(6)));
+}
+
+// Round numbers within a range, about `count` of them.
+function ticks(low, high, count) {
+  const raw = (high - low) / count;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].find((n) => n * power >= raw) * power;
+  const all = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) all.push(i * step);
+  return all;
+}
+
+function powers(low, high, count) {
+  const decades = Math.log10(high / low);
+  const parts = decades > count ? [1] : decades > 1.5 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8];
+  const all = [];
+  for (let e = Math.floor(Math.log10(low)); e <= Math.log10(high); e++) {
+    for (const part of parts) {
+      const x = part * 10 ** e;
+      if (x >= low * (1 - 1e-9) && x <= high * (1 + 1e-9)) all.push(x);
+    }
+  }
+  const every = Math.ceil(all.length / (2 * count));
+  return all.filter((_, i) => i % every === 0);
+}
+
+// An axis from numbers to places on the page.
+function scale(low, high, from, to, logarithmic = false) {
+  if (!(high > low)) [low, high] = logarithmic ? [low / 2, low * 2] : [low - 1, high + 1];
+  const of = logarithmic ? Math.log : (x) => x;
+  const [a, b] = [of(low), of(high)];
+  const place = (x) => from + ((of(x) - a) / (b - a)) * (to - from);
+  place.back = (at) => {
+    const x = a + ((at - from) / (to - from)) * (b - a);
+    return logarithmic ? Math.exp(x) : x;
+  };
+  place.low = low;
+  place.high = high;
+  place.ticks = (count) => (logarithmic ? powers(low, high, count) : ticks(low, high, count));
+  return place;
+}
+
+// The least and the greatest finite number, with room beside them.
+function range(values, room = 0.06) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const x of values) {
+    if (x !== null && Number.isFinite(x)) {
+      if (x < low) low = x;
+      if (x > high) high = x;
+    }
+  }
+  if (!(low <= high)) return [0, 1];
+  const more = (high - low) * room || Math.abs(high) * room || 1;
+  return [low - more, high + more];
+}
+
+class Chart {
+  constructor(host, { title, label, height = 240, left = 62 }) {
+    this.host = host;
+    this.title = title;
+    this.height = height;
+    this.left = left;
+    this.svg = node("svg", { role: "img", "aria-label": label || title });
+    host.append(this.svg);
+  }
+
+  // Begins a picture with its axes.
+  begin({ x, y, xlabel, ylabel, xlog = false, ylog = false }) {
+    const width = Math.max(260, this.host.clientWidth);
+    const { height, left } = this;
+    const [right, top, bottom] = [14, 12, 40];
+    this.box = { left, top, right: width - right, bottom: height - bottom };
+    this.x = scale(x[0], x[1], left, width - right, xlog);
+    this.y = scale(y[0], y[1], height - bottom, top, ylog);
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.svg.setAttribute("width", width);
+    this.svg.setAttribute("height", height);
+    const ink = palette();
+    const all = node("g", { "font-family": "system-ui, sans-serif", "font-size": "11", fill: ink.text });
+    const grid = [];
+    for (const value of this.x.ticks(Math.max(3, Math.floor(width / 90)))) {
+      const at = this.x(value).toFixed(1);
+      grid.push(`M${at} ${top}V${this.box.bottom}`);
+      all.append(node("text", { x: at, y: this.box.bottom + 15, "text-anchor": "middle" }, tick(value)));
+    }
+    for (const value of this.y.ticks(Math.max(3, Math.floor(height / 45)))) {
+      const at = this.y(value).toFixed(1);
+      grid.push(`M${left} ${at}H${this.box.right}`);
+      all.append(node("text", { x: left - 6, y: Number(at) + 4, "text-anchor": "end" }, tick(value)));
+    }
+    all.append(node("path", { d: grid.join(""), stroke: ink.grid, fill: "none" }));
+    const middle = (left + this.box.right) / 2;
+    all.append(node("text", { x: middle, y: height - 6, "text-anchor": "middle" }, xlabel));
+    const across = (top + this.box.bottom) / 2;
+    const turned = { x: 13, y: across, "text-anchor": "middle", transform: `rotate(-90 13 ${across})` };
+    all.append(node("text", turned, ylabel));
+    this.marks = node("g");
+    this.svg.replaceChildren(node("title", {}, this.title), all, this.marks);
+    this.ink = ink;
+  }
+
+  // The line through points; it breaks where one is not a number, and is cut at the frame.
+  path(xs, ys, shown = () => true) {
+    let d = "";
+    let down = false;
+    const { top, bottom } = this.box;
+    for (let i = 0; i < xs.length; i++) {
+      const y = ys[i];
+      if (y === null || !Number.isFinite(y) || !shown(i)) {
+        down = false;
+        continue;
+      }
+      const at = Math.min(Math.max(this.y(y), top - 60), bottom + 60);
+      d += `${down ? "L" : "M"}${this.x(xs[i]).toFixed(1)} ${at.toFixed(1)}`;
+      down = true;
+    }
+    return d;
+  }
+
+  line(xs, ys, colour, { width = 2, dash = "", shown } = {}) {
+    const d = this.path(xs, ys, shown);
+    if (d) this.add("path", { d, fill: "none", stroke: colour, "stroke-width": width, "stroke-dasharray": dash, "stroke-linejoin": "round", "clip-path": this.clip() });
+  }
+
+  clip() {
+    const id = `frame-${this.host.id}`;
+    if (!this.svg.querySelector(`#${id}`)) {
+      const path = node("clipPath", { id });
+      const { left, top, right, bottom } = this.box;
+      path.append(node("rect", { x: left, y: top, width: right - left, height: bottom - top }));
+      this.svg.insertBefore(path, this.marks);
+    }
+    return `url(#${id})`;
+  }
+
+  add(name, attributes, text) {
+    const made = node(name, attributes, text);
+    this.marks.append(made);
+    return made;
+  }
+
+  dot(x, y, colour, radius = 5) {
+    const at = Math.min(Math.max(this.y(y), this.box.top), this.box.bottom);
+    return this.add("circle", { cx: this.x(x).toFixed(1), cy: at.toFixed(1), r: radius, fill: colour, stroke: this.ink.paper, "stroke-width": 1.5 });
+  }
+
+  legend(rows) {
+    let x = this.box.left + 8;
+    for (const [text, colour, dash] of rows) {
+      this.add("path", { d: `M${x} ${this.box.top + 9}h18`, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash || "" });
+      this.add("text", { x: x + 23, y: this.box.top + 13, "font-size": 11, "font-family": "system-ui, sans-serif", fill: this.ink.text }, text);
+      x += 33 + 6.2 * text.length;
+    }
+  }
+}
+
+// The colours of the theme that is shown; they are told apart in grey and without red and green, too.
+function palette() {
+  const dark = document.documentElement.dataset.theme === "dark";
+  return dark
+    ? { text: "#e6e6e6", grid: "#3a3f47", paper: "#1b1e23", slide: "#6cb6ff", stick: "#ffb454", border: "#c9c9c9", here: "#ff7b72", stuck: "#8b949e", second: "#a5d6a7" }
+    : { text: "#24292f", grid: "#dfe3e8", paper: "#ffffff", slide: "#0b61a4", stick: "#c65d00", border: "#444444", here: "#c1121f", stuck: "#6e7781", second: "#2e7d32" };
+}
+
+function saved(name, type, text) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+// The picture as a file of its own.
+function svgText(svg, paper) {
+  const copy = svg.cloneNode(true);
+  copy.setAttribute("xmlns", SVG);
+  const width = svg.getAttribute("width");
+  const height = svg.getAttribute("height");
+  copy.insertBefore(node("rect", { width, height, fill: paper }), copy.firstChild);
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
+}
+
+function csvText(columns) {
+  const names = Object.keys(columns);
+  const rows = columns[names[0]].map((_, i) => names.map((name) => columns[name][i] ?? "").join(","));
+  return `${names.map((name) => (name.includes(",") ? `"${name}"` : name)).join(",")}\n${rows.join("\n")}\n`;
+}

@@ -1,0 +1,38 @@
+// The library as a module: a question as an object goes in, its answer comes out. An error of the library is thrown.
+"use strict";
+
+async function load(module) {
+  const instance = await WebAssembly.instantiate(module, {});
+  const { memory, question, ask, answer } = instance.exports;
+  const encoder = new TextEncoder();
+  const decoder = new TextDecoder();
+  return (asked) => {
+    const text = encoder.encode(JSON.stringify(asked));
+    const place = question(text.length);
+    new Uint8Array(memory.buffer, place, text.length).set(text);
+    const length = ask();
+    const found = JSON.parse(decoder.decode(new Uint8Array(memory.buffer, answer(), length)));
+    if (found.error !== undefined) throw new Error(found.error);
+    return found.ok;
+  };
+}
+
+// The module's bytes from the text in the page, which are compressed.
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// As the command writes a number: seven significant digits without trailing zeros.
+function digits(x) {
+  if (x === null || x === undefined) return "–";
+  if (typeof x !== "number") return String(x);
+  const rounded = Number(x.toPrecision(7));
+  const size = Math.abs(rounded);
+  if (size === 0 || (size >= 1e-4 && size < 1e7)) {
+    const text = String(rounded);
+    return text.includes("e") ? rounded.toFixed(20).replace(/\.?0+$/, "") : text;
+  }
+  return rounded.toExponential().replace("e+", "e");
+}

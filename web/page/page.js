@@ -1,0 +1,813 @@
+// The page: the inputs, the questions to the workers, and the pictures.
+"use strict";
+
+const $ = (id) => document.getElementById(id);
+
+// What the fields are, by the way a machine is given. A role with several inputs has a choice.
+const ROLES = {
+  machine: [
+    ["mass"],
+    ["stiffness", "period", "pendulum_radius"],
+    ["friction", "friction_coefficient"],
+    ["damping_ratio", "damping"],
+    ["static_friction_ratio", "static_friction"],
+    ["force", "unbalance", "base_acceleration", "base_velocity", "base_displacement", "foot_displacement", "damped_foot_displacement"],
+    ["frequency"],
+    ["mean_force"],
+  ],
+  ratios: [["omega"], ["alpha"], ["damping_ratio"], ["static_friction_ratio"]],
+};
+// The names of the fields.
+const WORDS = {
+  mass: "mass m", stiffness: "stiffness k", period: "natural period", pendulum_radius: "pendulum radius", friction: "friction r_y",
+  friction_coefficient: "coefficient µ", damping_ratio: "damping ratio ζ", damping: "damping c", static_friction_ratio: "static ratio η",
+  static_friction: "static friction", force: "force p₀", unbalance: "unbalance", base_acceleration: "base acceleration",
+  base_velocity: "base velocity", base_displacement: "base displacement", foot_displacement: "foot displacement",
+  damped_foot_displacement: "foot with damper", frequency: "frequency", mean_force: "mean force", omega: "Ω = ω_d/ω_n", alpha: "α = p₀/r_y",
+};
+// The power of the frequency that the force of a drive has.
+const POWERS = { unbalance: 2, base_velocity: 1, base_displacement: 2 };
+const START = {
+  mode: "machine", units: "kN,m", mass: "50 t", stiffness: "1000", friction: "5", damping_ratio: "2 %", static_friction_ratio: "1",
+  force: "12", frequency: "1 Hz", omega: "1.4", alpha: "2.4",
+};
+// What a field shows when it is first chosen.
+const FIRST = {
+  period: "1.4 s", pendulum_radius: "0.5 m", friction_coefficient: "0.01", damping: "9 kN*s/m", static_friction: "6 kN", unbalance: "0.3 t*m",
+  base_acceleration: "0.02 g", base_velocity: "50 mm/s", base_displacement: "6 mm", foot_displacement: "12 mm", damped_foot_displacement: "12 mm",
+  mean_force: "", static_friction_ratio: "1", damping_ratio: "2 %", alpha: "2.4", omega: "1.4", mass: "50 t", stiffness: "1000 kN/m", friction: "5 kN",
+  force: "12 kN", frequency: "1 Hz",
+};
+
+let state = { ...START };
+// The chosen input of each role with a choice.
+let chosen = {};
+// What is shown: the last answers.
+const shown = {};
+
+// ---- the inputs
+
+const roleName = (names) => names[0];
+const inRole = (names) => names.find((name) => name === chosen[roleName(names)]) || names.find((name) => state[name] !== undefined) || names[0];
+
+// The number and the unit of a typed value.
+function parts(text) {
+  const found = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$/.exec(text || "");
+  return found ? [Number(found[1]), found[2]] : null;
+}
+
+const short = (x) => String(Number(x.toPrecision(4)));
+
+function withNumber(text, number) {
+  const found = parts(text);
+  const unit = found ? found[1] : "";
+  return unit ? `${short(number)} ${unit}` : short(number);
+}
+
+// The inputs of the question.
+function inputs() {
+  const given = {};
+  for (const names of ROLES[state.mode]) {
+    const name = inRole(names);
+    if (state[name]) given[name] = state[name];
+  }
+  return given;
+}
+
+const question = (ask, more = {}) => ({ ask, inputs: inputs(), units: state.mode === "machine" ? state.units : "", ...more });
+
+function fields() {
+  $("mode").value = state.mode;
+  $("units").value = state.units;
+  $("units-row").hidden = state.mode !== "machine";
+  const host = $("fields");
+  host.querySelectorAll(".row").forEach((row) => row.remove());
+  for (const names of ROLES[state.mode]) host.append(field(names));
+}
+
+function field(names) {
+  const name = inRole(names);
+  if (state[name] === undefined) state[name] = FIRST[name] ?? "";
+  const row = document.createElement("div");
+  row.className = "row";
+  const typed = Object.assign(document.createElement("input"), { id: `in-${roleName(names)}`, value: state[name], autocomplete: "off", spellcheck: false });
+  typed.dataset.input = name;
+  let head;
+  if (names.length > 1) {
+    head = document.createElement("select");
+    head.setAttribute("aria-label", `kind of ${WORDS[roleName(names)]}`);
+    for (const own of names) head.append(new Option(WORDS[own], own, own === name, own === name));
+    head.onchange = () => {
+      delete state[name];
+      chosen[roleName(names)] = head.value;
+      state[head.value] = FIRST[head.value] ?? "";
+      fields();
+      $(`in-${roleName(names)}`).focus();
+      changed();
+    };
+    typed.setAttribute("aria-label", WORDS[name]);
+  } else {
+    head = document.createElement("label");
+    head.htmlFor = typed.id;
+    head.textContent = WORDS[name];
+  }
+  const slider = Object.assign(document.createElement("input"), { type: "range", min: -1.5, max: 1.5, step: 0.005, value: 0 });
+  slider.setAttribute("aria-label", `${WORDS[name]}, scaled`);
+  let home = state[name];
+  typed.oninput = () => {
+    state[name] = typed.value;
+    home = typed.value;
+    slider.value = 0;
+    changed();
+  };
+  slider.oninput = () => {
+    const found = parts(home);
+    if (!found) return;
+    // A number of 0 has no multiple: the slider begins at a size of its own.
+    const size = found[0] === 0 ? 0.01 : found[0];
+    const least = name.startsWith("static_friction_ratio") ? 1 : 0;
+    const value = least + (size - least || 0.1) * 10 ** Number(slider.value);
+    typed.value = state[name] = withNumber(home, least && Number(slider.value) <= -1.5 ? 1 : value);
+    changed();
+  };
+  // Dragging the label moves the slider.
+  head.addEventListener("pointerdown", (event) => {
+    if (head.tagName === "SELECT") return;
+    const [x, from] = [event.clientX, Number(slider.value)];
+    head.setPointerCapture(event.pointerId);
+    head.onpointermove = (move) => {
+      slider.value = from + (move.clientX - x) / 150;
+      slider.oninput();
+    };
+    head.onpointerup = head.onpointercancel = () => (head.onpointermove = null);
+  });
+  row.append(head, typed, slider);
+  return row;
+}
+
+$("mode").onchange = () => {
+  state.mode = $("mode").value;
+  if (state.mode === "ratios" && shown.answer) {
+    for (const [name, key] of [["omega", "omega"], ["alpha", "alpha"], ["damping_ratio", "damping_ratio"], ["static_friction_ratio", "static_friction_ratio"]]) {
+      state[name] = String(shown.answer[key]);
+    }
+  }
+  fields();
+  changed();
+};
+$("units").oninput = () => {
+  state.units = $("units").value;
+  changed();
+};
+$("machine").onsubmit = (event) => event.preventDefault();
+
+// Moves the machine to Ω and α by its frequency and the amplitude of its drive.
+function moveTo(omega, alpha) {
+  const answer = shown.answer;
+  if (!answer) return;
+  if (state.mode === "ratios") {
+    state.omega = short(omega);
+    state.alpha = short(alpha);
+  } else {
+    const name = inRole(ROLES.machine[5]);
+    const [frequency, amplitude] = [parts(state.frequency), parts(state[name])];
+    if (!frequency || !amplitude) return;
+    const ratio = omega / answer.omega;
+    let size = alpha / answer.alpha / ratio ** (POWERS[name] || 0);
+    if (name === "damped_foot_displacement") {
+      const zeta = answer.damping_ratio;
+      size *= Math.hypot(1, 2 * zeta * answer.omega) / Math.hypot(1, 2 * zeta * omega);
+    }
+    state.frequency = withNumber(state.frequency, frequency[0] * ratio);
+    state[name] = withNumber(state[name], amplitude[0] * size);
+  }
+  for (const typed of document.querySelectorAll("[data-input]")) {
+    if (state[typed.dataset.input] !== typed.value) typed.value = state[typed.dataset.input];
+  }
+  changed();
+}
+
+// ---- the link
+
+function hash() {
+  const all = new URLSearchParams();
+  all.set("mode", state.mode);
+  if (state.mode === "machine") all.set("units", state.units);
+  for (const [name, text] of Object.entries(inputs())) all.set(name, text);
+  return `#${all}`;
+}
+
+function fromHash() {
+  const all = new URLSearchParams(location.hash.slice(1));
+  if (![...all.keys()].length) return;
+  const mode = all.get("mode") === "ratios" ? "ratios" : "machine";
+  state = { mode, units: all.get("units") ?? "" };
+  chosen = {};
+  for (const names of ROLES[mode]) {
+    const name = names.find((own) => all.has(own));
+    if (name) state[name] = all.get(name);
+    if (name) chosen[roleName(names)] = name;
+    else state[names[0]] = "";
+  }
+}
+
+window.addEventListener("hashchange", () => {
+  if (location.hash === hash()) return;
+  fromHash();
+  fields();
+  changed();
+});
+$("link").onclick = async () => {
+  history.replaceState(null, "", hash());
+  try {
+    await navigator.clipboard.writeText(location.href);
+    $("link").textContent = "Copied";
+  } catch {
+    $("link").textContent = "In the address";
+  }
+  setTimeout(() => ($("link").textContent = "Copy link"), 1500);
+};
+
+// ---- the questions
+
+// A worker with the module. Of several questions of one kind that wait, only the last is asked.
+class Asker {
+  constructor(module) {
+    const source = $("module-source").textContent + $("worker-source").textContent;
+    this.worker = new Worker(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
+    this.worker.postMessage({ module });
+    this.waiting = new Map();
+    this.running = null;
+    this.worker.onmessage = ({ data }) => {
+      const done = this.running;
+      this.running = null;
+      // The next question runs while this answer is drawn.
+      this.next();
+      done.done(data);
+    };
+  }
+
+  ask(kind, question, done) {
+    this.waiting.delete(kind);
+    this.waiting.set(kind, { question, done });
+    if (!this.running) this.next();
+  }
+
+  next() {
+    for (const [kind, request] of this.waiting) {
+      this.waiting.delete(kind);
+      this.running = request;
+      this.worker.postMessage({ id: kind, question: request.question });
+      return;
+    }
+  }
+}
+
+let live = null;
+let slow = null;
+let settled = 0;
+
+// Asks anew whatever depends on the inputs.
+function changed() {
+  history.replaceState(null, "", hash());
+  if (!live) return;
+  live.ask("answer", question("answer"), ({ ok, error }) => later("answer", ok, error));
+  live.ask("motion", question("motion"), ({ ok }) => later("motion", ok));
+  live.ask("curve", question("curve", { from: 0.1, to: 5, count: 240 }), ({ ok }) => later("curve", ok));
+  clearTimeout(settled);
+  settled = setTimeout(still, 150);
+}
+
+// What takes longer is asked when the inputs are still.
+function still() {
+  slow.ask("design", question("design"), ({ ok, error }) => showDesign(ok, error));
+  const eta = shown.answer?.static_friction_ratio ?? 1;
+  $("limits-section").hidden = !(eta > 1);
+  if (eta > 1) slow.ask("limits", question("limits", { count: 64 }), ({ ok, error }) => showLimits(ok, error));
+  if (record) askRecord();
+  askMap(96, 64);
+}
+
+// Answers wait for the next frame, and are drawn there.
+const drawn = new Map();
+let frame = 0;
+
+function later(kind, ok, error) {
+  drawn.set(kind, [ok, error]);
+  if (!frame) frame = requestAnimationFrame(draw);
+}
+
+function draw() {
+  frame = 0;
+  const all = [...drawn];
+  drawn.clear();
+  for (const [kind, [ok, error]] of all) {
+    if (kind === "answer") {
+      $("error").textContent = error === undefined ? "" : error;
+      for (const section of document.querySelectorAll("main > section")) section.classList.toggle("stale", error !== undefined && !section.contains($("error")) && !section.contains($("drop")));
+    }
+    if (ok === undefined) {
+      if (kind === "answer") $("verdict").textContent = "";
+      continue;
+    }
+    shown[kind] = ok;
+    ({ answer: showAnswer, motion: showMotion, curve: showCurve, map: showMap })[kind](ok);
+  }
+}
+
+// ---- the answer
+
+const KEY = [
+  "max_displacement", "max_velocity", "max_acceleration", "transmitted_force", "transmissibility", "max_absolute_displacement",
+  "sticks_per_cycle", "stick_fraction", "energy_out", "damper_work",
+];
+
+const valueText = ({ value, unit, physical }) => {
+  const own = Array.isArray(value) ? value.map(([re, im]) => `${digits(re)} ${digits(im)} i`).join(", ") : digits(value === true ? "yes" : value === false ? "no" : value);
+  const ratio = unit && unit !== "1" && value !== null ? `${own} ${unit}` : own;
+  return [physical ? `${digits(physical.value)}${physical.value === null ? "" : ` ${physical.unit}`}` : ratio, physical ? ratio : ""];
+};
+
+const label = (name) => name.replaceAll("_", " ");
+
+function entry(list, name, text) {
+  const [term, value] = [document.createElement("dt"), document.createElement("dd")];
+  term.textContent = name;
+  value.textContent = text;
+  list.append(term, value);
+}
+
+function showAnswer(answer) {
+  const steady = answer.steady;
+  // The closed forms say why, the motion says how often; where both say the same, once is enough.
+  const more = steady.error === undefined ? steady.verdict : steady.error;
+  $("verdict").textContent = answer.verdict.startsWith(more) ? answer.verdict : `${answer.verdict} ${more}`;
+  const list = $("key");
+  list.replaceChildren();
+  entry(list, "Ω, α", `${digits(answer.omega)}, ${digits(answer.alpha)}`);
+  const rows = steady.values || answer.values;
+  for (const name of KEY) {
+    const row = rows.find((own) => own.name === name);
+    if (row && row.value !== null) entry(list, label(name), valueText(row).filter(Boolean).join(" = "));
+  }
+  const least = answer.values.find((row) => row.name === "min_force_ratio");
+  entry(list, "least force without sticking", valueText(least).filter(Boolean).join(" = "));
+  if ($("all").parentElement.open) showAll();
+}
+
+function showAll() {
+  const answer = shown.answer;
+  if (!answer) return;
+  const table = document.createElement("table");
+  const row = (cells, of = "td") => {
+    const line = table.insertRow();
+    for (const text of cells) {
+      const cell = document.createElement(of);
+      cell.textContent = text;
+      line.append(cell);
+    }
+  };
+  row(["", "in units", "in ratios", "meaning"], "th");
+  const section = (title, rows) => {
+    row([title, "", "", ""], "th");
+    for (const own of rows) {
+      const [first, second] = own.meaning === undefined ? [`${digits(own.value)} ${own.unit}`, ""] : valueText(own);
+      row([`${label(own.name)}${own.symbol ? ` (${own.symbol})` : ""}`, own.physical || own.meaning === undefined ? first : "", own.physical ? second : own.meaning === undefined ? "" : first, own.meaning || ""]);
+    }
+  };
+  if (answer.machine) section("machine", answer.machine);
+  section("closed forms", answer.values);
+  if (answer.steady.values) section("steady motion from rest", answer.steady.values);
+  $("all").replaceChildren(table);
+}
+$("all").parentElement.ontoggle = showAll;
+
+$("values-csv").onclick = () => {
+  const answer = shown.answer;
+  if (!answer) return;
+  const rows = [...(answer.machine || []).map((row) => ["machine", row.name, row.value, row.unit])];
+  for (const [part, values] of [["response", answer.values], ["steady", answer.steady.values || []]]) {
+    for (const row of values) {
+      rows.push([part, row.name, row.value, row.unit]);
+      if (row.physical) rows.push([part, `physical.${row.physical.name}`, row.physical.value, row.physical.unit]);
+    }
+  }
+  const cell = (x) => (x === null ? "" : /[",\n]/.test(String(x)) ? `"${x}"` : x);
+  saved("stickslip-values.csv", "text/csv", `part,name,value,unit\n${rows.map((row) => row.map(cell).join(",")).join("\n")}\n`);
+};
+
+// ---- the pictures
+
+const charts = {
+  curve: new Chart($("curve"), { title: "Response curve", label: "Greatest displacement over the frequency, with the border of sticking", height: 300 }),
+  displacement: new Chart($("displacement"), { title: "Displacement over time", height: 190 }),
+  velocity: new Chart($("velocity"), { title: "Velocity over time", height: 190 }),
+  friction: new Chart($("friction"), { title: "Friction force over time", height: 190 }),
+  loop: new Chart($("loop"), { title: "Friction force over displacement", height: 190 }),
+  map: new Chart($("map"), { title: "Stops in a cycle over Ω and α", height: 330 }),
+  load: new Chart($("load"), { title: "The record", height: 190 }),
+  shaken: new Chart($("shaken"), { title: "Displacement under the record", height: 190 }),
+  spectrum: new Chart($("spectrum"), { title: "Greatest displacement over the natural period", height: 230 }),
+};
+charts.map.svg.removeAttribute("role");
+
+const FILES = {
+  curve: [["curve"], () => ({ [`frequency[${state.mode === "machine" ? "Hz" : "1"}]`]: shown.curve.frequency, [`displacement[${shown.curve.unit}]`]: shown.curve.displacement, regime: shown.curve.regime, [`border[${shown.curve.unit}]`]: shown.curve.border })],
+  motion: [["displacement", "velocity", "friction", "loop"], () => Object.fromEntries(["time", "displacement", "velocity", "friction"].map((name) => [`${name}[${shown.motion.units[name]}]`, shown.motion[name]]))],
+  map: [["map"], () => {
+    const { omegas, alphas, stops } = shown.mapGrid;
+    return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((alpha) => omegas.map(() => alpha)), sticks_per_cycle: stops.map((n) => (n < 0 ? "" : n)) };
+  }],
+  record: [["load", "shaken", "spectrum"], () => ({ "time[s]": shown.record.time, [`displacement[${shown.record.units.displacement}]`]: shown.record.displacement, [`velocity[${shown.record.units.velocity}]`]: shown.record.velocity })],
+};
+
+for (const host of document.querySelectorAll(".files")) {
+  const [names, columns] = FILES[host.dataset.of];
+  const csv = Object.assign(document.createElement("button"), { type: "button", textContent: "CSV", onclick: () => saved(`stickslip-${host.dataset.of}.csv`, "text/csv", csvText(columns())) });
+  csv.setAttribute("aria-label", `${host.dataset.of} as CSV`);
+  const svg = Object.assign(document.createElement("button"), { type: "button", textContent: "SVG", onclick: () => names.forEach((name) => saved(`stickslip-${name}.svg`, "image/svg+xml", svgText(charts[name].svg, palette().paper))) });
+  svg.setAttribute("aria-label", `${host.dataset.of} as SVG`);
+  host.append(csv, " ", svg);
+}
+
+function showCurve(curve) {
+  const chart = charts.curve;
+  const { frequency, displacement, border } = curve;
+  const isMachine = state.mode === "machine";
+  const here = shown.answer;
+  const value = here?.steady.values?.find((row) => row.name === "max_displacement");
+  const at = here ? here.omega * curve.natural : NaN;
+  const height = value ? (value.physical ? value.physical.value : value.value) : null;
+  const finite = displacement.filter((x) => x > 0);
+  const top = Math.max(...finite, height || 0) * 1.4;
+  const least = Math.min(...finite, height > 0 ? height : Infinity) / 1.4;
+  const low = Math.max(least, top * 1e-4);
+  chart.begin({
+    x: [frequency[0], frequency.at(-1)], y: finite.length ? [low, top] : [0.1, 1], xlog: true, ylog: true,
+    xlabel: isMachine ? "frequency (Hz)" : "frequency ratio Ω", ylabel: `maximum displacement (${curve.unit})`,
+  });
+  const ink = chart.ink;
+  chart.line(frequency, border, ink.border, { width: 1.3, dash: "6 4" });
+  const sticks = (i) => curve.regime[i] === "sticking" || curve.regime[i] === "stuck";
+  // A part reaches its neighbour, so that the curve has no gaps.
+  const part = (of) => (i) => of(i) || (i > 0 && of(i - 1));
+  chart.line(frequency, displacement, ink.stick, { width: 4, shown: part(sticks) });
+  chart.line(frequency, displacement, ink.slide, { shown: part((i) => !sticks(i)) });
+  chart.legend([["slides", ink.slide], ["stops", ink.stick], ["border", ink.border, "6 4"]]);
+  if (height !== null && at >= frequency[0] && at <= frequency.at(-1)) chart.dot(at, height, ink.here, 6);
+}
+
+let motion = null;
+
+function showMotion(found) {
+  motion = found;
+  const { time, units } = found;
+  const rows = [["displacement", "displacement"], ["velocity", "velocity"], ["friction", "friction force"]];
+  for (const [name, words] of rows) {
+    const chart = charts[name];
+    chart.begin({ x: [0, time.at(-1)], y: range(found[name]), xlabel: units.time === "rad" ? "ω_d t (rad)" : `time (${units.time})`, ylabel: `${words} (${units[name]})` });
+    withRests(chart, time, found[name], found.rest);
+    chart.cursor = chart.add("circle", { r: 5, fill: chart.ink.here });
+  }
+  const loop = charts.loop;
+  loop.begin({ x: range(found.displacement), y: range(found.friction), xlabel: `displacement (${units.displacement})`, ylabel: `friction (${units.friction})` });
+  withRests(loop, found.displacement, found.friction, found.rest);
+  loop.cursor = loop.add("circle", { r: 5, fill: loop.ink.here });
+  if (!playing) place(0);
+}
+
+function withRests(chart, xs, ys, rest) {
+  chart.line(xs, ys, chart.ink.slide);
+  if (rest.some(Boolean)) chart.line(xs, ys, chart.ink.stick, { width: 5, shown: (i) => rest[i] });
+}
+
+// ---- the animation: a cycle takes three seconds
+
+let playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+const sketch = (() => {
+  const svg = node("svg", { viewBox: "0 0 400 60", width: "100%", height: 60 });
+  const spring = node("path", { fill: "none", "stroke-width": 2 });
+  const ground = node("path", { d: "M10 52H390M10 10V52", fill: "none", "stroke-width": 2 });
+  const block = node("rect", { y: 22, width: 56, height: 29, rx: 3 });
+  svg.append(ground, spring, block);
+  $("body").append(svg);
+  return (part, isAtRest) => {
+    const ink = palette();
+    const x = 190 + 110 * part;
+    block.setAttribute("x", x);
+    block.setAttribute("fill", isAtRest ? ink.stick : ink.slide);
+    for (const line of [ground, spring]) line.setAttribute("stroke", ink.border);
+    const step = (x - 10) / 16;
+    let d = "M10 36";
+    for (let i = 1; i < 16; i++) d += `L${10 + i * step} ${i % 2 ? 29 : 43}`;
+    spring.setAttribute("d", `${d}L${x} 36`);
+  };
+})();
+
+function place(part) {
+  if (!motion) return;
+  const last = motion.time.length - 1;
+  const i = Math.min(last, Math.round(part * last));
+  for (const name of ["displacement", "velocity", "friction"]) {
+    const chart = charts[name];
+    chart.cursor.setAttribute("cx", chart.x(motion.time[i]));
+    chart.cursor.setAttribute("cy", chart.y(motion[name][i]));
+  }
+  charts.loop.cursor.setAttribute("cx", charts.loop.x(motion.displacement[i]));
+  charts.loop.cursor.setAttribute("cy", charts.loop.y(motion.friction[i]));
+  let most = 0;
+  for (const x of motion.displacement) most = Math.max(most, Math.abs(x));
+  sketch(most ? motion.displacement[i] / most : 0, motion.rest[i]);
+}
+
+function animate(now) {
+  if (!playing) return;
+  const length = 3000 * (motion?.turns || 1);
+  place((now % length) / length);
+  requestAnimationFrame(animate);
+}
+
+function play(on) {
+  playing = on;
+  $("play").textContent = on ? "Pause" : "Play";
+  $("play").setAttribute("aria-pressed", String(on));
+  if (on) requestAnimationFrame(animate);
+}
+$("play").onclick = () => play(!playing);
+
+// ---- the map
+
+let mapOf = "";
+let dragged = null;
+
+function mapRange() {
+  const answer = shown.answer || { omega: 1, alpha: 2 };
+  if (dragged) return dragged;
+  return { omega: Math.max(2, 1.2 * Math.min(answer.omega, 50)), alpha: Math.max(6, 1.2 * Math.min(answer.alpha, 1e4)) };
+}
+
+function askMap(columns, rows) {
+  const answer = shown.answer;
+  if (!answer) return;
+  const { omega, alpha } = mapRange();
+  const zeta = answer.damping_ratio;
+  const eta = answer.static_friction_ratio;
+  const key = [omega, alpha, zeta, eta, columns, rows].join();
+  if (key === mapOf) return;
+  mapOf = key;
+  const places = (n, high) => Array.from({ length: n }, (_, i) => ((i + 0.5) / n) * high);
+  const [omegas, alphas] = [places(columns, omega), places(rows, alpha)];
+  slow.ask("map", { ask: "map", omegas, alphas, damping_ratio: zeta, static_friction_ratio: eta }, ({ ok }) => {
+    if (ok) {
+      shown.mapGrid = { omegas, alphas, omega, alpha, ...ok };
+      later("map", ok);
+    }
+  });
+}
+
+// The colour of a number of stops: more stops are darker.
+function shade(stops) {
+  const ink = palette();
+  if (stops === -1) return ink.stuck;
+  if (stops === -2) return "none";
+  if (stops === 0) return ink.slide;
+  const light = Math.max(26, 74 - 8 * Math.ceil(stops / 2));
+  return `hsl(30 85% ${light}%)`;
+}
+
+function showMap() {
+  const grid = shown.mapGrid;
+  const chart = charts.map;
+  const focused = document.activeElement?.classList.contains("here");
+  chart.begin({ x: [0, grid.omega], y: [0, grid.alpha], xlabel: "frequency ratio Ω", ylabel: "force ratio α" });
+  const { omegas, alphas, stops } = grid;
+  const [w, h] = [grid.omega / omegas.length, grid.alpha / alphas.length];
+  const areas = new Map();
+  for (let j = 0; j < alphas.length; j++) {
+    for (let i = 0; i < omegas.length; ) {
+      const n = stops[j * omegas.length + i];
+      let end = i + 1;
+      while (end < omegas.length && stops[j * omegas.length + end] === n) end++;
+      const [x, y] = [chart.x(i * w), chart.y((j + 1) * h)];
+      const rect = `M${x.toFixed(1)} ${y.toFixed(1)}H${chart.x(end * w).toFixed(1)}V${(chart.y(j * h) + 0.3).toFixed(1)}H${x.toFixed(1)}Z`;
+      areas.set(n, (areas.get(n) || "") + rect);
+      i = end;
+    }
+  }
+  for (const [n, d] of areas) chart.add("path", { d, fill: shade(n), stroke: "none" });
+  chart.line(omegas, grid.border, chart.ink.paper, { width: 4 });
+  chart.line(omegas, grid.border, chart.ink.border, { width: 1.6 });
+  const counts = [...areas.keys()].filter((n) => n > 0).sort((a, b) => a - b);
+  const rows = [["no stop", chart.ink.slide], ["rest", chart.ink.stuck], ...counts.slice(0, 4).map((n) => [`${n} stop${n === 1 ? "" : "s"}`, shade(n)])];
+  const length = () => rows.reduce((sum, [text]) => sum + 33 + 6.2 * text.length, 8);
+  while (length() > chart.box.right - chart.box.left) rows.pop();
+  const width = length();
+  chart.add("rect", { x: chart.box.left + 2, y: chart.box.top, width: Math.min(width, chart.box.right - chart.box.left - 4), height: 19, fill: chart.ink.paper, opacity: 0.85 });
+  chart.legend(rows);
+  const knob = chart.add("g", { class: "here", tabindex: 0, role: "slider", "aria-label": "Point on the map: the arrow keys change Ω and α", "aria-valuemin": 0, "aria-valuemax": grid.omega });
+  knob.append(node("circle", { r: 11, fill: "transparent" }), node("circle", { r: 6.5, fill: chart.ink.here, stroke: chart.ink.paper, "stroke-width": 2 }));
+  knob.onkeydown = (event) => {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const { omega, alpha } = shown.answer;
+    const size = event.shiftKey ? 0.1 : 0.01;
+    moveTo(Math.max(omega + step[0] * size, 0.001), Math.max(alpha + step[1] * size * 3, 0.001));
+  };
+  chart.knob = knob;
+  putKnob();
+  if (focused) knob.focus();
+}
+
+function putKnob() {
+  const { knob, x, y } = charts.map;
+  if (!knob || !shown.answer) return;
+  const { omega, alpha } = shown.answer;
+  const grid = shown.mapGrid;
+  knob.setAttribute("transform", `translate(${x(Math.min(omega, grid.omega)).toFixed(1)} ${y(Math.min(alpha, grid.alpha)).toFixed(1)})`);
+  knob.setAttribute("aria-valuenow", digits(omega));
+  knob.setAttribute("aria-valuetext", `Ω = ${digits(omega)}, α = ${digits(alpha)}`);
+}
+
+charts.map.svg.addEventListener("pointerdown", (event) => {
+  const grid = shown.mapGrid;
+  if (!grid) return;
+  dragged = { omega: grid.omega, alpha: grid.alpha };
+  charts.map.svg.setPointerCapture(event.pointerId);
+  const move = (at) => {
+    const box = charts.map.svg.getBoundingClientRect();
+    const part = charts.map.svg.viewBox.baseVal.width / box.width;
+    const within = (value, high) => Math.min(Math.max(value, high / 1000), high);
+    moveTo(within(charts.map.x.back((at.clientX - box.left) * part), grid.omega), within(charts.map.y.back((at.clientY - box.top) * part), grid.alpha));
+  };
+  move(event);
+  charts.map.svg.onpointermove = move;
+  charts.map.svg.onpointerup = charts.map.svg.onpointercancel = () => {
+    charts.map.svg.onpointermove = null;
+    dragged = null;
+  };
+});
+
+// ---- design and limits
+
+// Each sentence with the answers that it has.
+const SENTENCES = [
+  [["force", "unbalance", "foot_displacement", "base_displacement"], "The body never sticks at a force of {} or more: an unbalance of {}, a motion of {} of the spring's foot, or of {} of a base that carries the surface."],
+  [["friction"], "Under this drive it never sticks with a friction of {} or less."],
+  [["best_friction", "energy"], "Among motions without a stop, dissipation is greatest with a friction of {}: {} a cycle."],
+  [["force_ratio"], "The body never sticks at a force of {} or more."],
+  [["friction_to_force"], "It never sticks with a friction of {} or less."],
+  [["best_force_ratio"], "Among motions without a stop, dissipation is greatest at a force of {}."],
+];
+
+function showDesign(rows, error) {
+  const list = $("design");
+  list.replaceChildren();
+  if (error !== undefined) return;
+  for (const [names, sentence] of SENTENCES) {
+    const found = names.map((name) => rows.find((row) => row.name === name));
+    if (!found.every(Boolean)) continue;
+    const item = document.createElement("li");
+    const failed = found.find((row) => row.error !== undefined);
+    item.textContent = failed ? failed.error : found.reduce((text, row) => text.replace("{}", `${digits(row.value)} ${row.unit}`), sentence);
+    if (item.textContent !== list.lastChild?.textContent) list.append(item);
+  }
+}
+
+function showLimits(found, error) {
+  const list = $("limits");
+  list.replaceChildren();
+  $("limits-text").textContent = error !== undefined ? error : `${found.limits.length} ${found.limits.length === 1 ? "limit" : "limits"} from ${found.starts} starts with |x| ≤ ${digits(found.reach)} B and |v| ≤ ${digits(found.reach)} B ω_d${found.unsettled ? `; ${found.unsettled} had not settled` : ""}.`;
+  for (const row of found?.limits || []) {
+    const item = document.createElement("li");
+    const extrema = row.extrema ? ` Displacement from ${digits(row.extrema[0])} to ${digits(row.extrema[1])} ${found.unit}.` : "";
+    const rest = row.range ? ` Positions of rest from ${digits(row.range[0])} to ${digits(row.range[1])} ${found.unit}.` : "";
+    item.textContent = `${digits(Math.round(row.share * 1e4) / 100)} % of the starts. ${row.verdict}${row.rest ? rest : extrema}${row.mirror === null ? "" : ` The mirror image of ${row.mirror + 1}.`}`;
+    list.append(item);
+  }
+}
+
+// ---- a record
+
+let record = null;
+
+async function take(file) {
+  record = { name: file.name, text: await file.text() };
+  askRecord();
+}
+
+function askRecord() {
+  const more = { text: record.text, name: record.name, time_step: $("step").value };
+  slow.ask("record", question("record", more), ({ ok, error }) => {
+    $("record-error").textContent = error === undefined ? (ok.unused.length ? `Columns not used: ${ok.unused.join(", ")}.` : "") : error;
+    $("record-shown").hidden = error !== undefined;
+    if (ok) {
+      shown.record = ok;
+      showRecord(ok);
+    }
+  });
+  const periods = Array.from({ length: 60 }, (_, i) => 0.05 * 100 ** (i / 59));
+  slow.ask("spectrum", question("spectrum", { ...more, periods }), ({ ok }) => {
+    if (ok) showSpectrum(ok);
+  });
+}
+
+function showRecord(found) {
+  const { load, shaken } = charts;
+  const end = Math.max(found.time.at(-1), found.load.time.at(-1));
+  load.begin({ x: [found.load.time[0], end], y: range(found.load.value), xlabel: "time (s)", ylabel: `load (${found.load.unit})` });
+  load.line(found.load.time, found.load.value, load.ink.second, { width: 1 });
+  shaken.begin({ x: [found.time[0], end], y: range(found.displacement), xlabel: "time (s)", ylabel: `displacement (${found.units.displacement})` });
+  withRests(shaken, found.time, found.displacement, found.rest);
+  shaken.cursor = shaken.add("circle", { r: 5, fill: shaken.ink.here, cx: -20, cy: -20 });
+  const list = $("record-values");
+  list.replaceChildren();
+  for (const { name, value, unit } of found.values) entry(list, label(name), `${digits(value)} ${value === null ? "" : unit}`);
+}
+
+function showSpectrum(found) {
+  const chart = charts.spectrum;
+  const most = found.answers.max_displacement.map((x, i) => Math.max(Math.abs(x), Math.abs(found.answers.min_displacement[i])));
+  const positive = most.filter((x) => x > 0);
+  chart.begin({
+    x: [found.periods[0], found.periods.at(-1)], y: positive.length ? [Math.min(...positive) / 1.4, Math.max(...positive) * 1.4] : [0.1, 1],
+    xlog: true, ylog: true, xlabel: "natural period (s)", ylabel: `displacement (${found.unit})`,
+  });
+  chart.line(found.periods, most, chart.ink.slide);
+}
+
+$("play-record").onclick = () => {
+  const found = shown.record;
+  const begin = performance.now();
+  const [first, last] = [found.time[0], found.time.at(-1)];
+  let most = 0;
+  for (const x of found.displacement) most = Math.max(most, Math.abs(x));
+  play(false);
+  const step = (now) => {
+    const time = first + (now - begin) / 1000;
+    let i = found.time.findIndex((t) => t >= time);
+    if (i < 0) i = found.time.length - 1;
+    const { cursor, x, y } = charts.shaken;
+    cursor.setAttribute("cx", x(found.time[i]));
+    cursor.setAttribute("cy", y(found.displacement[i]));
+    sketch(most ? found.displacement[i] / most : 0, found.rest[i]);
+    if (time < last && shown.record === found) requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+};
+$("file").onchange = () => $("file").files[0] && take($("file").files[0]);
+$("step").oninput = () => record && askRecord();
+for (const target of [document.body]) {
+  target.addEventListener("dragover", (event) => {
+    event.preventDefault();
+    $("drop").classList.add("over");
+  });
+  target.addEventListener("dragleave", () => $("drop").classList.remove("over"));
+  target.addEventListener("drop", (event) => {
+    event.preventDefault();
+    $("drop").classList.remove("over");
+    if (event.dataTransfer.files[0]) take(event.dataTransfer.files[0]);
+  });
+}
+
+// ---- theme, size, begin
+
+function theme(name) {
+  document.documentElement.dataset.theme = name;
+  $("theme").textContent = name === "dark" ? "Light" : "Dark";
+  $("theme").setAttribute("aria-pressed", String(name === "dark"));
+  redraw();
+}
+
+function redraw() {
+  for (const kind of ["answer", "motion", "curve"]) if (shown[kind]) later(kind, shown[kind]);
+  if (shown.mapGrid) later("map", shown.map);
+  if (shown.record) showRecord(shown.record);
+}
+
+$("theme").onclick = () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+let width = innerWidth;
+addEventListener("resize", () => {
+  if (innerWidth !== width) redraw();
+  width = innerWidth;
+});
+
+async function begin() {
+  fromHash();
+  fields();
+  theme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+  try {
+    const module = await WebAssembly.compile(await unpacked($("wasm").textContent.trim()));
+    live = new Asker(module);
+    slow = new Asker(module);
+  } catch (error) {
+    $("error").textContent = `This browser cannot run the page: ${error.message}`;
+    return;
+  }
+  changed();
+  if (playing) requestAnimationFrame(animate);
+  else play(false);
+}
+
+begin();

@@ -1,0 +1,133 @@
+//! The answer at one point: the verdicts, the closed forms, the steady state, and the machine in its units.
+
+use crate::asked::{Asked, Point, point};
+use serde_json::{Map, Value, json};
+use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Given, Role};
+use stickslip::motion::{LongRun, State, SteadyAnswer};
+use stickslip::words::{self, digits};
+use stickslip::{Column, Definition, Measure, Response, ResponseAnswer, When};
+
+/// The answers of `stickslip response` and `stickslip steady` to the question.
+pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
+    let given = asked.given(&asked.reader()?)?;
+    let point = point(&given)?;
+    let named = |e: stickslip::Error| String::from(given.at_fault(&e));
+    let response = Response::guarded(point.ratios);
+    let excitation = point.excitation();
+    let found = ResponseAnswer { response: &response, excitation, peaks: true };
+    let values = Values { given: &given, point: &point, best: response.best_force_ratio };
+    let limit = LongRun::from_start(point.ratios, State::default()).map_err(named);
+    let steady = match &limit {
+        Ok(limit) => {
+            let answer = SteadyAnswer::new(point.ratios, excitation, limit, true).map_err(named)?;
+            json!({
+                "verdict": words::limit(point.ratios, limit, |x| length(x, &point, &given.system)),
+                "values": values.of(&answer, SteadyAnswer::COLUMNS),
+            })
+        }
+        Err(error) => json!({ "error": error }),
+    };
+    let ratios = point.ratios;
+    Ok(json!({
+        "omega": ratios.omega(),
+        "alpha": ratios.alpha(),
+        "damping_ratio": ratios.damping_ratio(),
+        "static_friction_ratio": ratios.static_friction_ratio(),
+        "verdict": words::verdict(&response),
+        "values": values.of(&found, ResponseAnswer::COLUMNS),
+        "steady": steady,
+        "machine": machine(&point, &given.system),
+    }))
+}
+
+/// A displacement in words.
+pub(crate) fn length(x: f64, point: &Point, system: &System) -> String {
+    match point.machine {
+        Some(machine) => {
+            format!("{} B = {} {}", digits(x), digits(x * machine.scales.length), system.length())
+        }
+        None => format!("{} B", digits(x)),
+    }
+}
+
+/// The quantities of a machine that follow from its inputs.
+fn machine(point: &Point, system: &System) -> Value {
+    let Some(machine) = &point.machine else { return Value::Null };
+    let (body, drive) = (&machine.oscillator, &machine.drive);
+    let turn = 2.0 * std::f64::consts::PI;
+    let mut all = vec![
+        ("frequency", Kind::Hertz, drive.angular_frequency() / turn),
+        ("angular_frequency", Kind::Frequency, drive.angular_frequency()),
+        ("natural_frequency", Kind::Frequency, body.natural_frequency()),
+        ("period", Kind::Time, turn / body.natural_frequency()),
+        ("mass", Kind::Mass, body.mass()),
+        ("stiffness", Kind::Stiffness, body.stiffness()),
+        ("friction", Kind::Force, body.friction_bound()),
+        ("force_amplitude", Kind::Force, drive.force_amplitude(body)),
+        ("friction_displacement", Kind::Length, machine.scales.length),
+    ];
+    if machine.scales.mean_displacement != 0.0 {
+        all.push(("mean_displacement", Kind::Length, machine.scales.mean_displacement));
+    }
+    let named = all
+        .into_iter()
+        .map(|(name, kind, value)| json!({"name": name, "value": value, "unit": system.name(kind)}));
+    named.collect()
+}
+
+/// The values of an answer, with those in the machine's units.
+struct Values<'a> {
+    given: &'a Given<f64>,
+    point: &'a Point,
+    /// The force ratio of the largest loop.
+    best: f64,
+}
+
+impl Values<'_> {
+    fn of<A>(&self, answer: &A, columns: impl IntoIterator<Item = Column<A, f64>>) -> Value {
+        let columns = columns.into_iter().filter(|column| match column.when {
+            When::Always => true,
+            When::Damping => self.given.has_role(Role::Damper),
+            When::StaticFriction => self.given.has_role(Role::StaticFriction),
+        });
+        columns.map(|column| self.value(column.definition, (column.of)(answer))).collect()
+    }
+
+    fn value(&self, definition: &Definition, value: stickslip::Value<f64>) -> Value {
+        let mut row = Map::new();
+        let mut add = |name: &str, value: Value| row.insert(name.to_owned(), value);
+        add("name", json!(definition.name));
+        add("symbol", json!(definition.symbol));
+        add("meaning", json!(definition.meaning));
+        add("unit", json!(definition.measure.unit()));
+        let own = match value {
+            stickslip::Value::Number(number) => json!(number),
+            stickslip::Value::Count(count) => json!(count),
+            stickslip::Value::Flag(flag) => json!(flag),
+            stickslip::Value::Text(text) => json!(text),
+            stickslip::Value::Pairs(pairs) => json!(pairs),
+        };
+        add("value", own);
+        if let stickslip::Value::Number(number) = value
+            && let Some(machine) = &self.point.machine
+            && let Some(name) = definition.physical_name(machine.drive.excitation())
+        {
+            let unit = self.given.system.name(definition.measure.kind());
+            let value = number.map(|number| number * self.size(definition.measure));
+            add("physical", json!({ "name": name, "value": value, "unit": unit }));
+        }
+        Value::Object(row)
+    }
+
+    /// The size of the unit of a measure.
+    fn size(&self, measure: Measure) -> f64 {
+        let Some(machine) = &self.point.machine else { return 1.0 };
+        if measure == Measure::EnergyOfLargestLoop {
+            // A₁ is stated in units of p₀²/(2k) for the best force.
+            let best_force = self.best * machine.scales.force;
+            return 0.5 * best_force * (best_force / machine.oscillator.stiffness());
+        }
+        measure.size(&machine.scales)
+    }
+}

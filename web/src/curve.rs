@@ -1,0 +1,52 @@
+//! The response curve: the greatest displacement over the frequency, stops included, and that of the border.
+
+use crate::asked::{Asked, point};
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+use stickslip::inputs::Input;
+use stickslip::motion::Amplitude;
+use stickslip::{Border, Regime};
+
+/// The most frequencies of a curve.
+const MOST: u64 = 5000;
+
+/// The curve from `from` to `to` times the natural frequency, at equal ratios, with the natural frequency.
+pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
+    let given = asked.given(&asked.reader()?)?;
+    let here = point(&given)?;
+    let (from, to) = (asked.number("from", 0.1), asked.number("to", 4.0));
+    if !(from > 0.0 && from < to && to.is_finite()) {
+        return Err(format!("from {from} to {to}: must be > 0, and the lower end < the upper end"));
+    }
+    let count = asked.count("count", 400, MOST).max(2);
+    let step = (to / from).ln() / (count - 1) as f64;
+    let mut omegas: Vec<f64> = (0..count).map(|i| from * (step * i as f64).exp()).collect();
+    omegas.extend([1.0, here.ratios.omega()].into_iter().filter(|omega| (from..to).contains(omega)));
+    omegas.sort_by(f64::total_cmp);
+    omegas.dedup();
+    let (mut frequencies, mut values, mut regimes, mut borders) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for omega in omegas {
+        let mut given = given.clone();
+        match &here.machine {
+            Some(machine) => {
+                given.take(Input::Omega);
+                given.set(Input::Frequency, omega * machine.oscillator.natural_frequency());
+            }
+            None => given.set(Input::Omega, omega),
+        }
+        // Outside the range of the arithmetic there is no point.
+        let Ok(there) = point(&given) else { continue };
+        let found = Amplitude::Displacement.of(there.ratios, there.excitation());
+        let (value, regime) = found.map_or((None, None), |found| (found.value, found.regime));
+        frequencies.push(there.machine.map_or(omega, |machine| machine.drive.angular_frequency() / TAU));
+        values.push(value.map(|x| x * there.length()));
+        regimes.push(regime.map_or("undecided", Regime::name));
+        borders.push(Border::of(&there.ratios).min_displacement * there.length());
+    }
+    let natural = here.machine.map_or(1.0, |machine| machine.oscillator.natural_frequency() / TAU);
+    Ok(json!({
+        "frequency": frequencies, "displacement": values, "regime": regimes, "border": borders, "natural": natural,
+        "unit": here.machine.map_or("B".to_owned(), |_| given.system.length().to_owned()),
+    }))
+}

@@ -1,0 +1,103 @@
+//! A record dropped on the page: the motion under it, and its spectrum.
+
+use crate::asked::Asked;
+use crate::text;
+use serde_json::{Map, Value, json};
+use stickslip::Excitation;
+use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::inputs::{Given, Input, Role};
+use stickslip::motion::record::{Body, Entry, Record, RecordAnswer};
+
+/// The most points of a curve that is drawn.
+const DRAWN: f64 = 4000.0;
+
+/// The inputs of a body: the drive of the machine is the record.
+fn body_inputs(asked: &Asked<'_>, reader: &Reader) -> Result<Given<f64>, String> {
+    let mut given = asked.given(reader)?;
+    for input in Input::ALL
+        .into_iter()
+        .filter(|input| matches!(input.role(), Role::Drive | Role::Frequency | Role::RotatingMass))
+    {
+        given.take(input);
+    }
+    Ok(given)
+}
+
+/// The record of the question, and the names of columns that are not used.
+fn load(asked: &Asked<'_>, reader: &Reader) -> Result<(Record<f64>, Vec<String>), String> {
+    let (text, name) = (asked.text("text").unwrap_or_default(), asked.text("name").unwrap_or("record"));
+    let typed = asked.text("time_step").map(|text| format!("time_step {text}"));
+    let step =
+        asked.text("time_step").map(|text| reader.value::<f64>("time_step", text, Kind::Time)).transpose()?;
+    text::read(text, name, reader, step.zip(typed.as_deref()))
+}
+
+fn answers(answer: &RecordAnswer<f64>, system: &System) -> Value {
+    let rows = answer.entries().into_iter().map(|(name, kind, entry)| match entry {
+        Entry::Value(value) => json!({ "name": name, "value": value, "unit": system.name(kind) }),
+        Entry::Count(count) => json!({ "name": name, "value": count, "unit": "" }),
+    });
+    rows.collect()
+}
+
+/// The motion of the machine's body under the record, and the answers of `stickslip record`.
+pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
+    let reader = asked.reader()?;
+    let (record, unused) = load(asked, &reader)?;
+    let given = body_inputs(asked, &reader)?;
+    let body = Body::given(&given, None)?;
+    let named = |e: stickslip::Error| format!("{}: {e}", asked.text("name").unwrap_or("record"));
+    let answer = body.follow_from(&record, 0.0, 0.0).map_err(named)?;
+    let interval = (record.end() - record.time(0)) / DRAWN;
+    let motion = body.motion(&record, 0.0, 0.0, interval).map_err(named)?;
+    let column = |of: fn(&stickslip::motion::record::RecordState<f64>) -> f64| -> Vec<f64> {
+        motion.states.iter().map(of).collect()
+    };
+    let stride = (record.samples().len() as f64 / DRAWN).ceil().max(1.0) as usize;
+    let samples = record.samples().iter().enumerate().step_by(stride);
+    let (times, samples): (Vec<f64>, Vec<f64>) =
+        samples.map(|(index, value)| (record.time(index), *value)).unzip();
+    let system = given.system;
+    let load_unit = match record.excitation() {
+        Excitation::Force => system.name(Kind::Force),
+        Excitation::SurfaceAcceleration => system.name(Kind::Acceleration),
+        _ => system.name(Kind::Length),
+    };
+    let rests: Vec<bool> = motion.states.iter().map(|state| state.direction == 0).collect();
+    Ok(json!({
+        "values": answers(&answer, &system),
+        "time": column(|state| state.time), "displacement": column(|state| state.displacement),
+        "velocity": column(|state| state.velocity), "rest": rests,
+        "load": { "time": times, "value": samples, "unit": load_unit, "kind": record.excitation().name() },
+        "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity) },
+        "unused": unused,
+    }))
+}
+
+/// The answers of bodies like the machine's with the natural periods `periods` in s, as `stickslip spectrum` gives them.
+pub(crate) fn spectrum(asked: &Asked<'_>) -> Result<Value, String> {
+    let reader = asked.reader()?;
+    let (record, _) = load(asked, &reader)?;
+    let mut given = body_inputs(asked, &reader)?;
+    for input in Input::of_role(Role::Spring) {
+        given.take(input);
+    }
+    let periods = asked.numbers("periods");
+    let mut columns = Map::new();
+    for &period in &periods {
+        let mut given = given.clone();
+        given.set(Input::Period, period);
+        let answer =
+            Body::given(&given, None)?.follow(&record).map_err(|e| format!("period {period}: {e}"))?;
+        for (name, _, entry) in answer.entries() {
+            let value = match entry {
+                Entry::Value(value) => json!(value),
+                Entry::Count(count) => json!(count),
+            };
+            if let Value::Array(column) = columns.entry(name).or_insert_with(|| json!([])) {
+                column.push(value);
+            }
+        }
+    }
+    Ok(json!({ "periods": periods, "answers": columns, "unit": given.system.name(Kind::Length) }))
+}

@@ -1,0 +1,156 @@
+// The module against the command at $STICKSLIP_COMMAND: every number at $STICKSLIP_MACHINES random machines (10,000), digit
+// for digit.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test from "node:test";
+import { machines } from "./machines.mjs";
+import { asker, glue } from "./module.mjs";
+
+const command = process.env.STICKSLIP_COMMAND || "stickslip";
+const count = Number(process.env.STICKSLIP_MACHINES || 10000);
+const ask = await asker();
+const folder = mkdtempSync(join(tmpdir(), "stickslip-page-"));
+
+// The lines that the command prints for machines of one kind, one for each.
+function answers(name, columns, rows) {
+  const file = join(folder, "points.csv");
+  writeFileSync(file, `${columns.join(",")}\n${rows.map((row) => row.join(",")).join("\n")}\n`);
+  const ran = spawnSync(command, [name, "--points", file, "--format", "jsonl"], { encoding: "utf8", maxBuffer: 1 << 30 });
+  assert.equal(ran.status, 0, ran.stderr);
+  return ran.stdout.trimEnd().split("\n").map((line) => JSON.parse(line));
+}
+
+// The fields of a line that the page has, too.
+function compared(values, line, where) {
+  let fields = 0;
+  for (const { name, value, physical } of values) {
+    assert.ok(name in line, `${where}: the command has no ${name}`);
+    assert.deepEqual(value, line[name], `${where}: ${name}`);
+    fields += 1;
+    if (physical) {
+      assert.deepEqual(physical.value, line.physical[physical.name], `${where}: ${physical.name}`);
+      assert.equal(physical.unit, line.physical.units[physical.name], `${where}: unit of ${physical.name}`);
+      fields += 1;
+    }
+  }
+  return fields;
+}
+
+test.after(() => rmSync(folder, { recursive: true }));
+
+test("every number is that of the command", (t) => {
+  let [points, fields] = [0, 0];
+  for (const { columns, rows } of machines(count)) {
+    const [response, steady] = ["response", "steady"].map((name) => answers(name, columns, rows));
+    assert.equal(response.length, rows.length);
+    rows.forEach((row, i) => {
+      const inputs = Object.fromEntries(columns.map((name, j) => [name, String(row[j])]));
+      const where = JSON.stringify(inputs);
+      const found = ask({ ask: "answer", inputs });
+      fields += compared(found.values, response[i], where);
+      fields += compared(found.steady.values, steady[i], where);
+      for (const name of ["omega", "alpha"]) assert.equal(found[name], response[i][name], where);
+      for (const { name, value, unit } of found.machine || []) {
+        assert.equal(value, response[i].physical[name], `${where}: ${name}`);
+        assert.equal(unit, response[i].physical.units[name], `${where}: unit of ${name}`);
+        fields += 1;
+      }
+      points += 1;
+    });
+  }
+  assert.ok(fields > 50 * points, String(fields));
+  t.diagnostic(`${fields} numbers of ${points} machines`);
+});
+
+test("sentences and numbers are written as the command writes them", () => {
+  let texts = 0;
+  for (const { columns, rows } of machines(80)) {
+    for (const row of rows) {
+      const options = columns.flatMap((name, j) => [`--${name.replaceAll("_", "-")}`, String(row[j])]);
+      const ran = spawnSync(command, ["steady", ...options], { encoding: "utf8" });
+      assert.equal(ran.status, 0, ran.stderr);
+      const inputs = Object.fromEntries(columns.map((name, j) => [name, String(row[j])]));
+      const { verdict, values } = ask({ ask: "answer", inputs }).steady;
+      assert.ok(ran.stdout.includes(verdict), `${verdict}\n${ran.stdout}`);
+      const velocity = values.find(({ name }) => name === "max_velocity");
+      if (velocity.value === null) continue;
+      const written = /maximum velocity +(\S+)[^=\n]*(?:= (\S+))?/.exec(ran.stdout);
+      assert.equal(glue.digits(velocity.value), written[1], ran.stdout);
+      if (velocity.physical) assert.equal(glue.digits(velocity.physical.value), written[2], ran.stdout);
+      texts += 1;
+    }
+  }
+  assert.ok(texts > 30, String(texts));
+});
+
+test("designs are those of the command", () => {
+  const machine = { mass: "50 t", stiffness: "1000 kN/m", friction: "5 kN", damping_ratio: "2 %", force: "12 kN", frequency: "1 Hz" };
+  const found = ask({ ask: "design", inputs: machine, units: "kN,m" });
+  const value = (name) => found.find((row) => row.name === name).value;
+  const run = (question, leave) => {
+    const given = Object.entries(machine).filter(([name]) => name !== leave);
+    const options = given.flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text.replaceAll(" ", "")]);
+    const ran = spawnSync(command, ["design", question, ...options, "--units", "kN,m", "--format", "json"], { encoding: "utf8" });
+    assert.equal(ran.status, 0, ran.stderr);
+    return JSON.parse(ran.stdout);
+  };
+  const [force, friction, best] = [run("force", "force"), run("friction", "friction"), run("dissipation", "friction")];
+  assert.equal(value("force"), force.force);
+  assert.equal(value("unbalance"), force.unbalance);
+  assert.equal(value("foot_displacement"), force.foot_displacement);
+  assert.equal(value("base_displacement"), force.base_displacement);
+  assert.equal(value("friction"), friction.friction);
+  assert.equal(value("best_friction"), best.friction);
+  assert.equal(value("energy"), best.energy);
+});
+
+test("a record is followed as the command follows it", () => {
+  const times = Array.from({ length: 400 }, (_, i) => i * 0.02);
+  const text = `time[s],acceleration[g]\n${times.map((t) => `${t.toFixed(2)},${(0.3 * Math.sin(7 * t) * Math.exp(-t / 5)).toFixed(6)}`).join("\n")}\n`;
+  const file = join(folder, "shake.csv");
+  writeFileSync(file, text);
+  const inputs = { mass: "2 t", period: "0.8 s", friction_coefficient: "0.05", damping_ratio: "2 %" };
+  const found = ask({ ask: "record", inputs, text, name: "shake.csv" });
+  const options = Object.entries(inputs).flatMap(([name, value]) => [`--${name.replaceAll("_", "-")}`, value.replaceAll(" ", "")]);
+  const ran = spawnSync(command, ["record", file, ...options, "--format", "json"], { encoding: "utf8" });
+  assert.equal(ran.status, 0, ran.stderr);
+  const due = JSON.parse(ran.stdout);
+  const own = due.physical || due;
+  for (const { name, value, unit } of found.values) {
+    assert.equal(value, own[name], name);
+    if (unit) assert.equal(unit, own.units[name], name);
+  }
+  assert.ok(found.values.find(({ name }) => name === "stops").value > 3);
+  // A body of the spectrum is the same as one alone.
+  const alone = ask({ ask: "record", inputs: { ...inputs, period: "0.5 s" }, text });
+  const spectrum = ask({ ask: "spectrum", inputs, text, periods: [0.25, 0.5] });
+  for (const { name, value } of alone.values) assert.equal(spectrum.answers[name][1], value, name);
+});
+
+test("wrong input gets a line of the library", () => {
+  const base = { mass: "1", stiffness: "1", friction: "1", force: "2", frequency: "1" };
+  const said = (question) => {
+    try {
+      ask({ ask: "answer", ...question });
+    } catch (error) {
+      return error.message;
+    }
+    return "";
+  };
+  assert.match(said({ inputs: { ...base, mass: "-3" } }), /^mass -3: mass m = -3 must be > 0/);
+  assert.match(said({ inputs: { ...base, mass: "3 kg", units: "" } }), /kg|units/);
+  assert.match(said({ inputs: { ...base, mass: "three" } }), /^mass three: /);
+  assert.match(said({ inputs: { omega: "0", alpha: "2" } }), /must be/);
+  assert.match(said({ inputs: { omega: "1" } }), /alpha/);
+  assert.match(said({ inputs: { ...base, wheel: "1" } }), /wheel: is unknown/);
+  assert.match(said({ inputs: base, units: "kN,parsec" }), /^units kN,parsec: /);
+  assert.match(said({ ask: "fortune" }), /is unknown/);
+  for (const text of ["", "x", "time[s],acceleration[g]\n0,1\n", "time[s],acceleration[g]\n0,1\n0.1,NaN\n", "a,b\n1,2\n"]) {
+    assert.throws(() => ask({ ask: "record", inputs: base, text, name: "a.csv" }), /a\.csv/, text);
+  }
+  // The module answers on.
+  assert.equal(ask({ ask: "answer", inputs: { omega: "1.5", alpha: "2.5" } }).values.find(({ name }) => name === "max_displacement").value, 1.632993161855452);
+});
