@@ -161,16 +161,21 @@ $("units").oninput = () => {
 };
 $("machine").onsubmit = (event) => event.preventDefault();
 
+// Where the last move leads, until its answer is there.
+let aim = null;
+
 // Moves the machine to Ω and α by its frequency and the amplitude of its drive.
 function moveTo(omega, alpha) {
   const answer = shown.answer;
   if (!answer) return;
+  aim = { omega, alpha };
   if (state.mode === "ratios") {
     state.omega = short(omega);
     state.alpha = short(alpha);
   } else {
     const name = inRole(ROLES.machine[5]);
-    const [frequency, amplitude] = [parts(state.frequency), parts(state[name])];
+    // The inputs of the answer: those of now may be ahead of it.
+    const [frequency, amplitude] = [parts(answer.inputs.frequency), parts(answer.inputs[name])];
     if (!frequency || !amplitude) return;
     const ratio = omega / answer.omega;
     let size = alpha / answer.alpha / ratio ** (POWERS[name] || 0);
@@ -178,8 +183,8 @@ function moveTo(omega, alpha) {
       const zeta = answer.damping_ratio;
       size *= Math.hypot(1, 2 * zeta * answer.omega) / Math.hypot(1, 2 * zeta * omega);
     }
-    state.frequency = withNumber(state.frequency, frequency[0] * ratio);
-    state[name] = withNumber(state[name], amplitude[0] * size);
+    state.frequency = withNumber(answer.inputs.frequency, frequency[0] * ratio);
+    state[name] = withNumber(answer.inputs[name], amplitude[0] * size);
   }
   for (const typed of document.querySelectorAll("[data-input]")) {
     if (state[typed.dataset.input] !== typed.value) typed.value = state[typed.dataset.input];
@@ -269,17 +274,25 @@ let settled = 0;
 
 // Asks anew whatever depends on the inputs.
 function changed() {
-  history.replaceState(null, "", hash());
   if (!live) return;
-  live.ask("answer", question("answer"), ({ ok, error }) => later("answer", ok, error));
+  const asked = question("answer");
+  live.ask("answer", asked, ({ ok, error }) => later("answer", ok && { ...ok, inputs: asked.inputs }, error));
   live.ask("motion", question("motion"), ({ ok }) => later("motion", ok));
   live.ask("curve", question("curve", { from: 0.1, to: 5, count: 240 }), ({ ok }) => later("curve", ok));
+  soon();
+}
+
+function soon() {
   clearTimeout(settled);
   settled = setTimeout(still, 150);
 }
 
 // What takes longer is asked when the inputs are still.
 function still() {
+  history.replaceState(null, "", hash());
+  const asked = JSON.stringify(question("slow"));
+  if (!shown.answer || asked === still.asked) return;
+  still.asked = asked;
   slow.ask("design", question("design"), ({ ok, error }) => showDesign(ok, error));
   const eta = shown.answer?.static_friction_ratio ?? 1;
   $("limits-section").hidden = !(eta > 1);
@@ -311,6 +324,8 @@ function draw() {
       continue;
     }
     shown[kind] = ok;
+    // The slow questions depend on the answer, which may be late.
+    if (kind === "answer") soon();
     ({ answer: showAnswer, motion: showMotion, curve: showCurve, map: showMap })[kind](ok);
   }
 }
@@ -338,6 +353,7 @@ function entry(list, name, text) {
 }
 
 function showAnswer(answer) {
+  if (JSON.stringify(answer.inputs) === JSON.stringify(inputs())) aim = null;
   const steady = answer.steady;
   // The closed forms say why, the motion says how often; where both say the same, once is enough.
   const more = steady.error === undefined ? steady.verdict : steady.error;
@@ -353,6 +369,7 @@ function showAnswer(answer) {
   const least = answer.values.find((row) => row.name === "min_force_ratio");
   entry(list, "least force without sticking", valueText(least).filter(Boolean).join(" = "));
   if ($("all").parentElement.open) showAll();
+  putKnob();
 }
 
 function showAll() {
@@ -611,7 +628,7 @@ function showMap() {
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (!step) return;
     event.preventDefault();
-    const { omega, alpha } = shown.answer;
+    const { omega, alpha } = aim || shown.answer;
     const size = event.shiftKey ? 0.1 : 0.01;
     moveTo(Math.max(omega + step[0] * size, 0.001), Math.max(alpha + step[1] * size * 3, 0.001));
   };
@@ -694,6 +711,7 @@ let record = null;
 
 async function take(file) {
   record = { name: file.name, text: await file.text() };
+  $("record-name").textContent = file.name;
   askRecord();
 }
 
@@ -738,25 +756,30 @@ function showSpectrum(found) {
 }
 
 $("play-record").onclick = () => {
-  const found = shown.record;
   const begin = performance.now();
-  const [first, last] = [found.time[0], found.time.at(-1)];
-  let most = 0;
-  for (const x of found.displacement) most = Math.max(most, Math.abs(x));
   play(false);
   const step = (now) => {
-    const time = first + (now - begin) / 1000;
+    const found = shown.record;
+    const time = found.time[0] + (now - begin) / 1000;
     let i = found.time.findIndex((t) => t >= time);
     if (i < 0) i = found.time.length - 1;
     const { cursor, x, y } = charts.shaken;
     cursor.setAttribute("cx", x(found.time[i]));
     cursor.setAttribute("cy", y(found.displacement[i]));
+    let most = 0;
+    for (const x of found.displacement) most = Math.max(most, Math.abs(x));
     sketch(most ? found.displacement[i] / most : 0, found.rest[i]);
-    if (time < last && shown.record === found) requestAnimationFrame(step);
+    if (!playing && i < found.time.length - 1) requestAnimationFrame(step);
   };
   requestAnimationFrame(step);
 };
-$("file").onchange = () => $("file").files[0] && take($("file").files[0]);
+$("file").onchange = async () => {
+  const [file] = $("file").files;
+  if (!file) return;
+  await take(file);
+  // So that the same file can be chosen again after a change.
+  $("file").value = "";
+};
 $("step").oninput = () => record && askRecord();
 for (const target of [document.body]) {
   target.addEventListener("dragover", (event) => {
