@@ -164,6 +164,10 @@ class Chart {
   }
 
   legend(rows) {
+    const length = (of) => of.reduce((sum, [text]) => sum + 33 + 6.2 * text.length, 8);
+    rows = rows.slice();
+    while (length(rows) > this.box.right - this.box.left) rows.pop();
+    this.add("rect", { x: this.box.left + 1, y: this.box.top, width: length(rows), height: 19, fill: this.ink.paper, opacity: 0.85 });
     let x = this.box.left + 8;
     for (const [text, colour, dash] of rows) {
       this.add("path", { d: `M${x} ${this.box.top + 9}h18`, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash || "" });

@@ -367,7 +367,8 @@ function showAnswer(answer) {
     if (row && row.value !== null) entry(list, label(name), valueText(row).filter(Boolean).join(" = "));
   }
   const least = answer.values.find((row) => row.name === "min_force_ratio");
-  entry(list, "least force without sticking", valueText(least).filter(Boolean).join(" = "));
+  // With a higher static friction the border is that of a cycle, which not every start reaches.
+  entry(list, answer.static_friction_ratio > 1 ? "cycle without a stop from" : "least force without sticking", `${valueText(least).filter(Boolean).join(" = ")} r_y`);
   if ($("all").parentElement.open) showAll();
   putKnob();
 }
@@ -617,10 +618,6 @@ function showMap() {
   chart.line(omegas, grid.border, chart.ink.border, { width: 1.6 });
   const counts = [...areas.keys()].filter((n) => n > 0).sort((a, b) => a - b);
   const rows = [["no stop", chart.ink.slide], ["rest", chart.ink.stuck], ...counts.slice(0, 4).map((n) => [`${n} stop${n === 1 ? "" : "s"}`, shade(n)])];
-  const length = () => rows.reduce((sum, [text]) => sum + 33 + 6.2 * text.length, 8);
-  while (length() > chart.box.right - chart.box.left) rows.pop();
-  const width = length();
-  chart.add("rect", { x: chart.box.left + 2, y: chart.box.top, width: Math.min(width, chart.box.right - chart.box.left - 4), height: 19, fill: chart.ink.paper, opacity: 0.85 });
   chart.legend(rows);
   const knob = chart.add("g", { class: "here", tabindex: 0, role: "slider", "aria-label": "Point on the map: the arrow keys change Ω and α", "aria-valuemin": 0, "aria-valuemax": grid.omega });
   knob.append(node("circle", { r: 11, fill: "transparent" }), node("circle", { r: 6.5, fill: chart.ink.here, stroke: chart.ink.paper, "stroke-width": 2 }));
@@ -671,6 +668,9 @@ charts.map.svg.addEventListener("pointerdown", (event) => {
 // Each sentence with the answers that it has.
 const SENTENCES = [
   [["force", "unbalance", "foot_displacement", "base_displacement"], "The body never sticks at a force of {} or more: an unbalance of {}, a motion of {} of the spring's foot, or of {} of a base that carries the surface."],
+  [["cycle_force", "release_force"], "A cycle without a stop exists at a force of {} or more; a body at rest is released above {}."],
+  [["every_start_force"], "Every start slides without a stop in the long run above {}; this bound suffices and is not the least."],
+  [["cycle_friction"], "Under this drive a cycle without a stop exists with a friction of {} or less."],
   [["friction"], "Under this drive it never sticks with a friction of {} or less."],
   [["best_friction", "energy"], "Among motions without a stop, dissipation is greatest with a friction of {}: {} a cycle."],
   [["force_ratio"], "The body never sticks at a force of {} or more."],

@@ -4,7 +4,7 @@ use crate::asked::{Asked, point};
 use serde_json::{Value, json};
 use stickslip::design;
 use stickslip::inputs::units::Kind;
-use stickslip::{Border, Error, Excitation};
+use stickslip::{Border, Error, Excitation, NoStop};
 
 /// A row: the name, the value or the reason for its absence, and the unit.
 fn row(name: &str, found: Result<f64, Error>, unit: &str) -> Value {
@@ -15,32 +15,54 @@ fn row(name: &str, found: Result<f64, Error>, unit: &str) -> Value {
 }
 
 /// As `stickslip design force`, `friction` and `dissipation`, for the machine of the question; in ratios as fractions of
-/// friction and force.
+/// friction and force. With a static friction above the kinetic one, the cycle without a stop, the release of a body at
+/// rest, and every start have forces of their own.
 pub(crate) fn design(asked: &Asked<'_>) -> Result<Value, String> {
     let given = asked.given(&asked.reader()?)?;
     let point = point(&given)?;
+    let ratios = &point.ratios;
+    let least = Border::of(ratios).min_force_ratio;
+    let (force, size) = match &point.machine {
+        Some(machine) => (given.system.name(Kind::Force), machine.scales.force),
+        None => ("r_y".to_owned(), 1.0),
+    };
+    let mut rows = Vec::new();
+    if ratios.has_higher_static_friction() {
+        rows.push(row("cycle_force", Ok(least * size), &force));
+        rows.push(row("release_force", Ok(ratios.static_friction_ratio() * size), &force));
+        rows.extend(
+            NoStop::of(ratios).every_start.map(|bound| row("every_start_force", Ok(bound * size), &force)),
+        );
+    }
     let Some(machine) = &point.machine else {
-        let (omega, zeta) = (point.ratios.omega(), point.ratios.damping_ratio());
-        let least = Border::of(&point.ratios).min_force_ratio;
-        let best = design::most_dissipating_force_ratio(omega, zeta);
-        return Ok(json!([
-            row("force_ratio", Ok(least), "r_y"),
-            row("friction_to_force", Ok(1.0 / least), "p₀"),
-            row("best_force_ratio", best.map(|best| best.at), "r_y"),
-        ]));
+        if ratios.has_higher_static_friction() {
+            rows.push(row("cycle_friction", Ok(1.0 / least), "p₀"));
+        } else {
+            let best = design::most_dissipating_force_ratio(ratios.omega(), ratios.damping_ratio());
+            rows.push(row("force_ratio", Ok(least), "r_y"));
+            rows.push(row("friction_to_force", Ok(1.0 / least), "p₀"));
+            rows.push(row("best_force_ratio", best.map(|best| best.at), "r_y"));
+        }
+        return Ok(Value::Array(rows));
     };
     let (body, drive) = (&machine.oscillator, &machine.drive);
-    let (force, length) = (given.system.name(Kind::Force), given.system.name(Kind::Length));
-    let frequency = drive.angular_frequency();
-    let least = |excitation| design::min_amplitude(body, excitation, frequency);
+    let most = design::max_friction(body, drive);
+    if ratios.has_higher_static_friction() {
+        rows.push(row("cycle_friction", most, &force));
+        return Ok(Value::Array(rows));
+    }
+    let length = given.system.name(Kind::Length);
+    let unbalance = given.system.name(Kind::Unbalance);
+    let least = |excitation| design::min_amplitude(body, excitation, drive.angular_frequency());
     let best = design::most_dissipating_friction(body, drive);
-    Ok(json!([
+    rows.extend([
         row("force", least(Excitation::Force), &force),
-        row("unbalance", least(Excitation::Unbalance), &given.system.name(Kind::Unbalance)),
+        row("unbalance", least(Excitation::Unbalance), &unbalance),
         row("foot_displacement", least(Excitation::FootMotion), &length),
         row("base_displacement", least(Excitation::SurfaceMotion), &length),
-        row("friction", design::max_friction(body, drive), &force),
+        row("friction", most, &force),
         row("best_friction", best.as_ref().map(|best| best.at).map_err(Clone::clone), &force),
         row("energy", best.map(|best| best.value), &given.system.name(Kind::Energy)),
-    ]))
+    ]);
+    Ok(Value::Array(rows))
 }

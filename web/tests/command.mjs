@@ -105,6 +105,16 @@ test("designs are those of the command", () => {
   assert.equal(value("friction"), friction.friction);
   assert.equal(value("best_friction"), best.friction);
   assert.equal(value("energy"), best.energy);
+  // With a higher static friction the words are others, and the numbers are those of the command.
+  const held = ask({ ask: "design", inputs: { ...machine, static_friction_ratio: "1.3" }, units: "kN,m" });
+  machine.static_friction_ratio = "1.3";
+  const [more, less] = [run("force", "force"), run("friction", "friction")];
+  const heldValue = (name) => held.find((row) => row.name === name).value;
+  assert.equal(heldValue("cycle_force"), more.force);
+  assert.equal(heldValue("release_force"), more.release_force);
+  assert.equal(heldValue("every_start_force"), more.every_start_force);
+  assert.equal(held.find((row) => row.name === "force"), undefined);
+  assert.equal(heldValue("cycle_friction"), less.friction);
 });
 
 test("a record is followed as the command follows it", () => {
