@@ -235,15 +235,25 @@ $("link").onclick = async () => {
 
 // ---- the questions
 
-// A worker with the module. Of several questions of one kind that wait, only the last is asked.
+// A worker with the module. Of several questions of one kind that wait, only the last is asked. A worker that is still
+// busy with an old question after two seconds is replaced when a new one comes.
+const PATIENCE = 2000;
+
 class Asker {
   constructor(module) {
-    const source = $("module-source").textContent + $("worker-source").textContent;
-    this.worker = new Worker(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
-    this.worker.postMessage({ module });
+    this.module = module;
     this.waiting = new Map();
+    this.start();
+  }
+
+  start() {
+    const source = $("module-source").textContent + $("worker-source").textContent;
+    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     this.running = null;
+    this.worker = new Worker(address);
+    this.worker.postMessage({ module: this.module });
     this.worker.onmessage = ({ data }) => {
+      URL.revokeObjectURL(address);
       const done = this.running;
       this.running = null;
       // The next question runs while this answer is drawn.
@@ -255,6 +265,10 @@ class Asker {
   ask(kind, question, done) {
     this.waiting.delete(kind);
     this.waiting.set(kind, { question, done });
+    if (this.running && performance.now() - this.since > PATIENCE) {
+      this.worker.terminate();
+      this.start();
+    }
     if (!this.running) this.next();
   }
 
@@ -262,6 +276,7 @@ class Asker {
     for (const [kind, request] of this.waiting) {
       this.waiting.delete(kind);
       this.running = request;
+      this.since = performance.now();
       this.worker.postMessage({ id: kind, question: request.question });
       return;
     }
@@ -271,11 +286,14 @@ class Asker {
 let live = null;
 let slow = null;
 let settled = 0;
+let late = 0;
 
 // Asks anew whatever depends on the inputs.
 function changed() {
   if (!live) return;
   const asked = question("answer");
+  clearTimeout(late);
+  late = setTimeout(() => ($("verdict").textContent = "Computing …"), 1000);
   live.ask("answer", asked, ({ ok, error }) => later("answer", ok && { ...ok, inputs: asked.inputs }, error));
   live.ask("motion", question("motion"), ({ ok }) => later("motion", ok));
   live.ask("curve", question("curve", { from: 0.1, to: 5, count: 240 }), ({ ok }) => later("curve", ok));
@@ -316,6 +334,7 @@ function draw() {
   drawn.clear();
   for (const [kind, [ok, error]] of all) {
     if (kind === "answer") {
+      clearTimeout(late);
       $("error").textContent = error === undefined ? "" : error;
       for (const section of document.querySelectorAll("main > section")) section.classList.toggle("stale", error !== undefined && !section.contains($("error")) && !section.contains($("drop")));
     }
@@ -457,7 +476,7 @@ function showCurve(curve) {
   const at = here ? here.omega * curve.natural : NaN;
   const height = value ? (value.physical ? value.physical.value : value.value) : null;
   const finite = displacement.filter((x) => x > 0);
-  const top = Math.max(...finite, height || 0) * 1.4;
+  const top = Math.max(...finite, height || 0) * 2.4;
   const least = Math.min(...finite, height > 0 ? height : Infinity) / 1.4;
   const low = Math.max(least, top * 1e-4);
   chart.begin({
