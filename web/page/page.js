@@ -236,8 +236,8 @@ $("link").onclick = async () => {
 // ---- the questions
 
 // A worker with the module. Of several questions of one kind that wait, only the last is asked. A worker that is still
-// busy with an old question after two seconds is replaced when a new one comes.
-const PATIENCE = 2000;
+// busy with an old question after a second is replaced when a new one comes.
+const PATIENCE = 1000;
 
 class Asker {
   constructor(module) {
