@@ -104,7 +104,7 @@ test("a machine that takes long does not hold up the next", async () => {
   for (const worker of page.workers()) worker.on("close", () => ended++);
   await page.fill("#in-omega", "1e-6");
   await answered(page, "Computing");
-  await page.waitForTimeout(2500);
+  await page.waitForFunction(() => live.running && performance.now() - live.since > 1200, null, { polling: 20 });
   await page.fill("#in-omega", "0.4");
   await page.fill("#in-alpha", "6");
   await answered(page, "2 stops in a cycle");
