@@ -100,14 +100,14 @@ test("units and kinds of input are switched", async () => {
 
 test("a machine that takes long does not hold up the next", async () => {
   const page = await opened("#mode=ratios&omega=1.5&alpha=2.5");
-  const ended = Promise.any(page.workers().map((worker) => worker.waitForEvent("close")));
+  const ended = Promise.any(page.workers().map((worker) => new Promise((resolve) => worker.on("close", resolve))));
   await page.fill("#in-omega", "1e-6");
   await answered(page, "Computing");
   await page.waitForFunction(() => live.running && performance.now() - live.since > 1200, null, { polling: 20 });
   await page.fill("#in-omega", "0.4");
   await page.fill("#in-alpha", "6");
   await answered(page, "2 stops in a cycle");
-  await ended;
+  await Promise.race([ended, page.waitForTimeout(20_000).then(() => assert.fail("no worker was replaced"))]);
   await closed(page);
 });
 
