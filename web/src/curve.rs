@@ -10,7 +10,7 @@ use stickslip::{Border, Regime};
 /// The most frequencies of a curve.
 const MOST: u64 = 5000;
 
-/// The curve from `from` to `to` times the natural frequency, at equal ratios, with the natural frequency.
+/// The curve from `from` to `to` times the natural frequency, at equal ratios, and finer beside the natural frequency.
 pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let given = asked.given(&asked.reader()?)?;
     let here = point(&given)?;
@@ -21,9 +21,12 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let count = asked.count("count", 400, MOST).max(2);
     let step = (to / from).ln() / (count - 1) as f64;
     let mut omegas: Vec<f64> = (0..count).map(|i| from * (step * i as f64).exp()).collect();
-    omegas.extend([1.0, here.ratios.omega()].into_iter().filter(|omega| (from..to).contains(omega)));
+    // The resonance is narrower than the step.
+    let beside = [0.0, 1e-4, 3e-4, 1e-3, 2e-3, 4e-3, 7e-3].into_iter().flat_map(|off| [1.0 - off, 1.0 + off]);
+    omegas.extend(beside.chain([here.ratios.omega()]).filter(|omega| (from..to).contains(omega)));
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();
+    let mut kept = Vec::new();
     let (mut frequencies, mut values, mut regimes, mut borders) =
         (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for omega in omegas {
@@ -39,6 +42,7 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
         let Ok(there) = point(&given) else { continue };
         let found = Amplitude::Displacement.of(there.ratios, there.excitation());
         let (value, regime) = found.map_or((None, None), |found| (found.value, found.regime));
+        kept.push(omega);
         frequencies.push(there.machine.map_or(omega, |machine| machine.drive.angular_frequency() / TAU));
         values.push(value.map(|x| x * there.length()));
         regimes.push(regime.map_or("undecided", Regime::name));
@@ -46,7 +50,7 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     }
     let natural = here.machine.map_or(1.0, |machine| machine.oscillator.natural_frequency() / TAU);
     Ok(json!({
-        "frequency": frequencies, "displacement": values, "regime": regimes, "border": borders, "natural": natural,
+        "omega": kept, "frequency": frequencies, "displacement": values, "regime": regimes, "border": borders, "natural": natural,
         "unit": here.machine.map_or("B".to_owned(), |_| given.system.length().to_owned()),
     }))
 }

@@ -117,6 +117,53 @@ test("designs are those of the command", () => {
   assert.equal(heldValue("cycle_friction"), less.friction);
 });
 
+test("curves, maps and limits are those of the command", () => {
+  const run = (...words) => {
+    const ran = spawnSync(command, words, { encoding: "utf8", maxBuffer: 1 << 28 });
+    assert.equal(ran.status, 0, ran.stderr);
+    return ran.stdout;
+  };
+  const rows = (text) => text.trimEnd().split("\n").slice(1).map((line) => line.split(","));
+  let points = 0;
+  for (const [alpha, zeta] of [[1.3, 0.02], [2.5, 0], [4, 0.05], [20, 0.7]]) {
+    const inputs = { omega: "0.7", alpha: String(alpha), damping_ratio: String(zeta) };
+    const options = ["--alpha", String(alpha), "--damping-ratio", String(zeta)];
+    const curve = ask({ ask: "curve", inputs, from: 0.2, to: 3, count: 60 });
+    const due = new Map(rows(run("response-curve", "displacement", "--omega", curve.omega.join(","), ...options)).map((row) => [Number(row[1]), row]));
+    curve.omega.forEach((omega, i) => {
+      const [, , regime, value] = due.get(omega);
+      assert.equal(curve.regime[i], regime, `${omega} ${alpha}`);
+      if (value !== "") assert.equal(curve.displacement[i] / alpha, Number(value), `${omega} ${alpha} ${zeta}`);
+      else assert.equal(curve.displacement[i], null);
+      points += 1;
+    });
+    const [omegas, alphas] = [[0.1, 0.25, 0.4, 0.7, 1, 1.9], [0.5, 1.2, 2.5, 4.5]];
+    const map = ask({ ask: "map", omegas, alphas, damping_ratio: zeta });
+    rows(run("map", "stops", "--omega", omegas.join(","), "--alpha", alphas.join(","), "--damping-ratio", String(zeta))).forEach(([omega, height, stops], i) => {
+      assert.deepEqual([omegas[i % 6], alphas[Math.floor(i / 6)]], [Number(omega), Number(height)]);
+      assert.equal(map.stops[i] < 0 ? "" : String(map.stops[i]), stops, `${omega} ${height} ${zeta}`);
+    });
+    omegas.forEach((omega, i) => {
+      assert.equal(map.border[i], JSON.parse(run("border", "--omega", String(omega), "--damping-ratio", String(zeta), "--format", "json")).min_force_ratio);
+    });
+  }
+  assert.ok(points > 250, String(points));
+  for (const [omega, alpha, zeta, eta] of [[0.5, 4, 0.02, 1.3], [0.3, 1.2, 0, 1.5], [2, 3, 0.1, 1.8], [1.2, 8, 0.01, 2]]) {
+    const inputs = { omega: String(omega), alpha: String(alpha), damping_ratio: String(zeta), static_friction_ratio: String(eta) };
+    const options = Object.entries(inputs).flatMap(([name, value]) => [`--${name.replaceAll("_", "-")}`, value]);
+    const due = JSON.parse(run("attractors", ...options, "--starts", "64", "--format", "json"));
+    const found = ask({ ask: "limits", inputs, count: 64 });
+    assert.deepEqual([found.starts, found.reach, found.unsettled, found.limits.length], [due.starts, due.reach, due.unsettled, due.attractors.length]);
+    found.limits.forEach((row, i) => {
+      const own = due.attractors[i];
+      assert.deepEqual([row.limit, row.share, row.stops], [own.limit, own.share, own.sticks_per_cycle]);
+      if (row.extrema) assert.deepEqual(row.extrema, [own.min_displacement, own.max_displacement]);
+      if (row.range) assert.deepEqual(row.range, [own.rest_from, own.rest_to]);
+      assert.equal(row.mirror === null ? null : row.mirror + 1, own.mirror);
+    });
+  }
+});
+
 test("a record is followed as the command follows it", () => {
   const times = Array.from({ length: 400 }, (_, i) => i * 0.02);
   const text = `time[s],acceleration[g]\n${times.map((t) => `${t.toFixed(2)},${(0.3 * Math.sin(7 * t) * Math.exp(-t / 5)).toFixed(6)}`).join("\n")}\n`;
