@@ -11,23 +11,24 @@ from scipy.optimize import brentq
 
 from common import by_modes, main, settled, stops_of
 
-#: Between them the zeros of the velocity are found, and with them the greatest displacement. (LSODA's dense output is not
+#: In a period of the drive or of the body, the shorter of the two. Between them the zeros of the velocity are found, and with them the greatest displacement. (LSODA's dense output is not
 #: continuous enough for `solve_ivp`'s events.)
 SAMPLES = 1000
 
 
 def smoothed(omega, alpha, zeta, eta, setting):
-    """Static friction cannot be smoothed. A stop is a hundredth of a period or more with |v| < 10 eps."""
+    """Static friction cannot be smoothed. A stop has |v| < 10 eps for a hundredth of a period of the drive or of the body."""
     eps = {"default": 1e-3, "tight": 1e-5}[setting]
     tolerances = {"default": {}, "tight": {"rtol": 1e-9, "atol": 1e-12}}[setting]
     turn = 2 * np.pi / omega
+    samples = SAMPLES * int(np.ceil(max(1 / omega, 1)))
     state = np.zeros(2)
 
     def slope(t, y):
         return y[1], alpha * np.sin(omega * t) - y[0] - 2 * zeta * y[1] - np.tanh(y[1] / eps)
 
     def period(n):
-        times = np.linspace(n * turn, (n + 1) * turn, SAMPLES + 1)
+        times = np.linspace(n * turn, (n + 1) * turn, samples + 1)
         found = solve_ivp(slope, (times[0], times[-1]), state, method="LSODA", dense_output=True, **tolerances)
         if not found.success:
             return np.nan, -1

@@ -12,6 +12,8 @@ import numpy as np
 
 #: The relative agreement of three successive periods and the most periods, for each setting.
 ENDS = {"default": (1e-6, 300), "tight": (1e-9, 10_000)}
+#: A slide starts with this velocity, so that its start is not found as its end.
+START = 1e-13
 
 
 def stops_of(velocities, small, least):
@@ -69,14 +71,15 @@ def by_modes(omega, alpha, zeta, eta, setting, integrate):
                     t, _, met = integrate(lambda t, y: (0.0,), release, 1, (t, end), (0.0,), turn / 50, setting)
                     t += 1e-12 * turn * met
                 mode = np.sign(force(t, x)) if met else 0
+                v = START * mode
                 continue
             slope = lambda t, y: (y[1], force(t, y[0]) - 2 * zeta * y[1] - mode)
             t, (x, v), met = integrate(slope, lambda t, y: y[1], -mode, (t, end), (x, v), np.inf, setting)
             if met:
-                v = 0.0
                 rests = abs(force(t, x)) <= eta
                 stops += rests
-                mode = 0 if rests else -mode
+                mode = 0 if rests else np.sign(force(t, x))
+                v = START * mode
         return np.nan, -1
 
     return settled(period, setting)

@@ -9,7 +9,7 @@ import sys
 import matplotlib
 
 matplotlib.use("svg")
-matplotlib.rcParams["svg.hashsalt"] = "stickslip"
+matplotlib.rcParams.update({"svg.hashsalt": "stickslip", "svg.fonttype": "none", "font.family": "sans-serif"})
 import matplotlib.pyplot as plt
 
 #: The marker and the grey of each tool: white, grey or black inside, so that they differ in print, too.
@@ -55,7 +55,7 @@ def draw(cases, answers, path):
             found = answers.get((tool, setting), answers.get((tool, "")))
             if found is None:
                 continue
-            errors = [max(found[name][0], LEAST) for name in names]
+            errors = [max(found[name][0], LEAST) for name in names]  # NaN is not drawn
             axes.semilogy(names, errors, marker, ms=6, mfc=inside, mec="black", mew=0.7, label=tool)
         for edge in range(1, len(order)):
             if group(order[edge]) > group(order[edge - 1]):
@@ -63,7 +63,7 @@ def draw(cases, answers, path):
         axes.set(ylabel=f"relative error, {setting} settings", ylim=(LEAST / 3, 3), xlim=(-0.7, len(names) - 0.3))
         axes.grid(axis="x", color="0.9", lw=0.5)
         axes.set_axisbelow(True)
-    labels = ("without stops", "with stops", "with stops and\nstatic friction")
+    labels = ("without stops", "with stops", "with stops, η > 1")
     for number, label in enumerate(labels):
         places = [place for place, case in enumerate(order) if group(case) == number]
         panels[0].text((places[0] + places[-1]) / 2, 5, label, ha="center", va="bottom")
@@ -83,7 +83,7 @@ def main():
             if (tool, setting) in answers:
                 errors, stops, times = zip(*answers[tool, setting].values())
                 within = [sum(error <= bound for error in errors) for bound in (1e-3, 1e-6)]
-                print(f"| {tool} | {setting} | {within[0]} | {within[1]} | {stops.count(0)} | {sum(times):.2g} s |")
+                print(f"| {tool} | {setting} | {within[0]} | {within[1]} | {stops.count(0)} | {float(f'{sum(times):.2g}'):g} s |")
     draw(cases, answers, sys.argv[2])
 
 

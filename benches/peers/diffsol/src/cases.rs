@@ -2,9 +2,9 @@
 //! case, method and setting, as the programs of `benches/peers/cases` print them.
 
 use crate::{Error, Machine, Matrix, Tolerance, slides};
+use cpu_time::ProcessTime;
 use diffsol::{NalgebraLU, OdeBuilder, OdeSolverMethod, Vector};
 use std::f64::consts::TAU;
-use std::time::Instant;
 
 /// The greatest displacement of a period, the stops in it, and the periods so far.
 type Answer = (f64, u32, usize);
@@ -73,10 +73,10 @@ fn by_events(machine: Machine, setting: &Setting) -> Result<Answer, Error> {
     Ok(answer)
 }
 
-/// The greatest displacement at the zeros of the velocity. A stop is a hundredth of a period or more with |v| < 10 ε,
-/// by samples.
+/// The greatest displacement at the zeros of the velocity. A stop has |v| < 10 ε for a hundredth of a period of
+/// the drive or of the body, by samples.
 fn smoothed(machine: Machine, setting: &Setting) -> Result<Answer, Error> {
-    const SAMPLES: usize = 1000;
+    const SAMPLES: usize = 1000; // in the shorter of the two periods
     let Machine { omega, alpha, zeta, .. } = machine;
     let mut problem = OdeBuilder::<Matrix>::new()
         .rtol(setting.tolerance.relative)
@@ -98,8 +98,9 @@ fn smoothed(machine: Machine, setting: &Setting) -> Result<Answer, Error> {
     problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
     let mut solver = problem.bdf::<NalgebraLU<f64>>()?;
     let turn = TAU / omega;
+    let samples = SAMPLES * (1.0 / omega).max(1.0).ceil() as usize;
     let mut transient = Transient { before: Vec::new() };
-    let (mut greatest, mut velocities) = (0.0f64, Vec::with_capacity(SAMPLES));
+    let (mut greatest, mut velocities) = (0.0f64, Vec::with_capacity(samples));
     let mut before = (0.0, 0.0);
     let mut sample = 1;
     loop {
@@ -114,10 +115,10 @@ fn smoothed(machine: Machine, setting: &Setting) -> Result<Answer, Error> {
             greatest = greatest.max(solver.interpolate(left)?[0].abs());
         }
         before = now;
-        while sample as f64 * turn / SAMPLES as f64 <= now.0 {
-            velocities.push(solver.interpolate(sample as f64 * turn / SAMPLES as f64)?[1]);
+        while sample as f64 * turn / samples as f64 <= now.0 {
+            velocities.push(solver.interpolate(sample as f64 * turn / samples as f64)?[1]);
             sample += 1;
-            if velocities.len() == SAMPLES {
+            if velocities.len() == samples {
                 let stops = stops_of(&velocities, 10.0 * setting.epsilon, SAMPLES / 100);
                 if transient.ends(greatest, setting) {
                     return Ok((greatest, stops, transient.before.len()));
@@ -158,7 +159,7 @@ pub fn print(path: &str) -> Result<(), Error> {
             [("smoothed", smoothed as fn(Machine, &Setting) -> Result<Answer, Error>), ("events", by_events)]
         {
             for setting in &SETTINGS {
-                let begin = Instant::now();
+                let begin = ProcessTime::now();
                 let (greatest, stops, periods) = method(machine, setting).unwrap_or_else(|error| {
                     eprintln!("{}, {name}, {}: {error}", case["name"], setting.name);
                     (f64::NAN, 0, 0)
