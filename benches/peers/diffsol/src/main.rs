@@ -2,25 +2,42 @@
 //! finding on the velocity, and the end of a stop follows from an arcsine.
 //!
 //! `sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS` prints the least time of the runs in microseconds and the
-//! relative error of the maximum displacement.
+//! relative error of the maximum displacement. `sticking cases FILE` solves the cases of a file.
+
+mod cases;
 
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
-use std::error::Error;
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
 type Matrix = NalgebraMat<f64>;
+type Error = Box<dyn std::error::Error>;
 
-/// The time and the direction in which a body at rest at x starts to slide.
-fn released(omega: f64, alpha: f64, t: f64, x: f64) -> (f64, f64) {
+/// m = k = r_y = 1: frequency, load, damping ratio and static friction.
+#[derive(Clone, Copy)]
+struct Machine {
+    omega: f64,
+    alpha: f64,
+    zeta: f64,
+    eta: f64,
+}
+
+struct Tolerance {
+    relative: f64,
+    absolute: f64,
+}
+
+/// The time and the direction in which a body at rest at x starts to slide, and whether it rests at all.
+fn released(machine: Machine, t: f64, x: f64) -> (f64, f64, bool) {
+    let Machine { omega, alpha, eta, .. } = machine;
     let force = alpha * (omega * t).sin() - x;
-    if force.abs() > 1.0 {
-        return (t, force.signum());
+    if force.abs() > eta {
+        return (t, force.signum(), false);
     }
     let now = omega * t;
     let mut first = (f64::INFINITY, 0.0);
     for sign in [1.0, -1.0] {
-        let y = (x + sign) / alpha;
+        let y = (x + sign * eta) / alpha;
         if y.abs() >= 1.0 {
             continue;
         }
@@ -33,16 +50,22 @@ fn released(omega: f64, alpha: f64, t: f64, x: f64) -> (f64, f64) {
             first = (angle, sign);
         }
     }
-    (first.0 / omega, first.1)
+    (first.0 / omega, first.1, true)
 }
 
-/// The greatest displacement in a turn of the drive, once it agrees to 1e-12 in two successive turns.
-fn settled(omega: f64, alpha: f64, zeta: f64, rtol: f64) -> Result<f64, Box<dyn Error>> {
+/// Follows the motion from rest. `visit` gets the end of each slide: its time, its place, and whether the body rests
+/// there. It returns whether to go on.
+fn slides(
+    machine: Machine,
+    tolerance: &Tolerance,
+    mut visit: impl FnMut(f64, f64, bool) -> bool,
+) -> Result<(), Error> {
+    let Machine { omega, alpha, zeta, .. } = machine;
     // The direction is a third variable, which is constant during a slide. A velocity of 1e-13 prevents the
     // zero at the start from being found.
     let problem = OdeBuilder::<Matrix>::new()
-        .rtol(rtol)
-        .atol([rtol / 100.0])
+        .rtol(tolerance.relative)
+        .atol([tolerance.absolute])
         .p([omega, alpha, zeta])
         .rhs_implicit(
             |y, p, t, rate| {
@@ -67,11 +90,12 @@ fn settled(omega: f64, alpha: f64, zeta: f64, rtol: f64) -> Result<f64, Box<dyn 
         .root(|y, _, _, out| out[0] = y[1], 1)
         .build()?;
     let mut solver = problem.tsit45()?;
-    let (mut t, mut x, mut turns, turn) = (0.0, 0.0, 1.0, TAU / omega);
-    let (mut most, mut before) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    let mut is_first = true;
-    while turns < 2000.0 {
-        let (start, direction) = released(omega, alpha, t, x);
+    let (mut t, mut x, mut is_first) = (0.0, 0.0, true);
+    loop {
+        let (start, direction, rests) = released(machine, t, x);
+        if !is_first && !visit(t, x, rests) {
+            return Ok(());
+        }
         if !is_first {
             solver.state_mut_back(t)?;
         }
@@ -91,27 +115,42 @@ fn settled(omega: f64, alpha: f64, zeta: f64, rtol: f64) -> Result<f64, Box<dyn 
                 break;
             }
         }
+    }
+}
+
+/// The greatest displacement in a turn of the drive, once it agrees to 1e-12 in two successive turns.
+fn settled(machine: Machine, rtol: f64) -> Result<f64, Error> {
+    let (mut turns, turn) = (1.0, TAU / machine.omega);
+    let (mut most, mut before) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+    slides(machine, &Tolerance { relative: rtol, absolute: rtol / 100.0 }, |t, x, _| {
         if t > turns * turn {
             if (most - before).abs() < 1e-12 * (1.0 + most) {
-                break;
+                return false;
             }
             (before, most) = (most, f64::NEG_INFINITY);
             turns = (t / turn).floor() + 1.0;
         }
         most = most.max(x);
-    }
+        turns < 2000.0
+    })?;
     Ok(most)
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Error> {
+    if let [_, mode, file] = &std::env::args().collect::<Vec<_>>()[..]
+        && mode == "cases"
+    {
+        return cases::print(file);
+    }
     let numbers: Result<Vec<f64>, _> = std::env::args().skip(1).map(|text| text.parse()).collect();
     let [omega, alpha, zeta, rtol, reference, runs] = numbers?[..] else {
-        return Err("sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS".into());
+        return Err("sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS | sticking cases FILE".into());
     };
+    let machine = Machine { omega, alpha, zeta, eta: 1.0 };
     let (mut best, mut most) = (f64::INFINITY, f64::NAN);
     for _ in 0..runs as u32 {
         let begin = Instant::now();
-        most = settled(omega, alpha, zeta, rtol)?;
+        most = settled(machine, rtol)?;
         best = best.min(begin.elapsed().as_secs_f64());
     }
     println!("{:.2}\t{:.1e}", best * 1e6, (most / reference - 1.0).abs());
