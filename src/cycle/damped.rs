@@ -18,6 +18,7 @@ pub(crate) mod border;
 pub(crate) mod fastest;
 pub(crate) mod free;
 pub(crate) mod half_period;
+pub(crate) mod middle;
 mod peaks;
 mod pole;
 pub(crate) mod resonance;
@@ -28,7 +29,7 @@ pub(crate) mod tangent;
 mod work;
 
 use super::displacement::max_displacement;
-use super::displacement::reduce;
+use super::displacement::{phase, velocity_phase};
 use super::stability::MultiplierPair;
 use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
@@ -77,10 +78,10 @@ impl<F: Float> DampedCycle<F> {
     /// The cycle of equations 21–25 whose half is given, stops or none.
     pub(crate) fn of(rising: Rising<F>) -> Self {
         let (found, omega) = (Self::of_displacement(rising), rising.half.omega);
-        let Summit { tau, velocity, displacement } = rising.summit();
+        let Summit { sigma, velocity, displacement } = rising.summit();
         Self {
-            max_velocity: velocity / omega,
-            velocity_phase: reduce(found.displacement_phase - F::pi() + omega * tau),
+            max_velocity: velocity,
+            velocity_phase: velocity_phase(found.displacement_phase, omega, -sigma),
             deviation: displacement,
             ..found
         }
@@ -184,9 +185,17 @@ impl<F: Float> Rising<F> {
 
     /// ω_d t₂, in [0, 2π).
     pub(crate) fn displacement_phase(&self) -> F {
-        // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
-        reduce(self.half.phase_lag() + self.amplitude.atan2(self.half.h))
+        let (along, across) = self.drive();
+        displacement_phase(along, across)
     }
+}
+
+/// ω_d t₂ from the drive `f_c cos Ωτ + f_s sin Ωτ` since the start of the half cycle: half a turn later it is
+/// `α sin ω_d t₂ = −f_c`, `α cos ω_d t₂ = −f_s`.
+#[inline(always)]
+pub(crate) fn displacement_phase<F: Float>(along: F, across: F) -> F {
+    let inverse = F::int(1) / along.mul_add(along, across * across).sqrt();
+    phase(-(along * inverse), -(across * inverse))
 }
 
 impl<F: Field> Rising<F> {

@@ -9,6 +9,7 @@
 use super::free::{Free, State, Waves};
 use super::half_period::HalfPeriod;
 use super::resonance::Responses;
+use crate::cycle::phase_function::one_minus_square_wide;
 use crate::float::{Field, Float};
 
 /// One half cycle: the half period and the amplitude a.
@@ -216,6 +217,14 @@ impl<F: Field> Rising<F> {
 }
 
 impl<F: Float> Rising<F> {
+    /// The drive `f_c cos Ωτ + f_s sin Ωτ` without the rounding of its stiffness: `(f_c, f_s)`.
+    #[inline(always)]
+    pub(crate) fn drive(&self) -> (F, F) {
+        let (a, h, omega) = (self.amplitude, self.half.h, self.half.omega);
+        let (real, imaginary) = (one_minus_square_wide(omega), (self.half.free.zeta.wide() * omega).times(2));
+        (-(real * a + imaginary * h).value(), (imaginary * a - real * h).value())
+    }
+
     /// The half cycle at τ in [0, T].
     #[inline]
     pub(crate) fn at(&self, tau: F) -> Moment<F> {

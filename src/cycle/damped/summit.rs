@@ -18,17 +18,21 @@
 //! half cycle the state is known without circular functions; Taylor's formula of the seventh order leads
 //! close to the maximum, and is applied there once more.
 
-use super::free::Waves;
+use super::border::has_lobes;
+use super::free::{Free, State, Waves};
+use super::half_period::HalfPeriod;
+use super::middle::{Constants, Crest, slopes};
 use super::rising::{Moment, Rising, Vibration};
 use crate::cycle::arrival::{Arrived, Nearby, Reciprocals};
+use crate::float::pair::Pair;
 use crate::float::{Float, fused};
 
 /// The time of the maximum velocity, and its value.
 #[derive(Clone, Copy)]
 pub(crate) struct Summit<F> {
-    /// τ.
-    pub(crate) tau: F,
-    /// x′/(Bω_n).
+    /// The time since the middle of the half cycle, in 1/ω_n.
+    pub(crate) sigma: F,
+    /// V₀/(Bω_d).
     pub(crate) velocity: F,
     /// x/B.
     pub(crate) displacement: F,
@@ -45,44 +49,25 @@ impl<F: Float> Rising<F> {
         let tau = super::fastest::fastest_time(&self.vibration());
         let moment = self.at(tau);
         let [velocity, slope, _] = self.velocity(&moment);
-        Summit { tau, velocity, displacement: self.displacement_by(&moment, slope) }
+        let Self { half: HalfPeriod { omega, period, .. }, .. } = *self;
+        Summit {
+            sigma: tau - period / F::int(2),
+            velocity: velocity / omega,
+            displacement: self.displacement_by(&moment, slope),
+        }
     }
 
-    /// Whether the velocity has one stationary point, by the proof above.
+    /// Whether the velocity has one stationary point, by the proof above, given the middle.
     #[inline(always)]
-    fn has_one_summit(&self, motion: &Vibration<F>) -> bool {
-        let (zero, one, half) = (F::int(0), F::int(1), &self.half);
-        let (free, omega, b) = (&half.free, half.omega, half.omega * half.h);
-        let is_fast = !free.swings() || omega >= free.frequency;
-        if self.deceleration() < zero || !(is_fast || omega + omega >= free.frequency) {
-            return false;
-        }
-        // p′ and p″ by h and h′.
-        let rates = |x: F, v: F| {
-            let a = -(x + F::int(2) * free.zeta * v);
-            let jerk = -(v + F::int(2) * free.zeta * a);
-            (half.weighted(a, v), half.weighted(jerk, a))
-        };
-        let (first, change) = rates(one + half.shift, b);
-        let (last, _) = rates(one - half.shift, -b);
-        if is_fast && (first <= zero || last >= zero) {
-            return true;
-        }
-        if !free.swings() {
-            return false;
-        }
-        // p′ = e^{−ζτ} P cos(dτ − χ) decreases through zero at dτ = χ + π/2.
-        let angle = ((change + free.zeta * first) / free.frequency).atan2(first) + F::pi() * F::ratio(1, 2);
-        let angle = if angle <= zero { angle + F::int(2) * F::pi() } else { angle };
-        let tau = angle / free.frequency;
-        if tau >= half.period {
-            return true;
-        }
-        let at = motion.at(tau);
-        let [_, slope, curvature] = motion.velocity(&at);
-        let size = omega.square() * omega * (self.amplitude + half.h.abs()) + one + b.abs();
-        let (s, c) = at.drive;
-        curvature * s - omega * slope * c < -(F::epsilon().sqrt() * size)
+    fn has_one_summit(&self, middle: &State<F>) -> bool {
+        let half = &self.half;
+        !has_lobes(half) && self.does_not_stick() && half.weighted(middle.v, middle.x) <= F::int(0)
+    }
+
+    /// Whether x″ ≥ 0 at the start but for rounding.
+    #[inline(always)]
+    fn does_not_stick(&self) -> bool {
+        self.deceleration() >= -(F::int(8) * F::epsilon() * self.half.holding())
     }
 
     /// The state in the middle of the half cycle, to half the digits: by `e^{−ζT} = c² + d²s²` and
@@ -106,20 +91,11 @@ impl<F: Float> Vibration<F> {
     #[inline(always)]
     fn fastest_near(&self, at: &Moment<F>, [velocity, f0]: [F; 2]) -> Arrived<F> {
         let ((along, across), (s, c), omega) = (self.force(), at.drive, self.omega);
-        let (square, damping) = (omega.square(), F::int(-2) * self.free.zeta);
-        let odd = omega * (across * c - along * s);
-        let even = -(square * (along * c + across * s));
-        let (odd3, even4) = (-(square * odd), -(square * even));
-        let (odd5, even6) = (-(square * odd3), -(square * even4));
-        let f1 = damping.mul_add(f0, odd - velocity);
-        let f2 = damping.mul_add(f1, even - f0);
-        let f3 = damping.mul_add(f2, odd3 - f1);
-        let f4 = damping.mul_add(f3, even4 - f2);
-        let f5 = damping.mul_add(f4, odd5 - f3);
-        let f6 = damping.mul_add(f5, even6 - f4);
-        let f7 = damping.mul_add(f6, -(square * odd5) - f5);
-        let faster = omega.or_larger(F::int(1)).or_larger(-damping);
-        let slopes = [f0, f1, f2, f3, f4, f5, f6, f7];
+        let (zeta, square) = (self.free.zeta, omega.square());
+        let drives = [omega * (across * c - along * s), -(square * (along * c + across * s))];
+        let slopes = slopes((omega, zeta), [velocity, f0], drives);
+        let damping = F::int(2) * zeta;
+        let faster = omega.or_larger(F::int(1)).or_larger(damping);
         Nearby { psi: at.tau, velocity, slopes, displacement: F::int(0), slower: F::int(1) / faster }
             .fastest(&Reciprocals::new())
     }
@@ -131,29 +107,46 @@ impl<F: Float> Rising<F> {
     fn one_summit(&self) -> Option<Summit<F>> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
-            let motion = rising.vibration();
-            if !rising.has_one_summit(&motion) {
+            rising.from_middle().or_else(|| rising.by_steps())
+        })
+    }
+
+    /// As a batch finds it.
+    #[inline(always)]
+    fn from_middle(&self) -> Option<Summit<F>> {
+        let Self { half: HalfPeriod { omega, free: Free { zeta, .. }, middle, .. }, .. } = *self;
+        let displacement = Pair::new(self.max_displacement, self.rest);
+        let found = middle?.arrive(&Constants::new(), (omega, zeta), self.drive(), displacement);
+        let Crest { sigma, velocity, displacement, is_found } = found;
+        (is_found && self.does_not_stick()).then_some(Summit { sigma, velocity, displacement })
+    }
+
+    #[inline(always)]
+    fn by_steps(&self) -> Option<Summit<F>> {
+        let (motion, middle, half) = (self.vibration(), self.middle(), &self.half);
+        if !self.has_one_summit(&middle.free) {
+            return None;
+        }
+        let velocity = half.omega * self.amplitude + middle.free.v;
+        let slope = half.omega.square() * half.h + middle.free.a;
+        let mut tau = motion.fastest_near(&middle, [velocity, slope]).psi;
+        for _ in 0..4 {
+            if !(tau > F::int(0) && tau < half.period) {
                 return None;
             }
-            let (middle, half) = (rising.middle(), &rising.half);
-            let velocity = half.omega * rising.amplitude + middle.free.v;
-            let slope = half.omega.square() * half.h + middle.free.a;
-            let mut tau = motion.fastest_near(&middle, [velocity, slope]).psi;
-            for _ in 0..4 {
-                if !(tau > F::int(0) && tau < half.period) {
-                    return None;
-                }
-                let moment = motion.at(tau);
-                let [velocity, slope, _] = motion.velocity(&moment);
-                let found = motion.fastest_near(&moment, [velocity, slope]);
-                tau = found.psi;
-                if found.is_found {
-                    let displacement = rising.displacement_by(&moment, slope) - found.displacement;
-                    return Some(Summit { tau, velocity: velocity + found.gain, displacement });
-                }
+            let moment = motion.at(tau);
+            let [velocity, slope, _] = motion.velocity(&moment);
+            let found = motion.fastest_near(&moment, [velocity, slope]);
+            tau = found.psi;
+            if found.is_found {
+                return Some(Summit {
+                    sigma: tau - half.period / F::int(2),
+                    velocity: (velocity + found.gain) / half.omega,
+                    displacement: self.displacement_by(&moment, slope) - found.displacement,
+                });
             }
-            None
-        })
+        }
+        None
     }
 }
 
@@ -162,13 +155,17 @@ impl<F: Float> Summit<F> {
     /// stationary.
     #[inline]
     fn differentiated(self, rising: &Rising<F>) -> Self {
-        let tau = self.tau.implicit_root(|tau| {
-            let [_, slope, curvature] = rising.velocity(&rising.at(tau));
+        let middle = rising.half.period / F::int(2);
+        let sigma = self.sigma.implicit_root(|sigma| {
+            let [_, slope, curvature] = rising.velocity(&rising.at(middle + sigma));
             (slope, curvature)
         });
-        let velocity = self.velocity.differentiated_as(|| rising.velocity(&rising.at(tau.constant()))[0]);
-        let displacement = self.displacement.differentiated_as(|| rising.displacement(&rising.at(tau)));
-        Self { tau, velocity, displacement }
+        let at = |sigma| rising.at(middle + sigma);
+        let velocity = self
+            .velocity
+            .differentiated_as(|| rising.velocity(&at(sigma.constant()))[0] / rising.half.omega);
+        let displacement = self.displacement.differentiated_as(|| rising.displacement(&at(sigma)));
+        Self { sigma, velocity, displacement }
     }
 }
 
@@ -201,14 +198,15 @@ mod tests {
         #[test]
         fn it_is_that_of_the_search(rising in halves()) {
             if let Some(found) = &rising.one_summit() {
+                let (omega, middle) = (rising.half.omega, rising.half.period / 2.0);
                 let tau = fastest_time(&rising.vibration());
                 let [velocity, _, curvature] = rising.velocity(&rising.at(tau));
                 let noise = 64.0 * f64::EPSILON * (rising.swing() + 1.0 + rising.half.h.abs());
-                prop_assert!((found.velocity - velocity).abs() <= noise, "{} {velocity}", found.velocity);
+                prop_assert!((omega * found.velocity - velocity).abs() <= noise, "{} {velocity}", found.velocity);
                 // A time is as accurate as the slope, which grows with the distance from it.
-                let rounding = noise * rising.half.omega.max(1.0) / curvature.abs() + 4.0 * f64::EPSILON * tau;
-                prop_assert!((found.tau - tau).abs() <= rounding, "{} {tau}", found.tau);
-                let there = rising.displacement(&rising.at(found.tau));
+                let rounding = noise * omega.max(1.0) / curvature.abs() + 4.0 * f64::EPSILON * tau;
+                prop_assert!((middle + found.sigma - tau).abs() <= rounding, "{} {tau}", found.sigma);
+                let there = rising.displacement(&rising.at(middle + found.sigma));
                 prop_assert!((found.displacement - there).abs() <= noise + velocity * rounding, "{there}");
             }
         }
@@ -223,7 +221,7 @@ mod tests {
             };
             let (omega, h) = (rising.half.omega, rising.half.h);
             let noise = 64.0 * f64::EPSILON * (rising.swing() * omega.max(1.0) + 1.0 + h.abs());
-            if rising.has_one_summit(&motion) {
+            if rising.half.middle.is_some() || rising.has_one_summit(&rising.middle().free) {
                 let slopes = (1..2000).map(slope).filter(|slope| slope.abs() > noise);
                 let signs: Vec<_> = slopes.map(|slope| slope > 0.0).collect();
                 prop_assert!(signs.windows(2).all(|pair| pair[0] || !pair[1]));
