@@ -265,14 +265,12 @@ fn force_ratio_at_turning_point<F: Float>(half: &HalfPeriod<Pair<F>>) -> F {
     half.k.hypot(half.stiffness * turning_point(half)).value()
 }
 
-/// {Δ₀, α_min, A₁} where the turning point decides the border: from Ω = d/2 on.
+/// The cycle and α_min where the turning point decides the border: from Ω = d/2 on.
 ///
-/// It has no branches, for loops; Δ₀ and A₁ are meaningless below the border.
+/// It has no branches, for loops; the cycle is meaningless below the border.
 #[inline(always)]
-pub(crate) fn amplitude_from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> [F; 3] {
-    let border = force_ratio_at_turning_point(&half.wide());
-    let rising = Rising::at_force(half, alpha);
-    [rising.max_displacement, border, rising.loop_sizes(alpha).0]
+pub(crate) fn from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> (Rising<F>, F) {
+    (Rising::at_force(half, alpha), force_ratio_at_turning_point(&half.wide()))
 }
 
 /// {Δ₀, α_min, A₁} without the rest of the answer; NaN where there is no cycle.
@@ -281,7 +279,8 @@ pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
     let eta = ratios.static_friction_ratio();
     fused!(<F>(omega: F, alpha: F, zeta: F, eta: F) -> [F; 3] {
         let half = HalfPeriod::of_amplitude(omega, zeta).with_static_friction(eta);
-        let [displacement, at_turning_point, size] = amplitude_from_turning_point(half, alpha);
+        let (rising, at_turning_point) = from_turning_point(half, alpha);
+        let (displacement, size) = (rising.max_displacement, rising.loop_sizes(alpha).0);
         let least = if has_lobes(&half) { border(&half).min_force_ratio } else { at_turning_point };
         let nan = F::int(0) / F::int(0);
         if exists(alpha, least) { [displacement, least, size] } else { [nan, least, nan] }

@@ -66,7 +66,7 @@ impl<F: Float> Rising<F> {
 
     /// Whether x″ ≥ 0 at the start but for rounding.
     #[inline(always)]
-    fn does_not_stick(&self) -> bool {
+    pub(crate) fn does_not_stick(&self) -> bool {
         self.deceleration() >= -(F::int(8) * F::epsilon() * self.half.holding())
     }
 
