@@ -50,11 +50,10 @@ pub(crate) struct Constants<F> {
 impl<F: Float> Constants<F> {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        let mut n = 0;
-        let all = [(); TERMS + 2].map(|()| {
-            n += 1;
-            F::ratio(1, n)
-        });
+        let mut all = [F::int(1); TERMS + 2];
+        for (reciprocal, n) in all.iter_mut().zip(1..) {
+            *reciprocal = F::ratio(1, n);
+        }
         Self { drive: TO_ONE.of(), reciprocals: Reciprocals::new(), all }
     }
 }
@@ -69,13 +68,15 @@ pub(super) fn slopes<F: Float, const N: usize>(
 ) -> [F; N] {
     let (square, damping) = (omega * omega, F::int(-2) * zeta);
     let (mut before, mut last, mut drive, mut next) = (velocity, slope, odd, even);
-    [(); N].map(|()| {
-        let found = last;
+    // No closure, which would not be compiled for the instructions of a loop.
+    let mut all = [last; N];
+    for slot in &mut all {
+        *slot = last;
         last = damping.mul_add(last, drive - before);
-        before = found;
+        before = *slot;
         (drive, next) = (next, -(square * drive));
-        found
-    })
+    }
+    all
 }
 
 impl<F: Float> Middle<F> {
@@ -89,28 +90,30 @@ impl<F: Float> Middle<F> {
         displacement: Pair<F>,
     ) -> Crest<F> {
         let (one, square, inverse) = (F::int(1), omega * omega, F::int(1) / omega);
-        let Constants { drive, reciprocals, all: reciprocals_of_all } = constants;
+        let Constants { drive, reciprocals, all } = constants;
         let velocity = omega.mul_add(displacement.hi, self.velocity);
         let drives = [-(omega * along), -(square * across)];
         let derivatives: [F; TERMS] = slopes((omega, zeta), [velocity, self.slope], drives);
         let slower = if omega > one { inverse } else { one };
-        let nearby = |psi, velocity, slopes, displacement| {
-            Nearby { psi, velocity, slopes, displacement, slower }.fastest(reciprocals)
-        };
-        let [a, b, c, d, e, f, g, h, ..] = derivatives;
-        let zero = F::int(0);
-        let sigma = nearby(zero, velocity, [a, b, c, d, e, f, g, h], zero).psi;
-        let steps = reciprocals_of_all.map(|reciprocal| sigma * reciprocal);
-        let slope = series(&derivatives, &steps, 0);
-        let rise = sigma * series(&derivatives, &steps, 1);
+        let sigma = start(&derivatives, constants);
+        let mut steps = *all;
+        for step in &mut steps {
+            *step = *step * sigma;
+        }
+        // The slope is Σ f_n σⁿ/n!, and its integrals have σⁿ⁺¹/(n + 1)! and σⁿ⁺²/(n + 2)!.
+        let ([once @ .., _, _], [_, twice @ .., _], [_, _, thrice @ ..]) = (&steps, &steps, &steps);
+        let slope = series(&derivatives, once);
+        let rise = sigma * series(&derivatives, twice);
         // The displacement since the middle.
-        let way = sigma * (sigma * F::ratio(1, 2)).mul_add(series(&derivatives, &steps, 2), velocity);
+        let way = sigma * (sigma * F::ratio(1, 2)).mul_add(series(&derivatives, thrice), velocity);
         let (so, co) = drive.sin_cos(omega * sigma);
         // f = f_c cos Ωτ + f_s sin Ωτ, Ωτ = π/2 + Ωσ
         let odd = -(omega * along.mul_add(co, across * so));
         let even = -(square * across.mul_add(co, -(along * so)));
-        let near: [F; 8] = slopes((omega, zeta), [velocity + rise, slope], [odd, even]);
-        let found = nearby(sigma, velocity + rise, near, zero);
+        let risen = velocity + rise;
+        let slopes = slopes((omega, zeta), [risen, slope], [odd, even]);
+        let found = Nearby { psi: sigma, velocity: risen, slopes, displacement: F::int(0), slower }
+            .fastest(reciprocals);
         let is_near = sigma.abs() <= F::ratio(17, 16) * slower;
         let gain = self.velocity + (rise + found.gain);
         Crest {
@@ -122,18 +125,27 @@ impl<F: Float> Middle<F> {
     }
 }
 
-/// `k! Σ f_n σⁿ/(n + k)!` by σ, σ/2, σ/3, ….
+/// A σ near the maximum: a step of Halley's from the middle, and one by the next three derivatives.
 #[inline(always)]
-fn series<F: Float>(derivatives: &[F; TERMS], steps: &[F; TERMS + 2], k: usize) -> F {
-    let (mut sum, mut terms) = (F::int(0), derivatives.iter().zip(steps.iter().skip(k)).rev());
-    if let Some((&last, _)) = terms.next() {
-        sum = last;
-    }
-    let mut step = steps.iter().skip(k).take(TERMS - 1).rev();
-    for (&derivative, _) in terms {
-        if let Some(&step) = step.next() {
-            sum = sum.mul_add(step, derivative);
-        }
+fn start<F: Float>(derivatives: &[F; TERMS], constants: &Constants<F>) -> F {
+    let [f0, f1, f2, f3, f4, f5, ..] = *derivatives;
+    let [_, half, third, quarter, fifth, ..] = constants.all;
+    let two = F::int(2);
+    let halley = |f0: F, f1: F, f2: F| -(two * f0 * f1) / (two * f1).mul_add(f1, -(f0 * f2));
+    let x = halley(f0, f1, f2);
+    let (h2, h3, h4, h5) = (x * half, x * third, x * quarter, x * fifth);
+    let value = h5.mul_add(f5, f4).mul_add(h4, f3).mul_add(h3, f2).mul_add(h2, f1).mul_add(x, f0);
+    let slope = h4.mul_add(f5, f4).mul_add(h3, f3).mul_add(h2, f2).mul_add(x, f1);
+    let bend = h3.mul_add(f5, f4).mul_add(h2, f3).mul_add(x, f2);
+    x + halley(value, slope, bend)
+}
+
+/// `f_0 + s_0 (f_1 + s_1 (f_2 + …))`.
+#[inline(always)]
+fn series<F: Float>(derivatives: &[F; TERMS], steps: &[F; TERMS]) -> F {
+    let mut sum = F::int(0);
+    for (&derivative, &step) in derivatives.iter().zip(steps).rev() {
+        sum = sum.mul_add(step, derivative);
     }
     sum
 }
