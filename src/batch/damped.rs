@@ -88,8 +88,8 @@ impl AtPoint<8, 8> for Sizes {
     #[inline(always)]
     fn at(&self, given: [f64; 8]) -> [f64; 8] {
         let (rising, border, slides) = rising(given);
-        let ((size1, size2), (along, across)) = (rising.loop_sizes(given[1]), rising.drive());
-        let phase = displacement_phase(along, across);
+        let ((size1, size2), drive) = (rising.loop_sizes(given[1]), rising.drive());
+        let phase = displacement_phase(drive);
         let border = select(!slides | rising.does_not_stick(), border, f64::NAN);
         [
             select(slides, rising.max_displacement, f64::NAN),
@@ -98,8 +98,8 @@ impl AtPoint<8, 8> for Sizes {
             select(slides, phase, f64::NAN),
             select(slides, size2, f64::NAN),
             rising.rest,
-            along,
-            across,
+            drive.0.value(),
+            drive.1.value(),
         ]
     }
 }

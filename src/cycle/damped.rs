@@ -29,7 +29,7 @@ pub(crate) mod tangent;
 mod work;
 
 use super::displacement::max_displacement;
-use super::displacement::{phase, velocity_phase};
+use super::displacement::velocity_phase;
 use super::stability::MultiplierPair;
 use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
@@ -185,17 +185,35 @@ impl<F: Float> Rising<F> {
 
     /// ω_d t₂, in [0, 2π).
     pub(crate) fn displacement_phase(&self) -> F {
-        let (along, across) = self.drive();
-        displacement_phase(along, across)
+        let rising = self;
+        fused!(<'a, F>(rising: &'a Rising<F>) -> F { displacement_phase(rising.drive()) })
     }
 }
 
 /// ω_d t₂ from the drive `f_c cos Ωτ + f_s sin Ωτ` since the start of the half cycle: half a turn later it is
 /// `α sin ω_d t₂ = −f_c`, `α cos ω_d t₂ = −f_s`.
 #[inline(always)]
-pub(crate) fn displacement_phase<F: Float>(along: F, across: F) -> F {
-    let inverse = F::int(1) / along.mul_add(along, across * across).sqrt();
-    phase(-(along * inverse), -(across * inverse))
+pub(crate) fn displacement_phase<F: Float>((along, across): (Pair<F>, Pair<F>)) -> F {
+    let (one, half) = (F::int(1), F::ratio(1, 2));
+    let inverse = -(one / along.hi.mul_add(along.hi, across.hi * across.hi).sqrt());
+    let (sine, cosine) = (along * inverse, across * inverse);
+    // Of size 1, without the error of the root.
+    let short = half * (-sine.hi).mul_add(sine.hi, (-cosine.hi).mul_add(cosine.hi, one));
+    let unit = |part: Pair<F>| part.hi + short.mul_add(part.hi, part.lo);
+    let (sine, cosine) = (unit(sine), unit(cosine));
+    // The angle to the nearest axis, at a multiple of π/2.
+    let (zero, up, right) = (F::int(0), sine.abs(), cosine.abs());
+    let is_steep = up > right;
+    let angle = F::angle_of(if is_steep { right } else { up }, if is_steep { up } else { right });
+    let (is_below, is_left) = (sine < zero, cosine < zero);
+    let steep = if is_below { F::ratio(3, 2) } else { half };
+    let flat = if is_left { one } else if is_below { F::int(2) } else { zero };
+    let half_turns = if is_steep { steep } else { flat };
+    let angle = if is_below ^ is_left ^ is_steep { -angle } else { angle };
+    let part = half_turns.mul_add(F::pi_rest().0, angle);
+    let phase = half_turns.mul_add(F::pi(), part);
+    // Rounding can carry a tiny negative phase to the period itself.
+    if phase >= F::int(2) * F::pi() { zero } else { phase }
 }
 
 impl<F: Field> Rising<F> {

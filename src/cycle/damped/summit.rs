@@ -116,7 +116,9 @@ impl<F: Float> Rising<F> {
     fn from_middle(&self) -> Option<Summit<F>> {
         let Self { half: HalfPeriod { omega, free: Free { zeta, .. }, middle, .. }, .. } = *self;
         let displacement = Pair::new(self.max_displacement, self.rest);
-        let found = middle?.arrive(&Constants::new(), (omega, zeta), self.drive(), displacement);
+        let (along, across) = self.drive();
+        let drive = (along.value(), across.value());
+        let found = middle?.arrive(&Constants::new(), (omega, zeta), drive, displacement);
         let Crest { sigma, velocity, displacement, is_found } = found;
         (is_found && self.does_not_stick()).then_some(Summit { sigma, velocity, displacement })
     }
