@@ -1,22 +1,34 @@
 //! The maximum velocity of a half cycle with a single stationary point of the velocity, which is known
 //! beforehand for most Ω ≥ d/2, d = √(1 − ζ²).
 //!
-//! On the half cycle sin Ωτ > 0, and with `u = x″/sin Ωτ`
+//! # One stationary point
+//!
+//! In the velocity v the driven part drops out of `v″ + Ω²v = p`, `p = h‴ + Ω²h′`, and p is a free vibration. Let the
+//! body not stick: v > 0 within the half cycle, and v = 0 at its ends. Let Ω ≥ d/2: then p has at most two zeros in the
+//! half cycle, and because p(0) + p(T) = 4ζ > 0 it is not negative at both ends (`border`). **If p ≤ 0 in the middle,
+//! v has one stationary point**, its maximum:
+//!
+//! * Where p ≤ 0, v″ = p − Ω²v < 0.
+//! * Where p > 0 before the middle, it is so from the start on, and `v′ = v′(0) cos Ωτ + ∫ p(s) cos Ω(τ − s) ds > 0`,
+//!   because v′(0) ≥ 0 and no angle exceeds π/2. Likewise v′ < 0 where p > 0 after the middle.
+//!
+//! So v′ is positive, decreases through zero, and is negative.
+//!
+//! In the middle h = sech(AT/2) (1, 0)ᵀ, A being the matrix of free vibration, and the partial fractions of sech give
 //!
 //! ```text
-//! u′ sin² Ωτ = W = x‴ sin Ωτ − Ω x″ cos Ωτ,   W′ = p′ sin Ωτ,   p = h‴ + Ω²h′,
+//! p(T/2) = (8ζΩ⁴/π) Σ (−1)^((n−1)/2) n(n² − 1)/D_n,   D_n = (n²Ω² − 1)² + 4ζ²n²Ω²,   n = 3, 5, 7, …
 //! ```
 //!
-//! because the driven part drops out of `x⁗ + Ω²x″`. At both ends W = −Ω |x″| ≤ 0, since the body starts with
-//! x″ ≥ 0 and arrives with x″ ≤ 0. Where W < 0 throughout, u decreases from +∞ to −∞, x″ has **one zero**,
-//! and the velocity has one stationary point, its maximum. W is greatest at an end or where p′ decreases
-//! through zero. p′ is a free vibration, whose zeros are known, π/d apart, with at most one for ζ ≥ 1. So for
-//! Ω ≥ d there is at most one in the half cycle, and the signs of p′ at the ends decide. For Ω ≥ d/2 there
-//! are at most two, p′ decreases through one of them, and W must be evaluated there.
+//! The first term is negative, and where the terms decrease in size so is the sum. With u = n²Ω² they do if
+//! `3u² + (10 − 20ζ²) u ≥ 13`, and if that holds for n = 3 it holds for all. Where [`Tangent`](super::tangent::Tangent)
+//! is accurate, Ω ≥ 1/2 and `(π/2Ω)² ζ² ≤ 3/2` give u ≥ 9/4 and ζ² ≤ u/14, and it does hold. Elsewhere p(T/2) is
+//! computed.
 //!
-//! **The iteration** is that of the motion without damping (`cycle::arrival`): in the middle of the
-//! half cycle the state is known without circular functions; Taylor's formula of the seventh order leads
-//! close to the maximum, and is applied there once more.
+//! # The iteration
+//!
+//! It is that of [`mod@super::middle`]. Where that does not reach, Taylor's formula of the seventh order leads from the
+//! middle close to the maximum, and is applied there once more (`cycle::arrival`).
 
 use super::border::has_lobes;
 use super::free::{Free, State, Waves};
