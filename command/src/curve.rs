@@ -294,9 +294,7 @@ impl AskedCurve {
     /// The point where the curve meets the border, between two frequencies on either side of it: by
     /// bisection, to the last bit.
     fn crossing(&self, given: &Given<f64>, (from, to): (f64, f64)) -> Result<Option<(f64, f64)>, Failure> {
-        let slides = |x: f64| -> Result<bool, Failure> {
-            Ok(margin(self.point(given, x)?.ratios) >= 1.0)
-        };
+        let slides = |x: f64| -> Result<bool, Failure> { Ok(margin(self.point(given, x)?.ratios) >= 1.0) };
         let (mut inside, mut outside) = if slides(from)? { (from, to) } else { (to, from) };
         loop {
             let middle = inside + (outside - inside) / 2.0;

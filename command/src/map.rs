@@ -188,9 +188,10 @@ impl<'a> Map<'a> {
                 let Some(looped) = &looped else { return vec![one(axes.given_at(points.start))] };
                 let given: Vec<_> = points.map(|point| axes.given_at(point)).collect();
                 let ratios: Vec<_> = given.iter().map(Looped::ratios).collect();
-                let cells = looped.records(&ratios).into_iter().map(|record| {
-                    record.and_then(|record| record.fields.first().map(|(_, cell)| *cell))
-                });
+                let cells = looped
+                    .records(&ratios)
+                    .into_iter()
+                    .map(|record| record.and_then(|record| record.fields.first().map(|(_, cell)| *cell)));
                 // Alone, a point without ratios has its error.
                 let answer = |(given, cell)| match cell {
                     Some(cell) => Ok((given, cell)),

@@ -1,4 +1,5 @@
-//! Points that may have a damper and static friction: the outputs of [`LOOPED`] but λ by loops, all else point by point.
+//! Points that may have a damper and static friction: the outputs of [`LOOPED`] except λ by loops, all others point by
+//! point.
 
 use super::alone;
 use super::block::{AtPoint, Block, POINTS, each, select, set};

@@ -207,7 +207,13 @@ pub(crate) fn displacement_phase<F: Float>((along, across): (Pair<F>, Pair<F>)) 
     let angle = F::angle_of(if is_steep { right } else { up }, if is_steep { up } else { right });
     let (is_below, is_left) = (sine < zero, cosine < zero);
     let steep = if is_below { F::ratio(3, 2) } else { half };
-    let flat = if is_left { one } else if is_below { F::int(2) } else { zero };
+    let flat = if is_left {
+        one
+    } else if is_below {
+        F::int(2)
+    } else {
+        zero
+    };
     let half_turns = if is_steep { steep } else { flat };
     let angle = if is_below ^ is_left ^ is_steep { -angle } else { angle };
     let part = half_turns.mul_add(F::pi_rest().0, angle);

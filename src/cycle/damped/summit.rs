@@ -72,8 +72,11 @@ impl<F: Float> Rising<F> {
     /// Whether the velocity has one stationary point, by the proof above, given the middle.
     #[inline(always)]
     fn has_one_summit(&self, middle: &State<F>) -> bool {
-        let half = &self.half;
-        !has_lobes(half) && self.does_not_stick() && half.weighted(middle.v, middle.x) <= F::int(0)
+        let (half, n) = (&self.half, F::int);
+        let (u, square) = (n(9) * half.omega.square(), half.free.zeta.square());
+        let is_falling = n(3) * u.square() + (n(10) - n(20) * square) * u >= n(13);
+        let is_not_above = is_falling || half.weighted(middle.v, middle.x) <= n(0);
+        !has_lobes(half) && self.does_not_stick() && is_not_above
     }
 
     /// Whether x″ ≥ 0 at the start but for rounding.
@@ -175,9 +178,8 @@ impl<F: Float> Summit<F> {
             (slope, curvature)
         });
         let at = |sigma| rising.at(middle + sigma);
-        let velocity = self
-            .velocity
-            .differentiated_as(|| rising.velocity(&at(sigma.constant()))[0] / rising.half.omega);
+        let velocity =
+            self.velocity.differentiated_as(|| rising.velocity(&at(sigma.constant()))[0] / rising.half.omega);
         let displacement = self.displacement.differentiated_as(|| rising.displacement(&at(sigma)));
         Self { sigma, velocity, displacement }
     }
