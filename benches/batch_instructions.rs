@@ -11,6 +11,7 @@ mod columns;
 mod points;
 
 use columns::{ALL, FIVE, Room, THREE};
+use stickslip::Ratios;
 use stickslip::batch::{Batch, FixedOmega};
 
 const POINTS: usize = 128_000;
@@ -25,12 +26,16 @@ fn main() {
     let (omega, alpha): (Vec<_>, Vec<_>) = points::points_from(POINTS, least).into_iter().unzip();
     let (mut room, batch) = (Room::new(POINTS), Batch::new());
     let Ok(row) = FixedOmega::new(1.5) else { return };
+    let damped = |(&omega, &alpha)| Ratios::new(omega, alpha).and_then(|at| at.with_damping_ratio(0.02)).ok();
+    let damped: Vec<_> = omega.iter().zip(&alpha).filter_map(damped).collect();
     for _ in 0..n {
         match kernel.as_str() {
             "batch-triple" | "batch-triple-low" => room.run(batch, &omega, &alpha, THREE),
             "batch-peaks" | "batch-peaks-low" => room.run(batch, &omega, &alpha, FIVE),
             "batch-peaks-fixed" => room.run_at(batch, &row, &alpha, FIVE),
             "batch-cycles" | "batch-cycles-low" => room.run(batch, &omega, &alpha, ALL),
+            "batch-triple-damped" => room.run_each(batch, &damped, THREE),
+            "batch-peaks-damped" => room.run_each(batch, &damped, FIVE),
             "batch-triple-fixed" => room.run_at(batch, &row, &alpha, THREE),
             "batch-cycles-fixed" => room.run_at(batch, &row, &alpha, ALL),
             other => {

@@ -41,7 +41,7 @@ all() {
     done
     report steady-map "$(count '*steady_map*' "$exact" steady-map 5000)" 5000
     batch=$(program batch_instructions)
-    for kernel in batch-{triple,peaks,cycles}{,-fixed,-low}; do
+    for kernel in batch-{triple,peaks,cycles}{,-fixed,-low} batch-{triple,peaks}-damped; do
         # The difference of two numbers of rounds removes the start-up.
         once=$(collected "$batch" "$kernel" 1)
         report "$kernel" $(($(collected "$batch" "$kernel" 3) - once)) $((2 * 128000))

@@ -83,6 +83,7 @@ fn time(omega: &[f64], alpha: &[f64]) {
         let name = format!("stickslip {level:?}");
         report(&name, "triple", &mut || room.run(batch, omega, alpha, THREE));
         report(&name, "damped", &mut || room.run_each(batch, &damped, THREE));
+        report(&name, "damped, five", &mut || room.run_each(batch, &damped, FIVE));
         report(&name, "five", &mut || room.run(batch, omega, alpha, FIVE));
         report(&name, "all", &mut || room.run(batch, omega, alpha, ALL));
         if let Ok(row) = FixedOmega::new(1.5) {

@@ -18,7 +18,6 @@ use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::Response;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Naming, Role};
 use stickslip_figures::{Figure, Origin, resolved};
@@ -286,8 +285,7 @@ impl AskedCurve {
 
     fn place(&self, given: &Given<f64>, x: f64, source: Source) -> Result<CurvePoint, Failure> {
         let point = self.point(given, x)?;
-        let response = Response::new(point.ratios);
-        let margin = margin(&response);
+        let margin = margin(point.ratios);
         let (value, regime, sticks) = self.value(&point)?;
         Cell::Number(value).finite(words(self.what)).map_err(|e| behind_all(given, e))?;
         Ok(CurvePoint { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
@@ -296,9 +294,7 @@ impl AskedCurve {
     /// The point where the curve meets the border, between two frequencies on either side of it: by
     /// bisection, to the last bit.
     fn crossing(&self, given: &Given<f64>, (from, to): (f64, f64)) -> Result<Option<(f64, f64)>, Failure> {
-        let slides = |x: f64| -> Result<bool, Failure> {
-            Ok(margin(&Response::new(self.point(given, x)?.ratios)) >= 1.0)
-        };
+        let slides = |x: f64| -> Result<bool, Failure> { Ok(margin(self.point(given, x)?.ratios) >= 1.0) };
         let (mut inside, mut outside) = if slides(from)? { (from, to) } else { (to, from) };
         loop {
             let middle = inside + (outside - inside) / 2.0;
@@ -349,7 +345,6 @@ mod tests {
     use crate::args::{Command, CommandLine};
     use crate::input;
     use clap::Parser;
-    use stickslip::Response;
 
     #[test]
     fn curves_meet_the_border_on_the_border() {
@@ -366,7 +361,7 @@ mod tests {
                 given.set(asked.axis, omega);
                 given.set(asked.other.as_ref().unwrap().0, alpha);
                 let point = input::point(&given).ok().unwrap();
-                assert!((margin(&Response::new(point.ratios)) - 1.0).abs() < 1e-14, "{alpha} {omega}");
+                assert!((margin(point.ratios) - 1.0).abs() < 1e-14, "{alpha} {omega}");
                 let cycle = stickslip::Cycle::new(point.ratios).unwrap();
                 assert_eq!(amplification, cycle.max_displacement / alpha);
                 met += 1;

@@ -16,12 +16,13 @@ use crate::interrupt;
 use crate::outputs::{self, plain};
 use crate::progress;
 use crate::record::Cell;
+use crate::sweep::loops::Looped;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input};
-use stickslip::{Output, Response};
+use stickslip::{Output, Ratios};
 
 pub(crate) use picture::capital;
 
@@ -69,11 +70,17 @@ impl<'a> Quantity<'a> {
         }
     }
 
+    /// The loops of a batch that compute it in ratios, if there are any.
+    fn looped(&self) -> Option<Looped> {
+        let name = matches!(self, Self::Regime | Self::Output(Swept::Response, _)).then(|| self.name())?;
+        Looped::of(core::iter::once(outputs::find(name)?))
+    }
+
     /// The value at a point, with the kind of values in the machine's units; `None` if there is no such
     /// output.
     fn value_at(&self, given: &Given<f64>) -> Result<Option<MapValue>, Failure> {
         if matches!(self, Self::Margin) {
-            let margin = margin(&Response::new(input::point(given)?.ratios));
+            let margin = margin(input::point(given)?.ratios);
             return Ok(Some((None, Cell::Number(Some(margin)))));
         }
         if matches!(self, Self::Limits) {
@@ -167,17 +174,32 @@ impl<'a> Map<'a> {
 
     /// Computes the points in order, row by row.
     fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, Cell<f64>) -> Outcome) -> Outcome {
-        progress::in_order(
+        let looped = self.quantity.looped().filter(|_| !axes.is_physical());
+        let one = |given: Given<f64>| {
+            let found = self.quantity.value_at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
+            Ok((given, found))
+        };
+        progress::in_order_kept(
             0..axes.len(),
-            |point| {
+            |points| {
                 if interrupt::asked() {
-                    return Err(Failure::Interrupted);
+                    return vec![Err(Failure::Interrupted)];
                 }
-                let given = axes.given_at(point);
-                let found = self.quantity.value_at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
-                Ok((given, found))
+                let Some(looped) = &looped else { return vec![one(axes.given_at(points.start))] };
+                let given: Vec<_> = points.map(|point| axes.given_at(point)).collect();
+                let ratios: Vec<_> = given.iter().map(Looped::ratios).collect();
+                let cells = looped
+                    .records(&ratios)
+                    .into_iter()
+                    .map(|record| record.and_then(|record| record.fields.first().map(|(_, cell)| *cell)));
+                // Alone, a point without ratios has its error.
+                let answer = |(given, cell)| match cell {
+                    Some(cell) => Ok((given, cell)),
+                    None => one(given),
+                };
+                given.into_iter().zip(cells).map(answer).collect()
             },
-            |(given, cell)| take(given, cell),
+            |found| found.map_or(Ok(()), |(given, cell)| take(given, cell)),
         )
     }
 
@@ -220,8 +242,9 @@ impl<'a> Map<'a> {
 }
 
 /// The force over the minimum force without sticking, α/α_min.
-pub(crate) fn margin(response: &Response<f64>) -> f64 {
-    Output::Margin.of(response).unwrap_or(f64::NAN)
+pub(crate) fn margin(ratios: Ratios<f64>) -> f64 {
+    let [least] = Output::values([Output::MinForceRatio], ratios);
+    ratios.alpha() / least
 }
 
 /// The number of points of the border, more than a picture can show.

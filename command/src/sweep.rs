@@ -1,5 +1,6 @@
 //! `stickslip sweep`.
 
+pub(crate) mod loops;
 #[cfg(feature = "parquet")]
 mod parquet;
 pub(crate) mod rows;

@@ -87,10 +87,12 @@ impl<'a> Columns<'a> {
 }
 
 impl<'a> Slices<'a, { Output::ALL.len() }> {
-    /// Whether no number is requested but {Δ₀, α_min, A₁}.
-    pub(super) fn is_amplitude(&self) -> bool {
+    /// Whether no number is requested that the loops do not compute with a damper: λ, and those not of [`LOOPED`].
+    pub(super) fn is_looped_with_damper(&self) -> bool {
         let mut columns = self.numbers.iter().zip(Output::ALL);
-        columns.all(|(slice, output)| slice.is_none() || output.is_of_amplitude())
+        columns.all(|(slice, output)| {
+            slice.is_none() || output != Output::Contraction && LOOPED.contains(&output)
+        })
     }
 
     /// Removes the slices that the loops fill; the others are computed point by point.

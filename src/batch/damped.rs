@@ -1,14 +1,20 @@
-//! Points that may have a damper and static friction: {Δ₀, α_min, A₁} by a loop, all else point by point.
+//! Points that may have a damper and static friction: the outputs of [`LOOPED`] except λ by loops, all others point by
+//! point.
 
+use super::alone;
 use super::block::{AtPoint, Block, POINTS, each, select, set};
-use super::columns::Slices;
+use super::columns::{BORDER, LOOPED, Looped, Slices};
 use super::level::{Level, Loops};
+use super::stages::Answer;
 use super::straight::is_any_nan;
 use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::middle::{Constants, Crest, Middle};
+use crate::cycle::damped::rising::Rising;
 use crate::cycle::damped::tangent::Angle;
-use crate::cycle::damped::{amplitude_from_turning_point, exists};
+use crate::cycle::damped::{displacement_phase, exists, from_turning_point};
 use crate::cycle::regime::regime_of;
-use crate::cycle::response;
+use crate::cycle::velocity_phase;
+use crate::float::circular::held;
 use crate::float::pair::Pair;
 use crate::machine::ratios::Ratios;
 use crate::output::Output;
@@ -57,40 +63,165 @@ fn angle_of([d, d_rest, gamma, gamma_rest, inverse, inverse_rest]: [f64; 6]) -> 
     Angle { d, gamma, inverse: Pair::new(inverse, inverse_rest) }
 }
 
-/// `[Δ₀, α_min, A₁]` from `[Ω, α, ζ, η]` and the results of [`Responses`]; a NaN in α_min means that the point
-/// must be recomputed.
+/// The half cycle from `[Ω, α, ζ, η]` and the results of [`Responses`], its α_min, and whether there is one.
+#[inline(always)]
+fn rising([omega, alpha, zeta, eta, shift, shift_rest, h, h_rest]: [f64; 8]) -> (Rising<f64>, f64, bool) {
+    let (shift, h) = (Pair::new(shift, shift_rest), Pair::new(h, h_rest));
+    let half = HalfPeriod::of_response(omega, zeta, shift, h).with_static_friction(eta);
+    let (rising, border) = from_turning_point(half, alpha);
+    (rising, border, exists(alpha, border))
+}
+
+/// `[Δ₀, α_min, A₁]` from the inputs of [`rising`]; a NaN in α_min means that the point must be recomputed.
 struct Sizes;
 
 impl AtPoint<8, 3> for Sizes {
     #[inline(always)]
-    fn at(&self, [omega, alpha, zeta, eta, shift, shift_rest, h, h_rest]: [f64; 8]) -> [f64; 3] {
-        let (shift, h) = (Pair::new(shift, shift_rest), Pair::new(h, h_rest));
-        let half = HalfPeriod::of_response(omega, zeta, shift, h).with_static_friction(eta);
-        let [displacement, border, size] = amplitude_from_turning_point(half, alpha);
-        let slides = exists(alpha, border);
-        [select(slides, displacement, f64::NAN), border, select(slides, size, f64::NAN)]
+    fn at(&self, given: [f64; 8]) -> [f64; 3] {
+        let (rising, border, slides) = rising(given);
+        let size = rising.loop_sizes(given[1]).0;
+        [select(slides, rising.max_displacement, f64::NAN), border, select(slides, size, f64::NAN)]
+    }
+}
+
+impl AtPoint<8, 8> for Sizes {
+    /// The same and `[ω_d t₂, A₂, the low part of Δ₀]` with f_c and f_s of the drive.
+    #[inline(always)]
+    fn at(&self, given: [f64; 8]) -> [f64; 8] {
+        let (rising, border, slides) = rising(given);
+        let ((size1, size2), drive) = (rising.loop_sizes(given[1]), rising.drive());
+        let phase = displacement_phase(drive);
+        let border = select(!slides | rising.does_not_stick(), border, f64::NAN);
+        [
+            select(slides, rising.max_displacement, f64::NAN),
+            border,
+            select(slides, size1, f64::NAN),
+            select(slides, phase, f64::NAN),
+            select(slides, size2, f64::NAN),
+            rising.rest,
+            drive.0.value(),
+            drive.1.value(),
+        ]
+    }
+}
+
+/// The middle of the half cycle from `[Ω, ζ]`, the results of [`Turning`], P and G.
+struct Middles;
+
+#[inline(always)]
+fn middle([omega, zeta, angle @ .., p, r, shift]: [f64; 11]) -> Middle<f64> {
+    angle_of(angle).middle(omega, zeta, (p, r), shift)
+}
+
+impl AtPoint<11, 2> for Middles {
+    /// Without the displacement.
+    #[inline(always)]
+    fn at(&self, given: [f64; 11]) -> [f64; 2] {
+        let Middle { velocity, slope, .. } = middle(given);
+        [velocity, slope]
+    }
+}
+
+impl AtPoint<11, 3> for Middles {
+    #[inline(always)]
+    fn at(&self, given: [f64; 11]) -> [f64; 3] {
+        let Middle { velocity, slope, displacement } = middle(given);
+        [velocity, slope, displacement]
+    }
+}
+
+/// The maximum velocity.
+struct Arrival(Constants<f64>);
+
+impl Arrival {
+    #[inline(always)]
+    fn new() -> Self {
+        Self(held(Constants::new()))
+    }
+}
+
+impl AtPoint<11, 4> for Arrival {
+    /// `[V₀, ω_d t₁, α_min, Δ₁]` from `[Ω, ζ, f_c, f_s, Δ₀, the low part of Δ₀, ω_d t₂, α_min]` and the middle; a NaN
+    /// in α_min means that the velocity must be recomputed.
+    #[inline(always)]
+    fn at(
+        &self,
+        [omega, zeta, along, across, delta, rest, phase2, border, velocity, slope, displacement]: [f64; 11],
+    ) -> [f64; 4] {
+        let middle = Middle { velocity, slope, displacement };
+        let Crest { sigma, velocity, displacement, is_found } =
+            middle.arrive(&self.0, (omega, zeta), (along, across), Pair::new(delta, rest));
+        // Without a cycle there is nothing to find.
+        let border = select(is_found | delta.is_nan(), border, f64::NAN);
+        [velocity, velocity_phase(phase2, omega, -sigma), border, displacement]
+    }
+}
+
+impl AtPoint<10, 3> for Arrival {
+    /// The same without Δ₁.
+    #[inline(always)]
+    fn at(&self, [a, b, c, d, e, f, g, h, velocity, slope]: [f64; 10]) -> [f64; 3] {
+        let [velocity, phase, border, _] = self.at([a, b, c, d, e, f, g, h, velocity, slope, 0.0]);
+        [velocity, phase, border]
+    }
+}
+
+/// The outputs beyond {Δ₀, α_min, A₁} that are asked for.
+#[derive(Clone, Copy)]
+struct Wanted {
+    more: bool,
+    velocity: bool,
+    deviation: bool,
+}
+
+impl Wanted {
+    fn of(out: &Looped<'_>) -> Self {
+        Self { more: out.has(3..8), velocity: out.has(5..8), deviation: out.has(7..8) }
     }
 }
 
 struct Pass<'a> {
+    wanted: Wanted,
     given: &'a [Block; 4],
-    found: &'a mut [Block; 3],
-    work: &'a mut [Block; 14],
+    found: &'a mut Answer,
+    work: &'a mut [Block; 21],
 }
 
 impl Loops for Pass<'_> {
     type Output = ();
 
-    /// Four loops, each short enough for the processor to compute several of its rounds at a time.
+    /// Several loops, each short enough for the processor to compute several of its rounds at a time.
     #[inline(always)]
     fn run(self) {
-        let Self { given: [omega, alpha, zeta, eta], found, work } = self;
-        let [a, b, c, d, e, f, p, p_rest, r, r_rest, work @ ..] = work;
+        let Self { wanted, given: [omega, alpha, zeta, eta], found, work } = self;
+        let [a, b, c, d, e, f, p, p_rest, r, r_rest, shift, shift_rest, h, h_rest, work @ ..] = work;
+        let [rest, along, across, mark, middle @ ..] = work;
+        let [delta, border, size1, phase2, size2, velocity, phase1, deviation, _] = found;
         each(&Turning, [omega, zeta], [&mut *a, b, c, d, e, f]);
         each(&Fraction, [omega, zeta, a, b, c, d, e, f], [&mut *p, p_rest, r, r_rest]);
-        each(&Responses, [omega, zeta, a, b, c, d, e, f, p, p_rest, r, r_rest], work.each_mut());
-        let [shift, shift_rest, h, h_rest] = work;
-        each(&Sizes, [omega, alpha, zeta, eta, shift, shift_rest, h, h_rest], found.each_mut());
+        let responses = [&mut *shift, shift_rest, h, h_rest];
+        each(&Responses, [omega, zeta, a, b, c, d, e, f, p, p_rest, r, r_rest], responses);
+        let given = [omega, alpha, zeta, eta, shift, shift_rest, h, h_rest];
+        if !wanted.more {
+            return each::<8, 3>(&Sizes, given, [delta, border, size1]);
+        }
+        let least = if wanted.velocity { &mut *mark } else { &mut *border };
+        each::<8, 8>(&Sizes, given, [&mut *delta, least, size1, phase2, size2, rest, along, across]);
+        if !wanted.velocity {
+            return;
+        }
+        let given = [omega, zeta, a, b, c, d, e, f, p, r, shift];
+        let [x, v, w] = middle;
+        let at = [omega, zeta, &*along, across, delta, rest, phase2, mark];
+        let [i, j, k, l, m, n, o, q] = at;
+        if wanted.deviation {
+            each::<11, 3>(&Middles, given, [&mut *v, w, x]);
+            let given = [i, j, k, l, m, n, o, q, v, w, x];
+            each::<11, 4>(&Arrival::new(), given, [velocity, phase1, border, deviation]);
+        } else {
+            each::<11, 2>(&Middles, given, [&mut *v, w]);
+            each::<10, 3>(&Arrival::new(), [i, j, k, l, m, n, o, q, v, w], [velocity, phase1, border]);
+        }
     }
 }
 
@@ -102,14 +233,15 @@ pub(super) fn run(
     mut columns: Slices<'_, { Output::ALL.len() }>,
     ratios: &impl Fn(usize) -> Option<Ratios<f64>>,
 ) {
-    if !columns.is_amplitude() {
+    if !columns.is_looped_with_damper() {
         let has_velocity = columns.has_velocity();
         let answer = |i| ratios(start + i).map(|ratios| Output::answer(has_velocity, ratios));
         return (0..n).for_each(|i| columns.put(i, answer(i)));
     }
-    let (mut given, mut found) = ([[0.0; POINTS]; 4], [[0.0; POINTS]; 3]);
-    let mut work = [[0.0; POINTS]; 14];
+    let (mut given, mut found) = ([[0.0; POINTS]; 4], [[0.0; POINTS]; LOOPED.len()]);
+    let mut work = [[0.0; POINTS]; 21];
     let mut out = columns.take_looped();
+    let wanted = Wanted::of(&out);
     for first in (0..n).step_by(POINTS) {
         let count = POINTS.min(n - first);
         let mut is_damped = false;
@@ -122,21 +254,24 @@ pub(super) fn run(
         }
         // Without a damper the loops would leave every point.
         if level == Level::Scalar || !is_damped {
-            found[1].fill(f64::NAN);
+            found[BORDER].fill(f64::NAN);
         } else {
-            level.run(Pass { given: &given, found: &mut found, work: &mut work });
+            level.run(Pass { wanted, given: &given, found: &mut found, work: &mut work });
         }
-        if is_any_nan(&found[1]) {
+        if is_any_nan(&found[BORDER]) {
             for i in 0..count {
-                if found[1].get(i).is_some_and(|border| border.is_nan()) {
-                    let values = point_at(&given, i).map_or([f64::NAN; 3], response::amplitude);
-                    set(&mut found, i, values);
+                if found[BORDER].get(i).is_some_and(|border| border.is_nan()) {
+                    if wanted.more {
+                        set(&mut found, i, alone::all(point_at(&given, i)));
+                    } else {
+                        set(&mut found, i, alone::amplitude(point_at(&given, i)));
+                    }
                 }
             }
         }
         out.put_numbers(first, count, &found);
         let regimes = out.regime.iter_mut().flat_map(|slice| slice.iter_mut().skip(first)).take(count);
-        for (i, (slot, &border)) in regimes.zip(&found[1]).enumerate() {
+        for (i, (slot, &border)) in regimes.zip(&found[BORDER]).enumerate() {
             *slot = point_at(&given, i).map(|ratios| regime_of(ratios, border));
         }
     }

@@ -121,9 +121,9 @@ impl Scratch {
             if is_left && !set_aside(i, omega) {
                 let omega = kernel.omega(omega);
                 if kernel.stages.is_amplitude() {
-                    set(&mut self.answer, i, alone::amplitude(omega, alpha));
+                    set(&mut self.answer, i, alone::amplitude(Ratios::new(omega, alpha).ok()));
                 } else {
-                    set(&mut self.answer, i, alone::all(omega, alpha));
+                    set(&mut self.answer, i, alone::all(Ratios::new(omega, alpha).ok()));
                 }
             }
         }

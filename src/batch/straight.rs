@@ -8,6 +8,7 @@ use super::fixed::{FixedOmega, Row};
 use super::kernel::Kernel;
 use super::level::{Level, Loops};
 use super::places::Places;
+use crate::machine::ratios::Ratios;
 
 /// The greatest number of points per call: few enough to stay in the first-level cache until they are
 /// checked.
@@ -99,7 +100,7 @@ impl Rooms {
                     low.push(start + i);
                     continue;
                 }
-                let found = alone::amplitude(kernel.omega(omega), alpha);
+                let found = alone::amplitude(Ratios::new(kernel.omega(omega), alpha).ok());
                 for (column, value) in columns.iter_mut().zip(found) {
                     if let Some(slot) = column.get_mut(i) {
                         *slot = value;

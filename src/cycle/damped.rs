@@ -18,6 +18,7 @@ pub(crate) mod border;
 pub(crate) mod fastest;
 pub(crate) mod free;
 pub(crate) mod half_period;
+pub(crate) mod middle;
 mod peaks;
 mod pole;
 pub(crate) mod resonance;
@@ -28,7 +29,7 @@ pub(crate) mod tangent;
 mod work;
 
 use super::displacement::max_displacement;
-use super::displacement::reduce;
+use super::displacement::velocity_phase;
 use super::stability::MultiplierPair;
 use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
@@ -77,10 +78,10 @@ impl<F: Float> DampedCycle<F> {
     /// The cycle of equations 21–25 whose half is given, stops or none.
     pub(crate) fn of(rising: Rising<F>) -> Self {
         let (found, omega) = (Self::of_displacement(rising), rising.half.omega);
-        let Summit { tau, velocity, displacement } = rising.summit();
+        let Summit { sigma, velocity, displacement } = rising.summit();
         Self {
-            max_velocity: velocity / omega,
-            velocity_phase: reduce(found.displacement_phase - F::pi() + omega * tau),
+            max_velocity: velocity,
+            velocity_phase: velocity_phase(found.displacement_phase, omega, -sigma),
             deviation: displacement,
             ..found
         }
@@ -184,9 +185,41 @@ impl<F: Float> Rising<F> {
 
     /// ω_d t₂, in [0, 2π).
     pub(crate) fn displacement_phase(&self) -> F {
-        // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
-        reduce(self.half.phase_lag() + self.amplitude.atan2(self.half.h))
+        let rising = self;
+        fused!(<'a, F>(rising: &'a Rising<F>) -> F { displacement_phase(rising.drive()) })
     }
+}
+
+/// ω_d t₂ from the drive `f_c cos Ωτ + f_s sin Ωτ` since the start of the half cycle: half a turn later it is
+/// `α sin ω_d t₂ = −f_c`, `α cos ω_d t₂ = −f_s`.
+#[inline(always)]
+pub(crate) fn displacement_phase<F: Float>((along, across): (Pair<F>, Pair<F>)) -> F {
+    let (one, half) = (F::int(1), F::ratio(1, 2));
+    let inverse = -(one / along.hi.mul_add(along.hi, across.hi * across.hi).sqrt());
+    let (sine, cosine) = (along * inverse, across * inverse);
+    // Of size 1, without the error of the root.
+    let short = half * (-sine.hi).mul_add(sine.hi, (-cosine.hi).mul_add(cosine.hi, one));
+    let unit = |part: Pair<F>| part.hi + short.mul_add(part.hi, part.lo);
+    let (sine, cosine) = (unit(sine), unit(cosine));
+    // The angle to the nearest axis, at a multiple of π/2.
+    let (zero, up, right) = (F::int(0), sine.abs(), cosine.abs());
+    let is_steep = up > right;
+    let angle = F::angle_of(if is_steep { right } else { up }, if is_steep { up } else { right });
+    let (is_below, is_left) = (sine < zero, cosine < zero);
+    let steep = if is_below { F::ratio(3, 2) } else { half };
+    let flat = if is_left {
+        one
+    } else if is_below {
+        F::int(2)
+    } else {
+        zero
+    };
+    let half_turns = if is_steep { steep } else { flat };
+    let angle = if is_below ^ is_left ^ is_steep { -angle } else { angle };
+    let part = half_turns.mul_add(F::pi_rest().0, angle);
+    let phase = half_turns.mul_add(F::pi(), part);
+    // Rounding can carry a tiny negative phase to the period itself.
+    if phase >= F::int(2) * F::pi() { zero } else { phase }
 }
 
 impl<F: Field> Rising<F> {
@@ -256,14 +289,12 @@ fn force_ratio_at_turning_point<F: Float>(half: &HalfPeriod<Pair<F>>) -> F {
     half.k.hypot(half.stiffness * turning_point(half)).value()
 }
 
-/// {Δ₀, α_min, A₁} where the turning point decides the border: from Ω = d/2 on.
+/// The cycle and α_min where the turning point decides the border: from Ω = d/2 on.
 ///
-/// It has no branches, for loops; Δ₀ and A₁ are meaningless below the border.
+/// It has no branches, for loops; the cycle is meaningless below the border.
 #[inline(always)]
-pub(crate) fn amplitude_from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> [F; 3] {
-    let border = force_ratio_at_turning_point(&half.wide());
-    let rising = Rising::at_force(half, alpha);
-    [rising.max_displacement, border, rising.loop_sizes(alpha).0]
+pub(crate) fn from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> (Rising<F>, F) {
+    (Rising::at_force(half, alpha), force_ratio_at_turning_point(&half.wide()))
 }
 
 /// {Δ₀, α_min, A₁} without the rest of the answer; NaN where there is no cycle.
@@ -272,7 +303,8 @@ pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
     let eta = ratios.static_friction_ratio();
     fused!(<F>(omega: F, alpha: F, zeta: F, eta: F) -> [F; 3] {
         let half = HalfPeriod::of_amplitude(omega, zeta).with_static_friction(eta);
-        let [displacement, at_turning_point, size] = amplitude_from_turning_point(half, alpha);
+        let (rising, at_turning_point) = from_turning_point(half, alpha);
+        let (displacement, size) = (rising.max_displacement, rising.loop_sizes(alpha).0);
         let least = if has_lobes(&half) { border(&half).min_force_ratio } else { at_turning_point };
         let nan = F::int(0) / F::int(0);
         if exists(alpha, least) { [displacement, least, size] } else { [nan, least, nan] }

@@ -103,6 +103,7 @@ pub(crate) fn half_period<const W: usize>(
         k,
         rest: [Ball::int(0); 3],
         beyond: None,
+        middle: None,
         decay,
         cosine,
         sine,

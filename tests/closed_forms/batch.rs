@@ -192,10 +192,10 @@ fn with_damping_each_point_is_that_alone() {
     assert_same(&found, &due, |i| format!("{} {} {}", omega[i], alpha[i], zeta[i]));
 }
 
-/// The loop of {Δ₀, α_min, A₁}: at its bounds, beside the pole and ζ = 1, with and without static friction, and
-/// with points among them that it cannot compute.
+/// The loops with a damper: at their bounds, beside the pole and ζ = 1, with and without static friction, and
+/// with points among them that they cannot compute.
 #[test]
-fn with_damping_the_loop_has_the_bits_of_the_points_alone() {
+fn with_damping_the_loops_have_the_bits_of_the_points_alone() {
     let (omega, alpha) = points_and_others(6000);
     let mut random = Random(36);
     let zeta: Vec<_> = (0..omega.len())
@@ -223,18 +223,22 @@ fn with_damping_the_loop_has_the_bits_of_the_points_alone() {
     let alpha: Vec<_> =
         (0..omega.len()).map(|i| if i % 2 == 0 { alpha[i] } else { force(i).unwrap_or(f64::NAN) }).collect();
     let ratios = |i: usize| at(i, alpha[i]);
-    let due = alone((0..omega.len()).map(ratios), THREE);
-    for level in levels() {
-        for n in [omega.len(), 129, 7] {
-            let batch = Batch::new().at_level(level);
-            let found = Answer::of(n, THREE, |wanted| batch.run_each(n, ratios, wanted));
-            let due = Answer {
-                regime: due.regime[..n].to_vec(),
-                columns: due.columns.iter().map(|column| column[..n].to_vec()).collect(),
-            };
-            assert_same(&found, &due, |i| {
-                format!("{level:?}: {} {} {} {}", omega[i], alpha[i], zeta[i], eta[i])
-            });
+    // All that have loops with a damper, and parts of them.
+    let sets = [THREE, &OUTPUTS[..8], &FIVE, &OUTPUTS[3..5], &OUTPUTS[6..7]];
+    for outputs in sets {
+        let due = alone((0..omega.len()).map(ratios), outputs);
+        for level in levels() {
+            for n in [omega.len(), 129, 7] {
+                let batch = Batch::new().at_level(level);
+                let found = Answer::of(n, outputs, |wanted| batch.run_each(n, ratios, wanted));
+                let due = Answer {
+                    regime: due.regime[..n].to_vec(),
+                    columns: due.columns.iter().map(|column| column[..n].to_vec()).collect(),
+                };
+                assert_same(&found, &due, |i| {
+                    format!("{level:?}: {:?} {:?} {:?} {:?}", omega[i], alpha[i], zeta[i], eta[i])
+                });
+            }
         }
     }
 }

@@ -9,7 +9,6 @@ use crate::grid::Grid;
 use crate::input;
 use crate::outputs;
 use crate::record::Cell;
-use stickslip::Response;
 use stickslip::inputs::{Input, Role};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
@@ -60,7 +59,7 @@ impl Map<'_> {
             given.set(self.across.0, x);
             given.set(up, low);
             let Ok(point) = input::point(&given) else { continue };
-            let margin = margin(&Response::new(point.ratios));
+            let margin = margin(point.ratios);
             points.push((x * across, upwards * if inverse { low * margin } else { low / margin }));
         }
         points

@@ -1,6 +1,7 @@
 //! The rows of a sweep, each computed from its number alone.
 
 use super::Table;
+use super::loops::Looped;
 use crate::args::{Header, SweepArgs, SweepFormat, Swept};
 use crate::axes::Axes;
 use crate::bits::Value;
@@ -10,6 +11,7 @@ use crate::outputs::{self, ALPHA, Key, OMEGA};
 use crate::record::{Cell, Record, csv_text};
 use crate::resume;
 use crate::{border, input, response, steady};
+use std::ops::Range;
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::{DEFAULT_BUDGET, State, Trajectory};
 
@@ -25,6 +27,8 @@ pub(crate) struct SweepRows<F> {
     header: Header,
     /// Whether the requested outputs need the search for peaks.
     peaks: bool,
+    /// The rows in loops over many points, where they have no other columns.
+    looped: Option<Looped>,
     #[cfg(feature = "parquet")]
     notes: Vec<(String, String)>,
 }
@@ -70,6 +74,8 @@ impl<F: Value> SweepRows<F> {
             None => form,
         };
         let columns = form.names();
+        let is_looped = question == Swept::Response && args.bits.is_none() && !axes.is_physical();
+        let looped = is_looped.then(|| Looped::of(form.fields.iter().map(|(key, _)| *key))).flatten();
         #[cfg(feature = "parquet")]
         let notes = notes(args);
         Ok(Self {
@@ -83,6 +89,7 @@ impl<F: Value> SweepRows<F> {
             csv,
             header,
             peaks,
+            looped,
         })
     }
 
@@ -102,6 +109,30 @@ impl<F: Value> SweepRows<F> {
             Some(outputs) => record.only(outputs),
             None => record,
         })
+    }
+
+    /// The rows of the first points of a range, at least one.
+    fn first_records(&self, points: Range<u64>) -> Vec<Result<Record<F>, Failure>> {
+        let alone = |point| vec![self.record(point)];
+        let Some(looped) = &self.looped else { return alone(points.start) };
+        if interrupt::asked() {
+            return alone(points.start);
+        }
+        let first = points.start;
+        let ratios: Vec<_> = points.map(|point| Looped::ratios(&self.axes.given_at(point))).collect();
+        let found = looped.records(&ratios).into_iter().zip(first..);
+        // Alone, a point without ratios has its error.
+        found.map(|(record, point)| record.map_or_else(|| self.record(point), Ok)).collect()
+    }
+
+    /// The text of a row.
+    fn written(&self, record: &Record<F>) -> Result<Vec<u8>, Failure> {
+        if self.csv {
+            return csv_text(|writer| record.write_row(writer));
+        }
+        let mut text = Vec::new();
+        record.write_line(&mut text)?;
+        Ok(text)
     }
 
     fn full_record(&self, point: u64) -> Result<Record<F>, Failure> {
@@ -130,6 +161,11 @@ impl<F: Value> Table<F> for SweepRows<F> {
     }
 
     #[cfg(feature = "parquet")]
+    fn records(&self, points: Range<u64>) -> Vec<Result<Record<F>, Failure>> {
+        self.first_records(points)
+    }
+
+    #[cfg(feature = "parquet")]
     fn notes(&self) -> Vec<(String, String)> {
         self.notes.clone()
     }
@@ -144,13 +180,12 @@ impl<F: Value> resume::Rows for SweepRows<F> {
     }
 
     fn text(&self, point: u64) -> Result<Vec<u8>, Failure> {
-        let record = self.record(point)?;
-        if self.csv {
-            return csv_text(|writer| record.write_row(writer));
-        }
-        let mut text = Vec::new();
-        record.write_line(&mut text)?;
-        Ok(text)
+        self.written(&self.record(point)?)
+    }
+
+    fn texts(&self, points: Range<u64>) -> Vec<Result<Vec<u8>, Failure>> {
+        let records = self.first_records(points).into_iter();
+        records.map(|record| record.and_then(|record| self.written(&record))).collect()
     }
 
     /// Whether Ω and, if there is one, α are among the columns. For a machine they distinguish the rows of

@@ -28,6 +28,36 @@ fn a_sweep_answers_each_point_in_order_as_the_command_does() {
     assert!(points[41].starts_with("0.55,1.1,") && points[31 * 41 - 1].starts_with("2.0,9.0,"));
 }
 
+/// Outputs of a batch's loops have the digits of the rows with all columns, which are computed one by one.
+#[test]
+fn a_sweep_and_a_map_by_loops_have_the_digits_of_whole_rows() {
+    let names = "velocity_phase,regime,omega,max_displacement,deviation,alpha,min_force_ratio,\
+                 loop_size_stiffness,loop_size_inertia,displacement_phase,max_velocity";
+    for machine in ["", "--damping-ratio 5%", "--damping-ratio 0,0.3,3 --static-friction-ratio 1,1.2"] {
+        let sweep = format!("sweep response --omega 0.35:2.3:40 --alpha 0.5:9:18 {machine}");
+        let (whole, some) = (stdout(&sweep), stdout(&format!("{sweep} --outputs {names}")));
+        let columns: Vec<&str> = whole.lines().next().unwrap().split(',').collect();
+        let places = names.split(',').map(|name| columns.iter().position(|column| *column == name).unwrap());
+        let places: Vec<_> = places.collect();
+        assert_eq!(whole.lines().count(), some.lines().count());
+        for (whole, some) in whole.lines().zip(some.lines()) {
+            let cells: Vec<&str> = whole.split(',').collect();
+            assert_eq!(places.iter().map(|&place| cells[place]).collect::<Vec<_>>().join(","), some);
+        }
+    }
+    let grids = "--omega 0.35:2.3:40 --alpha 0.5:9:18 --damping-ratio 5%";
+    for name in ["max_velocity", "regime"] {
+        let map = stdout(&format!("map {name} {grids}"));
+        let rows = stdout(&format!("sweep response {grids} --outputs omega,alpha,{name},margin"));
+        let value = |row: &str| row.split(',').nth(2).unwrap().to_owned();
+        let mut due: Vec<_> = rows.lines().skip(1).collect();
+        // A map runs along Ω first.
+        due.sort_by_key(|row| row.split(',').nth(1).unwrap().parse::<f64>().unwrap().to_bits());
+        let due: Vec<_> = due.into_iter().map(value).collect();
+        assert_eq!(map.lines().skip(1).map(value).collect::<Vec<_>>(), due, "{name}");
+    }
+}
+
 #[test]
 fn steady_and_border_are_swept_too() {
     let steady = stdout("sweep steady --omega 0.4 --alpha 6,7 --format jsonl");

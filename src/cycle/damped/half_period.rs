@@ -2,6 +2,7 @@
 //! and ζ alone.
 
 use super::free::Free;
+use super::middle::Middle;
 use super::pole::Pole;
 use super::tangent::Tangent;
 use crate::cycle::phase_function::{
@@ -44,6 +45,8 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) rest: [F; 3],
     /// Beside the pole at Ω = 1, `(πQ/2)² − 4` of `Q = q √(G² + H²)`, as the sum of two parts ([`Pole`]).
     pub(crate) beyond: Option<[F; 2]>,
+    /// The middle of the half cycle, where [`Tangent`] is accurate.
+    pub(crate) middle: Option<Middle<F>>,
     /// `e^{−ζT}`, `e^{−ζT} cos dT` and `e^{−ζT} sin(dT)/d`.
     pub(crate) decay: F,
     pub(crate) cosine: F,
@@ -86,8 +89,9 @@ impl<F: Float> HalfPeriod<F> {
         if const { F::PRECISION > f64::MANTISSA_DIGITS } {
             return None;
         }
-        let Tangent { shift, h, is_accurate } = Tangent::at(omega, zeta);
-        if is_accurate { Some(Self::of_response(omega, zeta, shift, h)) } else { None }
+        let Tangent { shift, h, middle, is_accurate } = Tangent::at(omega, zeta);
+        let half = Self::of_response(omega, zeta, shift, h);
+        if is_accurate { Some(Self { middle: Some(middle), ..half }) } else { None }
     }
 
     /// From G and H; the waves at T are NaN.
@@ -117,6 +121,7 @@ impl<F: Float> HalfPeriod<F> {
             k: (stiffness * h).value(),
             rest: [stiffness.lo, shift.lo, h.lo],
             beyond: None,
+            middle: None,
             decay: nan,
             cosine: nan,
             sine: nan,
@@ -158,6 +163,7 @@ impl<F: Field> HalfPeriod<F> {
             k: to(self.k),
             rest: self.rest.map(&to),
             beyond: self.beyond.map(|parts| parts.map(&to)),
+            middle: self.middle.map(|middle| middle.map(&to)),
             decay: to(self.decay),
             cosine: to(self.cosine),
             sine: to(self.sine),

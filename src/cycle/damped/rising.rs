@@ -9,6 +9,8 @@
 use super::free::{Free, State, Waves};
 use super::half_period::HalfPeriod;
 use super::resonance::Responses;
+use crate::cycle::phase_function::one_minus_square_wide;
+use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
 /// One half cycle: the half period and the amplitude a.
@@ -216,6 +218,16 @@ impl<F: Field> Rising<F> {
 }
 
 impl<F: Float> Rising<F> {
+    /// The drive `f_c cos Ωτ + f_s sin Ωτ` that keeps the driven part up, to all digits: `(f_c, f_s)`.
+    #[inline(always)]
+    pub(crate) fn drive(&self) -> (Pair<F>, Pair<F>) {
+        let HalfPeriod { omega, free, shift, h, rest: [_, shift_rest, h_rest], .. } = self.half;
+        let a = Pair::new(self.max_displacement, self.rest) + Pair::new(shift, shift_rest);
+        let (h, damper) = (Pair::new(h, h_rest), (free.zeta.wide() * omega).times(2));
+        let stiffness = one_minus_square_wide(omega);
+        (-(a * stiffness + h * damper), a * damper - h * stiffness)
+    }
+
     /// The half cycle at τ in [0, T].
     #[inline]
     pub(crate) fn at(&self, tau: F) -> Moment<F> {

@@ -1,34 +1,50 @@
 //! The maximum velocity of a half cycle with a single stationary point of the velocity, which is known
 //! beforehand for most Ω ≥ d/2, d = √(1 − ζ²).
 //!
-//! On the half cycle sin Ωτ > 0, and with `u = x″/sin Ωτ`
+//! # One stationary point
+//!
+//! In the velocity v the driven part drops out of `v″ + Ω²v = p`, `p = h‴ + Ω²h′`, and p is a free vibration. Let the
+//! body not stick: v > 0 within the half cycle, and v = 0 at its ends. Let Ω ≥ d/2: then p has at most two zeros in the
+//! half cycle, and because p(0) + p(T) = 4ζ > 0 it is not negative at both ends (`border`). **If p ≤ 0 in the middle,
+//! v has one stationary point**, its maximum:
+//!
+//! * Where p ≤ 0, v″ = p − Ω²v < 0.
+//! * Where p > 0 before the middle, it is so from the start on, and `v′ = v′(0) cos Ωτ + ∫ p(s) cos Ω(τ − s) ds > 0`,
+//!   because v′(0) ≥ 0 and no angle exceeds π/2. Likewise v′ < 0 where p > 0 after the middle.
+//!
+//! So v′ is positive, decreases through zero, and is negative.
+//!
+//! In the middle h = sech(AT/2) (1, 0)ᵀ, A being the matrix of free vibration, and the partial fractions of sech give
 //!
 //! ```text
-//! u′ sin² Ωτ = W = x‴ sin Ωτ − Ω x″ cos Ωτ,   W′ = p′ sin Ωτ,   p = h‴ + Ω²h′,
+//! p(T/2) = (8ζΩ⁴/π) Σ (−1)^((n−1)/2) n(n² − 1)/D_n,   D_n = (n²Ω² − 1)² + 4ζ²n²Ω²,   n = 3, 5, 7, …
 //! ```
 //!
-//! because the driven part drops out of `x⁗ + Ω²x″`. At both ends W = −Ω |x″| ≤ 0, since the body starts with
-//! x″ ≥ 0 and arrives with x″ ≤ 0. Where W < 0 throughout, u decreases from +∞ to −∞, x″ has **one zero**,
-//! and the velocity has one stationary point, its maximum. W is greatest at an end or where p′ decreases
-//! through zero. p′ is a free vibration, whose zeros are known, π/d apart, with at most one for ζ ≥ 1. So for
-//! Ω ≥ d there is at most one in the half cycle, and the signs of p′ at the ends decide. For Ω ≥ d/2 there
-//! are at most two, p′ decreases through one of them, and W must be evaluated there.
+//! The first term is negative, and where the terms decrease in size so is the sum. With u = n²Ω² they do if
+//! `3u² + (10 − 20ζ²) u ≥ 13`, and if that holds for n = 3 it holds for all. Where [`Tangent`](super::tangent::Tangent)
+//! is accurate, Ω ≥ 1/2 and `(π/2Ω)² ζ² ≤ 3/2` give u ≥ 9/4 and ζ² ≤ u/14, and it does hold. Elsewhere p(T/2) is
+//! computed.
 //!
-//! **The iteration** is that of the motion without damping (`cycle::arrival`): in the middle of the
-//! half cycle the state is known without circular functions; Taylor's formula of the seventh order leads
-//! close to the maximum, and is applied there once more.
+//! # The iteration
+//!
+//! It is that of [`mod@super::middle`]. Where that does not reach, Taylor's formula of the seventh order leads from the
+//! middle close to the maximum, and is applied there once more (`cycle::arrival`).
 
-use super::free::Waves;
+use super::border::has_lobes;
+use super::free::{Free, State, Waves};
+use super::half_period::HalfPeriod;
+use super::middle::{Constants, Crest, slopes};
 use super::rising::{Moment, Rising, Vibration};
 use crate::cycle::arrival::{Arrived, Nearby, Reciprocals};
+use crate::float::pair::Pair;
 use crate::float::{Float, fused};
 
 /// The time of the maximum velocity, and its value.
 #[derive(Clone, Copy)]
 pub(crate) struct Summit<F> {
-    /// τ.
-    pub(crate) tau: F,
-    /// x′/(Bω_n).
+    /// The time since the middle of the half cycle, in 1/ω_n.
+    pub(crate) sigma: F,
+    /// V₀/(Bω_d).
     pub(crate) velocity: F,
     /// x/B.
     pub(crate) displacement: F,
@@ -45,44 +61,28 @@ impl<F: Float> Rising<F> {
         let tau = super::fastest::fastest_time(&self.vibration());
         let moment = self.at(tau);
         let [velocity, slope, _] = self.velocity(&moment);
-        Summit { tau, velocity, displacement: self.displacement_by(&moment, slope) }
+        let Self { half: HalfPeriod { omega, period, .. }, .. } = *self;
+        Summit {
+            sigma: tau - period / F::int(2),
+            velocity: velocity / omega,
+            displacement: self.displacement_by(&moment, slope),
+        }
     }
 
-    /// Whether the velocity has one stationary point, by the proof above.
+    /// Whether the velocity has one stationary point, by the proof above, given the middle.
     #[inline(always)]
-    fn has_one_summit(&self, motion: &Vibration<F>) -> bool {
-        let (zero, one, half) = (F::int(0), F::int(1), &self.half);
-        let (free, omega, b) = (&half.free, half.omega, half.omega * half.h);
-        let is_fast = !free.swings() || omega >= free.frequency;
-        if self.deceleration() < zero || !(is_fast || omega + omega >= free.frequency) {
-            return false;
-        }
-        // p′ and p″ by h and h′.
-        let rates = |x: F, v: F| {
-            let a = -(x + F::int(2) * free.zeta * v);
-            let jerk = -(v + F::int(2) * free.zeta * a);
-            (half.weighted(a, v), half.weighted(jerk, a))
-        };
-        let (first, change) = rates(one + half.shift, b);
-        let (last, _) = rates(one - half.shift, -b);
-        if is_fast && (first <= zero || last >= zero) {
-            return true;
-        }
-        if !free.swings() {
-            return false;
-        }
-        // p′ = e^{−ζτ} P cos(dτ − χ) decreases through zero at dτ = χ + π/2.
-        let angle = ((change + free.zeta * first) / free.frequency).atan2(first) + F::pi() * F::ratio(1, 2);
-        let angle = if angle <= zero { angle + F::int(2) * F::pi() } else { angle };
-        let tau = angle / free.frequency;
-        if tau >= half.period {
-            return true;
-        }
-        let at = motion.at(tau);
-        let [_, slope, curvature] = motion.velocity(&at);
-        let size = omega.square() * omega * (self.amplitude + half.h.abs()) + one + b.abs();
-        let (s, c) = at.drive;
-        curvature * s - omega * slope * c < -(F::epsilon().sqrt() * size)
+    fn has_one_summit(&self, middle: &State<F>) -> bool {
+        let (half, n) = (&self.half, F::int);
+        let (u, square) = (n(9) * half.omega.square(), half.free.zeta.square());
+        let is_falling = n(3) * u.square() + (n(10) - n(20) * square) * u >= n(13);
+        let is_not_above = is_falling || half.weighted(middle.v, middle.x) <= n(0);
+        !has_lobes(half) && self.does_not_stick() && is_not_above
+    }
+
+    /// Whether x″ ≥ 0 at the start but for rounding.
+    #[inline(always)]
+    pub(crate) fn does_not_stick(&self) -> bool {
+        self.deceleration() >= -(F::int(8) * F::epsilon() * self.half.holding())
     }
 
     /// The state in the middle of the half cycle, to half the digits: by `e^{−ζT} = c² + d²s²` and
@@ -106,20 +106,11 @@ impl<F: Float> Vibration<F> {
     #[inline(always)]
     fn fastest_near(&self, at: &Moment<F>, [velocity, f0]: [F; 2]) -> Arrived<F> {
         let ((along, across), (s, c), omega) = (self.force(), at.drive, self.omega);
-        let (square, damping) = (omega.square(), F::int(-2) * self.free.zeta);
-        let odd = omega * (across * c - along * s);
-        let even = -(square * (along * c + across * s));
-        let (odd3, even4) = (-(square * odd), -(square * even));
-        let (odd5, even6) = (-(square * odd3), -(square * even4));
-        let f1 = damping.mul_add(f0, odd - velocity);
-        let f2 = damping.mul_add(f1, even - f0);
-        let f3 = damping.mul_add(f2, odd3 - f1);
-        let f4 = damping.mul_add(f3, even4 - f2);
-        let f5 = damping.mul_add(f4, odd5 - f3);
-        let f6 = damping.mul_add(f5, even6 - f4);
-        let f7 = damping.mul_add(f6, -(square * odd5) - f5);
-        let faster = omega.or_larger(F::int(1)).or_larger(-damping);
-        let slopes = [f0, f1, f2, f3, f4, f5, f6, f7];
+        let (zeta, square) = (self.free.zeta, omega.square());
+        let drives = [omega * (across * c - along * s), -(square * (along * c + across * s))];
+        let slopes = slopes((omega, zeta), [velocity, f0], drives);
+        let damping = F::int(2) * zeta;
+        let faster = omega.or_larger(F::int(1)).or_larger(damping);
         Nearby { psi: at.tau, velocity, slopes, displacement: F::int(0), slower: F::int(1) / faster }
             .fastest(&Reciprocals::new())
     }
@@ -131,29 +122,48 @@ impl<F: Float> Rising<F> {
     fn one_summit(&self) -> Option<Summit<F>> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
-            let motion = rising.vibration();
-            if !rising.has_one_summit(&motion) {
+            rising.from_middle().or_else(|| rising.by_steps())
+        })
+    }
+
+    /// As a batch finds it.
+    #[inline(always)]
+    fn from_middle(&self) -> Option<Summit<F>> {
+        let Self { half: HalfPeriod { omega, free: Free { zeta, .. }, middle, .. }, .. } = *self;
+        let displacement = Pair::new(self.max_displacement, self.rest);
+        let (along, across) = self.drive();
+        let drive = (along.value(), across.value());
+        let found = middle?.arrive(&Constants::new(), (omega, zeta), drive, displacement);
+        let Crest { sigma, velocity, displacement, is_found } = found;
+        (is_found && self.does_not_stick()).then_some(Summit { sigma, velocity, displacement })
+    }
+
+    #[inline(always)]
+    fn by_steps(&self) -> Option<Summit<F>> {
+        let (motion, middle, half) = (self.vibration(), self.middle(), &self.half);
+        if !self.has_one_summit(&middle.free) {
+            return None;
+        }
+        let velocity = half.omega * self.amplitude + middle.free.v;
+        let slope = half.omega.square() * half.h + middle.free.a;
+        let mut tau = motion.fastest_near(&middle, [velocity, slope]).psi;
+        for _ in 0..4 {
+            if !(tau > F::int(0) && tau < half.period) {
                 return None;
             }
-            let (middle, half) = (rising.middle(), &rising.half);
-            let velocity = half.omega * rising.amplitude + middle.free.v;
-            let slope = half.omega.square() * half.h + middle.free.a;
-            let mut tau = motion.fastest_near(&middle, [velocity, slope]).psi;
-            for _ in 0..4 {
-                if !(tau > F::int(0) && tau < half.period) {
-                    return None;
-                }
-                let moment = motion.at(tau);
-                let [velocity, slope, _] = motion.velocity(&moment);
-                let found = motion.fastest_near(&moment, [velocity, slope]);
-                tau = found.psi;
-                if found.is_found {
-                    let displacement = rising.displacement_by(&moment, slope) - found.displacement;
-                    return Some(Summit { tau, velocity: velocity + found.gain, displacement });
-                }
+            let moment = motion.at(tau);
+            let [velocity, slope, _] = motion.velocity(&moment);
+            let found = motion.fastest_near(&moment, [velocity, slope]);
+            tau = found.psi;
+            if found.is_found {
+                return Some(Summit {
+                    sigma: tau - half.period / F::int(2),
+                    velocity: (velocity + found.gain) / half.omega,
+                    displacement: self.displacement_by(&moment, slope) - found.displacement,
+                });
             }
-            None
-        })
+        }
+        None
     }
 }
 
@@ -162,13 +172,16 @@ impl<F: Float> Summit<F> {
     /// stationary.
     #[inline]
     fn differentiated(self, rising: &Rising<F>) -> Self {
-        let tau = self.tau.implicit_root(|tau| {
-            let [_, slope, curvature] = rising.velocity(&rising.at(tau));
+        let middle = rising.half.period / F::int(2);
+        let sigma = self.sigma.implicit_root(|sigma| {
+            let [_, slope, curvature] = rising.velocity(&rising.at(middle + sigma));
             (slope, curvature)
         });
-        let velocity = self.velocity.differentiated_as(|| rising.velocity(&rising.at(tau.constant()))[0]);
-        let displacement = self.displacement.differentiated_as(|| rising.displacement(&rising.at(tau)));
-        Self { tau, velocity, displacement }
+        let at = |sigma| rising.at(middle + sigma);
+        let velocity =
+            self.velocity.differentiated_as(|| rising.velocity(&at(sigma.constant()))[0] / rising.half.omega);
+        let displacement = self.displacement.differentiated_as(|| rising.displacement(&at(sigma)));
+        Self { sigma, velocity, displacement }
     }
 }
 
@@ -201,14 +214,15 @@ mod tests {
         #[test]
         fn it_is_that_of_the_search(rising in halves()) {
             if let Some(found) = &rising.one_summit() {
+                let (omega, middle) = (rising.half.omega, rising.half.period / 2.0);
                 let tau = fastest_time(&rising.vibration());
                 let [velocity, _, curvature] = rising.velocity(&rising.at(tau));
                 let noise = 64.0 * f64::EPSILON * (rising.swing() + 1.0 + rising.half.h.abs());
-                prop_assert!((found.velocity - velocity).abs() <= noise, "{} {velocity}", found.velocity);
+                prop_assert!((omega * found.velocity - velocity).abs() <= noise, "{} {velocity}", found.velocity);
                 // A time is as accurate as the slope, which grows with the distance from it.
-                let rounding = noise * rising.half.omega.max(1.0) / curvature.abs() + 4.0 * f64::EPSILON * tau;
-                prop_assert!((found.tau - tau).abs() <= rounding, "{} {tau}", found.tau);
-                let there = rising.displacement(&rising.at(found.tau));
+                let rounding = noise * omega.max(1.0) / curvature.abs() + 4.0 * f64::EPSILON * tau;
+                prop_assert!((middle + found.sigma - tau).abs() <= rounding, "{} {tau}", found.sigma);
+                let there = rising.displacement(&rising.at(middle + found.sigma));
                 prop_assert!((found.displacement - there).abs() <= noise + velocity * rounding, "{there}");
             }
         }
@@ -223,7 +237,7 @@ mod tests {
             };
             let (omega, h) = (rising.half.omega, rising.half.h);
             let noise = 64.0 * f64::EPSILON * (rising.swing() * omega.max(1.0) + 1.0 + h.abs());
-            if rising.has_one_summit(&motion) {
+            if rising.half.middle.is_some() || rising.has_one_summit(&rising.middle().free) {
                 let slopes = (1..2000).map(slope).filter(|slope| slope.abs() > noise);
                 let signs: Vec<_> = slopes.map(|slope| slope > 0.0).collect();
                 prop_assert!(signs.windows(2).all(|pair| pair[0] || !pair[1]));

@@ -21,7 +21,17 @@
 //! Only the outer level of the fraction is computed in pairs: an error of the others reaches P with the factor
 //! |v|⁴/45. It vanishes towards the pole at Ω = 1 just as Δ₀ = a − G requires, in which a and G are of the order
 //! of 1/|v|.
+//!
+//! **The middle of the half cycle** follows from the same P. There free vibration is sech(λT/2) from (1, 0), and with
+//! `R = v/sinh v = √(P² − v²)`, `N = 1/(P + R)`, x(z) = Re z + (ζ/d) Im z and v(z) = −Im z/d the velocity less ΩΔ₀ is
+//! x(w), the acceleration v(w), and for q = 1, with P − R = v²N, nothing large is left:
+//!
+//! ```text
+//! w = λ sech(λT/2) − Ωt = −ΩvN − (2iΩ/π) R,     x/B + 1 = x(ivN + 2P/π)                        (q = 1)
+//! w = (±λR − Ωv)/P,     x/B + 1 = x([±R + 2v²/π + iqv]/P),     with q = 0 1 + v²(2/π − N)/P    (q = 0, 2)
+//! ```
 
+use super::middle::Middle;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
@@ -32,6 +42,8 @@ pub(crate) struct Tangent<F> {
     pub(crate) shift: Pair<F>,
     /// H.
     pub(crate) h: Pair<F>,
+    /// The middle of the half cycle.
+    pub(crate) middle: Middle<F>,
     /// Whether they are accurate at this Ω and ζ: otherwise they are meaningless.
     pub(crate) is_accurate: bool,
 }
@@ -54,7 +66,8 @@ impl<F: Float> Tangent<F> {
         let angle = Angle::at(omega, zeta);
         let (fraction, is_accurate) = angle.fraction(omega, zeta);
         let (shift, h) = angle.tangent(omega, zeta, fraction);
-        Self { shift, h, is_accurate }
+        let middle = angle.middle(omega, zeta, (fraction.0.hi, fraction.1.hi), shift.hi);
+        Self { shift, h, middle, is_accurate }
     }
 }
 
@@ -116,6 +129,60 @@ impl<F: Float> Angle<F> {
         let factor = over / (under * d);
         (((p * zeta) * a - r * b) * factor, height * factor * inverse)
     }
+
+    /// The middle of the half cycle, by G and P.
+    #[inline(always)]
+    pub(crate) fn middle(&self, omega: F, zeta: F, (p, r): Complex<F>, shift: F) -> Middle<F> {
+        let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+        let (d, gamma, half_pi) = (self.d.hi, self.gamma.hi, F::pi() * F::ratio(1, 2));
+        let (is_odd, turn) = self.turns(omega);
+        let is_above = turn == zero;
+        // v, v² and N = 1/(P + R), R = √(P² − v²)
+        let half = half_pi * self.inverse.hi;
+        let v = (-(half * zeta), half * gamma);
+        let square = ((v.0 - v.1) * (v.0 + v.1), two * v.0 * v.1);
+        let (re, im) = ((p - r).mul_add(p + r, -square.0), (two * p).mul_add(r, -square.1));
+        let size = re.mul_add(re, im * im).sqrt();
+        let a = ((size + re) * F::ratio(1, 2)).sqrt();
+        let b = im / (two * a);
+        let inverse = |(a, b): Complex<F>| {
+            let size = one / a.mul_add(a, b * b);
+            (a * size, -(b * size))
+        };
+        let (n, m) = (inverse((p + a, r + b)), inverse((p, r)));
+        let over_d = one / d;
+        // x and x′ of a complex number.
+        let place = |(re, im): Complex<F>| (zeta * over_d).mul_add(im, re);
+        let speed = |(_, im): Complex<F>| -(im * over_d);
+        // w, and ±R/P for an even q.
+        let odd = times((half_pi * zeta, -(half_pi * gamma)), n);
+        let odd = ((omega / half_pi).mul_add(b, odd.0), (omega / half_pi).mul_add(-a, odd.1));
+        let root = if is_above { (a, b) } else { (-a, -b) };
+        let s = times(root, m);
+        let free = times((-zeta, d), root);
+        let even = times((half_pi.mul_add(zeta, free.0), half_pi.mul_add(-gamma, free.1)), m);
+        let w = if is_odd { odd } else { even };
+        // x/B + 1, or x/B for q = 0.
+        let scale = one / half_pi;
+        let by_odd = {
+            let turned = times((-v.1, v.0), n);
+            (scale.mul_add(p, turned.0), scale.mul_add(r, turned.1))
+        };
+        let part = times(square, n);
+        let rest = if is_above { (-part.0, -part.1) } else { (-a - two * v.1, two.mul_add(v.0, -b)) };
+        let by_even = times((scale.mul_add(square.0, rest.0), scale.mul_add(square.1, rest.1)), m);
+        let at = place(if is_odd { by_odd } else { by_even });
+        Middle {
+            velocity: if is_odd { place(w) } else { omega.mul_add(shift, speed(s)) },
+            slope: speed(w),
+            displacement: if is_above { at } else { at - one },
+        }
+    }
+}
+
+#[inline(always)]
+fn times<F: Float>((a, b): Complex<F>, (c, d): Complex<F>) -> Complex<F> {
+    (a.mul_add(c, -(b * d)), a.mul_add(d, b * c))
 }
 
 /// `z/(5 + z/(7 + …))`: the convergent of level 19.
@@ -166,11 +233,13 @@ fn quotient<F: Float>(z: Complex<Pair<F>>, tail: Complex<F>) -> Complex<Pair<F>>
 #[cfg(all(test, feature = "mp"))]
 mod tests {
     use super::Tangent;
+    use crate::cycle::damped::middle::Middle;
+    use crate::float::{Field, Float, Real};
 
     /// They agree with the definitions at twelve times the digits, the better the nearer to the pole.
     #[test]
     fn its_quantities_are_those_of_the_definition() {
-        use crate::cycle::damped::half_period::definition::{is_near, responses};
+        use crate::cycle::damped::half_period::definition::{Wide, is_near, responses};
         for i in 0..400 {
             let off = f64::from(i % 20 - 10) * 0.77f64.powi(i / 4);
             let omega = if i % 4 == 0 { 0.5 * 1.1f64.powi(i / 4) } else { 1.0 + 0.15 * off };
@@ -190,6 +259,23 @@ mod tests {
                 let unit = unit + f64::EPSILON.powi(2) / gamma;
                 is_near(found.shift, g, unit, (omega, zeta));
                 is_near(found.h, h, unit, (omega, zeta));
+                // The middle, by free vibration from (1 + G, ΩH).
+                let (o, z, one, half) = (Wide::from(omega), Wide::from(zeta), Wide::int(1), Wide::ratio(1, 2));
+                let (d, time) = ((one - z * z).sqrt(), Wide::pi() / o * half);
+                let (e, (s, c)) = ((-(z * time)).exp(), (d * time).sin_cos());
+                let (x0, v0) = (one + g, o * h);
+                let x = e * (c * x0 + (v0 + z * x0) * s / d);
+                let v = e * (c * v0 - (z * v0 + x0) * s / d);
+                let Middle { velocity, slope, displacement } = found.middle;
+                let most = 16.0 * f64::EPSILON * f64::min(1.0, 4.0 / (omega * omega));
+                for (found, due) in [
+                    (velocity, o * g + v),
+                    (slope, o * o * h - x - z.times(2) * v),
+                    (displacement, x - h - one),
+                ] {
+                    let off = (Wide::from(found) - due).abs().to_f64();
+                    assert!(off <= most.max(16.0 * f64::EPSILON * found.abs()), "{omega} {zeta}: {off:e} of {due}");
+                }
             }
         }
     }
