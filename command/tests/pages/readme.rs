@@ -16,6 +16,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("cargo doc ", "the documentation has its own step in .ci/run"),
     ("cargo run --example mathml ", "tests/pages/formulae.rs has the same rendering"),
     ("cargo run --release --example ", "tests/pages/examples.rs runs the examples"),
+    ("web/build", "the page in the browser has its own step in .ci/run"),
     ("mdbook ", "the book's own program need not be there; tests/pages/formulae.rs renders every page"),
 ];
 
