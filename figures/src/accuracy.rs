@@ -31,9 +31,10 @@ pub(super) fn beside_one() -> Figure {
     Figure {
         name: "accuracy".to_owned(),
         title: "Digits lost beside Ω = 1".to_owned(),
-        caption: "Relative error of eq. 44 (Δ₀/B at α = 2) and eq. 61 (the border) as written, and of this library's forms, at f64, against \
-            256 bits, as Ω approaches 1 from above. As written they lose a digit for each digit that Ω is nearer to 1, or end in infinity or NaN \
-            (drawn at 1). An error of zero is drawn at 1e-17. (Drawn by a build without the feature mp: the formulae as written only, against this library.)"
+        caption: "Relative error of eq. 44 (Δ₀/B at α = 2) and eq. 61 (the border) as written, and of this \
+            library's forms, at f64 against 256 bits. As written they lose a digit for each digit that Ω is \
+            nearer to 1, or end in infinity or NaN (drawn at 1). An error of zero is drawn at 1e-17. (A build \
+            without the feature mp draws the formulae as written, against this library.)"
             .to_owned(),
         panels: vec![
             panel("maximum displacement Δ₀/B, eq. 44", naive_displacement, displacement, exact_displacement),

@@ -21,9 +21,9 @@ pub(super) fn least_force() -> Figure {
     Figure {
         name: "8".to_owned(),
         title: "Least force ratio without sticking".to_owned(),
-        caption: "Least force ratio α that keeps the body from sticking: eq. 61 (thin line), the exact border where it differs, below Ω = 1/2 \
-            (thick), and the points where the exact motion from rest has no stop in a cycle (dots). No dot lies between the two lines: \
-            eq. 61 does not suffice there."
+        caption: "Minimum force ratio α without sticking: eq. 61 (thin line), the exact border where it differs, \
+            below Ω = 1/2 (thick), and points where the exact motion from rest has no stop (dots). No dot lies \
+            between the two lines."
             .to_owned(),
         panels: vec![Panel {
             title: String::new(),

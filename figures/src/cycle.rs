@@ -48,9 +48,9 @@ pub(super) fn in_phase_plane() -> Figure {
     Figure {
         name: "2".to_owned(),
         title: "A steady cycle without stops in the phase plane".to_owned(),
-        caption: "The exact steady motion at Ω = 0.7, α = 2 (line), which goes round clockwise, and by the closed forms (marks) its \
-            greatest velocity V₀ at t₁, at the displacement Δ₁ (eq. 46 to 49, corrected), its greatest displacement Δ₀ at t₂ (eq. 43 and 44), \
-            and the same half a cycle later at t₃ and t₄."
+        caption: "The exact steady motion at Ω = 0.7, α = 2 (line), clockwise, and by the closed forms (marks) its \
+            maximum velocity V₀ at t₁ and Δ₁, its maximum displacement Δ₀ at t₂, and the same half a cycle \
+            later at t₃ and t₄."
             .to_owned(),
         panels: vec![Panel {
             title: String::new(),

@@ -17,9 +17,10 @@ pub(super) fn four_ratios() -> Figure {
     Figure {
         name: "damping".to_owned(),
         title: "What viscous damping changes".to_owned(),
-        caption: "For ζ = 0, 0.01, 0.05 and 0.2. First: maximum displacement over that of a slow force, k Δ₀/p₀, at p₀ = 2.5 r_y, by the exact \
-            motion, stops included; without a damper it has no bound at Ω = 1 (arrowhead), because friction alone cannot bound resonance from α = 4/π on. \
-            Second: the least force without sticking; the poles at 1/3 and 1/5 (arrowheads) become peaks. Third: the part of the cycle at rest at p₀ = 2.5 r_y."
+        caption: "For ζ = 0, 0.01, 0.05 and 0.2. First: maximum displacement over p₀/k at p₀ = 2.5 r_y, by the \
+            exact motion; without a damper it has no bound at Ω = 1 (arrowhead). Second: the minimum force \
+            without sticking; the poles at 1/3 and 1/5 (arrowheads) become peaks. Third: the part of the cycle \
+            at rest at p₀ = 2.5 r_y."
             .to_owned(),
         panels: vec![
             Panel {

@@ -52,8 +52,8 @@ pub(super) fn best_force() -> Figure {
     single(
         "9a",
         "Best force ratio for dissipation",
-        "Force ratio α that makes the loop size A₁ largest at a given Ω: eq. 65 where that motion does not stick (by the exact border); \
-            elsewhere the best without sticking is the border itself (dashed).",
+        "Force ratio α of the largest loop size A₁: eq. 65 where that motion does not stick; elsewhere the \
+         border (dashed).",
         Axis::frequency_ratio(0.2, 2.0),
         Axis::linear("best force ratio α", 0.0, 16.0),
         series,
@@ -70,8 +70,8 @@ pub(super) fn largest_loop() -> Figure {
     single(
         "9b",
         "Largest dissipation loop",
-        "The largest loop size A₁ without sticking at a given Ω: eq. 66 where its motion does not stick (by the exact border), \
-            elsewhere A₁ on the border (dashed). At Ω = 1 it has no bound (arrowhead).",
+        "The largest loop size A₁ without sticking: eq. 66, or where its motion would stick A₁ on the border \
+         (dashed). At Ω = 1 it has no bound (arrowhead).",
         Axis::frequency_ratio(0.2, 2.0),
         Axis::logarithmic("largest loop size A₁", 0.1, 1000.0),
         series,
@@ -89,8 +89,8 @@ pub(super) fn loop_by_friction() -> Figure {
     single(
         "10a",
         "Dissipation against friction",
-        "Loop size A₁ against 1/α = r_y/p₀ for Ω = 1.2 … 1.8, each up to where the motion begins to stick. \
-            The top of each curve is eq. 65 and 66.",
+        "Loop size A₁ against 1/α = r_y/p₀ for Ω = 1.2 … 1.8, up to where the motion begins to stick. The \
+         maxima are eq. 65 and 66.",
         Axis::linear("1/α = r_y/p₀", 0.0, 0.8),
         Axis::linear("loop size A₁", 0.0, 7.0),
         (12..=18).enumerate().map(curve).collect(),
@@ -110,8 +110,8 @@ pub(super) fn loop_by_frequency() -> Figure {
     single(
         "10b",
         "Dissipation against stiffness",
-        "Loop size A₂ against Ω for 1/α = 0.1 … 0.5, where the motion does not stick: the influence of the stiffness at a given mass, \
-            force and frequency. At Ω = 1 it has no bound (arrowhead).",
+        "Loop size A₂ against Ω for 1/α = 0.1 … 0.5, where the motion does not stick, at a given mass, force \
+         and frequency. At Ω = 1 it has no bound (arrowhead).",
         Axis::frequency_ratio(0.2, 2.0),
         Axis::logarithmic("loop size A₂", 0.01, 1000.0),
         inverse_force_ratios(5).map(curve).chain([Series::unbounded([1.0])]).collect(),

@@ -30,10 +30,12 @@ pub(super) fn of_the_cycle() -> Figure {
     Figure {
         name: "multipliers".to_owned(),
         title: "How fast the motion settles".to_owned(),
-        caption: "Left: what a cycle leaves of a small disturbance, max |λ|², against Ω for 1/α = 0.1 … 0.6 where the motion does not stick; \
-            it reaches 1 at Ω = 1/n only. Right: the two multipliers λ per half cycle in the complex plane, \
-            for Ω from 0.2 to 2, with marks at Ω = 3/2: all within the unit circle."
-            .to_owned(),
+        caption:
+            "Left: the part of a small disturbance that remains after a cycle, max |λ|², for 1/α = 0.1 … 0.6 \
+            where the motion does not stick; it reaches 1 at Ω = 1/n only. Right: the two multipliers λ per \
+            half cycle in the complex plane, for Ω from 0.2 to 2, with marks at Ω = 3/2: all within the unit \
+            circle."
+                .to_owned(),
         panels: vec![
             Panel {
                 title: "contraction per cycle".to_owned(),

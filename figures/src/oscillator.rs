@@ -8,9 +8,9 @@ pub(super) fn with_friction() -> Figure {
     Figure {
         name: "1".to_owned(),
         title: "The oscillator and its friction".to_owned(),
-        caption: "Left: the body of mass m on a spring of stiffness k, dry friction on the ground, and the force p₀ sin ω_d t of eq. 1; \
-            x = 0 is the static equilibrium. Right: the friction force r_a by Coulomb's law, ±r_y in motion and anything between at rest (line), \
-            with the exact steady motion at Ω = 0.4, α = 6 (dots), which stops twice a cycle."
+        caption: "Left: the oscillator of eq. 1; x = 0 is the static equilibrium. Right: the friction force r_a by \
+            Coulomb's law (line), and the exact steady motion at Ω = 0.4, α = 6 (dots), which stops twice a \
+            cycle."
             .to_owned(),
         panels: vec![sketch(), law()],
     }

@@ -9,9 +9,9 @@ pub(super) fn beside() -> Figure {
     Figure {
         name: "poles".to_owned(),
         title: "Beside the poles 1/3 and 1/5".to_owned(),
-        caption: "Force ratios without any stop beside Ω = 1/3 and 1/5: above the border of the two-reversal cycle (thick), which is infinite at the \
-            pole, and inside the edges of the six-reversal cycle (lines). Dots: points at which the exact motion from rest has no stop, with two \
-            reversals a cycle or with six."
+        caption: "Force ratios without any stop beside Ω = 1/3 and 1/5: above the border of the two-reversal cycle \
+            (thick) and inside the edges of the six-reversal cycle (lines). Dots: points at which the exact \
+            motion from rest has no stop."
             .to_owned(),
         panels: vec![panel(3.0, (0.3284, 0.3368), (40.0, 2000.0)), panel(5.0, (0.1981, 0.2013), (110.0, 5500.0))],
     }

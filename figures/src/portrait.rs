@@ -20,11 +20,14 @@ pub(super) fn two_motions() -> Figure {
     Figure {
         name: "portrait".to_owned(),
         title: "Steady motions in the phase plane".to_owned(),
-        caption: "The steady motion (thick) and the way there from rest (thin), without stops at Ω = 0.7, α = 2 with the instants \
-            t₁ … t₄ of the paper's figure 2, and with four stops a cycle at Ω = 0.15, α = 3: there the velocity comes to zero and the \
-            body stays until friction gives way."
-            .to_owned(),
-        panels: vec![smooth, portrait("with four stops in a cycle: Ω = 0.15, α = 3", 0.15, 3.0, 2, (3.0, 8.0))],
+        caption:
+            "The steady motion (thick) and the way there from rest (thin): without stops at Ω = 0.7, α = 2 \
+            with the instants t₁ … t₄ of figure 2, and with four stops a cycle at Ω = 0.15, α = 3."
+                .to_owned(),
+        panels: vec![
+            smooth,
+            portrait("with four stops in a cycle: Ω = 0.15, α = 3", 0.15, 3.0, 2, (3.0, 8.0)),
+        ],
     }
 }
 

@@ -71,9 +71,9 @@ pub(super) fn max_displacement() -> Figure {
     single(
         "4",
         "Maximum displacement",
-        "Maximum displacement Δ₀/B of the exact steady motion (lines, sticking included) and by eq. 44 where it does not stick \
-            (marks), for 1/α = 0.1 … 0.6. Every mark is on its line; to the left of its first mark a line is of motions with stops. \
-            At Ω = 1 there is no bound (arrowhead).",
+        "Maximum displacement Δ₀/B of the exact steady motion (lines, sticking included) and by eq. 44 where \
+         it does not stick (marks), for 1/α = 0.1 … 0.6. To the left of its first mark a line is of motions \
+         with stops. At Ω = 1 there is no bound (arrowhead).",
         Axis::logarithmic("maximum displacement Δ₀/B", 0.1, 1000.0),
         series,
     )
@@ -91,7 +91,7 @@ pub(super) fn phases() -> Figure {
     Figure {
         name: "5".to_owned(),
         title: "Phases of the maximum velocity and the maximum displacement".to_owned(),
-        caption: "Phase ω_d t₁ of the maximum velocity (the root of eq. 46) and ω_d t₂ of the maximum displacement (eq. 43, in \
+        caption: "Phase ω_d t₁ of the maximum velocity (eq. 46) and ω_d t₂ of the maximum displacement (eq. 43, in \
             the right half where K > 0), for 1/α = 0.1 … 0.6 where the motion does not stick."
             .to_owned(),
         panels: vec![
@@ -111,8 +111,8 @@ pub(super) fn deviation() -> Figure {
     single(
         "6",
         "Displacement at the maximum velocity",
-        "Deviation Δ₁/B, the displacement at which the velocity is greatest, for 1/α = 0.1 … 0.6 where the motion does not stick. \
-            For 1/2 < Ω < 1 it grows with α in units of B; above Ω = 1 the curves merge and tend to zero.",
+        "Deviation Δ₁/B, the displacement at the maximum velocity, for 1/α = 0.1 … 0.6 where the motion does \
+         not stick. For 1/2 < Ω < 1 it grows with α; above Ω = 1 the curves tend to zero.",
         Axis::linear("deviation Δ₁/B", 0.0, 2.5),
         closed_curves(|c| c.deviation()),
     )
@@ -130,9 +130,9 @@ pub(super) fn max_velocity() -> Figure {
     single(
         "7",
         "Maximum velocity",
-        "Maximum velocity V₀/(Bω_d) of the exact steady motion (lines), by eq. 49 with the signs of its roots corrected (marks), and \
-            by eq. 49 as printed (dashed, Ω > 1/2), for 1/α = 0.1 … 0.6. As printed it is too large for every Ω > 1. \
-            At Ω = 1 there is no bound (arrowhead).",
+        "Maximum velocity V₀/(Bω_d) of the exact steady motion (lines), by eq. 49 corrected (marks), and as \
+         printed (dashed, Ω > 1/2), for 1/α = 0.1 … 0.6. As printed it is too large for every Ω > 1. At Ω = 1 \
+         there is no bound (arrowhead).",
         Axis::logarithmic("maximum velocity V₀/(Bω_d)", 0.1, 1000.0),
         series,
     )

@@ -21,8 +21,8 @@ pub(super) fn per_cycle() -> Figure {
     Figure {
         name: "stops".to_owned(),
         title: "Stops per cycle".to_owned(),
-        caption: "Stops in a cycle of the exact motion in the long run, from rest, over the plane of Ω and α, with the exact border (line). \
-            At low frequencies and forces the body stops more and more often; at α ≤ 1 it does not move."
+        caption: "Stops in a cycle of the exact steady motion from rest, with the exact border (line). At α ≤ 1 the \
+            body does not move."
             .to_owned(),
         panels: vec![Panel {
             title: String::new(),

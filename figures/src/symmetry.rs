@@ -44,10 +44,11 @@ pub(super) fn errors() -> Figure {
     Figure {
         name: "3".to_owned(),
         title: "Figure 3 again: how symmetric the motion is".to_owned(),
-        caption: "The paper's error measures 1–4 for 1/α = 0.3, 0.4, 0.5: of the first cycle after 20 cycles from rest (lines), \
-            and of the settled motion (dots). The paper's peaks at Ω = 1 are the lines', left over from the start; \
-            settled, the motion is symmetric to rounding."
-            .to_owned(),
+        caption:
+            "The paper's error measures 1–4 for 1/α = 0.3, 0.4, 0.5: of the first cycle after 20 cycles from \
+            rest (lines), and of the settled motion (dots). The paper's peaks at Ω = 1 are start-up \
+            transients; the settled motion is symmetric to rounding."
+                .to_owned(),
         panels: measures.map(panel).into(),
     }
 }

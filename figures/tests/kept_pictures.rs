@@ -21,15 +21,11 @@ fn series<'a>(figure: &'a Figure, name: &str) -> &'a Series {
 fn page() -> String {
     let mut page = String::from(
         "# The figures\n\nThose of the paper by their numbers, then ours, all from this library's results \
-         by one command, in seconds:\n\n\
+         by one command:\n\n\
          ```console\n$ stickslip figures --all --overwrite --dir docs/figures\n```\n\n\
          `stickslip figure NAME --out FILE.csv` gives the data of one. `--format png`, and `--out \
-         FILE.png`, need a build with the feature \
-         `png`, which brings a font; SVG leaves its text to the viewer's, and any converter makes pixels of \
-         it \
-         (`rsvg-convert -w 1600 8.svg -o 8.png`). `figures/tests/kept_pictures.rs` holds this page and its pictures \
-         against the library. Curves differ in lightness and mark as well as in colour, for print and for \
-         every eye.\n",
+         FILE.png`, need a build with the feature `png`. Curves differ in lightness and mark as well as in \
+         colour.\n",
     );
     for figure in all() {
         let heading = if figure.name.starts_with(|c: char| c.is_ascii_digit()) {

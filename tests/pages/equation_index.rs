@@ -68,13 +68,14 @@ fn all_items() -> BTreeSet<String> {
     found
 }
 
-/// (equation number, items) of each row.
+/// (equation number, items) of each equation; a row may be of several, “11–14” or “2, 3”.
 fn rows() -> Vec<(u32, Vec<String>)> {
     let text = include_str!("../../docs/equations.md");
-    let rows = text.lines().filter_map(|line| {
+    let rows = text.lines().filter_map(|line| line.strip_prefix("| ")).flat_map(|line| {
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-        let number = cells.first()?.parse().ok()?;
-        Some((number, cells[1].split(',').map(|i| i.trim().trim_matches('`').to_owned()).collect()))
+        let items = cells[1].split(',').map(|i| i.trim().trim_matches('`').to_owned());
+        let items: Vec<String> = items.collect();
+        equations_in(&format!("eq. {}", cells[0])).into_iter().map(move |number| (number, items.clone()))
     });
     rows.collect()
 }
