@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
-use stickslip::motion::record::{Body, Record, Entry, RecordAnswer, follow_each};
+use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, follow_each};
 use stickslip::{Error, Excitation};
 
 /// Mass, stiffness, damping constant, friction against forward and against backward motion, static friction ratio,

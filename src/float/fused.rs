@@ -1,7 +1,22 @@
 //! The fused multiply-add `a b + c`: by the processor, by `libm`, or for WebAssembly, which has none, by operations
 //! that round once each.
 
-use super::primitive::exact;
+/// An operation that IEEE 754 rounds correctly: by the processor, or without the standard library by `libm`, with the
+/// same bits.
+#[cfg(feature = "std")]
+macro_rules! exact {
+    ($own:expr, $libm:expr) => {
+        $own
+    };
+}
+#[cfg(not(feature = "std"))]
+macro_rules! exact {
+    ($own:expr, $libm:expr) => {
+        $libm
+    };
+}
+
+pub(super) use exact;
 
 #[inline(always)]
 pub(super) fn fmaf(a: f32, b: f32, c: f32) -> f32 {

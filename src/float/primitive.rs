@@ -2,24 +2,8 @@
 //! crate `libm`, so that results do not depend on the platform.
 
 use super::circular::ARCTANGENT;
+use super::fused::{self, exact};
 use super::{Field, Float, Real, Task};
-
-/// An operation that IEEE 754 rounds correctly: by the processor, or without the standard library by `libm`, with the
-/// same bits.
-#[cfg(feature = "std")]
-macro_rules! exact {
-    ($own:expr, $libm:expr) => {
-        $own
-    };
-}
-#[cfg(not(feature = "std"))]
-macro_rules! exact {
-    ($own:expr, $libm:expr) => {
-        $libm
-    };
-}
-
-pub(super) use exact;
 
 macro_rules! primitive {
     ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal, pi_rest: $second:literal $third:literal,
@@ -71,7 +55,7 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                super::fused::$fma(self, a, b)
+                fused::$fma(self, a, b)
             }
         }
 

@@ -16,7 +16,8 @@ fn steady(omega: f64, alpha: f64, zeta: f64, eta: f64) -> SteadyState<f64> {
 /// The amplitude at a reading of a free decay, with friction and damping fitted to all sixteen readings in mm, one every
 /// 5 s. From reading to reading the amplitude A becomes q A − d, as from cycle to cycle with another q and d.
 fn fitted(reading: u64) -> f64 {
-    let readings = [70.0, 62.0, 54.0, 46.0, 41.0, 37.0, 31.0, 27.0, 23.0, 21.0, 18.0, 15.0, 13.0, 10.0, 7.0, 5.0];
+    let readings =
+        [70.0, 62.0, 54.0, 46.0, 41.0, 37.0, 31.0, 27.0, 23.0, 21.0, 18.0, 15.0, 13.0, 10.0, 7.0, 5.0];
     let found = identify_turning_points(&readings, None, TurningPoints::EveryCycle).unwrap();
     let (unit, zeta) = (found.friction_displacement.value, found.damping_ratio.value);
     let decay = FreeDecay::new(found.amplitude.value / unit, 0.0, zeta, 1.0).unwrap();

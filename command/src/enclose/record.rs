@@ -10,7 +10,7 @@ use std::io::Write;
 use stickslip::enclosed::{self, Enclosure};
 use stickslip::float::Mp;
 use stickslip::inputs::units::{Kind, System};
-use stickslip::motion::record::RecordAnswer;
+use stickslip::motion::record::{Entry, RecordAnswer};
 
 /// The precision at which inputs are read, in words of 64 bits: that of the widest computation.
 const WORDS: usize = 65;

@@ -122,13 +122,13 @@ impl<F: Float> Rising<F> {
     fn one_summit(&self) -> Option<Summit<F>> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
-            rising.from_middle().or_else(|| rising.by_steps())
+            rising.by_middle().or_else(|| rising.by_steps())
         })
     }
 
     /// As a batch finds it.
     #[inline(always)]
-    fn from_middle(&self) -> Option<Summit<F>> {
+    fn by_middle(&self) -> Option<Summit<F>> {
         let Self { half: HalfPeriod { omega, free: Free { zeta, .. }, middle, .. }, .. } = *self;
         let displacement = Pair::new(self.max_displacement, self.rest);
         let (along, across) = self.drive();
