@@ -260,7 +260,8 @@ mod tests {
                 is_near(found.shift, g, unit, (omega, zeta));
                 is_near(found.h, h, unit, (omega, zeta));
                 // The middle, by free vibration from (1 + G, ΩH).
-                let (o, z, one, half) = (Wide::from(omega), Wide::from(zeta), Wide::int(1), Wide::ratio(1, 2));
+                let (o, z, one, half) =
+                    (Wide::from(omega), Wide::from(zeta), Wide::int(1), Wide::ratio(1, 2));
                 let (d, time) = ((one - z * z).sqrt(), Wide::pi() / o * half);
                 let (e, (s, c)) = ((-(z * time)).exp(), (d * time).sin_cos());
                 let (x0, v0) = (one + g, o * h);
@@ -274,7 +275,10 @@ mod tests {
                     (displacement, x - h - one),
                 ] {
                     let off = (Wide::from(found) - due).abs().to_f64();
-                    assert!(off <= most.max(16.0 * f64::EPSILON * found.abs()), "{omega} {zeta}: {off:e} of {due}");
+                    assert!(
+                        off <= most.max(16.0 * f64::EPSILON * found.abs()),
+                        "{omega} {zeta}: {off:e} of {due}"
+                    );
                 }
             }
         }
