@@ -234,7 +234,7 @@ fn quotient<F: Float>(z: Complex<Pair<F>>, tail: Complex<F>) -> Complex<Pair<F>>
 mod tests {
     use super::Tangent;
     use crate::cycle::damped::middle::Middle;
-    use crate::float::{Field, Float, Real};
+    use crate::float::Field;
 
     /// They agree with the definitions at twelve times the digits, the better the nearer to the pole.
     #[test]
