@@ -48,7 +48,7 @@ fn a_sweep_and_a_map_by_loops_have_the_digits_of_whole_rows() {
     let grids = "--omega 0.35:2.3:40 --alpha 0.5:9:18 --damping-ratio 5%";
     for name in ["max_velocity", "regime"] {
         let map = stdout(&format!("map {name} {grids}"));
-        let rows = stdout(&format!("sweep response {grids} --outputs omega,alpha,{name},margin"));
+        let rows = stdout(&format!("sweep response {grids} --outputs omega,alpha,{name},contraction"));
         let value = |row: &str| row.split(',').nth(2).unwrap().to_owned();
         let mut due: Vec<_> = rows.lines().skip(1).collect();
         // A map runs along Ω first.
