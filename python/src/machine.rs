@@ -26,7 +26,10 @@ pub(crate) fn body(
 /// The excitation by the keyword of its amplitude.
 pub(crate) fn excitation(name: &str) -> PyResult<Excitation> {
     let known = Input::named(name).and_then(Input::excitation);
-    known.ok_or_else(|| refused(format!("excitation {name}: is unknown")))
+    known.ok_or_else(|| {
+        let names: Vec<_> = excitations().into_iter().map(|(name, _)| name).collect();
+        refused(format!("excitation {name}: must be one of {}", names.join(", ")))
+    })
 }
 
 /// Values by their keywords, as text, in the named system of units or else in SI; and the system, if it is known.
@@ -54,15 +57,19 @@ fn system(reader: &Reader, units: Option<&str>) -> Option<String> {
     (units.is_some() || reader.has_converted()).then(|| reader.system().to_string())
 }
 
-/// The body of the given values, and their system of units.
+/// The body of the given values, the damping ratio if it was given, and the system of units.
 #[pyfunction]
-fn machine(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(Body, Option<String>)> {
+fn machine(
+    values: Vec<(String, String)>,
+    units: Option<&str>,
+) -> PyResult<(Body, Option<f64>, Option<String>)> {
     let (given, system) = given(values, units)?;
     let body = given.oscillator().map_err(refused)?;
     let forward = given.friction().map_err(refused)?.unwrap_or(f64::NAN);
     let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
     let (damping, ratio) = (body.damping(), body.static_friction_ratio());
-    Ok(((body.mass(), body.stiffness(), forward, backward, damping, ratio), system))
+    let body = (body.mass(), body.stiffness(), forward, backward, damping, ratio);
+    Ok((body, given.get(Input::DampingRatio), system))
 }
 
 /// The excitation of the given values by its keyword, its amplitude and the constant force, and their system of units.
@@ -105,34 +112,53 @@ fn excitations() -> Vec<(String, &'static str)> {
     inputs.map(|input| (input.column(), input.kind().name())).collect()
 }
 
+/// A body under a drive.
+struct Under<'a> {
+    body: &'a Oscillator<f64>,
+    drive: Drive<f64>,
+    ratios: Ratios<f64>,
+    scales: Scales<f64>,
+}
+
+impl<'a> Under<'a> {
+    fn new(body: &'a Oscillator<f64>, drive: Drive<f64>) -> Result<Self, Error> {
+        let (ratios, scales) = (drive.ratios(body)?, Scales::new(body, &drive)?);
+        Ok(Self { body, drive, ratios, scales })
+    }
+}
+
 /// A value of a body under a drive.
-type OfDrive = fn(&Ratios<f64>, &Scales<f64>) -> f64;
+type OfDrive = fn(&Under<'_>) -> f64;
 
 /// The values of a body under a drive by their names.
-const OF_DRIVE: [(&str, OfDrive); 13] = [
-    ("omega", |ratios, _| ratios.omega()),
-    ("alpha", |ratios, _| ratios.alpha()),
-    ("damping_ratio", |ratios, _| ratios.damping_ratio()),
-    ("static_friction_ratio", |ratios, _| ratios.static_friction_ratio()),
-    ("length", |_, scales| scales.length),
-    ("velocity", |_, scales| scales.velocity),
-    ("time", |_, scales| scales.time),
-    ("force", |_, scales| scales.force),
-    ("energy", |_, scales| scales.energy_stiffness),
-    ("energy_inertia", |_, scales| scales.energy_inertia),
-    ("acceleration", |_, scales| scales.velocity / scales.time),
-    ("mean_displacement", |_, scales| scales.mean_displacement),
-    ("mean_friction", |_, scales| scales.mean_friction),
+const OF_DRIVE: [(&str, OfDrive); 14] = [
+    ("omega", |under| under.ratios.omega()),
+    ("alpha", |under| under.ratios.alpha()),
+    ("damping_ratio", |under| under.ratios.damping_ratio()),
+    ("static_friction_ratio", |under| under.ratios.static_friction_ratio()),
+    ("length", |under| under.scales.length),
+    ("velocity", |under| under.scales.velocity),
+    ("time", |under| under.scales.time),
+    ("force", |under| under.scales.force),
+    ("force_amplitude", |under| under.drive.force_amplitude(under.body)),
+    ("energy", |under| under.scales.energy_stiffness),
+    ("energy_inertia", |under| under.scales.energy_inertia),
+    ("acceleration", |under| under.scales.velocity / under.scales.time),
+    ("mean_displacement", |under| under.scales.mean_displacement),
+    ("mean_friction", |under| under.scales.mean_friction),
 ];
 
-/// Ratios or scales of one body under `n` drives, by their names.
+/// Ratios or scales of one body under `n` drives, by their names. A drive outside the domain has NaN if it is one of
+/// `many`.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the body, its drives and the question")]
 fn machine_columns<'py>(
     py: Python<'py>,
     of: Body,
     kind: &str,
     drives: [points::Given<'py>; 2],
     n: usize,
+    many: bool,
     mean_force: f64,
     names: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -143,10 +169,14 @@ fn machine_columns<'py>(
     let mut columns: Vec<_> = chosen.iter().map(|_| Vec::with_capacity(n)).collect();
     let filled = py.detach(|| {
         for (amplitude, frequency) in (0..n).filter_map(|i| Some((amplitude.at(i)?, frequency.at(i)?))) {
-            let drive = Drive::new(kind, amplitude, frequency)?.with_mean_force(mean_force)?;
-            let (ratios, scales) = (drive.ratios(&body)?, Scales::new(&body, &drive)?);
+            let drive =
+                Drive::new(kind, amplitude, frequency).and_then(|drive| drive.with_mean_force(mean_force));
+            let under = match drive.and_then(|drive| Under::new(&body, drive)) {
+                Err(error) if !many => return Err(error),
+                under => under.ok(),
+            };
             for (column, (_, value)) in columns.iter_mut().zip(&chosen) {
-                column.push(value(&ratios, &scales));
+                column.push(under.as_ref().map_or(f64::NAN, value));
             }
         }
         Ok::<_, Error>(())

@@ -260,7 +260,7 @@ fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<B
                 break;
             }
             if kinds.len() == MOST_ROWS {
-                return Err(format!("cycles {cycles}: more than {MOST_ROWS} phases"));
+                return Err(format!("cycles {cycles:?}: more than {MOST_ROWS} phases"));
             }
             kinds.push(match phase.kind {
                 motion::Kind::SlideForward => 0,
@@ -318,7 +318,9 @@ fn samples(
     let until = last_phase(start.0, cycles)?;
     let mut motion = trajectory(point, start)?.samples(per_cycle).map_err(refused)?;
     if cycles * f64::from(per_cycle) > MOST_ROWS as f64 {
-        return Err(refused(format!("cycles {cycles}, samples {per_cycle}: more than {MOST_ROWS} samples")));
+        return Err(refused(format!(
+            "cycles {cycles:?}, samples {per_cycle}: more than {MOST_ROWS} samples"
+        )));
     }
     let work = |stop: &Stop| -> Result<Table, String> {
         let mut columns: [Vec<f64>; 4] = Default::default();

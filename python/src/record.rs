@@ -9,16 +9,15 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
-use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, follow_each};
+use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
 
 /// Mass, stiffness, damping constant, friction against forward and against backward motion, static friction ratio,
 /// constant force, and whether the body moves one way.
 type Sliding = (f64, f64, f64, f64, f64, f64, f64, bool);
 
-/// The most bodies, and about the steps, that are followed between two looks at the interpreter's signals.
+/// The bodies whose answers are in memory beside the columns.
 const AT_ONCE: usize = 1024;
-const STEPS_AT_ONCE: usize = 1 << 21;
 
 fn body(
     (mass, stiffness, damping, forward, backward, ratio, mean_force, one_way): Sliding,
@@ -86,22 +85,41 @@ fn block(
     Ok((block, system))
 }
 
-fn table(answers: &[RecordAnswer<f64>]) -> Table {
-    let Some(first) = answers.first() else { return Table::default() };
-    let mut columns = first.entries().map(|(name, ..)| (name, Vec::new(), Vec::new()));
-    for answer in answers {
-        for ((_, values, counts), (.., entry)) in columns.iter_mut().zip(answer.entries()) {
+/// The answers of bodies in columns.
+#[derive(Default)]
+struct Answers(Vec<(&'static str, Vec<f64>, Vec<i64>)>);
+
+impl Answers {
+    /// Adds the answers of a body, one of `n`.
+    fn push(&mut self, answer: &RecordAnswer<f64>, n: usize) {
+        if self.0.is_empty() {
+            let empty = |(name, _, entry)| match entry {
+                Entry::Value(_) => (name, Vec::with_capacity(n), Vec::new()),
+                Entry::Count(_) => (name, Vec::new(), Vec::with_capacity(n)),
+            };
+            self.0 = answer.entries().map(empty).into();
+        }
+        for ((_, values, counts), (.., entry)) in self.0.iter_mut().zip(answer.entries()) {
             match entry {
                 Entry::Value(value) => values.push(value.copied().unwrap_or(f64::NAN)),
                 Entry::Count(count) => counts.push(i64::try_from(count).unwrap_or(i64::MAX)),
             }
         }
     }
-    let mut table = Table::default();
-    for (name, values, counts) in columns {
-        if counts.is_empty() { table.number(name, values) } else { table.count(name, counts) }
+
+    fn into_table(self) -> Table {
+        let mut table = Table::default();
+        for (name, values, counts) in self.0 {
+            if counts.is_empty() { table.number(name, values) } else { table.count(name, counts) }
+        }
+        table
     }
-    table
+}
+
+fn table(answer: &RecordAnswer<f64>) -> Table {
+    let mut answers = Answers::default();
+    answers.push(answer, 1);
+    answers.into_table()
 }
 
 /// The answers of one body from a start, as arrays of one number.
@@ -122,7 +140,7 @@ fn record_follow<'py>(
         py.detach(|| body.follow_from(&record, start.0, start.1))
     };
     let answer = answer.map_err(refused)?;
-    table(&[answer]).into_dict(py)
+    table(&answer).into_dict(py)
 }
 
 /// The answers, the states and the events of one body from a start.
@@ -154,7 +172,7 @@ fn record_motion<'py>(
     events.number("time", motion.events.iter().map(|event| event.time).collect());
     events.number("displacement", motion.events.iter().map(|event| event.displacement).collect());
     events.count("direction", motion.events.iter().map(|event| i64::from(event.direction)).collect());
-    Ok([table(&[motion.answer]).into_dict(py)?, states.into_dict(py)?, events.into_dict(py)?])
+    Ok([table(&motion.answer).into_dict(py)?, states.into_dict(py)?, events.into_dict(py)?])
 }
 
 /// The answers of many bodies from rest, given by their values in columns: mass, stiffness, damping constant, friction
@@ -171,24 +189,28 @@ fn record_spectrum<'py>(
     let [mass, stiffness, damping, friction, ratio] = &columns;
     let rows = mass.as_slice()?.iter().zip(stiffness.as_slice()?).zip(damping.as_slice()?);
     let rows = rows.zip(friction.as_slice()?.iter().zip(ratio.as_slice()?));
-    let bodies = rows.map(|(((&mass, &stiffness), &damping), (&friction, &ratio))| {
+    let mut bodies = rows.map(|(((&mass, &stiffness), &damping), (&friction, &ratio))| {
         body((mass, stiffness, damping, friction, friction, ratio, 0.0, false))
     });
-    let bodies = bodies.collect::<Result<Vec<_>, _>>().map_err(refused)?;
-    let at_once = (STEPS_AT_ONCE / samples.as_slice()?.len().max(1)).clamp(16, AT_ONCE);
-    let answers = interruptible(py, |stop| {
-        let mut answers = Vec::with_capacity(bodies.len());
-        for some in bodies.chunks(at_once) {
-            if stop.asked().is_break() {
-                return Err(Error::Interrupted);
+    bodies.clone().try_for_each(|body| body.map(drop)).map_err(refused)?;
+    let n = bodies.len();
+    let answers = interruptible(py, |stop| -> Result<Answers, Error> {
+        let mut answers = Answers::default();
+        let mut some = Vec::with_capacity(AT_ONCE);
+        loop {
+            some.clear();
+            for body in bodies.by_ref().take(AT_ONCE) {
+                some.push(body?);
             }
-            for answer in follow_each(some, &record) {
-                answers.push(answer?);
+            if some.is_empty() {
+                return Ok(answers);
+            }
+            for answer in follow_each_while(&some, &record, &|| stop.asked()) {
+                answers.push(&answer?, n);
             }
         }
-        Ok(answers)
     })?;
-    table(&answers.map_err(refused)?).into_dict(py)
+    answers.map_err(refused)?.into_table().into_dict(py)
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

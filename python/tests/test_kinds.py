@@ -2,6 +2,7 @@
 
 import array
 import math
+import warnings
 from decimal import Decimal
 from fractions import Fraction
 
@@ -130,6 +131,80 @@ def test_indices_are_kept_where_there_is_one():
     assert gaps.regime.tolist() == ["non-sticking", "invalid"] and math.isnan(gaps.max_displacement[1])
 
 
+def test_text_in_a_column_of_pandas_is_no_number_and_a_gap_is_nan():
+    pandas = module("pandas")
+    with pytest.raises(TypeError, match="omega: must be numbers, not 0 0.7 1 1.5"):
+        ss.response(pandas.Series(["0.7", "1.5"]), ALPHA)
+    gaps = ss.response(pandas.Series([1.5, pandas.NA], dtype=object), ALPHA)
+    assert gaps.regime.tolist() == ["non-sticking", "invalid"]
+    masked = ss.response(np.ma.masked_array([Decimal("1.5"), None], [False, True]), ALPHA)
+    assert masked.regime.tolist() == ["non-sticking", None]
+
+
+def test_a_drive_outside_the_domain_is_one_invalid_point_of_many():
+    for values in ([math.nan, 4.0], [-1.0, 4.0], [0.0, 4.0], [math.inf, 4.0], np.ma.masked_array([1.0, 4.0], [True, False])):
+        for drive in (ss.Drive(force=9.0, frequency=values), ss.Drive(force=values, frequency=0.5)):
+            found = machine().steady(drive)
+            last = {"force": np.ravel(drive.amplitude)[-1], "angular_frequency": np.ravel(drive.angular_frequency)[-1]}
+            alone = machine().steady(ss.Drive(**last))
+            assert np.asarray(found.regime)[0] == "invalid" and found.regime[1] == alone.regime
+            assert np.isnan(np.asarray(found.physical.max_velocity)[0]) and np.isnan(np.asarray(found.physical.transmitted_force)[0])
+            assert found.physical.max_velocity[1] == alone.physical.max_velocity
+            assert isinstance(found.physical.max_velocity, np.ma.MaskedArray) == isinstance(values, np.ma.MaskedArray)
+    with pytest.raises(ss.Error, match="must be > 0"):
+        machine().steady(ss.Drive(force=9.0, frequency=-1.0))
+
+
+def test_a_border_keeps_the_index_and_the_mask_of_its_frequencies():
+    pandas = module("pandas")
+    hertz = pandas.Series([1.0, 4.0], index=["a", "b"])
+    found = machine().border(frequency=hertz)
+    assert found.min_force_ratio.index.tolist() == ["a", "b"]
+    assert found.min_force_ratio["b"] == machine().border(frequency=4.0).min_force_ratio
+    assert machine().border(frequency=np.ma.masked_array([1.0, 4.0], [True, False])).min_force_ratio.mask.tolist() == [True, False]
+
+
+def test_drives_and_records_compare_by_value():
+    assert ss.Drive(force=9.0, frequency=OMEGA) == ss.Drive(force=9.0, frequency=OMEGA)
+    assert ss.Drive(force=9.0, frequency=OMEGA) != ss.Drive(force=9.0, frequency=OMEGA[::-1])
+    assert ss.Drive(force=9.0, frequency=1.0) != ss.Drive(base_acceleration=9.0, frequency=1.0) != None  # noqa: E711
+    assert len({ss.Drive(force=9.0, frequency=1.0), ss.Drive(force=9.0, frequency=1.0)}) == 1
+    assert ss.Record([0, 1.0], time_step=0.1) == ss.Record([0, 1.0], time_step=0.1) != ss.Record([0, 1.5], time_step=0.1)
+
+
+def test_a_result_is_short_to_read():
+    many = np.ma.masked_array(np.linspace(0.5, 2, 50), [True] * 50)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert "max_displacement=<(50,), nan>" in repr(ss.response(many, ALPHA))
+    assert "max_displacement=<(50,)," in repr(ss.response(np.ma.masked_array(many.data, [False] + [True] * 49), [2.0] * 50))
+    few = repr(ss.steady(np.ma.masked_array(OMEGA, [False, True, False, False]), ALPHA))
+    assert "regime=['sticking', None, 'non-sticking', 'non-sticking']" in few and "  " not in few and len(few) < 2500
+    assert "\n" not in repr(ss.response(OMEGA, ALPHA)) and "regime=<words, (9,)>" in repr(ss.steady(np.linspace(0.5, 1, 9), ALPHA))
+    assert "friction=980.665" in repr(ss.Block("1 t", friction_coefficient=0.1)) and "_of" not in repr(ss.Block(1, 1))
+
+
+def test_no_points_have_every_output():
+    for found in (ss.response([], ALPHA), ss.steady([], ALPHA), machine().steady(ss.Drive(force=9.0, frequency=[]))):
+        assert found.max_displacement.shape == (0,) and found.transmissibility.shape == (0,)
+    record = ss.Record([0, 1.0], time_step=0.1)
+    assert ss.spectrum(record, period=np.empty((0, 2)), friction_coefficient=0.1).path.shape == (0, 2)
+
+
+@pytest.mark.parametrize("shape", [(600, 700), (1, 600, 700), (2, 300_000), (3, 1, 150_000)])
+def test_a_map_in_blocks_has_the_numbers_of_its_points(shape):
+    """Arrays that are broadcast become columns block by block."""
+    *rows, columns = shape
+    omega, alpha = np.linspace(0.3, 2, columns), np.linspace(1.1, 6, math.prod(rows)).reshape(*rows, 1)
+    found = ss.response(omega, alpha, outputs=["regime", "margin"])
+    full = ss.response(*(np.ascontiguousarray(array) for array in np.broadcast_arrays(omega, alpha)), outputs=["regime", "margin"])
+    assert found.margin.shape == shape
+    np.testing.assert_array_equal(found.margin, full.margin)
+    np.testing.assert_array_equal(found._values["regime"].places, full._values["regime"].places)
+    pairs = ss.steady(np.linspace(0.8, 2, 2), np.full((140_000, 1), 6.0), outputs=["multipliers"]).multipliers
+    assert pairs.shape == (140_000, 2, 2) and (pairs == ss.steady([0.8, 2.0], 6.0).multipliers).all()
+
+
 def test_masks_are_kept():
     omega = np.ma.masked_array(OMEGA, [False, True, False, False])
     alpha = np.ma.masked_array([[2.5], [3.0]], [[False], [True]])
@@ -137,6 +212,9 @@ def test_masks_are_kept():
     assert found.transmissibility.mask.tolist() == [[False, True, False, False], [True] * 4]
     assert found.transmissibility.compressed().tolist() == ss.steady([0.5, 1.5, 2.0], 2.5).transmissibility.tolist()
     assert found.regime.mask.sum() == 5
+    # The mask of one output is not that of another.
+    found.transmissibility.mask[0, 0] = True
+    assert not found.max_velocity.mask[0, 0] and not found.regime.mask[0, 0]
 
 
 def test_a_result_is_not_changed_by_what_becomes_of_its_arguments():
@@ -165,6 +243,26 @@ MISTAKES = {
     "half a bit": (lambda: ss.response("0.7", 2, bits=53.5), TypeError, "bits = 53.5: must be a whole number"),
     "writing to a result": (lambda: setattr(ss.response(0.7, 2), "omega", 1.0), AttributeError, "cannot be changed"),
     "units without a machine": (lambda: ss.response(0.7, 2).physical, AttributeError, "those of a machine"),
+    "a number in place of a drive": (lambda: machine().response(2.0), TypeError, "drive: must be a Drive, not float"),
+    "samples in place of a record": (lambda: machine().follow([0, 1.0]), TypeError, "record: must be a Record, not list"),
+    "samples in place of a record of a spectrum": (
+        lambda: ss.spectrum([0, 1.0], period=1.0, friction_coefficient=0.1),
+        TypeError,
+        "record: must be a Record, not list",
+    ),
+    "a float as a number of starts": (lambda: ss.attractors(0.5, 4, starts=1e3), TypeError, "starts = 1000.0: must be a whole number"),
+    "an array in place of names of arrays": (lambda: ss.response([0.7], 2, out=np.empty(1)), TypeError, "out: must be a Mapping"),
+    "an unknown excitation": (lambda: machine().min_force(frequency=2.0, excitation="acc"), ss.Error, "must be one of force, unbalance"),
+    "rows of different lengths": (lambda: ss.response([[0.7], [0.7, 0.8]], 2), TypeError, "omega: must be numbers"),
+    "a number beyond all floats": (lambda: ss.response(10**400, 2), TypeError, "omega: must be numbers"),
+    "text in a column": (lambda: ss.response([0.7, "1.5"], 2), TypeError, "omega: must be numbers"),
+    "a period of no length": (
+        lambda: ss.spectrum(ss.Record([0, 1.0], time_step=0.1), period=[1.0, 0.0], friction_coefficient=0.1),
+        ss.Error,
+        "period = 0.0: must be > 0 and finite",
+    ),
+    "more cycles than memory": (lambda: ss.simulate(0.4, 6, cycles=1e300, samples=9), ss.Error, "cycles 1e300, samples 9: more than"),
+    "deleting a value": (lambda: delattr(ss.response(0.7, 2), "omega"), AttributeError, "cannot be changed"),
     "a machine without units": (
         lambda: ss.Machine("2 kg", "800 N/m", "3 N").response(ss.Drive(force=9, frequency=1)),
         ss.Error,

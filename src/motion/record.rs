@@ -62,3 +62,6 @@ pub use history::{RecordEvent, RecordMotion, RecordState};
 pub use load::Record;
 #[cfg(feature = "batch")]
 pub use many::follow_each;
+#[cfg(feature = "batch")]
+#[doc(hidden)]
+pub use many::follow_each_while;

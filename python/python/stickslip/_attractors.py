@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._result import RATIOS, Result, one, paired, whole_number
+from ._result import RATIOS, Result, WrongType, one, paired, whole_number
 from ._start import Start, state
 
 
@@ -135,6 +135,8 @@ def attractors(
     point = tuple(one(name, value) for name, value in given)
     if isinstance(starts, (int, np.integer)):
         asked: Any = whole_number("starts", starts, 10_000_001)
+    elif isinstance(starts, str) or not isinstance(starts, Iterable):
+        raise WrongType(f"starts = {starts!r}: must be a whole number, or a list of (phase, displacement, velocity)")
     else:
         asked = [state(start) for start in starts]
     far = None if reach is None else one("reach", reach)

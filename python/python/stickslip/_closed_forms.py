@@ -25,6 +25,7 @@ from ._result import (
     digits,
     filled,
     named,
+    of_type,
     paired,
     points,
     precision,
@@ -209,7 +210,8 @@ def response(
         return of_points(at, chosen)
     if at.shape is None:
         raise Error("out: is for arrays, but omega, alpha and the other ratios are single numbers")
-    _native.response_into(at.columns, at.size, "force", list(out), _flat(out, at.shape, given))
+    flat = _flat(out, at.shape, given)
+    _native.response_into(at.columns, at.size, "force", list(out), flat)
     return Response({**at.in_shape(), **out}, _Source(at), chosen=(*RATIOS, *out))
 
 
@@ -281,7 +283,11 @@ def border(
         texts = wide_ratios(omega, "1", damping_ratio, static_friction_ratio)
         found = decimals(wide("wide_response", precision(bits), texts))
         return Border({**found, **dict(zip(RATIOS, map(Decimal, texts)))})
-    at = points(omega=omega, alpha=1.0, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio)
+    return border_of(points(omega=omega, alpha=1.0, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio))
+
+
+def border_of(at: Points) -> Border[Any]:
+    """The border at the frequency ratios of points."""
     found = {**at.in_shape(), **_Source(at)(_OF_BORDER)}
     single = at.shape is None and found["static_friction_ratio"] == 1
     no_stop = _native.no_stop(found["omega"], found["damping_ratio"]) if single else None
@@ -294,6 +300,7 @@ def wide_ratios(*values: Any) -> tuple[str, ...]:
 
 
 def _flat(out: Mapping[str, Any], shape: tuple[int, ...], given: Iterable[Any]) -> list[NDArray[Any]]:
+    of_type("out", out, Mapping)
     numbers = tuple(name for name, row in _ROWS.items() if row[1] != "text")
     for name, array in out.items():
         if name not in numbers:

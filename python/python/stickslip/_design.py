@@ -253,4 +253,4 @@ def figure(name: str) -> Figure:
     >>> ss.figure("8").svg.startswith("<svg")
     True
     """
-    return Figure(*_native.figure(name))
+    return Figure(*_native.figure(str(name)))

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._native import Error
-from ._result import Floats, Like, V, Value, numbers, one, points
+from ._result import Floats, Like, V, Value, are_equal, numbers, one, points
 
 #: The kind of the amplitude of each excitation.
 _KINDS = dict(_native.EXCITATIONS)
@@ -31,7 +31,7 @@ def read(given: Mapping[str, tuple[Any, str]], units: Optional[str]) -> tuple[di
     return dict(zip(given, values)), system
 
 
-@dataclass(frozen=True, init=False)
+@dataclass(frozen=True, init=False, eq=False)
 class Drive(Generic[V]):
     """A harmonic drive: one amplitude and a frequency, numbers or arrays.
 
@@ -141,9 +141,9 @@ class Drive(Generic[V]):
         given = {name: value for name, value in amplitudes.items() if value is not None}
         angular = angular_of(frequency, angular_frequency)
         object.__setattr__(self, "angular_frequency", angular)
-        # An amplitude that is not text is a number or an array, whose first element stands for all when it is read.
+        # An amplitude that is not text is a number or an array, for which any number stands when it is read.
         arrays = {name: numbers(name, value) for name, value in given.items() if not isinstance(value, str)}
-        values = {**given, **{name: array.flat[0] if array.size else 1.0 for name, array in arrays.items()}}
+        values = {**given, **{name: 1.0 if array.ndim else array for name, array in arrays.items()}}
         if isinstance(mean_force, str) or one("mean_force", mean_force) != 0.0:
             values["mean_force"] = mean_force
         name, amplitude, mean, system = _native.drive(texts(values), units)
@@ -159,6 +159,12 @@ class Drive(Generic[V]):
         object.__setattr__(self, "amplitude", _plain(arrays[name]) if name in arrays else amplitude)
         object.__setattr__(self, "mean_force", mean)
         object.__setattr__(self, "units", system)
+
+    def __eq__(self, other: object) -> bool:
+        return are_equal(self, other)
+
+    def __hash__(self) -> int:
+        return hash((self.excitation, self.amplitude, self.angular_frequency, self.mean_force, self.units))
 
     def _in(self, units: Optional[str]) -> "Drive[V]":
         """The same drive in a machine's system of units."""

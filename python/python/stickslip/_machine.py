@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Optional, TypeVar, Union, overload
 
 import numpy as np
@@ -11,14 +11,14 @@ from numpy.typing import ArrayLike
 
 from . import _closed_forms, _native, _steady
 from ._attractors import Attractors, attractors
-from ._closed_forms import OUTPUTS, Border, Response, border
+from ._closed_forms import OUTPUTS, Border, Response
 from ._drive import Drive, Quantity, angular_of, read, texts
 from ._motion import Decay, Phases, PhysicalDecay, PhysicalPhases, PhysicalSamples, Samples, decay, simulate
 from ._native import Error
 from ._outputs import PhysicalResponse, PhysicalSteady
 from ._physical import Driven, Scaled, names_of
 from ._record import Followed, Motion, Record, follow, motion
-from ._result import RATIOS, Floats, PhysicalResult, Result, Words, WrongType, named, one, whole_number
+from ._result import RATIOS, Floats, PhysicalResult, Result, Words, WrongType, named, of_type, one, whole_number
 from ._start import REST, Start, state
 from ._steady import STEADY_OUTPUTS, Steady
 
@@ -92,6 +92,8 @@ class Machine:
     damping: float
     static_friction_ratio: float
     units: Optional[str]
+    #: The damping ratio as given; None if the damping constant was.
+    _damping_ratio: Optional[float] = field(repr=False, compare=False)
 
     def __init__(
         self,
@@ -125,12 +127,13 @@ class Machine:
             "static_friction_ratio": static_friction_ratio,
         }
         values = texts({name: value for name, value in given.items() if value is not None})
-        body, system = _native.machine(values, units)
+        body, ratio, system = _native.machine(values, units)
         names = ("mass", "stiffness", "friction", "friction_backward", "damping", "static_friction_ratio")
         for name, value in zip(names, body):
             object.__setattr__(self, name, value)
         if friction_backward is None:
             object.__setattr__(self, "friction_backward", None)
+        object.__setattr__(self, "_damping_ratio", ratio)
         object.__setattr__(self, "units", system)
 
     @property
@@ -361,8 +364,7 @@ class Machine:
         given: dict[str, Any] = {"frequency": frequency, "angular_frequency": angular_frequency}
         drive: Drive[Any] = Drive(force=self.friction, units=self.units, **given)
         at = self._driven(drive).ratios()
-        omega, _, damping, ratio = at.given.values()
-        return border(omega, damping, ratio)
+        return _closed_forms.border_of(at)
 
     def min_force(
         self,
@@ -487,7 +489,8 @@ class Machine:
         return read({name: (value, kind)}, self.units)[0][name]
 
     def _driven(self, drive: Drive[Any]) -> Driven:
-        return Driven.by(self._body, drive._in(self.units))
+        of_type("drive", drive, Drive)
+        return Driven.by(self._body, self._damping_ratio, drive._in(self.units))
 
     def _single(self, drive: Drive[Any]) -> tuple[str, float, float]:
         at = self._driven(drive)

@@ -47,22 +47,27 @@ class Driven(NamedTuple):
     drives: Points
     mean_force: float
     units: Optional[str]
+    #: The damping ratio as given; None if the damping constant was.
+    damping_ratio: Optional[float]
 
     @classmethod
-    def by(cls, body: Body, drive: Drive[Any]) -> "Driven":
+    def by(cls, body: Body, damping_ratio: Optional[float], drive: Drive[Any]) -> "Driven":
         at = points(amplitude=drive.amplitude, angular_frequency=drive.angular_frequency)
-        return cls(body, drive.excitation, at._replace(like=drive._like), drive.mean_force, drive.units)
+        return cls(body, drive.excitation, at._replace(like=drive._like), drive.mean_force, drive.units, damping_ratio)
 
     def columns(self, *names: str) -> list[Any]:
         """Ratios or scales by their names, in the shape of the drives."""
         at = self.drives
         size = at.size if at.shape is not None else 1
-        found = _native.machine_columns(self.body, self.excitation, at.columns, size, self.mean_force, list(names))
+        many = at.shape is not None
+        found = _native.machine_columns(self.body, self.excitation, at.columns, size, many, self.mean_force, list(names))
         return [found[name].item() if at.shape is None else found[name].reshape(at.shape) for name in names]
 
     def constant(self, name: str) -> float:
         """A ratio or a scale that is the same under all drives."""
-        found = _native.machine_columns(self.body, self.excitation, (1.0, 1.0), 1, self.mean_force, [name])
+        if name == "damping_ratio" and self.damping_ratio is not None:
+            return self.damping_ratio
+        found = _native.machine_columns(self.body, self.excitation, (1.0, 1.0), 1, False, self.mean_force, [name])
         return float(found[name][0])
 
     def ratios(self) -> Points:
@@ -101,9 +106,9 @@ class Scaled(NamedTuple):
         driven = self.driven
         shape = driven.drives.shape
         if name == "angular_frequency":
-            return 1.0 / driven.scale("time")
+            return driven.drives.in_shape()[name]
         if name == "force_amplitude":
-            return driven.scale("alpha") * driven.scale("force")
+            return driven.scale(name)
         if name in ("friction_displacement", "mean_displacement"):
             constant = driven.scale("length" if name == "friction_displacement" else name)
             return constant if shape is None else np.broadcast_to(constant, shape)
@@ -112,15 +117,13 @@ class Scaled(NamedTuple):
             # No such value exists under this excitation.
             return float("nan") if shape is None else np.full(shape, np.nan)
         output, scale = next(iter(found.items()))
-        value = self.raw(output) * driven.scale(scale)
-        if output == "friction":
-            # Friction that differs by direction is symmetric about its mean.
-            return value + driven.scale("mean_friction")
         if name == "best_force_energy":
-            # This is the loop at the best force, not at the given one.
-            force = driven.scale("force")
-            return value * (self.raw("best_force_ratio") * force / (driven.scale("alpha") * force)) ** 2
-        return value
+            # The loop is that of the best force, not of the given one.
+            best = self.raw("best_force_ratio") * driven.scale("force")
+            return self.raw(output) * (0.5 * best * (best / driven.body[1]))
+        value = self.raw(output) * driven.scale(scale)
+        # Friction that differs by direction is symmetric about its mean.
+        return value + driven.scale("mean_friction") if output == "friction" else value
 
     def is_at_hand(self, name: str) -> bool:
         """Whether the value of the answer is there."""

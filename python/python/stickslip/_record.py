@@ -13,7 +13,7 @@ from . import _native
 from ._drive import Quantity, read, texts
 from ._native import Error
 from ._physical import names_of
-from ._result import Floats, Result, V, numbers, one, points, shaped
+from ._result import Floats, Result, V, are_equal, numbers, of_type, one, points, shaped
 
 #: The kind of the samples of each record.
 _KINDS = {
@@ -47,7 +47,7 @@ _UNITS = {
 _WITHOUT_MASS = tuple(name for name, kind in _UNITS.items() if kind not in ("force", "energy"))
 
 
-@dataclass(frozen=True, init=False)
+@dataclass(frozen=True, init=False, eq=False)
 class Record:
     """A measured load: samples, and straight lines between them. After the last sample it is zero.
 
@@ -107,6 +107,11 @@ class Record:
 
     def __len__(self) -> int:
         return len(self.samples)
+
+    def __eq__(self, other: object) -> bool:
+        return are_equal(self, other)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def scaled(self, factor: float) -> "Record":
         """This record with every sample multiplied by a factor."""
@@ -242,12 +247,14 @@ def _answer(found: Mapping[str, NDArray[Any]], units: Optional[str]) -> Followed
 
 
 def follow(of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float]) -> Followed:
+    of_type("record", record, Record)
     return _answer(_native.record_follow(of, *record._in(units), start), units)
 
 
 def motion(
     of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float], interval: Optional[float]
 ) -> Motion:
+    of_type("record", record, Record)
     distance = float("nan") if interval is None else one("interval", interval)
     answer, states, events = _native.record_motion(of, *record._in(units), start, distance)
     named = {f"event_{name}": column for name, column in events.items()}
@@ -317,6 +324,20 @@ class Block:
         of, system = _native.block(values, units, angle, bool(one_way))
         object.__setattr__(self, "_of", of)
         object.__setattr__(self, "units", system)
+
+    def __repr__(self) -> str:
+        mass, _, damping, forward, backward, ratio, mean_force, one_way = self._of
+        given = {
+            "mass": mass,
+            "friction": forward,
+            "friction_backward": backward,
+            "damping": damping,
+            "static_friction_ratio": ratio,
+            "mean_force": mean_force,
+            "one_way": one_way,
+            "units": self.units,
+        }
+        return f"Block({', '.join(f'{name}={value!r}' for name, value in given.items())})"
 
     def follow(self, record: Record, *, displacement: float = 0.0, velocity: float = 0.0) -> Followed:
         """The motion under a record from a start; see `Machine.follow`."""
@@ -389,6 +410,7 @@ def spectrum(
     >>> found.max_displacement.shape
     (6, 2)
     """
+    of_type("record", record, Record)
     if record.of == "force":
         raise Error("spectrum: a record of a force needs masses. Use Machine.follow")
     at = points(
@@ -398,13 +420,16 @@ def spectrum(
         static_friction_ratio=static_friction_ratio,
     )
     size = at.size if at.shape is not None else 1
-    columns = [np.ascontiguousarray(np.broadcast_to(np.asarray(column), (size,))) for column in at.columns]
+    # Without a body, one of any values has the names of the answers.
+    given = at.columns if size else (1.0, 1.0, 0.0, 1.0)
+    columns = [np.ascontiguousarray(np.broadcast_to(np.asarray(column), (max(size, 1),))) for column in given]
     periods, coefficients, zeta, eta = columns
     if not np.all((periods > 0) & np.isfinite(periods)):
-        raise Error("period: must be > 0 and finite")
+        wrong = periods[~((periods > 0) & np.isfinite(periods))][0]
+        raise Error(f"period = {wrong}: must be > 0 and finite")
     omega = 2 * np.pi / periods
-    bodies = [np.ones(size), omega**2, 2 * zeta * omega, coefficients * one("gravity", gravity), eta]
-    found = _native.record_spectrum(bodies, *record._in("N,m"))
+    bodies = [np.ones_like(omega), omega**2, 2 * zeta * omega, coefficients * one("gravity", gravity), eta]
+    found = {name: column[:size] for name, column in _native.record_spectrum(bodies, *record._in("N,m")).items()}
     values: dict[str, Any] = (
         {name: column.item() for name, column in found.items()} if at.shape is None else shaped(found, at.shape)
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import importlib
 import inspect
 import operator
@@ -57,7 +58,8 @@ class Like(NamedTuple):
             return _pandas().DataFrame(array, index=self.index, columns=self.columns, copy=False)
         if self.index is not None:
             return _pandas().Series(array, index=self.index, name=name, copy=False)
-        return array if self.mask is None else np.ma.MaskedArray(array, self.mask)
+        # Each output has a mask of its own, so that a change of one is none of the others.
+        return array if self.mask is None else np.ma.MaskedArray(array, self.mask.copy())
 
 
 def _pandas() -> Any:
@@ -126,6 +128,9 @@ class Result(Mapping[str, Any]):
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
 
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"{type(self).__name__} cannot be changed")
+
     def __getitem__(self, name: str) -> Any:
         if name not in self._names:
             raise KeyError(name)
@@ -147,12 +152,12 @@ class Result(Mapping[str, Any]):
         if type(other) is not type(self) or not isinstance(other, Result):
             return NotImplemented
         same = self._chosen == other._chosen and self._physical == other._physical
-        return same and all(_are_same(self[name], other[name]) for name in self)
+        return same and all(_are_same(self._at_hand(name), other._at_hand(name)) for name in self)
 
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        values = ((name, getattr(self, name)) for name in self._chosen if self._is_at_hand(name))
+        values = ((name, self._at_hand(name)) for name in self._chosen if self._is_at_hand(name))
         texts = (f"{name}={self._text(name, value)}" for name, value in values if not _is_nothing(value))
         return f"{type(self).__name__}({', '.join(texts)})"
 
@@ -162,6 +167,11 @@ class Result(Mapping[str, Any]):
     def _is_at_hand(self, name: str) -> bool:
         """Whether a value takes no further computation."""
         return name in self._values
+
+    def _at_hand(self, name: str) -> Any:
+        """A value as it is read, but words of many points by their codes, which take less memory."""
+        value = self._values.get(name)
+        return value if isinstance(value, Codes) and self._like is None else self[name]
 
     def to_dict(self) -> dict[str, Any]:
         """All values by name, or those named by ``outputs``. A value that does not exist is NaN."""
@@ -174,17 +184,35 @@ def _is_nothing(value: Any) -> bool:
 
 def _short(value: Any) -> str:
     """A value for reading; of a long array its shape and its range."""
+    if isinstance(value, Codes):
+        value = value.words() if value.places.size <= 6 else value.places.astype("S1")
     if _is_pandas(value):
         value = value.to_numpy()
-    if not isinstance(value, np.ndarray) or value.size <= 6:
+    if isinstance(value, np.ma.MaskedArray) and value.dtype.kind in "iuf" and value.size > 6:
+        value = value.filled(np.nan)
+    if not isinstance(value, np.ndarray):
         return repr(value)
-    if value.dtype.kind not in "iuf" or np.all(np.isnan(value)):
-        return f"<{value.dtype}, {value.shape}>"
+    if value.size <= 6:
+        return " ".join(str(value.tolist() if isinstance(value, np.ma.MaskedArray) else repr(value)).split())
+    if value.dtype.kind not in "iuf":
+        return f"<{'words' if value.dtype.kind in 'SUO' else value.dtype}, {value.shape}>"
+    if np.all(np.isnan(value)):
+        return f"<{value.shape}, nan>"
     return f"<{value.shape}, {np.nanmin(value):.6g} to {np.nanmax(value):.6g}>"
+
+
+def are_equal(one: Any, other: Any) -> bool:
+    """Whether two values of a data class are equal in each field that counts, arrays included."""
+    if type(other) is not type(one):
+        return False
+    names = (field.name for field in dataclasses.fields(one) if field.compare)
+    return all(_are_same(getattr(one, name), getattr(other, name)) for name in names)
 
 
 def _are_same(one: Any, other: Any) -> bool:
     """Whether two values are equal, NaN included."""
+    if isinstance(one, Codes) and isinstance(other, Codes):
+        return one.names == other.names and np.array_equal(one.places, other.places)
     if _is_pandas(one):
         return type(one) is type(other) and bool(one.equals(other))
     if isinstance(one, (np.ndarray, float)) and isinstance(other, (np.ndarray, float)):
@@ -244,6 +272,10 @@ class Physical(PhysicalResult, Generic[V]):
     """The shift due to a mean force or to friction that depends on the direction."""
 
 
+#: The points whose columns are in memory at once, where arrays are broadcast.
+_BLOCK = 1 << 18
+
+
 class Points(NamedTuple):
     """Ratios at one point or many."""
 
@@ -269,6 +301,25 @@ class Points(NamedTuple):
 
         return tuple(column(array) for array in self.given.values())
 
+    def blocks(self) -> Iterator[tuple[int, int, Points]]:
+        """The points in parts, each with its first place and the one after its last.
+
+        An array that is broadcast is copied as a column: of a part at a time, so that all columns together take little
+        memory beside the results.
+        """
+        shape = self.shape or ()
+        if self.size <= _BLOCK or all(array.size in (1, self.size) for array in self.given.values()):
+            yield 0, self.size, self
+            return
+        axis = next(axis for axis, length in enumerate(shape) if length > 1)
+        row = self.size // shape[axis]
+        rows = max(1, _BLOCK // row)
+        for low in range(0, shape[axis], rows):
+            high = min(low + rows, shape[axis])
+            cut = (slice(None),) * axis + (slice(low, high),)
+            given = {name: a if a.size == 1 else np.broadcast_to(a, shape)[cut] for name, a in self.given.items()}
+            yield low * row, high * row, Points((*shape[:axis], high - low, *shape[axis + 1 :]), given, None)
+
     def in_shape(self) -> dict[str, Any]:
         """The ratios for a result: numbers, or read-only arrays of the common shape."""
         if self.shape is None:
@@ -278,18 +329,30 @@ class Points(NamedTuple):
 
 def numbers(name: str, value: ArrayLike) -> Floats:
     """A number or an array of any numeric type as 64-bit floats in new memory, with NaN for masked elements."""
-    array = np.ma.asarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
-    if array.dtype.kind in "OUS" and array.ndim == 0 and value is not None or array.dtype.kind == "O" and array.ndim:
-        # This is a number as text or of another library, or a column of numbers with gaps, as in pandas.
-        try:
-            array = np.asarray(value, dtype=np.float64)
-        except (TypeError, ValueError):
-            kind = Error if isinstance(value, str) else WrongType
-            raise kind(f"{name}: must be numbers, not {value!r:.60}") from None
+    try:
+        array = np.ma.asarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+        if array.dtype.kind == "O" and array.ndim:
+            # This is a column of numbers of another library, or with gaps, as in pandas.
+            if any(isinstance(element, (str, bytes)) for element in array.flat):
+                raise TypeError
+            column: Any = value
+            array = column.to_numpy(np.float64, na_value=np.nan) if _is_pandas(value) else array.astype(np.float64)
+        elif array.dtype.kind in "OUS" and array.ndim == 0 and value is not None:
+            # This is a number as text, or of another library.
+            array = array.astype(np.float64)
+    except (TypeError, ValueError, OverflowError):
+        kind = Error if isinstance(value, str) else WrongType
+        raise kind(f"{name}: must be numbers, not {' '.join(repr(value).split()):.60}") from None
     if array.dtype.kind not in "iuf":
         raise WrongType(f"{name}: must be numbers, not of type {array.dtype}")
     floats = array.astype(np.float64)
     return np.ma.filled(floats, np.nan) if isinstance(floats, np.ma.MaskedArray) else floats
+
+
+def of_type(name: str, value: object, kind: type) -> None:
+    """Fails where an argument is not of its class."""
+    if not isinstance(value, kind):
+        raise WrongType(f"{name}: must be a {kind.__name__}, not {type(value).__name__}")
 
 
 def one(name: str, value: Any) -> float:
@@ -367,7 +430,10 @@ def filled(
         else:
             found[name] = np.empty(shape)
             flat.append(found[name].reshape(-1))
-    into(at.columns, at.size, *more[:1], list(found), flat, *more[1:])
+    for low, high, part in at.blocks():
+        widths = [array.size // max(at.size, 1) for array in flat]
+        parts = [array[low * width : high * width] for array, width in zip(flat, widths)]
+        into(part.columns, part.size, *more[:1], list(found), parts, *more[1:])
     return found
 
 

@@ -12,6 +12,7 @@ use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::finite;
 use crate::machine::units::Kind;
+use core::ops::ControlFlow;
 
 /// The motion of a body under a record and after it, until it rests: extremes, sums and counts, in the units of the
 /// body and the record.
@@ -172,7 +173,7 @@ impl<F: Float> Body<F> {
     /// As [`Body::follow`], and where x or v is not finite, or v < 0 in a body that moves one way.
     pub fn follow_from(&self, record: &Record<F>, x: F, v: F) -> Result<RecordAnswer<F>, Error> {
         let mut followed = [self.followed(record, x, v)?];
-        lanes::follow::<F, 1>(&mut followed, record);
+        lanes::follow::<F, 1>(&mut followed, record, &|| ControlFlow::Continue(()));
         let [followed] = followed;
         self.settled(record, [x, v], followed)
     }
@@ -355,5 +356,6 @@ pub(super) fn failed<F: Float>((failure, time): Failed<F>) -> Error {
     match failure {
         Failure::Uncertain => Error::BeyondRange { time },
         Failure::Bound => Error::TooManyEvents { time },
+        Failure::Interrupted => Error::Interrupted,
     }
 }

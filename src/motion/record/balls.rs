@@ -196,6 +196,7 @@ pub(crate) fn follow<const N: usize, const W: usize>(
     let failed = |(failure, time): (Failure, Mp<N>)| match failure {
         Failure::Uncertain => Error::UncertainEvent { time: written(time) },
         Failure::Bound => Error::TooManyEvents { time: written(time) },
+        Failure::Interrupted => Error::Interrupted,
     };
     let (constants, weights) = constants::<N, W>(body);
     let uncertain = |time: Mp<N>| failed((Failure::Uncertain, time));

@@ -94,6 +94,8 @@ pub(super) enum Failure {
     Uncertain,
     /// More events in a stretch than there can be.
     Bound,
+    /// The caller ended the work.
+    Interrupted,
 }
 
 /// A failure, and the time before which the motion is known.

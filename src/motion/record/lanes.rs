@@ -6,10 +6,11 @@
 //! lane cannot exclude it, the follower takes the step again from its start. A lane depends on no other, so that the
 //! answers of a body are the same bits in any company; a body alone is one lane.
 
-use super::follow::{Failed, Follower};
+use super::follow::{Failed, Failure, Follower};
 use super::load::{Factors, Piece, Record};
 use super::totals::Totals;
 use crate::float::Float;
+use core::ops::ControlFlow;
 
 /// A number of each lane.
 type Row<F, const L: usize> = [F; L];
@@ -311,9 +312,17 @@ struct Step<F> {
     eighth: F,
 }
 
-/// Follows at most `L` bodies through a record; where one cannot be followed, its failure says why.
+/// The samples between two looks at whether to go on.
+const SAMPLES: usize = 1 << 12;
+
+/// Follows at most `L` bodies through a record as long as `keep_going` allows; where one cannot be followed, its failure
+/// says why.
 #[inline(always)]
-pub(super) fn follow<F: Float, const L: usize>(bodies: &mut [Followed<F>], record: &Record<F>) {
+pub(super) fn follow<F: Float, const L: usize>(
+    bodies: &mut [Followed<F>],
+    record: &Record<F>,
+    keep_going: &dyn Fn() -> ControlFlow<()>,
+) {
     let mut lanes = Lanes::<F, L>::new(bodies);
     for (lane, body) in bodies.iter_mut().enumerate() {
         if body.failure.is_some() {
@@ -323,6 +332,13 @@ pub(super) fn follow<F: Float, const L: usize>(bodies: &mut [Followed<F>], recor
     let mut step = Step { length: F::int(0), inverse: F::int(0), eighth: F::int(0) };
     let samples = record.samples();
     for (index, (&first, &second)) in samples.iter().zip(samples.iter().skip(1)).enumerate() {
+        if index.is_multiple_of(SAMPLES) && keep_going().is_break() {
+            let time = record.time(index);
+            for body in bodies.iter_mut() {
+                body.failure = body.failure.or(Some((Failure::Interrupted, time)));
+            }
+            break;
+        }
         let length = record.step_after(index);
         if length != step.length {
             step = Step { length, inverse: F::int(1) / length, eighth: length.square() * F::ratio(1, 8) };

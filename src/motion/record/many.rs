@@ -6,6 +6,7 @@ use super::lanes::{self, Followed};
 use super::load::Record;
 use crate::batch::{Level, Loops};
 use crate::machine::error::Error;
+use core::ops::ControlFlow;
 
 /// Bodies side by side: a multiple of the lanes of every instruction set, few enough for the first-level cache.
 const LANES: usize = 16;
@@ -13,17 +14,33 @@ const LANES: usize = 16;
 /// Follows bodies from rest at x = 0 under one record, on all threads of the current rayon pool with the feature
 /// `rayon`. Answers and errors are those of [`Body::follow`], to the last bit.
 pub fn follow_each(bodies: &[Body<f64>], record: &Record<f64>) -> Vec<Result<RecordAnswer<f64>, Error>> {
+    follow_each_while(bodies, record, &|| ControlFlow::Continue(()))
+}
+
+/// The same as long as `keep_going` returns [`ControlFlow::Continue`].
+///
+/// # Errors
+/// [`Error::Interrupted`] where `keep_going` ends the work, and as for [`follow_each`].
+pub fn follow_each_while(
+    bodies: &[Body<f64>],
+    record: &Record<f64>,
+    keep_going: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Vec<Result<RecordAnswer<f64>, Error>> {
     #[cfg(feature = "rayon")]
     {
         use rayon::prelude::*;
-        bodies.par_chunks(LANES).flat_map_iter(|chunk| side_by_side(chunk, record)).collect()
+        bodies.par_chunks(LANES).flat_map_iter(|chunk| side_by_side(chunk, record, keep_going)).collect()
     }
     #[cfg(not(feature = "rayon"))]
-    bodies.chunks(LANES).flat_map(|chunk| side_by_side(chunk, record)).collect()
+    bodies.chunks(LANES).flat_map(|chunk| side_by_side(chunk, record, keep_going)).collect()
 }
 
 /// Follows at most [`LANES`] bodies.
-fn side_by_side(bodies: &[Body<f64>], record: &Record<f64>) -> Vec<Result<RecordAnswer<f64>, Error>> {
+fn side_by_side(
+    bodies: &[Body<f64>],
+    record: &Record<f64>,
+    keep_going: &dyn Fn() -> ControlFlow<()>,
+) -> Vec<Result<RecordAnswer<f64>, Error>> {
     let (mut followed, mut errors) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
     for body in bodies {
         match body.followed(record, 0.0, 0.0) {
@@ -34,7 +51,7 @@ fn side_by_side(bodies: &[Body<f64>], record: &Record<f64>) -> Vec<Result<Record
             Err(error) => errors.push(Some(error)),
         }
     }
-    Level::best().run(Lanes { bodies: &mut followed, record });
+    Level::best().run(Lanes { bodies: &mut followed, record, keep_going });
     let mut followed = followed.into_iter();
     let answers =
         bodies.iter().zip(errors).map(|(body, error)| match (error, followed.as_slice().is_empty()) {
@@ -50,6 +67,7 @@ fn side_by_side(bodies: &[Body<f64>], record: &Record<f64>) -> Vec<Result<Record
 struct Lanes<'a> {
     bodies: &'a mut [Followed<f64>],
     record: &'a Record<f64>,
+    keep_going: &'a dyn Fn() -> ControlFlow<()>,
 }
 
 impl Loops for Lanes<'_> {
@@ -57,6 +75,27 @@ impl Loops for Lanes<'_> {
 
     #[inline(always)]
     fn run(self) {
-        lanes::follow::<f64, LANES>(self.bodies, self.record);
+        lanes::follow::<f64, LANES>(self.bodies, self.record, self.keep_going);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::drive::Excitation;
+    use core::sync::atomic::{AtomicU32, Ordering};
+
+    #[test]
+    fn a_long_record_is_left_before_its_end() {
+        let record = Record::new(Excitation::SurfaceAcceleration, 0.01, vec![1.0; 20_000]).unwrap();
+        let body = Body::new(1.0, 0.1).unwrap().with_stiffness(4.0).unwrap();
+        let looks = AtomicU32::new(0);
+        let twice = || {
+            let is_over = looks.fetch_add(1, Ordering::Relaxed) >= 2;
+            if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let found = follow_each_while(&[body; 3], &record, &twice);
+        assert!(found.iter().all(|answer| matches!(answer, Err(Error::Interrupted))), "{found:?}");
+        assert_eq!((found.len(), looks.into_inner()), (3, 3));
     }
 }
