@@ -3,9 +3,10 @@
 use crate::cycle::regime::Regime;
 use crate::cycle::response::Response;
 use crate::float::Float;
+use crate::machine::oscillator::Excitation;
 use crate::machine::ratios::Ratios;
 use crate::motion::limit::observed::{Observed, observed};
-use crate::motion::{LongRun, SteadyState};
+use crate::motion::{Attractor, LongRun, SteadyState};
 use alloc::borrow::ToOwned;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -157,7 +158,86 @@ fn of_steady<F: Float>(steady: &SteadyState<F>, seen: &Observed) -> String {
         },
         n => {
             let part = digits((steady.stick_fraction.to_f64() * 1e4).round() / 1e2);
-            format!("Sticking: {n} stops in a cycle, {part} % of the time.")
+            let stops = if n == 1 { "stop" } else { "stops" };
+            format!("Sticking: {n} {stops} in a cycle, {part} % of the time.")
         }
+    }
+}
+
+/// The starts that lead to a periodic motion, and the properties of its cycle; empty for other limits.
+#[must_use]
+pub fn origin<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> String {
+    let steady = match limit {
+        LongRun::Periodic(steady) => steady,
+        LongRun::Family(_) => {
+            return "At Ω = 1/(2n) the periodic motions form a family. The start leads to this one."
+                .to_owned();
+        }
+        LongRun::Rest(_)
+        | LongRun::Irregular(_)
+        | LongRun::Unbounded { .. }
+        | LongRun::NotConverged { .. } => {
+            return String::new();
+        }
+    };
+    if !ratios.has_higher_static_friction() {
+        return "One periodic motion, from every start.".to_owned();
+    }
+    let cycle = match steady.turns_per_cycle {
+        1 => String::new(),
+        turns => format!(" A cycle takes {turns} turns of the drive."),
+    };
+    let symmetry = if steady.is_symmetric {
+        ""
+    } else {
+        " It is not symmetric: its mirror image is a motion from other starts."
+    };
+    format!("The limit of this start. Other starts can have others.{cycle}{symmetry}")
+}
+
+/// The kind of base motion, and the meaning of x; `None` for a force.
+#[must_use]
+pub const fn base_motion(excitation: Excitation) -> Option<&'static str> {
+    match excitation {
+        Excitation::Force | Excitation::Unbalance => None,
+        Excitation::FootMotion => {
+            Some("of the spring's foot over a fixed surface: p₀ = k u₀, x over the surface")
+        }
+        Excitation::DampedFootMotion => Some(
+            "of the foot of spring and damper over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
+        ),
+        Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {
+            Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")
+        }
+    }
+}
+
+/// The symmetry and the period of a motion, in words.
+#[must_use]
+pub fn shape<F: Float>(steady: &SteadyState<F>) -> String {
+    let symmetry = if steady.is_symmetric { "Symmetric" } else { "Not symmetric" };
+    match steady.turns_per_cycle {
+        1 => format!("{symmetry}, a cycle of one turn of the drive"),
+        turns => format!("{symmetry}, a cycle of {turns} turns of the drive"),
+    }
+}
+
+/// A description of a limit.
+#[must_use]
+pub fn described<F: Float>(found: &Attractor<F>) -> String {
+    let mirror = match found.mirror {
+        Some(place) => format!(", the mirror image of {}", place.saturating_add(1)),
+        None => String::new(),
+    };
+    match found.limit {
+        LongRun::Periodic(steady) => {
+            format!("{}{mirror}", shape(&steady))
+        }
+        LongRun::Family(_) => "A family of periodic motions, by their mean positions".to_owned(),
+        LongRun::Rest(_) => "Rest".to_owned(),
+        LongRun::Irregular(motion) if motion.is_chaotic() => format!("Irregular, chaotic{mirror}"),
+        LongRun::Irregular(_) => format!("Irregular, not chaotic{mirror}"),
+        LongRun::Unbounded { .. } => "Growing without bound".to_owned(),
+        LongRun::NotConverged { .. } => "Not settled".to_owned(),
     }
 }

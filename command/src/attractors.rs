@@ -229,7 +229,7 @@ fn text<F: Value>(
     }
     for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);
-        writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, described(found))?;
+        writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, stickslip::words::described(found))?;
         if let Some(steady) = found.limit.steady_state() {
             writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
             writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
@@ -245,32 +245,4 @@ fn text<F: Value>(
         }
     }
     Ok(())
-}
-
-/// The symmetry and the period of a motion, in words.
-pub(crate) fn shape<F: Value>(steady: &SteadyState<F>) -> String {
-    let symmetry = if steady.is_symmetric { "Symmetric" } else { "Not symmetric" };
-    match steady.turns_per_cycle {
-        1 => format!("{symmetry}, a cycle of one turn of the drive"),
-        turns => format!("{symmetry}, a cycle of {turns} turns of the drive"),
-    }
-}
-
-/// A description of a limit.
-pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
-    let mirror = match found.mirror {
-        Some(place) => format!(", the mirror image of {}", place + 1),
-        None => String::new(),
-    };
-    match found.limit {
-        LongRun::Periodic(steady) => {
-            format!("{}{mirror}", shape(&steady))
-        }
-        LongRun::Family(_) => "A family of periodic motions, by their mean positions".to_owned(),
-        LongRun::Rest(_) => "Rest".to_owned(),
-        LongRun::Irregular(motion) if motion.is_chaotic() => format!("Irregular, chaotic{mirror}"),
-        LongRun::Irregular(_) => format!("Irregular, not chaotic{mirror}"),
-        LongRun::Unbounded { .. } => "Growing without bound".to_owned(),
-        LongRun::NotConverged { .. } => "Not settled".to_owned(),
-    }
 }

@@ -1,7 +1,7 @@
 //! `stickslip basins`: the limit that each start in a plane of starts leads to.
 
 use crate::args::BasinsArgs;
-use crate::attractors::{described, reach};
+use crate::attractors::reach;
 use crate::bits::digits;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
@@ -111,7 +111,7 @@ impl<F: Value> Basins<F> {
         for (x, v, place) in self.starts() {
             let number = place.map_or(String::new(), |place| (place + 1).to_string());
             let limit = place.and_then(|place| self.all.limits.get(place));
-            let limit = limit.map_or("Not settled".to_owned(), described);
+            let limit = limit.map_or("Not settled".to_owned(), stickslip::words::described);
             writer.write_record([x.to_string(), v.to_string(), number, limit])?;
         }
         Ok(writer.flush()?)

@@ -4,7 +4,7 @@ mod force;
 mod static_friction;
 
 use crate::bits::{Value, digits};
-use crate::machine::{Machine, base_motion};
+use crate::machine::Machine;
 use crate::style;
 use std::io::{self, Write};
 use stickslip::inputs::units::{Kind, System};
@@ -81,7 +81,7 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
     let (force, length) = (system.force(), system.length());
     let hertz = |frequency: F| digits(frequency / (F::int(2) * F::pi()));
     let (driven, natural) = (drive.angular_frequency(), oscillator.natural_frequency());
-    if let Some(base) = base_motion(drive.excitation()) {
+    if let Some(base) = words::base_motion(drive.excitation()) {
         writeln!(out, "  base motion              {base}")?;
     }
     writeln!(

@@ -14,7 +14,7 @@ function node(name, attributes = {}, text = undefined) {
 function tick(x) {
   const size = Math.abs(x);
   if (size === 0) return "0";
-  if (size >= 1e5 || size < 1e-3) return x.toExponential(1).replace(".0e", "e").replace("e+", "e");
+  if (size >= 1e5 || size < 1e-4) return x.toExponential(1).replace(".0e", "e").replace("e+", "e");
   return String(Number(x.toPrecision(6)));
 }
 
@@ -83,10 +83,11 @@ class Chart {
   }
 
   // Begins a picture with its axes.
-  begin({ x, y, xlabel, ylabel, xlog = false, ylog = false }) {
-    const width = Math.max(260, this.host.clientWidth);
+  begin({ x, y, xlabel, ylabel, xlog = false, ylog = false, legend = false }) {
+    const width = Math.max(200, this.host.clientWidth);
     const { height, left } = this;
-    const [right, top, bottom] = [14, 12, 40];
+    // A legend stands above the frame, where it covers nothing.
+    const [right, top, bottom] = [14, legend ? 30 : 12, 40];
     this.box = { left, top, right: width - right, bottom: height - bottom };
     this.x = scale(x[0], x[1], left, width - right, xlog);
     this.y = scale(y[0], y[1], height - bottom, top, ylog);
@@ -167,11 +168,10 @@ class Chart {
     const length = (of) => of.reduce((sum, [text]) => sum + 33 + 6.2 * text.length, 8);
     rows = rows.slice();
     while (length(rows) > this.box.right - this.box.left) rows.pop();
-    this.add("rect", { x: this.box.left + 1, y: this.box.top, width: length(rows), height: 19, fill: this.ink.paper, opacity: 0.85 });
     let x = this.box.left + 8;
     for (const [text, colour, dash] of rows) {
-      this.add("path", { d: `M${x} ${this.box.top + 9}h18`, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash || "" });
-      this.add("text", { x: x + 23, y: this.box.top + 13, "font-size": 11, "font-family": "system-ui, sans-serif", fill: this.ink.text }, text);
+      this.add("path", { d: `M${x} ${this.box.top - 12}h18`, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash || "" });
+      this.add("text", { x: x + 23, y: this.box.top - 8, "font-size": 11, "font-family": "system-ui, sans-serif", fill: this.ink.text }, text);
       x += 33 + 6.2 * text.length;
     }
   }
@@ -181,8 +181,8 @@ class Chart {
 function palette() {
   const dark = document.documentElement.dataset.theme === "dark";
   return dark
-    ? { text: "#e6e6e6", grid: "#3a3f47", paper: "#1b1e23", slide: "#6cb6ff", stick: "#ffb454", border: "#c9c9c9", here: "#ff7b72", stuck: "#8b949e", second: "#a5d6a7" }
-    : { text: "#24292f", grid: "#dfe3e8", paper: "#ffffff", slide: "#0b61a4", stick: "#c65d00", border: "#444444", here: "#c1121f", stuck: "#6e7781", second: "#2e7d32" };
+    ? { text: "#e6e6e6", grid: "#3a3f47", paper: "#1b1e23", slide: "#6cb6ff", stick: "#ffb454", border: "#c9c9c9", here: "#ff7b72", stuck: "#3d444d", odd: "#d2a8ff", second: "#a5d6a7" }
+    : { text: "#24292f", grid: "#dfe3e8", paper: "#ffffff", slide: "#0b61a4", stick: "#c65d00", border: "#444444", here: "#c1121f", stuck: "#c8cdd3", odd: "#8250df", second: "#2e7d32" };
 }
 
 function saved(name, type, text) {

@@ -28,8 +28,8 @@ const WORDS = {
 // The power of the frequency that the force of a drive has.
 const POWERS = { unbalance: 2, base_velocity: 1, base_displacement: 2 };
 const START = {
-  mode: "machine", units: "kN,m", mass: "50 t", stiffness: "1000", friction: "5", damping_ratio: "2 %", static_friction_ratio: "1",
-  force: "12", frequency: "1 Hz", omega: "1.4", alpha: "2.4",
+  mode: "machine", units: "kN,m", mass: "50 t", stiffness: "1000 kN/m", friction: "5 kN", damping_ratio: "2 %", static_friction_ratio: "1",
+  force: "12 kN", frequency: "1 Hz", omega: "1.4", alpha: "2.4",
 };
 // What a field shows when it is first chosen.
 const FIRST = {
@@ -98,9 +98,10 @@ function field(names) {
     head.setAttribute("aria-label", `kind of ${WORDS[roleName(names)]}`);
     for (const own of names) head.append(new Option(WORDS[own], own, own === name, own === name));
     head.onchange = () => {
-      delete state[name];
       chosen[roleName(names)] = head.value;
-      state[head.value] = FIRST[head.value] ?? "";
+      // The same machine, given by another quantity.
+      const same = shown.answer?.kinds?.[head.value];
+      state[head.value] = same ? `${short(same.value)} ${same.unit}`.trim() : FIRST[head.value] ?? "";
       fields();
       $(`in-${roleName(names)}`).focus();
       changed();
@@ -120,9 +121,17 @@ function field(names) {
     slider.value = 0;
     changed();
   };
+  // A slider that is let go begins anew in its middle.
+  slider.onchange = () => {
+    home = state[name];
+    slider.value = 0;
+  };
   slider.oninput = () => {
     const found = parts(home);
-    if (!found) return;
+    if (!found) {
+      slider.value = 0;
+      return;
+    }
     // A number of 0 has no multiple: the slider begins at a size of its own.
     const size = found[0] === 0 ? 0.01 : found[0];
     const least = name.startsWith("static_friction_ratio") ? 1 : 0;
@@ -139,7 +148,10 @@ function field(names) {
       slider.value = from + (move.clientX - x) / 150;
       slider.oninput();
     };
-    head.onpointerup = head.onpointercancel = () => (head.onpointermove = null);
+    head.onpointerup = head.onpointercancel = () => {
+      head.onpointermove = null;
+      slider.onchange();
+    };
   });
   row.append(head, typed, slider);
   return row;
@@ -205,22 +217,29 @@ function hash() {
 function fromHash() {
   const all = new URLSearchParams(location.hash.slice(1));
   if (![...all.keys()].length) return;
-  const mode = all.get("mode") === "ratios" ? "ratios" : "machine";
+  const mode = all.get("mode") === "ratios" || (!all.has("mode") && all.has("omega") && !all.has("mass")) ? "ratios" : "machine";
   state = { mode, units: all.get("units") ?? "" };
   chosen = {};
+  const used = new Set(["mode", "units"]);
   for (const names of ROLES[mode]) {
     const name = names.find((own) => all.has(own));
-    if (name) state[name] = all.get(name);
-    if (name) chosen[roleName(names)] = name;
-    else state[names[0]] = "";
+    if (name) {
+      used.add(name);
+      state[name] = all.get(name);
+      chosen[roleName(names)] = name;
+    } else {
+      state[names[0]] = "";
+    }
   }
+  const unused = [...all.keys()].filter((name) => !used.has(name));
+  $("note").textContent = unused.length ? `Not used from the link: ${unused.map(label).join(", ")}.` : "";
 }
 
 window.addEventListener("hashchange", () => {
   if (location.hash === hash()) return;
   fromHash();
   fields();
-  changed();
+  changed(true);
 });
 $("link").onclick = async () => {
   history.replaceState(null, "", hash());
@@ -289,15 +308,25 @@ let settled = 0;
 let late = 0;
 
 // Asks anew whatever depends on the inputs.
-function changed() {
+function changed(isLink = false) {
+  if (!isLink) $("note").textContent = "";
   if (!live) return;
   const asked = question("answer");
   clearTimeout(late);
-  late = setTimeout(() => ($("verdict").textContent = "Computing …"), 1000);
+  late = setTimeout(() => {
+    $("verdict").textContent = "Computing …";
+    stale(true);
+  }, 1000);
   live.ask("answer", asked, ({ ok, error }) => later("answer", ok && { ...ok, inputs: asked.inputs }, error));
   live.ask("motion", question("motion"), ({ ok }) => later("motion", ok));
-  live.ask("curve", question("curve", { from: 0.1, to: 5, count: 240 }), ({ ok }) => later("curve", ok));
+  live.ask("curve", question("curve", span()), ({ ok }) => later("curve", ok));
   soon();
+}
+
+// The range of the curve, with the present point.
+function span() {
+  const omega = shown.answer?.omega ?? 1;
+  return { from: Math.min(0.1, omega / 1.5), to: Math.max(5, 1.5 * omega), count: 240 };
 }
 
 function soon() {
@@ -312,9 +341,16 @@ function still() {
   if (!shown.answer || asked === still.asked) return;
   still.asked = asked;
   slow.ask("design", question("design"), ({ ok, error }) => showDesign(ok, error));
-  const eta = shown.answer?.static_friction_ratio ?? 1;
-  $("limits-section").hidden = !(eta > 1);
-  if (eta > 1) slow.ask("limits", question("limits", { count: 64 }), ({ ok, error }) => showLimits(ok, error));
+  const isMany = shown.answer.static_friction_ratio > 1;
+  $("limits-section").hidden = !isMany;
+  if (isMany) {
+    $("limits-text").textContent = "Computing …";
+    $("limits").replaceChildren();
+    slow.ask("limits", question("limits", { count: 64 }), ({ ok, error }) => {
+      // The inputs may have changed meanwhile.
+      if (still.asked === asked) showLimits(ok, error);
+    });
+  }
   if (record) askRecord();
   askMap(96, 64);
 }
@@ -328,6 +364,11 @@ function later(kind, ok, error) {
   if (!frame) frame = requestAnimationFrame(draw);
 }
 
+// Dims what belongs to other inputs than those of now.
+function stale(on) {
+  for (const section of document.querySelectorAll("main > section")) section.classList.toggle("stale", on && !section.contains($("error")) && !section.contains($("drop")));
+}
+
 function draw() {
   frame = 0;
   const all = [...drawn];
@@ -335,13 +376,27 @@ function draw() {
   for (const [kind, [ok, error]] of all) {
     if (kind === "answer") {
       clearTimeout(late);
-      $("error").textContent = error === undefined ? "" : error;
-      for (const section of document.querySelectorAll("main > section")) section.classList.toggle("stale", error !== undefined && !section.contains($("error")) && !section.contains($("drop")));
+      const failed = error !== undefined;
+      $("error").textContent = failed ? error : "";
+      document.body.classList.toggle("failed", failed);
+      for (const button of document.querySelectorAll("#values-csv, .files button")) button.disabled = failed;
+      for (const typed of document.querySelectorAll("[data-input]")) {
+        const isNamed = failed && error.includes(label(typed.dataset.input)) && error.startsWith(label(typed.dataset.input).slice(0, 4));
+        if (isNamed) typed.setAttribute("aria-invalid", "true");
+        else typed.removeAttribute("aria-invalid");
+      }
+      stale(failed);
+      if (failed) {
+        $("key").replaceChildren();
+        $("all").replaceChildren();
+        $("verdict").textContent = "";
+        $("notes").textContent = "";
+        $("limits-section").hidden = true;
+        shown.answer = undefined;
+        still.asked = "";
+      }
     }
-    if (ok === undefined) {
-      if (kind === "answer") $("verdict").textContent = "";
-      continue;
-    }
+    if (ok === undefined) continue;
     shown[kind] = ok;
     // The slow questions depend on the answer, which may be late.
     if (kind === "answer") soon();
@@ -352,8 +407,10 @@ function draw() {
 // ---- the answer
 
 const KEY = [
-  "max_displacement", "max_velocity", "max_acceleration", "transmitted_force", "transmissibility", "max_absolute_displacement",
-  "sticks_per_cycle", "stick_fraction", "energy_out", "damper_work",
+  ["max_velocity", "greatest velocity"], ["max_acceleration", "greatest acceleration"], ["transmitted_force", "transmitted force"],
+  ["transmissibility", "transmissibility"], ["max_absolute_displacement", "greatest absolute displacement"],
+  ["sticks_per_cycle", "stops in a cycle"], ["stick_fraction", "part of the time at rest"],
+  ["energy_out", "work against friction in a cycle"], ["damper_work", "work against the damper"],
 ];
 
 const valueText = ({ value, unit, physical }) => {
@@ -371,23 +428,51 @@ function entry(list, name, text) {
   list.append(term, value);
 }
 
+// What the motion from rest adds to the verdict, without the kind of motion that the verdict states.
+function after(first, second, isMany) {
+  const rest = second.replace(/^(Stuck|Sticking|Non-sticking|Unbounded|Irregular|Undecided): /, "");
+  if (!isMany && (first.includes(rest) || (/never stops/.test(first) && /never stops/.test(second)))) return "";
+  const isSame = isMany || first.split(":")[0] === second.split(":")[0];
+  if (!isSame) return second;
+  return isMany ? `From rest: ${rest.charAt(0).toLowerCase()}${rest.slice(1)}` : rest.charAt(0).toUpperCase() + rest.slice(1);
+}
+
+// The greatest displacement of the steady motion in either direction, as the curve has it.
+function greatest(answer) {
+  const [most, least] = ["max_displacement", "min_displacement"].map((name) => answer?.steady.values?.find((row) => row.name === name));
+  const size = (row) => (row ? Math.abs(row.physical ? row.physical.value : row.value) : NaN);
+  return most && most.value !== null ? Math.max(size(most), size(least)) : null;
+}
+
 function showAnswer(answer) {
   if (JSON.stringify(answer.inputs) === JSON.stringify(inputs())) aim = null;
-  const steady = answer.steady;
-  // The closed forms say why, the motion says how often; where both say the same, once is enough.
-  const more = steady.error === undefined ? steady.verdict : steady.error;
-  $("verdict").textContent = answer.verdict.startsWith(more) ? answer.verdict : `${answer.verdict} ${more}`;
+  const { steady } = answer;
+  const isMany = answer.static_friction_ratio > 1;
+  // The closed forms say why, the motion says how often.
+  const more = steady.error === undefined ? after(answer.verdict, steady.verdict, isMany) : steady.error;
+  $("verdict").textContent = `${answer.verdict} ${more}`.trim();
+  $("notes").textContent = [...answer.notes, steady.origin && steady.origin !== "One periodic motion, from every start." ? steady.origin : ""].join(" ").trim();
   const list = $("key");
   list.replaceChildren();
   entry(list, "Ω, α", `${digits(answer.omega)}, ${digits(answer.alpha)}`);
   const rows = steady.values || answer.values;
-  for (const name of KEY) {
-    const row = rows.find((own) => own.name === name);
-    if (row && row.value !== null) entry(list, label(name), valueText(row).filter(Boolean).join(" = "));
+  const row = (name) => rows.find((own) => own.name === name);
+  const [most, least] = [row("max_displacement"), row("min_displacement")];
+  if (most && most.value !== null) {
+    if (!least || most.value === -least.value) entry(list, "greatest displacement", valueText(most).filter(Boolean).join(" = "));
+    else for (const [name, own] of [["displacement from", least], ["to", most]]) entry(list, name, valueText(own).filter(Boolean).join(" = "));
   }
-  const least = answer.values.find((row) => row.name === "min_force_ratio");
+  for (const [name, words] of KEY) {
+    const own = row(name);
+    // Only a moving base gives the body a displacement in space of its own.
+    if (name === "max_absolute_displacement" && !(state.mode === "machine" && inRole(ROLES.machine[5]).startsWith("base_"))) continue;
+    if (own && own.value !== null) entry(list, words, valueText(own).filter(Boolean).join(" = "));
+  }
+  const border = answer.values.find((own) => own.name === "min_force_ratio");
   // With a higher static friction the border is that of a cycle, which not every start reaches.
-  entry(list, answer.static_friction_ratio > 1 ? "cycle without a stop from" : "least force without sticking", `${valueText(least).filter(Boolean).join(" = ")} r_y`);
+  const name = answer.six_reversals ? "two-reversal border" : isMany ? "cycle without a stop from" : "least force without sticking";
+  entry(list, name, `${valueText(border).filter(Boolean).join(" = ")} r_y`);
+  if (answer.six_reversals) entry(list, "six reversals, no stop", `${answer.six_reversals.map(digits).join(" to ")} r_y`);
   if ($("all").parentElement.open) showAll();
   putKnob();
 }
@@ -422,7 +507,9 @@ $("all").parentElement.ontoggle = showAll;
 $("values-csv").onclick = () => {
   const answer = shown.answer;
   if (!answer) return;
-  const rows = [...(answer.machine || []).map((row) => ["machine", row.name, row.value, row.unit])];
+  const rows = Object.entries(answer.inputs).map(([name, text]) => ["input", name, text, ""]);
+  for (const name of ["omega", "alpha", "damping_ratio", "static_friction_ratio"]) rows.push(["ratios", name, answer[name], "1"]);
+  rows.push(...(answer.machine || []).map((row) => ["machine", row.name, row.value, row.unit]));
   for (const [part, values] of [["response", answer.values], ["steady", answer.steady.values || []]]) {
     for (const row of values) {
       rows.push([part, row.name, row.value, row.unit]);
@@ -453,7 +540,7 @@ const FILES = {
   motion: [["displacement", "velocity", "friction", "loop"], () => Object.fromEntries(["time", "displacement", "velocity", "friction"].map((name) => [`${name}[${shown.motion.units[name]}]`, shown.motion[name]]))],
   map: [["map"], () => {
     const { omegas, alphas, stops } = shown.mapGrid;
-    return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((alpha) => omegas.map(() => alpha)), sticks_per_cycle: stops.map((n) => (n < 0 ? "" : n)) };
+    return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((alpha) => omegas.map(() => alpha)), sticks_per_cycle: stops.map((n) => (n === -1 ? "rest" : n === -2 ? "irregular" : n)) };
   }],
   record: [["load", "shaken", "spectrum"], () => ({ "time[s]": shown.record.time, [`displacement[${shown.record.units.displacement}]`]: shown.record.displacement, [`velocity[${shown.record.units.velocity}]`]: shown.record.velocity })],
 };
@@ -472,16 +559,15 @@ function showCurve(curve) {
   const { frequency, displacement, border } = curve;
   const isMachine = state.mode === "machine";
   const here = shown.answer;
-  const value = here?.steady.values?.find((row) => row.name === "max_displacement");
   const at = here ? here.omega * curve.natural : NaN;
-  const height = value ? (value.physical ? value.physical.value : value.value) : null;
+  const height = greatest(here);
   const finite = displacement.filter((x) => x > 0);
   const top = Math.max(...finite, height || 0) * 2.4;
   const least = Math.min(...finite, height > 0 ? height : Infinity) / 1.4;
   const low = Math.max(least, top * 1e-4);
   chart.begin({
     x: [frequency[0], frequency.at(-1)], y: finite.length ? [low, top] : [0.1, 1], xlog: true, ylog: true,
-    xlabel: isMachine ? "frequency (Hz)" : "frequency ratio Ω", ylabel: `maximum displacement (${curve.unit})`,
+    xlabel: isMachine ? "frequency (Hz)" : "frequency ratio Ω", ylabel: `greatest displacement (${curve.unit})`, legend: true,
   });
   const ink = chart.ink;
   chart.line(frequency, border, ink.border, { width: 1.3, dash: "6 4" });
@@ -490,6 +576,8 @@ function showCurve(curve) {
   const part = (of) => (i) => of(i) || (i > 0 && of(i - 1));
   chart.line(frequency, displacement, ink.stick, { width: 4, shown: part(sticks) });
   chart.line(frequency, displacement, ink.slide, { shown: part((i) => !sticks(i)) });
+  const first = curve.regime.indexOf("unbounded");
+  if (first >= 0) chart.add("text", { x: chart.x(frequency[first]).toFixed(1), y: chart.box.top + 14, "text-anchor": "middle", "font-size": 13, fill: ink.slide }, "∞");
   chart.legend([["slides", ink.slide], ["stops", ink.stick], ["border", ink.border, "6 4"]]);
   if (height !== null && at >= frequency[0] && at <= frequency.at(-1)) chart.dot(at, height, ink.here, 6);
 }
@@ -498,7 +586,8 @@ let motion = null;
 
 function showMotion(found) {
   motion = found;
-  const { time, units } = found;
+  const { time, units, turns, steady } = found;
+  $("motion-title").textContent = !steady ? `The first ${turns} turns of the drive` : turns === 1 ? "One cycle of the motion" : `One cycle of the motion, ${turns} turns of the drive`;
   const rows = [["displacement", "displacement"], ["velocity", "velocity"], ["friction", "friction force"]];
   for (const [name, words] of rows) {
     const chart = charts[name];
@@ -581,7 +670,7 @@ let dragged = null;
 function mapRange() {
   const answer = shown.answer || { omega: 1, alpha: 2 };
   if (dragged) return dragged;
-  return { omega: Math.max(2, 1.2 * Math.min(answer.omega, 50)), alpha: Math.max(6, 1.2 * Math.min(answer.alpha, 1e4)) };
+  return { omega: Math.max(2, 1.2 * answer.omega), alpha: Math.max(6, 1.2 * answer.alpha, 3 * (answer.static_friction_ratio || 1)) };
 }
 
 function askMap(columns, rows) {
@@ -595,9 +684,11 @@ function askMap(columns, rows) {
   mapOf = key;
   const places = (n, high) => Array.from({ length: n }, (_, i) => ((i + 0.5) / n) * high);
   const [omegas, alphas] = [places(columns, omega), places(rows, alpha)];
-  slow.ask("map", { ask: "map", omegas, alphas, damping_ratio: zeta, static_friction_ratio: eta }, ({ ok }) => {
+  // The border has poles, and needs more points than the colours.
+  const border = places(1000, omega);
+  slow.ask("map", { ask: "map", omegas, alphas, border, damping_ratio: zeta, static_friction_ratio: eta }, ({ ok }) => {
     if (ok) {
-      shown.mapGrid = { omegas, alphas, omega, alpha, ...ok };
+      shown.mapGrid = { omegas, alphas, omega, alpha, places: border, ...ok };
       later("map", ok);
     }
   });
@@ -607,7 +698,7 @@ function askMap(columns, rows) {
 function shade(stops) {
   const ink = palette();
   if (stops === -1) return ink.stuck;
-  if (stops === -2) return "none";
+  if (stops === -2) return ink.odd;
   if (stops === 0) return ink.slide;
   const light = Math.max(26, 74 - 8 * Math.ceil(stops / 2));
   return `hsl(30 85% ${light}%)`;
@@ -617,7 +708,7 @@ function showMap() {
   const grid = shown.mapGrid;
   const chart = charts.map;
   const focused = document.activeElement?.classList.contains("here");
-  chart.begin({ x: [0, grid.omega], y: [0, grid.alpha], xlabel: "frequency ratio Ω", ylabel: "force ratio α" });
+  chart.begin({ x: [0, grid.omega], y: [0, grid.alpha], xlabel: "frequency ratio Ω", ylabel: "force ratio α", legend: true });
   const { omegas, alphas, stops } = grid;
   const [w, h] = [grid.omega / omegas.length, grid.alpha / alphas.length];
   const areas = new Map();
@@ -633,10 +724,12 @@ function showMap() {
     }
   }
   for (const [n, d] of areas) chart.add("path", { d, fill: shade(n), stroke: "none" });
-  chart.line(omegas, grid.border, chart.ink.paper, { width: 4 });
-  chart.line(omegas, grid.border, chart.ink.border, { width: 1.6 });
+  chart.line(grid.places, grid.border, chart.ink.paper, { width: 4 });
+  chart.line(grid.places, grid.border, chart.ink.border, { width: 1.6 });
   const counts = [...areas.keys()].filter((n) => n > 0).sort((a, b) => a - b);
-  const rows = [["no stop", chart.ink.slide], ["rest", chart.ink.stuck], ...counts.slice(0, 4).map((n) => [`${n} stop${n === 1 ? "" : "s"}`, shade(n)])];
+  const named = counts.length > 3 ? [counts[0], counts[1], counts.at(-1)] : counts;
+  const rows = [["no stop", chart.ink.slide], ["rest", chart.ink.stuck], ...named.map((n) => [`${n} stop${n === 1 ? "" : "s"}`, shade(n)])];
+  if (areas.has(-2)) rows.push(["irregular", chart.ink.odd]);
   chart.legend(rows);
   const knob = chart.add("g", { class: "here", tabindex: 0, role: "slider", "aria-label": "Point on the map: the arrow keys change Ω and α", "aria-valuemin": 0, "aria-valuemax": grid.omega });
   knob.append(node("circle", { r: 11, fill: "transparent" }), node("circle", { r: 6.5, fill: chart.ink.here, stroke: chart.ink.paper, "stroke-width": 2 }));
@@ -686,14 +779,15 @@ charts.map.svg.addEventListener("pointerdown", (event) => {
 
 // Each sentence with the answers that it has.
 const SENTENCES = [
-  [["force", "unbalance", "foot_displacement", "base_displacement"], "The body never sticks at a force of {} or more: an unbalance of {}, a motion of {} of the spring's foot, or of {} of a base that carries the surface."],
+  [["six_reversals_from", "six_reversals_to", "two_reversals_from"], "The body does not stop at a force of {} to {}, where it reverses six times a cycle, and of {} or more."],
+  [["force", "unbalance", "foot_displacement", "base_displacement"], "WHO at a force of {} or more: an unbalance of {}, a motion of {} of the spring's foot, or of {} of a base that carries the surface."],
   [["cycle_force", "release_force"], "A cycle without a stop exists at a force of {} or more; a body at rest is released above {}."],
   [["every_start_force"], "Every start slides without a stop in the long run above {}; this bound suffices and is not the least."],
   [["cycle_friction"], "Under this drive a cycle without a stop exists with a friction of {} or less."],
-  [["friction"], "Under this drive it never sticks with a friction of {} or less."],
+  [["friction"], "WHO under this drive with a friction of {} or less."],
   [["best_friction", "energy"], "Among motions without a stop, dissipation is greatest with a friction of {}: {} a cycle."],
-  [["force_ratio"], "The body never sticks at a force of {} or more."],
-  [["friction_to_force"], "It never sticks with a friction of {} or less."],
+  [["force_ratio"], "WHO at a force of {} or more."],
+  [["friction_to_force"], "WHO with a friction of {} or less."],
   [["best_force_ratio"], "Among motions without a stop, dissipation is greatest at a force of {}."],
 ];
 
@@ -701,12 +795,14 @@ function showDesign(rows, error) {
   const list = $("design");
   list.replaceChildren();
   if (error !== undefined) return;
+  // With six reversals the least force of the cycle of two is not that of the body.
+  const who = rows.some((row) => row.name === "six_reversals_from") ? "The cycle of two reversals does not stick" : "The body never sticks";
   for (const [names, sentence] of SENTENCES) {
     const found = names.map((name) => rows.find((row) => row.name === name));
     if (!found.every(Boolean)) continue;
     const item = document.createElement("li");
     const failed = found.find((row) => row.error !== undefined);
-    item.textContent = failed ? failed.error : found.reduce((text, row) => text.replace("{}", `${digits(row.value)} ${row.unit}`), sentence);
+    item.textContent = failed ? `No answer: ${failed.error}.` : found.reduce((text, row) => text.replace("{}", `${digits(row.value)} ${row.unit}`), sentence.replace("WHO", who));
     if (item.textContent !== list.lastChild?.textContent) list.append(item);
   }
 }
@@ -717,9 +813,11 @@ function showLimits(found, error) {
   $("limits-text").textContent = error !== undefined ? error : `${found.limits.length} ${found.limits.length === 1 ? "limit" : "limits"} from ${found.starts} starts with |x| ≤ ${digits(found.reach)} B and |v| ≤ ${digits(found.reach)} B ω_d${found.unsettled ? `; ${found.unsettled} had not settled` : ""}.`;
   for (const row of found?.limits || []) {
     const item = document.createElement("li");
-    const extrema = row.extrema ? ` Displacement from ${digits(row.extrema[0])} to ${digits(row.extrema[1])} ${found.unit}.` : "";
-    const rest = row.range ? ` Positions of rest from ${digits(row.range[0])} to ${digits(row.range[1])} ${found.unit}.` : "";
-    item.textContent = `${digits(Math.round(row.share * 1e4) / 100)} % of the starts. ${row.verdict}${row.rest ? rest : extrema}${row.mirror === null ? "" : ` The mirror image of ${row.mirror + 1}.`}`;
+    const unit = found.unit;
+    const range = row.range ? ` ${row.is_family ? "Mean positions" : "Positions"} from ${digits(row.range[0])} to ${digits(row.range[1])} ${unit}.` : "";
+    const extrema = row.extrema && !row.range ? ` Displacement from ${digits(row.extrema[0])} to ${digits(row.extrema[1])} ${unit}.` : "";
+    const stops = row.stops ? ` ${row.stops} ${row.stops === 1 ? "stop" : "stops"} in a cycle.` : "";
+    item.textContent = `${digits(Math.round(row.share * 1e4) / 100)} % of the starts: ${row.description}.${stops}${extrema}${range}`;
     list.append(item);
   }
 }
@@ -735,9 +833,14 @@ async function take(file) {
 }
 
 function askRecord() {
+  if (state.mode !== "machine") {
+    $("record-error").textContent = "A record needs a machine in units, with its mass.";
+    $("record-shown").hidden = true;
+    return;
+  }
   const more = { text: record.text, name: record.name, time_step: $("step").value };
   slow.ask("record", question("record", more), ({ ok, error }) => {
-    $("record-error").textContent = error === undefined ? (ok.unused.length ? `Columns not used: ${ok.unused.join(", ")}.` : "") : error;
+    $("record-error").textContent = error === undefined ? (ok.unused.length ? `Columns not used: ${ok.unused.join(", ")}.` : "") : error.replace("by --time-step", "in the field Time step").replace("time_step", "time step");
     $("record-shown").hidden = error !== undefined;
     if (ok) {
       shown.record = ok;
@@ -746,7 +849,10 @@ function askRecord() {
   });
   const periods = Array.from({ length: 60 }, (_, i) => 0.05 * 100 ** (i / 59));
   slow.ask("spectrum", question("spectrum", { ...more, periods }), ({ ok }) => {
-    if (ok) showSpectrum(ok);
+    if (ok) {
+      shown.spectrum = ok;
+      showSpectrum(ok);
+    }
   });
 }
 
@@ -760,6 +866,11 @@ function showRecord(found) {
   shaken.cursor = shaken.add("circle", { r: 5, fill: shaken.ink.here, cx: -20, cy: -20 });
   const list = $("record-values");
   list.replaceChildren();
+  const value = (name) => found.values.find((row) => row.name === name).value;
+  const [slides, rest] = [value("slides"), value("residual_displacement")];
+  const times = slides === 1 ? "once" : `${slides} times`;
+  $("record-verdict").textContent = slides === 0 ? "The body rests throughout."
+    : `The body slides ${times}, and ${rest === null ? "does not come to rest" : `comes to rest at ${digits(rest)} ${found.units.displacement}`}.`;
   for (const { name, value, unit } of found.values) entry(list, label(name), `${digits(value)} ${value === null ? "" : unit}`);
 }
 
@@ -819,6 +930,11 @@ function theme(name) {
   document.documentElement.dataset.theme = name;
   $("theme").textContent = name === "dark" ? "Light" : "Dark";
   $("theme").setAttribute("aria-pressed", String(name === "dark"));
+  try {
+    localStorage.setItem("theme", name);
+  } catch {
+    // A page from a file may have no storage.
+  }
   redraw();
 }
 
@@ -826,6 +942,7 @@ function redraw() {
   for (const kind of ["answer", "motion", "curve"]) if (shown[kind]) later(kind, shown[kind]);
   if (shown.mapGrid) later("map", shown.map);
   if (shown.record) showRecord(shown.record);
+  if (shown.spectrum) showSpectrum(shown.spectrum);
 }
 
 $("theme").onclick = () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
@@ -838,7 +955,13 @@ addEventListener("resize", () => {
 async function begin() {
   fromHash();
   fields();
-  theme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+  let kept = null;
+  try {
+    kept = localStorage.getItem("theme");
+  } catch {
+    // As above.
+  }
+  theme(kept || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
   try {
     const module = await WebAssembly.compile(await unpacked($("wasm").textContent.trim()));
     live = new Asker(module);
@@ -847,7 +970,7 @@ async function begin() {
     $("error").textContent = `This browser cannot run the page: ${error.message}`;
     return;
   }
-  changed();
+  changed(true);
   if (playing) requestAnimationFrame(animate);
   else play(false);
 }

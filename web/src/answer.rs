@@ -3,10 +3,10 @@
 use crate::asked::{Asked, Point, point};
 use serde_json::{Map, Value, json};
 use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Role};
+use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::{LongRun, State, SteadyAnswer};
 use stickslip::words::{self, digits};
-use stickslip::{Column, Definition, Measure, Response, ResponseAnswer, When};
+use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAnswer, When};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
@@ -23,6 +23,7 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
             let answer = SteadyAnswer::new(point.ratios, excitation, limit, true).map_err(named)?;
             json!({
                 "verdict": words::limit(point.ratios, limit, |x| length(x, &point, &given.system)),
+                "origin": words::origin(point.ratios, limit),
                 "values": values.of(&answer, SteadyAnswer::COLUMNS),
             })
         }
@@ -37,6 +38,9 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         "verdict": words::verdict(&response),
         "values": values.of(&found, ResponseAnswer::COLUMNS),
         "steady": steady,
+        "notes": notes(&given, &point),
+        "kinds": kinds(&point, &given.system),
+        "six_reversals": NoStop::of(&point.ratios).six_reversals.map(|(low, high)| [low, high]),
         "machine": machine(&point, &given.system),
     }))
 }
@@ -49,6 +53,49 @@ pub(crate) fn length(x: f64, point: &Point, system: &System) -> String {
         }
         None => format!("{} B", digits(x)),
     }
+}
+
+/// The meaning of the displacement: of a moving base, and of a shifted motion.
+fn notes(given: &Given<f64>, point: &Point) -> Vec<String> {
+    let Some(machine) = &point.machine else { return Vec::new() };
+    let base = words::base_motion(machine.drive.excitation()).map(|base| format!("Base motion {base}."));
+    let is_shifted = given.has(Input::MeanForce) || given.has(Input::FrictionBackward);
+    let mean = digits(machine.scales.mean_displacement);
+    let shifted = is_shifted.then(|| {
+        format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())
+    });
+    base.into_iter().chain(shifted).collect()
+}
+
+/// The value of each kind of input that the machine could be given by instead.
+fn kinds(point: &Point, system: &System) -> Value {
+    let Some(machine) = &point.machine else { return Value::Null };
+    let (body, drive) = (&machine.oscillator, &machine.drive);
+    let weight = body.mass() * system.gravity::<f64>();
+    let turn = 2.0 * std::f64::consts::PI;
+    let mut all = vec![
+        (Input::Stiffness, body.stiffness()),
+        (Input::Period, turn / body.natural_frequency()),
+        (Input::PendulumRadius, weight / body.stiffness()),
+        (Input::Friction, body.friction_bound()),
+        (Input::FrictionCoefficient, body.friction_bound() / weight),
+        (Input::DampingRatio, point.ratios.damping_ratio()),
+        (Input::Damping, body.damping()),
+        (Input::StaticFrictionRatio, point.ratios.static_friction_ratio()),
+        (Input::StaticFriction, point.ratios.static_friction_ratio() * body.friction_bound()),
+    ];
+    for input in Input::ALL.into_iter().filter(|input| *input != Input::Eccentricity) {
+        let unit =
+            input.excitation().map(|excitation| Drive::new(excitation, 1.0, drive.angular_frequency()));
+        if let Some(Ok(unit)) = unit {
+            all.push((input, drive.force_amplitude(body) / unit.force_amplitude(body)));
+        }
+    }
+    let rows = all.into_iter().map(|(input, value)| {
+        let unit = if input.kind() == Kind::Ratio { String::new() } else { system.name(input.kind()) };
+        (input.column(), json!({ "value": value, "unit": unit }))
+    });
+    Value::Object(rows.collect())
 }
 
 /// The quantities of a machine that follow from its inputs.

@@ -22,7 +22,9 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let step = (to / from).ln() / (count - 1) as f64;
     let mut omegas: Vec<f64> = (0..count).map(|i| from * (step * i as f64).exp()).collect();
     // The resonance is narrower than the step.
-    let beside = [0.0, 1e-4, 3e-4, 1e-3, 2e-3, 4e-3, 7e-3].into_iter().flat_map(|off| [1.0 - off, 1.0 + off]);
+    let beside = [0.0, 1e-5, 3e-5, 1e-4, 2e-4, 4e-4, 7e-4, 1e-3, 1.5e-3, 2e-3, 3e-3, 4e-3, 5e-3, 7e-3, 0.01]
+        .into_iter()
+        .flat_map(|off| [1.0 - off, 1.0 + off]);
     omegas.extend(beside.chain([here.ratios.omega()]).filter(|omega| (from..to).contains(omega)));
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();

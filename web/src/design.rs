@@ -3,6 +3,7 @@
 use crate::asked::{Asked, point};
 use serde_json::{Value, json};
 use stickslip::design;
+use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
 use stickslip::{Border, Error, Excitation, NoStop};
 
@@ -27,6 +28,13 @@ pub(crate) fn design(asked: &Asked<'_>) -> Result<Value, String> {
         None => ("r_y".to_owned(), 1.0),
     };
     let mut rows = Vec::new();
+    if let (Some((low, high)), false) =
+        (NoStop::of(ratios).six_reversals, ratios.has_higher_static_friction())
+    {
+        rows.push(row("six_reversals_from", Ok(low * size), &force));
+        rows.push(row("six_reversals_to", Ok(high * size), &force));
+        rows.push(row("two_reversals_from", Ok(least * size), &force));
+    }
     if ratios.has_higher_static_friction() {
         rows.push(row("cycle_force", Ok(least * size), &force));
         rows.push(row("release_force", Ok(ratios.static_friction_ratio() * size), &force));
@@ -48,17 +56,22 @@ pub(crate) fn design(asked: &Asked<'_>) -> Result<Value, String> {
     let (body, drive) = (&machine.oscillator, &machine.drive);
     let most = design::max_friction(body, drive);
     if ratios.has_higher_static_friction() {
-        rows.push(row("cycle_friction", most, &force));
+        // A static friction that is given as a force has another ratio with another friction.
+        if !given.has(Input::StaticFriction) {
+            rows.push(row("cycle_friction", most, &force));
+        }
         return Ok(Value::Array(rows));
     }
     let length = given.system.name(Kind::Length);
     let unbalance = given.system.name(Kind::Unbalance);
     let least = |excitation| design::min_amplitude(body, excitation, drive.angular_frequency());
     let best = design::most_dissipating_friction(body, drive);
+    let is_damped_foot = drive.excitation() == Excitation::DampedFootMotion;
+    let foot = if is_damped_foot { Excitation::DampedFootMotion } else { Excitation::FootMotion };
     rows.extend([
         row("force", least(Excitation::Force), &force),
         row("unbalance", least(Excitation::Unbalance), &unbalance),
-        row("foot_displacement", least(Excitation::FootMotion), &length),
+        row("foot_displacement", least(foot), &length),
         row("base_displacement", least(Excitation::SurfaceMotion), &length),
         row("friction", most, &force),
         row("best_friction", best.as_ref().map(|best| best.at).map_err(Clone::clone), &force),

@@ -6,7 +6,7 @@ use stickslip::motion::{LongRun, State};
 use stickslip::{Border, Error, Ratios, observed};
 
 /// The regime and the stops in a cycle at every pair of `omegas` and `alphas`, row by row of α, for the motion from rest;
-/// −1 where there is no cycle, −2 where the stops cannot be counted; and the border over `omegas`.
+/// −1 where there is no cycle, −2 where the stops cannot be counted; and the border over the list `border` of frequency ratios.
 pub(crate) fn map(asked: &Asked<'_>) -> Result<Value, String> {
     let (omegas, alphas) = (asked.numbers("omegas"), asked.numbers("alphas"));
     let (zeta, eta) = (asked.number("damping_ratio", 0.0), asked.number("static_friction_ratio", 1.0));
@@ -27,7 +27,8 @@ pub(crate) fn map(asked: &Asked<'_>) -> Result<Value, String> {
             all.push(stops(omega, alpha).map_err(|e| e.to_string())?);
         }
     }
-    let border = omegas.iter().map(|&omega| Ok(Border::of(&ratios(omega, 1.0)?).min_force_ratio));
+    let border = asked.numbers("border").into_iter();
+    let border = border.map(|omega| Ok(Border::of(&ratios(omega, 1.0)?).min_force_ratio));
     let border: Vec<f64> = border.collect::<Result<_, Error>>().map_err(|e| e.to_string())?;
     Ok(json!({ "stops": all, "border": border }))
 }

@@ -48,6 +48,16 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
     let body = Body::given(&given, None)?;
     let named = |e: stickslip::Error| format!("{}: {e}", asked.text("name").unwrap_or("record"));
     let answer = body.follow_from(&record, 0.0, 0.0).map_err(named)?;
+    for (name, _, entry) in answer.entries() {
+        if let Entry::Value(Some(value)) = entry
+            && !value.is_finite()
+        {
+            return Err(format!(
+                "{}: {name} = {value} must be finite",
+                asked.text("name").unwrap_or("record")
+            ));
+        }
+    }
     let interval = (record.end() - record.time(0)) / DRAWN;
     let motion = body.motion(&record, 0.0, 0.0, interval).map_err(named)?;
     let column = |of: fn(&stickslip::motion::record::RecordState<f64>) -> f64| -> Vec<f64> {

@@ -138,7 +138,7 @@ test("curves, maps and limits are those of the command", () => {
       points += 1;
     });
     const [omegas, alphas] = [[0.1, 0.25, 0.4, 0.7, 1, 1.9], [0.5, 1.2, 2.5, 4.5]];
-    const map = ask({ ask: "map", omegas, alphas, damping_ratio: zeta });
+    const map = ask({ ask: "map", omegas, alphas, border: omegas, damping_ratio: zeta });
     rows(run("map", "stops", "--omega", omegas.join(","), "--alpha", alphas.join(","), "--damping-ratio", String(zeta))).forEach(([omega, height, stops], i) => {
       assert.deepEqual([omegas[i % 6], alphas[Math.floor(i / 6)]], [Number(omega), Number(height)]);
       assert.equal(map.stops[i] < 0 ? "" : String(map.stops[i]), stops, `${omega} ${height} ${zeta}`);
@@ -148,7 +148,7 @@ test("curves, maps and limits are those of the command", () => {
     });
   }
   assert.ok(points > 250, String(points));
-  for (const [omega, alpha, zeta, eta] of [[0.5, 4, 0.02, 1.3], [0.3, 1.2, 0, 1.5], [2, 3, 0.1, 1.8], [1.2, 8, 0.01, 2]]) {
+  for (const [omega, alpha, zeta, eta] of [[0.5, 4, 0.02, 1.3], [0.5, 4, 0, 5], [0.3, 1.2, 0, 1.5], [2, 3, 0.1, 1.8], [1.2, 8, 0.01, 2]]) {
     const inputs = { omega: String(omega), alpha: String(alpha), damping_ratio: String(zeta), static_friction_ratio: String(eta) };
     const options = Object.entries(inputs).flatMap(([name, value]) => [`--${name.replaceAll("_", "-")}`, value]);
     const due = JSON.parse(run("attractors", ...options, "--starts", "64", "--format", "json"));

@@ -85,7 +85,7 @@ test("units and kinds of input are switched", async () => {
   await page.waitForFunction(() => document.getElementById("key").textContent.includes("9.527638 mm"));
   await page.selectOption("select[aria-label='kind of force p₀']", "base_acceleration");
   await page.fill("#in-force", "0.03 g");
-  await page.waitForFunction(() => document.getElementById("key").textContent.includes("max absolute displacement"));
+  await page.waitForFunction(() => document.getElementById("key").textContent.includes("greatest absolute displacement"));
   await page.selectOption("select[aria-label='kind of stiffness k']", "period");
   await page.fill("#in-stiffness", "1.4 s");
   await answered(page, "Non-sticking");
@@ -146,17 +146,18 @@ test("the point of the map is dragged, and moved by the keyboard", async () => {
   const page = await opened();
   const knob = page.locator("#map .here");
   await knob.waitFor();
+  await page.locator("#map svg").scrollIntoViewIfNeeded();
   const box = await page.locator("#map svg").boundingBox();
   await page.mouse.move(box.x + box.width * 0.7, box.y + box.height * 0.5);
   await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.35, box.y + box.height * 0.55, { steps: 12 });
+  await page.mouse.move(box.x + box.width * 0.35, box.y + box.height * 0.7, { steps: 12 });
   await page.mouse.up();
   await answered(page, "Sticking");
   const at = await knob.getAttribute("aria-valuetext");
   // It lies where it was dropped, and the fields have its frequency.
   const dropped = await knob.locator("circle").first().boundingBox();
   assert.ok(Math.abs(dropped.x + dropped.width / 2 - box.x - box.width * 0.35) < 3, JSON.stringify(dropped));
-  assert.ok(Math.abs(dropped.y + dropped.height / 2 - box.y - box.height * 0.55) < 3, JSON.stringify(dropped));
+  assert.ok(Math.abs(dropped.y + dropped.height / 2 - box.y - box.height * 0.7) < 3, JSON.stringify(dropped));
   await knob.focus();
   for (let i = 0; i < 20; i++) await page.keyboard.press("Shift+ArrowRight");
   await answered(page, "Non-sticking");
@@ -218,9 +219,49 @@ test("answers and pictures are downloaded", async () => {
   assert.equal(map.trim().split("\n").length, 96 * 64 + 1);
   const [file, svg] = await saved("[aria-label='curve as SVG']");
   assert.equal(file, "stickslip-curve.svg");
-  assert.match(svg, /^<\?xml[^]*<svg[^]*maximum displacement \(m\)[^]*<\/svg>/);
+  assert.match(svg, /^<\?xml[^]*<svg[^]*greatest displacement \(m\)[^]*<\/svg>/);
   const valid = await page.evaluate((svg) => new DOMParser().parseFromString(svg, "image/svg+xml").querySelector("parsererror") === null, svg);
   assert.ok(valid);
+  await closed(page);
+});
+
+test("a wrong input leaves no number and no download of another machine", async () => {
+  const page = await opened();
+  await page.fill("#in-mass", "-3 t");
+  await page.waitForFunction(() => document.getElementById("error").textContent !== "");
+  assert.equal(await page.textContent("#key"), "");
+  assert.equal(await page.getAttribute("#in-mass", "aria-invalid"), "true");
+  assert.ok(await page.isDisabled("#values-csv"));
+  assert.ok(await page.isDisabled("[aria-label='curve as SVG']"));
+  await page.fill("#in-mass", "50 t");
+  await answered(page, "Non-sticking");
+  assert.ok(await page.isEnabled("#values-csv"));
+  await closed(page);
+});
+
+test("the kind of an input is changed for the same machine", async () => {
+  const page = await opened();
+  for (const [role, kind, field] of [["stiffness k", "period", "stiffness"], ["friction r_y", "friction_coefficient", "friction"], ["damping ratio ζ", "damping", "damping_ratio"], ["force p₀", "base_displacement", "force"]]) {
+    const before = await page.inputValue(`#in-${field}`);
+    await page.selectOption(`select[aria-label='kind of ${role}']`, kind);
+    await page.waitForFunction(([field, before]) => document.getElementById(`in-${field}`).value !== before, [field, before]);
+    await page.waitForTimeout(300);
+  }
+  // Four digits of each are kept.
+  const [omega, alpha] = (await page.textContent("#key dd")).split(", ").map(Number);
+  assert.ok(Math.abs(omega / 1.404963 - 1) < 2e-3 && Math.abs(alpha / 2.4 - 1) < 2e-3, `${omega} ${alpha}`);
+  await closed(page);
+});
+
+test("what is not the whole answer is said", async () => {
+  const page = await opened("#mode=ratios&omega=0.5&alpha=4&damping_ratio=0&x0=3");
+  await page.waitForFunction(() => document.getElementById("notes").textContent.includes("form a family"));
+  assert.equal(await page.textContent("#note"), "Not used from the link: x0.");
+  assert.match(await page.textContent("#key"), /displacement from-5\.66\d* Bto5\.0\d* B|displacement from/);
+  await page.evaluate(() => (location.hash = "#mode=machine&units=kN,m&mass=50+t&stiffness=1000&friction=5&force=12&frequency=1+Hz&mean_force=3"));
+  await page.waitForFunction(() => document.getElementById("notes").textContent === "Displacements are measured from the mean displacement of 0.003 m.");
+  await page.evaluate(() => (location.hash = "#mode=ratios&omega=0.3333&alpha=200"));
+  await page.waitForFunction(() => /68\.57039 r_y to 12636\.5 r_y/.test(document.getElementById("design").textContent));
   await closed(page);
 });
 

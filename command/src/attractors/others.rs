@@ -1,6 +1,6 @@
 //! Periodic motions that no start leads to, such as unstable ones.
 
-use super::{LimitData, shape};
+use super::LimitData;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -92,7 +92,7 @@ impl<F: Value> Others<F> {
         for Other { number, mirror, steady } in &self.0 {
             let stability = if steady.is_stable() { "stable" } else { "unstable" };
             let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
-            writeln!(out, "\n{number}. {}, {stability}{mirror}", shape(steady))?;
+            writeln!(out, "\n{number}. {}, {stability}{mirror}", stickslip::words::shape(steady))?;
             writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
             writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
             writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle)?;

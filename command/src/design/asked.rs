@@ -5,7 +5,6 @@ use crate::args::QuestionArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
-use crate::machine::base_motion;
 use crate::record::Cell;
 use std::io::Write;
 use stickslip::inputs::units::{self, Kind, Reader, System};
@@ -70,7 +69,7 @@ impl<'a, F: Value> AskedDesign<'a, F> {
     /// The kind of base motion of the question, if any.
     pub(super) fn base_motion(&self) -> Option<&'static str> {
         let (input, _) = self.given.one_of(Role::Drive).ok()??;
-        base_motion(input.excitation()?)
+        stickslip::words::base_motion(input.excitation()?)
     }
 
     /// The failure: the error, preceded by the arguments of the machine, the range or the target that caused

@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::bits::digits;
 use crate::input::Point;
-use crate::machine::{Machine, base_motion, transmitted};
+use crate::machine::{Machine, transmitted};
 use crate::note::{both, both_in_words, decay, measured_from, without_mean_force};
 use crate::style;
 use std::io::{self, Write};
@@ -21,21 +21,14 @@ pub(super) fn note<F: Value>(
     let scales = point.machine.as_ref().map(|m| &m.scales);
     let length = |x| both(x, "B", scales.map(|s| s.length), units.length());
     let in_words = |x| both_in_words(x, "B", scales.map(|s| s.length), units.length());
-    if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
+    if let Some(base) = point.machine.as_ref().and_then(|m| words::base_motion(m.drive.excitation())) {
         writeln!(out, "Base motion {base}.")?;
     }
     measured_from(point.machine.as_ref(), out)?;
     let verdict = style::verdict(&words::limit(point.ratios, limit, in_words));
     match limit {
-        LongRun::Periodic(steady) => {
-            writeln!(out, "{verdict} {}\n", from_where(point, steady))?;
-            motion(steady, point, units, out)
-        }
-        LongRun::Family(steady) => {
-            writeln!(
-                out,
-                "{verdict} At Ω = 1/(2n) the periodic motions form a family. The start leads to this one.\n"
-            )?;
+        LongRun::Periodic(steady) | LongRun::Family(steady) => {
+            writeln!(out, "{verdict} {}\n", words::origin(point.ratios, limit))?;
             motion(steady, point, units, out)
         }
         LongRun::Irregular(found) => {
@@ -55,23 +48,6 @@ pub(super) fn note<F: Value>(
             writeln!(out, "{verdict}")
         }
     }
-}
-
-/// The starts that lead to the motion, and the properties of its cycle.
-fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
-    if !point.ratios.has_higher_static_friction() {
-        return "One periodic motion, from every start.".to_owned();
-    }
-    let cycle = match steady.turns_per_cycle {
-        1 => String::new(),
-        turns => format!(" A cycle takes {turns} turns of the drive."),
-    };
-    let symmetry = if steady.is_symmetric {
-        ""
-    } else {
-        " It is not symmetric: its mirror image is a motion from other starts."
-    };
-    format!("The limit of this start. Other starts can have others.{cycle}{symmetry}")
 }
 
 fn motion<F: Value>(
