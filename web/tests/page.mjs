@@ -159,7 +159,7 @@ test("the point of the map is dragged, and moved by the keyboard", async () => {
   assert.ok(Math.abs(dropped.x + dropped.width / 2 - box.x - box.width * 0.35) < 3, JSON.stringify(dropped));
   assert.ok(Math.abs(dropped.y + dropped.height / 2 - box.y - box.height * 0.7) < 3, JSON.stringify(dropped));
   await knob.focus();
-  for (let i = 0; i < 20; i++) await page.keyboard.press("Shift+ArrowRight");
+  for (let i = 0; i < 20; i++) await page.keyboard.press("Shift+ArrowUp");
   await answered(page, "Non-sticking");
   await page.waitForFunction((at) => document.querySelector("#map .here").getAttribute("aria-valuetext") !== at, at);
   assert.ok(await page.evaluate(() => document.activeElement.classList.contains("here")));
