@@ -122,13 +122,13 @@ impl<F: Float> Rising<F> {
     fn one_summit(&self) -> Option<Summit<F>> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
-            rising.from_middle().or_else(|| rising.by_steps())
+            rising.summit_by_series().or_else(|| rising.summit_by_steps())
         })
     }
 
     /// As a batch finds it.
     #[inline(always)]
-    fn from_middle(&self) -> Option<Summit<F>> {
+    fn summit_by_series(&self) -> Option<Summit<F>> {
         let HalfPeriod { omega, free: Free { zeta, .. }, .. } = self.half;
         let displacement = Pair::new(self.max_displacement, self.rest);
         let (along, across) = self.drive();
@@ -139,7 +139,7 @@ impl<F: Float> Rising<F> {
     }
 
     #[inline(always)]
-    fn by_steps(&self) -> Option<Summit<F>> {
+    fn summit_by_steps(&self) -> Option<Summit<F>> {
         let (motion, middle, half) = (self.vibration(), self.middle(), &self.half);
         if !self.has_one_summit(&middle.free) {
             return None;
