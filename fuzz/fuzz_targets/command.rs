@@ -46,9 +46,9 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, attractors, axes, bits, border, columns, curve, decay, design, enclose, failure, figure, follow, given,
-    grid, input, interrupt, machine, map, measured, motion_plot, note, output, outputs, physical, points,
-    progress, record, response, resume, rows, sink, starts, steady, style, sweep,
+    args, attractors, axes, bits, border, columns, curve, decay, design, enclose, failure, figure, follow,
+    given, grid, input, interrupt, machine, map, measured, motion_plot, note, output, outputs, physical,
+    points, progress, record, response, resume, rows, sink, starts, steady, style, sweep,
 };
 use failure::Failure;
 use std::path::PathBuf;

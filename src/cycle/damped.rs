@@ -152,7 +152,7 @@ impl<F: Float> Rising<F> {
     fn at_force(half: HalfPeriod<F>, alpha: F) -> Self {
         let wide = half.wide();
         // An α on the rounded border may be below the true one. a is then at least its value on the border.
-        let (amplitude, displacement) = match half.beyond {
+        let (amplitude, displacement) = match half.beyond() {
             Some([hi, lo]) => {
                 let excess = Pole::excess(Pair::new(hi, lo), alpha) / wide.stiffness.square();
                 let amplitude = (excess + wide.shift.square()).sqrt();

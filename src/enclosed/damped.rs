@@ -9,7 +9,7 @@ use super::Known;
 use super::angle::Angle;
 use crate::cycle::Unknowns;
 use crate::cycle::damped::free::{Free, Waves};
-use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::half_period::{Form, HalfPeriod};
 use crate::cycle::damped::rising::Moment;
 use crate::cycle::equations::System;
 use crate::float::ball::Ball;
@@ -102,8 +102,8 @@ pub(crate) fn half_period<const W: usize>(
         h,
         k,
         rest: [Ball::int(0); 3],
-        beyond: None,
-        middle: None,
+        form: Form::Definition,
+        parts: [Ball::int(0); 3],
         decay,
         cosine,
         sine,

@@ -43,10 +43,10 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) k: F,
     /// What rounding took from q, G and H.
     pub(crate) rest: [F; 3],
-    /// Beside the pole at Ω = 1, `(πQ/2)² − 4` of `Q = q √(G² + H²)`, as the sum of two parts ([`Pole`]).
-    pub(crate) beyond: Option<[F; 2]>,
-    /// The middle of the half cycle, where [`Tangent`] is accurate.
-    pub(crate) middle: Option<Middle<F>>,
+    /// The form by which G and H were found, and what it gives beside them: see [`HalfPeriod::beyond`] and
+    /// [`HalfPeriod::middle`]. One field for both keeps an answer small.
+    pub(crate) form: Form,
+    pub(crate) parts: [F; 3],
     /// `e^{−ζT}`, `e^{−ζT} cos dT` and `e^{−ζT} sin(dT)/d`.
     pub(crate) decay: F,
     pub(crate) cosine: F,
@@ -71,7 +71,7 @@ impl<F: Float> HalfPeriod<F> {
         if let Some(Pole { stiffness, shift, h, beyond }) = Pole::beside(omega, zeta) {
             let half = Self::of_pairs(omega, zeta, [stiffness, shift, h]);
             let half = half.with_waves(waves_at_end(&half.free, omega));
-            return Self { beyond: Some([beyond.hi, beyond.lo]), ..half };
+            return Self { form: Form::Pole, parts: [beyond.hi, beyond.lo, F::int(0)], ..half };
         }
         let Half { shift, h, waves } = half(omega, zeta);
         Self::of_response(omega, zeta, shift, h).with_waves(waves)
@@ -91,7 +91,8 @@ impl<F: Float> HalfPeriod<F> {
         }
         let Tangent { shift, h, middle, is_accurate } = Tangent::at(omega, zeta);
         let half = Self::of_response(omega, zeta, shift, h);
-        if is_accurate { Some(Self { middle: Some(middle), ..half }) } else { None }
+        let parts = [middle.velocity, middle.slope, middle.displacement];
+        if is_accurate { Some(Self { form: Form::Tangent, parts, ..half }) } else { None }
     }
 
     /// From G and H; the waves at T are NaN.
@@ -120,8 +121,8 @@ impl<F: Float> HalfPeriod<F> {
             h: h.hi,
             k: (stiffness * h).value(),
             rest: [stiffness.lo, shift.lo, h.lo],
-            beyond: None,
-            middle: None,
+            form: Form::Definition,
+            parts: [nan; 3],
             decay: nan,
             cosine: nan,
             sine: nan,
@@ -148,7 +149,32 @@ impl<F: Float> HalfPeriod<F> {
     }
 }
 
+/// The form by which G and H of a half period were found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Their definition.
+    Definition,
+    /// [`Pole`].
+    Pole,
+    /// [`Tangent`].
+    Tangent,
+}
+
 impl<F: Field> HalfPeriod<F> {
+    /// Beside the pole at Ω = 1, `(πQ/2)² − 4` of `Q = q √(G² + H²)`, as the sum of two parts ([`Pole`]).
+    #[inline(always)]
+    pub(crate) fn beyond(&self) -> Option<[F; 2]> {
+        let [hi, lo, _] = self.parts;
+        if matches!(self.form, Form::Pole) { Some([hi, lo]) } else { None }
+    }
+
+    /// The middle of the half cycle, where [`Tangent`] is accurate.
+    #[inline(always)]
+    pub(crate) fn middle(&self) -> Option<Middle<F>> {
+        let [velocity, slope, displacement] = self.parts;
+        if matches!(self.form, Form::Tangent) { Some(Middle { velocity, slope, displacement }) } else { None }
+    }
+
     /// Converts each part of the half period to another number type.
     #[inline(always)]
     pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> HalfPeriod<G> {
@@ -162,8 +188,8 @@ impl<F: Field> HalfPeriod<F> {
             h: to(self.h),
             k: to(self.k),
             rest: self.rest.map(&to),
-            beyond: self.beyond.map(|parts| parts.map(&to)),
-            middle: self.middle.map(|middle| middle.map(&to)),
+            form: self.form,
+            parts: self.parts.map(&to),
             decay: to(self.decay),
             cosine: to(self.cosine),
             sine: to(self.sine),

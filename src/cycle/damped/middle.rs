@@ -7,9 +7,9 @@
 //! whole series is summed there, and `cycle::arrival` completes the iteration.
 
 use crate::cycle::arrival::{Nearby, Reciprocals};
+use crate::float::Float;
 use crate::float::circular::{SinCos, TO_ONE};
 use crate::float::pair::Pair;
-use crate::float::{Field, Float};
 
 /// The state in the middle of the half cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,12 +148,4 @@ fn series<F: Float>(derivatives: &[F; TERMS], steps: &[F; TERMS]) -> F {
         sum = sum.mul_add(step, derivative);
     }
     sum
-}
-
-impl<F: Field> Middle<F> {
-    /// Converts each part to another number type.
-    #[inline(always)]
-    pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> Middle<G> {
-        Middle { velocity: to(self.velocity), slope: to(self.slope), displacement: to(self.displacement) }
-    }
 }

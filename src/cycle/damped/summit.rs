@@ -122,24 +122,24 @@ impl<F: Float> Rising<F> {
     fn one_summit(&self) -> Option<Summit<F>> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
-            rising.by_middle().or_else(|| rising.by_steps())
+            rising.summit_by_series().or_else(|| rising.summit_by_steps())
         })
     }
 
     /// As a batch finds it.
     #[inline(always)]
-    fn by_middle(&self) -> Option<Summit<F>> {
-        let Self { half: HalfPeriod { omega, free: Free { zeta, .. }, middle, .. }, .. } = *self;
+    fn summit_by_series(&self) -> Option<Summit<F>> {
+        let HalfPeriod { omega, free: Free { zeta, .. }, .. } = self.half;
         let displacement = Pair::new(self.max_displacement, self.rest);
         let (along, across) = self.drive();
         let drive = (along.value(), across.value());
-        let found = middle?.arrive(&Constants::new(), (omega, zeta), drive, displacement);
+        let found = self.half.middle()?.arrive(&Constants::new(), (omega, zeta), drive, displacement);
         let Crest { sigma, velocity, displacement, is_found } = found;
         (is_found && self.does_not_stick()).then_some(Summit { sigma, velocity, displacement })
     }
 
     #[inline(always)]
-    fn by_steps(&self) -> Option<Summit<F>> {
+    fn summit_by_steps(&self) -> Option<Summit<F>> {
         let (motion, middle, half) = (self.vibration(), self.middle(), &self.half);
         if !self.has_one_summit(&middle.free) {
             return None;
@@ -237,7 +237,7 @@ mod tests {
             };
             let (omega, h) = (rising.half.omega, rising.half.h);
             let noise = 64.0 * f64::EPSILON * (rising.swing() * omega.max(1.0) + 1.0 + h.abs());
-            if rising.half.middle.is_some() || rising.has_one_summit(&rising.middle().free) {
+            if rising.half.middle().is_some() || rising.has_one_summit(&rising.middle().free) {
                 let slopes = (1..2000).map(slope).filter(|slope| slope.abs() > noise);
                 let signs: Vec<_> = slopes.map(|slope| slope > 0.0).collect();
                 prop_assert!(signs.windows(2).all(|pair| pair[0] || !pair[1]));
