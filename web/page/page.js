@@ -686,7 +686,11 @@ function askMap(columns, rows) {
   const [omegas, alphas] = [places(columns, omega), places(rows, alpha)];
   // The border has poles, and needs more points than the colours.
   const border = places(1000, omega);
+  $("map-note").textContent = shown.mapGrid ? "" : "Computing …";
+  charts.map.host.classList.add("stale");
   slow.ask("map", { ask: "map", omegas, alphas, border, damping_ratio: zeta, static_friction_ratio: eta }, ({ ok }) => {
+    charts.map.host.classList.remove("stale");
+    $("map-note").textContent = "";
     if (ok) {
       shown.mapGrid = { omegas, alphas, omega, alpha, places: border, ...ok };
       later("map", ok);

@@ -21,10 +21,10 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let count = asked.count("count", 400, MOST).max(2);
     let step = (to / from).ln() / (count - 1) as f64;
     let mut omegas: Vec<f64> = (0..count).map(|i| from * (step * i as f64).exp()).collect();
-    // The resonance is narrower than the step.
-    let beside = [0.0, 1e-5, 3e-5, 1e-4, 2e-4, 4e-4, 7e-4, 1e-3, 1.5e-3, 2e-3, 3e-3, 4e-3, 5e-3, 7e-3, 0.01]
-        .into_iter()
-        .flat_map(|off| [1.0 - off, 1.0 + off]);
+    // The resonance is as wide as the damping ratio; without a damper its height has no end, and is cut.
+    let width = here.ratios.damping_ratio().max(1e-3);
+    let steps = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0].into_iter();
+    let beside = steps.flat_map(|step| [1.0 - step * width, 1.0 + step * width]);
     omegas.extend(beside.chain([here.ratios.omega()]).filter(|omega| (from..to).contains(omega)));
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();

@@ -2,11 +2,12 @@
 
 use crate::asked::Asked;
 use serde_json::{Value, json};
-use stickslip::motion::{LongRun, State};
+use std::ops::ControlFlow;
+use stickslip::motion::{DEFAULT_BUDGET, LongRun, State};
 use stickslip::{Border, Error, Ratios, observed};
 
 /// The regime and the stops in a cycle at every pair of `omegas` and `alphas`, row by row of α, for the motion from rest;
-/// −1 where there is no cycle, −2 where the stops cannot be counted; and the border over the list `border` of frequency ratios.
+/// −1 where there is no cycle, −2 where the stops cannot be counted, with static friction in 300 periods; and the border over the list `border` of frequency ratios.
 pub(crate) fn map(asked: &Asked<'_>) -> Result<Value, String> {
     let (omegas, alphas) = (asked.numbers("omegas"), asked.numbers("alphas"));
     let (zeta, eta) = (asked.number("damping_ratio", 0.0), asked.number("static_friction_ratio", 1.0));
@@ -14,7 +15,10 @@ pub(crate) fn map(asked: &Asked<'_>) -> Result<Value, String> {
         |omega, alpha| Ratios::new(omega, alpha)?.with_damping_ratio(zeta)?.with_static_friction_ratio(eta);
     let stops = |omega, alpha| -> Result<i64, Error> {
         let ratios = ratios(omega, alpha)?;
-        let Ok(limit) = LongRun::from_start(ratios, State::default()) else { return Ok(-2) };
+        // A motion that depends on its start may never repeat itself; a picture does not wait for its last word.
+        let periods = if eta > 1.0 { 300 } else { DEFAULT_BUDGET };
+        let limit = LongRun::within(ratios, State::default(), periods, &mut || ControlFlow::Continue(()));
+        let Ok(limit) = limit else { return Ok(-2) };
         Ok(match limit.steady_state() {
             Some(_) => observed(ratios, &limit).sticks.map_or(-2, i64::from),
             None if matches!(limit, LongRun::NotConverged { .. } | LongRun::Irregular(_)) => -2,
