@@ -73,7 +73,7 @@ function range(values, room = 0.06) {
 }
 
 class Chart {
-  constructor(host, { title, label, height = 240, left = 62 }) {
+  constructor(host, { title, label, height = 240, left = 70 }) {
     this.host = host;
     this.title = title;
     this.height = height;

@@ -410,7 +410,7 @@ const KEY = [
   ["max_velocity", "greatest velocity"], ["max_acceleration", "greatest acceleration"], ["transmitted_force", "transmitted force"],
   ["transmissibility", "transmissibility"], ["max_absolute_displacement", "greatest absolute displacement"],
   ["sticks_per_cycle", "stops in a cycle"], ["stick_fraction", "part of the time at rest"],
-  ["energy_out", "work against friction in a cycle"], ["damper_work", "work against the damper"],
+  ["energy_out", "work against friction"], ["damper_work", "work against the damper"],
 ];
 
 const valueText = ({ value, unit, physical }) => {
