@@ -157,7 +157,11 @@ function field(names) {
   return row;
 }
 
+// The ratios that the machine is to have after a change of the mode.
+let wanted = null;
+
 $("mode").onchange = () => {
+  if (state.mode === "ratios" && shown.answer) wanted = { omega: shown.answer.omega, alpha: shown.answer.alpha };
   state.mode = $("mode").value;
   if (state.mode === "ratios" && shown.answer) {
     for (const [name, key] of [["omega", "omega"], ["alpha", "alpha"], ["damping_ratio", "damping_ratio"], ["static_friction_ratio", "static_friction_ratio"]]) {
@@ -446,6 +450,12 @@ function greatest(answer) {
 
 function showAnswer(answer) {
   if (JSON.stringify(answer.inputs) === JSON.stringify(inputs())) aim = null;
+  if (wanted && state.mode === "machine" && answer.machine) {
+    const { omega, alpha } = wanted;
+    wanted = null;
+    const isSame = (a, b) => Math.abs(a / b - 1) < 1e-3;
+    if (!isSame(omega, answer.omega) || !isSame(alpha, answer.alpha)) moveTo(omega, alpha);
+  }
   const { steady } = answer;
   const isMany = answer.static_friction_ratio > 1;
   // The closed forms say why, the motion says how often.

@@ -253,6 +253,18 @@ test("the kind of an input is changed for the same machine", async () => {
   await closed(page);
 });
 
+test("ratios that are edited are those of the machine", async () => {
+  const page = await opened();
+  await page.selectOption("#mode", "ratios");
+  await page.waitForFunction(() => document.querySelectorAll("#fields .row").length === 4);
+  await page.fill("#in-omega", "0.5");
+  await answered(page, "2 stops in a cycle");
+  await page.selectOption("#mode", "machine");
+  await page.waitForFunction(() => document.querySelector("#key dd")?.textContent.startsWith("0.49") || document.querySelector("#key dd")?.textContent.startsWith("0.5"));
+  assert.match(await page.inputValue("#in-frequency"), /^0\.355\d Hz$/);
+  await closed(page);
+});
+
 test("what is not the whole answer is said", async () => {
   const page = await opened("#mode=ratios&omega=0.5&alpha=4&damping_ratio=0&x0=3");
   await page.waitForFunction(() => document.getElementById("notes").textContent.includes("form a family"));
