@@ -57,8 +57,9 @@ fn only_the_choice_of_a_start_asks_how_many_digits_there_are() {
         "cycle/damped/summit.rs",
         "cycle/velocity.rs",
         "cycle/velocity/iteration.rs",
-        // The text of numbers in errors.
+        // The text of numbers in errors, and in sentences.
         "machine/error/number.rs",
+        "words.rs",
     ];
     assert_eq!(asking, starts);
 }
