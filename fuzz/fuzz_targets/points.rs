@@ -10,6 +10,7 @@ mod command {
     pub(crate) mod args;
     pub(crate) mod bits;
     pub(crate) mod border;
+    pub(crate) mod columns;
     pub(crate) mod enclose;
     pub(crate) mod failure;
     pub(crate) mod given;
@@ -32,8 +33,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, bits, border, enclose, failure, given, input, interrupt, machine, note, outputs, physical, points,
-    progress, record, response, rows, sink, style,
+    args, bits, border, columns, enclose, failure, given, input, interrupt, machine, note, outputs, physical,
+    points, progress, record, response, rows, sink, style,
 };
 use csv::{ReaderBuilder, StringRecord, Trim};
 use failure::{Failure, Outcome};

@@ -11,6 +11,7 @@ mod command {
     pub(crate) mod axes;
     pub(crate) mod bits;
     pub(crate) mod border;
+    pub(crate) mod columns;
     pub(crate) mod enclose;
     pub(crate) mod failure;
     pub(crate) mod given;
@@ -36,8 +37,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, axes, bits, border, enclose, failure, given, grid, input, interrupt, machine, note, output,
-    outputs, physical, points, progress, record, response, resume, rows, sink, steady, style, sweep,
+    args, axes, bits, border, columns, enclose, failure, given, grid, input, interrupt, machine, note,
+    output, outputs, physical, points, progress, record, response, resume, rows, sink, steady, style, sweep,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;
