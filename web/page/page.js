@@ -17,6 +17,7 @@ const ROLES = {
   ],
   ratios: [["omega"], ["alpha"], ["damping_ratio"], ["static_friction_ratio"]],
 };
+const DRIVES = ROLES.machine[5];
 // The names of the fields.
 const WORDS = {
   mass: "mass m", stiffness: "stiffness k", period: "natural period", pendulum_radius: "pendulum radius", friction: "friction r_y",
@@ -33,11 +34,11 @@ const START = {
 };
 // What a field shows when it is first chosen.
 const FIRST = {
+  ...START,
   period: "1.4 s", pendulum_radius: "0.5 m", friction_coefficient: "0.01", damping: "9 kN*s/m", static_friction: "6 kN", unbalance: "0.3 t*m",
   base_acceleration: "0.02 g", base_velocity: "50 mm/s", base_displacement: "6 mm", foot_displacement: "12 mm", damped_foot_displacement: "12 mm",
-  mean_force: "", static_friction_ratio: "1", damping_ratio: "2 %", alpha: "2.4", omega: "1.4", mass: "50 t", stiffness: "1000 kN/m", friction: "5 kN",
-  force: "12 kN", frequency: "1 Hz",
 };
+const RATIOS = ["omega", "alpha", "damping_ratio", "static_friction_ratio"];
 
 let state = { ...START };
 // The chosen input of each role with a choice.
@@ -134,7 +135,7 @@ function field(names) {
     }
     // A number of 0 has no multiple: the slider begins at a size of its own.
     const size = found[0] === 0 ? 0.01 : found[0];
-    const least = name.startsWith("static_friction_ratio") ? 1 : 0;
+    const least = name === "static_friction_ratio" ? 1 : 0;
     const value = least + (size - least || 0.1) * 10 ** Number(slider.value);
     typed.value = state[name] = withNumber(home, least && Number(slider.value) <= -1.5 ? 1 : value);
     changed();
@@ -164,9 +165,7 @@ $("mode").onchange = () => {
   if (state.mode === "ratios" && shown.answer) wanted = { omega: shown.answer.omega, alpha: shown.answer.alpha };
   state.mode = $("mode").value;
   if (state.mode === "ratios" && shown.answer) {
-    for (const [name, key] of [["omega", "omega"], ["alpha", "alpha"], ["damping_ratio", "damping_ratio"], ["static_friction_ratio", "static_friction_ratio"]]) {
-      state[name] = String(shown.answer[key]);
-    }
+    for (const name of RATIOS) state[name] = String(shown.answer[name]);
   }
   fields();
   changed();
@@ -189,7 +188,7 @@ function moveTo(omega, alpha) {
     state.omega = short(omega);
     state.alpha = short(alpha);
   } else {
-    const name = inRole(ROLES.machine[5]);
+    const name = inRole(DRIVES);
     // The inputs of the answer: those of now may be ahead of it.
     const [frequency, amplitude] = [parts(answer.inputs.frequency), parts(answer.inputs[name])];
     if (!frequency || !amplitude) return;
@@ -356,7 +355,7 @@ function still() {
     });
   }
   if (record) askRecord();
-  askMap(96, 64);
+  askMap();
 }
 
 // Answers wait for the next frame, and are drawn there.
@@ -475,7 +474,7 @@ function showAnswer(answer) {
   for (const [name, words] of KEY) {
     const own = row(name);
     // Only a moving base gives the body a displacement in space of its own.
-    if (name === "max_absolute_displacement" && !(state.mode === "machine" && inRole(ROLES.machine[5]).startsWith("base_"))) continue;
+    if (name === "max_absolute_displacement" && !(state.mode === "machine" && inRole(DRIVES).startsWith("base_"))) continue;
     if (own && own.value !== null) entry(list, words, valueText(own).filter(Boolean).join(" = "));
   }
   const border = answer.values.find((own) => own.name === "min_force_ratio");
@@ -518,7 +517,7 @@ $("values-csv").onclick = () => {
   const answer = shown.answer;
   if (!answer) return;
   const rows = Object.entries(answer.inputs).map(([name, text]) => ["input", name, text, ""]);
-  for (const name of ["omega", "alpha", "damping_ratio", "static_friction_ratio"]) rows.push(["ratios", name, answer[name], "1"]);
+  for (const name of RATIOS) rows.push(["ratios", name, answer[name], "1"]);
   rows.push(...(answer.machine || []).map((row) => ["machine", row.name, row.value, row.unit]));
   for (const [part, values] of [["response", answer.values], ["steady", answer.steady.values || []]]) {
     for (const row of values) {
@@ -549,7 +548,7 @@ const FILES = {
   curve: [["curve"], () => ({ [`frequency[${state.mode === "machine" ? "Hz" : "1"}]`]: shown.curve.frequency, [`displacement[${shown.curve.unit}]`]: shown.curve.displacement, regime: shown.curve.regime, [`border[${shown.curve.unit}]`]: shown.curve.border })],
   motion: [["displacement", "velocity", "friction", "loop"], () => Object.fromEntries(["time", "displacement", "velocity", "friction"].map((name) => [`${name}[${shown.motion.units[name]}]`, shown.motion[name]]))],
   map: [["map"], () => {
-    const { omegas, alphas, stops } = shown.mapGrid;
+    const { omegas, alphas, stops } = shown.map;
     return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((alpha) => omegas.map(() => alpha)), sticks_per_cycle: stops.map((n) => (n === -1 ? "rest" : n === -2 ? "irregular" : n)) };
   }],
   record: [["load", "shaken", "spectrum"], () => ({ "time[s]": shown.record.time, [`displacement[${shown.record.units.displacement}]`]: shown.record.displacement, [`velocity[${shown.record.units.velocity}]`]: shown.record.velocity })],
@@ -592,10 +591,12 @@ function showCurve(curve) {
   if (height !== null && at >= frequency[0] && at <= frequency.at(-1)) chart.dot(at, height, ink.here, 6);
 }
 
+const largest = (values) => values.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+
 let motion = null;
 
 function showMotion(found) {
-  motion = found;
+  motion = { ...found, most: largest(found.displacement) };
   const { time, units, turns, steady } = found;
   $("motion-title").textContent = !steady ? `The first ${turns} turns of the drive` : turns === 1 ? "One cycle of the motion" : `One cycle of the motion, ${turns} turns of the drive`;
   const rows = [["displacement", "displacement"], ["velocity", "velocity"], ["friction", "friction force"]];
@@ -652,9 +653,7 @@ function place(part) {
   }
   charts.loop.cursor.setAttribute("cx", charts.loop.x(motion.displacement[i]));
   charts.loop.cursor.setAttribute("cy", charts.loop.y(motion.friction[i]));
-  let most = 0;
-  for (const x of motion.displacement) most = Math.max(most, Math.abs(x));
-  sketch(most ? motion.displacement[i] / most : 0, motion.rest[i]);
+  sketch(motion.most ? motion.displacement[i] / motion.most : 0, motion.rest[i]);
 }
 
 function animate(now) {
@@ -678,33 +677,26 @@ let mapOf = "";
 let dragged = null;
 
 function mapRange() {
-  const answer = shown.answer || { omega: 1, alpha: 2 };
-  if (dragged) return dragged;
-  return { omega: Math.max(2, 1.2 * answer.omega), alpha: Math.max(6, 1.2 * answer.alpha, 3 * (answer.static_friction_ratio || 1)) };
+  const { omega, alpha, static_friction_ratio } = shown.answer;
+  return dragged || { omega: Math.max(2, 1.2 * omega), alpha: Math.max(6, 1.2 * alpha, 3 * static_friction_ratio) };
 }
 
-function askMap(columns, rows) {
-  const answer = shown.answer;
-  if (!answer) return;
+function askMap() {
   const { omega, alpha } = mapRange();
-  const zeta = answer.damping_ratio;
-  const eta = answer.static_friction_ratio;
-  const key = [omega, alpha, zeta, eta, columns, rows].join();
+  const { damping_ratio, static_friction_ratio } = shown.answer;
+  const key = [omega, alpha, damping_ratio, static_friction_ratio].join();
   if (key === mapOf) return;
   mapOf = key;
   const places = (n, high) => Array.from({ length: n }, (_, i) => ((i + 0.5) / n) * high);
-  const [omegas, alphas] = [places(columns, omega), places(rows, alpha)];
+  const [omegas, alphas] = [places(96, omega), places(64, alpha)];
   // The border has poles, and needs more points than the colours.
   const border = places(1000, omega);
-  $("map-note").textContent = shown.mapGrid ? "" : "Computing …";
+  $("map-note").textContent = shown.map ? "" : "Computing …";
   charts.map.host.classList.add("stale");
-  slow.ask("map", { ask: "map", omegas, alphas, border, damping_ratio: zeta, static_friction_ratio: eta }, ({ ok }) => {
+  slow.ask("map", { ask: "map", omegas, alphas, border, damping_ratio, static_friction_ratio }, ({ ok }) => {
     charts.map.host.classList.remove("stale");
     $("map-note").textContent = "";
-    if (ok) {
-      shown.mapGrid = { omegas, alphas, omega, alpha, places: border, ...ok };
-      later("map", ok);
-    }
+    if (ok) later("map", { omegas, alphas, omega, alpha, places: border, ...ok });
   });
 }
 
@@ -718,8 +710,7 @@ function shade(stops) {
   return `hsl(30 85% ${light}%)`;
 }
 
-function showMap() {
-  const grid = shown.mapGrid;
+function showMap(grid) {
   const chart = charts.map;
   const focused = document.activeElement?.classList.contains("here");
   chart.begin({ x: [0, grid.omega], y: [0, grid.alpha], xlabel: "frequency ratio Ω", ylabel: "force ratio α", legend: true });
@@ -764,14 +755,14 @@ function putKnob() {
   const { knob, x, y } = charts.map;
   if (!knob || !shown.answer) return;
   const { omega, alpha } = shown.answer;
-  const grid = shown.mapGrid;
+  const grid = shown.map;
   knob.setAttribute("transform", `translate(${x(Math.min(omega, grid.omega)).toFixed(1)} ${y(Math.min(alpha, grid.alpha)).toFixed(1)})`);
   knob.setAttribute("aria-valuenow", digits(omega));
   knob.setAttribute("aria-valuetext", `Ω = ${digits(omega)}, α = ${digits(alpha)}`);
 }
 
 charts.map.svg.addEventListener("pointerdown", (event) => {
-  const grid = shown.mapGrid;
+  const grid = shown.map;
   if (!grid) return;
   dragged = { omega: grid.omega, alpha: grid.alpha };
   charts.map.svg.setPointerCapture(event.pointerId);
@@ -854,11 +845,11 @@ function askRecord() {
   }
   const more = { text: record.text, name: record.name, time_step: $("step").value };
   slow.ask("record", question("record", more), ({ ok, error }) => {
-    $("record-error").textContent = error === undefined ? (ok.unused.length ? `Columns not used: ${ok.unused.join(", ")}.` : "") : error.replace("by --time-step", "in the field Time step").replace("time_step", "time step");
+    $("record-error").textContent = error === undefined ? (ok.unused.length ? `Columns not used: ${ok.unused.join(", ")}.` : "") : error;
     $("record-shown").hidden = error !== undefined;
     if (ok) {
-      shown.record = ok;
-      showRecord(ok);
+      shown.record = { ...ok, most: largest(ok.displacement) };
+      showRecord(shown.record);
     }
   });
   const periods = Array.from({ length: 60 }, (_, i) => 0.05 * 100 ** (i / 59));
@@ -910,9 +901,7 @@ $("play-record").onclick = () => {
     const { cursor, x, y } = charts.shaken;
     cursor.setAttribute("cx", x(found.time[i]));
     cursor.setAttribute("cy", y(found.displacement[i]));
-    let most = 0;
-    for (const x of found.displacement) most = Math.max(most, Math.abs(x));
-    sketch(most ? found.displacement[i] / most : 0, found.rest[i]);
+    sketch(found.most ? found.displacement[i] / found.most : 0, found.rest[i]);
     if (!playing && i < found.time.length - 1) requestAnimationFrame(step);
   };
   requestAnimationFrame(step);
@@ -925,18 +914,16 @@ $("file").onchange = async () => {
   $("file").value = "";
 };
 $("step").oninput = () => record && askRecord();
-for (const target of [document.body]) {
-  target.addEventListener("dragover", (event) => {
-    event.preventDefault();
-    $("drop").classList.add("over");
-  });
-  target.addEventListener("dragleave", () => $("drop").classList.remove("over"));
-  target.addEventListener("drop", (event) => {
-    event.preventDefault();
-    $("drop").classList.remove("over");
-    if (event.dataTransfer.files[0]) take(event.dataTransfer.files[0]);
-  });
-}
+document.body.addEventListener("dragover", (event) => {
+  event.preventDefault();
+  $("drop").classList.add("over");
+});
+document.body.addEventListener("dragleave", () => $("drop").classList.remove("over"));
+document.body.addEventListener("drop", (event) => {
+  event.preventDefault();
+  $("drop").classList.remove("over");
+  if (event.dataTransfer.files[0]) take(event.dataTransfer.files[0]);
+});
 
 // ---- theme, size, begin
 
@@ -953,8 +940,7 @@ function theme(name) {
 }
 
 function redraw() {
-  for (const kind of ["answer", "motion", "curve"]) if (shown[kind]) later(kind, shown[kind]);
-  if (shown.mapGrid) later("map", shown.map);
+  for (const kind of ["answer", "motion", "curve", "map"]) if (shown[kind]) later(kind, shown[kind]);
   if (shown.record) showRecord(shown.record);
   if (shown.spectrum) showSpectrum(shown.spectrum);
 }

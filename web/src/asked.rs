@@ -1,7 +1,7 @@
 //! The inputs of a question: a machine in units, or its ratios.
 
-use serde_json::{Value, json};
-use stickslip::inputs::units::{Kind, Reader, System};
+use serde_json::Value;
+use stickslip::inputs::units::{Reader, System};
 use stickslip::inputs::{Driven, Given, Input, Naming};
 use stickslip::{Error, Excitation, Ratios};
 
@@ -78,17 +78,4 @@ pub(crate) fn point(given: &Given<f64>) -> Result<Point, String> {
     let named = |e: Error| String::from(given.at_fault(&e));
     let ratios = Ratios::new(given.required(Input::Omega)?, given.required(Input::Alpha)?).map_err(named)?;
     Ok(Point { ratios: given.completed(ratios)?, machine: None })
-}
-
-/// The table of inputs: their keywords, symbols, descriptions and the units of bare numbers.
-pub(crate) fn inputs(asked: &Asked<'_>) -> Result<Value, String> {
-    let system = asked.reader()?.system();
-    let rows = Input::ALL.into_iter().map(|input| {
-        let unit = if input.kind() == Kind::Ratio { String::new() } else { system.name(input.kind()) };
-        json!({
-            "name": input.column(), "symbol": input.symbol(), "help": input.help(), "unit": unit,
-            "physical": input.is_physical(), "drive": input.excitation().is_some() || input == Input::Alpha,
-        })
-    });
-    Ok(rows.collect())
 }

@@ -27,8 +27,7 @@ use std::cell::RefCell;
 type Answer = fn(&Asked<'_>) -> Result<Value, String>;
 
 /// The questions by their names.
-pub const QUESTIONS: [(&str, Answer); 9] = [
-    ("inputs", asked::inputs),
+pub const QUESTIONS: [(&str, Answer); 8] = [
     ("answer", answer::answer),
     ("curve", curve::curve),
     ("motion", motion::motion),

@@ -18,13 +18,11 @@ pub(crate) fn limits(asked: &Asked<'_>) -> Result<Value, String> {
     let size = point.length();
     let rows = found.limits.iter().map(|own| {
         let extrema = own.limit.extrema().map(|(low, high)| [low * size, high * size]);
-        let start = starts.get(own.first_start).map(|state| [state.x, state.v]);
         json!({
             "limit": own.limit.name(),
             "description": words::described(own),
             "share": own.starts as f64 / starts.len() as f64,
             "extrema": extrema,
-            "start": start,
             "mirror": own.mirror,
             "range": own.range.map(|(low, high)| [low * size, high * size]),
             "stops": own.limit.steady_state().map(|steady| steady.sticks_per_cycle),
