@@ -52,6 +52,8 @@ mod threads;
 mod velocity;
 
 pub use columns::Columns;
+#[doc(hidden)]
+pub use columns::is_looped_with_damper;
 pub use fixed::FixedOmega;
 pub use level::Level;
 pub(crate) use level::Loops;

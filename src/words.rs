@@ -101,9 +101,15 @@ fn with_static_friction<F: Float>(response: &Response<F>) -> String {
     }
 }
 
-/// The verdict on the limit of a start in one sentence or two; `length` writes a displacement in B.
+/// The verdict on the limit of a start in one sentence or two; `length` writes a displacement in B, and `advice` is a
+/// sentence for a motion that has not settled, after a space, or empty.
 #[must_use]
-pub fn limit<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>, length: impl Fn(F) -> String) -> String {
+pub fn limit<F: Float>(
+    ratios: Ratios<F>,
+    limit: &LongRun<F>,
+    length: impl Fn(F) -> String,
+    advice: &str,
+) -> String {
     let seen = observed(ratios, limit);
     match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => of_steady(steady, &seen),
@@ -134,8 +140,7 @@ pub fn limit<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>, length: impl Fn(F)
                 format!("By the borders its limit is {}.", seen.regime.name())
             };
             format!(
-                "Undecided: after {periods} periods the motion still changes by {left} in half a cycle. Allow more \
-                 with --max-periods. {limit}"
+                "Undecided: after {periods} periods the motion still changes by {left} in half a cycle.{advice} {limit}"
             )
         }
     }

@@ -28,7 +28,8 @@ pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> R
     };
     let step = args.time_step.as_ref().map(|text| format!("--time-step {text}"));
     let step = time("--time-step", &args.time_step)?.zip(step.as_deref());
-    let (mut record, unused) = text::read(&text, &name, reader, step).map_err(Failure::Input)?;
+    let (mut record, unused) =
+        text::read(&text, &name, reader, step, "by --time-step").map_err(Failure::Input)?;
     if !unused.is_empty() {
         progress::note(&format!("{name}: columns not used: {}", unused.join(", ")));
     }

@@ -147,17 +147,11 @@ impl<F: Value> Record<F> {
     pub(crate) fn with_machine(mut self, machine: &Machine<F>) -> Self {
         let scales = &machine.scales;
         let best = self.fields.iter().find(|(key, _)| *key == Output::BestForceRatio.definition());
-        let best_force = match best {
-            Some((_, Cell::Number(Some(ratio)))) => *ratio * scales.force,
+        let best = match best {
+            Some((_, Cell::Number(Some(ratio)))) => *ratio,
             _ => F::int(0),
         };
-        let size = |measure| {
-            if measure == Measure::EnergyOfLargestLoop {
-                // A₁ is stated in units of p₀²/(2k) for the best force.
-                return F::ratio(1, 2) * best_force * (best_force / machine.oscillator.stiffness());
-            }
-            Measure::size(measure, scales)
-        };
+        let size = |measure| Measure::size_with(measure, scales, best, machine.oscillator.stiffness());
         self.physical = Physical::of_machine(machine).with(&self.fields, machine.drive.excitation(), size);
         self
     }

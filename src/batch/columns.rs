@@ -46,6 +46,13 @@ pub(super) const LOOPED: [Output; 9] = [
     Output::Deviation,
     Output::Contraction,
 ];
+/// Whether the loops compute an output with a damper and static friction, too: all of [`LOOPED`] but λ.
+#[doc(hidden)]
+#[must_use]
+pub fn is_looped_with_damper(output: Output) -> bool {
+    output != Output::Contraction && LOOPED.contains(&output)
+}
+
 /// The place of α_min among [`LOOPED`].
 pub(super) const BORDER: usize = 1;
 /// The slices that the loops write to.
@@ -87,12 +94,10 @@ impl<'a> Columns<'a> {
 }
 
 impl<'a> Slices<'a, { Output::ALL.len() }> {
-    /// Whether no number is requested that the loops do not compute with a damper: λ, and those not of [`LOOPED`].
+    /// Whether no number is requested that the loops do not compute with a damper.
     pub(super) fn is_looped_with_damper(&self) -> bool {
         let mut columns = self.numbers.iter().zip(Output::ALL);
-        columns.all(|(slice, output)| {
-            slice.is_none() || output != Output::Contraction && LOOPED.contains(&output)
-        })
+        columns.all(|(slice, output)| slice.is_none() || is_looped_with_damper(output))
     }
 
     /// Removes the slices that the loops fill; the others are computed point by point.

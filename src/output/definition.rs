@@ -36,6 +36,17 @@ macro_rules! measures {
                 }
             }
 
+            /// The physical size of one unit; that of the largest loop at the best force ratio is half of p₀²/k for
+            /// the best force.
+            #[doc(hidden)]
+            pub fn size_with<F: Real>(self, scales: &Scales<F>, best_force_ratio: F, stiffness: F) -> F {
+                if matches!(self, Self::EnergyOfLargestLoop) {
+                    let best_force = best_force_ratio * scales.force;
+                    return F::ratio(1, 2) * best_force * (best_force / stiffness);
+                }
+                self.size(scales)
+            }
+
             /// The physical size of one unit.
             pub fn size<F: Real>(self, scales: &Scales<F>) -> F {
                 match self {

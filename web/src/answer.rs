@@ -22,7 +22,7 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         Ok(limit) => {
             let answer = SteadyAnswer::new(point.ratios, excitation, limit, true).map_err(named)?;
             json!({
-                "verdict": words::limit(point.ratios, limit, |x| length(x, &point, &given.system)),
+                "verdict": words::limit(point.ratios, limit, |x| length(x, &point, &given.system), ""),
                 "origin": words::origin(point.ratios, limit),
                 "values": values.of(&answer, SteadyAnswer::COLUMNS),
             })
@@ -170,11 +170,6 @@ impl Values<'_> {
     /// The size of the unit of a measure.
     fn size(&self, measure: Measure) -> f64 {
         let Some(machine) = &self.point.machine else { return 1.0 };
-        if measure == Measure::EnergyOfLargestLoop {
-            // A₁ is stated in units of p₀²/(2k) for the best force.
-            let best_force = self.best * machine.scales.force;
-            return 0.5 * best_force * (best_force / machine.oscillator.stiffness());
-        }
-        measure.size(&machine.scales)
+        measure.size_with(&machine.scales, self.best, machine.oscillator.stiffness())
     }
 }

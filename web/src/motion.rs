@@ -1,12 +1,11 @@
 //! The motion over a cycle of its steady state, or from rest where there is none.
 
-use crate::answer::length;
 use crate::asked::{Asked, point};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use stickslip::Error;
+use stickslip::inputs::units::Kind;
 use stickslip::motion::{LongRun, State, Trajectory};
-use stickslip::words;
 
 /// The most turns of the drive in a cycle that is shown whole.
 const MOST_TURNS: u32 = 8;
@@ -16,7 +15,7 @@ pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
     let given = asked.given(&asked.reader()?)?;
     let point = point(&given)?;
     let named = |e: Error| String::from(given.at_fault(&e));
-    let start = State::new(0.0, asked.number("x0", 0.0), asked.number("v0", 0.0)).map_err(named)?;
+    let start = State::default();
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
     let (begin, turns, is_steady) = match limit.steady_state() {
         Some(steady) => (steady.state, steady.turns_per_cycle.min(MOST_TURNS), true),
@@ -41,14 +40,12 @@ pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
         r.push(sample.friction * force + mean_friction);
         rests.push(sample.state.v == 0.0 && sample.acceleration == 0.0);
     }
-    let unit = |kind: stickslip::inputs::units::Kind, ratio: &str| match scales {
+    let unit = |kind: Kind, ratio: &str| match scales {
         Some(_) => given.system.name(kind),
         None => ratio.to_owned(),
     };
-    use stickslip::inputs::units::Kind;
     Ok(json!({
         "time": times, "displacement": x, "velocity": v, "friction": r, "rest": rests, "turns": turns, "steady": is_steady,
-        "verdict": words::limit(point.ratios, &limit, |x| length(x, &point, &given.system)),
         "units": {
             "time": unit(Kind::Time, "rad"), "displacement": unit(Kind::Length, "B"),
             "velocity": unit(Kind::Velocity, "B ω_d"), "friction": unit(Kind::Force, "r_y"),

@@ -26,10 +26,10 @@ fn body_inputs(asked: &Asked<'_>, reader: &Reader) -> Result<Given<f64>, String>
 /// The record of the question, and the names of columns that are not used.
 fn load(asked: &Asked<'_>, reader: &Reader) -> Result<(Record<f64>, Vec<String>), String> {
     let (text, name) = (asked.text("text").unwrap_or_default(), asked.text("name").unwrap_or("record"));
-    let typed = asked.text("time_step").map(|text| format!("time_step {text}"));
+    let typed = asked.text("time_step").map(|text| format!("time step {text}"));
     let step =
-        asked.text("time_step").map(|text| reader.value::<f64>("time_step", text, Kind::Time)).transpose()?;
-    text::read(text, name, reader, step.zip(typed.as_deref()))
+        asked.text("time_step").map(|text| reader.value::<f64>("time step", text, Kind::Time)).transpose()?;
+    text::read(text, name, reader, step.zip(typed.as_deref()), "in the field Time step")
 }
 
 fn answers(answer: &RecordAnswer<f64>, system: &System) -> Value {
@@ -78,7 +78,7 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
         "values": answers(&answer, &system),
         "time": column(|state| state.time), "displacement": column(|state| state.displacement),
         "velocity": column(|state| state.velocity), "rest": rests,
-        "load": { "time": times, "value": samples, "unit": load_unit, "kind": record.excitation().name() },
+        "load": { "time": times, "value": samples, "unit": load_unit },
         "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity) },
         "unused": unused,
     }))

@@ -17,12 +17,13 @@ const LOADS: [(&str, Kind, Excitation); 4] = [
 ];
 
 /// The record of a text, and the names of the columns that are not used. A table without times has the `step` between
-/// samples, with the text that gives it.
+/// samples, with the text that gives it; `place_of_step` says where it is given, such as “by --time-step”.
 pub(crate) fn read<F: Float + FromStr>(
     text: &str,
     name: &str,
     reader: &Reader,
     step: Option<(F, &str)>,
+    place_of_step: &str,
 ) -> Result<(Record<F>, Vec<String>), String> {
     let samples = if peer(text).is_some() {
         if let Some((_, typed)) = step {
@@ -30,7 +31,7 @@ pub(crate) fn read<F: Float + FromStr>(
         }
         Samples::of_peer(text, name, reader)?
     } else {
-        Samples::of_table(text, name, reader, step)?
+        Samples::of_table(text, name, reader, step, place_of_step)?
     };
     let unused = samples.unused.clone();
     Ok((samples.record(name)?, unused))
@@ -105,7 +106,13 @@ impl<F: Float + FromStr> Samples<F> {
     }
 
     /// The samples of a table with a header.
-    fn of_table(text: &str, name: &str, reader: &Reader, step: Option<(F, &str)>) -> Result<Self, String> {
+    fn of_table(
+        text: &str,
+        name: &str,
+        reader: &Reader,
+        step: Option<(F, &str)>,
+        place_of_step: &str,
+    ) -> Result<Self, String> {
         let bad = |what: String| format!("{name}: {what}");
         let first = text.lines().next().unwrap_or_default();
         let delimiter = [b',', b';', b'\t'].into_iter().find(|byte| first.as_bytes().contains(byte));
@@ -130,7 +137,7 @@ impl<F: Float + FromStr> Samples<F> {
         let time = time.map(|(place, _, unit)| Ok::<_, String>((place, factor("time", unit, Kind::Time)?)));
         let time = time.transpose()?;
         if time.is_none() && step.is_none() {
-            return Err(bad("has no column time. Give the time between samples by --time-step".to_owned()));
+            return Err(bad(format!("has no column time. Give the time between samples {place_of_step}")));
         }
         if let (Some(_), Some((_, typed))) = (&time, step) {
             return Err(format!("{typed}: must be left out, because {name} has a column time"));

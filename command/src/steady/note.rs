@@ -25,7 +25,8 @@ pub(super) fn note<F: Value>(
         writeln!(out, "Base motion {base}.")?;
     }
     measured_from(point.machine.as_ref(), out)?;
-    let verdict = style::verdict(&words::limit(point.ratios, limit, in_words));
+    let verdict =
+        style::verdict(&words::limit(point.ratios, limit, in_words, " Allow more with --max-periods."));
     match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
             writeln!(out, "{verdict} {}\n", words::origin(point.ratios, limit))?;

@@ -5,22 +5,10 @@ use crate::bits::Value;
 use crate::input;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::record::{Cell, Record};
-use stickslip::batch::{Batch, Columns};
+use stickslip::batch::{Batch, Columns, is_looped_with_damper};
 use stickslip::definitions::REGIME;
 use stickslip::inputs::Given;
 use stickslip::{Output, Ratios, Regime};
-
-/// The outputs that a batch computes in loops with a damper, too.
-const OUTPUTS: [Output; 8] = [
-    Output::MaxDisplacement,
-    Output::MinForceRatio,
-    Output::LoopSizeStiffness,
-    Output::LoopSizeInertia,
-    Output::DisplacementPhase,
-    Output::MaxVelocity,
-    Output::VelocityPhase,
-    Output::Deviation,
-];
 
 /// The columns of a row, all of which come from the ratios or from loops.
 pub(crate) struct Looped(Vec<(Key, Source)>);
@@ -46,7 +34,8 @@ impl Looped {
                 name if name == STATIC_FRICTION_RATIO.name => ratio(Ratios::static_friction_ratio),
                 name if name == REGIME.name => Some((key, Source::Regime)),
                 name => {
-                    let output = OUTPUTS.into_iter().find(|output| output.name() == name)?;
+                    let output = Output::ALL.into_iter().find(|output| output.name() == name)?;
+                    is_looped_with_damper(output).then_some(())?;
                     outputs += 1;
                     Some((key, Source::Output(outputs - 1, output)))
                 }
