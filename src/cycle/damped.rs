@@ -26,6 +26,7 @@ pub(crate) mod rising;
 pub(crate) mod squared;
 mod summit;
 pub(crate) mod tangent;
+mod wide;
 mod work;
 
 use super::displacement::max_displacement;
@@ -35,7 +36,7 @@ use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
 use crate::machine::ratios::Ratios;
-use border::{has_lobes, least_displacement, needed_at, supremum, turning_point};
+use border::{has_lobes, least_displacement, supremum, turning_point};
 pub(crate) use half_period::HalfPeriod;
 use pole::Pole;
 use rising::Rising;
@@ -258,20 +259,14 @@ impl<F: Field> HalfPeriod<F> {
 
 /// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
 pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
-    let found = supremum(half);
-    let turning_point = at_turning_point(half);
-    let Some(touch) = found.touch else {
-        return Border::of_parts(turning_point.0, turning_point.0, F::int(0), turning_point.1);
+    let (at_turning_point, least) = at_turning_point(half);
+    let Some((touch, amplitude)) = supremum(half) else {
+        return Border::of_parts(at_turning_point, at_turning_point, F::int(0), least);
     };
-    let (wide, amplitude) = (half.wide(), needed_at(half, touch));
+    let wide = half.wide();
     let inside = wide.k.hypot(wide.stiffness * amplitude).value();
     let displacement = (amplitude - wide.shift).value();
-    Border::of_parts(
-        turning_point.0.or_larger(inside),
-        turning_point.0,
-        touch.phase(half.omega),
-        displacement,
-    )
+    Border::of_parts(inside, at_turning_point, touch.phase(half.omega), displacement)
 }
 
 /// The force ratio from which on the body does not stick at its turning points, and the least Δ₀/B there.

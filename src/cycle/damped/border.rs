@@ -30,20 +30,18 @@
 //! exceed the supremum so far. With `A = hypot(h′, h″)` at the left end, ρ ≤ (max b cos Ωτ + A)/(Ω min sin
 //! Ωτ), because h′ is a free vibration with decreasing energy.
 
-use super::free::{Free, Waves};
-use super::half_period::{HalfPeriod, wide_sin_cos};
+use super::half_period::HalfPeriod;
 use super::rising::Moment;
 use crate::float::pair::Pair;
-use crate::float::{Field, Float, at_precision};
+use crate::float::{Field, Float, at_precision, fused};
 use crate::root::newton_within;
 
-/// The supremum S and where it is.
+/// The greatest ρ so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Supremum<F> {
-    /// S.
-    pub(crate) amplitude: F,
-    /// Where the velocity first touches zero, if not at the turning point.
-    pub(crate) touch: Option<Touch<F>>,
+struct Supremum<F> {
+    amplitude: F,
+    /// Where it is, if not at the turning point.
+    touch: Option<Touch<F>>,
 }
 
 /// A time within the half cycle.
@@ -77,26 +75,23 @@ pub(crate) fn has_lobes<F: Float>(half: &HalfPeriod<F>) -> bool {
     half.free.swings() && half.omega * F::int(2) < half.free.frequency
 }
 
-/// S at the half period given.
-pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
-    let turning_point = Supremum { amplitude: turning_point(half), touch: None };
+/// Where the supremum is if not at the turning point, and S there.
+///
+/// A touch that rounding puts below the turning point is not left out: both are compared in pairs.
+pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Option<(Touch<F>, Pair<F>)> {
     if !has_lobes(half) {
-        return turning_point;
+        return None;
     }
-    let touch = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
-        let found = greatest(half, turning_point).touch;
-        found.map(|touch| Touch { time: refined(half, touch), ..touch })
+    let Touch { from, time } = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
+        let least = turning_point(half) * (F::int(1) - F::int(64) * F::epsilon());
+        refined(half, greatest(half, Supremum { amplitude: least, touch: None }).touch?)
     } else {
-        narrowed(*half).and_then(|near| polished(half, near))
+        polished(half, narrowed(*half)?)?
     };
-    let Some(Touch { from, time }) = touch else { return turning_point };
     let time = time.implicit_root(|time| rise(half, from, &at(half, from, time)));
-    let amplitude = needed(half, from, &at(half, from, time));
-    if amplitude > turning_point.amplitude {
-        Supremum { amplitude, touch: Some(Touch { from, time }) }
-    } else {
-        turning_point
-    }
+    let touch = Touch { from, time };
+    let amplitude = needed_at(half, touch);
+    ((amplitude - turning_point(&half.wide())).value() > F::int(0)).then_some((touch, amplitude))
 }
 
 /// Whether S is below an amplitude a by at least a sixteenth of a, and a is not small compared with H. Then α
@@ -126,7 +121,7 @@ pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
 /// The search at a lower precision.
 fn narrowed<F: Float>(half: HalfPeriod<F>) -> Option<Touch<F>> {
     at_precision!(narrowed, <F>(half: HalfPeriod<F>) -> Option<Touch<F>>, |there, back: G| {
-        let found: Touch<G> = supremum(&half.map(there)).touch?;
+        let (found, _) = supremum(&half.map(there))?;
         Some(Touch { from: found.from, time: back(found.time) })
     })
 }
@@ -187,42 +182,51 @@ fn needed<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> F {
 }
 
 /// ρ(τ) where the velocity touches zero, to more digits than the type has.
-pub(super) fn needed_at<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> Pair<F> {
-    let Touch { from, time } = touch;
+fn needed_at<F: Float>(half: &HalfPeriod<F>, Touch { from, time }: Touch<F>) -> Pair<F> {
     if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return needed(half, from, &at(half, from, time)).wide();
     }
-    let (wide, at) = (half.wide(), wide_at(half, touch));
-    (wide.omega * wide.h * at.drive.1 - at.free.v) / (wide.omega * at.drive.0)
+    fused!(<'a, F>(half: &'a HalfPeriod<F>, from: End, time: F) -> Pair<F> {
+        let wide = half.in_pairs();
+        let at = wide_at(&wide, from, time);
+        (wide.omega * wide.h * at.drive.1 - at.free.v) / (wide.omega * at.drive.0)
+    })
 }
 
 /// The half cycle in pairs, at up to the precision of f64.
-fn wide_at<F: Float>(half: &HalfPeriod<F>, Touch { from, time }: Touch<F>) -> Moment<Pair<F>> {
-    let (wide, one) = (half.wide(), Pair::int(1));
-    let (free, b) = (Free::new(wide.free.zeta), wide.omega * wide.h);
-    let (_, decay) = (-(free.zeta * time)).exp_falling();
-    let ((s, c), (sine, cosine)) = (wide_sin_cos(wide.omega * time), wide_sin_cos(free.frequency * time));
-    let sine = sine / free.frequency;
-    let tau = time.wide();
+#[inline(always)]
+fn wide_at<F: Float>(half: &HalfPeriod<Pair<F>>, from: End, time: F) -> Moment<Pair<F>> {
     match from {
-        End::First => {
-            let waves = Waves { cosine: decay * cosine, sine: decay * sine };
-            Moment { tau, drive: (s, c), waves, free: free.after(waves, one + wide.shift, b) }
-        }
-        End::Last => {
-            let waves = Waves { cosine: cosine / decay, sine: -(sine / decay) };
-            let free = free.after(waves, one - wide.shift, -b);
-            Moment { tau: wide.period - tau, drive: (s, -c), waves, free }
-        }
+        End::First => half.wide_at(time.wide()),
+        End::Last => half.wide_before_end(time.wide()),
+    }
+}
+
+/// [`rise`] in pairs, at up to the precision of f64.
+fn wide_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
+    fused!(<'a, F>(half: &'a HalfPeriod<F>, from: End, time: F) -> (F, F) {
+        let wide = half.in_pairs();
+        let (value, slope) = rise(&wide, from, &wide_at(&wide, from, time));
+        (value.value(), slope.value())
+    })
+}
+
+/// [`rise`] at a time; in pairs beside the ends, where it is of the third order and its terms of the first.
+fn certain_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
+    let is_beside = time.square() <= F::int(64) * F::epsilon().sqrt();
+    if const { F::PRECISION <= f64::MANTISSA_DIGITS } && is_beside {
+        wide_rise(half, from, time)
+    } else {
+        rise(half, from, &at(half, from, time))
     }
 }
 
 /// A maximum of ρ found in the arithmetic of the type, by one more step in pairs.
-fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> F {
-    let (value, slope) = rise(&half.wide(), touch.from, &wide_at(half, touch));
-    let step = (value / slope).value();
-    let is_small = step.abs() <= F::epsilon().sqrt() * touch.time;
-    if is_small { touch.time - step } else { touch.time }
+fn refined<F: Float>(half: &HalfPeriod<F>, Touch { from, time }: Touch<F>) -> Touch<F> {
+    let (value, slope) = wide_rise(half, from, time);
+    let step = value / slope;
+    let is_small = step.abs() <= F::epsilon().sqrt() * time;
+    Touch { from, time: if is_small { time - step } else { time } }
 }
 
 /// n(τ) in a form that keeps its digits as τ → 0.
@@ -239,6 +243,7 @@ fn shortfall<F: Float>(half: &HalfPeriod<F>, at: &Moment<F>) -> F {
 
 /// `g/Ω = n′ sin Ωτ − Ω n cos Ωτ`, which has the sign of ρ′, and its derivative `−p sin Ωτ`: by the time from
 /// the end given.
+#[inline(always)]
 pub(crate) fn rise<F: Field>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> (F, F) {
     let ((s, c), omega, b) = (at.drive, half.omega, half.omega * half.h);
     let (n, slope) = (b * c - at.free.v, -(b * omega * s) - at.free.a);
@@ -259,7 +264,7 @@ fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: End, low: F, high: F) -
     if !(low > zero && high < half.period) {
         return None;
     }
-    let slope = |time: F| rise(half, from, &at(half, from, time));
+    let slope = |time: F| certain_rise(half, from, time);
     let is_maximum = slope(low).0 > zero && slope(high).0 < zero;
     is_maximum.then(|| Touch { from, time: newton_within(low, high, slope) })
 }

@@ -28,7 +28,9 @@
 //! # The iteration
 //!
 //! It is that of [`mod@super::middle`]. Where that does not reach, Taylor's formula of the seventh order leads from the
-//! middle close to the maximum, and is applied there once more (`cycle::arrival`).
+//! middle, or a search from anywhere, close to the maximum, and is applied there once more (`cycle::arrival`): with the
+//! velocity, the acceleration and the displacement in pairs, because a flat maximum has its time only to the digits that
+//! are left of the acceleration.
 
 use super::border::has_lobes;
 use super::free::{Free, State, Waves};
@@ -37,7 +39,7 @@ use super::middle::{Constants, Crest, slopes};
 use super::rising::{Moment, Rising, Vibration};
 use crate::cycle::arrival::{Arrived, Nearby, Reciprocals};
 use crate::float::pair::Pair;
-use crate::float::{Float, fused};
+use crate::float::{Field, Float, fused};
 
 /// The time of the maximum velocity, and its value.
 #[derive(Clone, Copy)]
@@ -59,6 +61,11 @@ impl<F: Float> Rising<F> {
             return found.differentiated(self);
         }
         let tau = super::fastest::fastest_time(&self.vibration());
+        if F::PRECISION <= f64::MANTISSA_DIGITS
+            && let Some(found) = self.summit_near(tau)
+        {
+            return found.differentiated(self);
+        }
         let moment = self.at(tau);
         let [velocity, slope, _] = self.velocity(&moment);
         let Self { half: HalfPeriod { omega, period, .. }, .. } = *self;
@@ -99,20 +106,26 @@ impl<F: Float> Rising<F> {
 }
 
 impl<F: Float> Vibration<F> {
-    /// The maximum of the velocity near a moment, by Taylor's formula; the displacement is the amount to
-    /// subtract from that at the moment.
+    /// The maximum of the velocity near a moment, by Taylor's formula: the time until then, and as displacement the
+    /// amount to subtract from that at the moment. `(s, c)` are sine and cosine of Ωτ.
     ///
     /// `x″ + 2ζx′ + x = f − 1` makes every derivative of the two before and one of the drive.
     #[inline(always)]
-    fn fastest_near(&self, at: &Moment<F>, [velocity, f0]: [F; 2]) -> Arrived<F> {
-        let ((along, across), (s, c), omega) = (self.force(), at.drive, self.omega);
+    fn fastest_near(&self, (s, c): (F, F), [velocity, f0]: [F; 2]) -> Arrived<F> {
+        let ((along, across), omega) = (self.force(), self.omega);
         let (zeta, square) = (self.free.zeta, omega.square());
         let drives = [omega * (across * c - along * s), -(square * (along * c + across * s))];
         let slopes = slopes((omega, zeta), [velocity, f0], drives);
-        let damping = F::int(2) * zeta;
-        let faster = omega.or_larger(F::int(1)).or_larger(damping);
-        Nearby { psi: at.tau, velocity, slopes, displacement: F::int(0), slower: F::int(1) / faster }
+        let slower = self.fastest_turn();
+        Nearby { psi: F::int(0), velocity, slopes, displacement: F::int(0), slower }
             .fastest(&Reciprocals::new())
+    }
+
+    /// The time in which the fastest of its waves turns by 1.
+    #[inline(always)]
+    fn fastest_turn(&self) -> F {
+        let damping = F::int(2) * self.free.zeta;
+        F::int(1) / self.omega.or_larger(F::int(1)).or_larger(damping)
     }
 }
 
@@ -146,25 +159,75 @@ impl<F: Float> Rising<F> {
         }
         let velocity = half.omega * self.amplitude + middle.free.v;
         let slope = half.omega.square() * half.h + middle.free.a;
-        let mut tau = motion.fastest_near(&middle, [velocity, slope]).psi;
+        let start = motion.fastest_near(middle.drive, [velocity, slope]).psi;
+        self.summit_near(middle.tau + start)
+    }
+
+    /// The maximum near τ, by Taylor's formula from there.
+    fn summit_near(&self, tau: F) -> Option<Summit<F>> {
+        let rising = self;
+        fused!(<'a, F>(rising: &'a Rising<F>, tau: F) -> Option<Summit<F>> { rising.arrive(tau) })
+    }
+
+    #[inline(always)]
+    fn arrive(&self, tau: F) -> Option<Summit<F>> {
+        let (motion, half) = (self.vibration(), &self.half);
+        let middle = Pair::pi() / half.omega * F::ratio(1, 2);
+        let mut tau = tau.wide();
         for _ in 0..4 {
-            if !(tau > F::int(0) && tau < half.period) {
+            if !(tau.hi > F::int(0) && tau.hi < half.period) {
                 return None;
             }
-            let moment = motion.at(tau);
-            let [velocity, slope, _] = motion.velocity(&moment);
-            let found = motion.fastest_near(&moment, [velocity, slope]);
-            tau = found.psi;
-            if found.is_found {
+            let Place { velocity, slope, displacement, drive } = self.place(tau);
+            let found = motion.fastest_near(drive, [velocity.hi, slope]);
+            tau = tau + Pair::exact(found.psi);
+            // From farther away its last correction, whose square it takes at the start, would be too large.
+            let is_near = found.psi.abs() * F::int(64) <= motion.fastest_turn();
+            if found.is_found && is_near {
                 return Some(Summit {
-                    sigma: tau - half.period / F::int(2),
-                    velocity: (velocity + found.gain) / half.omega,
-                    displacement: self.displacement_by(&moment, slope) - found.displacement,
+                    sigma: (tau - middle).value(),
+                    velocity: ((velocity + Pair::exact(found.gain)) / half.omega).value(),
+                    displacement: (displacement - Pair::exact(found.displacement)).value(),
                 });
             }
         }
         None
     }
+
+    /// The half cycle at τ, in pairs: in a flat maximum of the velocity the driven and the free acceleration cancel, and
+    /// far above Ω = 1 the displacements. Beside Ω = 1 their circular functions would not have digits enough, and both
+    /// are computed as one.
+    #[inline(always)]
+    fn place(&self, tau: Pair<F>) -> Place<F> {
+        let (omega, one) = (self.half.omega, F::int(1));
+        // After so many turns, or with so small a displacement, pairs would have no more digits than the type.
+        let loss = (tau.hi * omega.or_larger(one)).or_larger(omega.square());
+        if self.half.is_resonant || loss * F::epsilon() * F::exp2i(12) > one {
+            let at = self.at(tau.value());
+            let [velocity, slope, _] = self.velocity(&at);
+            let displacement = self.displacement_by(&at, slope);
+            return Place {
+                velocity: velocity.wide(),
+                slope,
+                displacement: displacement.wide(),
+                drive: at.drive,
+            };
+        }
+        let rising = self.in_pairs();
+        let at = rising.half.wide_at(tau);
+        let [velocity, slope, _] = rising.velocity(&at);
+        let (s, c) = at.drive;
+        let displacement = at.free.x - Pair::int(1) - rising.amplitude * c - rising.half.h * s;
+        Place { velocity, slope: slope.value(), displacement, drive: (s.hi, c.hi) }
+    }
+}
+
+/// The half cycle at one time: `x′/(B ω_n)`, `x″/(B ω_n²)`, x/B, and sine and cosine of Ωτ.
+struct Place<F> {
+    velocity: Pair<F>,
+    slope: F,
+    displacement: Pair<F>,
+    drive: (F, F),
 }
 
 impl<F: Float> Summit<F> {

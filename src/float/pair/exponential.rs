@@ -11,8 +11,8 @@ impl<F: Float> Pair<F> {
     ///
     /// With `x = n ln 2 + r`, |r| ≤ (ln 2)/2, `eʳ − 1 = r + r²/2 + r³ E(r)`: only the last term, at most r²/5
     /// of the sum, is rounded in the type. The error is below a twentieth of a unit in the last place and
-    /// decreases with r², so that eˣ − 1 keeps its relative accuracy as x → 0. Where eˣ is below `2⁻ᵉ`, e =
-    /// [`Float::RATIO_EXPONENT`], it has the type's own digits.
+    /// decreases with r², so that eˣ − 1 keeps its relative accuracy as x → 0. It is four times as large where eˣ is
+    /// below `2⁻ᵉ`, e = [`Float::RATIO_EXPONENT`].
     #[inline(always)]
     pub(crate) fn exp_falling(self) -> (Self, Self) {
         let (one, half) = (F::int(1), F::ratio(1, 2));
@@ -21,7 +21,8 @@ impl<F: Float> Pair<F> {
         let ln_2 = Self::new(hi, F::from_f64(first - hi.to_f64()) + F::from_f64(second));
         let n = (self.hi / hi).round();
         if n <= -F::int(F::RATIO_EXPONENT) || !n.is_finite() {
-            return (Self::exact(-one), Self::exact(self.value().exp()));
+            let value = self.exp_far();
+            return (value - Self::exact(one), value);
         }
         let r = self - ln_2 * n;
         let rest = (3..=16).rev().fold(F::int(0), |sum, k| sum.mul_add(r.hi, one) * F::ratio(1, k)) * half;
@@ -34,6 +35,19 @@ impl<F: Float> Pair<F> {
         let power = F::exp2i(n.to_f64() as i32);
         let value = (rise + Self::exact(one)) * power;
         (value - Self::exact(one), value)
+    }
+
+    /// eˣ far below 1 as the square of its root; zero where that underflows.
+    #[cold]
+    #[inline(never)]
+    fn exp_far(self) -> Self {
+        let least = -F::int(F::RATIO_EXPONENT) * F::int(4);
+        // A NaN is not above it.
+        if self.hi > least {
+            (self * F::ratio(1, 2)).exp_falling().1.square()
+        } else {
+            Self::exact(self.hi.exp())
+        }
     }
 }
 
@@ -70,8 +84,8 @@ mod tests {
                 ((wide(found) - exact) / exact).abs().to_f64() / f64::EPSILON
             };
             let (fall, value) = (off(fall, wide(pair).exp_m1()), off(value, wide(pair).exp()));
-            let most = if x > -170.0 { 0.05 } else { 1.0 };
-            assert!(fall < 0.05 && (value < most || x < -700.0), "{x}: {fall} {value}");
+            let most = if x > -170.0 { 0.05 } else { 0.2 };
+            assert!(fall < 0.05 && (value < most || x < -670.0), "{x}: {fall} {value}");
         }
     }
 }

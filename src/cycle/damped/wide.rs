@@ -1,0 +1,74 @@
+//! The half cycle in compensated pairs, at up to the precision of f64: where driven and free vibration nearly cancel,
+//! in a flat maximum of the velocity or of the border's condition.
+
+use super::free::{Free, Waves};
+use super::half_period::{HalfPeriod, wide_sin_cos};
+use super::rising::{Moment, Rising};
+use crate::float::pair::Pair;
+use crate::float::{Field, Float};
+
+impl<F: Float> Rising<F> {
+    /// The half cycle with all digits of a, G, H, d and T.
+    #[inline(always)]
+    pub(super) fn in_pairs(&self) -> Rising<Pair<F>> {
+        let half = self.half.in_pairs();
+        let max_displacement = Pair::new(self.max_displacement, self.rest);
+        Rising { amplitude: max_displacement + half.shift, max_displacement, rest: Pair::int(0), half }
+    }
+}
+
+impl<F: Float> HalfPeriod<F> {
+    /// [`HalfPeriod::wide`] with the digits of d and T.
+    #[inline(always)]
+    pub(super) fn in_pairs(&self) -> HalfPeriod<Pair<F>> {
+        let wide = self.wide();
+        HalfPeriod { free: Free::new(wide.free.zeta), period: Pair::pi() / self.omega, ..wide }
+    }
+}
+
+impl<F: Float> HalfPeriod<Pair<F>> {
+    /// The half cycle at τ in [0, T].
+    #[inline(always)]
+    pub(super) fn wide_at(&self, tau: Pair<F>) -> Moment<Pair<F>> {
+        let waves = self.free.wide_waves(tau);
+        let free = self.free.after(waves, Pair::int(1) + self.shift, self.omega * self.h);
+        Moment { tau, drive: wide_sin_cos(self.omega * tau), waves, free }
+    }
+
+    /// The moment at T − u; for ζ < 1.
+    #[inline(always)]
+    pub(super) fn wide_before_end(&self, u: Pair<F>) -> Moment<Pair<F>> {
+        let (decay, (sine, cosine)) = self.free.wide_swing(u);
+        let waves = Waves { cosine: cosine / decay, sine: -(sine / decay) };
+        let free = self.free.after(waves, Pair::int(1) - self.shift, -(self.omega * self.h));
+        let (s, c) = wide_sin_cos(self.omega * u);
+        Moment { tau: self.period - u, drive: (s, -c), waves, free }
+    }
+}
+
+impl<F: Float> Free<Pair<F>> {
+    /// `e^{−ζt}`, and `sin(dt)/d` and `cos dt`; for ζ < 1.
+    #[inline(always)]
+    fn wide_swing(&self, t: Pair<F>) -> (Pair<F>, (Pair<F>, Pair<F>)) {
+        let (sine, cosine) = wide_sin_cos(self.frequency * t);
+        ((-(self.zeta * t)).exp_falling().1, (sine / self.frequency, cosine))
+    }
+
+    /// [`Free::waves`] at t ≥ 0.
+    #[inline(always)]
+    fn wide_waves(&self, t: Pair<F>) -> Waves<Pair<F>> {
+        let (zero, half) = (F::int(0), F::ratio(1, 2));
+        if self.square.hi > zero {
+            let (decay, (sine, cosine)) = self.wide_swing(t);
+            return Waves { cosine: decay * cosine, sine: decay * sine };
+        }
+        if self.frequency.hi == zero {
+            let (_, decay) = (-t).exp_falling();
+            return Waves { cosine: decay, sine: decay * t };
+        }
+        let ((_, slow), (fall, _)) =
+            ((-(self.slow_rate() * t)).exp_falling(), (-(self.frequency * t).times(2)).exp_falling());
+        let gap = fall * half;
+        Waves { cosine: slow * (Pair::int(1) + gap), sine: -(slow * gap / self.frequency) }
+    }
+}
