@@ -5,7 +5,7 @@
 # an error. With another compiler, libraries or valgrind than in that file, 25 % are allowed, because their
 # code differs while that of the library does not.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+[ "${1:-}" = --one ] || cd "$(dirname "$0")/.."
 program() {
     cargo bench --features batch --bench "$1" --no-run --message-format json 2>/dev/null |
         sed -n "s/.*\"executable\":\"\([^\"]*$1-[^\"]*\)\".*/\1/p" | tail -n 1
@@ -21,36 +21,51 @@ conditions() {
 }
 report() { echo "$1 $(($2 / $3)).$(($2 * 10 / $3 % 10))"; } # KERNEL TOTAL CALLS
 
-all() {
-    closed=$(program instructions)
-    for kernel in triple five cycle cycle-low response {cycle,response}-static-friction damped; do
-        # The difference of two numbers of points removes the start-up, but not the loop over the points.
-        once=$(collected "$closed" "$kernel" 10000)
-        report "$kernel" $(($(collected "$closed" "$kernel" 30000) - once)) 20000
-    done
-    exact=$(program exact_instructions)
-    for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
-        case $kernel in
-            steady-beside-resonance) function=steady_from_rest ;;
-            *) function=${kernel//-/_} ;;
-        esac
-        report "$kernel" "$(count "*motions::$function*" "$exact" "$kernel" 2000)" 2000
-    done
-    for point in {0.7-1.2,0.4-6,0.15-3,0.9-1.1}-{0,0.05}; do
-        report "steady-with-stops-$point" "$(count '*motions::steady_with_damping*' "$exact" "steady-with-stops-$point" 20)" 20
-    done
-    report steady-map "$(count '*steady_map*' "$exact" steady-map 5000)" 5000
-    batch=$(program batch_instructions)
-    for kernel in batch-{triple,peaks,cycles}{,-fixed,-low} batch-{triple,peaks}-damped; do
-        # The difference of two numbers of rounds removes the start-up.
-        once=$(collected "$batch" "$kernel" 1)
-        report "$kernel" $(($(collected "$batch" "$kernel" 3) - once)) $((2 * 128000))
-    done
+one() { # KIND PROGRAM KERNEL: the line of one kernel
+    local kind=$1 program=$2 kernel=$3 once function=${3//-/_}
+    case $kind in
+        closed)
+            # The difference of two numbers of points removes the start-up, but not the loop over the points.
+            once=$(collected "$program" "$kernel" 10000)
+            report "$kernel" $(($(collected "$program" "$kernel" 30000) - once)) 20000
+            ;;
+        exact)
+            [ "$kernel" != steady-beside-resonance ] || function=steady_from_rest
+            report "$kernel" "$(count "*motions::$function*" "$program" "$kernel" 2000)" 2000
+            ;;
+        stops) report "$kernel" "$(count '*motions::steady_with_damping*' "$program" "$kernel" 20)" 20 ;;
+        map) report "$kernel" "$(count '*steady_map*' "$program" "$kernel" 5000)" 5000 ;;
+        batch)
+            # The difference of two numbers of rounds removes the start-up.
+            once=$(collected "$program" "$kernel" 1)
+            report "$kernel" $(($(collected "$program" "$kernel" 3) - once)) $((2 * 128000))
+            ;;
+    esac
 }
 
+all() { # as many kernels at a time as there are processors
+    local closed exact batch
+    closed=$(program instructions)
+    exact=$(program exact_instructions)
+    batch=$(program batch_instructions)
+    {
+        printf "closed $closed %s\n" triple five cycle cycle-low response {cycle,response}-static-friction damped
+        printf "exact $exact %s\n" steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides
+        printf "stops $exact steady-with-stops-%s\n" {0.7-1.2,0.4-6,0.15-3,0.9-1.1}-{0,0.05}
+        printf "map $exact steady-map\n"
+        printf "batch $batch %s\n" batch-{triple,peaks,cycles}{,-fixed,-low} batch-{triple,peaks}-damped
+    } | xargs -P "$(nproc)" -L 1 benches/instructions.sh --one
+}
+
+if [ "${1:-}" = --one ]; then
+    one "${@:2}"
+    exit
+fi
 if [ "${1:-}" != --check ]; then
     conditions
-    all
+    # In the order of the file so far, with new kernels last.
+    all | awk 'NR == FNR { place[$1] = NR; next } { print ($1 in place ? place[$1] : NR + 1000), $0 }' benches/instructions.txt - |
+        sort -n | cut -d ' ' -f 2-
     exit
 fi
 kept=$(head -n 1 benches/instructions.txt)

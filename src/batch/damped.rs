@@ -14,7 +14,7 @@ use crate::cycle::damped::tangent::Angle;
 use crate::cycle::damped::{displacement_phase, exists, from_turning_point};
 use crate::cycle::regime::regime_of;
 use crate::cycle::velocity_phase;
-use crate::float::circular::held;
+use crate::float::circular::{Swell, held};
 use crate::float::pair::Pair;
 use crate::machine::ratios::Ratios;
 use crate::output::Output;
@@ -30,30 +30,14 @@ impl AtPoint<2, 6> for Turning {
     }
 }
 
-/// `[p, r]` in pairs from `[Ω, ζ]` and the results of [`Turning`]; NaN where the point must be recomputed.
-struct Fraction;
+/// `[G, H]` in pairs from `[Ω, ζ]` and the results of [`Turning`]; NaN where the point must be recomputed.
+struct Responses(Swell<f64>);
 
-impl AtPoint<8, 4> for Fraction {
+impl AtPoint<8, 4> for Responses {
     #[inline(always)]
     fn at(&self, [omega, zeta, angle @ ..]: [f64; 8]) -> [f64; 4] {
-        let ((p, r), is_accurate) = angle_of(angle).fraction(omega, zeta);
-        [select(is_accurate & (zeta > 0.0), p.hi, f64::NAN), p.lo, r.hi, r.lo]
-    }
-}
-
-/// `[G, H]` in pairs from `[Ω, ζ]` and the results of [`Turning`] and [`Fraction`].
-struct Responses;
-
-impl AtPoint<12, 4> for Responses {
-    #[inline(always)]
-    fn at(
-        &self,
-        [omega, zeta, d, d_rest, gamma, gamma_rest, inverse, inverse_rest, fraction @ ..]: [f64; 12],
-    ) -> [f64; 4] {
-        let angle = angle_of([d, d_rest, gamma, gamma_rest, inverse, inverse_rest]);
-        let [p, p_rest, r, r_rest] = fraction;
-        let (shift, h) = angle.tangent(omega, zeta, (Pair::new(p, p_rest), Pair::new(r, r_rest)));
-        [shift.hi, shift.lo, h.hi, h.lo]
+        let (shift, h, is_accurate) = angle_of(angle).responses(omega, zeta, &self.0);
+        [select(is_accurate & (zeta > 0.0), shift.hi, f64::NAN), shift.lo, h.hi, h.lo]
     }
 }
 
@@ -63,41 +47,60 @@ fn angle_of([d, d_rest, gamma, gamma_rest, inverse, inverse_rest]: [f64; 6]) -> 
     Angle { d, gamma, inverse: Pair::new(inverse, inverse_rest) }
 }
 
-/// The half cycle from `[Ω, α, ζ, η]` and the results of [`Responses`], its α_min, and whether there is one.
+/// The half period from `[Ω, ζ]`, 1/Ω and the results of [`Responses`].
 #[inline(always)]
-fn rising([omega, alpha, zeta, eta, shift, shift_rest, h, h_rest]: [f64; 8]) -> (Rising<f64>, f64, bool) {
-    let (shift, h) = (Pair::new(shift, shift_rest), Pair::new(h, h_rest));
-    let half = HalfPeriod::of_response(omega, zeta, shift, h).with_static_friction(eta);
-    let (rising, border) = from_turning_point(half, alpha);
-    (rising, border, exists(alpha, border))
+fn half([omega, zeta, inverse, inverse_rest, shift, shift_rest, h, h_rest]: [f64; 8]) -> HalfPeriod<f64> {
+    let (inverse, shift) = (Pair::new(inverse, inverse_rest), Pair::new(shift, shift_rest));
+    HalfPeriod::of_responses(omega, zeta, inverse, shift, Pair::new(h, h_rest))
 }
 
-/// `[Δ₀, α_min, A₁]` from the inputs of [`rising`]; a NaN in α_min means that the point must be recomputed.
-struct Sizes;
+/// `[a², S, α_min]`, the first two in pairs, from `[α, η]` and the inputs of [`half`]; a NaN in α_min means that the
+/// point must be recomputed.
+struct Squares;
 
-impl AtPoint<8, 3> for Sizes {
+impl AtPoint<10, 5> for Squares {
     #[inline(always)]
-    fn at(&self, given: [f64; 8]) -> [f64; 3] {
-        let (rising, border, slides) = rising(given);
-        let size = rising.loop_sizes(given[1]).0;
-        [select(slides, rising.max_displacement, f64::NAN), border, select(slides, size, f64::NAN)]
+    fn at(&self, [alpha, eta, given @ ..]: [f64; 10]) -> [f64; 5] {
+        let (square, least, border) = from_turning_point(&half(given).with_static_friction(eta), alpha);
+        [square.hi, square.lo, least.hi, least.lo, border]
     }
 }
 
-impl AtPoint<8, 8> for Sizes {
-    /// The same and `[ω_d t₂, A₂, the low part of Δ₀]` with f_c and f_s of the drive.
+/// The half cycle from `[α, a², S, α_min]` and the inputs of [`half`], and whether there is one.
+#[inline(always)]
+fn rising(
+    [alpha, square, square_rest, least, least_rest, border, given @ ..]: [f64; 14],
+) -> (Rising<f64>, bool) {
+    let (square, least) = (Pair::new(square, square_rest), Pair::new(least, least_rest));
+    (Rising::of_square(half(given), square, least), exists(alpha, border))
+}
+
+/// `[Δ₀, A₁]` from the inputs of [`rising`].
+struct Sizes;
+
+impl AtPoint<14, 2> for Sizes {
     #[inline(always)]
-    fn at(&self, given: [f64; 8]) -> [f64; 8] {
-        let (rising, border, slides) = rising(given);
-        let ((size1, size2), drive) = (rising.loop_sizes(given[1]), rising.drive());
+    fn at(&self, given: [f64; 14]) -> [f64; 2] {
+        let (rising, slides) = rising(given);
+        let size = rising.loop_sizes(given[0]).0;
+        [select(slides, rising.max_displacement, f64::NAN), select(slides, size, f64::NAN)]
+    }
+}
+
+impl AtPoint<14, 8> for Sizes {
+    /// The same and `[ω_d t₂, A₂, α_min, the low part of Δ₀]` with f_c and f_s of the drive; a NaN in α_min means that
+    /// the point must be recomputed.
+    #[inline(always)]
+    fn at(&self, given: [f64; 14]) -> [f64; 8] {
+        let (rising, slides) = rising(given);
+        let ((size1, size2), drive) = (rising.loop_sizes(given[0]), rising.drive());
         let phase = displacement_phase(drive);
-        let border = select(!slides | rising.does_not_stick(), border, f64::NAN);
         [
             select(slides, rising.max_displacement, f64::NAN),
-            border,
             select(slides, size1, f64::NAN),
             select(slides, phase, f64::NAN),
             select(slides, size2, f64::NAN),
+            select(!slides | rising.does_not_stick(), given[5], f64::NAN),
             rising.rest,
             drive.0.value(),
             drive.1.value(),
@@ -105,26 +108,26 @@ impl AtPoint<8, 8> for Sizes {
     }
 }
 
-/// The middle of the half cycle from `[Ω, ζ]`, the results of [`Turning`], P and G.
+/// The middle of the half cycle from `[Ω, ζ]`, the results of [`Turning`] and G.
 struct Middles;
 
 #[inline(always)]
-fn middle([omega, zeta, angle @ .., p, r, shift]: [f64; 11]) -> Middle<f64> {
-    angle_of(angle).middle(omega, zeta, (p, r), shift)
+fn middle([omega, zeta, angle @ .., shift]: [f64; 9]) -> Middle<f64> {
+    angle_of(angle).middle(omega, zeta, shift)
 }
 
-impl AtPoint<11, 2> for Middles {
+impl AtPoint<9, 2> for Middles {
     /// Without the displacement.
     #[inline(always)]
-    fn at(&self, given: [f64; 11]) -> [f64; 2] {
+    fn at(&self, given: [f64; 9]) -> [f64; 2] {
         let Middle { velocity, slope, .. } = middle(given);
         [velocity, slope]
     }
 }
 
-impl AtPoint<11, 3> for Middles {
+impl AtPoint<9, 3> for Middles {
     #[inline(always)]
-    fn at(&self, given: [f64; 11]) -> [f64; 3] {
+    fn at(&self, given: [f64; 9]) -> [f64; 3] {
         let Middle { velocity, slope, displacement } = middle(given);
         [velocity, slope, displacement]
     }
@@ -194,32 +197,34 @@ impl Loops for Pass<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { wanted, given: [omega, alpha, zeta, eta], found, work } = self;
-        let [a, b, c, d, e, f, p, p_rest, r, r_rest, shift, shift_rest, h, h_rest, work @ ..] = work;
-        let [rest, along, across, mark, middle @ ..] = work;
+        let [a, b, c, d, e, f, shift, shift_rest, h, h_rest, work @ ..] = work;
+        let [square, square_rest, least, least_rest, rest, along, across, mark, middle @ ..] = work;
         let [delta, border, size1, phase2, size2, velocity, phase1, deviation, _] = found;
         each(&Turning, [omega, zeta], [&mut *a, b, c, d, e, f]);
-        each(&Fraction, [omega, zeta, a, b, c, d, e, f], [&mut *p, p_rest, r, r_rest]);
-        let responses = [&mut *shift, shift_rest, h, h_rest];
-        each(&Responses, [omega, zeta, a, b, c, d, e, f, p, p_rest, r, r_rest], responses);
-        let given = [omega, alpha, zeta, eta, shift, shift_rest, h, h_rest];
+        let responses = Responses(held(Swell::new()));
+        each(&responses, [omega, zeta, a, b, c, d, e, f], [&mut *shift, shift_rest, h, h_rest]);
+        let [i, j, k, l, m, n, o, q] = [omega, zeta, e, f, &*shift, shift_rest, h, h_rest];
+        let squares = [&mut *square, square_rest, least, least_rest, &mut *border];
+        each(&Squares, [alpha, eta, i, j, k, l, m, n, o, q], squares);
+        let given = [alpha, square, square_rest, least, least_rest, border, i, j, k, l, m, n, o, q];
         if !wanted.more {
-            return each::<8, 3>(&Sizes, given, [delta, border, size1]);
+            return each::<14, 2>(&Sizes, given, [delta, size1]);
         }
-        let least = if wanted.velocity { &mut *mark } else { &mut *border };
-        each::<8, 8>(&Sizes, given, [&mut *delta, least, size1, phase2, size2, rest, along, across]);
+        each::<14, 8>(&Sizes, given, [&mut *delta, size1, phase2, size2, mark, rest, along, across]);
         if !wanted.velocity {
+            *border = *mark;
             return;
         }
-        let given = [omega, zeta, a, b, c, d, e, f, p, r, shift];
+        let given = [omega, zeta, a, b, c, d, e, f, shift];
         let [x, v, w] = middle;
         let at = [omega, zeta, &*along, across, delta, rest, phase2, mark];
         let [i, j, k, l, m, n, o, q] = at;
         if wanted.deviation {
-            each::<11, 3>(&Middles, given, [&mut *v, w, x]);
+            each::<9, 3>(&Middles, given, [&mut *v, w, x]);
             let given = [i, j, k, l, m, n, o, q, v, w, x];
             each::<11, 4>(&Arrival::new(), given, [velocity, phase1, border, deviation]);
         } else {
-            each::<11, 2>(&Middles, given, [&mut *v, w]);
+            each::<9, 2>(&Middles, given, [&mut *v, w]);
             each::<10, 3>(&Arrival::new(), [i, j, k, l, m, n, o, q, v, w], [velocity, phase1, border]);
         }
     }

@@ -29,7 +29,6 @@ pub(crate) mod tangent;
 mod wide;
 mod work;
 
-use super::displacement::max_displacement;
 use super::displacement::velocity_phase;
 use super::stability::MultiplierPair;
 use super::{Border, loop_size_inertia, loop_size_stiffness};
@@ -164,14 +163,22 @@ impl<F: Float> Rising<F> {
                     (turning_point(&wide), least)
                 }
             }
-            None => {
-                let amplitude = max_displacement(wide.k, alpha.wide(), wide.stiffness);
-                let least = turning_point(&wide);
-                let excess = (amplitude.hi - least.hi) + (amplitude.lo - least.lo);
-                let amplitude = if excess >= F::int(0) { amplitude } else { least };
-                (amplitude, amplitude - wide.shift)
-            }
+            None => return Self::of_square(half, wide.squared_amplitude(alpha), turning_point(&wide)),
         };
+        Self::of_parts(half, amplitude, displacement)
+    }
+
+    /// From a², where a is at least `least`.
+    #[inline(always)]
+    pub(crate) fn of_square(half: HalfPeriod<F>, square: Pair<F>, least: Pair<F>) -> Self {
+        let amplitude = square.sqrt();
+        let excess = (amplitude.hi - least.hi) + (amplitude.lo - least.lo);
+        let amplitude = if excess >= F::int(0) { amplitude } else { least };
+        Self::of_parts(half, amplitude, amplitude - half.wide().shift)
+    }
+
+    #[inline(always)]
+    fn of_parts(half: HalfPeriod<F>, amplitude: Pair<F>, displacement: Pair<F>) -> Self {
         let displacement = displacement.normalised();
         Self { half, amplitude: amplitude.value(), max_displacement: displacement.hi, rest: displacement.lo }
     }
@@ -278,18 +285,29 @@ pub(crate) fn at_turning_point<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
     })
 }
 
-/// `hypot(K, qS)` with S of the turning point.
+/// `q hypot(S, H)` with S of the turning point.
 #[inline(always)]
 fn force_ratio_at_turning_point<F: Float>(half: &HalfPeriod<Pair<F>>) -> F {
-    half.k.hypot(half.stiffness * turning_point(half)).value()
+    let square = turning_point(half).square() + half.h.square();
+    (square * half.squared_stiffness()).value().sqrt()
 }
 
-/// The cycle and α_min where the turning point decides the border: from Ω = d/2 on.
+impl<F: Float> HalfPeriod<Pair<F>> {
+    /// `a² = α²/q² − H²`.
+    #[inline(always)]
+    fn squared_amplitude(&self, alpha: F) -> Pair<F> {
+        alpha.wide().square() / self.squared_stiffness() - self.h.square()
+    }
+}
+
+/// a², S and α_min where the turning point decides the border: from Ω = d/2 on.
 ///
-/// It has no branches, for loops; the cycle is meaningless below the border.
+/// It has no branches, for loops; a² is meaningless below the border.
+#[cfg(feature = "batch")]
 #[inline(always)]
-pub(crate) fn from_turning_point<F: Float>(half: HalfPeriod<F>, alpha: F) -> (Rising<F>, F) {
-    (Rising::at_force(half, alpha), force_ratio_at_turning_point(&half.wide()))
+pub(crate) fn from_turning_point<F: Float>(half: &HalfPeriod<F>, alpha: F) -> (Pair<F>, Pair<F>, F) {
+    let half = half.wide();
+    (half.squared_amplitude(alpha), turning_point(&half), force_ratio_at_turning_point(&half))
 }
 
 /// {Δ₀, α_min, A₁} without the rest of the answer; NaN where there is no cycle.
@@ -298,7 +316,7 @@ pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
     let eta = ratios.static_friction_ratio();
     fused!(<F>(omega: F, alpha: F, zeta: F, eta: F) -> [F; 3] {
         let half = HalfPeriod::of_amplitude(omega, zeta).with_static_friction(eta);
-        let (rising, at_turning_point) = from_turning_point(half, alpha);
+        let (rising, at_turning_point) = (Rising::at_force(half, alpha), force_ratio_at_turning_point(&half.wide()));
         let (displacement, size) = (rising.max_displacement, rising.loop_sizes(alpha).0);
         let least = if has_lobes(&half) { border(&half).min_force_ratio } else { at_turning_point };
         let nan = F::int(0) / F::int(0);

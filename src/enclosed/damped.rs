@@ -94,6 +94,7 @@ pub(crate) fn half_period<const W: usize>(
     };
     let half = HalfPeriod {
         omega,
+        inverse: one / omega,
         free,
         period,
         lag,
@@ -101,13 +102,13 @@ pub(crate) fn half_period<const W: usize>(
         shift,
         h,
         k,
-        rest: [Ball::int(0); 3],
+        rest: [Ball::int(0); 4],
         form: Form::Definition,
         parts: [Ball::int(0); 3],
         decay,
         cosine,
         sine,
-        static_excess: Ball::int(0),
+        static_friction: Ball::int(1),
         // The ball itself shows the cancellation in both parts.
         is_resonant: false,
     };

@@ -12,6 +12,8 @@
 //! | sin x | \|x\| ≤ 0.28125 | x (1 + x² S₄(x²)) | 6.7e-19 of it |
 //! | cos x | \|x\| ≤ 0.28125 | 1 − x²/2 + x⁴ C₃(x²) | 4.0e-18 |
 //! | atan t | \|t\| ≤ tan π/8 | t (1 + t² A₁₀(t²)) | 7.1e-18 of it |
+//! | 6 (sinh √z)/√z − 6 | −5/2 ≤ z ≤ 6 | z + z² H₈(z) | 1.5e-17 of it |
+//! | 2 cosh √z − 2 | −5/2 ≤ z ≤ 6 | z + z² K₈(z) | 2.4e-17 of it |
 
 use super::Float;
 use super::pair::Pair;
@@ -100,6 +102,61 @@ pub(crate) const ARCTANGENT: Arctangent<f64> = Arctangent([
     0.039_231_658_294_376_685,
     -0.019_176_887_117_579_786,
 ]);
+
+/// Hyperbolic functions of √z, which are the circular ones of √−z for z < 0: coefficients of H and K in the table, from
+/// the constant term up.
+#[derive(Clone, Copy)]
+pub(crate) struct Swell<F> {
+    sine: [F; 9],
+    cosine: [F; 9],
+}
+
+/// The coefficients for −5/2 ≤ z ≤ 6.
+const SWELL: Swell<f64> = Swell {
+    sine: [
+        0.05,
+        0.001_190_476_190_476_191_2,
+        1.653_439_153_439_220_3e-5,
+        1.503_126_503_118_959_9e-7,
+        9.635_426_300_322_157e-10,
+        4.588_298_448_821_065e-12,
+        1.686_873_251_779_601_4e-14,
+        4.930_720_645_458_878e-17,
+        1.211_630_237_969_436_4e-19,
+    ],
+    cosine: [
+        0.083_333_333_333_333_33,
+        0.002_777_777_777_777_783_5,
+        4.960_317_460_317_975e-5,
+        5.511_463_844_739_222e-7,
+        4.175_351_396_212_049e-9,
+        2.294_149_280_687_92e-11,
+        9.558_946_228_817_105e-14,
+        3.122_565_299_811_282e-16,
+        8.506_720_142_810_93e-19,
+    ],
+};
+
+impl<F: Float> Swell<F> {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self { sine: SWELL.sine.map(F::from_f64), cosine: SWELL.cosine.map(F::from_f64) }
+    }
+
+    /// `(6 (sinh √z)/√z − 6, 2 cosh √z − 2)`, exact except for the roundings of all but the leading term.
+    #[inline(always)]
+    pub(crate) fn at(&self, z: Pair<F>) -> (Pair<F>, Pair<F>) {
+        (led(z, &self.sine), led(z, &self.cosine))
+    }
+}
+
+/// `z + z² p(z)`, |z p(z)| ≤ 1.
+#[inline(always)]
+fn led<F: Float, const N: usize>(z: Pair<F>, coefficients: &[F; N]) -> Pair<F> {
+    let bend = polynomial(coefficients, z.hi) * z.hi;
+    let hi = bend.mul_add(z.hi, z.hi);
+    Pair::new(hi, bend.mul_add(z.hi, z.hi - hi) + (bend + bend).mul_add(z.lo, z.lo))
+}
 
 /// Hides the coefficients' values from the compiler. It then keeps each in a vector register for the whole
 /// loop instead of rebuilding it from the constant at every use, a quarter of a loop's instructions with

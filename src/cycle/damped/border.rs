@@ -108,14 +108,13 @@ pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool
 /// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
 #[inline(always)]
 pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
-    (half.holding() + half.static_excess) / half.omega.square()
+    (half.static_friction + half.shift + half.lag.0 * half.h) * half.inverse.square()
 }
 
 /// The least Δ₀/B with which it does not stick at its turning points, S − G: `[η + G(1 − Ω²) + 2ζΩH]/Ω²`.
 #[inline(always)]
 pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
-    let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h + half.static_excess;
-    held / half.omega.square()
+    (half.static_friction + half.shift * half.lag.1 + half.lag.0 * half.h) * half.inverse.square()
 }
 
 /// The search at a lower precision.

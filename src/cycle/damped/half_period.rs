@@ -28,6 +28,8 @@ use crate::float::{Field, Float, Real, at_precision, fused};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HalfPeriod<F> {
     pub(crate) omega: F,
+    /// 1/Ω.
+    pub(crate) inverse: F,
     pub(crate) free: Free<F>,
     /// T.
     pub(crate) period: F,
@@ -41,8 +43,8 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) h: F,
     /// K = qH.
     pub(crate) k: F,
-    /// What rounding took from q, G and H.
-    pub(crate) rest: [F; 3],
+    /// What rounding took from q, G, H and 1/Ω.
+    pub(crate) rest: [F; 4],
     /// The form by which G and H were found, and what it gives beside them: see [`HalfPeriod::beyond`] and
     /// [`HalfPeriod::middle`]. One field for both keeps an answer small.
     pub(crate) form: Form,
@@ -51,8 +53,8 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) decay: F,
     pub(crate) cosine: F,
     pub(crate) sine: F,
-    /// `η − 1`, by how much the static friction is above the kinetic one, in r_y.
-    pub(crate) static_excess: F,
+    /// η, the static friction in r_y.
+    pub(crate) static_friction: F,
     /// Whether driven and free vibration nearly cancel over the half period.
     pub(crate) is_resonant: bool,
 }
@@ -69,12 +71,14 @@ impl<F: Float> HalfPeriod<F> {
             return half.with_waves(waves_at_end(&half.free, omega));
         }
         if let Some(Pole { stiffness, shift, h, beyond }) = Pole::beside(omega, zeta) {
-            let half = Self::of_pairs(omega, zeta, [stiffness, shift, h]);
+            let parts = [stiffness.normalised(), shift.normalised(), h.normalised(), Pair::int(1) / omega];
+            let half = Self::of_pairs(omega, zeta, parts);
             let half = half.with_waves(waves_at_end(&half.free, omega));
             return Self { form: Form::Pole, parts: [beyond.hi, beyond.lo, F::int(0)], ..half };
         }
         let Half { shift, h, waves } = half(omega, zeta);
-        Self::of_response(omega, zeta, shift, h).with_waves(waves)
+        let (shift, h) = (shift.normalised(), h.normalised());
+        Self::of_responses(omega, zeta, Pair::int(1) / omega, shift, h).with_waves(waves)
     }
 
     /// All that Δ₀ and the border at the turning point need: without the waves at T, which are NaN.
@@ -89,16 +93,16 @@ impl<F: Float> HalfPeriod<F> {
         if const { F::PRECISION > f64::MANTISSA_DIGITS } {
             return None;
         }
-        let Tangent { shift, h, middle, is_accurate } = Tangent::at(omega, zeta);
-        let half = Self::of_response(omega, zeta, shift, h);
+        let Tangent { inverse, shift, h, middle, is_accurate } = Tangent::at(omega, zeta);
+        let half = Self::of_responses(omega, zeta, inverse, shift, h);
         let parts = [middle.velocity, middle.slope, middle.displacement];
         if is_accurate { Some(Self { form: Form::Tangent, parts, ..half }) } else { None }
     }
 
-    /// From G and H; the waves at T are NaN.
+    /// From 1/Ω, G and H, normalised; the waves at T are NaN.
     #[inline(always)]
-    pub(crate) fn of_response(omega: F, zeta: F, shift: Pair<F>, h: Pair<F>) -> Self {
-        Self::of_pairs(omega, zeta, [stiffness(omega, zeta), shift, h])
+    pub(crate) fn of_responses(omega: F, zeta: F, inverse: Pair<F>, shift: Pair<F>, h: Pair<F>) -> Self {
+        Self::of_pairs(omega, zeta, [stiffness(omega, zeta).normalised(), shift, h, inverse])
     }
 
     #[inline(always)]
@@ -106,13 +110,14 @@ impl<F: Float> HalfPeriod<F> {
         Self { decay, cosine, sine, ..self }
     }
 
-    /// From q, G and H; the waves at T are NaN.
+    /// From q, G, H and 1/Ω, normalised; the waves at T are NaN.
     #[inline(always)]
-    fn of_pairs(omega: F, zeta: F, parts: [Pair<F>; 3]) -> Self {
-        let [stiffness, shift, h] = parts.map(Pair::normalised);
+    fn of_pairs(omega: F, zeta: F, parts: [Pair<F>; 4]) -> Self {
+        let [stiffness, shift, h, inverse] = parts;
         let (period, nan) = (F::pi() / omega, F::int(0) / F::int(0));
         Self {
             omega,
+            inverse: inverse.hi,
             free: Free::new(zeta),
             period,
             lag: (F::int(2) * zeta * omega, one_minus_square(omega)),
@@ -120,13 +125,13 @@ impl<F: Float> HalfPeriod<F> {
             shift: shift.hi,
             h: h.hi,
             k: (stiffness * h).value(),
-            rest: [stiffness.lo, shift.lo, h.lo],
+            rest: [stiffness.lo, shift.lo, h.lo, inverse.lo],
             form: Form::Definition,
             parts: [nan; 3],
             decay: nan,
             cosine: nan,
             sine: nan,
-            static_excess: F::int(0),
+            static_friction: F::int(1),
             // H = K/q exceeds T.
             is_resonant: stiffness.hi * period < F::int(1) && zeta * F::int(8) < F::int(1),
         }
@@ -135,11 +140,13 @@ impl<F: Float> HalfPeriod<F> {
     /// This half period with all digits of q, G, H and K.
     #[inline(always)]
     pub(crate) fn wide(&self) -> HalfPeriod<Pair<F>> {
-        let [stiffness, shift, h] = self.rest;
+        let [stiffness, shift, h, inverse] = self.rest;
         let (stiffness, h) = (Pair::new(self.stiffness, stiffness), Pair::new(self.h, h));
         let damper = (self.free.zeta.wide() * self.omega).times(2);
         HalfPeriod {
-            lag: (damper, one_minus_square_wide(self.omega)),
+            inverse: Pair::new(self.inverse, inverse),
+            // Where Ω is near 1 the leading digits of 1 − Ω² cancel, and its two parts overlap.
+            lag: (damper, one_minus_square_wide(self.omega).normalised()),
             stiffness,
             shift: Pair::new(self.shift, shift),
             h,
@@ -180,6 +187,7 @@ impl<F: Field> HalfPeriod<F> {
     pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> HalfPeriod<G> {
         HalfPeriod {
             omega: to(self.omega),
+            inverse: to(self.inverse),
             free: self.free.map(&to),
             period: to(self.period),
             lag: (to(self.lag.0), to(self.lag.1)),
@@ -193,7 +201,7 @@ impl<F: Field> HalfPeriod<F> {
             decay: to(self.decay),
             cosine: to(self.cosine),
             sine: to(self.sine),
-            static_excess: to(self.static_excess),
+            static_friction: to(self.static_friction),
             is_resonant: self.is_resonant,
         }
     }
@@ -209,7 +217,13 @@ impl<F: Real> HalfPeriod<F> {
 impl<F: Field> HalfPeriod<F> {
     /// This half period with a static friction of η times the kinetic one.
     pub(crate) fn with_static_friction(self, eta: F) -> Self {
-        Self { static_excess: eta - F::int(1), ..self }
+        Self { static_friction: eta, ..self }
+    }
+
+    /// q².
+    #[inline(always)]
+    pub(crate) fn squared_stiffness(&self) -> F {
+        self.lag.0.square() + self.lag.1.square()
     }
 
     /// `1 + G + 2ζΩH`: the deceleration at the maximum of the cycle that is barely held back there, in units
@@ -231,7 +245,7 @@ pub(crate) fn half_angle<F: Float>(free: &Free<F>, omega: F, half: F) -> (F, F) 
 /// q.
 #[inline(always)]
 fn stiffness<F: Float>(omega: F, zeta: F) -> Pair<F> {
-    // Where Ω is near 1 the leading digits of 1 − Ω² cancel, and its two parts overlap.
+    // As in `HalfPeriod::wide`.
     (zeta.wide() * omega).times(2).hypot(one_minus_square_wide(omega).normalised())
 }
 

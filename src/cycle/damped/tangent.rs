@@ -1,30 +1,34 @@
-//! The half period by a hyperbolic tangent, without exponentials, circular functions or branches, so that
-//! loops over it can be vectorised.
+//! The half period without exponentials, circular functions or branches, so that loops over it can be vectorised.
 //!
 //! With λ = −ζ + id, d = √(1 − ζ²), the matching conditions of the cycle are solved by `t = tanh(λT/2)`: `ΩH =
 //! Im t/d`, `G = −Re t − (ζ/d) Im t`. From λT/2 the nearest multiple of iπ/2 is subtracted:
 //!
 //! ```text
 //! v = λT/2 − qiπ/2 = (T/2)(−ζ + iγ),   γ = d − qΩ,   q = 0, 1 or 2,
-//! t = v/P for even q,   t = P/v for q = 1,   P = v coth v = p + ir = 1 + v²/(3 + v²/(5 + v²/(7 + …))).
+//! t = tanh v for even q,   t = coth v for q = 1.
 //! ```
 //!
-//! With `M = |P|² d/(T/2)` for even q and `M = (T/2)(ζ² + γ²) d` for q = 1,
+//! Of `X = ζT` and `Y = γT`, |Y| ≤ π/2, four real functions are needed, which are two of `z = X²` and `z = −Y²`:
 //!
 //! ```text
-//! ΩH = ±(pγ + rζ)/M,   G = (ζ p A − r B)/M,   A = d ∓ γ,   B = dγ ± ζ²,
+//! S(z) = 6 (sinh √z)/√z − 6 = z + z²(…),   C(z) = 2 cosh √z − 2 = z + z²(…).
 //! ```
 //!
-//! with the lower sign for q = 1. Nothing cancels as ζ → 0 or far above Ω = 1, where q = 0, A = 0, B = 1 and G is
-//! of the order ζT³/12.
+//! With σ = γ for q = 1 and −γ for even q,
 //!
-//! Only the outer level of the fraction is computed in pairs: an error of the others reaches P with the factor
-//! |v|⁴/45. It vanishes towards the pole at Ω = 1 just as Δ₀ = a − G requires, in which a and G are of the order
-//! of 1/|v|.
+//! ```text
+//! M = 3d [C(X²) − C(−Y²)] for q = 1,   M = 3d [4 + C(X²) + C(−Y²)] for even q,
+//! G = ζT [6 (d + σ) + d S(X²) + σ S(−Y²)]/M,   ΩH = −σT [6 + S(−Y²)]/M.
+//! ```
 //!
-//! **The middle of the half cycle** follows from the same P. There free vibration is sech(λT/2) from (1, 0), and with
-//! `R = v/sinh v = √(P² − v²)`, `N = 1/(P + R)`, x(z) = Re z + (ζ/d) Im z and v(z) = −Im z/d the velocity less ΩΔ₀ is
-//! x(w), the acceleration v(w), and for q = 1, with P − R = v²N, nothing large is left:
+//! d + σ is 2d − Ω for q = 1, 2Ω for q = 2 and 0 for q = 0: nothing cancels as ζ → 0 or far above Ω = 1. Only
+//! the leading term z of S and C is computed in pairs: the error of the rest vanishes as z towards the pole at Ω = 1
+//! just as Δ₀ = a − G requires, in which a and G are of the order of 1/|v|, and α²/q² − H² of the order of 1.
+//!
+//! **The middle of the half cycle** follows from `P = v coth v = p + ir = 1 + v²/(3 + v²/(5 + v²/(7 + …)))`. There free
+//! vibration is sech(λT/2) from (1, 0), and with `R = v/sinh v = √(P² − v²)`, `N = 1/(P + R)`, x(z) = Re z + (ζ/d) Im z
+//! and v(z) = −Im z/d the velocity less ΩΔ₀ is x(w), the acceleration v(w), and for q = 1, with P − R = v²N, nothing
+//! large is left:
 //!
 //! ```text
 //! w = λ sech(λT/2) − Ωt = −ΩvN − (2iΩ/π) R,     x/B + 1 = x(ivN + 2P/π)                        (q = 1)
@@ -32,12 +36,15 @@
 //! ```
 
 use super::middle::Middle;
+use crate::float::circular::Swell;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
-/// G and H, computed in three parts, which are loops of their own in a batch.
+/// G and H, computed in two parts, which are loops of their own in a batch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tangent<F> {
+    /// 1/Ω.
+    pub(crate) inverse: Pair<F>,
     /// G.
     pub(crate) shift: Pair<F>,
     /// H.
@@ -64,78 +71,89 @@ impl<F: Float> Tangent<F> {
     #[inline(always)]
     pub(crate) fn at(omega: F, zeta: F) -> Self {
         let angle = Angle::at(omega, zeta);
-        let (fraction, is_accurate) = angle.fraction(omega, zeta);
-        let (shift, h) = angle.tangent(omega, zeta, fraction);
-        let middle = angle.middle(omega, zeta, (fraction.0.hi, fraction.1.hi), shift.hi);
-        Self { shift, h, middle, is_accurate }
+        let (shift, h, is_accurate) = angle.responses(omega, zeta, &Swell::new());
+        let middle = angle.middle(omega, zeta, shift.hi);
+        Self { inverse: angle.inverse, shift, h, middle, is_accurate }
     }
 }
 
 impl<F: Float> Angle<F> {
     #[inline(always)]
     pub(crate) fn at(omega: F, zeta: F) -> Self {
-        let one = F::int(1);
         let square = Pair::two_prod(zeta, zeta);
-        let rest = Pair::fast_two_sum(one, -square.hi);
-        let d = Pair::new(rest.hi, rest.lo - square.lo).sqrt();
-        let inverse = Pair::int(1) / omega;
-        let near = Pair::two_sum(d.hi, -Self { d, gamma: d, inverse }.turns(omega).1);
-        Self { d, gamma: Pair::fast_two_sum(near.hi, near.lo + d.lo), inverse }
+        let rest = Pair::fast_two_sum(F::int(1), -square.hi);
+        let d = rest.hi.sqrt();
+        let twice = F::int(2) * d;
+        // One division for 1/Ω and 1/2d.
+        let both = F::int(1) / (twice * omega);
+        let inverse = twice * both;
+        let inverse = Pair::new(inverse, (-inverse).mul_add(omega, F::int(1)) * inverse);
+        let d = Pair::new(d, ((-d).mul_add(d, rest.hi) + (rest.lo - square.lo)) * (omega * both));
+        // Exact: the two differ by a factor of two at most.
+        let near = d.hi - Self::turns(d.hi, omega).1;
+        Self { d, gamma: Pair::fast_two_sum(near, d.lo), inverse: inverse.normalised() }
     }
 
     /// Whether q is odd, and qΩ.
     #[inline(always)]
-    fn turns(&self, omega: F) -> (bool, F) {
+    fn turns(d: F, omega: F) -> (bool, F) {
         let (zero, two) = (F::int(0), F::int(2));
-        let twice = two * self.d.hi;
+        let twice = two * d;
         let (is_above, is_beyond) = (omega >= twice, F::int(3) * omega >= twice);
         let turns = if is_beyond { omega } else { two * omega };
         (is_beyond & !is_above, if is_above { zero } else { turns })
     }
 
-    /// `P = (p, r)`, and whether G and H are accurate.
+    /// G and H, and whether they are accurate.
     #[inline(always)]
-    pub(crate) fn fraction(&self, omega: F, zeta: F) -> (Complex<Pair<F>>, bool) {
-        let Self { gamma, inverse, .. } = *self;
-        let middle = inverse * (Pair::pi() * F::ratio(1, 2));
-        let (scale, square, other) = (middle.square(), Pair::two_prod(zeta, zeta), gamma.square());
-        let size = scale.hi * (square.hi + other.hi);
-        let v2 = (scale * (square - other), -(scale * (gamma * zeta)).times(2));
-        let (p, r) = quotient(v2, tail((v2.0.hi, v2.1.hi)));
-        let (is_odd, _) = self.turns(omega);
-        // The digits of a pair suffice for α² − K² down to about |v|³ = ε.
-        let nearest = F::exp2i(-((2 * F::PRECISION / 3) as i32));
+    pub(crate) fn responses(&self, omega: F, zeta: F, swell: &Swell<F>) -> (Pair<F>, Pair<F>, bool) {
+        let Self { d, gamma, inverse } = *self;
+        let (zero, two) = (F::int(0), F::int(2));
+        let (is_odd, turns) = Self::turns(d.hi, omega);
+        let period = inverse * Pair::pi();
+        let (x, y) = (period * zeta, period * gamma);
+        let (x2, y2) = (x.square(), y.square());
+        let ((s, c), (s_of_y, c_of_y)) = (swell.at(x2), swell.at(-y2));
+        let (sigma, c_of_y) = if is_odd { (gamma, -c_of_y) } else { (-gamma, c_of_y) };
+        // d + σ
+        let odd = Pair::fast_two_sum(two * d.hi, -omega);
+        let odd = Pair::new(odd.hi, two.mul_add(d.lo, odd.lo));
+        let near = if is_odd { odd } else { Pair::exact(turns) };
+        let whole = total([Pair::exact(if is_odd { zero } else { F::int(4) }), c, c_of_y]);
+        let under = d * whole * F::int(3);
+        let shift = x * total([near * F::int(6), d * s, sigma * s_of_y]) / under;
+        let six = Pair::fast_two_sum(F::int(6), s_of_y.hi);
+        let h = y * Pair::new(six.hi, six.lo + s_of_y.lo) * inverse / under;
+        let h = if is_odd { -h } else { h };
+        // |2v|², within the reach of the fraction. A pair has the digits of α² − K² down to about |v|³ = ε.
+        let size = x2.hi + y2.hi;
+        let nearest = F::exp2i(2 - ((2 * F::PRECISION / 3) as i32));
         let is_accurate = (omega >= F::ratio(1, 2))
             & (omega <= F::exp2i(20))
             & (zeta <= F::ratio(7, 8))
-            & (size <= F::ratio(3, 2))
+            & (size <= F::int(6))
             & (!is_odd | (size >= nearest));
-        ((Pair::int(1) + p, r), is_accurate)
+        (shift.normalised(), h.normalised(), is_accurate)
     }
 
-    /// G and H.
+    /// P.
     #[inline(always)]
-    pub(crate) fn tangent(&self, omega: F, zeta: F, (p, r): Complex<Pair<F>>) -> (Pair<F>, Pair<F>) {
-        let Self { d, gamma, inverse } = *self;
-        let square = Pair::two_prod(zeta, zeta);
-        let (is_odd, _) = self.turns(omega);
-        let (a, b) = if is_odd { (gamma, -square) } else { (-gamma, square) };
-        let (a, b) = (d + a, d * gamma + b);
-        let height = gamma * p + r * zeta;
-        let height = if is_odd { -height } else { height };
-        let half_pi = Pair::pi() * F::ratio(1, 2);
-        let over = if is_odd { Pair::int(1) / half_pi * omega } else { inverse * half_pi };
-        let under = if is_odd { square + gamma.square() } else { p.square() + r.square() };
-        let factor = over / (under * d);
-        (((p * zeta) * a - r * b) * factor, height * factor * inverse)
+    fn fraction(&self, zeta: F) -> Complex<F> {
+        let half = F::pi() * F::ratio(1, 2) * self.inverse.hi;
+        let (a, b) = (half * zeta, half * self.gamma.hi);
+        let square = ((a - b) * (a + b), -(F::int(2) * a * b));
+        let (re, im) = tail(square);
+        let (p, r) = over(square, (F::int(3) + re, im));
+        (F::int(1) + p, r)
     }
 
-    /// The middle of the half cycle, by G and P.
+    /// The middle of the half cycle, by G.
     #[inline(always)]
-    pub(crate) fn middle(&self, omega: F, zeta: F, (p, r): Complex<F>, shift: F) -> Middle<F> {
+    pub(crate) fn middle(&self, omega: F, zeta: F, shift: F) -> Middle<F> {
+        let (p, r) = self.fraction(zeta);
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let (d, gamma, half_pi) = (self.d.hi, self.gamma.hi, F::pi() * F::ratio(1, 2));
-        let (is_odd, turn) = self.turns(omega);
+        let (is_odd, turn) = Self::turns(d, omega);
         let is_above = turn == zero;
         // v, v² and N = 1/(P + R), R = √(P² − v²)
         let half = half_pi * self.inverse.hi;
@@ -145,15 +163,10 @@ impl<F: Float> Angle<F> {
         let size = re.mul_add(re, im * im).sqrt();
         let a = ((size + re) * F::ratio(1, 2)).sqrt();
         let b = im / (two * a);
-        let inverse = |(a, b): Complex<F>| {
-            let size = one / a.mul_add(a, b * b);
-            (a * size, -(b * size))
-        };
-        let (n, m) = (inverse((p + a, r + b)), inverse((p, r)));
+        let (n, m) = (reciprocal((p + a, r + b)), reciprocal((p, r)));
         let over_d = one / d;
-        // x and x′ of a complex number.
-        let place = |(re, im): Complex<F>| (zeta * over_d).mul_add(im, re);
-        let speed = |(_, im): Complex<F>| -(im * over_d);
+        // x is Re z + factor Im z, x′ is −Im z/d.
+        let factor = zeta * over_d;
         // w, and ±R/P for an even q.
         let odd = times((half_pi * zeta, -(half_pi * gamma)), n);
         let odd = ((omega / half_pi).mul_add(b, odd.0), (omega / half_pi).mul_add(-a, odd.1));
@@ -171,10 +184,11 @@ impl<F: Float> Angle<F> {
         let part = times(square, n);
         let rest = if is_above { (-part.0, -part.1) } else { (-a - two * v.1, two.mul_add(v.0, -b)) };
         let by_even = times((scale.mul_add(square.0, rest.0), scale.mul_add(square.1, rest.1)), m);
-        let at = place(if is_odd { by_odd } else { by_even });
+        let (re, im) = if is_odd { by_odd } else { by_even };
+        let at = factor.mul_add(im, re);
         Middle {
-            velocity: if is_odd { place(w) } else { omega.mul_add(shift, speed(s)) },
-            slope: speed(w),
+            velocity: if is_odd { factor.mul_add(w.1, w.0) } else { omega.mul_add(shift, -(s.1 * over_d)) },
+            slope: -(w.1 * over_d),
             displacement: if is_above { at } else { at - one },
         }
     }
@@ -205,29 +219,28 @@ fn tail<F: Float>(z: Complex<F>) -> Complex<F> {
     let denominator = (d1.mul_add(z.0, d0), d1 * z.1);
     let numerator =
         (numerator.0.mul_add(z.0, -(numerator.1 * z.1)), numerator.0.mul_add(z.1, numerator.1 * z.0));
-    let inverse = n(1) / denominator.0.mul_add(denominator.0, denominator.1 * denominator.1);
-    (
-        numerator.0.mul_add(denominator.0, numerator.1 * denominator.1) * inverse,
-        numerator.1.mul_add(denominator.0, -(numerator.0 * denominator.1)) * inverse,
-    )
+    over(numerator, denominator)
 }
 
-/// `z/(3 + tail)`, to twice the digits of the type.
 #[inline(always)]
-fn quotient<F: Float>(z: Complex<Pair<F>>, tail: Complex<F>) -> Complex<Pair<F>> {
-    let real = Pair::fast_two_sum(F::int(3), tail.0);
-    let (c, d) = (real.hi, tail.1);
+fn reciprocal<F: Float>((a, b): Complex<F>) -> Complex<F> {
+    let size = F::int(1) / a.mul_add(a, b * b);
+    (a * size, -(b * size))
+}
+
+/// The quotient of two complex numbers.
+#[inline(always)]
+fn over<F: Float>((a, b): Complex<F>, (c, d): Complex<F>) -> Complex<F> {
     let inverse = F::int(1) / c.mul_add(c, d * d);
-    let times_conjugate = |a: F, b: F| (a.mul_add(c, b * d) * inverse, b.mul_add(c, -(a * d)) * inverse);
-    let (x, y) = times_conjugate(z.0.hi, z.1.hi);
-    let rest = |whole: Pair<F>, first: Pair<F>, second: Pair<F>, small: F| {
-        let sum = Pair::two_sum(whole.hi, -first.hi);
-        (sum.hi - second.hi) + ((sum.lo - first.lo) - (second.lo - small) + whole.lo)
-    };
-    let re = rest(z.0, Pair::two_prod(x, c), -Pair::two_prod(y, d), -(x * real.lo));
-    let im = rest(z.1, Pair::two_prod(x, d), Pair::two_prod(y, c), -(y * real.lo));
-    let (u, v) = times_conjugate(re, im);
-    (Pair::new(x, u), Pair::new(y, v))
+    (a.mul_add(c, b * d) * inverse, b.mul_add(c, -(a * d)) * inverse)
+}
+
+/// The sum of three pairs of which no leading part is much smaller than the sum, without the last step of a sum of two.
+#[inline(always)]
+fn total<F: Float>([a, b, c]: [Pair<F>; 3]) -> Pair<F> {
+    let first = Pair::two_sum(a.hi, b.hi);
+    let second = Pair::two_sum(first.hi, c.hi);
+    Pair::new(second.hi, (first.lo + second.lo) + ((a.lo + b.lo) + c.lo))
 }
 
 #[cfg(all(test, feature = "mp"))]
@@ -249,12 +262,11 @@ mod tests {
                     continue;
                 }
                 let (g, h) = responses(omega, zeta);
-                // Some six roundings of the inner levels, |v|²/15 of which reach r, and |v|⁴/45 P.
+                // Some roundings of all but the leading terms of S and C, which are a tenth of them times z.
                 let d = (1.0 - zeta * zeta).sqrt();
-                let is_odd = 3.0 * omega >= 2.0 * d && omega < 2.0 * d;
                 let gamma = (0..3).map(|q| (d - f64::from(q) * omega).abs()).fold(9.0, f64::min);
-                let size = (std::f64::consts::FRAC_PI_2 / omega).powi(2) * (gamma * gamma + zeta * zeta);
-                let unit = 0.4 * f64::EPSILON * if is_odd { size * size } else { size };
+                let size = (std::f64::consts::PI / omega).powi(2) * (gamma * gamma + zeta * zeta);
+                let unit = 0.1 * f64::EPSILON * size;
                 // γ has the absolute error of the pair d.
                 let unit = unit + f64::EPSILON.powi(2) / gamma;
                 is_near(found.shift, g, unit, (omega, zeta));
