@@ -64,6 +64,7 @@ use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{valid_damping_ratio, valid_static_friction_ratio, within};
+use crate::named::named;
 use crate::output::Output;
 use angle::Angle;
 use border::Border;
@@ -72,46 +73,29 @@ use widen::{Answers, Question, sharpest};
 /// The greatest number of bits used in a computation.
 pub const MAX_BITS: u32 = widen::GREATEST;
 
-/// The regime, where it is certain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Regime {
-    /// α ≤ 1: the body ends at rest.
-    Stuck,
-    /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. The body sticks, except at the
-    /// force ratios of six reversals near a pole ([`crate::cycle::SixReversals`]), which are not
-    /// enclosed. With η > 1 it sticks from every start where α > η, and may end at rest where α ≤ η.
-    BelowBorder,
-    /// α > α_min(Ω): two reversals a cycle and no stop. With η > 1 only above the bound of
-    /// [`crate::NoStop::every_start`], because every start leads there.
-    NonSticking,
-    /// Ω = 1, ζ = 0 and α > 4/π, with η > 1 α > 4η/π: the displacement grows without bound from every start.
-    Unbounded,
-    /// η > 1 and α > α_min(Ω), but not above the bound for every start: a motion of two reversals without a
-    /// stop exists and attracts its neighbourhood. Other starts may lead to other motions, and for α ≤ η a
-    /// body at rest stays at rest.
-    DependsOnStart,
-}
-
-/// Displays the name that the command prints.
-impl core::fmt::Display for Regime {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-impl Regime {
-    /// The name, as [`Display`](core::fmt::Display) prints it.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stuck => "stuck",
-            Self::BelowBorder => "below the border",
-            Self::NonSticking => "non-sticking",
-            Self::Unbounded => "unbounded",
-            Self::DependsOnStart => "depends-on-start",
-        }
+named! {
+    /// The regime, where it is certain.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum Regime displayed [
+        /// The name, as [`Display`](core::fmt::Display) prints it.
+        #[doc(hidden)]
+    ] {
+        /// α ≤ 1: the body ends at rest.
+        Stuck = "stuck",
+        /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. The body sticks, except at the
+        /// force ratios of six reversals near a pole ([`crate::cycle::SixReversals`]), which are not
+        /// enclosed. With η > 1 it sticks from every start where α > η, and may end at rest where α ≤ η.
+        BelowBorder = "below the border",
+        /// α > α_min(Ω): two reversals a cycle and no stop. With η > 1 only above the bound of
+        /// [`crate::NoStop::every_start`], because every start leads there.
+        NonSticking = "non-sticking",
+        /// Ω = 1, ζ = 0 and α > 4/π, with η > 1 α > 4η/π: the displacement grows without bound from every start.
+        Unbounded = "unbounded",
+        /// η > 1 and α > α_min(Ω), but not above the bound for every start: a motion of two reversals without a
+        /// stop exists and attracts its neighbourhood. Other starts may lead to other motions, and for α ≤ η a
+        /// body at rest stays at rest.
+        DependsOnStart = "depends-on-start",
     }
 }
 

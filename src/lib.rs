@@ -169,6 +169,7 @@ pub mod generators;
 mod greatest;
 mod machine;
 pub mod motion;
+mod named;
 mod output;
 #[cfg(doctest)]
 mod pages;

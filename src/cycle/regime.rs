@@ -19,55 +19,39 @@ use crate::cycle::{Border, six_reversals};
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
+use crate::named::named;
 
-/// The steady behaviour of the body.
-///
-/// With a static friction above the kinetic one it can depend on the start, and a name is given only where every
-/// start leads to this behaviour; elsewhere it is [`Regime::DependsOnStart`] (`src/cycle/regime/static_friction.rs` has
-/// the proofs). The regime of one motion from one start is that of the motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Regime {
-    /// α ≤ 1: the force cannot overcome friction permanently, and the body ends at rest.
-    Stuck,
-    /// α > 1 and no motion without a stop: the body stops for some time in every cycle. With η > 1 it stops
-    /// again and again, α > η, and the motion itself depends on the start.
-    Sticking,
-    /// The body never stops for longer than an instant: either α ≥ α_min(Ω), where it reverses twice a cycle,
-    /// or α lies within the force ratios of six reversals a cycle near a pole 1/(2n+1)
-    /// ([`crate::cycle::SixReversals`]). With η > 1 only above
-    /// [`NoStop::every_start`].
-    NonSticking,
-    /// Ω = 1 and α > 4/π, or with η > 1 α > 4η/π: the body never stops in the long run and its displacement grows
-    /// without bound.
-    Unbounded,
-    /// η > 1, α > 1 and none of the others for every start. For α ≤ η a body at rest within |x| ≤ η − α stays at
-    /// rest ([`Ratios::moves_from_rest`]). Where a motion without a stop exists
-    /// ([`crate::Response::has_motion_without_stop`]) it is the limit of its neighbourhood; elsewhere all motions
-    /// end at rest or stop again and again.
-    DependsOnStart,
-}
-
-/// Displays the name that the command prints.
-impl core::fmt::Display for Regime {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-impl Regime {
-    /// The name, as [`Display`](core::fmt::Display) prints it.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stuck => "stuck",
-            Self::Sticking => "sticking",
-            Self::NonSticking => "non-sticking",
-            Self::Unbounded => "unbounded",
-            Self::DependsOnStart => "depends-on-start",
-        }
+named! {
+    /// The steady behaviour of the body.
+    ///
+    /// With a static friction above the kinetic one it can depend on the start, and a name is given only where every
+    /// start leads to this behaviour; elsewhere it is [`Regime::DependsOnStart`] (`src/cycle/regime/static_friction.rs` has
+    /// the proofs). The regime of one motion from one start is that of the motion.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Regime displayed [
+        /// The name, as [`Display`](core::fmt::Display) prints it.
+        #[doc(hidden)]
+    ] {
+        /// α ≤ 1: the force cannot overcome friction permanently, and the body ends at rest.
+        Stuck = "stuck",
+        /// α > 1 and no motion without a stop: the body stops for some time in every cycle. With η > 1 it stops
+        /// again and again, α > η, and the motion itself depends on the start.
+        Sticking = "sticking",
+        /// The body never stops for longer than an instant: either α ≥ α_min(Ω), where it reverses twice a cycle,
+        /// or α lies within the force ratios of six reversals a cycle near a pole 1/(2n+1)
+        /// ([`crate::cycle::SixReversals`]). With η > 1 only above
+        /// [`NoStop::every_start`].
+        NonSticking = "non-sticking",
+        /// Ω = 1 and α > 4/π, or with η > 1 α > 4η/π: the body never stops in the long run and its displacement grows
+        /// without bound.
+        Unbounded = "unbounded",
+        /// η > 1, α > 1 and none of the others for every start. For α ≤ η a body at rest within |x| ≤ η − α stays at
+        /// rest ([`Ratios::moves_from_rest`]). Where a motion without a stop exists
+        /// ([`crate::Response::has_motion_without_stop`]) it is the limit of its neighbourhood; elsewhere all motions
+        /// end at rest or stop again and again.
+        DependsOnStart = "depends-on-start",
     }
 }
 

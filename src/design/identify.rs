@@ -24,6 +24,7 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Excitation, Oscillator};
 use crate::machine::ratios::{Ratios, finite, positive};
 use crate::motion::{State, Trajectory};
+use crate::named::named;
 use crate::uncertainty::Estimate;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -46,54 +47,38 @@ pub struct Measurement {
     pub phase: Option<f64>,
 }
 
-/// The amplitude that was measured.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-pub enum AmplitudeKind {
-    /// The maximum displacement, half of peak to peak.
-    #[default]
-    Peak,
-    /// From the minimum to the maximum displacement.
-    PeakToPeak,
-    /// The root mean square of the displacement over a cycle.
-    #[cfg_attr(feature = "serde", serde(rename = "rms"))]
-    RootMeanSquare,
-}
-
-impl AmplitudeKind {
-    /// Its name in the command and in Python.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Peak => "peak",
-            Self::PeakToPeak => "peak-to-peak",
-            Self::RootMeanSquare => "rms",
-        }
+named! {
+    /// The amplitude that was measured.
+    #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+    pub enum AmplitudeKind [
+        /// Its name in the command and in Python.
+    ] {
+        /// The maximum displacement, half of peak to peak.
+        #[default]
+        Peak = "peak",
+        /// From the minimum to the maximum displacement.
+        PeakToPeak = "peak-to-peak",
+        /// The root mean square of the displacement over a cycle.
+        #[cfg_attr(feature = "serde", serde(rename = "rms"))]
+        RootMeanSquare = "rms",
     }
 }
 
-/// The phase that was measured, the force being p₀ sin ω_d t.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-pub enum PhaseKind {
-    /// ω_d t₂, at which the body arrives at its maximum displacement: about π/2 far below
-    /// resonance.
-    Peak,
-    /// The lag of the fundamental of the displacement behind the force: between 0 and π.
-    Lag,
-    /// The phase of the transfer function from force to displacement: the lag with a minus sign.
-    TransferFunction,
-}
-
-impl PhaseKind {
-    /// Its name in the command and in Python.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Peak => "peak",
-            Self::Lag => "lag",
-            Self::TransferFunction => "transfer-function",
-        }
+named! {
+    /// The phase that was measured, the force being p₀ sin ω_d t.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+    pub enum PhaseKind [
+        /// Its name in the command and in Python.
+    ] {
+        /// ω_d t₂, at which the body arrives at its maximum displacement: about π/2 far below
+        /// resonance.
+        Peak = "peak",
+        /// The lag of the fundamental of the displacement behind the force: between 0 and π.
+        Lag = "lag",
+        /// The phase of the transfer function from force to displacement: the lag with a minus sign.
+        TransferFunction = "transfer-function",
     }
 }
 

@@ -19,66 +19,52 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Oscillator, Scales};
 use crate::machine::ratios::{Ratios, positive};
 use crate::motion::Amplitude;
+use crate::named::named;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-/// The amplitude that is to be small.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-#[non_exhaustive]
-pub enum Aim {
-    /// The displacement x; on a base that carries the surface in relation to the base.
-    Displacement,
-    /// The displacement in space, on a base that carries the surface.
-    AbsoluteDisplacement,
-    /// The force on the support.
-    TransmittedForce,
-    /// The acceleration in space.
-    Acceleration,
+named! {
+    /// The amplitude that is to be small.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+    #[non_exhaustive]
+    pub enum Aim [
+        /// Its name in the command and in Python.
+    ] {
+        /// The displacement x; on a base that carries the surface in relation to the base.
+        Displacement = "displacement",
+        /// The displacement in space, on a base that carries the surface.
+        AbsoluteDisplacement = "absolute-displacement",
+        /// The force on the support.
+        TransmittedForce = "transmitted-force",
+        /// The acceleration in space.
+        Acceleration = "acceleration",
+    }
 }
 
 impl Aim {
     /// Every aim.
     pub const ALL: [Self; 4] =
         [Self::Displacement, Self::AbsoluteDisplacement, Self::TransmittedForce, Self::Acceleration];
-
-    /// Its name in the command and in Python.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Displacement => "displacement",
-            Self::AbsoluteDisplacement => "absolute-displacement",
-            Self::TransmittedForce => "transmitted-force",
-            Self::Acceleration => "acceleration",
-        }
-    }
 }
 
-/// The kind of a best friction over a band.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-#[non_exhaustive]
-pub enum BandFrictionKind {
-    /// Between none and rest.
-    Interior,
-    /// The less friction the better: the answer is the least friction that was tried, 10⁻⁶ of the one that holds the
-    /// body.
-    None,
-    /// The body rests in the whole band, and no motion is better.
-    Rest,
-}
-
-impl BandFrictionKind {
-    /// Its name in the command and in Python.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Interior => "interior",
-            Self::None => "none",
-            Self::Rest => "rest",
-        }
+named! {
+    /// The kind of a best friction over a band.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    #[non_exhaustive]
+    pub enum BandFrictionKind [
+        /// Its name in the command and in Python.
+    ] {
+        /// Between none and rest.
+        Interior = "interior",
+        /// The less friction the better: the answer is the least friction that was tried, 10⁻⁶ of the one that holds the
+        /// body.
+        None = "none",
+        /// The body rests in the whole band, and no motion is better.
+        Rest = "rest",
     }
 }
 

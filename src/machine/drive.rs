@@ -4,44 +4,43 @@ use super::oscillator::Oscillator;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{Ratios, finite, positive};
+use crate::named::named;
 
-/// The kind of a harmonic excitation, and the quantity that gives its amplitude.
-///
-/// Two kinds of base motion must be distinguished. If only the **foot** of the spring moves, the surface
-/// under the body is fixed, x is the displacement over the surface, and the force is that of the spring. If
-/// the base also carries the **surface**, as under an isolator or in an earthquake, x is the displacement
-/// relative to the base, and the force is that of inertia.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-#[non_exhaustive]
-pub enum Excitation {
-    /// A force `p₀ sin ω_d t` on the body.
-    Force,
-    /// The force of a mass m_e that rotates on the body at an eccentricity e with the speed ω_d, given by the
-    /// unbalance m_e e: `p₀ = m_e e ω_d²`. The mass m is that of the whole body, with m_e.
-    Unbalance,
-    /// A motion `u₀ sin ω_d t` of the foot of the spring over a fixed surface: `p₀ = k u₀`. This is the
-    /// paper's base motion (`docs/errata.md`, 7).
-    FootMotion,
-    /// A motion `u₀ sin ω_d t` of the foot of the spring, on which the damper stands as well: `p₀ = √(k² +
-    /// c²ω_d²) u₀`, ahead of the motion by [`Drive::phase_lead`].
-    DampedFootMotion,
-    /// A motion `u₀ sin ω_d t` of a base that carries the surface along, given by its displacement amplitude:
-    /// `p₀ = m ω_d² u₀`.
-    SurfaceMotion,
-    /// A motion of a base that carries the surface along, given by its velocity amplitude `ω_d u₀`: `p₀ = m
-    /// ω_d · (ω_d u₀)`.
-    SurfaceVelocity,
-    /// A motion of a base that carries the surface along, given by its acceleration amplitude `ω_d² u₀`: `p₀
-    /// = m · (ω_d² u₀)`.
-    SurfaceAcceleration,
-}
-
-/// Displays the excitation in words.
-impl core::fmt::Display for Excitation {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.pad(self.name())
+named! {
+    /// The kind of a harmonic excitation, and the quantity that gives its amplitude.
+    ///
+    /// Two kinds of base motion must be distinguished. If only the **foot** of the spring moves, the surface
+    /// under the body is fixed, x is the displacement over the surface, and the force is that of the spring. If
+    /// the base also carries the **surface**, as under an isolator or in an earthquake, x is the displacement
+    /// relative to the base, and the force is that of inertia.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    #[non_exhaustive]
+    pub enum Excitation displayed [
+        /// The text that [`Display`](core::fmt::Display) prints.
+        #[doc(hidden)]
+    ] {
+        /// A force `p₀ sin ω_d t` on the body.
+        Force = "force on the body",
+        /// The force of a mass m_e that rotates on the body at an eccentricity e with the speed ω_d, given by the
+        /// unbalance m_e e: `p₀ = m_e e ω_d²`. The mass m is that of the whole body, with m_e.
+        Unbalance = "rotating unbalance on the body",
+        /// A motion `u₀ sin ω_d t` of the foot of the spring over a fixed surface: `p₀ = k u₀`. This is the
+        /// paper's base motion (`docs/errata.md`, 7).
+        FootMotion = "motion of the spring's foot over a fixed surface",
+        /// A motion `u₀ sin ω_d t` of the foot of the spring, on which the damper stands as well: `p₀ = √(k² +
+        /// c²ω_d²) u₀`, ahead of the motion by [`Drive::phase_lead`].
+        DampedFootMotion = "motion of the foot of spring and damper over a fixed surface",
+        /// A motion `u₀ sin ω_d t` of a base that carries the surface along, given by its displacement amplitude:
+        /// `p₀ = m ω_d² u₀`.
+        SurfaceMotion = "motion of the base with its surface",
+        /// A motion of a base that carries the surface along, given by its velocity amplitude `ω_d u₀`: `p₀ = m
+        /// ω_d · (ω_d u₀)`.
+        SurfaceVelocity = "motion of the base with its surface, by velocity",
+        /// A motion of a base that carries the surface along, given by its acceleration amplitude `ω_d² u₀`: `p₀
+        /// = m · (ω_d² u₀)`.
+        SurfaceAcceleration = "motion of the base with its surface, by acceleration",
     }
 }
 
@@ -54,21 +53,6 @@ impl Excitation {
             Self::FootMotion | Self::DampedFootMotion | Self::SurfaceMotion => Quantity::BaseAmplitude,
             Self::SurfaceVelocity => Quantity::BaseVelocity,
             Self::SurfaceAcceleration => Quantity::BaseAcceleration,
-        }
-    }
-
-    /// The text that [`Display`](core::fmt::Display) prints.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Force => "force on the body",
-            Self::Unbalance => "rotating unbalance on the body",
-            Self::FootMotion => "motion of the spring's foot over a fixed surface",
-            Self::DampedFootMotion => "motion of the foot of spring and damper over a fixed surface",
-            Self::SurfaceMotion => "motion of the base with its surface",
-            Self::SurfaceVelocity => "motion of the base with its surface, by velocity",
-            Self::SurfaceAcceleration => "motion of the base with its surface, by acceleration",
         }
     }
 
