@@ -308,42 +308,17 @@ impl Error {
     /// The quantity whose value alone is wrong; `None` where two values conflict.
     #[must_use]
     pub const fn quantity(&self) -> Option<Quantity> {
-        match self {
-            Self::NotFinite { quantity, .. }
-            | Self::NotPositive { quantity, .. }
-            | Self::Negative { quantity, .. }
-            | Self::OutOfRange { quantity, .. }
-            | Self::EmptyRange { quantity, .. } => Some(*quantity),
-            Self::BelowKineticFriction { .. } | Self::StaticFriction { .. } => {
-                Some(Quantity::StaticFrictionRatio)
-            }
-            Self::TargetSticks { .. }
-            | Self::ForceOfFrequency { .. }
-            | Self::SurfaceAtRest { .. }
-            | Self::TooFewMeasurements { .. }
-            | Self::NotIdentified
-            | Self::DecayTooShort { .. }
-            | Self::NotADecay
-            | Self::InSample { .. }
-            | Self::TooFewSamples { .. }
-            | Self::RecordOf { .. }
-            | Self::BeyondRange { .. }
-            | Self::UncertainEvent { .. }
-            | Self::TooManyEvents { .. }
-            | Self::InMeasurement { .. }
-            | Self::Unexplained { .. }
-            | Self::AtResonance { .. }
-            | Self::Sticks { .. }
-            | Self::SticksThroughout { .. }
-            | Self::Undecided { .. }
-            | Self::NotSettled { .. }
-            | Self::EmptyInterval { .. }
-            | Self::BaseMotion
-            | Self::SearchBound { .. }
-            | Self::Interrupted
-            | Self::LengthMismatch { .. }
-            | Self::Unbounded { .. } => None,
+        if let Self::NotFinite { quantity, .. }
+        | Self::NotPositive { quantity, .. }
+        | Self::Negative { quantity, .. }
+        | Self::OutOfRange { quantity, .. }
+        | Self::EmptyRange { quantity, .. } = self
+        {
+            return Some(*quantity);
         }
+        let is_of_static_friction =
+            matches!(self, Self::BelowKineticFriction { .. } | Self::StaticFriction { .. });
+        if is_of_static_friction { Some(Quantity::StaticFrictionRatio) } else { None }
     }
 }
 

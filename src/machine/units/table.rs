@@ -2,6 +2,7 @@
 
 use super::factor::Factor;
 use super::kind::Dimension;
+use super::kind::Kind::{self, Acceleration, Angle, Energy, Force, Frequency, Length, Mass, Ratio, Time};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -12,54 +13,51 @@ pub(super) struct Unit {
     pub(super) factor: Factor,
 }
 
-const MASS: Dimension = [1, 0, 0, 0];
-const LENGTH: Dimension = [0, 1, 0, 0];
-const TIME: Dimension = [0, 0, 1, 0];
-const ANGLE: Dimension = [0, 0, 0, 1];
-const FREQUENCY: Dimension = [0, 0, -1, 1];
-const ACCELERATION: Dimension = [0, 1, -2, 0];
-const FORCE: Dimension = [1, 1, -2, 0];
-const ENERGY: Dimension = [1, 2, -2, 0];
+/// A row of the table.
+type Row = (&'static str, Kind, u128, u128, i8);
 
-/// Symbol, dimension, and numerator, denominator and power of π of the factor. `g` is the gram or standard
+/// Symbol, kind, and numerator, denominator and power of π of the factor. `g` is the gram or standard
 /// gravity, depending on the quantity. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity
 /// 9.80665 m/s².
 #[rustfmt::skip]
-const TABLE: &[(&str, Dimension, u128, u128, i8)] = &[
-    ("%", [0; 4], 1, 100, 0),
-    ("kg", MASS, 1, 1, 0), ("g", MASS, 1, 1000, 0), ("mg", MASS, 1, 1_000_000, 0), ("t", MASS, 1000, 1, 0),
-    ("lb", MASS, 45_359_237, 100_000_000, 0), ("lbm", MASS, 45_359_237, 100_000_000, 0),
-    ("lbs", MASS, 45_359_237, 100_000_000, 0),
-    ("slug", MASS, 8_896_443_230_521, 609_600_000_000, 0),
-    ("m", LENGTH, 1, 1, 0), ("km", LENGTH, 1000, 1, 0), ("cm", LENGTH, 1, 100, 0), ("mm", LENGTH, 1, 1000, 0),
-    ("um", LENGTH, 1, 1_000_000, 0), ("µm", LENGTH, 1, 1_000_000, 0), ("μm", LENGTH, 1, 1_000_000, 0),
-    ("nm", LENGTH, 1, 1_000_000_000, 0),
-    ("in", LENGTH, 254, 10_000, 0), ("ft", LENGTH, 3048, 10_000, 0), ("mil", LENGTH, 254, 10_000_000, 0),
-    ("s", TIME, 1, 1, 0), ("sec", TIME, 1, 1, 0), ("ms", TIME, 1, 1000, 0), ("us", TIME, 1, 1_000_000, 0), ("µs", TIME, 1, 1_000_000, 0),
-    ("μs", TIME, 1, 1_000_000, 0), ("min", TIME, 60, 1, 0), ("h", TIME, 3600, 1, 0),
-    ("rad", ANGLE, 1, 1, 0), ("deg", ANGLE, 1, 180, 1), ("°", ANGLE, 1, 180, 1), ("rev", ANGLE, 2, 1, 1),
-    ("Hz", FREQUENCY, 2, 1, 1), ("mHz", FREQUENCY, 2, 1000, 1), ("kHz", FREQUENCY, 2000, 1, 1),
-    ("hz", FREQUENCY, 2, 1, 1), ("khz", FREQUENCY, 2000, 1, 1),
-    ("rpm", FREQUENCY, 1, 30, 1), ("RPM", FREQUENCY, 1, 30, 1), ("cpm", FREQUENCY, 1, 30, 1),
-    ("g", ACCELERATION, 980_665, 100_000, 0), ("gn", ACCELERATION, 980_665, 100_000, 0),
-    ("mg", ACCELERATION, 980_665, 100_000_000, 0),
-    ("N", FORCE, 1, 1, 0), ("mN", FORCE, 1, 1000, 0), ("kN", FORCE, 1000, 1, 0), ("MN", FORCE, 1_000_000, 1, 0),
-    ("lbf", FORCE, 44_482_216_152_605, 10_000_000_000_000, 0),
-    ("kip", FORCE, 44_482_216_152_605, 10_000_000_000, 0),
-    ("kgf", FORCE, 980_665, 100_000, 0),
-    ("J", ENERGY, 1, 1, 0), ("mJ", ENERGY, 1, 1000, 0), ("kJ", ENERGY, 1000, 1, 0),
+const TABLE: &[Row] = &[
+    ("%", Ratio, 1, 100, 0),
+    ("kg", Mass, 1, 1, 0), ("g", Mass, 1, 1000, 0), ("mg", Mass, 1, 1_000_000, 0), ("t", Mass, 1000, 1, 0),
+    ("lb", Mass, 45_359_237, 100_000_000, 0), ("lbm", Mass, 45_359_237, 100_000_000, 0),
+    ("lbs", Mass, 45_359_237, 100_000_000, 0),
+    ("slug", Mass, 8_896_443_230_521, 609_600_000_000, 0),
+    ("m", Length, 1, 1, 0), ("km", Length, 1000, 1, 0), ("cm", Length, 1, 100, 0), ("mm", Length, 1, 1000, 0),
+    ("um", Length, 1, 1_000_000, 0), ("µm", Length, 1, 1_000_000, 0), ("μm", Length, 1, 1_000_000, 0),
+    ("nm", Length, 1, 1_000_000_000, 0),
+    ("in", Length, 254, 10_000, 0), ("ft", Length, 3048, 10_000, 0), ("mil", Length, 254, 10_000_000, 0),
+    ("s", Time, 1, 1, 0), ("sec", Time, 1, 1, 0), ("ms", Time, 1, 1000, 0), ("us", Time, 1, 1_000_000, 0), ("µs", Time, 1, 1_000_000, 0),
+    ("μs", Time, 1, 1_000_000, 0), ("min", Time, 60, 1, 0), ("h", Time, 3600, 1, 0),
+    ("rad", Angle, 1, 1, 0), ("deg", Angle, 1, 180, 1), ("°", Angle, 1, 180, 1), ("rev", Angle, 2, 1, 1),
+    ("Hz", Frequency, 2, 1, 1), ("mHz", Frequency, 2, 1000, 1), ("kHz", Frequency, 2000, 1, 1),
+    ("hz", Frequency, 2, 1, 1), ("khz", Frequency, 2000, 1, 1),
+    ("rpm", Frequency, 1, 30, 1), ("RPM", Frequency, 1, 30, 1), ("cpm", Frequency, 1, 30, 1),
+    ("g", Acceleration, 980_665, 100_000, 0), ("gn", Acceleration, 980_665, 100_000, 0),
+    ("mg", Acceleration, 980_665, 100_000_000, 0),
+    ("N", Force, 1, 1, 0), ("mN", Force, 1, 1000, 0), ("kN", Force, 1000, 1, 0), ("MN", Force, 1_000_000, 1, 0),
+    ("lbf", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
+    ("kip", Force, 44_482_216_152_605, 10_000_000_000, 0),
+    ("kgf", Force, 980_665, 100_000, 0),
+    ("J", Energy, 1, 1, 0), ("mJ", Energy, 1, 1000, 0), ("kJ", Energy, 1000, 1, 0),
 ];
+
+fn unit(&(_, kind, p, q, pi): &Row) -> Unit {
+    Unit { dimension: kind.dimension(), factor: Factor::new(p, q, pi) }
+}
 
 /// The symbol of a mass of this size, if there is one.
 pub(super) fn mass_of(factor: Factor) -> Option<&'static str> {
-    let unit = TABLE.iter().find(|&&(_, d, p, q, pi)| d == MASS && Factor::new(p, q, pi) == factor);
-    unit.map(|(symbol, ..)| *symbol)
+    TABLE.iter().find(|row| row.1 == Mass && unit(row).factor == factor).map(|row| row.0)
 }
 
 /// The symbol `text` in the table with its unit, if its dimension is this one.
 pub(super) fn symbol(text: &str, dimension: Dimension) -> Option<(&'static str, Unit)> {
-    let row = TABLE.iter().find(|(symbol, d, ..)| *symbol == text && *d == dimension);
-    row.map(|&(symbol, dimension, p, q, pi)| (symbol, Unit { dimension, factor: Factor::new(p, q, pi) }))
+    let row = TABLE.iter().find(|row| row.0 == text && row.1.dimension() == dimension)?;
+    Some((row.0, unit(row)))
 }
 
 /// The units that are written after a unit of force without a sign between them, as in `Ns/m` and `kNm`.
@@ -67,16 +65,13 @@ const AFTER_FORCE: [&str; 3] = ["s", "mm", "m"];
 
 /// The possible meanings of one name: none if it is unknown, two for `g`.
 fn atoms(name: &str) -> Vec<Unit> {
-    let named = |name: &str| -> Vec<Unit> {
-        let rows = TABLE.iter().filter(|(symbol, ..)| *symbol == name);
-        rows.map(|&(_, dimension, p, q, pi)| Unit { dimension, factor: Factor::new(p, q, pi) }).collect()
-    };
+    let named = |name| -> Vec<Unit> { TABLE.iter().filter(|row| row.0 == name).map(unit).collect() };
     let whole = named(name);
     if !whole.is_empty() {
         return whole;
     }
     let joined = AFTER_FORCE.iter().find_map(|second| {
-        let (first, _) = symbol(name.strip_suffix(second)?, FORCE)?;
+        let (first, _) = symbol(name.strip_suffix(second)?, Force.dimension())?;
         Some(
             named(first)
                 .into_iter()
