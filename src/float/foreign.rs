@@ -68,19 +68,22 @@ macro_rules! written {
 
 written! { Debug Display LowerExp }
 
+/// Functions that are those of the number.
+macro_rules! of_number {
+    ($($name:ident($($argument:ident),*);)*) => {$(
+        #[inline]
+        fn $name(self $(, $argument: Self)*) -> Self {
+            Self(self.0.$name($($argument.0),*))
+        }
+    )*};
+}
+
 impl<T: num_traits::Float + Debug, const P: u32, const E: i32> Field for Foreign<T, P, E> {
     #[inline]
     fn int(n: i32) -> Self {
         Self(<T as NumCast>::from(n).unwrap_or_else(T::nan))
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt())
-    }
-    #[inline]
-    fn abs(self) -> Self {
-        Self(self.0.abs())
-    }
+    of_number! { sqrt(); abs(); }
 }
 
 impl<T: num_traits::Float + FloatConst + Debug, const P: u32, const E: i32> Real for Foreign<T, P, E> {
@@ -93,18 +96,7 @@ impl<T: num_traits::Float + FloatConst + Debug, const P: u32, const E: i32> Real
         let (sine, cosine) = self.0.sin_cos();
         (Self(sine), Self(cosine))
     }
-    #[inline]
-    fn tan(self) -> Self {
-        Self(self.0.tan())
-    }
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        Self(self.0.atan2(x.0))
-    }
-    #[inline]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_add(a.0, b.0))
-    }
+    of_number! { tan(); atan2(x); mul_add(a, b); }
 }
 
 impl<T, const P: u32, const E: i32> Float for Foreign<T, P, E>
@@ -131,24 +123,9 @@ where
     fn from_f64(x: f64) -> Self {
         Self(<T as NumCast>::from(x).unwrap_or_else(T::nan))
     }
-    #[inline]
-    fn floor(self) -> Self {
-        Self(self.0.floor())
-    }
-    #[inline]
-    fn round(self) -> Self {
-        Self(self.0.round())
-    }
+    of_number! { floor(); round(); exp(); exp_m1(); }
     #[inline]
     fn is_finite(self) -> bool {
         self.0.is_finite()
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        Self(self.0.exp())
-    }
-    #[inline]
-    fn exp_m1(self) -> Self {
-        Self(self.0.exp_m1())
     }
 }

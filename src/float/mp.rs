@@ -10,6 +10,18 @@
 //! | `serde`, `nalgebra` | with those features: decimal strings, `RealField` |
 //! | `ladder` | a precision chosen at run time |
 
+/// Methods of a trait that are the type's own of the same name.
+macro_rules! same_name {
+    ($($name:ident($($argument:ident $(: $type:ty)?),*) $(-> $result:ty)?;)*) => {$(
+        #[inline]
+        fn $name(self $(, $argument: same_name!(@type $($type)?))*) -> same_name!(@type $($result)?) {
+            self.$name($($argument),*)
+        }
+    )*};
+    (@type) => { Self };
+    (@type $type:ty) => { $type };
+}
+
 mod convert;
 mod functions;
 mod ladder;

@@ -7,8 +7,8 @@ use super::{Field, Float, Real, Task};
 
 macro_rules! primitive {
     ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal, pi_rest: $second:literal $third:literal,
-     $sin:ident $cos:ident $sin_cos:ident $tan:ident $atan2:ident $hypot:ident
-     exp: $exp:ident $expm1:ident exact: $sqrt:ident $fma:ident $floor:ident $round:ident) => {
+     $sin_cos:ident $atan2:ident $hypot:ident $fma:ident $sqrt:ident, exact: $($exact:ident = $exact_name:ident)*,
+     circular: $($circular:ident = $circular_name:ident)*, exponential: $($exponential:ident = $exponential_name:ident)*) => {
         impl Field for $float {
             #[inline(always)]
             fn int(n: i32) -> Self {
@@ -37,18 +37,12 @@ macro_rules! primitive {
             fn sin_cos(self) -> (Self, Self) {
                 libm::$sin_cos(self)
             }
-            #[inline]
-            fn sin(self) -> Self {
-                libm::$sin(self)
-            }
-            #[inline]
-            fn cos(self) -> Self {
-                libm::$cos(self)
-            }
-            #[inline]
-            fn tan(self) -> Self {
-                libm::$tan(self)
-            }
+            $(
+                #[inline]
+                fn $circular(self) -> Self {
+                    libm::$circular_name(self)
+                }
+            )*
             #[inline]
             fn atan2(self, x: Self) -> Self {
                 libm::$atan2(self, x)
@@ -85,26 +79,22 @@ macro_rules! primitive {
             fn from_f64(x: f64) -> Self {
                 x as $float
             }
-            #[inline(always)]
-            fn floor(self) -> Self {
-                exact!(self.floor(), libm::$floor(self))
-            }
-            #[inline(always)]
-            fn round(self) -> Self {
-                exact!(self.round(), libm::$round(self))
-            }
+            $(
+                #[inline(always)]
+                fn $exact(self) -> Self {
+                    exact!(self.$exact(), libm::$exact_name(self))
+                }
+            )*
             #[inline(always)]
             fn is_finite(self) -> bool {
                 self.is_finite()
             }
-            #[inline]
-            fn exp(self) -> Self {
-                libm::$exp(self)
-            }
-            #[inline]
-            fn exp_m1(self) -> Self {
-                libm::$expm1(self)
-            }
+            $(
+                #[inline]
+                fn $exponential(self) -> Self {
+                    libm::$exponential_name(self)
+                }
+            )*
             #[inline(always)]
             fn angle_of(sine: Self, cosine: Self) -> Self {
                 ARCTANGENT.of().angle(sine, cosine)
@@ -151,10 +141,11 @@ fn fused<T: Task>(task: T) -> T::Output {
     task.run()
 }
 
-primitive!(f32, u32, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced, sinf cosf sincosf tanf atan2f hypotf
-    exp: expf expm1f exact: sqrtf fmaf floorf roundf);
+primitive!(f32, u32, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced, sincosf atan2f hypotf fmaf sqrtf,
+    exact: floor = floorf round = roundf, circular: sin = sinf cos = cosf tan = tanf, exponential: exp = expf exp_m1 = expm1f);
 primitive!(f64, u64, ratio_exponent: 250, pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc,
-    sin cos sincos tan atan2 hypot exp: exp expm1 exact: sqrt fma floor round);
+    sincos atan2 hypot fma sqrt, exact: floor = floor round = round,
+    circular: sin = sin cos = cos tan = tan, exponential: exp = exp exp_m1 = expm1);
 
 #[cfg(test)]
 mod tests {

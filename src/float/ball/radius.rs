@@ -51,15 +51,10 @@ impl Radius {
         if m == 0 {
             return Self::ZERO;
         }
-        let length = 64 - m.leading_zeros();
-        if length <= BITS {
-            // The shift is below 32.
-            return Self::of_parts(m << (BITS - length), e - i64::from(BITS - length));
-        }
-        let shift = length - BITS;
-        let quotient = m >> shift;
-        let up = quotient + u64::from(quotient << shift != m);
-        Self::of_parts(up, e + i64::from(shift))
+        let (cut, shifted) = Self::cut(m, e);
+        // Nothing is lost unless the exponent has grown.
+        let is_less = shifted > e && cut << (shifted - e) != m;
+        Self::of_parts(cut + u64::from(is_less), shifted)
     }
 
     /// `m · 2^(e − 32)`, rounded down.
@@ -68,13 +63,15 @@ impl Radius {
         if m == 0 {
             return Self::ZERO;
         }
-        let length = 64 - m.leading_zeros();
-        let (m, e) = if length <= BITS {
-            (m << (BITS - length), e - i64::from(BITS - length))
-        } else {
-            (m >> (length - BITS), e + i64::from(length - BITS))
-        };
+        let (m, e) = Self::cut(m, e);
         if e < -GREATEST { Self::ZERO } else { Self::of_parts(m, e) }
+    }
+
+    /// The first 32 bits of m > 0, and the exponent that goes with them.
+    #[inline]
+    fn cut(m: u64, e: i64) -> (u64, i64) {
+        let zeros = m.leading_zeros();
+        ((m << zeros) >> BITS, e + i64::from(BITS) - i64::from(zeros))
     }
 
     /// A bound of m in [2³¹, 2³²], with the exponent clamped to its range.
@@ -142,6 +139,16 @@ impl Radius {
 
     #[inline]
     pub(crate) fn times(self, other: Self) -> Self {
+        self.product(other, Self::rounded_up)
+    }
+
+    #[inline]
+    pub(crate) fn times_down(self, other: Self) -> Self {
+        self.product(other, Self::rounded_down)
+    }
+
+    #[inline]
+    fn product(self, other: Self, rounded: impl FnOnce(u64, i64) -> Self) -> Self {
         if self.is_zero() || other.is_zero() {
             return Self::ZERO;
         }
@@ -149,7 +156,7 @@ impl Radius {
             return Self::INFINITE;
         }
         let product = u64::from(self.mantissa) * u64::from(other.mantissa);
-        Self::rounded_up(product, self.exponent + other.exponent - i64::from(BITS))
+        rounded(product, self.exponent + other.exponent - i64::from(BITS))
     }
 
     /// `self / other`, where `other` is a lower bound of the divisor; infinite where `other` is zero.
@@ -191,18 +198,6 @@ impl Radius {
         let shifted = small >> distance;
         let shifted = shifted + u64::from(shifted << distance != small);
         Self::rounded_down(large.saturating_sub(shifted), self.exponent - 31)
-    }
-
-    #[inline]
-    pub(crate) fn times_down(self, other: Self) -> Self {
-        if self.is_zero() || other.is_zero() {
-            return Self::ZERO;
-        }
-        if self.is_infinite() || other.is_infinite() {
-            return Self::INFINITE;
-        }
-        let product = u64::from(self.mantissa) * u64::from(other.mantissa);
-        Self::rounded_down(product, self.exponent + other.exponent - i64::from(BITS))
     }
 }
 

@@ -1,10 +1,8 @@
 //! Checks of π, the circular functions and the exponential.
 
-use super::{Broken, both, hold};
+use super::{Both, Broken, hold};
 use crate::float::pair::Pair;
 use crate::float::{AtPrecision, Field, Float, pi_digits};
-use alloc::format;
-use alloc::string::ToString;
 use alloc::vec::Vec;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -27,7 +25,7 @@ fn pi<F: Float>() -> Result<(), Broken> {
         left = pi_digits::less(&left, &pi_digits::digits_of(part, count));
         // Half a unit in the last place; the digits of the last part end slightly beyond it.
         let last = F::epsilon() * part.abs() * F::ratio(33, 64);
-        hold(pi_digits::number::<F>(&left).abs() <= last, method, || format!("{part:e}"), nearest)?;
+        hold(pi_digits::number::<F>(&left).abs() <= last, method, format_args!("{part:e}"), nearest)?;
     }
     Ok(())
 }
@@ -94,16 +92,11 @@ fn circular<F: Float>() -> Result<(), Broken> {
         // Where the function is small, its accuracy depends on the argument's distance from a multiple of
         // π/2.
         let close = "is within 2 units in the last place, beside multiples of π/2 too";
-        hold(within(s, sine, 2), "Real::sin_cos", || format!("{x} (the sine)"), close)?;
-        hold(within(c, cosine, 2), "Real::sin_cos", || format!("{x} (the cosine)"), close)?;
-        hold(within(x.sin(), sine, 2), "Real::sin", || x.to_string(), close)?;
-        hold(within(x.cos(), cosine, 2), "Real::cos", || x.to_string(), close)?;
-        hold(
-            within(x.tan(), sine / cosine, 4),
-            "Real::tan",
-            || x.to_string(),
-            "is within 4 units in the last place",
-        )?;
+        hold(within(s, sine, 2), "Real::sin_cos", format_args!("{x} (the sine)"), close)?;
+        hold(within(c, cosine, 2), "Real::sin_cos", format_args!("{x} (the cosine)"), close)?;
+        hold(within(x.sin(), sine, 2), "Real::sin", x, close)?;
+        hold(within(x.cos(), cosine, 2), "Real::cos", x, close)?;
+        hold(within(x.tan(), sine / cosine, 4), "Real::tan", x, "is within 4 units in the last place")?;
         if x.abs() <= F::int(1) {
             let (s, c) = F::sin_cos_acute(x.wide());
             let third = |found: Pair<F>, exact: Pair<F>| {
@@ -111,12 +104,7 @@ fn circular<F: Float>() -> Result<(), Broken> {
                     <= F::epsilon() * exact.value().abs().or_larger(F::ratio(1, 2))
             };
             let is = third(s, sine) && third(c, cosine);
-            hold(
-                is,
-                "Float::sin_cos_acute",
-                || x.to_string(),
-                "is within a third of a unit in the last place",
-            )?;
+            hold(is, "Float::sin_cos_acute", x, "is within a third of a unit in the last place")?;
         }
     }
     Ok(())
@@ -138,17 +126,17 @@ fn angles<F: Float>() -> Result<(), Broken> {
                 let off = (wide_y * cosine - wide_x * sine).value();
                 let along = (wide_x * cosine + wide_y * sine).value();
                 let is = along > zero && off.abs() <= F::int(2) * F::epsilon() * angle.abs() * along;
-                hold(is, "Real::atan2", || both(y, x), close)?;
+                hold(is, "Real::atan2", Both(y, x), close)?;
             }
         }
     }
-    hold(zero.atan2(-one) == F::pi(), "Real::atan2", || both(zero, -one), "is π")?;
+    hold(zero.atan2(-one) == F::pi(), "Real::atan2", Both(zero, -one), "is π")?;
     for n in 0..=20 {
         let (s, c) = (F::pi() * F::ratio(n, 20)).sin_cos();
         let (angle, same) = (F::angle_of(s, c), s.atan2(c));
         let is =
             s < zero || (angle - same).abs() <= F::int(4) * F::epsilon() * same.or_larger(F::ratio(1, 8));
-        hold(is, "Float::angle_of", || both(s, c), "is the angle of atan2")?;
+        hold(is, "Float::angle_of", Both(s, c), "is the angle of atan2")?;
     }
     Ok(())
 }
@@ -171,8 +159,8 @@ fn exponentials<F: Float>() -> Result<(), Broken> {
             let less_one = if x < F::int(0) { -rise / (rise + one) } else { rise };
             let units = 16 + 16 * p / q;
             let close = "is within some units in the last place, |x| times as many beyond 1";
-            hold(within(x.exp(), less_one + one, units), "Float::exp", || x.to_string(), close)?;
-            hold(within(x.exp_m1(), less_one, units), "Float::exp_m1", || x.to_string(), close)?;
+            hold(within(x.exp(), less_one + one, units), "Float::exp", x, close)?;
+            hold(within(x.exp_m1(), less_one, units), "Float::exp_m1", x, close)?;
         }
     }
     Ok(())
@@ -192,14 +180,9 @@ impl<F: Float> AtPrecision<F> for Return<F> {
 fn precisions<F: Float>() -> Result<(), Broken> {
     let x = F::ratio(1, 3);
     let kept = F::guarded(Return(x));
-    hold(
-        kept == x,
-        "Float::guarded",
-        || x.to_string(),
-        "runs at the type itself or a wider one, and comes back",
-    )?;
+    hold(kept == x, "Float::guarded", x, "runs at the type itself or a wider one, and comes back")?;
     let near = (F::narrowed(Return(x)) - x).abs() <= F::ratio(1, 1 << 20);
-    hold(near, "Float::narrowed", || x.to_string(), "runs at a narrower type, and comes back")?;
+    hold(near, "Float::narrowed", x, "runs at a narrower type, and comes back")?;
     let same = x.differentiated_as(|| F::int(2));
-    hold(same == x && x.constant() == x, "Float::constant", || x.to_string(), "is the value itself")
+    hold(same == x && x.constant() == x, "Float::constant", x, "is the value itself")
 }

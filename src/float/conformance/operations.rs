@@ -1,8 +1,7 @@
 //! Checks of the operations, the order and the range.
 
-use super::{Broken, both, hold, spread};
+use super::{Both, Broken, hold, spread};
 use crate::float::Float;
-use alloc::borrow::ToOwned;
 use alloc::format;
 use alloc::string::String;
 use alloc::string::ToString;
@@ -25,17 +24,17 @@ fn integers<F: Float>() -> Result<(), Broken> {
     let exactly = "is the integer exactly";
     for n in -300..300 {
         let is = F::int(n + 1) - F::int(n) == F::int(1);
-        hold(is, "Field::int", || format!("{n} and {}", n + 1), exactly)?;
+        hold(is, "Field::int", format_args!("{n} and {}", n + 1), exactly)?;
     }
     for n in (1..31).map(|e| 1i32 << (e - 1)) {
         let is = F::int(n) + F::int(n) == F::int(n).times(2) && F::int(-n) == -F::int(n);
-        hold(is, "Field::int", || format!("±{n}"), exactly)?;
+        hold(is, "Field::int", format_args!("±{n}"), exactly)?;
         if n < 1 << 30 {
-            hold(F::int(2 * n) == F::int(n) + F::int(n), "Field::int", || format!("{}", 2 * n), exactly)?;
+            hold(F::int(2 * n) == F::int(n) + F::int(n), "Field::int", format_args!("{}", 2 * n), exactly)?;
         }
     }
     let square = F::int(4097) * F::int(4095);
-    hold(square == F::int(4097 * 4095), "Field::int", || format!("{}", 4097 * 4095), exactly)
+    hold(square == F::int(4097 * 4095), "Field::int", format_args!("{}", 4097 * 4095), exactly)
 }
 
 fn order<F: Float>() -> Result<(), Broken> {
@@ -48,14 +47,14 @@ fn order<F: Float>() -> Result<(), Broken> {
         for (j, &b) in numbers.iter().enumerate() {
             let is = a.partial_cmp(&b) == Some(i.cmp(&j))
                 && (a < b, a <= b, a == b, a >= b, a > b) == (i < j, i <= j, i == j, i >= j, i > j);
-            hold(is, "PartialOrd::partial_cmp", || both(a, b), "is the order of the numbers")?;
+            hold(is, "PartialOrd::partial_cmp", Both(a, b), "is the order of the numbers")?;
         }
     }
     let zero = F::int(0);
-    hold(-zero == zero, "PartialEq::eq", || both(-zero, zero), "zeros are equal, whatever their sign")?;
+    hold(-zero == zero, "PartialEq::eq", Both(-zero, zero), "zeros are equal, whatever their sign")?;
     let nan = nan::<F>();
     let is = nan.partial_cmp(&nan).is_none() && nan.partial_cmp(&one).is_none() && is_nan(nan);
-    hold(is, "PartialOrd::partial_cmp", || both(nan, one), "0/0 is NaN, which has no order")
+    hold(is, "PartialOrd::partial_cmp", Both(nan, one), "0/0 is NaN, which has no order")
 }
 
 /// 0/0
@@ -76,11 +75,11 @@ pub(super) fn unit<F: Float>() -> F {
 fn precision<F: Float>() -> Result<(), Broken> {
     let (one, two, unit) = (F::int(1), F::int(2), unit::<F>());
     let bits = one + unit - one == unit && one + unit / two == one;
-    hold(bits, "Float::PRECISION", || F::PRECISION.to_string(), "is the bits of the significand")?;
+    hold(bits, "Float::PRECISION", F::PRECISION, "is the bits of the significand")?;
     let distance = "is the distance from 1 to the next larger number, 2 to the power 1 − PRECISION";
-    hold(F::epsilon() == unit, "Float::epsilon", || format!("{:e}", F::epsilon()), distance)?;
+    hold(F::epsilon() == unit, "Float::epsilon", format_args!("{:e}", F::epsilon()), distance)?;
     let even = one + unit / two == one && one + unit + unit / two == one + two * unit;
-    hold(even, "Add::add", || both(one, unit / two), "is rounded to nearest, ties to even")
+    hold(even, "Add::add", Both(one, unit / two), "is rounded to nearest, ties to even")
 }
 
 /// Checks sums of `1 + i 2⁻ᵖ⁺¹` and a few quarters of the unit.
@@ -94,11 +93,11 @@ fn sums<F: Float>() -> Result<(), Broken> {
             let (whole, rest) = ((4 * i + quarters) / 4, (4 * i + quarters) % 4);
             let up = rest > 2 || (rest == 2 && whole % 2 == 1);
             let sum = one + F::int(whole + i32::from(up)) * unit;
-            hold(a + b == sum && b + a == sum, "Add::add", || both(a, b), nearest)?;
-            hold(a - (-b) == sum && -a - b == -sum, "Sub::sub", || both(a, -b), nearest)?;
+            hold(a + b == sum && b + a == sum, "Add::add", Both(a, b), nearest)?;
+            hold(a - (-b) == sum && -a - b == -sum, "Sub::sub", Both(a, -b), nearest)?;
         }
         let x = F::int(n) * unit;
-        hold(x + (-x) == F::int(0) && -(-x) == x, "Neg::neg", || x.to_string(), "is exact")?;
+        hold(x + (-x) == F::int(0) && -(-x) == x, "Neg::neg", x, "is exact")?;
     }
     Ok(())
 }
@@ -112,16 +111,16 @@ fn products<F: Float>() -> Result<(), Broken> {
         let (i, j) = (m & most, n & most);
         let (a, b) = (one + F::int(i) * unit, one + F::int(j) * unit);
         let product = one + F::int(i + j) * unit;
-        hold(a * b == product, "Mul::mul", || both(a, b), nearest)?;
+        hold(a * b == product, "Mul::mul", Both(a, b), nearest)?;
         let rest = F::int(i * j) * unit * unit;
         let once = "is a b + c with one rounding";
-        hold(a.mul_add(b, -product) == rest, "Real::mul_add", || both(a, b), once)?;
+        hold(a.mul_add(b, -product) == rest, "Real::mul_add", Both(a, b), once)?;
         // For any factors in [1, 2), the remainder is at most half a unit of the product.
         let (a, b) = (anywhere::<F>(m), anywhere::<F>(n));
         let product = a * b;
         let half = if product < F::int(2) { unit / F::int(2) } else { unit };
-        hold(a.mul_add(b, -product).abs() <= half, "Mul::mul", || both(a, b), nearest)?;
-        hold(a.square() == a * a, "Field::square", || a.to_string(), "is the product with itself")?;
+        hold(a.mul_add(b, -product).abs() <= half, "Mul::mul", Both(a, b), nearest)?;
+        hold(a.square() == a * a, "Field::square", a, "is the product with itself")?;
     }
     Ok(())
 }
@@ -139,52 +138,37 @@ fn quotients_and_roots<F: Float>() -> Result<(), Broken> {
         let quotient = a / b;
         let last = if quotient.abs() < one { unit / two } else { unit };
         let is = quotient.mul_add(b, -a).abs() <= last / two * b && quotient * b * two > a;
-        hold(is || quotient < zero, "Div::div", || both(a, b), nearest)?;
-        hold(quotient == -(a / -b), "Div::div", || both(a, -b), "has the sign of the quotient")?;
+        hold(is || quotient < zero, "Div::div", Both(a, b), nearest)?;
+        hold(quotient == -(a / -b), "Div::div", Both(a, -b), "has the sign of the quotient")?;
         for square in [b, b * two] {
             let root = square.sqrt();
-            hold(
-                root.mul_add(root, -square).abs() <= unit * root,
-                "Field::sqrt",
-                || square.to_string(),
-                nearest,
-            )?;
+            hold(root.mul_add(root, -square).abs() <= unit * root, "Field::sqrt", square, nearest)?;
         }
     }
-    hold(zero.sqrt() == zero, "Field::sqrt", || zero.to_string(), "is 0")?;
+    hold(zero.sqrt() == zero, "Field::sqrt", zero, "is 0")?;
     let root = (-one).sqrt();
-    hold(is_nan(root), "Field::sqrt", || (-one).to_string(), "is NaN")?;
+    hold(is_nan(root), "Field::sqrt", -one, "is NaN")?;
     let close = |a: F, b: F| (a - b).abs() <= F::int(2) * unit * b;
-    hold(F::ratio(1, 3) == one / F::int(3), "Field::ratio", || "(1, 3)".to_owned(), "is rounded once")?;
-    hold(F::ratio(1, 3).times(3) == one, "Field::times", || "1/3".to_owned(), "is the multiple")?;
-    hold(
-        close(F::int(3).hypot(-F::int(4)), F::int(5)),
-        "Field::hypot",
-        || "(3, -4)".to_owned(),
-        "is √(x² + y²)",
-    )?;
-    hold(close(F::int(5).leg(F::int(3)), F::int(4)), "Field::leg", || "(5, 3)".to_owned(), "is √(x² − y²)")
+    hold(F::ratio(1, 3) == one / F::int(3), "Field::ratio", "(1, 3)", "is rounded once")?;
+    hold(F::ratio(1, 3).times(3) == one, "Field::times", "1/3", "is the multiple")?;
+    hold(close(F::int(3).hypot(-F::int(4)), F::int(5)), "Field::hypot", "(3, -4)", "is √(x² + y²)")?;
+    hold(close(F::int(5).leg(F::int(3)), F::int(4)), "Field::leg", "(5, 3)", "is √(x² − y²)")
 }
 
 fn powers_of_two<F: Float>() -> Result<(), Broken> {
     let (one, two, far) = (F::int(1), F::int(2), F::RATIO_EXPONENT);
     let exact = "is the power of two exactly, for exponents up to RATIO_EXPONENT";
-    hold(F::exp2i(0) == one && F::exp2i(1) == two, "Float::exp2i", || "0, 1".to_owned(), exact)?;
+    hold(F::exp2i(0) == one && F::exp2i(1) == two, "Float::exp2i", "0, 1", exact)?;
     let mut e = 1;
     while e < far {
         let is = F::exp2i(e + 1) == two * F::exp2i(e) && F::exp2i(e) * F::exp2i(-e) == one;
-        hold(is && F::exp2i(-e) < one, "Float::exp2i", || e.to_string(), exact)?;
-        hold(F::exp2i(e / 2) * F::exp2i(e - e / 2) == F::exp2i(e), "Float::exp2i", || e.to_string(), exact)?;
+        hold(is && F::exp2i(-e) < one, "Float::exp2i", e, exact)?;
+        hold(F::exp2i(e / 2) * F::exp2i(e - e / 2) == F::exp2i(e), "Float::exp2i", e, exact)?;
         e += 1 + e / 16;
     }
     let (large, small) = (F::exp2i(far), F::exp2i(-far));
     let room = large.square() * large < one / F::int(0) && small.square() * small > F::int(0);
-    hold(
-        room,
-        "Float::RATIO_EXPONENT",
-        || far.to_string(),
-        "three times the exponent is in the range of the type",
-    )
+    hold(room, "Float::RATIO_EXPONENT", far, "three times the exponent is in the range of the type")
 }
 
 fn parts<F: Float>() -> Result<(), Broken> {
@@ -199,22 +183,17 @@ fn parts<F: Float>() -> Result<(), Broken> {
         (-5, 1, -5, -5),
     ] {
         let x = F::ratio(p, q);
-        hold(
-            x.floor() == F::int(floor),
-            "Float::floor",
-            || x.to_string(),
-            "is the largest integer not above the number",
-        )?;
-        hold(x.round() == F::int(round), "Float::round", || x.to_string(), "is the nearest integer")?;
+        hold(x.floor() == F::int(floor), "Float::floor", x, "is the largest integer not above the number")?;
+        hold(x.round() == F::int(round), "Float::round", x, "is the nearest integer")?;
     }
     let whole = F::int(1) / unit::<F>() + F::int(1);
     let itself = "of an integer is itself";
-    hold(whole.floor() == whole, "Float::floor", || whole.to_string(), itself)?;
-    hold(whole.round() == whole, "Float::round", || whole.to_string(), itself)?;
+    hold(whole.floor() == whole, "Float::floor", whole, itself)?;
+    hold(whole.round() == whole, "Float::round", whole, itself)?;
     let (one, zero) = (F::int(1), F::int(0));
-    hold(one.is_finite() && zero.is_finite(), "Float::is_finite", || one.to_string(), "holds for numbers")?;
+    hold(one.is_finite() && zero.is_finite(), "Float::is_finite", one, "holds for numbers")?;
     for x in [one / zero, -one / zero, nan()] {
-        hold(!x.is_finite(), "Float::is_finite", || x.to_string(), "does not hold for infinities and NaN")?;
+        hold(!x.is_finite(), "Float::is_finite", x, "does not hold for infinities and NaN")?;
     }
     Ok(())
 }
@@ -234,23 +213,18 @@ fn conversions<F: Float>() -> Result<(), Broken> {
         } else {
             (F::from_f64(short) - own).abs() <= F::int(2) * unit::<F>() * own.abs()
         };
-        hold(is, "Float::from_f64", || short.to_string(), nearest)?;
+        hold(is, "Float::from_f64", short, nearest)?;
         let off = (own.to_f64() - short).abs();
         let allowed =
             if is_wide { 0.0 } else { short.abs() * <f64 as Float>::exp2i(2 - F::PRECISION as i32) };
-        hold(
-            off <= allowed,
-            "Float::to_f64",
-            || own.to_string(),
-            "is the nearest f64, to a unit in the last place",
-        )?;
+        hold(off <= allowed, "Float::to_f64", own, "is the nearest f64, to a unit in the last place")?;
         let text =
             |text: String| text.parse().is_ok_and(|read: f64| (read - short).abs() <= 1e-6 * short.abs());
-        hold(text(own.to_string()), "Display::fmt", || own.to_string(), "is the number in decimal digits")?;
+        hold(text(own.to_string()), "Display::fmt", own, "is the number in decimal digits")?;
         hold(
             text(format!("{own:e}")),
             "LowerExp::fmt",
-            || format!("{own:e}"),
+            format_args!("{own:e}"),
             "is the number in decimal digits",
         )?;
     }
@@ -260,27 +234,22 @@ fn conversions<F: Float>() -> Result<(), Broken> {
 fn signs<F: Float>() -> Result<(), Broken> {
     let (two, three) = (F::int(2), F::int(3));
     for (a, b) in [(two, three), (-two, three), (two, -three), (-two, -three)] {
-        hold(a.abs() == two, "Field::abs", || a.to_string(), "is the magnitude")?;
+        hold(a.abs() == two, "Field::abs", a, "is the magnitude")?;
         let sign = if b < F::int(0) { -F::int(1) } else { F::int(1) };
         hold(
             a.times_sign_of(b) == a * sign,
             "Float::times_sign_of",
-            || both(a, b),
+            Both(a, b),
             "is the number times the sign of the other",
         )?;
         hold(
             a.with_sign_of(b) == two * sign,
             "Float::with_sign_of",
-            || both(a, b),
+            Both(a, b),
             "has the sign of the other",
         )?;
-        hold(
-            a.or_larger(b) == if a < b { b } else { a },
-            "Float::or_larger",
-            || both(a, b),
-            "is the larger",
-        )?;
-        hold(a.wide().value() == a, "Float::wide", || a.to_string(), "is exact")?;
+        hold(a.or_larger(b) == if a < b { b } else { a }, "Float::or_larger", Both(a, b), "is the larger")?;
+        hold(a.wide().value() == a, "Float::wide", a, "is exact")?;
     }
     Ok(())
 }

@@ -4,12 +4,23 @@
 use super::Mp;
 use num_traits::real::Real;
 
-macro_rules! same_name {
-    ($($name:ident($($argument:ident),*);)*) => {$(
-        fn $name(self $(, $argument: Self)*) -> Self {
-            self.$name($($argument),*)
-        }
-    )*};
+impl<const LIMBS: usize> Mp<LIMBS> {
+    pub(super) fn is_sign_positive(self) -> bool {
+        !self.is_nan() && !self.is_sign_negative()
+    }
+    pub(super) fn recip(self) -> Self {
+        Self::of_int(1) / self
+    }
+    /// Rounded three times.
+    pub(super) fn log(self, base: Self) -> Self {
+        self.ln() / base.ln()
+    }
+    pub(super) fn max(self, other: Self) -> Self {
+        if self >= other || other.is_nan() { self } else { other }
+    }
+    pub(super) fn min(self, other: Self) -> Self {
+        if self <= other || other.is_nan() { self } else { other }
+    }
 }
 
 impl<const LIMBS: usize> Real for Mp<LIMBS> {
@@ -17,7 +28,8 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
         floor(); ceil(); round(); trunc(); fract(); abs(); sqrt(); cbrt();
         sin(); cos(); tan(); asin(); acos(); atan(); sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
         exp(); exp2(); exp_m1(); ln(); log2(); log10(); ln_1p();
-        mul_add(a, b); hypot(other); powf(n); atan2(other);
+        mul_add(a, b); hypot(other); powf(n); atan2(other); powi(n: i32); sin_cos() -> (Self, Self);
+        recip(); log(base); max(other); min(other); is_sign_positive() -> bool; is_sign_negative() -> bool;
     }
     fn min_value() -> Self {
         -Self::largest()
@@ -34,25 +46,6 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
     fn signum(self) -> Self {
         num_traits::Signed::signum(&self)
     }
-    fn is_sign_positive(self) -> bool {
-        !self.is_nan() && !self.is_sign_negative()
-    }
-    fn is_sign_negative(self) -> bool {
-        self.is_sign_negative()
-    }
-    fn recip(self) -> Self {
-        Self::of_int(1) / self
-    }
-    fn powi(self, n: i32) -> Self {
-        self.powi(n)
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-    /// Rounded three times.
-    fn log(self, base: Self) -> Self {
-        self.ln() / base.ln()
-    }
     /// Rounded three times.
     fn to_degrees(self) -> Self {
         self * (Self::of_int(180) / Self::pi())
@@ -60,12 +53,6 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
     /// Rounded three times.
     fn to_radians(self) -> Self {
         self * (Self::pi() / Self::of_int(180))
-    }
-    fn max(self, other: Self) -> Self {
-        if self >= other || other.is_nan() { self } else { other }
-    }
-    fn min(self, other: Self) -> Self {
-        if self <= other || other.is_nan() { self } else { other }
     }
     fn abs_sub(self, other: Self) -> Self {
         num_traits::Signed::abs_sub(&self, &other)

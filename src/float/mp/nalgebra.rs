@@ -98,14 +98,6 @@ impl<const LIMBS: usize> UlpsEq for Mp<LIMBS> {
     }
 }
 
-macro_rules! same_name {
-    ($($name:ident($($argument:ident),*);)*) => {$(
-        fn $name(self $(, $argument: Self)*) -> Self {
-            self.$name($($argument),*)
-        }
-    )*};
-}
-
 macro_rules! identity {
     ($($name:ident)*) => {$(
         fn $name(self) -> Self {
@@ -122,7 +114,7 @@ impl<const LIMBS: usize> ComplexField for Mp<LIMBS> {
         floor(); ceil(); round(); trunc(); fract(); abs(); sqrt(); cbrt();
         sin(); cos(); tan(); asin(); acos(); atan(); sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
         exp(); exp2(); exp_m1(); ln(); log2(); log10(); ln_1p();
-        mul_add(a, b); hypot(other); powf(n);
+        mul_add(a, b); hypot(other); powf(n); powi(n: i32); sin_cos() -> (Self, Self); recip(); log(base);
     }
     fn from_real(re: Self) -> Self {
         re
@@ -147,18 +139,6 @@ impl<const LIMBS: usize> ComplexField for Mp<LIMBS> {
     }
     fn unscale(self, factor: Self) -> Self {
         self / factor
-    }
-    fn recip(self) -> Self {
-        Self::of_int(1) / self
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-    fn log(self, base: Self) -> Self {
-        self.ln() / base.ln()
-    }
-    fn powi(self, n: i32) -> Self {
-        self.powi(n)
     }
     fn powc(self, n: Self) -> Self {
         self.powf(n)
@@ -185,20 +165,15 @@ impl<const LIMBS: usize> RealField for Mp<LIMBS> {
         frac_pi_6 = FRAC_PI_6; frac_pi_8 = FRAC_PI_8; frac_1_pi = FRAC_1_PI; frac_2_pi = FRAC_2_PI;
         frac_2_sqrt_pi = FRAC_2_SQRT_PI; e = E; log2_e = LOG2_E; log10_e = LOG10_E; ln_2 = LN_2; ln_10 = LN_10;
     }
+    same_name! { max(other); min(other); atan2(other); }
     fn is_sign_positive(&self) -> bool {
-        !self.is_nan() && !(*self).is_sign_negative()
+        (*self).is_sign_positive()
     }
     fn is_sign_negative(&self) -> bool {
         (*self).is_sign_negative()
     }
     fn copysign(self, sign: Self) -> Self {
         if sign.is_sign_negative() { -self.abs() } else { self.abs() }
-    }
-    fn max(self, other: Self) -> Self {
-        if self >= other || other.is_nan() { self } else { other }
-    }
-    fn min(self, other: Self) -> Self {
-        if self <= other || other.is_nan() { self } else { other }
     }
     fn clamp(self, min: Self, max: Self) -> Self {
         if self < min {
@@ -208,9 +183,6 @@ impl<const LIMBS: usize> RealField for Mp<LIMBS> {
         } else {
             self
         }
-    }
-    fn atan2(self, other: Self) -> Self {
-        self.atan2(other)
     }
     fn min_value() -> Option<Self> {
         Some(-Self::largest())

@@ -144,17 +144,6 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         (sine, cosine)
     }
 
-    /// `self · a + b`, rounded once.
-    #[inline]
-    #[must_use]
-    pub(crate) fn mul_add(self, a: Self, b: Self) -> Self {
-        let (x, a, b) = (self.input(), a.input(), b.input());
-        // SAFETY: the arguments are valid and only read.
-        Self::output(|r| unsafe {
-            mpfr::fma(r, &x, &a, &b, rnd_t::RNDN);
-        })
-    }
-
     /// The nearest `f64`, ties to even, subnormal numbers included.
     #[inline]
     #[must_use]
@@ -288,6 +277,8 @@ functions! {
     pub(super) times_full(self, other;) = mul(RNDN);
     /// `self / other`.
     pub(super) over_full(self, other;) = div(RNDN);
+    /// `self · a + b`, rounded once.
+    pub(crate) mul_add(self, a, b;) = fma(RNDN);
     /// `self · n`.
     pub(super) times_int(self; n: u64) = mul_ui(RNDN);
     /// `self / n`.

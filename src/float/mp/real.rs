@@ -20,22 +20,7 @@ impl<const LIMBS: usize> Field for Mp<LIMBS> {
     fn int(n: i32) -> Self {
         Self::of_int(n)
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-    #[inline]
-    fn abs(self) -> Self {
-        self.abs()
-    }
-    #[inline]
-    fn hypot(self, other: Self) -> Self {
-        self.hypot(other)
-    }
-    #[inline]
-    fn square(self) -> Self {
-        self.square()
-    }
+    same_name! { sqrt(); abs(); hypot(other); square(); }
 }
 
 impl<const LIMBS: usize> Real for Mp<LIMBS> {
@@ -43,30 +28,7 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
     fn pi() -> Self {
         Self::pi()
     }
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-    #[inline]
-    fn tan(self) -> Self {
-        self.tan()
-    }
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        self.atan2(x)
-    }
-    #[inline]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        self.mul_add(a, b)
-    }
-    #[inline]
-    fn sin(self) -> Self {
-        self.sin()
-    }
-    #[inline]
-    fn cos(self) -> Self {
-        self.cos()
-    }
+    same_name! { sin_cos() -> (Self, Self); tan(); atan2(x); mul_add(a, b); sin(); cos(); }
 }
 
 impl<const LIMBS: usize> Float for Mp<LIMBS> {
@@ -94,33 +56,10 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
         Self::of_int(1).scale2(e)
     }
     #[inline]
-    fn to_f64(self) -> f64 {
-        self.to_f64()
-    }
-    #[inline]
     fn from_f64(x: f64) -> Self {
         Self::of_f64(x)
     }
-    #[inline]
-    fn floor(self) -> Self {
-        self.floor()
-    }
-    #[inline]
-    fn round(self) -> Self {
-        self.round()
-    }
-    #[inline]
-    fn is_finite(self) -> bool {
-        self.is_finite()
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        self.exp()
-    }
-    #[inline]
-    fn exp_m1(self) -> Self {
-        self.exp_m1()
-    }
+    same_name! { to_f64() -> f64; floor(); round(); is_finite() -> bool; exp(); exp_m1(); }
 
     /// Refines its value θ at a lower precision: `angle − θ = d + d³/6 + O(d⁵)`, `d = sin(angle − θ)`. This
     /// takes one sine and cosine; the inverse function costs twice that.

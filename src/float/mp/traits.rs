@@ -44,25 +44,16 @@ impl<const LIMBS: usize> Signed for Mp<LIMBS> {
     }
 }
 
+macro_rules! exactly {
+    ($($name:ident $primitive:ident)*) => {$(
+        fn $name(x: $primitive) -> Option<Self> {
+            Some(x.into())
+        }
+    )*};
+}
+
 impl<const LIMBS: usize> FromPrimitive for Mp<LIMBS> {
-    fn from_i64(n: i64) -> Option<Self> {
-        Some(n.into())
-    }
-    fn from_u64(n: u64) -> Option<Self> {
-        Some(n.into())
-    }
-    fn from_i128(n: i128) -> Option<Self> {
-        Some(n.into())
-    }
-    fn from_u128(n: u128) -> Option<Self> {
-        Some(n.into())
-    }
-    fn from_f32(x: f32) -> Option<Self> {
-        Some(x.into())
-    }
-    fn from_f64(x: f64) -> Option<Self> {
-        Some(x.into())
-    }
+    exactly!(from_i64 i64 from_u64 u64 from_i128 i128 from_u128 u128 from_f32 f32 from_f64 f64);
 }
 
 /// Integers drop the fraction, and are `None` out of range or for NaN; floats round to nearest.
