@@ -54,7 +54,7 @@ pub(crate) use near::border_near;
 pub(crate) use range::ordered_lobes;
 pub(crate) use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
-use stationary::inner_maximum;
+use stationary::{Inner, inner_maximum};
 #[cfg(feature = "mp")]
 pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
 pub(crate) use turning_point::border_force_ratio;
@@ -112,7 +112,7 @@ impl<F: Float> Border<F> {
     /// # Errors
     /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
     pub fn with_damping(omega: F, damping_ratio: F) -> Result<Self, Error> {
-        crate::Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio).map(|r| Self::of(&r))
+        Ok(Self::of(&crate::Ratios::of_machine(omega, damping_ratio)?))
     }
 
     /// The border at Ω, ζ and η of `ratios`; their α plays no part. With a static friction of η times the
@@ -131,26 +131,16 @@ impl<F: Float> Border<F> {
     /// because the body slides there.
     #[inline(always)]
     pub(crate) fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
-        let (omega, held) = (p.omega(), held(p, eta));
-        let turning_point = turning_point_border(p.wide(), held, omega.wide()).value();
-        let limit = eta / omega.square();
-        let at_turning_point = Self {
-            min_force_ratio: turning_point,
-            turning_point,
-            touching_phase: F::int(0),
-            min_displacement: limit,
-        };
-        if omega >= F::ratio(1, 2) {
-            return at_turning_point;
-        }
-        match inner_maximum(*p) {
-            Some(inner) if inner.is_border(held, eta) => Self {
+        let (turning_point, inner) = parts(p, eta);
+        let limit = eta / p.omega().square();
+        match inner {
+            Some(inner) => Self {
                 min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
                 turning_point,
                 touching_phase: inner.phase(),
                 min_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
             },
-            _ => at_turning_point,
+            None => Self::of_parts(turning_point, turning_point, F::int(0), limit),
         }
     }
 
@@ -190,17 +180,26 @@ impl<F: Float> Border<F> {
     }
 }
 
-/// [`Border::min_force_ratio`] with a static friction of η times the kinetic one, without the rest.
+/// The border at the turning point, and the inner maximum where that is the border.
 #[inline(always)]
-pub(crate) fn least_with_static_friction<F: Float>(p: &PhaseFunction<F>, eta: F) -> F {
+fn parts<F: Float>(p: &PhaseFunction<F>, eta: F) -> (F, Option<Inner<F>>) {
     let held = held(p, eta);
     let turning_point = turning_point_border(p.wide(), held, p.omega().wide()).value();
     if p.omega() >= F::ratio(1, 2) {
-        return turning_point;
+        return (turning_point, None);
     }
     match inner_maximum(*p) {
-        Some(inner) if inner.is_border(held, eta) => turning_point.or_larger(inner.force_ratio(p)),
-        _ => turning_point,
+        Some(inner) if inner.is_border(held, eta) => (turning_point, Some(inner)),
+        _ => (turning_point, None),
+    }
+}
+
+/// [`Border::min_force_ratio`] with a static friction of η times the kinetic one, without the rest.
+#[inline(always)]
+pub(crate) fn least_with_static_friction<F: Float>(p: &PhaseFunction<F>, eta: F) -> F {
+    match parts(p, eta) {
+        (turning_point, Some(inner)) => turning_point.or_larger(inner.force_ratio(p)),
+        (turning_point, None) => turning_point,
     }
 }
 

@@ -351,8 +351,3 @@ pub(crate) fn half_period<F: Float>(ratios: &Ratios<F>) -> HalfPeriod<F> {
     HalfPeriod::new(ratios.omega(), ratios.damping_ratio())
         .with_static_friction(ratios.static_friction_ratio())
 }
-
-/// The half period at an Ω and a ζ > 0 that are in their domains.
-pub(crate) fn half_period_at<F: Float>(omega: F, zeta: F) -> HalfPeriod<F> {
-    HalfPeriod::new(omega, zeta)
-}

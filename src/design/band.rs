@@ -11,6 +11,16 @@ pub enum Edge {
     Range,
 }
 
+impl Edge {
+    /// This end: the end of the range, or the frequency at which the border is.
+    pub(super) fn place<F>(self, range: F, border: F) -> F {
+        match self {
+            Self::Range => range,
+            Self::Border => border,
+        }
+    }
+}
+
 /// An interval of frequency ratios, or of angular frequencies, in which the body never sticks, with its ends
 /// included.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -194,11 +194,11 @@ impl<F: Float> Bands<F> {
     /// The band in physical units.
     fn in_units(&self, band: Band<F>) -> Band<F> {
         let Some(FrequencyScale { natural, low, high }) = self.frequency else { return band };
-        let end = |edge, range: F, ratio: F| match edge {
-            Edge::Range => range,
-            Edge::Border => ratio * natural,
-        };
-        Band { low: end(band.low_edge, low, band.low), high: end(band.high_edge, high, band.high), ..band }
+        Band {
+            low: band.low_edge.place(low, band.low * natural),
+            high: band.high_edge.place(high, band.high * natural),
+            ..band
+        }
     }
 }
 

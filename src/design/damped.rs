@@ -24,11 +24,10 @@
 use super::band::{Band, Edge};
 use crate::cycle::Border;
 use crate::cycle::border::Lobe;
-use crate::cycle::damped::{border, half_period_at};
-use crate::cycle::phase_function::PhaseFunction;
 use crate::float::Float;
 use crate::greatest::highest;
 use crate::machine::error::{Error, Quantity, written};
+use crate::machine::ratios::Ratios;
 use crate::root;
 use alloc::collections::VecDeque;
 
@@ -181,12 +180,8 @@ impl<F: Float> BandSearch<F> {
 
     /// The border at Ω.
     fn border(&self, omega: F) -> F {
-        let zeta = self.damper.ratio(omega);
-        if zeta > F::int(0) {
-            border(&half_period_at(omega, zeta)).min_force_ratio
-        } else {
-            Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio
-        }
+        let one = F::int(1);
+        Border::of(&Ratios::of_valid(omega, one, self.damper.ratio(omega), one)).min_force_ratio
     }
 
     /// The next point of the mesh.

@@ -30,8 +30,7 @@ use crate::machine::ratios::{Ratios, positive};
 /// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside
 /// the domain of [`crate::Ratios`].
 pub fn most_dissipating_force_ratio<F: Float>(omega: F, damping_ratio: F) -> Result<Optimum<F>, Error> {
-    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
-    optimum_at(&ratios)
+    optimum_at(&Ratios::of_machine(omega, damping_ratio)?)
 }
 
 /// The force ratio without sticking that makes A₁ largest, at Ω and ζ.

@@ -137,10 +137,9 @@ pub fn frequency_bands_without_stop<F: Float>(
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
     let (from, to) = (ratios_of(body, low)?.omega(), ratios_of(body, high)?.omega());
-    let end = |edge, range: F, ratio: F| if edge == Edge::Range { range } else { ratio * natural };
     let in_units = |band: NoStopBand<F>| NoStopBand {
-        low: end(band.low_edge, low, band.low),
-        high: end(band.high_edge, high, band.high),
+        low: band.low_edge.place(low, band.low * natural),
+        high: band.high_edge.place(high, band.high * natural),
         ..band
     };
     let found = bands_without_stop(alpha, body.damping_ratio(), from, to)?;

@@ -23,7 +23,7 @@ pub fn force_ratio_for_displacement<F: Float>(
     damping_ratio: F,
     max_displacement: F,
 ) -> Result<F, Error> {
-    let (ratios, quantity) = (ratios_at(omega, damping_ratio)?, Quantity::MaxDisplacementRatio);
+    let (ratios, quantity) = (Ratios::of_machine(omega, damping_ratio)?, Quantity::MaxDisplacementRatio);
     displacement_target(&ratios, max_displacement, F::int(1), quantity)
 }
 
@@ -64,13 +64,8 @@ pub fn force_for_displacement<F: Float>(
 /// [`Error::TargetSticks`] where V₀ is below that of the cycle on the border, and otherwise those of
 /// [`force_ratio_for_displacement`].
 pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_velocity: F) -> Result<F, Error> {
-    let (ratios, quantity) = (ratios_at(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
+    let (ratios, quantity) = (Ratios::of_machine(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
     velocity_target(&ratios, max_velocity, F::int(1), quantity)
-}
-
-/// Ω and ζ, with a force ratio of 1.
-fn ratios_at<F: Float>(omega: F, damping_ratio: F) -> Result<Ratios<F>, Error> {
-    Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)
 }
 
 /// The force amplitude p₀ with which `body` at ω_d has the maximum velocity V₀ (unit of velocity).

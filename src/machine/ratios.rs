@@ -46,6 +46,16 @@ impl<F: Float> Ratios<F> {
         })
     }
 
+    /// Ω and ζ at α = 1, for answers in which the force plays no part, or is sought.
+    pub(crate) fn of_machine(omega: F, damping_ratio: F) -> Result<Self, Error> {
+        Self::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)
+    }
+
+    /// These ratios with another force ratio α.
+    pub(crate) fn with_force_ratio(self, alpha: F) -> Result<Self, Error> {
+        Ok(Self { alpha: force_ratio(alpha)?, ..self })
+    }
+
     /// These ratios with a viscous damper of damping ratio ζ.
     ///
     /// # Errors

@@ -250,14 +250,15 @@ impl<F: Float> Summit<F> {
 
 #[cfg(test)]
 mod tests {
+    use crate::cycle::damped::border;
     use crate::cycle::damped::fastest::fastest_time;
+    use crate::cycle::damped::half_period::HalfPeriod;
     use crate::cycle::damped::rising::Rising;
-    use crate::cycle::damped::{border, half_period_at};
     use crate::drawn::cases;
     use proptest::prelude::*;
 
     fn rising(omega: f64, zeta: f64, over: f64) -> Rising<f64> {
-        let half = half_period_at(omega, zeta);
+        let half = HalfPeriod::new(omega, zeta);
         Rising::of_force(half, border(&half).min_force_ratio * over)
     }
 

@@ -149,7 +149,7 @@ impl<F: Float> Balanced<F> {
         let (omega, zeta, two) = (ratios.omega(), ratios.damping_ratio(), F::int(2));
         let (free, half) = (Free::new(zeta), pi_1(omega) / two);
         let (spring, damper) = (one_minus_square(omega), two * zeta * omega);
-        let stiffness = if ratios.is_damped() { spring.hypot(damper) } else { spring.abs() };
+        let stiffness = spring.hypot(damper);
         // Towards ζ = 1 d vanishes, and a difference would lose it.
         let Waves { cosine, sine } = if zeta * two > F::int(1) {
             free.waves(half)

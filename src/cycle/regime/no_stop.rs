@@ -98,7 +98,7 @@ impl<F: Float> NoStop<F> {
 /// # Errors
 /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
 pub fn no_stop_force_ratios<F: Float>(omega: F, damping_ratio: F) -> Result<NoStop<F>, Error> {
-    Ok(NoStop::of(&Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?))
+    Ok(NoStop::of(&Ratios::of_machine(omega, damping_ratio)?))
 }
 
 #[cfg(test)]

@@ -52,7 +52,7 @@ pub(super) struct Whole {
 /// Where the two-reversal cycle exists it is the closed form, otherwise the exact motion. Both meet on the
 /// border. `None` where the exact motion is not found.
 pub(super) fn motion(omega: f64, [kappa, zeta]: Parameters, whole: bool) -> Option<ModelMotion> {
-    let half = damped::half_period_at(omega, zeta.max(LEAST_DAMPING));
+    let half = HalfPeriod::new(omega, zeta.max(LEAST_DAMPING));
     let on_turning_point = half.k.hypot(half.stiffness * turning_point(&half));
     if kappa * on_turning_point <= 1.0 && kappa * damped::border(&half).min_force_ratio <= 1.0 {
         return Some(sliding(&half, kappa, whole));

@@ -4,6 +4,7 @@ use super::model::motion;
 use super::search::reduced;
 use super::{Identified, Measurement, identify};
 use crate::cycle::damped;
+use crate::cycle::damped::half_period::HalfPeriod;
 use crate::motion::{LongRun, State};
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
 
@@ -66,7 +67,7 @@ fn an_exact_curve_gives_its_parameters_back() {
 #[test]
 fn a_motion_is_continuous_where_it_begins_to_stop() {
     for (omega, zeta) in [(0.23, 0.03), (0.4, 0.01), (0.7, 0.0), (1.4, 0.1), (0.02, 0.3)] {
-        let half = damped::half_period_at(omega, f64::max(zeta, 1e-9));
+        let half = HalfPeriod::new(omega, f64::max(zeta, 1e-9));
         let border = 1.0 / damped::border(&half).min_force_ratio;
         let at = |kappa: f64| motion(omega, [kappa, zeta], true).unwrap();
         let (slides, stops) = (at(border * (1.0 - 1e-7)), at(border * (1.0 + 1e-7)));
