@@ -188,6 +188,7 @@ fn modulo_two<F: Float>(n: F) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Jet, Verdict, ZeroSearch, next_zero};
+    use crate::cycle::damped::free::Free;
     use crate::motion::event::cover::Cover;
     use std::cell::Cell;
     use std::f64::consts::PI;
@@ -197,7 +198,7 @@ mod tests {
         ZeroSearch {
             omega,
             pace: omega.max(1.0),
-            cover: Cover::new(0.0),
+            cover: Cover::new(Free::new(0.0)),
             waves: None,
             angle: 0.3,
             helping: true,

@@ -148,10 +148,6 @@ impl<F: Float> FreeDecay<F> {
         let (x, v, zeta) = (self.start.x, self.start.v, self.zeta);
         let sign = one.with_sign_of(v);
         let (speed, y) = (sign * v, sign * x + one);
-        if zeta == F::int(0) {
-            // The angle left until the turn: R sin φ₁ = |v₀|.
-            return (sign * ((x + sign).hypot(v) - one), speed.atan2(y));
-        }
         let square = (one - zeta) * (one + zeta);
         let d = square.abs().sqrt();
         let slowed = y + zeta * speed;
@@ -229,9 +225,6 @@ impl<F: Float> FreeDecay<F> {
 
     fn time(&self) -> F {
         let (zero, one) = (F::int(0), F::int(1));
-        if self.zeta == zero {
-            return self.first_time + self.turns * F::pi();
-        }
         if self.turns == zero {
             return self.first_time;
         }

@@ -149,38 +149,32 @@ impl<F: Float> Slide<F> {
     /// The motion at natural time φ after the start.
     #[inline]
     pub(crate) fn motion(&self, phi: F) -> Motion<F> {
-        if self.equation.is_damped() { self.damped_motion(phi) } else { self.undamped_motion(phi) }
-    }
-
-    /// The motion at natural time φ after the start, with the presence of damping known at compile time, so
-    /// that an undamped slide computes nothing for a damper.
-    #[inline]
-    pub(crate) fn motion_by<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
-        if DAMPED { self.damped_motion(phi) } else { self.undamped_motion(phi) }
-    }
-
-    #[inline]
-    fn undamped_motion(&self, phi: F) -> Motion<F> {
         if self.is_short(phi) {
             return self.short(phi);
         }
-        if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
+        if self.equation.is_damped() {
+            return self.damped_motion(phi);
+        }
+        if self.is_long(phi) {
             return self.slow_and_fast(phi);
         }
-        self.motion_of::<false>(&self.equation.undamped_waves(phi))
+        self.motion_of(&self.equation.undamped_waves(phi))
     }
 
+    /// Apart from the undamped motion, whose waves then stay in registers.
     #[cold]
     #[inline(never)]
     fn damped_motion(&self, phi: F) -> Motion<F> {
-        if self.is_short(phi) {
-            return self.short(phi);
-        }
-        let is_long = self.equation.omega < F::ratio(1, 2) && phi > F::int(1);
-        if is_long || self.has_forgotten(phi) {
+        if self.is_long(phi) || self.has_forgotten(phi) {
             return self.forced_and_free(phi);
         }
-        self.motion_of::<true>(&self.equation.damped_waves(phi))
+        self.motion_of(&self.equation.damped_waves(phi))
+    }
+
+    /// Whether the motion is that of a slow wave and a fast one, which are best computed apart.
+    #[inline]
+    fn is_long(&self, phi: F) -> bool {
+        self.equation.omega < F::ratio(1, 2) && phi > F::int(1)
     }
 
     /// The point of the motion at natural time φ.
@@ -191,7 +185,7 @@ impl<F: Float> Slide<F> {
 
     /// The motion from the functions of its natural time.
     #[inline]
-    pub(crate) fn motion_of<const DAMPED: bool>(&self, waves: &Responses<F>) -> Motion<F> {
+    pub(crate) fn motion_of(&self, waves: &Responses<F>) -> Motion<F> {
         let Equation { omega, alpha, damping, .. } = self.equation;
         let Responses { free: (sine, cosine), versine, drive, c, s, d } = *waves;
         let (si, ci) = (self.sin_start, self.cos_start);
@@ -200,20 +194,20 @@ impl<F: Float> Slide<F> {
         let travelled = self.w * sine - (self.x + sign) * versine + alpha * (ci * s + si * c);
         let w = self.acceleration * sine + self.w * cosine + rate * (ci * c - si * s);
         // The slope of the first free vibration is the second less 2ζ times itself.
-        let falling = if DAMPED { cosine - damping * sine } else { cosine };
+        let falling = cosine - damping * sine;
         let acceleration = self.acceleration * falling - self.w * sine + rate * (ci * d - omega * si * c);
-        let jerk = rate * (ci * drive.1 - si * drive.0) - w;
         Motion {
             x: self.x + travelled,
             w,
             acceleration,
-            jerk: if DAMPED { jerk - damping * acceleration } else { jerk },
+            jerk: rate * (ci * drive.1 - si * drive.0) - w - damping * acceleration,
             force: alpha * (si * drive.1 + ci * drive.0),
             rotation: (sine, cosine),
         }
     }
 
-    /// The motion as the sum of a slow forced wave and a fast free one, for Ω < 1/2 and φ > 1.
+    /// The motion as the sum of a slow forced wave and a fast free one, for Ω < 1/2 and φ > 1: the two waves of
+    /// `forced_and_free` without a damper, which costs 6 % of a steady state less.
     ///
     /// ```text
     /// x = A sin θ − s + a cos φ + b sin φ,   a = −(a_i + Ω²A sin θ_i),   b = w_i − ΩA cos θ_i,   A = α/(1 − Ω²)

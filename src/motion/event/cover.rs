@@ -11,107 +11,74 @@
 //! ζf))/D`. A lower bound of it is `f/−(f′ + ζf)`, the zero of the tangent of u. There is no zero where `f′ +
 //! ζf ≥ −D f`.
 
+use crate::cycle::damped::free::Free;
 use crate::float::Float;
 use crate::motion::slide::motion::Jet;
 
-/// The parameters of the cover that depend on ζ.
+/// The free vibration of u.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cover<F> {
-    damping: F,
+    free: Free<F>,
 }
 
 impl<F: Float> Cover<F> {
-    /// `damping` is 2ζ.
     #[inline]
-    pub(crate) fn new(damping: F) -> Self {
-        Self { damping }
+    pub(crate) fn new(free: Free<F>) -> Self {
+        Self { free }
     }
 
     /// How far ahead f is positive where g ≥ 0.
     #[inline]
     pub(crate) fn forward(self, jet: Jet<F>) -> F {
-        if self.damping == F::int(0) {
-            // The first zero of f cos h + f′ sin h.
-            return jet.value.atan2(-jet.first);
-        }
-        self.damped(jet.value, jet.first + self.half() * jet.value)
-    }
-
-    /// Whether f is positive for the time `length` after this point, where g ≥ 0.
-    #[inline]
-    pub(crate) fn reaches_forward(self, jet: Jet<F>, length: F) -> bool {
-        if self.damping == F::int(0) {
-            return self.forward(jet) >= length;
-        }
-        self.damped_reaches(jet.value, jet.first + self.half() * jet.value, length)
-    }
-
-    /// Whether f is positive for the time `length` before this point, where g ≥ 0.
-    #[inline]
-    pub(crate) fn reaches_back(self, jet: Jet<F>, length: F) -> bool {
-        if self.damping == F::int(0) {
-            return self.backward(jet) >= length;
-        }
-        self.damped_reaches(jet.value, -(jet.first + self.half() * jet.value), length)
+        self.first_zero(jet.value, self.slope(jet))
     }
 
     /// How far back f is positive where g ≥ 0.
     #[inline]
     pub(crate) fn backward(self, jet: Jet<F>) -> F {
-        if self.damping == F::int(0) {
-            return jet.value.atan2(jet.first);
-        }
-        self.damped(jet.value, -(jet.first + self.half() * jet.value))
+        self.first_zero(jet.value, -self.slope(jet))
+    }
+
+    /// Whether f is positive for the time `length` after this point, where g ≥ 0.
+    #[inline]
+    pub(crate) fn reaches_forward(self, jet: Jet<F>, length: F) -> bool {
+        self.reaches(jet.value, self.slope(jet), length)
+    }
+
+    /// Whether f is positive for the time `length` before this point, where g ≥ 0.
+    #[inline]
+    pub(crate) fn reaches_back(self, jet: Jet<F>, length: F) -> bool {
+        self.reaches(jet.value, -self.slope(jet), length)
     }
 
     /// Whether u = e^{ζφ} f decreases.
     #[inline]
     pub(crate) fn falls(self, jet: Jet<F>) -> bool {
-        if self.damping == F::int(0) {
-            return jet.first < F::int(0);
-        }
-        jet.first + self.half() * jet.value < F::int(0)
+        self.slope(jet) < F::int(0)
+    }
+
+    /// u′ where u = f.
+    #[inline]
+    fn slope(self, jet: Jet<F>) -> F {
+        jet.first + self.free.zeta * jet.value
     }
 
     /// The longest stretch for which the proof holds, a little less than π/d; infinite from ζ = 1 on.
     #[inline]
     pub(crate) fn longest(self) -> F {
-        let most = F::ratio(25, 8);
-        if self.damping == F::int(0) {
-            return most;
-        }
-        self.damped_longest(most)
+        if self.free.swings() { F::ratio(25, 8) / self.free.frequency } else { F::int(1) / F::int(0) }
     }
 
-    #[cold]
-    #[inline(never)]
-    fn damped_longest(self, most: F) -> F {
-        let square = self.square();
-        if square > F::int(0) { most / square.sqrt() } else { F::int(1) / F::int(0) }
-    }
-
-    /// ζ.
-    fn half(self) -> F {
-        self.damping / F::int(2)
-    }
-
-    /// d² = 1 − ζ².
-    fn square(self) -> F {
-        let (one, zeta) = (F::int(1), self.half());
-        (one - zeta) * (one + zeta)
-    }
-
-    /// Whether the free vibration from (u, u′), u > 0, is positive for a time; usually decided without
+    /// Whether the free vibration from (u, u′) is positive for a time; for u > 0 usually decided without
     /// computing its first zero.
     ///
     /// If u decreases, its tangent vanishes later. If it increases, the zero comes after a quarter of a
     /// period, and before half of one by `arctan y ≥ y/(1 + y)`, y = du/u′.
-    #[cold]
-    #[inline(never)]
-    fn damped_reaches(self, value: F, slope: F, length: F) -> bool {
-        let (zero, square) = (F::int(0), self.square());
-        if square > zero && value > zero {
-            let rate = square.sqrt();
+    #[inline]
+    fn reaches(self, value: F, slope: F, length: F) -> bool {
+        let zero = F::int(0);
+        if self.free.swings() && value > zero {
+            let rate = self.free.frequency;
             let (turned, size) = (rate * length, rate * value);
             if slope < zero && value < -(slope * length) {
                 return false;
@@ -124,35 +91,33 @@ impl<F: Float> Cover<F> {
                 return false;
             }
         }
-        self.damped(value, slope) >= length
+        self.first_zero(value, slope) >= length
     }
 
     /// The first zero of the free vibration from (u, u′).
-    #[cold]
-    #[inline(never)]
-    fn damped(self, value: F, slope: F) -> F {
-        let (zero, square) = (F::int(0), self.square());
-        let rate = square.abs().sqrt();
-        if square > zero {
+    #[inline]
+    fn first_zero(self, value: F, slope: F) -> F {
+        let rate = self.free.frequency;
+        if self.free.swings() {
             return (rate * value).atan2(-slope) / rate;
         }
-        if slope >= -(rate * value) { F::int(1) / zero } else { value / -slope }
+        if slope >= -(rate * value) { F::int(1) / F::int(0) } else { value / -slope }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Cover, Jet};
+    use super::{Cover, Free, Jet};
 
     /// The free vibration itself (g = 0) is positive exactly up to its cover. Where the cover is only a
     /// bound, it is positive at least up to it.
     #[test]
     fn free_vibration_is_positive_as_far_as_its_cover() {
-        for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 1.1, 4.0] {
+        for zeta in [0.0, 1e-9, 0.1, 0.5, 0.99, 1.0, 1.1, 4.0] {
             let d = (1.0f64 - zeta * zeta).abs().sqrt();
             for slope in [-30.0, -3.0, -1.0, -0.4, 0.0, 0.7, 4.0] {
                 let (value, second) = (0.6, -2.0 * zeta * slope - 0.6);
-                let cover = Cover::new(2.0 * zeta);
+                let cover = Cover::new(Free::new(zeta));
                 let jet = Jet { value, first: slope, second, third: 0.0 };
                 for (ahead, end) in [(1.0, cover.forward(jet)), (-1.0, cover.backward(jet))] {
                     let u = |h: f64| {
@@ -180,8 +145,8 @@ mod tests {
     #[test]
     fn what_is_reached_is_within_the_cover() {
         let mut reached = [0, 0];
-        for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 4.0] {
-            let cover = Cover::new(2.0 * zeta);
+        for zeta in [0.0, 1e-9, 0.1, 0.5, 0.99, 1.0, 4.0] {
+            let cover = Cover::new(Free::new(zeta));
             for value in [1e-3, 0.6, 7.0] {
                 for slope in [-30.0, -3.0, -1.0, -0.4, -1e-3, 0.0, 1e-3, 0.7, 4.0, 50.0] {
                     let jet = Jet { value, first: slope, second: 0.0, third: 0.0 };

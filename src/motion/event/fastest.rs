@@ -125,7 +125,7 @@ impl<F: Float> Slide<F> {
         ZeroSearch {
             omega,
             pace: self.equation.pace(),
-            cover: Cover::new(self.equation.damping),
+            cover: Cover::new(self.equation.vibration()),
             waves: None,
             angle: shifted.angle(),
             helping: shifted.is_even() == (side > F::int(0)),

@@ -97,18 +97,8 @@ impl<F: Float> Slide<F> {
     /// A velocity zero found by Householder's method from `hint`; no proof that it is the first.
     #[inline(never)]
     pub(crate) fn velocity_zero_near(&self, hint: F) -> Option<VelocityZero<F>> {
-        if self.equation.is_damped() { self.polished::<true>(hint) } else { self.polished::<false>(hint) }
-    }
-
-    #[inline]
-    fn polished<const DAMPED: bool>(&self, hint: F) -> Option<VelocityZero<F>> {
-        let found = polished_guess(
-            hint,
-            self.equation.pace(),
-            (F::int(0), F::int(2) * hint),
-            &self.velocity::<DAMPED>(),
-        );
-        found.map(|found| self.arrival(&found))
+        let (within, f) = ((F::int(0), F::int(2) * hint), self.velocity());
+        polished_guess(hint, self.equation.pace(), within, &f).map(|found| self.arrival(&found))
     }
 
     /// The velocity zero that ends the slide, if it is not after `limit`; otherwise the motion at the limit.
@@ -123,24 +113,8 @@ impl<F: Float> Slide<F> {
     /// The end of the slide, with or without a limit: one call of the search, into which the compiler inlines
     /// the motion of a slide.
     fn ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
-        if self.equation.is_damped() {
-            self.damped_ends(hint, limit)
-        } else {
-            self.ends_by::<false>(hint, limit)
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn damped_ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
-        self.ends_by::<true>(hint, limit)
-    }
-
-    /// The end of the slide, with the presence of damping known at compile time.
-    #[inline]
-    fn ends_by<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
-        let (search, start) = (self.velocity_search::<DAMPED>(hint, limit), self.velocity_at_start());
-        match next_zero(&search, start, self.velocity::<DAMPED>()) {
+        let (search, start) = (self.velocity_search(hint, limit), self.velocity_at_start());
+        match next_zero(&search, start, self.velocity()) {
             Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival(&found))),
             Verdict::Clear(Some((_, motion))) => Ok(Outcome::Onward(motion)),
             Verdict::Clear(None) => limit.map(|limit| Outcome::Onward(self.motion(limit))).ok_or(Lost),
@@ -161,10 +135,10 @@ impl<F: Float> Slide<F> {
 
     /// The speed with its derivatives, and the motion from which it is computed.
     #[inline]
-    fn velocity<const DAMPED: bool>(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
+    fn velocity(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
         let sign = self.direction.sign::<F>();
         move |phi| {
-            let m = self.motion_by::<DAMPED>(phi);
+            let m = self.motion(phi);
             (m.velocity_jet(&self.equation, sign), m)
         }
     }
@@ -176,20 +150,21 @@ impl<F: Float> Slide<F> {
 
     /// The properties of the velocity that are known before it is evaluated.
     #[inline]
-    fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> ZeroSearch<'_, F> {
+    fn velocity_search(&self, hint: F, limit: Option<F>) -> ZeroSearch<'_, F> {
         let sign = self.direction.sign::<F>();
         let unit = F::int(4) * F::epsilon();
+        let is_damped = self.equation.is_damped();
         ZeroSearch {
             omega: self.equation.omega,
             pace: self.equation.pace(),
-            cover: Cover::new(if DAMPED { self.equation.damping } else { F::int(0) }),
-            waves: if DAMPED { self.damped_waves() } else { None },
+            cover: Cover::new(self.equation.vibration()),
+            waves: if is_damped { self.damped_waves() } else { None },
             angle: self.start.angle(),
             helping: self.start.is_even() == (self.direction == Direction::Forward),
             from_zero: sign * self.w <= F::int(0),
             limit,
             hint,
-            safe: if DAMPED { None } else { self.safe_window() },
+            safe: if is_damped { None } else { self.safe_window() },
             noise: unit * self.velocity_scale(),
             short_noise: Some(self.short_velocity_scale().map(|term| unit * term)),
         }

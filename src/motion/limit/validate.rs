@@ -77,7 +77,7 @@ pub(crate) fn validated<F: Float>(
     // The motion at the end, and the free vibrations from the section to there.
     let (arrival, rest) = match cycle {
         Some(cycle) => {
-            let arrival = slide.motion_of::<false>(&equation.half_turn(cycle.sin_cos_beta()));
+            let arrival = slide.motion_of(&equation.half_turn(cycle.sin_cos_beta()));
             let ((s, c), (sine, cosine)) = (middle.rotation, arrival.rotation);
             (arrival, (sine * c - cosine * s, cosine * c + sine * s))
         }
@@ -131,7 +131,7 @@ impl<F: Float> Slide<F> {
     /// Whether the signs of the drive's power alone show that no velocity zero precedes the zero at `end`.
     #[inline]
     fn does_not_turn_before(&self, end: F) -> bool {
-        let cover = Cover::new(self.equation.damping);
+        let cover = Cover::new(self.equation.vibration());
         let longest = cover.longest();
         let boundary = (F::pi() / F::int(2) - self.start.angle()) / self.equation.omega;
         if !self.start.is_even() || end - boundary > longest {

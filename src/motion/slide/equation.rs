@@ -95,7 +95,7 @@ impl<F: Float> Equation<F> {
         if self.is_damped() { self.damped_waves(phi) } else { self.undamped_waves(phi) }
     }
 
-    /// The free vibrations and the quotients C, S, D of `slide` at φ, without damping.
+    /// The same without damping, where q serves all three quotients.
     #[inline]
     pub(crate) fn undamped_waves(&self, phi: F) -> Responses<F> {
         let one = F::int(1);

@@ -96,7 +96,7 @@ mod tests {
                 let s = slide(omega, 0.3, w);
                 for i in 1..=64 {
                     let phi = f64::from(i) / 512.0 / omega.max(1.0);
-                    let (series, closed) = (s.short(phi), s.motion_of::<true>(&s.equation.waves(phi)));
+                    let (series, closed) = (s.short(phi), s.motion_of(&s.equation.waves(phi)));
                     let close = |a: f64, b: f64, size: f64| {
                         assert!((a - b).abs() <= 4e-15 * size, "Ω = {omega}, φ = {phi}: {a:e} {b:e}");
                     };

@@ -60,13 +60,13 @@ fn a_short_step_on_is_the_motion() {
         is(zero.rotation.1, exact.rotation.1);
     }
     let noise = 4.0 * f64::EPSILON;
-    let search = slide.velocity_search::<false>(1.0, None);
+    let search = slide.velocity_search(1.0, None);
     assert_eq!(search.noise, noise * slide.velocity_scale());
     assert!(!search.from_zero);
     for (w, direction) in [(0.0, Direction::Forward), (0.0, Direction::Backward), (-1e-9, Direction::Forward)]
     {
         let slide = Slide::new(equation, slide.start, -0.4, w, direction);
-        assert!(slide.velocity_search::<false>(1.0, None).from_zero, "{w} {direction:?}");
+        assert!(slide.velocity_search(1.0, None).from_zero, "{w} {direction:?}");
     }
     assert_eq!(search.short_noise, Some(slide.short_velocity_scale().map(|term| noise * term)));
 }
@@ -93,7 +93,7 @@ fn the_work_is_bounded() {
         let found = |hint: f64| {
             let evaluations = Cell::new(0);
             let verdict = next_zero(
-                &slide.velocity_search::<false>(hint, None),
+                &slide.velocity_search(hint, None),
                 slide.motion_at_start().velocity_jet(&equation, 1.0),
                 |phi| {
                     evaluations.set(evaluations.get() + 1);
@@ -133,12 +133,11 @@ fn the_work_is_bounded_at_any_frequency() {
         let x = x - direction.sign::<f64>();
         let slide = Slide::new(equation, DrivePhase::of(theta).unwrap(), x, w, direction);
         let evaluations = Cell::new(0);
-        let f = slide.velocity::<false>();
-        let verdict =
-            next_zero(&slide.velocity_search::<false>(PI / omega, None), slide.velocity_at_start(), |phi| {
-                evaluations.set(evaluations.get() + 1);
-                f(phi)
-            });
+        let f = slide.velocity();
+        let verdict = next_zero(&slide.velocity_search(PI / omega, None), slide.velocity_at_start(), |phi| {
+            evaluations.set(evaluations.get() + 1);
+            f(phi)
+        });
         assert!(matches!(verdict, Verdict::Zero(_)), "Ω = {omega}: {slide:?}");
         (most, sum) = (most.max(evaluations.get()), sum + evaluations.get());
     }
@@ -154,8 +153,8 @@ fn a_drive_that_cannot_be_seen_costs_nothing() {
         let start = DrivePhase::of(0.3).unwrap();
         let slide = Slide::new(equation, start, -x, 0.0, Direction::Forward);
         let evaluations = Cell::new(0);
-        let f = slide.velocity::<false>();
-        let search = slide.velocity_search::<false>(PI / omega, None);
+        let f = slide.velocity();
+        let search = slide.velocity_search(PI / omega, None);
         let verdict = next_zero(&search, slide.velocity_at_start(), |phi| {
             evaluations.set(evaluations.get() + 1);
             f(phi)
