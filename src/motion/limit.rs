@@ -168,8 +168,7 @@ fn of_closed_form<F: Float>(
         Err(section) => section,
     };
     if ratios.has_higher_static_friction() {
-        let start = State { phase: section.phase, x: section.x, v: section.w / equation.omega };
-        return followed::limit(ratios, start, budget);
+        return followed::limit(ratios, section.state(equation.omega), budget);
     }
     let guess = || Ok(cycle.map(|cycle| cycle_guess(equation, cycle)));
     Ok(shoot(equation, section, hint, guess, budget)?)

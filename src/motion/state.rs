@@ -69,6 +69,23 @@ pub(crate) struct Point<F> {
     pub(crate) w: F,
 }
 
+impl<F: Float> Point<F> {
+    /// The point of a state, at the frequency ratio Ω.
+    pub(crate) fn of(state: &State<F>, omega: F) -> Self {
+        Self { phase: state.phase, x: state.x, w: state.v * omega }
+    }
+
+    /// The state of this point, at the frequency ratio Ω.
+    pub(crate) fn state(&self, omega: F) -> State<F> {
+        State { phase: self.phase, x: self.x, v: self.w / omega }
+    }
+
+    /// The opposite point, half a turn of the drive later.
+    pub(crate) fn mirrored(&self) -> Self {
+        Self { phase: self.phase.later_by_half_turns(1), x: -self.x, w: -self.w }
+    }
+}
+
 /// The motion at one instant: state, acceleration, forces. Forces in units of r_y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

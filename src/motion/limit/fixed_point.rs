@@ -191,8 +191,7 @@ impl<F: Float> Trial<F> {
 
     /// Whether `det(1 − J)` is positive, which is the index of the fixed point: +1 or −1.
     fn is_index_positive(&self) -> bool {
-        let m = self.motion.derivative;
-        F::int(1) - m.trace() + m.determinant() > F::int(0)
+        self.motion.derivative.determinant_of_one_minus() > F::int(0)
     }
 
     /// This fixed point as a fixed point of the fewest half turns.

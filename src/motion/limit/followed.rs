@@ -65,7 +65,7 @@ pub(crate) fn limit<F: Float>(
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
     let equation = Equation::new(ratios);
-    let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
+    let mut y = Point::of(&start, equation.omega);
     let mut reference = y;
     let (mut lag, mut next_reference) = (0u32, 16u64);
     let usual = F::pi() / equation.omega;

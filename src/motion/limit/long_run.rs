@@ -147,9 +147,5 @@ pub(crate) fn unsettled<F: Float>(
     residual: F,
     budget: &Budget<'_>,
 ) -> LongRun<F> {
-    LongRun::NotConverged {
-        state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
-        residual,
-        periods: budget.periods(),
-    }
+    LongRun::NotConverged { state: y.state(equation.omega), residual, periods: budget.periods() }
 }

@@ -71,6 +71,11 @@ impl<F: Float> Matrix<F> {
         self.a + self.d
     }
 
+    /// `det(1 − M)`.
+    pub(crate) fn determinant_of_one_minus(self) -> F {
+        F::int(1) - self.trace() + self.determinant()
+    }
+
     /// `(1 + M)⁻¹`, or infinite or NaN entries where 1 + M is singular.
     #[inline]
     pub(crate) fn inverse_of_one_plus(self) -> Self {

@@ -27,6 +27,16 @@ impl<F: Float> Extreme<F> {
     pub(crate) fn mirrored(self) -> Self {
         Self { value: -self.value, phase: self.phase.later_by_half_turns(1) }
     }
+
+    /// Takes the place of the maximum or the minimum that it exceeds.
+    fn widens(self, max: &mut Self, min: &mut Self) {
+        if self.value > max.value {
+            *max = self;
+        }
+        if self.value < min.value {
+            *min = self;
+        }
+    }
 }
 
 /// Extrema, stops and work over some time.
@@ -153,11 +163,12 @@ impl<F: Float> CycleStatistics<F> {
         end: &Motion<F>,
     ) -> Result<(), Broken> {
         let omega = slide.equation.omega;
-        self.displaced(Extreme { value: end.x, phase });
+        Extreme { value: end.x, phase }.widens(&mut self.max_x, &mut self.min_x);
         let fastest = slide.fastest(phi, end)?;
         let v = fastest.w / omega;
         if v > self.max_v.value || v < self.min_v.value {
-            self.moved(Extreme { value: v, phase: slide.start.advanced(omega * fastest.phi) });
+            let phase = slide.start.advanced(omega * fastest.phi);
+            Extreme { value: v, phase }.widens(&mut self.max_v, &mut self.min_v);
         }
         self.work_out = self.work_out + (end.x - slide.x).abs();
         let works = slide.works(phi, end);
@@ -166,32 +177,14 @@ impl<F: Float> CycleStatistics<F> {
         Ok(())
     }
 
-    fn displaced(&mut self, x: Extreme<F>) {
-        if x.value > self.max_x.value {
-            self.max_x = x;
-        }
-        if x.value < self.min_x.value {
-            self.min_x = x;
-        }
-    }
-
-    fn moved(&mut self, v: Extreme<F>) {
-        if v.value > self.max_v.value {
-            self.max_v = v;
-        }
-        if v.value < self.min_v.value {
-            self.min_v = v;
-        }
-    }
-
     /// The statistics of a whole turn from those of its first half, if the second half has the opposite sign.
     pub(crate) fn doubled(mut self) -> Self {
         let two = F::int(2);
         for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
-            self.displaced(extreme);
+            extreme.widens(&mut self.max_x, &mut self.min_x);
         }
         for extreme in [self.max_v.mirrored(), self.min_v.mirrored()] {
-            self.moved(extreme);
+            extreme.widens(&mut self.max_v, &mut self.min_v);
         }
         Self {
             sticks: self.sticks.saturating_mul(2),

@@ -37,7 +37,7 @@ pub(crate) fn settle_in<F: Float>(
         }
     }
     budget.spend(2);
-    let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
+    let here = Point { phase: begin, ..Point::of(&start, equation.omega) };
     let Some((slide, length)) = longest else { return Ok((here, turn / equation.omega)) };
     let half = length / F::int(2);
     Ok((slide.point(half), half))

@@ -113,7 +113,7 @@ impl<F: Float> SteadyState<F> {
             multipliers: found.multipliers,
             turns_per_cycle: turns,
             is_symmetric,
-            state: State { phase: start.phase, x: start.x, v: start.w / omega },
+            state: start.state(omega),
             distance: (found.distance.0, found.distance.1 / omega),
             periods: found.periods,
             equation: found.equation,
@@ -199,7 +199,7 @@ pub fn errors_after<F: Float>(
 ) -> Result<ErrorMeasures<F>, Error> {
     let equation = Equation::new(resolved(ratios)?);
     let usual = F::pi() / equation.omega;
-    let mut point = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
+    let mut point = Point::of(&start, equation.omega);
     for _ in 0..cycles {
         (point, _) = follow(equation, point, 2, usual, &mut Budget::of(0), |_| Ok(()))?;
     }

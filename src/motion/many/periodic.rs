@@ -141,7 +141,7 @@ pub fn periodic_motions_from<F: Float>(
     let budget = &mut Budget::of(0).while_allowed(keep_going);
     let most = turns.saturating_mul(2);
     let usual = F::pi() / equation.omega;
-    let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
+    let mut y = Point::of(&start, equation.omega);
     let mut path = vec![y];
     for _ in 0..most.saturating_mul(4).saturating_add(FOLLOWED) {
         let step = HalfTurns::new(equation, y, 1, usual, budget)?;

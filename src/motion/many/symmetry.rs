@@ -20,7 +20,7 @@ use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::motion::DrivePhase;
 use crate::motion::broken::Budget;
-use crate::motion::limit::fixed_point::{Located, Trial};
+use crate::motion::limit::fixed_point::{Located, Trial, distance, size};
 use crate::motion::limit::matrix::Matrix;
 use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::limit::steady::SteadyState;
@@ -64,7 +64,6 @@ pub struct SymmetryBreak<F> {
 #[derive(Clone, Copy)]
 struct Symmetric<F> {
     alpha: F,
-    y: Point<F>,
     state: Located<F>,
     derivative: Matrix<F>,
     steady: SteadyState<F>,
@@ -79,8 +78,7 @@ impl<F: Float> Symmetric<F> {
 
     /// `det(1 − J) = (1 − λ₁)(1 − λ₂)`, which vanishes where two symmetric motions meet.
     fn fold(&self) -> F {
-        let m = self.derivative;
-        F::int(1) - m.trace() + m.determinant()
+        self.derivative.determinant_of_one_minus()
     }
 
     /// Whether no multiplier has passed −1 or +1, by a margin. (A multiplier that jumps past +1 leaves f
@@ -95,27 +93,18 @@ impl<F: Float> Symmetric<F> {
     }
 
     fn is_near(&self, other: &Self) -> bool {
-        let size = F::int(1) + self.y.x.abs() + self.y.w.abs();
-        (self.y.x - other.y.x).hypot(self.y.w - other.y.w) <= F::exp2i(-16) * size
+        let (y, there) = (&self.state.at, &other.state.at);
+        distance(y, there) <= F::exp2i(-16) * size(y)
     }
 }
 
 /// The machine, whose force ratio varies.
-struct VariedForce<F> {
-    ratios: Ratios<F>,
-}
+struct VariedForce<F>(Ratios<F>);
 
 impl<F: Float> VariedForce<F> {
-    fn ratios_at(&self, alpha: F) -> Result<Ratios<F>, Error> {
-        let ratios = Ratios::new(self.ratios.omega(), alpha)?;
-        ratios
-            .with_damping_ratio(self.ratios.damping_ratio())?
-            .with_static_friction_ratio(self.ratios.static_friction_ratio())
-    }
-
     /// The symmetric motion to which Newton's method converges from a state.
     fn symmetric(&self, alpha: F, seed: Point<F>) -> Result<Option<Symmetric<F>>, Error> {
-        let equation = Equation::new(resolved(self.ratios_at(alpha)?)?);
+        let equation = Equation::new(resolved(self.0.with_force_ratio(alpha)?)?);
         let budget = &mut Budget::of(0);
         let trial = Trial::at(equation, seed, 1, budget)?.newton_from_far(budget)?;
         if trial.motion.rest.is_some() || !trial.is_periodic(64) {
@@ -123,7 +112,7 @@ impl<F: Float> VariedForce<F> {
         }
         let (state, derivative) = (trial.located(), trial.motion.derivative);
         let steady = trial.steady(budget)?;
-        Ok(Some(Symmetric { alpha, y: state.at, state, derivative, steady }))
+        Ok(Some(Symmetric { alpha, state, derivative, steady }))
     }
 
     /// The symmetric motion at another force, with the same slides and stops as `self`. The search starts on
@@ -136,21 +125,22 @@ impl<F: Float> VariedForce<F> {
         let share = (alpha - last.alpha) / (last.alpha - before.alpha);
         let ahead = |a: F, b: F| b + (b - a) * share;
         if share.is_finite() {
-            let y = Point { x: ahead(before.y.x, last.y.x), w: ahead(before.y.w, last.y.w), ..last.y };
+            let (from, to) = (before.state.at, last.state.at);
+            let y = Point { x: ahead(from.x, to.x), w: ahead(from.w, to.w), ..to };
             let found = self.symmetric(alpha, y)?.filter(|found| found.shape() == last.shape());
             if found.is_some() {
                 return Ok(found);
             }
         }
-        let found = self.symmetric(alpha, last.y)?;
+        let found = self.symmetric(alpha, last.state.at)?;
         Ok(found.filter(|found| found.shape() == last.shape()))
     }
 
     /// The symmetric motions to which some starts and the given states lead.
     fn all(&self, alpha: F, known: &[Symmetric<F>]) -> Result<Vec<Symmetric<F>>, Error> {
-        let equation = Equation::new(resolved(self.ratios_at(alpha)?)?);
+        let equation = Equation::new(resolved(self.0.with_force_ratio(alpha)?)?);
         let origin = DrivePhase::of_half_turn(0, F::int(0));
-        let mut seeds: Vec<Point<F>> = known.iter().map(|motion| motion.y).collect();
+        let mut seeds: Vec<Point<F>> = known.iter().map(|motion| motion.state.at).collect();
         for (place, speed) in [(0, 0), (1, -1), (-1, 1), (3, -3)] {
             let mut y = Point { phase: origin, x: F::ratio(place, 2) * alpha, w: F::ratio(speed, 3) * alpha };
             for _ in 0..FOLLOWED {
@@ -200,12 +190,12 @@ pub fn symmetry_breaks<F: Float>(
     high: F,
     steps: u32,
 ) -> Result<Vec<SymmetryBreak<F>>, Error> {
-    let machine = VariedForce { ratios };
+    let machine = VariedForce(ratios);
     let step = |i: u32| low + (high - low) * F::from_f64(f64::from(i)) / F::from_f64(f64::from(steps.max(1)));
     let mut breaks = Vec::new();
     if !ratios.has_higher_static_friction() {
         for alpha in [low, high] {
-            resolved(machine.ratios_at(alpha)?)?;
+            resolved(ratios.with_force_ratio(alpha)?)?;
         }
         return Ok(breaks);
     }
@@ -252,7 +242,7 @@ fn lost<F: Float>(
             return Err(error);
         }
         let beyond = if is_stable_above { below } else { above };
-        let next = machine.symmetric(beyond, last.y)?;
+        let next = machine.symmetric(beyond, last.state.at)?;
         let loss = match next.filter(|next| next.is_near(&last)) {
             Some(_) if beyond == to => return Ok(None),
             Some(next) if next.is_stable_by(F::exp2i(-20)) => {
@@ -265,8 +255,10 @@ fn lost<F: Float>(
         };
         return Ok(Some(SymmetryBreak { alpha: last.alpha, is_stable_above, loss, motion: last.steady }));
     }
-    let equation = Equation::new(machine.ratios_at(last.alpha)?);
-    Err(equation.lost("the loss of a symmetric motion", last.y.phase, "256 changes of its stops").into())
+    let equation = Equation::new(machine.0.with_force_ratio(last.alpha)?);
+    Err(equation
+        .lost("the loss of a symmetric motion", last.state.at.phase, "256 changes of its stops")
+        .into())
 }
 
 /// The greatest number of times that a stop may appear or disappear within a step.

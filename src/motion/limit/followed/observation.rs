@@ -9,7 +9,7 @@ use crate::motion::limit::long_run::growth_at_resonance;
 use crate::motion::limit::matrix::Matrix;
 use crate::motion::limit::propagation::MotionPart;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::{Point, State};
+use crate::motion::state::Point;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -114,11 +114,7 @@ impl<F: Float> Observation<F> {
 
     /// A state of the motion, with the change of sign undone.
     pub(super) fn upright(&self, y: &Point<F>) -> Point<F> {
-        if self.is_upside_down {
-            Point { phase: y.phase.later_by_half_turns(1), x: -y.x, w: -y.w }
-        } else {
-            *y
-        }
+        if self.is_upside_down { y.mirrored() } else { *y }
     }
 
     /// The irregular motion, if its neighbours do not approach it.
@@ -141,7 +137,7 @@ impl<F: Float> Observation<F> {
         let is_irregular = mean > -4.0 * error && mean.is_finite();
         let (max_displacement, min_displacement) = (self.max_x?, self.min_x?);
         is_irregular.then(|| Irregular {
-            state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
+            state: y.state(equation.omega),
             lyapunov_exponent: F::from_f64(mean),
             lyapunov_exponent_error: F::from_f64(error),
             max_displacement,

@@ -48,7 +48,7 @@ fn symmetry_breaks_at_a_multiplier_of_minus_one() {
         assert_eq!(found.len(), expected.len(), "{omega} {eta}: {found:?}");
         for (one, expected) in found.iter().zip(expected) {
             assert!((one.alpha - expected).abs() < 1e-12 * 10.0 && one.loss == Loss::Multiplier, "{one:?}");
-            let machine = VariedForce { ratios: ratios(omega, 0.02, eta, 2.0) };
+            let machine = VariedForce(ratios(omega, 0.02, eta, 2.0));
             let state = one.motion.state;
             let y = crate::motion::state::Point { phase: state.phase, x: state.x, w: state.v * omega };
             let there = machine.symmetric(one.alpha, y).unwrap().unwrap();
