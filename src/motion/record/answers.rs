@@ -14,56 +14,6 @@ use crate::machine::ratios::finite;
 use crate::machine::units::Kind;
 use core::ops::ControlFlow;
 
-/// The motion of a body under a record and after it, until it rests: extremes, sums and counts, in the units of the
-/// body and the record.
-///
-/// With a moving surface, displacement and velocity are those in relation to it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct RecordAnswer<F> {
-    /// Greatest displacement.
-    pub max_displacement: F,
-    /// Its time.
-    pub max_displacement_time: F,
-    /// Least displacement.
-    pub min_displacement: F,
-    /// Its time.
-    pub min_displacement_time: F,
-    /// Greatest velocity.
-    pub max_velocity: F,
-    /// Its time.
-    pub max_velocity_time: F,
-    /// Least velocity.
-    pub min_velocity: F,
-    /// Its time.
-    pub min_velocity_time: F,
-    /// Greatest absolute acceleration: in space, where the surface moves.
-    pub max_absolute_acceleration: F,
-    /// Greatest force of spring, damper and friction together on the body's support.
-    pub max_transmitted_force: F,
-    /// Displacement at the end of the record.
-    pub end_displacement: F,
-    /// Velocity at the end of the record.
-    pub end_velocity: F,
-    /// Displacement in which the body rests in the end, or which it creeps to; `None` where it never rests.
-    pub residual_displacement: Option<F>,
-    /// Path.
-    pub path: F,
-    /// Slides.
-    pub slides: u64,
-    /// Stops: times at which a slide ends, with a rest or without.
-    pub stops: u64,
-    /// Time at rest during the record.
-    pub stick_time: F,
-    /// Work of friction.
-    pub friction_work: F,
-    /// Work of the damper.
-    pub damper_work: F,
-    /// Work of the load and of the constant force on the body.
-    pub load_work: F,
-}
-
 /// An answer: a number, which may not exist, or a count.
 #[doc(hidden)]
 #[derive(Debug)]
@@ -72,67 +22,88 @@ pub enum Entry<'a, T> {
     Count(u64),
 }
 
-impl<F> RecordAnswer<F> {
-    /// The names of the answers, their kinds and their values.
-    #[doc(hidden)]
-    pub fn entries(&self) -> [(&'static str, Kind, Entry<'_, F>); 20] {
-        use Entry::{Count, Value};
-        [
-            ("max_displacement", Kind::Length, Value(Some(&self.max_displacement))),
-            ("max_displacement_time", Kind::Time, Value(Some(&self.max_displacement_time))),
-            ("min_displacement", Kind::Length, Value(Some(&self.min_displacement))),
-            ("min_displacement_time", Kind::Time, Value(Some(&self.min_displacement_time))),
-            ("max_velocity", Kind::Velocity, Value(Some(&self.max_velocity))),
-            ("max_velocity_time", Kind::Time, Value(Some(&self.max_velocity_time))),
-            ("min_velocity", Kind::Velocity, Value(Some(&self.min_velocity))),
-            ("min_velocity_time", Kind::Time, Value(Some(&self.min_velocity_time))),
-            ("max_absolute_acceleration", Kind::Acceleration, Value(Some(&self.max_absolute_acceleration))),
-            ("max_transmitted_force", Kind::Force, Value(Some(&self.max_transmitted_force))),
-            ("end_displacement", Kind::Length, Value(Some(&self.end_displacement))),
-            ("end_velocity", Kind::Velocity, Value(Some(&self.end_velocity))),
-            ("residual_displacement", Kind::Length, Value(self.residual_displacement.as_ref())),
-            ("path", Kind::Length, Value(Some(&self.path))),
-            ("slides", Kind::Ratio, Count(self.slides)),
-            ("stops", Kind::Ratio, Count(self.stops)),
-            ("stick_time", Kind::Time, Value(Some(&self.stick_time))),
-            ("friction_work", Kind::Energy, Value(Some(&self.friction_work))),
-            ("damper_work", Kind::Energy, Value(Some(&self.damper_work))),
-            ("load_work", Kind::Energy, Value(Some(&self.load_work))),
-        ]
-    }
+/// One row for each answer: its type with its kind, and which of a number, an optional number and a count it is.
+macro_rules! answers {
+    ($($(#[$doc:meta])+ $answer:ident: $type:ty, $form:ident $kind:ident;)*) => {
+        /// The motion of a body under a record and after it, until it rests: extremes, sums and counts, in the units of the
+        /// body and the record.
+        ///
+        /// With a moving surface, displacement and velocity are those in relation to it.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+        #[non_exhaustive]
+        pub struct RecordAnswer<F> {
+            $($(#[$doc])+ pub $answer: $type,)*
+        }
+
+        impl<F> RecordAnswer<F> {
+            /// The names of the answers, their kinds and their values.
+            #[doc(hidden)]
+            pub fn entries(&self) -> [(&'static str, Kind, Entry<'_, F>); [$(Kind::$kind),*].len()] {
+                [$((stringify!($answer), Kind::$kind, answers!(@entry $form self.$answer))),*]
+            }
+
+            /// The answers in another form; `None` where one has none.
+            #[cfg(feature = "mp")]
+            pub(crate) fn map<G>(&self, of: impl Fn(&F) -> Option<G>) -> Option<RecordAnswer<G>> {
+                Some(RecordAnswer { $($answer: answers!(@map $form of, self.$answer),)* })
+            }
+        }
+    };
+    (@entry number $value:expr) => { Entry::Value(Some(&$value)) };
+    (@entry optional $value:expr) => { Entry::Value($value.as_ref()) };
+    (@entry count $value:expr) => { Entry::Count($value) };
+    (@map number $of:ident, $value:expr) => { $of(&$value)? };
+    (@map optional $of:ident, $value:expr) => {
+        match &$value {
+            Some(value) => Some($of(value)?),
+            None => None,
+        }
+    };
+    (@map count $of:ident, $value:expr) => { $value };
 }
 
-#[cfg(feature = "mp")]
-impl<F> RecordAnswer<F> {
-    /// The answers in another form; `None` where one has none.
-    pub(crate) fn map<G>(&self, of: impl Fn(&F) -> Option<G>) -> Option<RecordAnswer<G>> {
-        let residual_displacement = match &self.residual_displacement {
-            Some(residual) => Some(of(residual)?),
-            None => None,
-        };
-        Some(RecordAnswer {
-            max_displacement: of(&self.max_displacement)?,
-            max_displacement_time: of(&self.max_displacement_time)?,
-            min_displacement: of(&self.min_displacement)?,
-            min_displacement_time: of(&self.min_displacement_time)?,
-            max_velocity: of(&self.max_velocity)?,
-            max_velocity_time: of(&self.max_velocity_time)?,
-            min_velocity: of(&self.min_velocity)?,
-            min_velocity_time: of(&self.min_velocity_time)?,
-            max_absolute_acceleration: of(&self.max_absolute_acceleration)?,
-            max_transmitted_force: of(&self.max_transmitted_force)?,
-            end_displacement: of(&self.end_displacement)?,
-            end_velocity: of(&self.end_velocity)?,
-            residual_displacement,
-            path: of(&self.path)?,
-            slides: self.slides,
-            stops: self.stops,
-            stick_time: of(&self.stick_time)?,
-            friction_work: of(&self.friction_work)?,
-            damper_work: of(&self.damper_work)?,
-            load_work: of(&self.load_work)?,
-        })
-    }
+answers! {
+    /// Greatest displacement.
+    max_displacement: F, number Length;
+    /// Its time.
+    max_displacement_time: F, number Time;
+    /// Least displacement.
+    min_displacement: F, number Length;
+    /// Its time.
+    min_displacement_time: F, number Time;
+    /// Greatest velocity.
+    max_velocity: F, number Velocity;
+    /// Its time.
+    max_velocity_time: F, number Time;
+    /// Least velocity.
+    min_velocity: F, number Velocity;
+    /// Its time.
+    min_velocity_time: F, number Time;
+    /// Greatest absolute acceleration: in space, where the surface moves.
+    max_absolute_acceleration: F, number Acceleration;
+    /// Greatest force of spring, damper and friction together on the body's support.
+    max_transmitted_force: F, number Force;
+    /// Displacement at the end of the record.
+    end_displacement: F, number Length;
+    /// Velocity at the end of the record.
+    end_velocity: F, number Velocity;
+    /// Displacement in which the body rests in the end, or which it creeps to; `None` where it never rests.
+    residual_displacement: Option<F>, optional Length;
+    /// Path.
+    path: F, number Length;
+    /// Slides.
+    slides: u64, count Ratio;
+    /// Stops: times at which a slide ends, with a rest or without.
+    stops: u64, count Ratio;
+    /// Time at rest during the record.
+    stick_time: F, number Time;
+    /// Work of friction.
+    friction_work: F, number Energy;
+    /// Work of the damper.
+    damper_work: F, number Energy;
+    /// Work of the load and of the constant force on the body.
+    load_work: F, number Energy;
 }
 
 /// The state at the end of a record, and the rest after it.
@@ -141,6 +112,21 @@ pub(super) struct End<F> {
     pub(super) x: F,
     pub(super) v: F,
     pub(super) rest: Rest<F>,
+}
+
+/// A body at the start of a record, at x with the velocity v, and what is collected of its motion.
+pub(super) fn begun<F: Number>(
+    constants: Constants<F>,
+    [x, v]: [F; 2],
+    longest_step: F,
+    time: F,
+) -> Option<(Follower<F>, Totals<F>)> {
+    let follower = Follower::new(constants, x, v, Some(longest_step))?;
+    let mut totals = Totals::new(follower.omega, x, v, time);
+    if let Mode::Slide(sign) = follower.mode {
+        totals.released(time, x, sign);
+    }
+    Some((follower, totals))
 }
 
 impl<F: Float> End<F> {
@@ -192,13 +178,11 @@ impl<F: Float> Body<F> {
     pub(super) fn followed(&self, record: &Record<F>, x: F, v: F) -> Result<Followed<F>, Error> {
         self.check_start(x, v)?;
         let start = record.time(0);
-        let follower = Follower::new(Constants::of(self), x, v, Some(record.longest_step()));
-        let follower = follower.ok_or_else(|| failed((Failure::Uncertain, start)))?;
-        let mut totals = Totals::new(follower.omega, x, v, start);
-        if let Mode::Slide(sign) = follower.mode {
-            totals.released(start, x, sign);
-        }
-        Ok(Followed { follower, factors: Factors::new(record.excitation(), self), totals, failure: None })
+        let constants = Constants::of(self, |x| x);
+        let begun = begun(constants, [x, v], record.longest_step(), start);
+        let (follower, totals) = begun.ok_or_else(|| failed((Failure::Uncertain, start)))?;
+        let factors = Factors::new(record.excitation(), self.mass(), &constants);
+        Ok(Followed { follower, factors, totals, failure: None })
     }
 
     /// The answers of a body that was followed through a record from x and v.
@@ -241,18 +225,9 @@ impl<F: Float> Body<F> {
         end: End<F>,
         totals: &mut Totals<F>,
     ) -> Result<RecordAnswer<F>, Error> {
-        let answer = self.answer(record, start, end, totals);
+        let weights = Weights::of(self, |x| x);
+        let answer = weights.answer(record.excitation(), record.end(), start, end, totals);
         answer.ok_or_else(|| failed((Failure::Uncertain, record.end())))
-    }
-
-    fn answer(
-        &self,
-        record: &Record<F>,
-        start: [F; 2],
-        end: End<F>,
-        totals: &mut Totals<F>,
-    ) -> Option<RecordAnswer<F>> {
-        Weights::of(self).answer(record.excitation(), record.end(), start, end, totals)
     }
 }
 
@@ -267,20 +242,19 @@ pub(super) struct Weights<F> {
     pub(super) has_damper: bool,
 }
 
-impl<F: Float> Weights<F> {
-    fn of(body: &Body<F>) -> Self {
+impl<F: Number> Weights<F> {
+    /// Those of a body whose numbers are `known` as others.
+    pub(super) fn of<G: Float>(body: &Body<G>, known: impl Fn(G) -> F) -> Self {
         Self {
-            mass: body.mass(),
-            friction: body.friction(),
-            friction_offset: body.friction_offset(),
-            stiffness: body.stiffness(),
-            mean_force: body.mean_force(),
-            has_damper: body.damping() != F::int(0),
+            mass: known(body.mass()),
+            friction: known(body.friction()),
+            friction_offset: known(body.friction_offset()),
+            stiffness: known(body.stiffness()),
+            mean_force: known(body.mean_force()),
+            has_damper: body.damping() != G::int(0),
         }
     }
-}
 
-impl<F: Number> Weights<F> {
     /// The answers of a motion from x and v that was followed to its end.
     pub(super) fn answer(
         &self,

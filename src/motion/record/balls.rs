@@ -4,16 +4,14 @@
 //! bits decide it, unless the body is exactly on a bound. A zero is enclosed by two times at which the function has
 //! certain signs.
 
-use super::answers::{End, RecordAnswer, Weights};
+use super::answers::{End, RecordAnswer, Weights, begun};
 use super::body::Body;
-use super::follow::{Constants, Failure, Follower, Mode, Watch};
+use super::follow::{Constants, Failure};
 use super::load::{Factors, Piece, Record};
 use super::number::Number;
-use super::totals::Totals;
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::float::{Field, Float};
-use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, written};
 use core::cmp::Ordering;
 
@@ -134,28 +132,6 @@ fn known<const N: usize, const W: usize>(x: Mp<N>) -> Ball<W> {
     Ball::new(mid, own.plus(rounding))
 }
 
-/// The body per mass, and what its answers need besides.
-fn constants<const N: usize, const W: usize>(body: &Body<Mp<N>>) -> (Constants<Ball<W>>, Weights<Ball<W>>) {
-    let [mass, friction, stiffness, damping] =
-        [body.mass(), body.friction(), body.stiffness(), body.damping()].map(known::<N, W>);
-    let [mean_force, friction_offset] = [body.mean_force(), body.friction_offset()].map(known::<N, W>);
-    let per_mass = friction / mass;
-    // η − 1 is exactly 0 where the two frictions are one.
-    let (eta, one) = (body.static_friction_ratio(), Mp::<N>::int(1));
-    let excess = if eta == one { Ball::int(0) } else { (known::<N, W>(eta) - Ball::int(1)) * per_mass };
-    let constants = Constants {
-        rate: damping / mass,
-        square: stiffness / mass,
-        friction: per_mass,
-        held: per_mass + excess,
-        excess,
-        mean: (mean_force - friction_offset) / mass,
-        is_one_way: body.is_one_way(),
-    };
-    let has_damper = !body.damping().is_zero();
-    (constants, Weights { mass, friction, friction_offset, stiffness, mean_force, has_damper })
-}
-
 /// The steps of a record, each with its time and its load per mass.
 fn pieces<const N: usize, const W: usize>(
     record: &Record<Mp<N>>,
@@ -198,26 +174,14 @@ pub(crate) fn follow<const N: usize, const W: usize>(
         Failure::Bound => Error::TooManyEvents { time: written(time) },
         Failure::Interrupted => Error::Interrupted,
     };
-    let (constants, weights) = constants::<N, W>(body);
+    let (constants, weights) = (Constants::of(body, known::<N, W>), Weights::of(body, known::<N, W>));
     let uncertain = |time: Mp<N>| failed((Failure::Uncertain, time));
     let (begin, start) = (record.time(0), [x, v].map(known::<N, W>));
-    let [x, v] = start;
-    let longest = known(record.longest_step());
-    let mut follower = Follower::new(constants, x, v, Some(longest)).ok_or_else(|| uncertain(begin))?;
-    let mut totals = Totals::new(follower.omega, x, v, known(begin));
-    if let Mode::Slide(sign) = follower.mode {
-        totals.released(known(begin), x, sign);
-    }
+    let begun = begun(constants, start, known(record.longest_step()), known(begin));
+    let (mut follower, mut totals) = begun.ok_or_else(|| uncertain(begin))?;
     let excitation = record.excitation();
-    let damper = if excitation == Excitation::DampedFootMotion { constants.rate } else { Ball::int(0) };
-    let factor = match excitation {
-        Excitation::Force | Excitation::Unbalance => Ball::int(1) / weights.mass,
-        Excitation::FootMotion | Excitation::DampedFootMotion => constants.square,
-        Excitation::SurfaceAcceleration | Excitation::SurfaceMotion | Excitation::SurfaceVelocity => {
-            Ball::int(-1)
-        }
-    };
-    for (index, (time, piece)) in pieces::<N, W>(record, Factors { factor, damper }).enumerate() {
+    let factors = Factors::new(excitation, weights.mass, &constants);
+    for (index, (time, piece)) in pieces::<N, W>(record, factors).enumerate() {
         follower.step(&piece, time, &mut totals).map_err(|failure| failed((failure, record.time(index))))?;
     }
     let end = record.end();

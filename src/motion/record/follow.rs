@@ -26,18 +26,21 @@ pub(super) struct Constants<F> {
     pub(super) is_one_way: bool,
 }
 
-impl<F: Float> Constants<F> {
-    pub(super) fn of(body: &Body<F>) -> Self {
-        let mass = body.mass();
-        let friction = body.friction() / mass;
-        let held = body.static_friction_ratio() * friction;
+impl<F: Number> Constants<F> {
+    /// Those of a body whose numbers are `known` as others.
+    pub(super) fn of<G: Float>(body: &Body<G>, known: impl Fn(G) -> F) -> Self {
+        let mass = known(body.mass());
+        let friction = known(body.friction()) / mass;
+        let eta = body.static_friction_ratio();
+        let held = if eta == G::int(1) { friction } else { known(eta) * friction };
+        let excess = if eta == G::int(1) { F::int(0) } else { held - friction };
         Self {
-            rate: body.damping() / mass,
-            square: body.stiffness() / mass,
+            rate: known(body.damping()) / mass,
+            square: known(body.stiffness()) / mass,
             friction,
             held,
-            excess: held - friction,
-            mean: (body.mean_force() - body.friction_offset()) / mass,
+            excess,
+            mean: (known(body.mean_force()) - known(body.friction_offset())) / mass,
             is_one_way: body.is_one_way(),
         }
     }
@@ -115,7 +118,7 @@ pub(super) struct Follower<F> {
     pub(super) x: F,
     pub(super) v: F,
     /// The acceleration while it slides.
-    a: F,
+    pub(super) a: F,
     pub(super) mode: Mode<F>,
 }
 
@@ -153,8 +156,8 @@ impl<F: Number> Follower<F> {
         load + c.mean - sign * c.friction - c.rate * self.v - c.square * self.x
     }
 
-    fn slide(&self, piece: &Piece<F>, sign: F) -> Slide<F> {
-        Slide { v: self.v, a: self.a, slope: piece.slope, sign }
+    pub(super) fn slide(&self, slope: F, sign: F) -> Slide<F> {
+        Slide { v: self.v, a: self.a, slope, sign }
     }
 
     /// Follows the body through one step of the load that begins at the time `start`.
@@ -211,16 +214,6 @@ impl<F: Number> Follower<F> {
         Err(Failure::Bound)
     }
 
-    /// The acceleration of a slide under this load.
-    pub(super) fn accelerate(&mut self, load: F, sign: F) {
-        self.a = self.acceleration(load, sign);
-    }
-
-    /// A slide under no load.
-    pub(super) fn slide_at_rest(&self, sign: F) -> Slide<F> {
-        Slide { v: self.v, a: self.a, slope: F::int(0), sign }
-    }
-
     /// Releases a body at rest under the load at the start of a step; the direction, if it moves.
     pub(super) fn release(
         &mut self,
@@ -246,7 +239,7 @@ impl<F: Number> Follower<F> {
         sign: F,
         watch: &mut impl Watch<F>,
     ) -> Result<Option<F>, Failure> {
-        let slide = self.slide(piece, sign);
+        let slide = self.slide(piece.slope, sign);
         let linear = &self.linear;
         let mut responses = linear.at(length).ok_or(Failure::Uncertain)?;
         let mut end = slide.moment(linear, &responses);

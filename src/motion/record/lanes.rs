@@ -52,39 +52,45 @@ pub(super) struct Followed<F> {
     pub(super) failure: Option<Failed<F>>,
 }
 
-/// The numbers that a step changes in all lanes.
-#[derive(Debug, Clone, Copy)]
-struct State<F, const L: usize> {
-    x: Row<F, L>,
-    v: Row<F, L>,
-    load_work: Row<F, L>,
-    stick_time: Row<F, L>,
-    most_velocity: Row<F, L>,
-    most_velocity_time: Row<F, L>,
-    least_velocity: Row<F, L>,
-    least_velocity_time: Row<F, L>,
-    most_acceleration: Row<F, L>,
-    least_acceleration: Row<F, L>,
-    most_free: Row<F, L>,
-    least_free: Row<F, L>,
+/// The numbers that a step changes in all lanes, with their places in a body.
+macro_rules! state {
+    ($($field:ident: $($place:ident).+,)*) => {
+        #[derive(Debug, Clone, Copy)]
+        struct State<F, const L: usize> {
+            $($field: Row<F, L>,)*
+        }
+
+        impl<F: Float, const L: usize> State<F, L> {
+            fn zero() -> Self {
+                Self { $($field: [F::int(0); L],)* }
+            }
+
+            /// Takes the state of a body into its lane.
+            fn read(&mut self, lane: usize, body: &Followed<F>) {
+                $(set(&mut self.$field, lane, body.$($place).+);)*
+            }
+
+            /// Returns the state of a lane to its body.
+            fn write(&self, lane: usize, body: &mut Followed<F>) {
+                $(body.$($place).+ = at(&self.$field, lane);)*
+            }
+        }
+    };
 }
 
-/// A field of the state, in the lanes and in a body.
-macro_rules! each_field {
-    ($do:ident) => {
-        $do!(x, follower.x);
-        $do!(v, follower.v);
-        $do!(load_work, totals.load_work);
-        $do!(stick_time, totals.stick_time);
-        $do!(most_velocity, totals.velocity.most.value);
-        $do!(most_velocity_time, totals.velocity.most.time);
-        $do!(least_velocity, totals.velocity.least.value);
-        $do!(least_velocity_time, totals.velocity.least.time);
-        $do!(most_acceleration, totals.acceleration.most.value);
-        $do!(least_acceleration, totals.acceleration.least.value);
-        $do!(most_free, totals.free_acceleration.most.value);
-        $do!(least_free, totals.free_acceleration.least.value);
-    };
+state! {
+    x: follower.x,
+    v: follower.v,
+    load_work: totals.load_work,
+    stick_time: totals.stick_time,
+    most_velocity: totals.velocity.most.value,
+    most_velocity_time: totals.velocity.most.time,
+    least_velocity: totals.velocity.least.value,
+    least_velocity_time: totals.velocity.least.time,
+    most_acceleration: totals.acceleration.most.value,
+    least_acceleration: totals.acceleration.least.value,
+    most_free: totals.free_acceleration.most.value,
+    least_free: totals.free_acceleration.least.value,
 }
 
 /// The numbers of all lanes.
@@ -115,31 +121,25 @@ struct Lanes<F, const L: usize> {
 impl<F: Float, const L: usize> Lanes<F, L> {
     fn new(bodies: &[Followed<F>]) -> Self {
         let zero = [F::int(0); L];
+        let row = |empty: F, of: fn(&Followed<F>) -> F| {
+            core::array::from_fn(|lane| bodies.get(lane).map_or(empty, of))
+        };
+        let number = |of| row(F::int(0), of);
         let mut lanes = Self {
-            state: State {
-                x: zero,
-                v: zero,
-                load_work: zero,
-                stick_time: zero,
-                most_velocity: zero,
-                most_velocity_time: zero,
-                least_velocity: zero,
-                least_velocity_time: zero,
-                most_acceleration: zero,
-                least_acceleration: zero,
-                most_free: zero,
-                least_free: zero,
-            },
+            state: State::zero(),
             sign: zero,
-            factor: zero,
-            damper: zero,
-            mean: zero,
-            friction: zero,
-            held_forward: [infinity(); L],
-            held_backward: [infinity(); L],
-            rate: zero,
-            square: zero,
-            omega: zero,
+            factor: number(|body| body.factors.factor),
+            damper: number(|body| body.factors.damper),
+            mean: number(|body| body.follower.constants.mean),
+            friction: number(|body| body.follower.constants.friction),
+            held_forward: row(infinity(), |body| body.follower.constants.held),
+            held_backward: row(infinity(), |body| {
+                let c = &body.follower.constants;
+                select(c.is_one_way, infinity(), c.held)
+            }),
+            rate: number(|body| body.follower.constants.rate),
+            square: number(|body| body.follower.constants.square),
+            omega: number(|body| body.follower.omega),
             impulse: zero,
             step: zero,
             ramp: zero,
@@ -147,16 +147,6 @@ impl<F: Float, const L: usize> Lanes<F, L> {
             event: zero,
         };
         for (lane, body) in bodies.iter().enumerate() {
-            let c = &body.follower.constants;
-            set(&mut lanes.factor, lane, body.factors.factor);
-            set(&mut lanes.damper, lane, body.factors.damper);
-            set(&mut lanes.mean, lane, c.mean);
-            set(&mut lanes.friction, lane, c.friction);
-            set(&mut lanes.held_forward, lane, c.held);
-            set(&mut lanes.held_backward, lane, select(c.is_one_way, infinity::<F>(), c.held));
-            set(&mut lanes.rate, lane, c.rate);
-            set(&mut lanes.square, lane, c.square);
-            set(&mut lanes.omega, lane, body.follower.omega);
             lanes.read(lane, body);
         }
         lanes
@@ -174,25 +164,10 @@ impl<F: Float, const L: usize> Lanes<F, L> {
         }
     }
 
-    /// Takes the state of a body into its lane.
+    /// Takes a body into its lane.
     fn read(&mut self, lane: usize, body: &Followed<F>) {
-        macro_rules! read {
-            ($field:ident, $($place:ident).+) => {
-                set(&mut self.state.$field, lane, body.$($place).+)
-            };
-        }
-        each_field!(read);
+        self.state.read(lane, body);
         set(&mut self.sign, lane, body.follower.mode.sign());
-    }
-
-    /// Returns the state of a lane to its body.
-    fn write(&self, lane: usize, body: &mut Followed<F>) {
-        macro_rules! write {
-            ($field:ident, $($place:ident).+) => {
-                body.$($place).+ = at(&self.state.$field, lane)
-            };
-        }
-        each_field!(write);
     }
 
     /// A lane without a body, or with one that is not followed any further: it rests, whatever the load.
@@ -350,7 +325,7 @@ pub(super) fn follow<F: Float, const L: usize>(
         }
     }
     for (lane, body) in bodies.iter_mut().enumerate() {
-        lanes.write(lane, body);
+        lanes.state.write(lane, body);
     }
 }
 
@@ -367,7 +342,7 @@ fn step_alone<F: Float, const L: usize>(
         if at(&lanes.event, lane) == F::int(0) {
             continue;
         }
-        lanes.write(lane, body);
+        lanes.state.write(lane, body);
         let piece = Piece::new(&body.factors, samples, step.length, step.inverse);
         match body.follower.step(&piece, time, &mut body.totals) {
             Ok(()) => lanes.read(lane, body),

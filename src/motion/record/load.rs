@@ -1,6 +1,6 @@
 //! A record: samples of a load, and straight lines between them.
 
-use super::body::Body;
+use super::follow::Constants;
 use super::number::Number;
 use crate::float::Float;
 use crate::machine::drive::Excitation;
@@ -200,18 +200,17 @@ pub(super) struct Factors<F> {
     pub(super) damper: F,
 }
 
-impl<F: Float> Factors<F> {
-    pub(super) fn new(excitation: Excitation, body: &Body<F>) -> Self {
+impl<F: Number> Factors<F> {
+    pub(super) fn new(excitation: Excitation, mass: F, constants: &Constants<F>) -> Self {
         let factor = match excitation {
-            Excitation::Force | Excitation::Unbalance => F::int(1) / body.mass(),
-            Excitation::FootMotion | Excitation::DampedFootMotion => body.stiffness() / body.mass(),
+            Excitation::Force | Excitation::Unbalance => F::int(1) / mass,
+            Excitation::FootMotion | Excitation::DampedFootMotion => constants.square,
             Excitation::SurfaceAcceleration | Excitation::SurfaceMotion | Excitation::SurfaceVelocity => {
                 F::int(-1)
             }
         };
         let is_on_foot = excitation == Excitation::DampedFootMotion;
-        let damper = if is_on_foot { body.damping() / body.mass() } else { F::int(0) };
-        Self { factor, damper }
+        Self { factor, damper: if is_on_foot { constants.rate } else { F::int(0) } }
     }
 }
 

@@ -40,7 +40,7 @@ impl<F: Number> Follower<F> {
                     None => return Ok(Rest::At(self.x)),
                 },
                 Mode::Slide(sign) => {
-                    self.accelerate(zero, sign);
+                    self.a = self.acceleration(zero, sign);
                     sign
                 }
             };
@@ -105,7 +105,7 @@ impl<F: Number> Follower<F> {
 
     /// A time at which a slide that stops has stopped.
     fn length_to_stop(&self, sign: F) -> Result<F, Failure> {
-        let slide = self.slide_at_rest(sign);
+        let slide = self.slide(F::int(0), sign);
         let braking = self.constants.friction + self.constants.mean.abs();
         let mut length = (sign * self.v) / braking;
         for doubling in 0..DOUBLINGS {
