@@ -84,13 +84,12 @@ pub fn steady(
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64 || $width == WIDEST {
                 let machine = DrivenBody::<$width>::new(omega.ball(), alpha.ball(), damping_ratio.ball(), eta.ball());
-                let found = proved(&Map { machine, outline: &outline });
-                let is_sharp = found.as_ref().is_ok_and(|found| found.is_sharp(bits));
-                let found = found.map(|found| found.answer(bits));
-                if is_sharp || (found.is_ok() && matches!(last, Some(Ok(_)))) {
-                    return Ok(found);
+                let found = proved(&Map { machine, outline: &outline }, bits);
+                let is_known = found.is_ok() && matches!(last, Some(Ok(_)));
+                match found {
+                    Ok((found, is_sharp)) if is_sharp || is_known => return Ok(Ok(found)),
+                    found => last = Some(found.map(|(found, _)| found)),
                 }
-                last = Some(found);
             }
         )*};
     }
@@ -101,60 +100,8 @@ pub fn steady(
 /// The greatest precision tried, in words of 64 bits.
 const WIDEST: usize = 65;
 
-/// The result at one precision.
-struct ProvedMotion<const W: usize> {
-    half_turns: u32,
-    /// Minimum and maximum displacement.
-    displacement: (Ball<W>, Ball<W>),
-    velocity: (Ball<W>, Ball<W>),
-    stick_fraction: Ball<W>,
-    sticks: u32,
-    zeros: u32,
-    multipliers: [(Ball<W>, Ball<W>); 2],
-    start: MapStart<W>,
-    only_within: (Option<Radius>, Radius),
-}
-
-impl<const W: usize> ProvedMotion<W> {
-    fn values(&self) -> [&Ball<W>; 5] {
-        let Self { displacement, velocity, start, .. } = self;
-        [&displacement.0, &displacement.1, &velocity.0, &velocity.1, &start.place]
-    }
-
-    fn is_sharp(&self, bits: u32) -> bool {
-        self.values().into_iter().all(|ball| {
-            Radius::below(ball.mid()).exponent() - ball.rad().exponent() >= i64::from(bits) + 2
-                || ball.rad().is_zero()
-        })
-    }
-
-    fn answer(&self, bits: u32) -> Steady {
-        let of = |ball: &Ball<W>| Enclosure::of(ball).unwrap_or_default().rounded(bits);
-        let reach = |r: Radius| of(&Ball::exact(r.value()));
-        let is_symmetric = self.half_turns % 2 == 1;
-        Steady {
-            max_displacement: of(&self.displacement.1),
-            min_displacement: of(&self.displacement.0),
-            max_velocity: of(&self.velocity.1),
-            min_velocity: of(&self.velocity.0),
-            is_symmetric,
-            turns_per_cycle: if is_symmetric { self.half_turns } else { self.half_turns / 2 },
-            stick_fraction: of(&self.stick_fraction),
-            sticks_per_cycle: self.sticks,
-            velocity_zeros_per_cycle: self.zeros,
-            multipliers: [0, 1].map(|i| {
-                let (re, im) = if i == 0 { self.multipliers[0] } else { self.multipliers[1] };
-                (of(&re), of(&im))
-            }),
-            start: (of(&self.start.phase), of(&self.start.place)),
-            only_within: (self.only_within.0.map(reach), reach(self.only_within.1)),
-            bits: Mp::<W>::BITS,
-        }
-    }
-}
-
-/// The start that the map takes to its image, with the proof.
-fn proved<const W: usize>(map: &Map<'_, W>) -> Result<ProvedMotion<W>, Unproved> {
+/// The motion whose start the map takes to its image, with the proof; and whether `bits` of it are certain.
+fn proved<const W: usize>(map: &Map<'_, W>, bits: u32) -> Result<(Steady, bool), Unproved> {
     let outline = map.outline;
     let mut middle = (Mp::of_f64(outline.phase), Mp::of_f64(outline.place));
     let start =
@@ -192,7 +139,7 @@ fn proved<const W: usize>(map: &Map<'_, W>) -> Result<ProvedMotion<W>, Unproved>
     let large = |n: i64| Radius::power_of_two(-n);
     let reach = (5..40).step_by(3).find(|&n| only_in(map, &at, (large(n), large(n))).is_ok()).map(large);
     let reach = reach.map_or(smallest, |reach| (reach, reach));
-    described(map, &followed, ((!outline.stops).then_some(reach.0), reach.1))
+    described(map, &followed, ((!outline.stops).then_some(reach.0), reach.1), bits)
 }
 
 /// The reason that uniqueness is not proved at this precision.
@@ -248,12 +195,13 @@ fn newton<const W: usize>(
     Ok((by_phase, by_place))
 }
 
-/// The properties of the motion.
+/// The properties of the motion, and whether `bits` of its extrema and its start are certain.
 fn described<const W: usize>(
     map: &Map<'_, W>,
     followed: &Followed<W>,
     only_within: (Option<Radius>, Radius),
-) -> Result<ProvedMotion<W>, Unproved> {
+    bits: u32,
+) -> Result<(Steady, bool), Unproved> {
     let zero = Ball::int(0);
     let mut displacement = (followed.start.place, followed.start.place);
     let (mut velocity, mut at_rest, mut stops) = ((zero, zero), zero, 0);
@@ -282,15 +230,29 @@ fn described<const W: usize>(
         (stops, zeros) = (2 * stops, 2 * zeros);
     }
     let omega = map.machine.omega;
-    Ok(ProvedMotion {
-        half_turns: map.outline.half_turns,
-        displacement,
-        velocity: (velocity.0 / omega, velocity.1 / omega),
-        stick_fraction: at_rest / map.span(),
-        sticks: stops,
-        zeros,
-        multipliers: multipliers(map, &followed.derivatives),
-        start: followed.start,
-        only_within,
-    })
+    let velocity = (velocity.0 / omega, velocity.1 / omega);
+    let MapStart { phase, place } = followed.start;
+    let is_sharp = [displacement.0, displacement.1, velocity.0, velocity.1, place].into_iter().all(|ball| {
+        Radius::below(ball.mid()).exponent() - ball.rad().exponent() >= i64::from(bits) + 2
+            || ball.rad().is_zero()
+    });
+    let of = |ball: Ball<W>| Enclosure::of(&ball).unwrap_or_default().rounded(bits);
+    let reach = |r: Radius| of(Ball::exact(r.value()));
+    let is_symmetric = map.outline.half_turns % 2 == 1;
+    let found = Steady {
+        max_displacement: of(displacement.1),
+        min_displacement: of(displacement.0),
+        max_velocity: of(velocity.1),
+        min_velocity: of(velocity.0),
+        is_symmetric,
+        turns_per_cycle: if is_symmetric { map.outline.half_turns } else { map.outline.half_turns / 2 },
+        stick_fraction: of(at_rest / map.span()),
+        sticks_per_cycle: stops,
+        velocity_zeros_per_cycle: zeros,
+        multipliers: multipliers(map, &followed.derivatives).map(|(re, im)| (of(re), of(im))),
+        start: (of(phase), of(place)),
+        only_within: (only_within.0.map(reach), reach(only_within.1)),
+        bits: Mp::<W>::BITS,
+    };
+    Ok((found, is_sharp))
 }
