@@ -154,10 +154,10 @@ impl<F: Float> MachineBox<F> {
     pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
         match self.guaranteed(output, points)? {
             Some(range) => Ok(Some(range)),
-            None if self.is_damped() => samples::range(points, |shares| self.value(output, shares)),
-            None => samples::range(points, |[m, k, r, a, w]: [F; 5]| {
-                self.value(output, [m, k, r, a, w, F::int(0)])
-            }),
+            None => {
+                let varied = if self.is_damped() { 6 } else { 5 };
+                samples::range((points, varied), |shares| self.value(output, shares))
+            }
         }
     }
 

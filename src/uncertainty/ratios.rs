@@ -100,13 +100,9 @@ impl<F: Float> RatioBox<F> {
     pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
         match self.guaranteed(output, points)? {
             Some(range) => Ok(Some(range)),
-            None if self.is_damped() => samples::range(points, |[o, a, z]: [F; 3]| {
+            None => samples::range((points, if self.is_damped() { 3 } else { 2 }), |[o, a, z]: [F; 3]| {
                 let ratios = Ratios::new(self.omega.at(o), self.alpha.at(a))?;
                 Ok(output.of(&Response::new(ratios.with_damping_ratio(self.damping_ratio.at(z))?)))
-            }),
-            None => samples::range(points, |[o, a]: [F; 2]| {
-                let response = Response::new(Ratios::new(self.omega.at(o), self.alpha.at(a))?);
-                Ok(output.of(&response))
             }),
         }
     }
@@ -149,7 +145,7 @@ impl<F: Float> RatioBox<F> {
         }
         let sharp = omega.is_exact();
         if output == Output::MaxVelocity && sharp {
-            let ends = samples::range(0, |[a]: [F; 1]| {
+            let ends = samples::range((0, 1), |[a]: [F; 1]| {
                 Ok(output.of(&Response::new(Ratios::new(omega.low, alpha.at(a))?)))
             })?;
             let ends = ends.map(|range| Interval { low: range.low, high: range.high });

@@ -4,13 +4,13 @@ use super::{Known, Range};
 use crate::float::Float;
 use crate::machine::error::Error;
 
-/// The least and the greatest value of a function of N shares in [0, 1]; `None` where the function exists at
-/// no point.
+/// The least and the greatest value of a function of N shares in [0, 1], of which the first few are varied;
+/// `None` where the function exists at no point.
 ///
-/// The points are all 2ᴺ corners, the middle, and `points` more: `frac(1/2 + i √p)` with a prime p for each
+/// The points are all corners, the middle, and `points` more: `frac(1/2 + i √p)` with a prime p for each
 /// share, a sequence that fills the box evenly and is the same in every run.
 pub(super) fn range<F: Float, const N: usize>(
-    points: u32,
+    (points, varied): (u32, usize),
     mut f: impl FnMut([F; N]) -> Result<Option<F>, Error>,
 ) -> Result<Option<Range<F>>, Error> {
     const PRIMES: [i32; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
@@ -28,7 +28,7 @@ pub(super) fn range<F: Float, const N: usize>(
         }
         Ok(())
     };
-    for corner in 0..1_u32 << N {
+    for corner in 0..1_u32 << varied {
         look(core::array::from_fn(|i| if corner >> i & 1 == 1 { one } else { zero }))?;
     }
     look([half; N])?;
@@ -55,7 +55,7 @@ mod tests {
     #[test]
     fn corners_the_middle_and_points_between() {
         let mut seen: Vec<[f64; 2]> = Vec::new();
-        let found = range(50, |shares: [f64; 2]| {
+        let found = range((50, 2), |shares: [f64; 2]| {
             seen.push(shares);
             Ok((shares[0] < 0.9).then_some(shares[0] - shares[1]))
         });
@@ -69,6 +69,6 @@ mod tests {
             }
         }
         assert_eq!(found.known, Known::Sampled { points: 55, existing: values().count() as u32 });
-        assert_eq!(range(9, |_: [f64; 1]| Ok(None)), Ok(None));
+        assert_eq!(range((9, 1), |_: [f64; 1]| Ok(None)), Ok(None));
     }
 }

@@ -17,6 +17,15 @@ pub(super) enum Over {
     Undecided,
 }
 
+impl Over {
+    const fn values(&self) -> Option<&Ends> {
+        match self {
+            Self::Values(ends) => Some(ends),
+            Self::Nowhere | Self::Undecided => None,
+        }
+    }
+}
+
 /// The range over the whole box, cut into at most `most` parts; `None` where the function has no value
 /// somewhere, or where that remains undecided.
 ///
@@ -44,17 +53,9 @@ pub(super) fn range(
 /// The part to be cut, and the parameter to cut; `None` where no cut would help.
 fn next(parts: &[(Over, Vec<Ends>)]) -> Option<(usize, usize)> {
     let undecided = parts.iter().position(|(found, _)| matches!(found, Over::Undecided));
-    let low = |(_, (found, _)): &(usize, &(Over, Vec<Ends>))| match found {
-        Over::Values((low, _)) => Some(low.clone()),
-        Over::Nowhere | Over::Undecided => None,
-    };
-    let high = |(_, (found, _)): &(usize, &(Over, Vec<Ends>))| match found {
-        Over::Values((_, high)) => Some(high.clone()),
-        Over::Nowhere | Over::Undecided => None,
-    };
-    let numbered = || parts.iter().enumerate();
-    let lowest = || numbered().min_by_key(low).map(|(index, _)| index);
-    let highest = || numbered().max_by_key(high).map(|(index, _)| index);
+    let values = || parts.iter().map(|(found, _)| found.values()).enumerate();
+    let lowest = || values().min_by_key(|(_, ends)| ends.map(|(low, _)| low)).map(|(index, _)| index);
+    let highest = || values().max_by_key(|(_, ends)| ends.map(|(_, high)| high)).map(|(index, _)| index);
     // The two ends of the range take turns.
     let index = undecided.or_else(|| if parts.len() & 1 == 1 { highest() } else { lowest() })?;
     let (_, part) = parts.get(index)?;
@@ -118,15 +119,10 @@ fn halves(part: &[Ends], side: usize) -> [Vec<Ends>; 2] {
 
 /// The range from the least to the greatest value over all parts, if each has values.
 fn hull(parts: &[(Over, Vec<Ends>)]) -> Option<Ends> {
-    let mut all: Option<Ends> = None;
-    for (found, _) in parts {
-        let Over::Values((low, high)) = found else { return None };
-        all = Some(match all {
-            None => (low.clone(), high.clone()),
-            Some((least, greatest)) => (least.min(low.clone()), greatest.max(high.clone())),
-        });
-    }
-    all
+    let all: Option<Vec<_>> = parts.iter().map(|(found, _)| found.values()).collect();
+    let all = all?;
+    let (low, high) = (all.iter().map(|(low, _)| low).min()?, all.iter().map(|(_, high)| high).max()?);
+    Some((low.clone(), high.clone()))
 }
 
 #[cfg(test)]
