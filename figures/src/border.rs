@@ -1,8 +1,7 @@
 //! Figure 8: the minimum force ratio without sticking.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly};
-use stickslip::motion::{LongRun, State};
-use stickslip::{Border, Ratios};
+use super::{Axis, Figure, Series, Style, evenly, settled};
+use stickslip::Border;
 
 /// The exact border, eq. 61, and the points where the exact motion has no stop.
 pub(super) fn least_force() -> Figure {
@@ -18,21 +17,16 @@ pub(super) fn least_force() -> Figure {
         Series::new("exact border, Ω < 1/2", Style::Thick, 1, below_half(curve(|b| b.min_force_ratio))),
         Series::new("eq. 61", Style::Line, 0, curve(|b| b.turning_point)),
     ];
-    Figure {
-        name: "8".to_owned(),
-        title: "Least force ratio without sticking".to_owned(),
-        caption: "Minimum force ratio α without sticking: eq. 61 (thin line), the exact border where it differs, \
+    Figure::single(
+        "8",
+        "Least force ratio without sticking",
+        "Minimum force ratio α without sticking: eq. 61 (thin line), the exact border where it differs, \
             below Ω = 1/2 (thick), and points where the exact motion from rest has no stop (dots). No dot lies \
-            between the two lines."
-            .to_owned(),
-        panels: vec![Panel {
-            title: String::new(),
-            x: Axis::frequency_ratio(0.15, 2.0),
-            y: Axis::linear("force ratio α = p₀/r_y", 0.0, 16.0),
-            plane: None,
-            series,
-        }],
-    }
+            between the two lines.",
+        Axis::frequency_ratio(0.15, 2.0),
+        Axis::linear("force ratio α = p₀/r_y", 0.0, 16.0),
+        series,
+    )
 }
 
 fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
@@ -40,6 +34,5 @@ fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
 }
 
 fn never_stops((omega, alpha): (f64, f64)) -> bool {
-    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
-    limit.is_ok_and(|limit| limit.steady_state().is_some_and(|steady| steady.sticks_per_cycle == 0))
+    settled(omega, alpha).is_some_and(|steady| steady.sticks_per_cycle == 0)
 }

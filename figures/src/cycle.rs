@@ -1,7 +1,7 @@
 //! Figure 2: a cycle without stops in the phase plane.
 
-use super::portrait::{motion, settled};
-use super::{Axis, Figure, Panel, Series, Style};
+use super::portrait::motion;
+use super::{Axis, Figure, Series, Style, settled};
 use stickslip::{Cycle, Ratios};
 
 const OMEGA: f64 = 0.7;
@@ -13,7 +13,7 @@ pub(super) fn in_phase_plane() -> Figure {
     let (d0, v0, d1) = cycle
         .as_ref()
         .map_or((f64::NAN, f64::NAN, f64::NAN), |c| (c.max_displacement, c.max_velocity, c.deviation()));
-    let path = settled(OMEGA, ALPHA).map_or(Vec::new(), |state| motion(OMEGA, ALPHA, state, 1));
+    let path = settled(OMEGA, ALPHA).map_or(Vec::new(), |steady| motion(OMEGA, ALPHA, steady.state, 1));
     let line = |style, points: [(f64, f64); 2]| Series::new("", style, 0, points);
     let word = |text: &str, x: f64, y: f64| Series::new(text, Style::Named, 0, [(x, y)]);
     let length =
@@ -45,19 +45,14 @@ pub(super) fn in_phase_plane() -> Figure {
     series.extend(ways);
     let extremes = [(d1, v0), (d0, 0.0), (-d1, -v0), (-d0, 0.0)];
     series.push(Series::new("closed forms", Style::Marks, 0, extremes));
-    Figure {
-        name: "2".to_owned(),
-        title: "A steady cycle without stops in the phase plane".to_owned(),
-        caption: "The exact steady motion at Ω = 0.7, α = 2 (line), clockwise, and by the closed forms (marks) its \
+    Figure::single(
+        "2",
+        "A steady cycle without stops in the phase plane",
+        "The exact steady motion at Ω = 0.7, α = 2 (line), clockwise, and by the closed forms (marks) its \
             maximum velocity V₀ at t₁ and Δ₁, its maximum displacement Δ₀ at t₂, and the same half a cycle \
-            later at t₃ and t₄."
-            .to_owned(),
-        panels: vec![Panel {
-            title: String::new(),
-            x: Axis::linear("displacement x/B", -5.0, 5.0),
-            y: Axis::linear("velocity x′/(Bω_d)", -5.0, 5.0),
-            plane: None,
-            series,
-        }],
-    }
+            later at t₃ and t₄.",
+        Axis::linear("displacement x/B", -5.0, 5.0),
+        Axis::linear("velocity x′/(Bω_d)", -5.0, 5.0),
+        series,
+    )
 }

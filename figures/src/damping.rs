@@ -14,38 +14,34 @@ const ALPHA: f64 = 2.5;
 /// Amplitude, border and time at rest over Ω, for four damping ratios.
 pub(super) fn four_ratios() -> Figure {
     let amplitude = |steady: &SteadyState<f64>| steady.max_displacement.value / ALPHA;
-    Figure {
-        name: "damping".to_owned(),
-        title: "What viscous damping changes".to_owned(),
-        caption: "For ζ = 0, 0.01, 0.05 and 0.2. First: maximum displacement over p₀/k at p₀ = 2.5 r_y, by the \
+    Figure::new(
+        "damping",
+        "What viscous damping changes",
+        "For ζ = 0, 0.01, 0.05 and 0.2. First: maximum displacement over p₀/k at p₀ = 2.5 r_y, by the \
             exact motion; without a damper it has no bound at Ω = 1 (arrowhead). Second: the minimum force \
             without sticking; the poles at 1/3 and 1/5 (arrowheads) become peaks. Third: the part of the cycle \
-            at rest at p₀ = 2.5 r_y."
-            .to_owned(),
-        panels: vec![
-            Panel {
-                title: "maximum displacement at α = 2.5".to_owned(),
-                x: Axis::frequency_ratio(0.2, 2.0),
-                y: Axis::logarithmic("k Δ₀/p₀", 0.1, 30.0),
-                plane: None,
-                series: with_arrowheads(each(|zeta| curve(zeta, (0.2, 2.0), amplitude)), &[1.0]),
-            },
-            Panel {
-                title: "least force without sticking".to_owned(),
-                x: Axis::frequency_ratio(0.15, 2.0),
-                y: Axis::logarithmic("force ratio α = p₀/r_y", 1.0, 300.0),
-                plane: None,
-                series: with_arrowheads(each(border), &POLES),
-            },
-            Panel {
-                title: "rest at α = 2.5".to_owned(),
-                x: Axis::frequency_ratio(0.1, 1.0),
-                y: Axis::linear("part of the cycle at rest", 0.0, 0.8),
-                plane: None,
-                series: each(|zeta| curve(zeta, (0.1, 1.0), |it| it.stick_fraction)),
-            },
+            at rest at p₀ = 2.5 r_y.",
+        vec![
+            Panel::new(
+                "maximum displacement at α = 2.5",
+                Axis::frequency_ratio(0.2, 2.0),
+                Axis::logarithmic("k Δ₀/p₀", 0.1, 30.0),
+                with_arrowheads(each(|zeta| curve(zeta, (0.2, 2.0), amplitude)), &[1.0]),
+            ),
+            Panel::new(
+                "least force without sticking",
+                Axis::frequency_ratio(0.15, 2.0),
+                Axis::logarithmic("force ratio α = p₀/r_y", 1.0, 300.0),
+                with_arrowheads(each(border), &POLES),
+            ),
+            Panel::new(
+                "rest at α = 2.5",
+                Axis::frequency_ratio(0.1, 1.0),
+                Axis::linear("part of the cycle at rest", 0.0, 0.8),
+                each(|zeta| curve(zeta, (0.1, 1.0), |it| it.stick_fraction)),
+            ),
         ],
-    }
+    )
 }
 
 /// A line for each damping ratio.

@@ -1,7 +1,7 @@
 //! Figures 9 and 10: the size of the dissipation loop.
 
 use super::resolve::resonant;
-use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
+use super::{Axis, Figure, Series, Style, evenly, inverse_force_ratios, of_cycle};
 use stickslip::{Cycle, Ratios, Response};
 
 /// The response at Ω; only answers that depend on Ω alone are used.
@@ -9,20 +9,12 @@ fn response_at(omega: f64) -> Option<Response<f64>> {
     Ratios::new(omega, 1.0).map(Response::new).ok()
 }
 
-/// A value where the optimum of eq. 65 and 66 does not stick; NaN elsewhere.
-fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
+/// A value where the optimum of eq. 65 and 66 does not stick, or where it would, so that the border is the best
+/// choice; NaN elsewhere.
+fn at_best(is_reached: bool, value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
     frequency_ratios().map(move |omega| {
-        let answer = response_at(omega).filter(Response::best_is_reached);
+        let answer = response_at(omega).filter(|answer| answer.best_is_reached() == is_reached);
         (omega, answer.as_ref().and_then(value).unwrap_or(f64::NAN))
-    })
-}
-
-/// A value where the optimum of eq. 65 and 66 would stick, so that the border is the best choice; NaN
-/// elsewhere.
-fn where_not_reached(value: impl Fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
-    frequency_ratios().map(move |omega| {
-        let answer = response_at(omega).filter(|a| !a.best_is_reached());
-        (omega, answer.as_ref().and_then(&value).unwrap_or(f64::NAN))
     })
 }
 
@@ -41,15 +33,15 @@ fn loop_on_border(answer: &Response<f64>) -> Option<f64> {
 /// Figure 9(a): the best force ratio.
 pub(super) fn best_force() -> Figure {
     let series = vec![
-        Series::new("eq. 65, where it holds", Style::Thick, 0, where_reached(|a| Some(a.best_force_ratio))),
+        Series::new("eq. 65, where it holds", Style::Thick, 0, at_best(true, |a| Some(a.best_force_ratio))),
         Series::new(
             "the border, elsewhere",
             Style::Dashed,
             5,
-            where_not_reached(|a| Some(a.border.min_force_ratio)),
+            at_best(false, |a| Some(a.border.min_force_ratio)),
         ),
     ];
-    single(
+    Figure::single(
         "9a",
         "Best force ratio for dissipation",
         "Force ratio α of the largest loop size A₁: eq. 65 where that motion does not stick; elsewhere the \
@@ -63,11 +55,11 @@ pub(super) fn best_force() -> Figure {
 /// Figure 9(b): the largest loop.
 pub(super) fn largest_loop() -> Figure {
     let series = vec![
-        Series::new("eq. 66, where it holds", Style::Thick, 0, where_reached(|it| it.best_loop_size)),
-        Series::new("on the border, elsewhere", Style::Dashed, 5, where_not_reached(loop_on_border)),
+        Series::new("eq. 66, where it holds", Style::Thick, 0, at_best(true, |it| it.best_loop_size)),
+        Series::new("on the border, elsewhere", Style::Dashed, 5, at_best(false, loop_on_border)),
         Series::unbounded([1.0]),
     ];
-    single(
+    Figure::single(
         "9b",
         "Largest dissipation loop",
         "The largest loop size A₁ without sticking: eq. 66, or where its motion would stick A₁ on the border \
@@ -86,7 +78,7 @@ pub(super) fn loop_by_friction() -> Figure {
             .map(|inverse| (inverse, of_cycle(omega, 1.0 / inverse, |c| c.loop_size_stiffness())));
         Series::new(format!("Ω = {omega}"), Style::Marked(30 + index), index, points)
     };
-    single(
+    Figure::single(
         "10a",
         "Dissipation against friction",
         "Loop size A₁ against 1/α = r_y/p₀ for Ω = 1.2 … 1.8, up to where the motion begins to stick. The \
@@ -107,7 +99,7 @@ pub(super) fn loop_by_frequency() -> Figure {
         let points = resonant(frequency_ratios(), &[1.0], at);
         Series::new(name, Style::Marked(130 + index), index, points)
     };
-    single(
+    Figure::single(
         "10b",
         "Dissipation against stiffness",
         "Loop size A₂ against Ω for 1/α = 0.1 … 0.5, where the motion does not stick, at a given mass, force \
@@ -116,17 +108,4 @@ pub(super) fn loop_by_frequency() -> Figure {
         Axis::logarithmic("loop size A₂", 0.01, 1000.0),
         inverse_force_ratios(5).map(curve).chain([Series::unbounded([1.0])]).collect(),
     )
-}
-
-fn of_cycle(omega: f64, alpha: f64, value: fn(&Cycle<f64>) -> f64) -> f64 {
-    Ratios::new(omega, alpha).and_then(Cycle::new).as_ref().map_or(f64::NAN, value)
-}
-
-fn single(name: &str, title: &str, caption: &str, x: Axis, y: Axis, series: Vec<Series>) -> Figure {
-    Figure {
-        name: name.to_owned(),
-        title: title.to_owned(),
-        caption: caption.to_owned(),
-        panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
-    }
 }

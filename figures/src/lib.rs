@@ -59,6 +59,8 @@ pub use plane::{Plane, Scale};
 pub use resolve::{Origin, resolved};
 
 use std::io::{self, Write};
+use stickslip::motion::{LongRun, State, SteadyState};
+use stickslip::{Cycle, Error, Ratios};
 
 /// The names of all figures, in order; those of the paper have their numbers.
 pub const NAMES: [&str; 18] = [
@@ -152,22 +154,46 @@ pub struct Axis {
     pub logarithmic: bool,
 }
 
+impl Panel {
+    /// A panel without a plane.
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis, series: Vec<Series>) -> Self {
+        Self { title: title.into(), x, y, plane: None, series }
+    }
+
+    /// This panel over a plane.
+    #[must_use]
+    pub fn over(self, plane: Plane) -> Self {
+        Self { plane: Some(plane), ..self }
+    }
+}
+
 impl Axis {
+    /// An axis with a linear or a logarithmic scale.
+    #[must_use]
+    pub fn new(label: &str, (low, high): (f64, f64), logarithmic: bool) -> Self {
+        Self { label: label.to_owned(), low, high, logarithmic }
+    }
+
     /// An axis with a linear scale.
     #[must_use]
     pub fn linear(label: &str, low: f64, high: f64) -> Self {
-        Self { label: label.to_owned(), low, high, logarithmic: false }
+        Self::new(label, (low, high), false)
     }
 
     /// An axis with a logarithmic scale.
     #[must_use]
     pub fn logarithmic(label: &str, low: f64, high: f64) -> Self {
-        Self { label: label.to_owned(), low, high, logarithmic: true }
+        Self::new(label, (low, high), true)
     }
 
     /// An axis of Ω from `low` to `high`.
     pub(crate) fn frequency_ratio(low: f64, high: f64) -> Self {
         Self::linear("frequency ratio Ω = ω_d/ω_n", low, high)
+    }
+
+    /// From 0 at the start of the axis to 1 at its end.
+    pub(crate) fn share(&self, value: f64) -> f64 {
+        plane::share((self.low, self.high), self.logarithmic, value)
     }
 }
 
@@ -241,6 +267,29 @@ impl Series {
 }
 
 impl Figure {
+    /// A figure of these panels.
+    #[doc(hidden)]
+    pub fn new(
+        name: impl Into<String>,
+        title: impl Into<String>,
+        caption: impl Into<String>,
+        panels: impl Into<Vec<Panel>>,
+    ) -> Self {
+        Self { name: name.into(), title: title.into(), caption: caption.into(), panels: panels.into() }
+    }
+
+    /// A figure of one panel.
+    pub(crate) fn single(
+        name: &str,
+        title: &str,
+        caption: &str,
+        x: Axis,
+        y: Axis,
+        series: Vec<Series>,
+    ) -> Self {
+        Self::new(name, title, caption, [Panel::new("", x, y, series)])
+    }
+
     /// Writes the data with the columns panel, series, x, y and value; a plane fills x, y and value, and an
     /// infinite value has an empty y.
     ///
@@ -317,6 +366,21 @@ fn quoted(text: &str) -> String {
 pub(crate) fn evenly(low: f64, high: f64, count: u32) -> impl Iterator<Item = f64> + Clone {
     let last = f64::from(count.max(2) - 1);
     (0..count).map(move |i| low + (high - low) * f64::from(i) / last)
+}
+
+/// A value of the closed-form cycle; NaN where it would stick.
+pub(crate) fn of_cycle(omega: f64, alpha: f64, value: fn(&Cycle<f64>) -> f64) -> f64 {
+    Ratios::new(omega, alpha).and_then(Cycle::new).as_ref().map_or(f64::NAN, value)
+}
+
+/// The limit of the motion from rest.
+pub(crate) fn from_rest(omega: f64, alpha: f64) -> Result<LongRun<f64>, Error> {
+    Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()))
+}
+
+/// The steady state that the motion from rest reaches.
+pub(crate) fn settled(omega: f64, alpha: f64) -> Option<SteadyState<f64>> {
+    from_rest(omega, alpha).ok()?.steady_state().copied()
 }
 
 /// The values of 1/α in the paper's figures 4 to 7, with their names and places in the palette.

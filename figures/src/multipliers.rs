@@ -27,32 +27,28 @@ pub(super) fn of_the_cycle() -> Figure {
     let circle = evenly(0.0, std::f64::consts::TAU, 181).map(|t| (t.cos(), t.sin()));
     let mut loci = vec![Series::new("modulus 1", Style::Dotted, 0, circle)];
     loci.extend(inverse_force_ratios(6).flat_map(locus));
-    Figure {
-        name: "multipliers".to_owned(),
-        title: "How fast the motion settles".to_owned(),
-        caption:
-            "Left: the part of a small disturbance that remains after a cycle, max |λ|², for 1/α = 0.1 … 0.6 \
+    Figure::new(
+        "multipliers",
+        "How fast the motion settles",
+        "Left: the part of a small disturbance that remains after a cycle, max |λ|², for 1/α = 0.1 … 0.6 \
             where the motion does not stick; it reaches 1 at Ω = 1/n only. Right: the two multipliers λ per \
             half cycle in the complex plane, for Ω from 0.2 to 2, with marks at Ω = 3/2: all within the unit \
-            circle."
-                .to_owned(),
-        panels: vec![
-            Panel {
-                title: "contraction per cycle".to_owned(),
-                x: Axis::frequency_ratio(0.2, 2.0),
-                y: Axis::linear("contraction max |λ|²", 0.0, 1.1),
-                plane: None,
-                series: inverse_force_ratios(6).map(contraction).collect(),
-            },
-            Panel {
-                title: "multipliers per half cycle".to_owned(),
-                x: Axis::linear("real part of λ", -1.1, 1.1),
-                y: Axis::linear("imaginary part of λ", -1.1, 1.1),
-                plane: None,
-                series: loci,
-            },
+            circle.",
+        vec![
+            Panel::new(
+                "contraction per cycle",
+                Axis::frequency_ratio(0.2, 2.0),
+                Axis::linear("contraction max |λ|²", 0.0, 1.1),
+                inverse_force_ratios(6).map(contraction).collect(),
+            ),
+            Panel::new(
+                "multipliers per half cycle",
+                Axis::linear("real part of λ", -1.1, 1.1),
+                Axis::linear("imaginary part of λ", -1.1, 1.1),
+                loci,
+            ),
         ],
-    }
+    )
 }
 
 /// One of two multipliers, each as (re, im).

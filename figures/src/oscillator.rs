@@ -1,19 +1,18 @@
 //! Figure 1: the oscillator and its law of friction.
 
-use super::portrait::{samples, settled};
-use super::{Axis, Figure, Panel, Series, Style};
+use super::portrait::samples;
+use super::{Axis, Figure, Panel, Series, Style, settled};
 
 /// The oscillator of eq. 1, and the friction force over the velocity with points of a motion that sticks.
 pub(super) fn with_friction() -> Figure {
-    Figure {
-        name: "1".to_owned(),
-        title: "The oscillator and its friction".to_owned(),
-        caption: "Left: the oscillator of eq. 1; x = 0 is the static equilibrium. Right: the friction force r_a by \
+    Figure::new(
+        "1",
+        "The oscillator and its friction",
+        "Left: the oscillator of eq. 1; x = 0 is the static equilibrium. Right: the friction force r_a by \
             Coulomb's law (line), and the exact steady motion at Ω = 0.4, α = 6 (dots), which stops twice a \
-            cycle."
-            .to_owned(),
-        panels: vec![sketch(), law()],
-    }
+            cycle.",
+        vec![sketch(), law()],
+    )
 }
 
 /// A sketch of a mass on a spring, with the same scale on both axes.
@@ -38,13 +37,12 @@ fn sketch() -> Panel {
     series.extend(along_ground.map(|x| line(Style::Line, vec![(x, 3.0), (x - 0.3, 2.65)])));
     let along_wall = (0..10).map(|i| 3.3 + 0.4 * f64::from(i));
     series.extend(along_wall.map(|y| line(Style::Line, vec![(0.6, y), (0.25, y - 0.3)])));
-    Panel {
-        title: "m x″ + r = p₀ sin ω_d t,  r = k x + r_a".to_owned(),
-        x: Axis::linear("", 0.0, 10.75),
-        y: Axis::linear("", -0.9, 9.1),
-        plane: None,
+    Panel::new(
+        "m x″ + r = p₀ sin ω_d t,  r = k x + r_a",
+        Axis::linear("", 0.0, 10.75),
+        Axis::linear("", -0.9, 9.1),
         series,
-    }
+    )
 }
 
 /// A zigzag between two ends at a height.
@@ -60,14 +58,13 @@ fn spring(from: f64, to: f64, height: f64) -> Vec<(f64, f64)> {
 
 fn law() -> Panel {
     let greatest = 12.0;
-    let motion = settled(0.4, 6.0).map_or(Vec::new(), |state| samples(0.4, 6.0, state, 1));
+    let motion = settled(0.4, 6.0).map_or(Vec::new(), |steady| samples(0.4, 6.0, steady.state, 1));
     let points = motion.iter().map(|instant| (instant.state.v, instant.friction));
-    Panel {
-        title: "friction against velocity".to_owned(),
-        x: Axis::linear("velocity x′/(Bω_d)", -greatest, greatest),
-        y: Axis::linear("friction force r_a/r_y", -1.5, 1.5),
-        plane: None,
-        series: vec![
+    Panel::new(
+        "friction against velocity",
+        Axis::linear("velocity x′/(Bω_d)", -greatest, greatest),
+        Axis::linear("friction force r_a/r_y", -1.5, 1.5),
+        vec![
             Series::new(
                 "Coulomb's law",
                 Style::Line,
@@ -76,5 +73,5 @@ fn law() -> Panel {
             ),
             Series::new("exact motion, Ω = 0.4, α = 6", Style::Dots, 3, points),
         ],
-    }
+    )
 }

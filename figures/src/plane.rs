@@ -31,6 +31,11 @@ pub enum Scale {
     },
 }
 
+/// From 0 at the low end of a scale to 1 at its high end.
+pub(crate) fn share((low, high): (f64, f64), logarithmic: bool, value: f64) -> f64 {
+    if logarithmic { (value / low).ln() / (high / low).ln() } else { (value - low) / (high - low) }
+}
+
 impl Plane {
     /// (x, y, value) of every point that has one.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64, f64)> {

@@ -1,20 +1,18 @@
 //! The neighbourhood of the poles 1/3 and 1/5, where the body never stops.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly};
-use stickslip::motion::{LongRun, State};
-use stickslip::{Border, Ratios, no_stop_force_ratios};
+use super::{Axis, Figure, Panel, Series, Style, evenly, settled};
+use stickslip::{Border, no_stop_force_ratios};
 
 /// The border, the region of six reversals below it, and the points where the exact motion has no stop.
 pub(super) fn beside() -> Figure {
-    Figure {
-        name: "poles".to_owned(),
-        title: "Beside the poles 1/3 and 1/5".to_owned(),
-        caption: "Force ratios without any stop beside Ω = 1/3 and 1/5: above the border of the two-reversal cycle \
+    Figure::new(
+        "poles",
+        "Beside the poles 1/3 and 1/5",
+        "Force ratios without any stop beside Ω = 1/3 and 1/5: above the border of the two-reversal cycle \
             (thick) and inside the edges of the six-reversal cycle (lines). Dots: points at which the exact \
-            motion from rest has no stop."
-            .to_owned(),
-        panels: vec![panel(3.0, (0.3284, 0.3368), (40.0, 2000.0)), panel(5.0, (0.1981, 0.2013), (110.0, 5500.0))],
-    }
+            motion from rest has no stop.",
+        vec![panel(3.0, (0.3284, 0.3368), (40.0, 2000.0)), panel(5.0, (0.1981, 0.2013), (110.0, 5500.0))],
+    )
 }
 
 fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
@@ -37,24 +35,21 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
     let dots = |count: u32| {
         lattice.iter().filter(move |point| point.2 == Some(count)).map(|&(omega, alpha, _)| (omega, alpha))
     };
-    Panel {
-        title: format!("beside Ω = 1/{pole}"),
-        x: Axis::frequency_ratio(from, to),
-        y: Axis::logarithmic("force ratio α = p₀/r_y", low, high),
-        plane: None,
-        series: vec![
+    Panel::new(
+        format!("beside Ω = 1/{pole}"),
+        Axis::frequency_ratio(from, to),
+        Axis::logarithmic("force ratio α = p₀/r_y", low, high),
+        vec![
             Series::new("two reversals", Style::Dots, 5, dots(2)),
             Series::new("six reversals", Style::Dots, 2, dots(6)),
             Series::new("border α_min", Style::Thick, 1, border.map(shown)),
             Series::new("edges of six", Style::Line, 0, around.map(shown)),
         ],
-    }
+    )
 }
 
 /// The number of velocity zeros per cycle of the exact motion from rest, if it has no stop.
 fn reversals(omega: f64, alpha: f64) -> Option<u32> {
-    let limit =
-        Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default())).ok()?;
-    let steady = limit.steady_state()?;
+    let steady = settled(omega, alpha)?;
     (steady.sticks_per_cycle == 0).then_some(steady.velocity_zeros_per_cycle)
 }

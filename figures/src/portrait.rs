@@ -1,7 +1,7 @@
 //! Motions in the phase plane.
 
-use super::{Axis, Figure, Panel, Series, Style};
-use stickslip::motion::{Instant, Kind, LongRun, State, Trajectory};
+use super::{Axis, Figure, Panel, Series, Style, settled};
+use stickslip::motion::{Instant, Kind, State, Trajectory};
 use stickslip::{Cycle, Ratios};
 
 /// A motion without stops, with the points of figure 2, and one that sticks, each with its transient from
@@ -17,58 +17,31 @@ pub(super) fn two_motions() -> Figure {
         mark("t₃: (−Δ₁, −V₀)", 2, -d1, -v0);
         mark("t₄: (−Δ₀, 0)", 3, -d0, 0.0);
     }
-    Figure {
-        name: "portrait".to_owned(),
-        title: "Steady motions in the phase plane".to_owned(),
-        caption:
-            "The steady motion (thick) and the way there from rest (thin): without stops at Ω = 0.7, α = 2 \
-            with the instants t₁ … t₄ of figure 2, and with four stops a cycle at Ω = 0.15, α = 3."
-                .to_owned(),
-        panels: vec![
-            smooth,
-            portrait("with four stops in a cycle: Ω = 0.15, α = 3", 0.15, 3.0, 2, (3.0, 8.0)),
-        ],
-    }
+    Figure::new(
+        "portrait",
+        "Steady motions in the phase plane",
+        "The steady motion (thick) and the way there from rest (thin): without stops at Ω = 0.7, α = 2 \
+            with the instants t₁ … t₄ of figure 2, and with four stops a cycle at Ω = 0.15, α = 3.",
+        vec![smooth, portrait("with four stops in a cycle: Ω = 0.15, α = 3", 0.15, 3.0, 2, (3.0, 8.0))],
+    )
 }
 
 fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f64)) -> Panel {
-    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default()));
-    let steady = limit.as_ref().ok().and_then(|l| l.steady_state().map(|s| s.state));
-    let phases = steady.and_then(|state| Trajectory::new(Ratios::new(omega, alpha).ok()?, state).ok());
-    let stops = phases
-        .into_iter()
-        .flatten()
-        .map_while(Result::ok)
-        .filter(|p| p.kind == Kind::Stick)
-        .map(|p| p.start().x);
-    let count =
-        limit.as_ref().ok().and_then(LongRun::steady_state).map_or(0, |s| s.sticks_per_cycle as usize);
-    let mut panel = Panel {
-        title: title.to_owned(),
-        x: Axis::linear("displacement x/B", -x, x),
-        y: Axis::linear("velocity x′/(Bω_d)", -v, v),
-        plane: None,
-        series: vec![
-            Series::new("from rest", Style::Line, 4, motion(omega, alpha, State::default(), cycles)),
-            Series::new(
-                "steady",
-                Style::Thick,
-                0,
-                steady.map_or(Vec::new(), |state| motion(omega, alpha, state, 1)),
-            ),
-        ],
-    };
-    if count > 0 {
-        let stops: Vec<_> = stops.take(count).map(|x| (x, 0.0)).collect();
-        panel.series.push(Series::new("stop", Style::Marks, 5, stops));
+    let steady = settled(omega, alpha);
+    let path = |start, cycles| motion(omega, alpha, start, cycles);
+    let mut series = vec![
+        Series::new("from rest", Style::Line, 4, path(State::default(), cycles)),
+        Series::new("steady", Style::Thick, 0, steady.map_or(Vec::new(), |steady| path(steady.state, 1))),
+    ];
+    if let Some(steady) = steady.filter(|steady| steady.sticks_per_cycle > 0) {
+        let segments = Ratios::new(omega, alpha).and_then(|ratios| Trajectory::new(ratios, steady.state));
+        let segments = segments.into_iter().flatten().map_while(Result::ok);
+        let stops = segments.filter(|segment| segment.kind == Kind::Stick).map(|stop| (stop.start().x, 0.0));
+        let stops = stops.take(steady.sticks_per_cycle as usize);
+        series.push(Series::new("stop", Style::Marks, 5, stops));
     }
-    panel
-}
-
-/// The steady state that the motion from rest reaches.
-pub(super) fn settled(omega: f64, alpha: f64) -> Option<State<f64>> {
-    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default())).ok()?;
-    limit.steady_state().map(|s| s.state)
+    let (x, v) = (Axis::linear("displacement x/B", -x, x), Axis::linear("velocity x′/(Bω_d)", -v, v));
+    Panel::new(title, x, v, series)
 }
 
 /// Some cycles of the motion from a start.

@@ -1,10 +1,10 @@
 //! Figures 4 to 7: maximum displacement, phases and maximum velocity.
 
 use super::resolve::resonant;
-use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
+use super::{Axis, Figure, Panel, Series, Style, evenly, from_rest, inverse_force_ratios, of_cycle};
+use stickslip::Cycle;
 use stickslip::cycle::printed;
-use stickslip::motion::{LongRun, State, SteadyState};
-use stickslip::{Cycle, Ratios};
+use stickslip::motion::{LongRun, SteadyState};
 
 /// Ω from 0.1025 to 2, 0.005 apart: between the frequencies 1/n, where the motion depends on its start.
 fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
@@ -19,23 +19,17 @@ fn marked_frequency_ratios() -> impl Iterator<Item = f64> + Clone {
 /// A value of the exact steady state from rest; NaN where there is none, infinite where the motion is
 /// unbounded.
 fn exact(omega: f64, alpha: f64, value: fn(&SteadyState<f64>) -> f64) -> f64 {
-    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
-    match limit {
+    match from_rest(omega, alpha) {
         Ok(LongRun::Unbounded { .. }) => f64::INFINITY,
         limit => limit.ok().as_ref().and_then(LongRun::steady_state).map_or(f64::NAN, value),
     }
-}
-
-/// A value of the closed-form cycle; NaN where it would stick.
-fn closed(omega: f64, alpha: f64, value: fn(&Cycle<f64>) -> f64) -> f64 {
-    Ratios::new(omega, alpha).and_then(Cycle::new).as_ref().map_or(f64::NAN, value)
 }
 
 /// The curve of a value of the closed-form cycle for each 1/α.
 fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
     let curve = |(index, alpha, name): (usize, f64, String)| {
         let mut points: Vec<_> =
-            frequency_ratios().map(|omega| (omega, closed(omega, alpha, value))).collect();
+            frequency_ratios().map(|omega| (omega, of_cycle(omega, alpha, value))).collect();
         // The phases jump at Ω = 1.
         let below = points.iter().take_while(|(omega, _)| *omega < 1.0).count();
         points.insert(below, (1.0, f64::NAN));
@@ -49,7 +43,7 @@ fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
 /// has each line, and the marks once.
 fn lines_and_marks(
     of_motion: fn(&SteadyState<f64>) -> f64,
-    of_cycle: fn(&Cycle<f64>) -> f64,
+    closed: fn(&Cycle<f64>) -> f64,
     closed_form: &str,
 ) -> Vec<Series> {
     let lines = inverse_force_ratios(6).map(|(index, alpha, name)| {
@@ -57,7 +51,7 @@ fn lines_and_marks(
         Series::new(format!("{name}, exact"), Style::Line, index, points).with_key(name)
     });
     let marks = inverse_force_ratios(6).map(|(index, alpha, name)| {
-        let points = marked_frequency_ratios().map(|omega| (omega, closed(omega, alpha, of_cycle)));
+        let points = marked_frequency_ratios().map(|omega| (omega, of_cycle(omega, alpha, closed)));
         let series = Series::new(format!("{name}, {closed_form}"), Style::Marks, index, points);
         series.with_key(format!("marks: {closed_form}"))
     });
@@ -68,12 +62,13 @@ fn lines_and_marks(
 pub(super) fn max_displacement() -> Figure {
     let mut series = lines_and_marks(|s| s.max_displacement.value, |c| c.max_displacement, "eq. 44");
     series.push(Series::unbounded([1.0]));
-    single(
+    Figure::single(
         "4",
         "Maximum displacement",
         "Maximum displacement Δ₀/B of the exact steady motion (lines, sticking included) and by eq. 44 where \
          it does not stick (marks), for 1/α = 0.1 … 0.6. To the left of its first mark a line is of motions \
          with stops. At Ω = 1 there is no bound (arrowhead).",
+        Axis::frequency_ratio(0.0, 2.0),
         Axis::logarithmic("maximum displacement Δ₀/B", 0.1, 1000.0),
         series,
     )
@@ -81,24 +76,24 @@ pub(super) fn max_displacement() -> Figure {
 
 /// Figure 5: the phases of the maxima.
 pub(super) fn phases() -> Figure {
-    let panel = |title: &str, value| Panel {
-        title: title.to_owned(),
-        x: Axis::frequency_ratio(0.3, 2.0),
-        y: Axis::linear("phase (rad)", 0.0, 5.0),
-        plane: None,
-        series: closed_curves(value),
+    let panel = |title: &str, value| {
+        Panel::new(
+            title,
+            Axis::frequency_ratio(0.3, 2.0),
+            Axis::linear("phase (rad)", 0.0, 5.0),
+            closed_curves(value),
+        )
     };
-    Figure {
-        name: "5".to_owned(),
-        title: "Phases of the maximum velocity and the maximum displacement".to_owned(),
-        caption: "Phase ω_d t₁ of the maximum velocity (eq. 46) and ω_d t₂ of the maximum displacement (eq. 43, in \
-            the right half where K > 0), for 1/α = 0.1 … 0.6 where the motion does not stick."
-            .to_owned(),
-        panels: vec![
+    Figure::new(
+        "5",
+        "Phases of the maximum velocity and the maximum displacement",
+        "Phase ω_d t₁ of the maximum velocity (eq. 46) and ω_d t₂ of the maximum displacement (eq. 43, in \
+            the right half where K > 0), for 1/α = 0.1 … 0.6 where the motion does not stick.",
+        vec![
             panel("maximum velocity, ω_d t₁", |c| signed(c.velocity_phase)),
             panel("maximum displacement, ω_d t₂", |c| c.displacement_phase),
         ],
-    }
+    )
 }
 
 /// A phase near 2π as the negative phase that it continues.
@@ -108,11 +103,12 @@ fn signed(phase: f64) -> f64 {
 
 /// Figure 6: Δ₁/B.
 pub(super) fn deviation() -> Figure {
-    single(
+    Figure::single(
         "6",
         "Displacement at the maximum velocity",
         "Deviation Δ₁/B, the displacement at the maximum velocity, for 1/α = 0.1 … 0.6 where the motion does \
          not stick. For 1/2 < Ω < 1 it grows with α; above Ω = 1 the curves tend to zero.",
+        Axis::frequency_ratio(0.0, 2.0),
         Axis::linear("deviation Δ₁/B", 0.0, 2.5),
         closed_curves(|c| c.deviation()),
     )
@@ -127,30 +123,21 @@ pub(super) fn max_velocity() -> Figure {
         series.push(Series::new("eq. 49 as printed", Style::Dashed, index, dashed));
     }
     series.push(Series::unbounded([1.0]));
-    single(
+    Figure::single(
         "7",
         "Maximum velocity",
         "Maximum velocity V₀/(Bω_d) of the exact steady motion (lines), by eq. 49 corrected (marks), and as \
          printed (dashed, Ω > 1/2), for 1/α = 0.1 … 0.6. As printed it is too large for every Ω > 1. At Ω = 1 \
          there is no bound (arrowhead).",
+        Axis::frequency_ratio(0.0, 2.0),
         Axis::logarithmic("maximum velocity V₀/(Bω_d)", 0.1, 1000.0),
         series,
     )
 }
 
 fn as_printed(omega: f64, alpha: f64) -> f64 {
-    let deviation = closed(omega, alpha, |c| c.deviation());
+    let deviation = of_cycle(omega, alpha, |c| c.deviation());
     printed::max_velocity(omega, alpha, (std::f64::consts::PI / omega).cos(), deviation)
-}
-
-fn single(name: &str, title: &str, caption: &str, y: Axis, series: Vec<Series>) -> Figure {
-    let x = Axis::frequency_ratio(0.0, 2.0);
-    Figure {
-        name: name.to_owned(),
-        title: title.to_owned(),
-        caption: caption.to_owned(),
-        panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
-    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! A map of the number of stops per cycle over Ω and α.
 
-use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly};
-use stickslip::motion::{LongRun, State};
-use stickslip::{Border, Ratios};
+use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly, from_rest};
+use stickslip::Border;
+use stickslip::motion::LongRun;
 
 /// Names of the numbers of stops, from light to dark: as in all figures, the lightest colour means no stop,
 /// and the darkest means rest.
@@ -18,25 +18,32 @@ pub(super) fn per_cycle() -> Figure {
     let names = NAMES.map(str::to_owned).to_vec();
     let border = evenly(0.05, 1.5, 2901)
         .filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio)));
-    Figure {
-        name: "stops".to_owned(),
-        title: "Stops per cycle".to_owned(),
-        caption: "Stops in a cycle of the exact steady motion from rest, with the exact border (line). At α ≤ 1 the \
-            body does not move."
-            .to_owned(),
-        panels: vec![Panel {
-            title: String::new(),
-            x: Axis::frequency_ratio(0.05, 1.5),
-            y: Axis::linear("force ratio α = p₀/r_y", 0.0, 8.0),
-            plane: Some(Plane { label: "stops per cycle".to_owned(), x, y, values, scale: Scale::Names(names) }),
-            series: vec![Series::new("exact border α_min", Style::Thick, 0, border)],
-        }],
-    }
+    Figure::new(
+        "stops",
+        "Stops per cycle",
+        "Stops in a cycle of the exact steady motion from rest, with the exact border (line). At α ≤ 1 the \
+            body does not move.",
+        vec![
+            Panel::new(
+                "",
+                Axis::frequency_ratio(0.05, 1.5),
+                Axis::linear("force ratio α = p₀/r_y", 0.0, 8.0),
+                vec![Series::new("exact border α_min", Style::Thick, 0, border)],
+            )
+            .over(Plane {
+                label: "stops per cycle".to_owned(),
+                x,
+                y,
+                values,
+                scale: Scale::Names(names),
+            }),
+        ],
+    )
 }
 
 /// The index in the list of names; NaN where the motion did not settle.
 fn class(omega: f64, alpha: f64) -> f64 {
-    match Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default())) {
+    match from_rest(omega, alpha) {
         Ok(LongRun::Rest(_)) => 5.0,
         Ok(LongRun::Periodic(s) | LongRun::Family(s)) => f64::from(s.sticks_per_cycle.div_ceil(2).min(4)),
         Ok(LongRun::Unbounded { .. }) => 0.0,

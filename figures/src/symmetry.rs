@@ -33,24 +33,16 @@ pub(super) fn errors() -> Figure {
                 points(|p| p.settled),
             ));
         }
-        Panel {
-            title: title.to_owned(),
-            x: Axis::frequency_ratio(0.6, 2.0),
-            y: Axis::logarithmic("error", 1e-17, 1.0),
-            plane: None,
-            series,
-        }
+        Panel::new(title, Axis::frequency_ratio(0.6, 2.0), Axis::logarithmic("error", 1e-17, 1.0), series)
     };
-    Figure {
-        name: "3".to_owned(),
-        title: "Figure 3 again: how symmetric the motion is".to_owned(),
-        caption:
-            "The paper's error measures 1–4 for 1/α = 0.3, 0.4, 0.5: of the first cycle after 20 cycles from \
+    Figure::new(
+        "3",
+        "Figure 3 again: how symmetric the motion is",
+        "The paper's error measures 1–4 for 1/α = 0.3, 0.4, 0.5: of the first cycle after 20 cycles from \
             rest (lines), and of the settled motion (dots). The paper's peaks at Ω = 1 are start-up \
-            transients; the settled motion is symmetric to rounding."
-                .to_owned(),
-        panels: measures.map(panel).into(),
-    }
+            transients; the settled motion is symmetric to rounding.",
+        measures.map(panel),
+    )
 }
 
 /// One of the four measures.

@@ -69,8 +69,8 @@ impl<'a> Frame<'a> {
 
     /// The place of a point of the plot, in units of the drawing; infinite values are on the upper edge.
     fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        let y = if y == f64::INFINITY { 1.0 } else { share(&self.panel.y, y) };
-        let x = share(&self.panel.x, x);
+        let y = if y == f64::INFINITY { 1.0 } else { self.panel.y.share(y) };
+        let x = self.panel.x.share(x);
         (self.left + self.width * x, self.top + self.height * (1.0 - y))
     }
 
@@ -228,15 +228,6 @@ fn within(
     }
     let at = |t: f64| (ax + t * dx, ay + t * dy);
     (enter <= leave).then(|| (at(enter), at(leave)))
-}
-
-/// From 0 at the start of an axis to 1 at its end.
-fn share(axis: &Axis, value: f64) -> f64 {
-    if axis.logarithmic {
-        (value / axis.low).ln() / (axis.high / axis.low).ln()
-    } else {
-        (value - axis.low) / (axis.high - axis.low)
-    }
 }
 
 /// The cell around each place: half way to its neighbours, within the frame.

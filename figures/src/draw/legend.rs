@@ -32,7 +32,7 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
         match &plane.scale {
             Scale::Names(names) => y = named(plane, names, (left, y + LINE + 4), canvas)?,
             Scale::Shades { low, high, logarithmic } => {
-                let axis = Axis { label: String::new(), low: *low, high: *high, logarithmic: *logarithmic };
+                let axis = Axis::new("", (*low, *high), *logarithmic);
                 let height = (layout.plots_height() - (y - top) - 2 * LINE).clamp(60, 300);
                 ramp(&axis, (left, y + LINE), height, canvas)?;
                 y += LINE + height;
@@ -159,12 +159,7 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
         canvas.draw(&Rectangle::new(corners, colour.filled()))?;
     }
     for (value, text) in ticks(axis) {
-        let share = if axis.logarithmic {
-            (value / axis.low).ln() / (axis.high / axis.low).ln()
-        } else {
-            (value - axis.low) / (axis.high - axis.low)
-        };
-        let y = f64::from(top + height) - f64::from(height) * share;
+        let y = f64::from(top + height) - f64::from(height) * axis.share(value);
         write(canvas, &text, (left + 28, y.round() as i32), 13, Anchor::Left)?;
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! The colours of values over a plane: from dark to light, so that their order survives in print.
 
 use crate::Scale;
+use crate::plane::share;
 use plotters::style::RGBColor;
 
 /// Viridis at nine places.
@@ -38,11 +39,7 @@ impl Scale {
         Some(match self {
             Self::Names(_) => value.max(0.0) as u32,
             Self::Shades { low, high, logarithmic } => {
-                let place = if *logarithmic {
-                    (value / low).ln() / (high / low).ln()
-                } else {
-                    (value - low) / (high - low)
-                };
+                let place = share((*low, *high), *logarithmic, value);
                 (place.clamp(0.0, 1.0) * f64::from(STEPS - 1)).round() as u32
             }
         })
