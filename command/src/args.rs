@@ -19,29 +19,19 @@ mod values;
 use crate::failure::Failure;
 use crate::outputs;
 use crate::style::STYLES;
-use attractors::{ATTRACTORS_EXAMPLES, BASINS_EXAMPLES};
 pub(crate) use attractors::{AttractorsArgs, BasinsArgs, RowsArgs};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
-use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
-use curve::{CURVE_EXAMPLES, MOTION_EXAMPLES};
 pub(crate) use curve::{CurveArgs, CurveQuantity, MotionPlotArgs};
-use design::DESIGN_EXAMPLES;
 pub(crate) use design::{DesignAim, Question, QuestionArgs};
-use identify::IDENTIFY_EXAMPLES;
 pub(crate) use identify::IdentifyArgs;
 pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
-use motion::{DECAY_EXAMPLES, SIMULATE_EXAMPLES, STEADY_EXAMPLES};
 pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs, StreamFormat};
-use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES};
 pub(crate) use pictures::{FigureArgs, FiguresArgs, LookArgs, MapArgs, Picture};
 pub(crate) use record::{LoadArgs, RecordArgs, SpectrumArgs, SurfaceArgs};
-use record::{RECORD_EXAMPLES, SPECTRUM_EXAMPLES};
 pub(crate) use shared::{Format, Header, OutputArgs, UnitArgs};
-use shell::{COMPLETIONS_EXAMPLES, MAN_EXAMPLES};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 use std::ffi::OsString;
-use sweep::SWEEP_EXAMPLES;
 pub(crate) use sweep::{SweepArgs, SweepFormat, Swept, TableArgs};
 
 const AFTER_HELP: &str = "\
@@ -90,67 +80,48 @@ pub(crate) struct CommandLine {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Whether the body sticks, how far and how fast it moves, and the minimum force that keeps it sliding.
-    #[command(after_help = RESPONSE_EXAMPLES)]
     Response(ResponseArgs),
     /// The minimum force that keeps the body from sticking at a frequency.
-    #[command(after_help = BORDER_EXAMPLES)]
     Border(BorderArgs),
     /// The exact steady motion, stops included.
-    #[command(after_help = STEADY_EXAMPLES)]
     Steady(SteadyArgs),
     /// All limits that many starts lead to, with static friction above kinetic friction.
-    #[command(after_help = ATTRACTORS_EXAMPLES)]
     Attractors(AttractorsArgs),
     /// The limit that each start in a plane of starts leads to, as CSV or a picture.
-    #[command(after_help = BASINS_EXAMPLES)]
     Basins(BasinsArgs),
     /// The exact motion from a start, segment by segment or sampled.
-    #[command(after_help = SIMULATE_EXAMPLES)]
     Simulate(SimulateArgs),
     /// Inverse problems: the force, friction, frequencies or stiffness for a desired motion.
-    #[command(subcommand, after_help = DESIGN_EXAMPLES)]
+    #[command(subcommand)]
     Design(Question),
     /// Friction and damping from a measured response curve.
-    #[command(after_help = IDENTIFY_EXAMPLES)]
     Identify(IdentifyArgs),
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
-    #[command(after_help = DECAY_EXAMPLES)]
     Decay(DecayArgs),
     /// The motion under a record: an earthquake, or any measured load. No stop is missed.
-    #[command(after_help = RECORD_EXAMPLES)]
     Record(Box<RecordArgs>),
     /// The answers under records over periods, frictions and damping ratios, as rows or a picture.
-    #[command(after_help = SPECTRUM_EXAMPLES)]
     Spectrum(Box<SpectrumArgs>),
     /// Check every equation of the paper against computed cycles, at any precision. The exit status is 1 if
     /// one fails.
-    #[command(after_help = VERIFY_EXAMPLES)]
     Verify(VerifyArgs),
     /// A figure of the paper, or a further one, from this library's results.
-    #[command(after_help = FIGURE_EXAMPLES)]
     Figure(FigureArgs),
     /// All figures at once.
-    #[command(after_help = FIGURES_EXAMPLES)]
     Figures(FiguresArgs),
     /// Answers over a grid of Ω and α, computed in parallel, written in order, resumable.
-    #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArgs),
     /// The plane of Ω and α by regime, margin, stops or any output, as CSV or a picture.
-    #[command(after_help = MAP_EXAMPLES)]
     Map(MapArgs),
     /// A response curve: an amplitude over the frequency for one machine or several, as CSV or a picture.
-    #[command(after_help = CURVE_EXAMPLES)]
     ResponseCurve(CurveArgs),
     /// A steady motion over time and its friction loop, as a picture or CSV.
-    #[command(after_help = MOTION_EXAMPLES)]
     MotionPlot(MotionPlotArgs),
     /// Every output by name, with its unit and its meaning.
     Outputs,
     /// Print a shell completion script.
-    #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(CompletionsArgs),
     /// Write the manual page, or those of all commands.
-    #[command(after_help = MAN_EXAMPLES)]
     Man(ManArgs),
 }
 

@@ -9,6 +9,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::input;
 use crate::note::{both, decay, measured_from};
+use crate::output;
 use crate::outputs::{ATTRACTOR, FIRST_V, FIRST_X, MIRROR, REST_FROM, REST_TO, SHARE, STARTS};
 use crate::progress;
 use crate::record::{Cell, Record};
@@ -64,8 +65,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
                 &rows,
                 args.unstable.map(|_| more.as_slice()),
             );
-            serde_json::to_writer_pretty(&mut *out, &answer)?;
-            Ok(out.write_all(b"\n")?)
+            output::json(&answer, out)
         }
         Format::Jsonl | Format::Csv => {
             let mut sink =

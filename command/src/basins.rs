@@ -47,14 +47,9 @@ pub(crate) fn run(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
 
 fn draw<F: Value>(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
     args.look.needs("--out", args.out.as_deref())?;
-    let target = Target::new(args.out.as_deref(), args.overwrite)?;
+    let target = Target::new("--out", args.out.as_deref(), args.overwrite, &args.look)?;
     let basins = Basins::<F>::new(args)?;
-    let target = target.sized(args.look.size()?);
-    target.fill(
-        out,
-        |mut out| basins.table(&mut out),
-        || basins.figure().map(|figure| args.look.titled(figure)),
-    )
+    target.fill(out, |mut out| basins.table(&mut out), || basins.figure())
 }
 
 impl<F: Value> Basins<F> {
@@ -86,7 +81,7 @@ impl<F: Value> Basins<F> {
         let v = axis("--v0", &args.v0, Kind::Velocity, "B ω_d", scales.map(|s| s.velocity))?;
         let count = x.grid.len().saturating_mul(v.grid.len());
         if count > MOST {
-            return Err(Failure::Input(format!("--x0, --v0: {count} starts, must be ≤ {MOST}")));
+            return Err(format!("--x0, --v0: {count} starts, must be ≤ {MOST}").into());
         }
         let start = |number: u64| {
             let (across, up) = (number % x.grid.len(), number / x.grid.len());
@@ -122,9 +117,9 @@ impl<F: Value> Basins<F> {
         let (x, y) = (drawn(&self.x), drawn(&self.v));
         let ends = |values: &[f64], option: &str| match values {
             [first, .., last] if values.windows(2).all(|pair| matches!(pair, [a, b] if a < b)) => {
-                Ok((*first, *last))
+                Ok::<_, Failure>((*first, *last))
             }
-            _ => Err(Failure::Input(format!("{option}: a picture needs two values or more, ascending"))),
+            _ => Err(format!("{option}: a picture needs two values or more, ascending").into()),
         };
         let (across, up) = (ends(&x, "--x0")?, ends(&y, "--v0")?);
         let shown = self.all.limits.len().min(MOST_NAMES);
@@ -140,18 +135,26 @@ impl<F: Value> Basins<F> {
         if self.all.unsettled() > 0 {
             series.push(Series::new("white: not settled", Style::Note, 0, []));
         }
-        Ok(Figure {
-            name: "basins".to_owned(),
-            title: "The limit that each start leads to".to_owned(),
-            caption: String::new(),
-            panels: vec![Panel {
-                title: self.machine.clone(),
-                x: Axis::linear(&self.x.label, across.0, across.1),
-                y: Axis::linear(&self.v.label, up.0, up.1),
-                series,
-                plane: Some(Plane { label: "limit".to_owned(), x, y, values, scale: Scale::Names(names) }),
-            }],
-        })
+        Ok(Figure::new(
+            "basins",
+            "The limit that each start leads to",
+            "",
+            vec![
+                Panel::new(
+                    self.machine.clone(),
+                    Axis::linear(&self.x.label, across.0, across.1),
+                    Axis::linear(&self.v.label, up.0, up.1),
+                    series,
+                )
+                .over(Plane {
+                    label: "limit".to_owned(),
+                    x,
+                    y,
+                    values,
+                    scale: Scale::Names(names),
+                }),
+            ],
+        ))
     }
 
     /// A limit by its number and its extrema.

@@ -1,6 +1,6 @@
 //! `--bits`: the number type a command runs at.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::Outcome;
 use num_traits::Pow;
 use std::str::FromStr;
 use stickslip::Float;
@@ -68,12 +68,12 @@ fn run_wide(bits: u32, task: impl Task) -> Outcome {
         }
     }
 
-    with_precision(bits, Wide(task)).map_err(|e| Failure::Input(format!("--bits {bits}: {e}")))?
+    with_precision(bits, Wide(task)).map_err(|e| format!("--bits {bits}: {e}"))?
 }
 
 #[cfg(not(feature = "mp"))]
 fn run_wide(bits: u32, _: impl Task) -> Outcome {
-    Err(Failure::Input(format!("--bits {bits}: must be ≤ 53 in a build without the feature mp")))
+    Err(format!("--bits {bits}: must be ≤ 53 in a build without the feature mp").into())
 }
 
 /// All digits, with a power of ten where there would be many zeros.

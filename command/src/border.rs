@@ -1,6 +1,6 @@
 //! `stickslip border`.
 
-use crate::args::BorderArgs;
+use crate::args::{BorderArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
@@ -14,7 +14,7 @@ use stickslip::{NoStop, no_stop_force_ratios};
 
 pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
-        return enclose::border(&args.machine, &args.output, out);
+        return enclose::answer(Swept::Border, &args.machine, &args.output, out);
     }
     at_bits!(args.output.bits, respond(args: &BorderArgs, out))
 }
@@ -45,8 +45,10 @@ pub(crate) fn record<F: Value>(
     if let Some(found) = &found {
         record = record.with_no_stop(found);
     }
-    let record = match &point.physical {
-        Some(scales) => record.with_border_scales(scales).finite().map_err(|e| behind_all(given, e))?,
+    let record = match &point.machine {
+        Some(machine) => {
+            record.with_border(machine, given.system).finite().map_err(|e| behind_all(given, e))?
+        }
         None => record,
     };
     Ok((answer, found, record))
@@ -63,6 +65,6 @@ fn respond<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
         Ok(((point, answer, found), record))
     };
     points::answered(asked, out, answer, |(point, answer, found), units, out| {
-        note::border(answer, found.as_ref(), point.physical, units, out)
+        note::border(answer, found.as_ref(), point.machine.as_ref().map(|m| &m.scales), units, out)
     })
 }

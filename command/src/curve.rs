@@ -13,7 +13,7 @@ use crate::input::{self, Point};
 use crate::interrupt;
 use crate::map::margin;
 use crate::record::Cell;
-use amplitude::{UNBOUNDED, words};
+use amplitude::{UNBOUNDED, shown};
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
@@ -82,8 +82,6 @@ pub(crate) struct AskedCurve {
 /// The look of a picture, as far as it was chosen.
 #[derive(Default)]
 struct Look {
-    title: Option<String>,
-    size: Option<(u32, u32)>,
     x_range: Option<(f64, f64)>,
     range: Option<(f64, f64)>,
     is_linear: bool,
@@ -94,13 +92,7 @@ impl Look {
         let x_range = args.x_range.as_ref();
         let x_range = x_range.map(|text| figure::range("--x-range", text, !is_logarithmic)).transpose()?;
         let range = args.y_range.as_ref().map(|text| figure::range("--y-range", text, args.linear));
-        Ok(Self {
-            title: args.look.title.clone(),
-            size: args.look.size()?,
-            x_range,
-            range: range.transpose()?,
-            is_linear: args.linear,
-        })
+        Ok(Self { x_range, range: range.transpose()?, is_linear: args.linear })
     }
 }
 
@@ -114,10 +106,9 @@ fn unit_in(text: &str) -> (&'static str, f64) {
 }
 
 pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
-    let target = Target::new(args.out.as_deref(), args.overwrite)?;
+    let target = Target::new("--out", args.out.as_deref(), args.overwrite, &args.look)?;
     let reader = args.units.reader();
     let asked = AskedCurve::new(args, &reader)?;
-    let target = target.sized(asked.look.size);
     let lines = asked.lines()?;
     target.fill(out, |mut out| asked.rows(&lines, &mut out), || asked.figure(&lines))
 }
@@ -142,41 +133,34 @@ impl AskedCurve {
                 unit = unit_in(text);
                 if let Some((first, _)) = grid.replace((parameter, values)) {
                     let first: Input = first;
-                    return Err(Failure::Input(format!(
-                        "{} and {name}: give one of the two as a grid",
-                        first.option()
-                    )));
+                    return Err(
+                        format!("{} and {name}: give one of the two as a grid", first.option()).into()
+                    );
                 }
             } else if values.len() > 1 {
                 if values.len() > MOST_CURVES {
-                    return Err(Failure::Input(format!(
-                        "{name} {text}: {} curves, must be ≤ {MOST_CURVES}",
-                        values.len()
-                    )));
+                    return Err(
+                        format!("{name} {text}: {} curves, must be ≤ {MOST_CURVES}", values.len()).into()
+                    );
                 }
                 let texts = text.split(',').map(|part| part.trim().to_owned()).collect();
                 if let Some((first, ..)) = other.replace((parameter, values, texts)) {
                     let first: Input = first;
-                    return Err(Failure::Input(format!(
-                        "{} and {name}: only one of them may be a list",
-                        first.option()
-                    )));
+                    return Err(
+                        format!("{} and {name}: only one of them may be a list", first.option()).into()
+                    );
                 }
             } else {
                 given.set_typed(parameter, values.value(0), text);
             }
         }
         let Some((axis, grid)) = grid else {
-            return Err(Failure::Input(
-                "--frequency (or --omega): give a grid, such as 0.3Hz:5Hz:200".to_owned(),
-            ));
+            return Err("--frequency (or --omega): give a grid, such as 0.3Hz:5Hz:200".into());
         };
         if grid.len() > MOST_POINTS {
-            return Err(Failure::Input(format!(
-                "{}: {} frequencies, must be ≤ {MOST_POINTS}",
-                axis.option(),
-                grid.len()
-            )));
+            return Err(
+                format!("{}: {} frequencies, must be ≤ {MOST_POINTS}", axis.option(), grid.len()).into()
+            );
         }
         let unit = if axis == Input::Frequency { unit } else { ("1", 1.0) };
         let (look, system) = (Look::of(args, grid.is_logarithmic())?, reader.system());
@@ -220,7 +204,7 @@ impl AskedCurve {
                         let text = usize::try_from(i).ok().and_then(|i| texts.get(i)).cloned();
                         in_symbols(*parameter, &text.unwrap_or_else(|| digits(values.value(i))), &self.system)
                     }
-                    None => words(self.what).to_owned(),
+                    None => shown(self.what).words.to_owned(),
                 };
                 self.line(name, &given)
             })
@@ -232,10 +216,10 @@ impl AskedCurve {
         if self.what == CurveQuantity::Absolute
             && !first.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface())
         {
-            return Err(Failure::Input(
+            return Err(
                 "response-curve absolute: needs --base-acceleration, --base-velocity or --base-displacement"
-                    .to_owned(),
-            ));
+                    .into(),
+            );
         }
         let natural = match &first.machine {
             // A machine that is tuned to each frequency has no natural frequency of its own.
@@ -287,7 +271,7 @@ impl AskedCurve {
         let point = self.point(given, x)?;
         let margin = margin(point.ratios);
         let (value, regime, sticks) = self.value(&point)?;
-        Cell::Number(value).finite(words(self.what)).map_err(|e| behind_all(given, e))?;
+        Cell::Number(value).finite(shown(self.what).words).map_err(|e| behind_all(given, e))?;
         Ok(CurvePoint { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
     }
 

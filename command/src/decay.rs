@@ -1,12 +1,13 @@
 //! `stickslip decay`.
 
-use crate::args::{DecayArgs, Format};
+use crate::args::DecayArgs;
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::given;
 use crate::motion_plot::axis;
 use crate::note::{self, both};
+use crate::output;
 use crate::outputs::{DAMPING_RATIO, STATIC_FRICTION_RATIO, key};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
@@ -63,40 +64,27 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     if let Some(file) = &args.out {
         write_file(args, &decay, scales.as_ref(), file)?;
     }
-    match args.format {
-        Format::Json => record.write_pretty(out),
-        Format::Text => {
-            let length = |x| {
-                both(
-                    x,
-                    "B",
-                    scales.as_ref().map(|s| s.length),
-                    scales.as_ref().map_or("", |s| s.system.length()),
-                )
-            };
-            let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");
-            let rests = decay.rest_time.is_finite();
-            if rests {
-                writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles)?;
-            } else {
-                writeln!(out, "The body creeps towards rest for ever.\n")?;
-            }
-            writeln!(out, "  first turning point      {}", length(decay.first_turn))?;
-            writeln!(out, "  rest position            {}", length(decay.rest_position))?;
-            if rests {
-                writeln!(out, "  time to rest             {}", time(decay.rest_time))?;
-            }
-            if let Some((mean, system)) =
-                scales.as_ref().and_then(|s| Some((s.mean_displacement?, &s.system)))
-            {
-                note::mean_displacement(mean, system, out)?;
-            }
-            turning_points(&decay, scales.as_ref(), out)
-        }
-        Format::Jsonl | Format::Csv => {
-            Err(Failure::Input("--format: the answer to decay is text or json".to_owned()))
-        }
+    if args.format.is_json("decay")? {
+        return output::json(&record, out);
     }
+    let name = given.system.length();
+    let length = |x| both(x, "B", scales.as_ref().map(|s| s.length), name);
+    let rests = decay.rest_time.is_finite();
+    if rests {
+        writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles)?;
+    } else {
+        writeln!(out, "The body creeps towards rest for ever.\n")?;
+    }
+    writeln!(out, "  first turning point      {}", length(decay.first_turn))?;
+    writeln!(out, "  rest position            {}", length(decay.rest_position))?;
+    if rests {
+        let time = both(decay.rest_time, "/ω_n", scales.as_ref().map(|s| s.time), "s");
+        writeln!(out, "  time to rest             {time}")?;
+    }
+    if let Some((mean, system)) = scales.as_ref().and_then(|s| Some((s.mean_displacement?, &s.system))) {
+        note::mean_displacement(mean, system, out)?;
+    }
+    turning_points(&decay, scales.as_ref(), out)
 }
 
 /// The turning points that the answer lists.
@@ -135,7 +123,7 @@ fn write_file<F: Value>(
     scales: Option<&DecayScales<F>>,
     file: &Path,
 ) -> Outcome {
-    let target = Target::new(Some(file), args.overwrite)?.sized(args.look.size()?);
+    let target = Target::new("--out", Some(file), args.overwrite, &args.look)?;
     let of = |scale: Option<F>| scale.map_or(1.0, F::to_f64);
     let (length, time) = (of(scales.map(|s| s.length)), of(scales.map(|s| s.time)));
     let units = scales.map_or(["1/ω_n", "B"], |s| ["s", s.system.length()]);
@@ -164,7 +152,7 @@ fn write_file<F: Value>(
             return Err(refused(MOST_DRAWN));
         }
         let machine = given::line(&args.machine, |_| true, &args.units.reader().system());
-        drawn(decay, machine, [time, length], units).map(|figure| args.look.titled(figure))
+        drawn(decay, machine, [time, length], units)
     })
 }
 
@@ -201,13 +189,8 @@ fn drawn<F: Value>(
         Series::new("displacement", Style::Line, 2, points),
         Series::new("turning points", Style::Marks, 1, turns),
     ];
-    let panel = Panel { title: machine, x, y, plane: None, series };
-    Ok(Figure {
-        name: "decay".to_owned(),
-        title: "Free vibration to rest".to_owned(),
-        caption: String::new(),
-        panels: vec![panel],
-    })
+    let panel = Panel::new(machine, x, y, series);
+    Ok(Figure::new("decay", "Free vibration to rest", "", vec![panel]))
 }
 
 stickslip::define! {

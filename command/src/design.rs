@@ -6,18 +6,20 @@ mod no_stop;
 mod over_band;
 mod static_friction;
 
-use crate::args::{Format, Question, QuestionArgs};
+use crate::args::{Question, QuestionArgs};
 use crate::bits::digits;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
+use crate::output;
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use static_friction::Divided;
 use std::io::Write;
-use stickslip::design::{self, Edge};
+use stickslip::design::{self, Band, Edge};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
-use stickslip::{Drive, Error, Excitation, NoStop, Oscillator};
+use stickslip::{Border, Drive, Error, Excitation, Oscillator};
 
 use asked::AskedDesign;
 
@@ -65,26 +67,25 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
             None => asked.max_friction(),
         },
         Question::Bands(_) => asked.bands(),
-        Question::Displacement(_) => asked.displacement(),
-        Question::Velocity(_) => asked.velocity(),
+        Question::Displacement(_) => asked.force_for(
+            Kind::Length,
+            design::force_for_displacement,
+            design::force_ratio_for_displacement,
+        ),
+        Question::Velocity(_) => {
+            asked.force_for(Kind::Velocity, design::force_for_velocity, design::force_ratio_for_velocity)
+        }
         Question::Dissipation(_) => asked.dissipation(),
         Question::Stiffness(_) => asked.stiffness(),
     }?;
     answer.rows.iter().flatten().try_for_each(|(name, _, cell)| cell.finite(name))?;
-    match args.format {
-        Format::Text => asked.text(&answer, out),
-        Format::Json => {
-            let records: Vec<_> = answer.rows.iter().map(|row| asked.named(row)).collect();
-            match (question, records.first()) {
-                (Question::Bands(_), _) => serde_json::to_writer_pretty(&mut *out, &records)?,
-                (_, Some(record)) => serde_json::to_writer_pretty(&mut *out, record)?,
-                (_, None) => {}
-            }
-            Ok(out.write_all(b"\n")?)
-        }
-        Format::Jsonl | Format::Csv => {
-            Err(Failure::Input("--format: the answer to design is text or json".to_owned()))
-        }
+    if !args.format.is_json("design")? {
+        return asked.text(&answer, out);
+    }
+    let records: Vec<_> = answer.rows.iter().map(|row| asked.named(row)).collect();
+    match (question, records.first()) {
+        (Question::Bands(_), _) | (_, None) => output::json(&records, out),
+        (_, Some(record)) => output::json(record, out),
     }
 }
 
@@ -126,20 +127,13 @@ impl<F: Value> AskedDesign<'_, F> {
     fn min_force(&self) -> Result<DesignAnswer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
-            let border = self.border(omega)?;
-            let least = border.min_force_ratio;
-            let mut fields =
-                vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(least))];
             let ratios = self.ratios(omega)?;
-            let sentence = if ratios.has_higher_static_friction() {
-                let found = NoStop::of(&ratios);
-                let names = ["release_force_ratio", "every_start_force_ratio"];
-                fields.extend(static_friction::fields(&ratios, &found, names, Kind::Ratio, |x| x));
-                static_friction::by_force(&ratios, &found, |x| format!("{} r_y", digits(x)))
-            } else {
-                format!("The body never sticks at a force of {} r_y or more.", digits(least))
-            };
-            return Ok(DesignAnswer::one(sentence, fields));
+            let least = Border::of(&ratios).min_force_ratio;
+            let fields = vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(least))];
+            let sentence = format!("The body never sticks at a force of {} r_y or more.", digits(least));
+            let names = ["release_force_ratio", "every_start_force_ratio"];
+            let force = Divided { is_force: true, names, kind: Kind::Ratio, scale: self.one, unit: "r_y" };
+            return Ok(DesignAnswer::one(sentence, fields).divided(&ratios, &force));
         }
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
         let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
@@ -149,7 +143,7 @@ impl<F: Value> AskedDesign<'_, F> {
         fields.extend(self.shift(&body)?);
         let of =
             |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
-        let mut sentence = format!(
+        let sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, a \
              motion of {} {length} of the spring's foot over a fixed surface, or of {} {length} of a base that \
              carries the surface.",
@@ -158,93 +152,67 @@ impl<F: Value> AskedDesign<'_, F> {
             of("foot_displacement"),
             of("base_displacement")
         );
-        if body.static_friction_ratio() > self.one {
-            let friction = body.friction_bound();
-            let ratios = Drive::force(friction, frequency).and_then(|drive| drive.ratios(&body));
-            let (ratios, unit) = (ratios.map_err(|e| self.fail(e))?, newton);
-            let found = NoStop::of(&ratios);
-            sentence =
-                static_friction::by_force(&ratios, &found, |x| format!("{} {unit}", digits(x * friction)));
-            let names = ["release_force", "every_start_force"];
-            fields.extend(static_friction::fields(&ratios, &found, names, Kind::Force, |x| x * friction));
+        let answer = DesignAnswer::one(sentence, fields);
+        if body.static_friction_ratio() <= self.one {
+            return Ok(answer);
         }
-        Ok(DesignAnswer::one(sentence, fields))
+        let scale = body.friction_bound();
+        let ratios = Drive::force(scale, frequency).and_then(|drive| drive.ratios(&body));
+        let names = ["release_force", "every_start_force"];
+        let force = Divided { is_force: true, names, kind: Kind::Force, scale, unit: newton };
+        Ok(answer.divided(&ratios.map_err(|e| self.fail(e))?, &force))
     }
 
     fn max_friction(&self) -> Result<DesignAnswer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
-            let border = self.border(omega)?;
-            let ratio = self.one / border.min_force_ratio;
-            let mut fields =
-                vec![("omega", Kind::Ratio, some(omega)), ("friction_to_force", Kind::Ratio, some(ratio))];
             let ratios = self.ratios(omega)?;
-            let sentence = if ratios.has_higher_static_friction() {
-                let found = NoStop::of(&ratios);
-                let names = ["release_friction_to_force", "every_start_friction_to_force"];
-                fields.extend(static_friction::fields(&ratios, &found, names, Kind::Ratio, |x| self.one / x));
-                static_friction::by_friction(&ratios, &found, |x| format!("{} p₀", digits(x)))
-            } else {
-                format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio))
-            };
-            return Ok(DesignAnswer::one(sentence, fields));
+            let ratio = self.one / Border::of(&ratios).min_force_ratio;
+            let fields =
+                vec![("omega", Kind::Ratio, some(omega)), ("friction_to_force", Kind::Ratio, some(ratio))];
+            let sentence =
+                format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio));
+            let names = ["release_friction_to_force", "every_start_friction_to_force"];
+            let friction =
+                Divided { is_force: false, names, kind: Kind::Ratio, scale: self.one, unit: "p₀" };
+            return Ok(DesignAnswer::one(sentence, fields).divided(&ratios, &friction));
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
         let friction = design::max_friction(&body, &drive).map_err(|e| self.fail(e))?;
-        let mut sentence = format!(
-            "The body never sticks with a friction bound of {} {} or less.",
-            digits(friction),
-            self.system().force()
-        );
+        let unit = self.system().force();
+        let sentence =
+            format!("The body never sticks with a friction bound of {} {unit} or less.", digits(friction));
         let coefficient = friction / (body.mass() * self.given.gravity()?);
-        let mut fields = vec![
+        let fields = vec![
             ("friction", Kind::Force, some(friction)),
             ("friction_coefficient", Kind::Ratio, some(coefficient)),
         ];
-        if body.static_friction_ratio() > self.one {
-            let ratios = drive.ratios(&body).map_err(|e| self.fail(e))?;
-            let (found, force) = (NoStop::of(&ratios), drive.force_amplitude(&body));
-            let unit = self.system().force();
-            sentence =
-                static_friction::by_friction(&ratios, &found, |x| format!("{} {unit}", digits(x * force)));
-            let names = ["release_friction", "every_start_friction"];
-            fields.extend(static_friction::fields(&ratios, &found, names, Kind::Force, |x| force / x));
-        }
-        Ok(DesignAnswer::one(sentence, fields))
+        let (names, scale) = (["release_friction", "every_start_friction"], drive.force_amplitude(&body));
+        let friction = Divided { is_force: false, names, kind: Kind::Force, scale, unit };
+        let ratios = drive.ratios(&body).map_err(|e| self.fail(e))?;
+        Ok(DesignAnswer::one(sentence, fields).divided(&ratios, &friction))
     }
 
     fn bands(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Frequency)?;
-        let (found, unit) = if self.physical {
+        let found = if self.physical {
             let body = self.body(true, true)?;
             // The frequency of the drive is unknown: only its amplitude counts.
             let drive = self.drive(&body, self.one)?;
-            (design::frequency_bands(&body, &drive, low, high), "frequency")
+            design::frequency_bands(&body, &drive, low, high)
         } else {
-            (design::bands(self.alpha()?, self.damping_ratio(), low, high), "omega")
+            design::bands(self.alpha()?, self.damping_ratio(), low, high)
         };
-        let kind = if self.physical { Kind::Frequency } else { Kind::Ratio };
-        let names =
-            if unit == "omega" { ["omega_from", "omega_to"] } else { ["frequency_from", "frequency_to"] };
-        let edge = |edge: Edge| if edge == Edge::Range { "end-of-range" } else { "border" };
         let found = found.map_err(|e| self.fail(e))?;
         let searched = found.is_searched();
-        let rows = found
-            .map(|band| {
-                band.map(|b| {
-                    let mut row = vec![
-                        (names[0], kind, some(b.low)),
-                        (names[1], kind, some(b.high)),
-                        ("low_edge", Kind::Ratio, Cell::Text(edge(b.low_edge))),
-                        ("high_edge", Kind::Ratio, Cell::Text(edge(b.high_edge))),
-                    ];
-                    row.extend(searched.then(searched_field));
-                    row
-                })
-            })
-            .collect::<Result<Vec<_>, Error>>()
-            .map_err(|e| self.fail(e))?;
+        let row = |band: Result<Band<F>, Error>| {
+            let band = band.map_err(|e| self.fail(e))?;
+            let mut row = self.band([band.low, band.high], [band.low_edge, band.high_edge]);
+            row.extend(searched.then(searched_field));
+            Ok(row)
+        };
+        let rows = found.map(row).collect::<Result<Vec<_>, Failure>>()?;
         let sentence = match rows.len() {
             0 if searched => {
                 "The body sticks or rests throughout that range, by a search that is not a proof.".to_owned()
@@ -260,32 +228,42 @@ impl<F: Value> AskedDesign<'_, F> {
         Ok(DesignAnswer { sentence, rows })
     }
 
-    fn displacement(&self) -> Result<DesignAnswer<F>, Failure> {
-        let target = self.target(Kind::Length)?;
-        if self.physical {
-            let (body, frequency) = (self.body(true, true)?, self.frequency()?);
-            return self.force_for(&body, design::force_for_displacement(&body, frequency, target));
-        }
-        let (omega, zeta) = (self.omega()?, self.damping_ratio());
-        self.ratio_for(design::force_ratio_for_displacement(omega, zeta, target))
+    /// A band of frequencies, or of Ω, and the kinds of its ends.
+    fn band(&self, [low, high]: [F; 2], edges: [Edge; 2]) -> AnswerRow<F> {
+        let ([from, to], kind) = if self.physical {
+            (["frequency_from", "frequency_to"], Kind::Frequency)
+        } else {
+            (["omega_from", "omega_to"], Kind::Ratio)
+        };
+        let [low_edge, high_edge] =
+            edges.map(|edge| Cell::Text(if edge == Edge::Range { "end-of-range" } else { "border" }));
+        vec![
+            (from, kind, some(low)),
+            (to, kind, some(high)),
+            ("low_edge", Kind::Ratio, low_edge),
+            ("high_edge", Kind::Ratio, high_edge),
+        ]
     }
 
-    fn velocity(&self) -> Result<DesignAnswer<F>, Failure> {
-        let target = self.target(Kind::Velocity)?;
-        if self.physical {
+    /// The force for a target, by the function of a body in units or that of ratios.
+    fn force_for(
+        &self,
+        target: Kind,
+        in_units: fn(&Oscillator<F>, F, F) -> Result<F, Error>,
+        in_ratios: fn(F, F, F) -> Result<F, Error>,
+    ) -> Result<DesignAnswer<F>, Failure> {
+        let target = self.target(target)?;
+        let (found, name, kind, unit, shift) = if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
-            return self.force_for(&body, design::force_for_velocity(&body, frequency, target));
-        }
-        let (omega, zeta) = (self.omega()?, self.damping_ratio());
-        self.ratio_for(design::force_ratio_for_velocity(omega, zeta, target))
-    }
-
-    fn force_for(&self, body: &Oscillator<F>, force: Result<F, Error>) -> Result<DesignAnswer<F>, Failure> {
-        let force = force.map_err(|e| self.fail(e))?;
-        let sentence = format!("The force needed is {} {}.", digits(force), self.system().force());
-        let mut fields = vec![("force", Kind::Force, some(force))];
-        fields.extend(self.shift(body)?);
-        Ok(DesignAnswer::one(sentence, fields))
+            let found = in_units(&body, frequency, target);
+            (found, "force", Kind::Force, self.system().force(), self.shift(&body)?)
+        } else {
+            let found = in_ratios(self.omega()?, self.damping_ratio(), target);
+            (found, "force_ratio", Kind::Ratio, "r_y", Vec::new())
+        };
+        let force = found.map_err(|e| self.fail(e))?;
+        let fields = [(name, kind, some(force))].into_iter().chain(shift).collect();
+        Ok(DesignAnswer::one(format!("The force needed is {} {unit}.", digits(force)), fields))
     }
 
     /// The shift of the motion by a constant force, which changes no amplitude.
@@ -294,12 +272,6 @@ impl<F: Value> AskedDesign<'_, F> {
             return Ok(Vec::new());
         }
         Ok(vec![("mean_displacement", Kind::Length, some(given::mean_displacement(&self.given, body)?))])
-    }
-
-    fn ratio_for(&self, ratio: Result<F, Error>) -> Result<DesignAnswer<F>, Failure> {
-        let ratio = ratio.map_err(|e| self.fail(e))?;
-        let sentence = format!("The force needed is {} r_y.", digits(ratio));
-        Ok(DesignAnswer::one(sentence, vec![("force_ratio", Kind::Ratio, some(ratio))]))
     }
 }
 

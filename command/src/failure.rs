@@ -40,13 +40,6 @@ impl Failure {
         if let Self::Input(text) = self { Self::Input(format!("{what}: {text}")) } else { self }
     }
 
-    /// The failure for `jsonl` and `csv`, which are for streams.
-    pub(crate) fn single_format() -> Self {
-        Self::Input(
-            "--format: must be text or json for a single answer, jsonl or csv with --points".to_owned(),
-        )
-    }
-
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),
@@ -67,6 +60,19 @@ impl From<stickslip::Error> for Failure {
         } else {
             Self::Input(error.to_string())
         }
+    }
+}
+
+/// A text alone is what is wrong with the input.
+impl From<String> for Failure {
+    fn from(text: String) -> Self {
+        Self::Input(text)
+    }
+}
+
+impl From<&str> for Failure {
+    fn from(text: &str) -> Self {
+        Self::Input(text.to_owned())
     }
 }
 

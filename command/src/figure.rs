@@ -14,16 +14,17 @@ use stickslip_figures::{self as figures, Figure};
 #[cfg(feature = "png")]
 const WIDTH: u32 = 1600;
 
+/// The look of a picture that has no options for it.
+pub(crate) static PLAIN: LookArgs = LookArgs { title: None, size: None };
+
 pub(crate) fn run(args: &FigureArgs, out: &mut impl Write) -> Outcome {
-    let picture = args.out.as_deref().map_or(Ok(Picture::Svg), picture_of)?;
-    let figure = figures::figure(&args.name).ok_or_else(|| {
-        let names = figures::NAMES.join(", ");
-        Failure::Input(format!("figure {}: must be one of {names}", args.name))
-    })?;
-    match &args.out {
-        Some(file) => beside(file, args.overwrite)?.fill(|out| write(&figure, picture, out)),
-        None => write(&figure, picture, out),
-    }
+    let target = Target::new("--out", args.out.as_deref(), args.overwrite, &PLAIN)?;
+    target.draw(out, || {
+        figures::figure(&args.name).ok_or_else(|| {
+            let names = figures::NAMES.join(", ");
+            Failure::Input(format!("figure {}: must be one of {names}", args.name))
+        })
+    })
 }
 
 pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
@@ -35,7 +36,7 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
     }
     let folder = &args.dir;
     check(args.format, "--format png")?;
-    fs::create_dir_all(folder).map_err(|e| Failure::Input(format!("--dir {}: {e}", folder.display())))?;
+    fs::create_dir_all(folder).map_err(|e| format!("--dir {}: {e}", folder.display()))?;
     let extension = args.format.extension();
     let place = |name: &str| folder.join(format!("{name}.{extension}"));
     // Either all files are written or none.
@@ -44,7 +45,11 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
         output::refuse_existing(&place, &place.display().to_string(), args.overwrite)
     })?;
     figures::NAMES.into_par_iter().try_for_each(|name| match figures::figure(name) {
-        Some(figure) => beside(&place(name), args.overwrite)?.fill(|out| write(&figure, args.format, out)),
+        Some(figure) => {
+            let place = place(name);
+            let pending = PendingFile::create(&place, &format!("--out {}", place.display()), args.overwrite)?;
+            pending.fill(|out| write(&figure, args.format, None, out))
+        }
         None => Ok(()),
     })?;
     Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), folder.display())?)
@@ -53,7 +58,7 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
 impl LookArgs {
     /// Fails where a look was asked for without the option of a picture.
     pub(crate) fn needs(&self, option: &str, picture: Option<&Path>) -> Outcome {
-        let refused = |look: &str| Err(Failure::Input(format!("{look}: needs a picture, {option} FILE.svg")));
+        let refused = |look: &str| Err(format!("{look}: needs a picture, {option} FILE.svg").into());
         match (picture, &self.title, &self.size) {
             (None, Some(_), _) => refused("--title"),
             (None, None, Some(_)) => refused("--size"),
@@ -61,18 +66,8 @@ impl LookArgs {
         }
     }
 
-    /// The figure with the title of this look.
-    pub(crate) fn titled(&self, figure: Figure) -> Figure {
-        Figure { title: self.title.clone().unwrap_or(figure.title), ..figure }
-    }
-
-    /// Writes a figure with this look.
-    pub(crate) fn write(&self, figure: Figure, picture: Picture, out: &mut impl Write) -> Outcome {
-        write_sized(&self.titled(figure), picture, self.size()?, out)
-    }
-
     /// The width and the height in pixels.
-    pub(crate) fn size(&self) -> Result<Option<(u32, u32)>, Failure> {
+    fn size(&self) -> Result<Option<(u32, u32)>, Failure> {
         let read = |text: &String| {
             // The conversion saturates, and a size beyond all use is refused.
             let pixels = |part: &str| part.trim().parse::<f64>().ok().map(|pixels| pixels as u32);
@@ -98,25 +93,15 @@ pub(crate) fn range(option: &str, text: &str, is_linear: bool) -> Result<(f64, f
     }
 }
 
-/// The content of `--out FILE`, by the extension of its name.
-pub(crate) fn picture_of(file: &Path) -> Result<Picture, Failure> {
-    let name = file.display();
-    let known = Picture::value_variants().iter().copied();
+/// The content of a file, by the extension of its name. Only `--out` has data, too.
+fn picture_of(option: &str, file: &Path) -> Result<Picture, Failure> {
+    let (name, has_data) = (file.display(), option == "--out");
     let end = file.extension().and_then(|e| e.to_str());
-    let picture = known.into_iter().find(|picture| end == Some(picture.extension())).ok_or_else(|| {
-        Failure::Input(format!("--out {name}: the name must end in .svg or .png (drawing) or .csv (data)"))
+    let known = Picture::value_variants().iter().filter(|picture| has_data || **picture != Picture::Csv);
+    let picture = known.copied().find(|picture| end == Some(picture.extension())).ok_or_else(|| {
+        let data = if has_data { " (drawing) or .csv (data)" } else { "" };
+        Failure::Input(format!("{option} {name}: the name must end in .svg or .png{data}"))
     })?;
-    check(picture, &format!("--out {name}"))?;
-    Ok(picture)
-}
-
-/// A drawing, by the extension of the file's name.
-pub(crate) fn drawing(file: &Path, option: &str) -> Result<Picture, Failure> {
-    let name = file.display();
-    let end = file.extension().and_then(|e| e.to_str());
-    let picture = [Picture::Svg, Picture::Png].into_iter().find(|picture| end == Some(picture.extension()));
-    let picture = picture
-        .ok_or_else(|| Failure::Input(format!("{option} {name}: the name must end in .svg or .png")))?;
     check(picture, &format!("{option} {name}"))?;
     Ok(picture)
 }
@@ -126,71 +111,86 @@ fn check(picture: Picture, argument: &str) -> Outcome {
     if picture != Picture::Png || cfg!(feature = "png") {
         return Ok(());
     }
-    Err(Failure::Input(format!(
+    Err(format!(
         "{argument}: needs a build with the feature png, or a converter of .svg such as rsvg-convert"
-    )))
+    )
+    .into())
 }
 
 /// The destination of rows or of a picture, which is known before the work begins.
 pub(crate) struct Target<'a> {
-    file: Option<&'a Path>,
-    picture: Picture,
+    option: &'static str,
+    /// The file, and its content by the extension of its name.
+    file: Option<(&'a Path, Picture)>,
     overwrite: bool,
+    title: Option<&'a str>,
     /// The width and the height of a picture in pixels.
     size: Option<(u32, u32)>,
 }
 
 impl<'a> Target<'a> {
-    /// Rows on standard output without a file; otherwise the extension of its name decides.
-    pub(crate) fn new(file: Option<&'a Path>, overwrite: bool) -> Result<Self, Failure> {
-        let picture = file.map_or(Ok(Picture::Csv), picture_of)?;
-        if let Some(file) = file {
-            output::refuse_existing(file, &format!("--out {}", file.display()), overwrite)?;
+    /// The file of an option, or standard output without one.
+    pub(crate) fn new(
+        option: &'static str,
+        file: Option<&'a Path>,
+        overwrite: bool,
+        look: &'a LookArgs,
+    ) -> Result<Self, Failure> {
+        let file = file.map(|file| Ok::<_, Failure>((file, picture_of(option, file)?))).transpose()?;
+        if let Some((file, _)) = file {
+            output::refuse_existing(file, &format!("{option} {}", file.display()), overwrite)?;
         }
-        Ok(Self { file, picture, overwrite, size: None })
+        Ok(Self { option, file, overwrite, title: look.title.as_deref(), size: look.size()? })
     }
 
-    /// The same with a picture of a given size.
-    pub(crate) fn sized(self, size: Option<(u32, u32)>) -> Self {
-        Self { size, ..self }
-    }
-
-    /// Writes the rows, or draws the picture.
+    /// Writes the rows, without a file to standard output, or draws the picture.
     pub(crate) fn fill(
         &self,
         out: &mut impl Write,
         rows: impl FnOnce(&mut dyn Write) -> Outcome,
         drawn: impl FnOnce() -> Result<Figure, Failure>,
     ) -> Outcome {
-        let Some(file) = self.file else { return rows(out) };
-        beside(file, self.overwrite)?.fill(|out| match self.picture {
-            Picture::Csv => rows(out),
-            Picture::Svg | Picture::Png => write_sized(&drawn()?, self.picture, self.size, out),
-        })
+        match self.file {
+            None => rows(out),
+            Some((file, Picture::Csv)) => self.pending(file)?.fill(|out| rows(out)),
+            Some(_) => self.draw(out, drawn),
+        }
+    }
+
+    /// Draws the picture, without a file as SVG to standard output.
+    pub(crate) fn draw(
+        &self,
+        out: &mut impl Write,
+        drawn: impl FnOnce() -> Result<Figure, Failure>,
+    ) -> Outcome {
+        let titled =
+            |figure: Figure| Figure { title: self.title.map_or(figure.title, str::to_owned), ..figure };
+        match self.file {
+            Some((file, picture)) => {
+                self.pending(file)?.fill(|out| write(&titled(drawn()?), picture, self.size, out))
+            }
+            None => write(&titled(drawn()?), Picture::Svg, self.size, out),
+        }
+    }
+
+    /// The temporary file, opened before drawing.
+    fn pending(&self, file: &Path) -> Result<PendingFile, Failure> {
+        PendingFile::create(file, &format!("{} {}", self.option, file.display()), self.overwrite)
     }
 }
 
-/// The temporary file for `--out FILE`, opened before drawing.
-pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<PendingFile, Failure> {
-    PendingFile::create(file, &format!("--out {}", file.display()), overwrite)
-}
-
-pub(crate) fn write(figure: &Figure, picture: Picture, out: &mut impl Write) -> Outcome {
-    write_sized(figure, picture, None, out)
-}
-
-/// The same with a width and a height in pixels.
-fn write_sized(figure: &Figure, picture: Picture, size: Option<(u32, u32)>, out: &mut impl Write) -> Outcome {
+/// Writes a figure, with a width and a height in pixels if they are given.
+fn write(figure: &Figure, picture: Picture, size: Option<(u32, u32)>, out: &mut impl Write) -> Outcome {
     let svg = || size.map_or_else(|| figure.svg(), |size| figure.svg_of_size(size));
     match picture {
         Picture::Svg => {
-            let text = svg().map_err(|e| Failure::Input(format!("--size: {e}")))?;
+            let text = svg().map_err(|e| format!("--size: {e}"))?;
             out.write_all(text.as_bytes())?;
         }
         #[cfg(feature = "png")]
         Picture::Png => {
             let image = size.map_or_else(|| figure.png(WIDTH), |size| figure.png_of_size(size));
-            out.write_all(&image.map_err(|e| Failure::Input(format!("--size: {e}")))?)?;
+            out.write_all(&image.map_err(|e| format!("--size: {e}"))?)?;
         }
         #[cfg(not(feature = "png"))]
         Picture::Png => check(picture, "png")?,

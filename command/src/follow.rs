@@ -1,10 +1,10 @@
 //! `stickslip record`: the motion of a body under a record.
 
-use crate::args::{Format, RecordArgs, SurfaceArgs};
+use crate::args::{RecordArgs, SurfaceArgs};
 use crate::bits::{Value, at_bits, digits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
-use crate::figure;
+use crate::figure::Target;
 use crate::given;
 use crate::measured;
 use crate::output::{self, PendingFile};
@@ -26,16 +26,15 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
 
 fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     args.look.needs("--picture", args.picture.as_deref())?;
-    for (option, file) in [("--out", &args.out), ("--picture", &args.picture)] {
-        if let Some(file) = file {
-            output::refuse_existing(file, &format!("{option} {}", file.display()), args.overwrite)?;
-        }
+    if let Some(file) = &args.out {
+        output::refuse_existing(file, &format!("--out {}", file.display()), args.overwrite)?;
     }
+    let target = Target::new("--picture", args.picture.as_deref(), args.overwrite, &args.look)?;
     let interval = args.interval.as_ref();
     let interval = interval.map(|text| args.units.reader().value::<F>("--interval", text, Kind::Time));
     let interval = interval.transpose()?;
     if args.interval.is_some() && args.out.is_none() {
-        return Err(Failure::Input("--interval: needs a file for the motion, --out FILE.csv".to_owned()));
+        return Err("--interval: needs a file for the motion, --out FILE.csv".into());
     }
     let Shaken { given, body, record, start: [x0, v0] } = Shaken::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
@@ -47,22 +46,17 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         PendingFile::create(file, &argument, args.overwrite)?
             .fill(|out| states(&motion, &given.system, out))?;
     }
-    if let Some(file) = &args.picture {
-        let picture = figure::drawing(file, "--picture")?;
+    if args.picture.is_some() {
         let motion = motion((record.end() - record.time(0)) / F::int(4000))?;
         let machine = given::line(&args.machine, |_| true, &given.system);
-        let drawn = drawing(&record, &motion, &given.system, &args.file, &machine);
-        let argument = format!("--picture {}", file.display());
-        PendingFile::create(file, &argument, args.overwrite)?
-            .fill(|out| args.look.write(drawn, picture, out))?;
+        target.draw(out, || Ok(drawing(&record, &motion, &given.system, &args.file, &machine)))?;
     }
     let physical = physical(&answer, given.system);
     for (name, _, cell) in &physical.values {
         cell.finite(name)?;
     }
-    if let Format::Json = args.format {
-        serde_json::to_writer_pretty(&mut *out, &physical)?;
-        return Ok(out.write_all(b"\n")?);
+    if args.format.is_json("record")? {
+        return output::json(&physical, out);
     }
     text(&answer, &physical, &given.system, out)
 }
@@ -77,9 +71,7 @@ pub(crate) struct Shaken<F> {
 
 impl<F: Value> Shaken<F> {
     pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
-        if !matches!(args.format, Format::Text | Format::Json) {
-            return Err(Failure::Input("--format: the answer to record is text or json".to_owned()));
-        }
+        args.format.is_json("record")?;
         let reader = args.units.reader();
         let given = given::read::<F>(&args.machine, &reader)?;
         let body = Surface::read(&args.surface, &reader)?.body(&given)?;
@@ -111,11 +103,11 @@ impl<F: Value> Surface<F> {
         match (given.one_of(Role::Spring)?, self.has_spring) {
             (None, true) => {
                 let missing = given.missing(&Input::of_role(Role::Spring));
-                return Err(Failure::Input(format!("{missing}. A body without a spring has --no-spring")));
+                return Err(format!("{missing}. A body without a spring has --no-spring").into());
             }
             (Some((spring, _)), false) => {
                 let spring = given.label(spring);
-                return Err(Failure::Input(format!("{spring}: must be left out with --no-spring")));
+                return Err(format!("{spring}: must be left out with --no-spring").into());
             }
             _ => {}
         }
@@ -242,12 +234,13 @@ fn drawing<F: Value>(
     let (first, last) = ends(&displacement);
     let (_, end) = ends(&load);
     let last = last.max(end);
-    let panel = |title: &str, y: String, series: Vec<Series>, values: &[(f64, f64)]| Panel {
-        title: title.to_owned(),
-        x: Axis::linear("time (s)", first, last),
-        y: crate::motion_plot::axis(&y, values.iter().map(|(_, value)| *value), 0.08),
-        plane: None,
-        series,
+    let panel = |title: &str, y: String, series: Vec<Series>, values: &[(f64, f64)]| {
+        Panel::new(
+            title,
+            Axis::linear("time (s)", first, last),
+            crate::motion_plot::axis(&y, values.iter().map(|(_, value)| *value), 0.08),
+            series,
+        )
     };
     let moving = |value: fn(&stickslip::motion::record::RecordState<F>) -> F| {
         let points = of(value, false);
@@ -259,11 +252,11 @@ fn drawing<F: Value>(
         series
     };
     let velocity = of(|state| state.velocity, false);
-    Figure {
-        name: "record".to_owned(),
-        title: format!("Motion under {}: {machine}", file.file_name().unwrap_or_default().to_string_lossy()),
-        caption: String::new(),
-        panels: vec![
+    Figure::new(
+        "record",
+        format!("Motion under {}: {machine}", file.file_name().unwrap_or_default().to_string_lossy()),
+        "",
+        vec![
             panel(name, label(name, kind), vec![Series::new("", Style::Line, 1, load.clone())], &load),
             panel(
                 "displacement",
@@ -273,5 +266,5 @@ fn drawing<F: Value>(
             ),
             panel("velocity", label("velocity", Kind::Velocity), moving(|state| state.velocity), &velocity),
         ],
-    }
+    )
 }

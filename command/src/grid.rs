@@ -4,6 +4,7 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::input;
 use stickslip::inputs::units::{Kind, Reader};
+use stickslip_figures::Axis;
 
 /// The values of one argument.
 #[derive(Debug, Clone)]
@@ -33,7 +34,7 @@ impl<F: Value> Grid<F> {
         };
         let with_unit = ends.iter().filter(|part| Reader::has_unit(part)).count();
         if with_unit != 0 && with_unit != ends.len() {
-            return Err(Failure::Input(format!("{name} {text}: give each value a unit, or none")));
+            return Err(format!("{name} {text}: give each value a unit, or none").into());
         }
         let about =
             |e: Failure, part: &str| if part == text { e } else { e.about(&format!("{name} {text}")) };
@@ -108,9 +109,27 @@ impl<F: Value> Grid<F> {
         matches!(self, Self::Even { logarithmic: true, .. })
     }
 
+    /// An axis over the values.
+    pub(crate) fn axis(&self, label: &str, ends: (f64, f64)) -> Axis {
+        Axis::new(label, ends, self.is_logarithmic())
+    }
+
     /// All values.
     pub(crate) fn values(&self) -> impl Iterator<Item = F> + '_ {
         (0..self.len()).map(|place| self.value(place))
+    }
+}
+
+impl Grid<f64> {
+    /// The place at a part of the way from the least value to the greatest.
+    pub(crate) fn at(&self, share: f64) -> f64 {
+        self.moved(self.ends().0, share)
+    }
+
+    /// A place moved by a part of that way.
+    pub(crate) fn moved(&self, from: f64, share: f64) -> f64 {
+        let (low, high) = self.ends();
+        if self.is_logarithmic() { from * (high / low).powf(share) } else { from + (high - low) * share }
     }
 }
 

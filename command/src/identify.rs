@@ -2,11 +2,12 @@
 
 mod decay;
 
-use crate::args::{Format, IdentifyArgs};
+use crate::args::IdentifyArgs;
 use crate::bits::digits;
 use crate::columns::{is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
 use crate::given;
+use crate::output;
 use crate::rows::{self, Ahead, Bounded, unreadable};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::Serialize;
@@ -26,19 +27,17 @@ const MOST_ROWS: usize = 10_000;
 const MUCH_NOISE: f64 = 0.1;
 
 pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
-    if matches!(args.format, Format::Jsonl | Format::Csv) {
-        return Err(Failure::Input("--format: the answer to identify is text or json".to_owned()));
-    }
+    let is_json = args.format.is_json("identify")?;
     let reader = args.units.reader();
     let given = given::read::<f64>(&args.machine, &reader)?;
     if args.decay {
-        return decay::run(args, &given, &reader, out);
+        return decay::run(args, &given, &reader, is_json, out);
     }
     let body = body(&given)?;
     let force = force(&given, &body)?;
     let name = args.file.display().to_string();
     let file = Measured::read(&args.file, &name, &reader)?;
-    let reading = Reading { amplitude: args.amplitude.into(), phase: args.phase.map(Into::into) };
+    let reading = Reading { amplitude: args.amplitude, phase: args.phase };
     let found = design::identify_as(&body, force, &file.curve, reading).map_err(|e| {
         if let Error::InMeasurement { index, error } = e {
             let line = file.lines.get(index).copied().unwrap_or_default();
@@ -51,9 +50,8 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
         }
     })?;
     let answer = IdentifyAnswer::new(&given, &body, &found, &file, reading.amplitude)?;
-    if let Format::Json = args.format {
-        serde_json::to_writer_pretty(&mut *out, &answer)?;
-        return Ok(out.write_all(b"\n")?);
+    if is_json {
+        return output::json(&answer, out);
     }
     text(&given, &answer, &found, &file, out)
 }
@@ -70,10 +68,11 @@ fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
         Some((
             input @ (Input::BaseVelocity | Input::BaseDisplacement | Input::Unbalance | Input::Eccentricity),
             _,
-        )) => Err(Failure::Input(format!(
+        )) => Err(format!(
             "{}: its force changes with the frequency. Measure at one --force or --base-acceleration",
             input.option()
-        ))),
+        )
+        .into()),
         // For the other excitations, the force does not depend on the frequency.
         _ => Ok(given.drive(body, 1.0)?.force_amplitude(body)),
     }
@@ -98,7 +97,7 @@ impl MeasuredColumn {
         let (mut found, mut others) = ([None, None, None], Vec::new());
         for (place, text) in header.iter().enumerate() {
             let (own, unit) = name_and_unit(text);
-            let refused = |what: &str| Err(Failure::Input(format!("{file}: column {own} {what}")));
+            let refused = |what: &str| Err(format!("{file}: column {own} {what}").into());
             let named = zip(&mut found, known).find(|(_, (name, _))| own.eq_ignore_ascii_case(name));
             let Some((column, (name, kind))) = named else {
                 // A misspelt column must not be ignored silently.
@@ -133,10 +132,11 @@ impl MeasuredColumn {
         }
         // 2π with three decimals.
         if phase.abs() > 6.284 {
-            return Err(Failure::Input(format!(
+            return Err(format!(
                 "{at}: phase {text}: must be ≥ -2π and ≤ 2π because it has no unit and is in radians. For \
                  degrees the column is phase[deg]"
-            )));
+            )
+            .into());
         }
         Ok(phase.clamp(-TAU, TAU))
     }
@@ -207,7 +207,7 @@ fn each_row(
         let line = row.position().map_or(0, csv::Position::line);
         let at = format!("{name} line {line}");
         if lines.len() == most {
-            return Err(Failure::Input(format!("{at}: the number of {things} must be ≤ {most}")));
+            return Err(format!("{at}: the number of {things} must be ≤ {most}").into());
         }
         take(&row, &at)?;
         lines.push(line);

@@ -4,7 +4,7 @@ use crate::args::StartArgs;
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::machine::Machine;
-use stickslip::inputs::units::{self, Kind, Reader, System};
+use stickslip::inputs::units::{self, Kind, Reader};
 use stickslip::inputs::{Driven, Given, Input, Role};
 use stickslip::motion::State;
 use stickslip::{Error, Quantity, Ratios};
@@ -15,20 +15,10 @@ pub(crate) struct Point<F> {
     pub(crate) machine: Option<Machine<F>>,
 }
 
-/// The input of `border`: Ω and ζ, at α = 1, and, in physical units, r_y and ω_d.
+/// The input of `border`: Ω and ζ, at α = 1, and, in physical units, the machine under a force of r_y.
 pub(crate) struct BorderPoint<F> {
     pub(crate) ratios: Ratios<F>,
-    pub(crate) physical: Option<BorderScales<F>>,
-}
-
-/// The scales of a border: force r_y, length B, time 1/ω_d, and ω_d itself.
-#[derive(Clone, Copy)]
-pub(crate) struct BorderScales<F> {
-    pub(crate) length: F,
-    pub(crate) force: F,
-    pub(crate) time: F,
-    pub(crate) frequency: F,
-    pub(crate) system: System,
+    pub(crate) machine: Option<Driven<F>>,
 }
 
 /// The ratios of `--omega` and `--alpha`, or the machine of the physical arguments.
@@ -37,7 +27,7 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     if given.is_empty() {
         let text = "--omega and --alpha are missing. Give both, or a machine: --mass, --stiffness (or --period), \
                     --friction (or --friction-coefficient), --frequency and --force";
-        return Err(Failure::Input(text.to_owned()));
+        return Err(text.into());
     }
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(Input::Omega)?, given.required(Input::Alpha)?);
@@ -91,14 +81,14 @@ pub(crate) fn start<F: Value>(
 
 /// The greatest number of periods of a motion.
 pub(crate) fn periods(most: u32) -> Result<u32, Failure> {
-    if most >= 1 { Ok(most) } else { Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned())) }
+    if most >= 1 { Ok(most) } else { Err("--max-periods 0: must be ≥ 1".into()) }
 }
 
 /// An integer of at least 1.
 pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failure> {
     match text.trim().parse() {
         Ok(n) if (1..=greatest).contains(&n) => Ok(n),
-        _ => Err(Failure::Input(format!("{name} {text}: must be a whole number ≥ 1 and ≤ {greatest}"))),
+        _ => Err(format!("{name} {text}: must be a whole number ≥ 1 and ≤ {greatest}").into()),
     }
 }
 
@@ -108,21 +98,14 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
     if given.is_empty() {
         let text = "--omega is missing. Give it, or a machine: --mass, --stiffness (or --period), --friction (or \
                     --friction-coefficient) and --frequency";
-        return Err(Failure::Input(text.to_owned()));
+        return Err(text.into());
     }
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(Input::Omega)?, F::int(1)).map_err(named)?;
-        return Ok(BorderPoint { ratios: given.completed(ratios)?, physical: None });
+        return Ok(BorderPoint { ratios: given.completed(ratios)?, machine: None });
     }
-    let Driven { drive, scales, ratios, .. } = given.on_border()?;
-    let physical = BorderScales {
-        length: scales.length,
-        force: scales.force,
-        time: scales.time,
-        frequency: drive.angular_frequency(),
-        system: given.system,
-    };
-    Ok(BorderPoint { ratios, physical: Some(physical) })
+    let machine = given.on_border()?;
+    Ok(BorderPoint { ratios: machine.ratios, machine: Some(machine) })
 }
 
 /// A typed number.

@@ -116,7 +116,6 @@ struct Map<'a> {
     across: (Input, Grid<f64>),
     up: (Input, Grid<f64>),
     system: System,
-    title: Option<&'a str>,
     /// The inputs that all points share.
     machine: String,
     /// The values of the first and the last shade, where they were chosen.
@@ -127,9 +126,8 @@ struct Map<'a> {
 const DEFAULT: [(Input, &str); 2] = [(Input::Omega, "0.0525:1.9975:390"), (Input::Alpha, "0.025:7.975:160")];
 
 pub(crate) fn run(args: &MapArgs, out: &mut impl Write) -> Outcome {
-    let target = Target::new(args.out.as_deref(), args.overwrite)?;
+    let target = Target::new("--out", args.out.as_deref(), args.overwrite, &args.look)?;
     let map = Map::new(args)?;
-    let target = target.sized(args.look.size()?);
     target.fill(out, |mut out| map.table(&args.quantity, &mut out), || map.picture())
 }
 
@@ -150,11 +148,12 @@ impl<'a> Map<'a> {
             [a, b] if is_across(b.0) && !is_across(a.0) => (b.clone(), a.clone()),
             [a, b] => (a.clone(), b.clone()),
             grids => {
-                return Err(Failure::Input(format!(
+                return Err(format!(
                     "map: {} {}, must be two, such as --frequency 0.3Hz:5Hz:200 --force 1kN:20kN:100",
                     grids.len(),
                     if grids.len() == 1 { "grid" } else { "grids" }
-                )));
+                )
+                .into());
             }
         };
         // Points are computed row by row: the horizontal grid varies fastest.
@@ -162,14 +161,13 @@ impl<'a> Map<'a> {
         rows::check(quantity.question(), &axes)?;
         let Some((kind, _)) = quantity.value_at(&axes.given_at(0))? else {
             let known = "regime, margin, stops, an output of response, or steady: and an output of steady";
-            return Err(Failure::Input(format!("map {}: must be one of {known}", args.quantity)));
+            return Err(format!("map {}: must be one of {known}", args.quantity).into());
         };
         let range = args.range.as_ref().map(|text| figure::range("--range", text, true)).transpose()?;
-        let title = args.look.title.as_deref();
         let system = reader.system();
         let is_fixed = |input| input != across.0 && input != up.0;
         let machine = given::line(&args.machine, is_fixed, &system);
-        Ok(Self { quantity, kind, axes, across, up, system, title, machine, range })
+        Ok(Self { quantity, kind, axes, across, up, system, machine, range })
     }
 
     /// Computes the points in order, row by row.

@@ -19,23 +19,19 @@ const LONGEST: u64 = 1 << 32;
 pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> Result<Record<F>, Failure> {
     let name = file.display().to_string();
     let mut text = String::new();
-    rows::open(file, &name)?
-        .take(LONGEST)
-        .read_to_string(&mut text)
-        .map_err(|e| Failure::Input(format!("{name}: {e}")))?;
+    rows::open(file, &name)?.take(LONGEST).read_to_string(&mut text).map_err(|e| format!("{name}: {e}"))?;
     let time = |option: &str, text: &Option<String>| {
         text.as_ref().map(|text| reader.value::<F>(option, text, Kind::Time)).transpose()
     };
     let step = args.time_step.as_ref().map(|text| format!("--time-step {text}"));
     let step = time("--time-step", &args.time_step)?.zip(step.as_deref());
-    let (mut record, unused) =
-        text::read(&text, &name, reader, step, "by --time-step").map_err(Failure::Input)?;
+    let (mut record, unused) = text::read(&text, &name, reader, step, "by --time-step")?;
     if !unused.is_empty() {
         progress::note(&format!("{name}: columns not used: {}", unused.join(", ")));
     }
     if let Some(text) = &args.scale {
         let factor = crate::input::number::<F>("--scale", text)?;
-        record = record.scaled(factor).map_err(|e| Failure::Input(format!("--scale {text}: {e}")))?;
+        record = record.scaled(factor).map_err(|e| format!("--scale {text}: {e}"))?;
     }
     let (from, to) = (time("--from", &args.from)?, time("--to", &args.to)?);
     if from.is_some() || to.is_some() {
@@ -46,7 +42,7 @@ pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> R
             .collect();
         record = record
             .between(from.unwrap_or(first), to.unwrap_or(last))
-            .map_err(|e| Failure::Input(format!("{}: {e}", typed.join(" "))))?;
+            .map_err(|e| format!("{}: {e}", typed.join(" ")))?;
     }
     Ok(record)
 }

@@ -1,8 +1,8 @@
 //! `stickslip motion-plot`: a steady motion over time, and its loops.
 
-use crate::args::{MotionPlotArgs, Picture};
-use crate::failure::{Failure, Outcome};
-use crate::figure;
+use crate::args::MotionPlotArgs;
+use crate::failure::Outcome;
+use crate::figure::Target;
 use crate::given;
 use crate::input;
 use crate::machine::Machine;
@@ -18,7 +18,7 @@ const PER_CYCLE: u32 = 600;
 const CYCLES: u32 = 2;
 
 pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
-    let picture = args.out.as_deref().map_or(Ok(Picture::Svg), figure::picture_of)?;
+    let target = Target::new("--out", args.out.as_deref(), args.overwrite, &args.look)?;
     let reader = args.units.reader();
     let given = given::read::<f64>(&args.machine, &reader)?;
     let point = input::point(&given)?;
@@ -26,10 +26,9 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let named = |e: stickslip::Error| of_motion(&given, e);
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
     let Some(steady) = limit.steady_state() else {
-        return Err(Failure::Input(
-            "motion-plot: there is no periodic motion to draw. See stickslip steady for the reason"
-                .to_owned(),
-        ));
+        return Err(
+            "motion-plot: there is no periodic motion to draw. See stickslip steady for the reason".into()
+        );
     };
     let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)
         .and_then(|motion| motion.samples(PER_CYCLE))
@@ -76,23 +75,22 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         if at_rest.iter().any(|(x, _)| x.is_finite()) {
             series.push(Series::new("at rest", Style::Thick, 3, at_rest));
         }
-        Panel {
-            title: title.to_owned(),
-            x: axis(x, points.iter().map(|(x, _)| *x), 0.0),
-            y: axis(&y, points.iter().map(|(_, y)| *y), 0.08),
-            plane: None,
+        Panel::new(
+            title,
+            axis(x, points.iter().map(|(x, _)| *x), 0.0),
+            axis(&y, points.iter().map(|(_, y)| *y), 0.08),
             series,
-        }
+        )
     };
     let (x, r) = (label(displacement, "x/B", Kind::Length), label("friction force", "r/r_y", Kind::Force));
     let loop_points: Vec<(f64, f64)> = samples.iter().map(|s| (s.state.x * length, friction(s))).collect();
     let mut friction_loop = panel("friction loop", &x, r.clone(), loop_points);
     friction_loop.x = axis(&x, samples.iter().map(|s| s.state.x * length), 0.08);
-    let figure = Figure {
-        name: "motion".to_owned(),
-        title: format!("Steady motion: {}", given::line(&args.machine, |_| true, &given.system)),
-        caption: String::new(),
-        panels: vec![
+    let figure = Figure::new(
+        "motion",
+        format!("Steady motion: {}", given::line(&args.machine, |_| true, &given.system)),
+        "",
+        vec![
             panel("displacement", when, x.clone(), over_time(&|s| s.state.x * length)),
             panel(
                 "velocity",
@@ -103,11 +101,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
             panel("friction force", when, r, over_time(&friction)),
             friction_loop,
         ],
-    };
-    match &args.out {
-        Some(file) => figure::beside(file, args.overwrite)?.fill(|out| args.look.write(figure, picture, out)),
-        None => args.look.write(figure, picture, out),
-    }
+    );
+    target.draw(out, || Ok(figure))
 }
 
 /// An axis that contains all values, with a margin.

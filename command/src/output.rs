@@ -4,6 +4,7 @@
 use crate::failure::{Failure, Outcome};
 use crate::interrupt::{self, Temporary};
 use crate::progress;
+use serde::Serialize;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -61,6 +62,12 @@ impl<W: Write> Write for Lines<W> {
 /// The error with the name of the file or stream.
 pub(crate) fn named(name: &str, error: io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{name}: {error}"))
+}
+
+/// Writes an answer as JSON, indented.
+pub(crate) fn json(answer: &impl Serialize, out: &mut impl Write) -> Outcome {
+    serde_json::to_writer_pretty(&mut *out, answer)?;
+    Ok(out.write_all(b"\n")?)
 }
 
 /// A file that is written under a temporary name in the same directory, and renamed when complete.
@@ -142,10 +149,10 @@ pub(crate) fn with_suffix(place: &Path, suffix: &str) -> PathBuf {
 pub(crate) fn refuse_existing(place: &Path, argument: &str, overwrite: bool) -> Outcome {
     match fs::metadata(place) {
         Ok(found) if !found.is_file() => {
-            Err(Failure::Input(format!("{argument}: must be a regular file, or not exist yet")))
+            Err(format!("{argument}: must be a regular file, or not exist yet").into())
         }
         Ok(_) if !overwrite => {
-            Err(Failure::Input(format!("{argument}: must not exist yet. Replace it with --overwrite")))
+            Err(format!("{argument}: must not exist yet. Replace it with --overwrite").into())
         }
         Ok(_) | Err(_) => Ok(()),
     }
@@ -154,9 +161,7 @@ pub(crate) fn refuse_existing(place: &Path, argument: &str, overwrite: bool) -> 
 /// Locks a file for this command, if the system supports it.
 pub(crate) fn take(file: &File, argument: &str) -> Outcome {
     match file.try_lock() {
-        Err(TryLockError::WouldBlock) => {
-            Err(Failure::Input(format!("{argument}: another command is writing to it")))
-        }
+        Err(TryLockError::WouldBlock) => Err(format!("{argument}: another command is writing to it").into()),
         Ok(()) | Err(TryLockError::Error(_)) => Ok(()),
     }
 }

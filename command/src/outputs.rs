@@ -103,74 +103,59 @@ fn groups() -> [(&'static str, Vec<Key>); 7] {
 
 /// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets after the
 /// column's name.
-pub(crate) const PHYSICAL: &[(&str, &str)] = &[
-    (
-        "drive",
-        "the drive: a force, a rotating unbalance, the spring's foot, or a base that carries the surface",
-    ),
-    ("frequency", "frequency of the drive in Hz"),
-    ("angular_frequency", "ω_d"),
-    ("natural_frequency", "ω_n = √(k/m)"),
-    ("period", "natural period 2π/ω_n"),
-    ("mass, stiffness, friction, damping", "m, k, r_y, c"),
-    ("friction_backward", "r₋, where it was given (friction is then r₊)"),
-    ("friction_bound", "r_y = (r₊ + r₋)/2, where friction differs by direction"),
-    (
-        "static_friction",
-        "r_s = η r_y, where it was given, or η r_y ± (r₊ − r₋)/2 where friction differs by direction",
-    ),
-    ("friction_coefficient", "µ = r_y/(m g), where it was given"),
-    ("force_amplitude", "amplitude p₀ of the force on the body"),
-    ("unbalance", "unbalance m_e e of the rotating mass"),
-    ("foot_displacement", "amplitude of the spring's foot"),
-    ("damped_foot_displacement", "amplitude of the foot of spring and damper"),
-    ("lead_time", "the time by which the force on the body is ahead of that foot, atan(c ω_d/k)/ω_d"),
-    ("base_displacement, base_velocity, base_acceleration", "amplitudes of a base that carries the surface"),
-    ("friction_displacement", "B = r_y/k, the unit of length of the ratios"),
-    (
-        "mean_force",
-        "constant force p̄ on the body, where it was given (transmitted_force does not include it)",
-    ),
-    (
-        "mean_displacement",
-        "(p̄ − (r₊ − r₋)/2)/k, from which displacements are measured, where p̄ or r₋ was given",
-    ),
-    ("displacement_time, velocity_time, …_time", "the instant in the cycle of the force, phase/ω_d"),
-    (
-        "min_force, min_force_turning_point, best_force, no_stop_forces",
-        "the force ratios of these names times r_y",
-    ),
-    ("energy_per_cycle", "energy that friction dissipates in a cycle, 4 r_y Δ₀"),
-    (
-        "damper_energy_per_cycle",
-        "energy that the damper dissipates, except where it stands on the moving foot",
-    ),
-    ("best_force_energy", "friction's energy in a cycle at best_force"),
-    ("followed_for", "time for which the exact motion was followed"),
-];
+const PHYSICAL: &str = "\
+For a machine, under physical, each with its unit
+
+  drive                          the drive: a force, a rotating unbalance, the spring's foot, or a base that carries the surface
+  frequency                      frequency of the drive in Hz
+  angular_frequency              ω_d
+  natural_frequency              ω_n = √(k/m)
+  period                         natural period 2π/ω_n
+  mass, stiffness, friction, damping
+                                 m, k, r_y, c
+  friction_backward              r₋, where it was given (friction is then r₊)
+  friction_bound                 r_y = (r₊ + r₋)/2, where friction differs by direction
+  static_friction                r_s = η r_y, where it was given, or η r_y ± (r₊ − r₋)/2 where friction differs by direction
+  friction_coefficient           µ = r_y/(m g), where it was given
+  force_amplitude                amplitude p₀ of the force on the body
+  unbalance                      unbalance m_e e of the rotating mass
+  foot_displacement              amplitude of the spring's foot
+  damped_foot_displacement       amplitude of the foot of spring and damper
+  lead_time                      the time by which the force on the body is ahead of that foot, atan(c ω_d/k)/ω_d
+  base_displacement, base_velocity, base_acceleration
+                                 amplitudes of a base that carries the surface
+  friction_displacement          B = r_y/k, the unit of length of the ratios
+  mean_force                     constant force p̄ on the body, where it was given (transmitted_force does not include it)
+  mean_displacement              (p̄ − (r₊ − r₋)/2)/k, from which displacements are measured, where p̄ or r₋ was given
+  displacement_time, velocity_time, …_time
+                                 the instant in the cycle of the force, phase/ω_d
+  min_force, min_force_turning_point, best_force, no_stop_forces
+                                 the force ratios of these names times r_y
+  energy_per_cycle               energy that friction dissipates in a cycle, 4 r_y Δ₀
+  damper_energy_per_cycle        energy that the damper dissipates, except where it stands on the moving foot
+  best_force_energy              friction's energy in a cycle at best_force
+  followed_for                   time for which the exact motion was followed
+";
 
 /// The outputs of the motion under a record.
-const RECORD: &[(&str, &str)] = &[
-    (
-        "max_displacement",
-        "greatest displacement from the rest position of the spring, and over the surface where that moves",
-    ),
-    ("min_displacement", "least displacement"),
-    ("max_velocity, min_velocity", "greatest and least velocity"),
-    ("…_time", "time at which the motion has that value first"),
-    ("max_absolute_acceleration", "greatest acceleration in space, regardless of sign"),
-    ("max_transmitted_force", "greatest force of spring, damper and friction together on their support"),
-    ("end_displacement, end_velocity", "state at the end of the record"),
-    (
-        "residual_displacement",
-        "displacement at rest after the record or its limit, none where the body never rests",
-    ),
-    ("path", "path of the body, to its rest"),
-    ("slides, stops", "numbers of releases and of stops, to its rest"),
-    ("stick_time", "time at rest during the record"),
-    ("friction_work, damper_work", "work dissipated by friction and by the damper"),
-    ("load_work", "work of the load and of a constant force on the body"),
-];
+const RECORD: &str = "\
+record, spectrum: the motion under a record, each with its unit
+
+  max_displacement               greatest displacement from the rest position of the spring, and over the surface where that moves
+  min_displacement               least displacement
+  max_velocity, min_velocity     greatest and least velocity
+  …_time                         time at which the motion has that value first
+  max_absolute_acceleration      greatest acceleration in space, regardless of sign
+  max_transmitted_force          greatest force of spring, damper and friction together on their support
+  end_displacement, end_velocity
+                                 state at the end of the record
+  residual_displacement          displacement at rest after the record or its limit, none where the body never rests
+  path                           path of the body, to its rest
+  slides, stops                  numbers of releases and of stops, to its rest
+  stick_time                     time at rest during the record
+  friction_work, damper_work     work dissipated by friction and by the damper
+  load_work                      work of the load and of a constant force on the body
+";
 
 /// The definition of an output in ratios.
 pub(crate) fn find(name: &str) -> Option<Key> {
@@ -208,22 +193,7 @@ pub(crate) fn text() -> String {
         }
         text.push('\n');
     }
-    text.push_str("record, spectrum: the motion under a record, each with its unit\n\n");
-    push_table(&mut text, RECORD);
-    text.push('\n');
-    text.push_str("For a machine, under physical, each with its unit\n\n");
-    push_table(&mut text, PHYSICAL);
-    text
-}
-
-fn push_table(text: &mut String, rows: &[(&str, &str)]) {
-    for (name, meaning) in rows {
-        if name.chars().count() > 29 {
-            let _ = writeln!(text, "  {name}\n  {:<31}{meaning}", "");
-        } else {
-            let _ = writeln!(text, "  {name:<31}{meaning}");
-        }
-    }
+    text + RECORD + "\n" + PHYSICAL
 }
 
 /// `stickslip outputs`.

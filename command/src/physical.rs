@@ -1,7 +1,6 @@
 //! The answer in the machine's units: the physical names of the values, and their units.
 
 use crate::bits::Value;
-use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::outputs::{Key, plain};
 use crate::record::Cell;
@@ -97,14 +96,6 @@ impl<F: Value> Physical<F> {
         if machine.is_shifted() {
             add("mean_displacement", Kind::Length, scales.mean_displacement);
         }
-        physical
-    }
-
-    /// The frequency and the force scale of a border.
-    pub(crate) fn of_border(scales: &BorderScales<F>) -> Self {
-        let mut physical = Self::of(scales.system);
-        let frequency = Cell::Number(Some(scales.frequency));
-        physical.values.push(("angular_frequency", Kind::Frequency, frequency));
         physical
     }
 

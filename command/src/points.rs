@@ -6,6 +6,7 @@ use crate::columns::{is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
 use crate::input::number;
 use crate::interrupt;
+use crate::output;
 use crate::outputs;
 use crate::progress;
 use crate::record::Record;
@@ -44,11 +45,10 @@ pub(crate) fn answered<F: Value, A, W: Write>(
         return rows_of(file, asked, out, |given| answer(given).map(|(_, record)| record));
     }
     let (found, record) = answer(&asked.given)?;
-    match asked.output.format.unwrap_or(Format::Text) {
-        Format::Text => Ok(note(&found, &asked.given.system, out)?),
-        Format::Json => record.write_pretty(out),
-        Format::Jsonl | Format::Csv => Err(Failure::single_format()),
+    if asked.output.is_json()? {
+        return output::json(&record, out);
     }
+    Ok(note(&found, &asked.given.system, out)?)
 }
 
 /// Answers each row of a file with the record that `answer` makes from its quantities.
@@ -68,7 +68,7 @@ fn rows_of<F: Value>(
         Format::Jsonl => Sink::lines(out),
         Format::Csv => Sink::rows(out, output.header),
         Format::Text | Format::Json => {
-            return Err(Failure::Input("--format: must be jsonl or csv with --points".to_owned()));
+            return Err("--format: must be jsonl or csv with --points".into());
         }
     });
     let ahead = Ahead::default();
@@ -121,20 +121,17 @@ fn answer_all<F: Value, W: Write>(
         } else {
             ""
         };
-        return Err(Failure::Input(format!(
+        return Err(format!(
             "{name}: column {} is missing in the header “{found}”{hint}",
             names.join(", or ")
-        )));
+        )
+        .into());
     }
     if !is_machine && output.units.units.is_some() {
-        return Err(Failure::Input(
-            "--units: must be left out, because the file gives ratios, which have no unit".to_owned(),
-        ));
+        return Err("--units: must be left out, because the file gives ratios, which have no unit".into());
     }
     if output.header == Header::Units && output.format != Some(Format::Csv) {
-        return Err(Failure::Input(
-            "--header units: needs --format csv, because only CSV has a header".to_owned(),
-        ));
+        return Err("--header units: needs --format csv, because only CSV has a header".into());
     }
     let counted = progress::counter("points");
     let mut flushed = Instant::now();
@@ -203,7 +200,7 @@ fn columns<F: Value>(
     for (place, text) in header.iter().enumerate() {
         let (own, unit) = name_and_unit(text);
         let plain = own.to_lowercase().replace(['-', ' '], "_");
-        let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
+        let refused = |what: &str| Err(format!("{name}: column {own} {what}").into());
         let by_symbol = || known().find(|p| p.letter() == Some(plain.as_str()));
         let Some(parameter) = known().find(|p| p.is_column(&plain)).or_else(by_symbol) else {
             // A misspelt column must not be ignored.

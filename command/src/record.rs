@@ -5,13 +5,13 @@ mod written;
 
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
-use stickslip::inputs::{Given, Role};
+use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Driven, Given, Role};
 use stickslip::{Column, Excitation, Measure, NoStop, Output, Ratios, Response, When};
 
 pub(crate) use cell::Cell;
@@ -157,12 +157,12 @@ impl<F: Value> Record<F> {
     }
 
     /// The border in the machine's units.
-    pub(crate) fn with_border_scales(mut self, scales: &BorderScales<F>) -> Self {
-        let BorderScales { length, force, time, .. } = *scales;
-        let sizes = [(Measure::Angle, time), (Measure::Length, length)];
-        let size =
-            |measure| sizes.into_iter().find(|(own, _)| *own == measure).map_or(force, |(_, size)| size);
-        self.physical = Physical::of_border(scales).with(&self.fields, Excitation::Force, size);
+    pub(crate) fn with_border(mut self, machine: &Driven<F>, system: System) -> Self {
+        let frequency = Cell::Number(Some(machine.drive.angular_frequency()));
+        self.physical = Physical::of(system);
+        self.physical.values.push(("angular_frequency", Kind::Frequency, frequency));
+        let size = |measure: Measure| measure.size(&machine.scales);
+        self.physical = self.physical.with(&self.fields, Excitation::Force, size);
         self
     }
 

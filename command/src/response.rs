@@ -1,6 +1,6 @@
 //! `stickslip response`.
 
-use crate::args::ResponseArgs;
+use crate::args::{ResponseArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
@@ -14,7 +14,7 @@ use stickslip::{Response, ResponseAnswer};
 
 pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
-        return enclose::response(&args.machine, &args.output, out);
+        return enclose::answer(Swept::Response, &args.machine, &args.output, out);
     }
     at_bits!(args.output.bits, respond(args: &ResponseArgs, out))
 }

@@ -43,11 +43,11 @@ pub(crate) trait Rows: Sync {
 pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
     let argument = format!("{option} {}", file.display());
     let created = OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
-        Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
+        if e.kind() == ErrorKind::AlreadyExists {
             format!("{argument}: must not exist yet. Continue it with --resume")
         } else {
             format!("{argument}: {e}")
-        })
+        }
     })?;
     output::take(&created, &argument)?;
     Ok(created)
@@ -130,7 +130,7 @@ impl KeptRows {
             if line.ends_with(b"\n") {
                 if kept.end == 0 && !header.is_empty() {
                     if line != header {
-                        return Err(Failure::Input(format!("the header is not of {}", R::OF)));
+                        return Err(format!("the header is not of {}", R::OF).into());
                     }
                     kept.begin = count;
                 } else {
@@ -148,11 +148,7 @@ impl KeptRows {
                 continue;
             }
             if kept.rows > length {
-                return Err(Failure::Input(format!(
-                    "{} rows, must be ≤ {length}, those of {}",
-                    kept.rows,
-                    R::OF
-                )));
+                return Err(format!("{} rows, must be ≤ {length}, those of {}", kept.rows, R::OF).into());
             }
             kept.is_beginning(&line, rows, part, header)?;
             return Ok(kept);
@@ -171,10 +167,11 @@ impl KeptRows {
         if due.starts_with(rest) {
             return Ok(());
         }
-        Err(Failure::Input(match self.rows {
+        Err(match self.rows {
             0 => format!("it does not begin as {} does", R::OF),
             n => format!("the text after row {n} is not of {}", R::OF),
-        }))
+        }
+        .into())
     }
 
     /// Compares evenly spaced rows, for one second.

@@ -15,7 +15,7 @@ pub(crate) fn open(file: &Path, argument: &str) -> Result<Box<dyn Read>, Failure
     if file == Path::new("-") {
         return Ok(Box::new(io::stdin().lock()));
     }
-    let opened = File::open(file).map_err(|e| Failure::Input(format!("{argument}: {e}")))?;
+    let opened = File::open(file).map_err(|e| format!("{argument}: {e}"))?;
     Ok(Box::new(opened))
 }
 

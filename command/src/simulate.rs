@@ -37,7 +37,7 @@ fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
     let format = args.format.map_or_else(|| format(args.out.as_deref()), Ok)?;
     match &args.out {
         None if format == StreamFormat::Parquet => {
-            Err(Failure::Input("--format parquet: give its file by --out FILE".to_owned()))
+            Err("--format parquet: give its file by --out FILE".into())
         }
         None => write::<F>(args, format, out),
         Some(file) => {
@@ -92,7 +92,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
             let mut samples = match spacing {
                 Spacing::PerCycle(n) => motion
                     .samples(u32::try_from(n).unwrap_or(u32::MAX))
-                    .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?,
+                    .map_err(|e| format!("--samples {n}: {e}"))?,
                 Spacing::Turns(turns) => {
                     motion.samples_every(F::from_f64(turns)).map_err(|e| of_motion(&given, e))?
                 }
@@ -148,9 +148,8 @@ fn refuse_years(cycles: u64, samples: Option<Spacing>, omega: f64, extent: &Exte
     let slides = cycles as f64 * (2.0 + 2.0 / omega);
     let typed = &extent.typed;
     let too_many = |argument: &str, count: f64, things: &str| {
-        Err(Failure::Input(format!(
-            "{argument}: about {count:.1e} {things} at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}"
-        )))
+        Err(format!("{argument}: about {count:.1e} {things} at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}")
+            .into())
     };
     match samples.map(|spacing| (spacing, extent.rows(spacing) as f64)) {
         Some((Spacing::PerCycle(n), rows)) if rows > MOST_ROWS + 1.0 => {
@@ -193,7 +192,7 @@ impl Extent {
             if value > 0.0 && value.is_finite() {
                 return Ok(value);
             }
-            Err(Failure::Input(format!("{name} {text}: must be > 0")))
+            Err(format!("{name} {text}: must be > 0").into())
         };
         let rate = args.rate.as_ref().map(|text| {
             Ok::<f64, Failure>(per_time / (positive("--rate", text, Quantity::Frequency)? / TAU))

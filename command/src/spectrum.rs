@@ -5,15 +5,13 @@ mod picture;
 use crate::args::{SpectrumArgs, SweepFormat};
 use crate::axes::Axes;
 use crate::failure::{Failure, Outcome};
-use crate::figure;
+use crate::figure::Target;
 use crate::follow::{self, Surface};
 use crate::interrupt;
 use crate::measured;
-use crate::output::PendingFile;
 use crate::outputs::key;
 use crate::physical::Physical;
-use crate::record::{Cell, Record, csv_text};
-use crate::resume;
+use crate::record::{Cell, Record};
 use crate::sweep::{self, Table};
 use std::io::Write;
 use std::ops::Range;
@@ -27,15 +25,13 @@ const SIDE_BY_SIDE: u64 = 16;
 
 pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
     let format = if args.picture.is_some() { SweepFormat::Csv } else { sweep::format(&args.table)? };
-    let spectra = Spectra::new(args, format)?;
+    let spectra = Spectra::new(args)?;
     args.look.needs("--picture", args.picture.as_deref())?;
-    let Some(file) = &args.picture else {
-        return sweep::write_table::<f64>(&args.table, format, &spectra, out);
-    };
-    let picture = figure::drawing(file, "--picture")?;
-    let pending = PendingFile::create(file, &format!("--picture {}", file.display()), args.overwrite)?;
-    let drawn = spectra.figure()?;
-    pending.fill(|out| args.look.write(drawn, picture, out))
+    if args.picture.is_none() {
+        return sweep::write_table(&args.table, format, &spectra, out);
+    }
+    let target = Target::new("--picture", args.picture.as_deref(), args.overwrite, &args.look)?;
+    target.draw(out, || spectra.figure())
 }
 
 /// Answers of bodies by their place in the grids, under one record.
@@ -54,12 +50,11 @@ struct Spectra<'a> {
     system: System,
     has_mass: bool,
     form: Record<f64>,
-    format: SweepFormat,
     args: &'a SpectrumArgs,
 }
 
 impl<'a> Spectra<'a> {
-    fn new(args: &'a SpectrumArgs, format: SweepFormat) -> Result<Self, Failure> {
+    fn new(args: &'a SpectrumArgs) -> Result<Self, Failure> {
         let reader = args.units.reader();
         let axes = Axes::<f64>::new(&args.machine, &reader)?;
         let mut loads: Vec<(&'static str, Load<f64>)> = Vec::new();
@@ -67,7 +62,7 @@ impl<'a> Spectra<'a> {
             // A cell of a row lives as long as the command.
             let name: &'static str = file.display().to_string().leak();
             if loads.iter().any(|(earlier, _)| *earlier == name) {
-                return Err(Failure::Input(format!("{name}: must be given only once")));
+                return Err(format!("{name}: must be given only once").into());
             }
             loads.push((name, measured::read(file, &args.load, &reader)?));
         }
@@ -76,7 +71,7 @@ impl<'a> Spectra<'a> {
         let (surface, system) = (Surface::read(&args.surface, &reader)?, reader.system());
         let has_mass = axes.has(Input::Mass);
         let form = Record::of(Vec::new());
-        let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, format, args };
+        let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, args };
         spectra.axes.at_ends(|given| spectra.body(given.clone()).map(|_| ()))?;
         let first = spectra.loads.first().map_or("", |(name, _)| name);
         let rest = Load::new(stickslip::Excitation::Force, 1.0, vec![0.0; 2])?;
@@ -130,8 +125,22 @@ impl<'a> Spectra<'a> {
         };
         Ok(Found { bodies: first..first + count, answers: (first..).zip(answers).map(named).collect() })
     }
+}
 
-    fn rows(&self, points: Range<u64>) -> Vec<Result<Record<f64>, Failure>> {
+impl Table for Spectra<'_> {
+    type Number = f64;
+
+    const OF: &'static str = "these spectra";
+
+    fn len(&self) -> u64 {
+        self.axes.len().saturating_mul(self.loads.len() as u64)
+    }
+
+    fn form(&self) -> &Record<f64> {
+        &self.form
+    }
+
+    fn records(&self, points: Range<u64>) -> Vec<Result<Record<f64>, Failure>> {
         let name = self.place(points.start).map_or("", |(name, ..)| name);
         match self.answers(points) {
             Ok(Found { bodies, answers }) => bodies
@@ -142,66 +151,17 @@ impl<'a> Spectra<'a> {
         }
     }
 
-    fn written(&self, record: &Record<f64>) -> Result<Vec<u8>, Failure> {
-        if self.format == SweepFormat::Csv {
-            return csv_text(|writer| record.write_row(writer));
-        }
-        let mut text = Vec::new();
-        record.write_line(&mut text)?;
-        Ok(text)
-    }
-}
-
-impl resume::Rows for Spectra<'_> {
-    const OF: &'static str = "these spectra";
-
-    fn header(&self) -> Result<Vec<u8>, Failure> {
-        let is_csv = self.format == SweepFormat::Csv;
-        csv_text(
-            |writer| if is_csv { self.form.write_header(writer, self.args.table.header) } else { Ok(()) },
-        )
-    }
-
-    fn text(&self, point: u64) -> Result<Vec<u8>, Failure> {
-        self.texts(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
-    }
-
-    fn texts(&self, points: Range<u64>) -> Vec<Result<Vec<u8>, Failure>> {
-        self.rows(points).into_iter().map(|row| self.written(&row?)).collect()
-    }
-
     /// A row begins with the name of its record and with its inputs.
     fn hold_their_grid(&self) -> bool {
         true
     }
 
-    fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
+    fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure> {
         let (name, _, body) = self.place(point)?;
-        let due = self.written(&self.row(name, &self.axes.given_at(body), None))?;
+        let due = self.row(name, &self.axes.given_at(body), None).line(is_csv)?;
         let due = due.trim_ascii_end();
         let due = due.strip_suffix(b"}").unwrap_or(due);
         Ok(line.strip_prefix(due).is_some_and(|rest| rest.first() == Some(&b',')))
-    }
-}
-
-impl Table<f64> for Spectra<'_> {
-    fn len(&self) -> u64 {
-        self.axes.len().saturating_mul(self.loads.len() as u64)
-    }
-
-    #[cfg(feature = "parquet")]
-    fn form(&self) -> &Record<f64> {
-        &self.form
-    }
-
-    #[cfg(feature = "parquet")]
-    fn record(&self, point: u64) -> Result<Record<f64>, Failure> {
-        self.rows(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
-    }
-
-    #[cfg(feature = "parquet")]
-    fn records(&self, points: Range<u64>) -> Vec<Result<Record<f64>, Failure>> {
-        self.rows(points)
     }
 
     #[cfg(feature = "parquet")]

@@ -82,7 +82,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         let limit = follow(self.ratios, (self.at)(number)?, self.periods)?;
         let signature = Signature::of(&limit)?;
         let record = self.record(number, limit.name(), &signature)?;
-        Ok((limit, csv_text(|writer| record.write_row(writer))?))
+        Ok((limit, record.line(true)?))
     }
 
     /// Counts the starts whose limits the file contains.
@@ -173,7 +173,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for 
 
     fn is_on_grid(&self, line: &[u8], number: u64) -> Result<bool, Failure> {
         let record = Record::of(self.of_start(number)?);
-        let due = csv_text(|writer| record.write_row(writer))?;
+        let due = record.line(true)?;
         let rest = line.strip_prefix(due.trim_ascii_end());
         Ok(rest.is_some_and(|rest| rest.starts_with(b",")))
     }

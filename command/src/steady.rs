@@ -2,7 +2,7 @@
 
 mod note;
 
-use crate::args::SteadyArgs;
+use crate::args::{SteadyArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
@@ -21,7 +21,7 @@ use note::note;
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
-        return enclose::steady(&args.machine, &args.output, out);
+        return enclose::answer(Swept::Steady, &args.machine, &args.output, out);
     }
     at_bits!(args.output.bits, respond(args: &SteadyArgs, out))
 }

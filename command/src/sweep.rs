@@ -5,13 +5,12 @@ pub(crate) mod loops;
 mod parquet;
 pub(crate) mod rows;
 
-use crate::args::{SweepArgs, SweepFormat, TableArgs};
+use crate::args::{Header, SweepArgs, SweepFormat, TableArgs};
 use crate::axes::Axes;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::output::{Lines, named};
-#[cfg(feature = "parquet")]
-use crate::record::Record;
+use crate::record::{Record, csv_text};
 use crate::resume;
 use rows::SweepRows;
 use std::fs::File;
@@ -26,8 +25,7 @@ pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
 fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
     let format = format(&args.table)?;
     let axes = Axes::new(&args.machine, &args.units.reader())?;
-    let rows = SweepRows::<F>::new(args, format, axes)?;
-    write_table(&args.table, format, &rows, out)
+    write_table(&args.table, format, &SweepRows::<F>::new(args, axes)?, out)
 }
 
 /// The format of a table, if its file's name has one.
@@ -41,44 +39,89 @@ pub(crate) fn format(args: &TableArgs) -> Result<SweepFormat, Failure> {
 }
 
 /// Rows of many columns, each computed from its number alone.
-pub(crate) trait Table<F>: resume::Rows {
+pub(crate) trait Table: Sync {
+    type Number: Value;
+
+    /// The source of the rows, for error messages.
+    const OF: &'static str;
+
     /// The number of rows.
     fn len(&self) -> u64;
 
     /// A row without its answers, with the names of all rows.
-    #[cfg(feature = "parquet")]
-    fn form(&self) -> &Record<F>;
-
-    /// A row.
-    #[cfg(feature = "parquet")]
-    fn record(&self, point: u64) -> Result<Record<F>, Failure>;
+    fn form(&self) -> &Record<Self::Number>;
 
     /// The first rows of a range, at least one.
-    #[cfg(feature = "parquet")]
-    fn records(&self, points: Range<u64>) -> Vec<Result<Record<F>, Failure>> {
-        vec![self.record(points.start)]
+    fn records(&self, points: Range<u64>) -> Vec<Result<Record<Self::Number>, Failure>>;
+
+    /// A row.
+    fn record(&self, point: u64) -> Result<Record<Self::Number>, Failure> {
+        self.records(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
     }
+
+    /// As [`resume::Rows::hold_their_grid`].
+    fn hold_their_grid(&self) -> bool;
+
+    /// As [`resume::Rows::is_on_grid`], for a row of CSV or of JSON lines.
+    fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure>;
 
     /// What identifies the table, by name.
     #[cfg(feature = "parquet")]
     fn notes(&self) -> Vec<(String, String)>;
 }
 
+/// The rows of a table as text.
+struct TextRows<'a, T> {
+    table: &'a T,
+    is_csv: bool,
+    header: Header,
+}
+
+impl<T: Table> resume::Rows for TextRows<'_, T> {
+    const OF: &'static str = T::OF;
+
+    fn header(&self) -> Result<Vec<u8>, Failure> {
+        let form = self.table.form();
+        csv_text(|writer| if self.is_csv { form.write_header(writer, self.header) } else { Ok(()) })
+    }
+
+    fn text(&self, point: u64) -> Result<Vec<u8>, Failure> {
+        self.table.record(point)?.line(self.is_csv)
+    }
+
+    fn texts(&self, points: Range<u64>) -> Vec<Result<Vec<u8>, Failure>> {
+        self.table.records(points).into_iter().map(|record| record?.line(self.is_csv)).collect()
+    }
+
+    fn hold_their_grid(&self) -> bool {
+        self.table.hold_their_grid()
+    }
+
+    fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
+        self.table.is_on_grid(line, point, self.is_csv)
+    }
+}
+
 /// Writes a table, or a part of it.
-pub(crate) fn write_table<F: Value>(
+pub(crate) fn write_table(
     args: &TableArgs,
     format: SweepFormat,
-    rows: &impl Table<F>,
+    table: &impl Table,
     out: &mut impl Write,
 ) -> Outcome {
-    let part = part(args.shard.as_deref(), rows.len())?;
+    let part = part(args.shard.as_deref(), table.len())?;
     if args.resume && args.out.is_none() {
-        return Err(Failure::Input("--resume: needs the file to continue, --out FILE".to_owned()));
+        return Err("--resume: needs the file to continue, --out FILE".into());
     }
-    match format {
-        SweepFormat::Csv | SweepFormat::Jsonl => to_text(args, rows, part, out),
-        SweepFormat::Parquet => to_parquet(args, rows, part),
-    }
+    let is_csv = match format {
+        SweepFormat::Csv => true,
+        SweepFormat::Jsonl => false,
+        #[cfg(feature = "parquet")]
+        SweepFormat::Parquet => return parquet::run(args, table, part),
+        #[cfg(not(feature = "parquet"))]
+        SweepFormat::Parquet => return Err(no_parquet()),
+    };
+    to_text(args, &TextRows { table, is_csv, header: args.header }, part, out)
 }
 
 fn to_text(args: &TableArgs, rows: &impl resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
@@ -98,16 +141,6 @@ fn to_file(rows: &impl resume::Rows, part: Range<u64>, header: bool, file: &File
     let outcome = write(rows, part, header, &mut Lines::new(file, name.as_str()));
     // This reports data that the system failed to write.
     outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
-}
-
-#[cfg(feature = "parquet")]
-fn to_parquet<F: Value>(args: &TableArgs, rows: &impl Table<F>, part: Range<u64>) -> Outcome {
-    parquet::run(args, rows, part)
-}
-
-#[cfg(not(feature = "parquet"))]
-fn to_parquet<F: Value>(_: &TableArgs, _: &impl Table<F>, _: Range<u64>) -> Outcome {
-    Err(no_parquet())
 }
 
 #[cfg(not(feature = "parquet"))]
@@ -133,8 +166,6 @@ fn part(shard: Option<&str>, rows: u64) -> Result<Range<u64>, Failure> {
             let end = |i: u64| (u128::from(rows) * u128::from(i) / u128::from(n)) as u64;
             Ok(end(i - 1)..end(i))
         }
-        Some(_) | None => {
-            Err(Failure::Input(format!("--shard {text}: must be I/N with whole numbers, 1 ≤ I ≤ N")))
-        }
+        Some(_) | None => Err(format!("--shard {text}: must be I/N with whole numbers, 1 ≤ I ≤ N").into()),
     }
 }

@@ -15,7 +15,8 @@ pub(crate) struct RowsArgs {
     pub(crate) resume: bool,
 }
 
-pub(crate) const ATTRACTORS_EXAMPLES: &str = "\
+#[derive(Debug, Args)]
+#[command(after_help = "\
 Examples:
   stickslip attractors --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3
   stickslip attractors --omega 0.1356 --alpha 4.4107 --damping-ratio 0.0388 --static-friction-ratio 2.7673 --starts 400
@@ -28,9 +29,7 @@ The starts are at ω_d t = 0 and always the same: the first at rest at x = 0, th
 
 --resume continues a run that was interrupted, by Ctrl-C, kill -9 or a full disk. It must be the same run: machine
 and start of every row are compared, and as many whole rows, evenly spaced, as a second allows. A run with more
---starts continues one with fewer.";
-
-#[derive(Debug, Args)]
+--starts continues one with fewer.")]
 pub(crate) struct AttractorsArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
@@ -60,16 +59,15 @@ pub(crate) struct AttractorsArgs {
     pub(crate) units: UnitArgs,
 }
 
-pub(crate) const BASINS_EXAMPLES: &str = "\
+#[derive(Debug, Args)]
+#[command(after_help = "\
 Examples:
   stickslip basins --omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87 --out basins.svg
   stickslip basins --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --x0 -8:8:81 --v0 -8:8:81
   stickslip basins --omega 0.45 --alpha 7.5 --damping-ratio 0.02 --static-friction-ratio 2.5 --rows starts.csv --resume --out basins.svg
 
 The starts are at ω_d t = 0. Each row has the start, the number of its limit and the kind of the limit.
---rows FILE --resume continues an interrupted run. From complete rows another picture is drawn at once.";
-
-#[derive(Debug, Args)]
+--rows FILE --resume continues an interrupted run. From complete rows another picture is drawn at once.")]
 pub(crate) struct BasinsArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,

@@ -3,29 +3,14 @@
 use super::{BodyArgs, Format, MachineArgs, OutputArgs};
 use clap::Args;
 
-pub(crate) const RESPONSE_EXAMPLES: &str = "\
+#[derive(Debug, Args)]
+#[command(after_help = "\
 Examples:
   stickslip response --omega 1.5 --alpha 2.5
   stickslip response --omega 1.5 --alpha 2.5 --enclose --bits 128
   stickslip response --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 12.5 --units kN,m
   stickslip response --mass 50 --friction 5 --frequency 6.2832 --omega 1.5 --alpha 2.5 --format json
-  stickslip response --points points.csv --format csv";
-
-pub(crate) const BORDER_EXAMPLES: &str = "\
-Examples:
-  stickslip border --omega 0.4
-  stickslip border --omega 0.331 --no-stop
-  stickslip border --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --format json
-  stickslip border --points - --format csv < frequencies.csv";
-
-pub(crate) const VERIFY_EXAMPLES: &str = "\
-Examples:
-  stickslip verify
-  stickslip verify --bits 1024
-  stickslip verify --enclose --bits 128
-  stickslip verify --bits 256 --format json";
-
-#[derive(Debug, Args)]
+  stickslip response --points points.csv --format csv")]
 pub(crate) struct ResponseArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
@@ -38,6 +23,12 @@ pub(crate) struct ResponseArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stickslip border --omega 0.4
+  stickslip border --omega 0.331 --no-stop
+  stickslip border --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --format json
+  stickslip border --points - --format csv < frequencies.csv")]
 pub(crate) struct BorderArgs {
     #[command(flatten)]
     pub(crate) machine: BodyArgs,
@@ -54,6 +45,12 @@ pub(crate) struct BorderArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stickslip verify
+  stickslip verify --bits 1024
+  stickslip verify --enclose --bits 128
+  stickslip verify --bits 256 --format json")]
 pub(crate) struct VerifyArgs {
     /// Residuals in ball arithmetic, rounding included: a ball that contains 0 confirms an equation, any
     /// other refutes it (needs a build with the feature mp)

@@ -4,27 +4,6 @@ use super::{LookArgs, MachineArgs, StartArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-pub(crate) const CURVE_EXAMPLES: &str = "\
-The frequency is a grid FROM:TO:COUNT, or FROM:TO:COUNT:log. Any other quantity may be a list A,B,C of at most five
-values, with one curve for each. Where the body stops, the values are those of the exact motion from rest, and the
-line is dashed.
-
-Every peak is resolved, whatever the COUNT: rows are added at it and beside it, until a line through the rows is right
-to half a pixel of a picture. The column `point` tells grid, natural (Ω = 1), peak and flank apart. Without a damper the
-motion is unbounded at Ω = 1 from α = 4/π on: the value is empty, the regime `unbounded`, and a picture has an arrowhead.
-
-Examples:
-  stickslip response-curve --mass 800kg --period 2.2s --friction-coefficient 0.05,0.08 --base-acceleration 0.15g \\
-    --frequency 0.3Hz:5Hz:200 --units N,mm --out stroke.svg
-  stickslip response-curve transmissibility --mass 800kg --period 2.2s --friction-coefficient 0.05 \\
-    --base-acceleration 0.15g --frequency 0.3Hz:5Hz:200:log --out transmissibility.csv
-  stickslip response-curve --omega 0.2:2:300 --alpha 1.2,2,4 --out amplification.svg";
-
-pub(crate) const MOTION_EXAMPLES: &str = "\
-Examples:
-  stickslip motion-plot --omega 0.15 --alpha 3 --out motion.svg
-  stickslip motion-plot --mass 50t --stiffness 1kN/mm --friction 5kN --frequency 0.3Hz --force 12kN --out motion.svg";
-
 /// What a response curve shows over the frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CurveQuantity {
@@ -43,6 +22,21 @@ pub(crate) enum CurveQuantity {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+The frequency is a grid FROM:TO:COUNT, or FROM:TO:COUNT:log. Any other quantity may be a list A,B,C of at most five
+values, with one curve for each. Where the body stops, the values are those of the exact motion from rest, and the
+line is dashed.
+
+Every peak is resolved, whatever the COUNT: rows are added at it and beside it, until a line through the rows is right
+to half a pixel of a picture. The column `point` tells grid, natural (Ω = 1), peak and flank apart. Without a damper the
+motion is unbounded at Ω = 1 from α = 4/π on: the value is empty, the regime `unbounded`, and a picture has an arrowhead.
+
+Examples:
+  stickslip response-curve --mass 800kg --period 2.2s --friction-coefficient 0.05,0.08 --base-acceleration 0.15g \\
+    --frequency 0.3Hz:5Hz:200 --units N,mm --out stroke.svg
+  stickslip response-curve transmissibility --mass 800kg --period 2.2s --friction-coefficient 0.05 \\
+    --base-acceleration 0.15g --frequency 0.3Hz:5Hz:200:log --out transmissibility.csv
+  stickslip response-curve --omega 0.2:2:300 --alpha 1.2,2,4 --out amplification.svg")]
 pub(crate) struct CurveArgs {
     /// displacement, velocity, acceleration, force, transmissibility or absolute
     #[arg(value_enum, value_name = "WHAT", default_value = "displacement", hide_possible_values = true)]
@@ -71,6 +65,10 @@ pub(crate) struct CurveArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stickslip motion-plot --omega 0.15 --alpha 3 --out motion.svg
+  stickslip motion-plot --mass 50t --stiffness 1kN/mm --friction 5kN --frequency 0.3Hz --force 12kN --out motion.svg")]
 pub(crate) struct MotionPlotArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,

@@ -4,7 +4,9 @@ use super::{Format, MachineArgs, UnitArgs};
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
-pub(crate) const DESIGN_EXAMPLES: &str = "\
+/// What is asked, in ratios or in physical units.
+#[derive(Debug, Subcommand)]
+#[command(after_help = "\
 Examples:
   stickslip design force --mass 50 --stiffness 1000 --friction 5 --frequency 6
   stickslip design friction --mass 50 --stiffness 1000 --frequency 6 --force 12
@@ -13,10 +15,7 @@ Examples:
   stickslip design bands --alpha 80 --from 0.3 --to 0.4 --no-stop
   stickslip design displacement --omega 1.5 --target 2
   stickslip design dissipation --mass 50t --stiffness 1000kN/m --frequency 6rad/s --force 12kN --units kN,m
-  stickslip design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500";
-
-/// What is asked, in ratios or in physical units.
-#[derive(Debug, Subcommand)]
+  stickslip design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500")]
 pub(crate) enum Question {
     /// The minimum force, or base motion, that keeps the body from sticking
     Force(QuestionArgs),

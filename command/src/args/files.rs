@@ -1,7 +1,7 @@
 //! The files of a command line: no file may be two arguments, because one of them would destroy the other.
 
 use super::used;
-use crate::failure::{Failure, Outcome};
+use crate::failure::Outcome;
 use clap::ArgMatches;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,11 +23,12 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
         for (second, b) in files.iter().skip(i + 1) {
             if is_same(a, b) {
                 let (first, second) = (used::option(first), used::option(second));
-                return Err(Failure::Input(format!(
+                return Err(format!(
                     "{first} {} and {second} {}: must be two different files",
                     a.display(),
                     b.display()
-                )));
+                )
+                .into());
             }
         }
     }

@@ -4,28 +4,15 @@ use super::{BodyArgs, Format, LookArgs, MachineArgs, OutputArgs, StartArgs, Swee
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
-pub(crate) const STEADY_EXAMPLES: &str = "\
+#[derive(Debug, Args)]
+#[command(after_help = "\
 Examples:
   stickslip steady --omega 0.4 --alpha 6
   stickslip steady --omega 0.4 --alpha 6 --enclose
   stickslip steady --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 6 --format json
   stickslip steady --omega 0.5 --alpha 4 --x0 3 --v0 0.2
   stickslip steady --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3
-  stickslip steady --points points.csv --format csv";
-
-pub(crate) const SIMULATE_EXAMPLES: &str = "\
-Examples:
-  stickslip simulate --omega 0.4 --alpha 6 --cycles 2
-  stickslip simulate --omega 0.4 --alpha 6 --cycles 2 --samples 200 --format csv > motion.csv
-  stickslip simulate --omega 1.5 --alpha 2.5 --cycles 100 --x0 4 --v0 -1 --format jsonl";
-
-pub(crate) const DECAY_EXAMPLES: &str = "\
-Examples:
-  stickslip decay --x0 12 --v0 6
-  stickslip decay --mass 2 --stiffness 800 --friction 4 --x0 0.3 --v0 0 --format json
-  stickslip decay --mass 800kg --period 2.2s --friction-coefficient 0.06 --static-friction 600N --x0 200mm";
-
-#[derive(Debug, Args)]
+  stickslip steady --points points.csv --format csv")]
 pub(crate) struct SteadyArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
@@ -63,6 +50,11 @@ impl StreamFormat {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stickslip simulate --omega 0.4 --alpha 6 --cycles 2
+  stickslip simulate --omega 0.4 --alpha 6 --cycles 2 --samples 200 --format csv > motion.csv
+  stickslip simulate --omega 1.5 --alpha 2.5 --cycles 100 --x0 4 --v0 -1 --format jsonl")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
@@ -98,6 +90,11 @@ pub(crate) struct SimulateArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stickslip decay --x0 12 --v0 6
+  stickslip decay --mass 2 --stiffness 800 --friction 4 --x0 0.3 --v0 0 --format json
+  stickslip decay --mass 800kg --period 2.2s --friction-coefficient 0.06 --static-friction 600N --x0 200mm")]
 pub(crate) struct DecayArgs {
     #[command(flatten)]
     pub(crate) machine: BodyArgs,

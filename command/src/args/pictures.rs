@@ -5,39 +5,6 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-pub(crate) const FIGURE_EXAMPLES: &str = "\
-Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper, and stops, portrait, accuracy, multipliers, poles, damping.
-A drawing in SVG leaves its text to the viewer's own font. PNG needs a build with the feature png.
-
-Examples:
-  stickslip figure 8 --out border.svg
-  stickslip figure stops > stops.svg
-  stickslip figure 4 --out displacement.csv";
-
-pub(crate) const FIGURES_EXAMPLES: &str = "\
-Examples:
-  stickslip figures
-  stickslip figures --all --dir figures
-  stickslip figures --all --dir figures --overwrite
-  stickslip figures --all --dir /tmp/data --format csv";
-
-pub(crate) const MAP_EXAMPLES: &str = "\
-Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (their number, from 16 starts), an output
-of `response`, such as loop_size_stiffness, or steady:NAME for one of `steady`, from rest, such as
-steady:max_displacement. For a machine, a quantity with a unit is in the machine's units.
-
-Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default:
---omega 0.0525:1.9975:390 --alpha 0.025:7.975:160]. The horizontal axis is Ω or the frequency. A picture has columns
-added at Ω = 1 down to a pixel, and a line where the motion is unbounded. The rows of CSV are those of the grids.
-
-Examples:
-  stickslip map --out regime.svg
-  stickslip map margin --omega 0.205:1.995:180 --alpha 0.5:8:76 --out margin.svg
-  stickslip map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm \\
-    --frequency 0.6Hz:5Hz:200 --base-acceleration 0.02g:0.4g:100 --out stroke.svg
-  stickslip map steady:stick_fraction --omega 0.05:1.5:300 --alpha 1.05:8:140 --out sticking.svg
-  stickslip map limits --omega 0.1:1.2:56 --alpha 3.1:9.1:31 --damping-ratio 0.02 --static-friction-ratio 2 --out limits.svg";
-
 /// The look of a picture.
 #[derive(Debug, Args)]
 pub(crate) struct LookArgs {
@@ -50,6 +17,14 @@ pub(crate) struct LookArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper, and stops, portrait, accuracy, multipliers, poles, damping.
+A drawing in SVG leaves its text to the viewer's own font. PNG needs a build with the feature png.
+
+Examples:
+  stickslip figure 8 --out border.svg
+  stickslip figure stops > stops.svg
+  stickslip figure 4 --out displacement.csv")]
 pub(crate) struct FigureArgs {
     /// Name of the figure
     #[arg(
@@ -67,6 +42,12 @@ pub(crate) struct FigureArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stickslip figures
+  stickslip figures --all --dir figures
+  stickslip figures --all --dir figures --overwrite
+  stickslip figures --all --dir /tmp/data --format csv")]
 pub(crate) struct FiguresArgs {
     /// Draw all figures (otherwise list their names)
     #[arg(long)]
@@ -102,6 +83,22 @@ impl Picture {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (their number, from 16 starts), an output
+of `response`, such as loop_size_stiffness, or steady:NAME for one of `steady`, from rest, such as
+steady:max_displacement. For a machine, a quantity with a unit is in the machine's units.
+
+Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default:
+--omega 0.0525:1.9975:390 --alpha 0.025:7.975:160]. The horizontal axis is Ω or the frequency. A picture has columns
+added at Ω = 1 down to a pixel, and a line where the motion is unbounded. The rows of CSV are those of the grids.
+
+Examples:
+  stickslip map --out regime.svg
+  stickslip map margin --omega 0.205:1.995:180 --alpha 0.5:8:76 --out margin.svg
+  stickslip map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm \\
+    --frequency 0.6Hz:5Hz:200 --base-acceleration 0.02g:0.4g:100 --out stroke.svg
+  stickslip map steady:stick_fraction --omega 0.05:1.5:300 --alpha 1.05:8:140 --out sticking.svg
+  stickslip map limits --omega 0.1:1.2:56 --alpha 3.1:9.1:31 --damping-ratio 0.02 --static-friction-ratio 2 --out limits.svg")]
 pub(crate) struct MapArgs {
     /// Quantity to map
     #[arg(value_name = "QUANTITY", default_value = "regime")]

@@ -4,32 +4,6 @@ use super::{BodyArgs, Format, LookArgs, TableArgs, UnitArgs};
 use clap::Args;
 use std::path::PathBuf;
 
-pub(crate) const RECORD_EXAMPLES: &str = "\
-FILE is a record of the PEER database (.at2, in g), or CSV whose first line names its columns with their units:
-time[s],acceleration[g]. The load is the column acceleration (of the surface that the body slides on), force, or
-foot-displacement (of the spring's foot, with damped-foot-displacement if the damper stands on it, too). Without a
-column time the samples are --time-step apart. Between samples the load is a straight line, and after the last one it
-is zero: the body slides to its rest. No stop is missed.
-
-Examples:
-  stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
-  stickslip record quake.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --scale 1.5 --units kN,mm \\
-    --out motion.csv --picture motion.svg
-  stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --enclose
-  stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json";
-
-pub(crate) const SPECTRUM_EXAMPLES: &str = "\
-Every quantity of the body may be a grid: FROM:TO:COUNT, FROM:TO:COUNT:log, or a list A,B,C. Each row is one body
-under one record. The records vary slowest, and the first grid, in the order of the options, next. Without --mass
-the body has one unit of mass. A picture shows the greatest displacement, the residual displacement and the greatest absolute
-acceleration over the period (or over the only other grid), for each record and, from two records on, their mean.
-
-Examples:
-  stickslip spectrum quake.at2 --period 0.1s:4s:100:log --friction-coefficient 0.02,0.05,0.1 --damping-ratio 5% --out s.csv
-  stickslip spectrum a.at2 b.at2 c.at2 --period 0.1s:4s:100:log --friction-coefficient 0.05 --picture spectra.svg
-  stickslip spectrum *.at2 --no-spring --friction-coefficient 0.05:0.5:50 --slope 10deg --one-way --out newmark.parquet
-  stickslip spectrum *.at2 --period 0.1s:4s:500:log --friction-coefficient 0.05 --out part2.csv --shard 2/8 --resume";
-
 /// How the file of a record is read.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct LoadArgs {
@@ -62,6 +36,19 @@ pub(crate) struct SurfaceArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+FILE is a record of the PEER database (.at2, in g), or CSV whose first line names its columns with their units:
+time[s],acceleration[g]. The load is the column acceleration (of the surface that the body slides on), force, or
+foot-displacement (of the spring's foot, with damped-foot-displacement if the damper stands on it, too). Without a
+column time the samples are --time-step apart. Between samples the load is a straight line, and after the last one it
+is zero: the body slides to its rest. No stop is missed.
+
+Examples:
+  stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
+  stickslip record quake.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --scale 1.5 --units kN,mm \\
+    --out motion.csv --picture motion.svg
+  stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --enclose
+  stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json")]
 pub(crate) struct RecordArgs {
     /// The record: .at2, or CSV, - for standard input
     #[arg(value_name = "FILE")]
@@ -106,6 +93,17 @@ pub(crate) struct RecordArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Every quantity of the body may be a grid: FROM:TO:COUNT, FROM:TO:COUNT:log, or a list A,B,C. Each row is one body
+under one record. The records vary slowest, and the first grid, in the order of the options, next. Without --mass
+the body has one unit of mass. A picture shows the greatest displacement, the residual displacement and the greatest absolute
+acceleration over the period (or over the only other grid), for each record and, from two records on, their mean.
+
+Examples:
+  stickslip spectrum quake.at2 --period 0.1s:4s:100:log --friction-coefficient 0.02,0.05,0.1 --damping-ratio 5% --out s.csv
+  stickslip spectrum a.at2 b.at2 c.at2 --period 0.1s:4s:100:log --friction-coefficient 0.05 --picture spectra.svg
+  stickslip spectrum *.at2 --no-spring --friction-coefficient 0.05:0.5:50 --slope 10deg --one-way --out newmark.parquet
+  stickslip spectrum *.at2 --period 0.1s:4s:500:log --friction-coefficient 0.05 --out part2.csv --shard 2/8 --resume")]
 pub(crate) struct SpectrumArgs {
     /// The records: .at2, or CSV
     #[arg(value_name = "FILE", required = true)]

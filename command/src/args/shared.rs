@@ -1,5 +1,6 @@
 //! The arguments that several commands have.
 
+use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use stickslip::inputs::units::{Reader, System};
@@ -38,6 +39,16 @@ impl UnitArgs {
     }
 }
 
+impl OutputArgs {
+    /// Whether a single answer is JSON, and not text.
+    pub(crate) fn is_json(&self) -> Result<bool, Failure> {
+        self.format.unwrap_or(Format::Text).of_single().ok_or_else(|| {
+            let text = "--format: must be text or json for a single answer, jsonl or csv with --points";
+            Failure::Input(text.to_owned())
+        })
+    }
+}
+
 /// What stands in the first line of CSV.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Header {
@@ -51,4 +62,21 @@ pub(crate) enum Format {
     Json,
     Jsonl,
     Csv,
+}
+
+impl Format {
+    /// Whether a single answer is JSON, and not text; `None` for the formats of rows.
+    fn of_single(self) -> Option<bool> {
+        match self {
+            Self::Text => Some(false),
+            Self::Json => Some(true),
+            Self::Jsonl | Self::Csv => None,
+        }
+    }
+
+    /// The same for a command that has no rows.
+    pub(crate) fn is_json(self, command: &str) -> Result<bool, Failure> {
+        let rows = || Failure::Input(format!("--format: the answer to {command} is text or json"));
+        self.of_single().ok_or_else(rows)
+    }
 }

@@ -4,18 +4,12 @@ use clap::Args;
 use clap_complete::Shell;
 use std::path::PathBuf;
 
-pub(crate) const COMPLETIONS_EXAMPLES: &str = "\
+#[derive(Debug, Args)]
+#[command(after_help = "\
 Examples:
   stickslip completions bash > ~/.local/share/bash-completion/completions/stickslip
   stickslip completions zsh > ~/.zfunc/_stickslip
-  stickslip completions fish > ~/.config/fish/completions/stickslip.fish";
-
-pub(crate) const MAN_EXAMPLES: &str = "\
-Examples:
-  stickslip man | man -l -
-  stickslip man --out ~/.local/share/man/man1";
-
-#[derive(Debug, Args)]
+  stickslip completions fish > ~/.config/fish/completions/stickslip.fish")]
 pub(crate) struct CompletionsArgs {
     /// Which shell
     #[arg(value_enum, value_name = "SHELL")]
@@ -23,6 +17,10 @@ pub(crate) struct CompletionsArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stickslip man | man -l -
+  stickslip man --out ~/.local/share/man/man1")]
 pub(crate) struct ManArgs {
     /// Output folder for the pages of all commands [default: only the first page, to standard output]
     #[arg(long, value_name = "DIR")]

@@ -4,32 +4,6 @@ use super::{Header, MachineArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
-pub(crate) const SWEEP_EXAMPLES: &str = "\
-Ω and α, and every quantity of a machine, may be a grid: FROM:TO:COUNT, both ends included, FROM:TO:COUNT:log for
-equal ratios, or a list A,B,C. The first of them, in the order of the options below, varies slowest.
-
-Examples:
-  stickslip sweep response --omega 0.5:2:301 --alpha 2,4,8 > sweep.csv
-  stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.csv
-  stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.csv --resume
-  stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.parquet
-  stickslip sweep border --omega 0.01:3:3000 --outputs omega,min_force_ratio --format jsonl
-  stickslip sweep steady --mass 800kg --period 2.2s --friction-coefficient 0.03:0.1:8 --frequency 0.3Hz:5Hz:200 \
-    --base-acceleration 0.15g --units N,mm --outputs frequency,friction,physical.max_displacement --out stroke.csv
-  stickslip sweep response --omega 0.5:2:301 --alpha 2:8:61 --shard 2/4 --no-header --out part2.csv
-
-The parts 1/n … n/n together are the whole sweep. Parts as rows are joined by cat, if all but the first are made with
---no-header. Parquet files are read together by any query engine.
-
---resume continues a sweep that was interrupted, by Ctrl-C, kill -9 or a full disk. It must be the same sweep: Ω and
-α of every existing row are compared, and as many whole rows, evenly spaced, as a second allows. Without the columns
-omega and alpha all rows are computed again to compare them. Rows of CSV and JSON lines are written to FILE as they
-are computed. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
-loses at most the last second of rows.
-
-Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, and phases are ω_d t in rad. For a machine there
-are columns in its own units as well, such as max_displacement[mm], which --outputs calls physical.max_displacement.";
-
 /// What is swept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Swept {
@@ -59,6 +33,31 @@ impl SweepFormat {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Ω and α, and every quantity of a machine, may be a grid: FROM:TO:COUNT, both ends included, FROM:TO:COUNT:log for
+equal ratios, or a list A,B,C. The first of them, in the order of the options below, varies slowest.
+
+Examples:
+  stickslip sweep response --omega 0.5:2:301 --alpha 2,4,8 > sweep.csv
+  stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.csv
+  stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.csv --resume
+  stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.parquet
+  stickslip sweep border --omega 0.01:3:3000 --outputs omega,min_force_ratio --format jsonl
+  stickslip sweep steady --mass 800kg --period 2.2s --friction-coefficient 0.03:0.1:8 --frequency 0.3Hz:5Hz:200 \
+    --base-acceleration 0.15g --units N,mm --outputs frequency,friction,physical.max_displacement --out stroke.csv
+  stickslip sweep response --omega 0.5:2:301 --alpha 2:8:61 --shard 2/4 --no-header --out part2.csv
+
+The parts 1/n … n/n together are the whole sweep. Parts as rows are joined by cat, if all but the first are made with
+--no-header. Parquet files are read together by any query engine.
+
+--resume continues a sweep that was interrupted, by Ctrl-C, kill -9 or a full disk. It must be the same sweep: Ω and
+α of every existing row are compared, and as many whole rows, evenly spaced, as a second allows. Without the columns
+omega and alpha all rows are computed again to compare them. Rows of CSV and JSON lines are written to FILE as they
+are computed. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
+loses at most the last second of rows.
+
+Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, and phases are ω_d t in rad. For a machine there
+are columns in its own units as well, such as max_displacement[mm], which --outputs calls physical.max_displacement.")]
 pub(crate) struct SweepArgs {
     /// response, steady (from rest) or border
     #[arg(value_enum, value_name = "WHAT", hide_possible_values = true)]

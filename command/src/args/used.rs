@@ -1,6 +1,6 @@
 //! The options that a command uses in each mode. An option without an effect is refused.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::Outcome;
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use stickslip::inputs::{Input, Role};
@@ -28,82 +28,53 @@ impl Mode {
     }
 }
 
-/// The options that a command uses in a mode. A command that is not listed has one mode and uses all of its
-/// options.
-const USED: &[(&str, Mode, &str)] = &[
-    ("response", Ratios, "RATIOS enclose format bits"),
-    ("response", Machine, "SHIFTED format bits units"),
-    ("response", Points, "points SHIFTED format header bits units"),
-    ("border", Ratios, "omega FRICTIONS no_stop enclose format bits"),
-    ("border", Machine, "omega BODY STATIC frequency no_stop format bits units"),
-    ("border", Points, "points omega BODY STATIC frequency no_stop format header bits units"),
-    ("steady", Ratios, "RATIOS x0 v0 max_periods enclose format bits"),
-    ("steady", Machine, "SHIFTED x0 v0 max_periods format bits units"),
-    ("steady", Points, "points SHIFTED x0 v0 max_periods format header bits units"),
-    ("attractors", Ratios, "RATIOS starts reach max_periods unstable rows resume format bits"),
-    ("attractors", Machine, "DRIVEN starts reach max_periods unstable rows resume format bits units"),
-    ("basins", Ratios, "RATIOS x0 v0 max_periods rows resume bits out title size overwrite"),
-    ("basins", Machine, "DRIVEN x0 v0 max_periods rows resume bits units out title size overwrite"),
-    ("simulate", Ratios, "RATIOS x0 v0 cycles samples out overwrite format bits"),
-    ("simulate", Machine, "SHIFTED x0 v0 cycles duration samples rate out overwrite format bits units"),
-    ("sweep", Ratios, "question RATIOS outputs format out resume shard header no_header bits"),
-    ("sweep", Machine, "question SHIFTED units outputs format out resume shard header no_header bits"),
-    ("map", Ratios, "quantity RATIOS out overwrite title size range"),
-    ("map", Machine, "quantity DRIVEN units out overwrite title size range"),
-    (
-        "response-curve",
-        Ratios,
-        "what omega alpha damping-ratio out overwrite title size x_range y_range linear",
-    ),
-    (
-        "response-curve",
-        Machine,
-        "what omega alpha BODY frequency DRIVE units out overwrite title size x_range y_range linear",
-    ),
-    ("motion-plot", Ratios, "RATIOS x0 v0 out overwrite title size"),
-    ("motion-plot", Machine, "DRIVEN x0 v0 units out overwrite title size"),
-    (
-        "identify",
-        Machine,
-        "file mass SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement amplitude phase format units",
-    ),
-    ("identify", Ratios, "file decay half_cycles format units"),
-    ("identify", Machine, "file decay half_cycles mass SPRING gravity format units"),
-    (
-        "record",
-        Machine,
-        "file BODY STATIC mean-force no_spring slope one_way time_step scale from to x0 v0 out interval picture title size overwrite enclose format bits units",
-    ),
-    (
-        "spectrum",
-        Machine,
-        "files BODY STATIC mean-force no_spring slope one_way time_step scale from to units format out resume shard header no_header picture title size overwrite",
-    ),
-    ("decay", Ratios, "FRICTIONS x0 v0 out title size overwrite format bits"),
-    ("decay", Machine, "BODY STATIC mean-force x0 v0 out title size overwrite format bits units"),
-    ("design force", Ratios, "omega FRICTIONS no_stop format bits"),
-    ("design force", Machine, "BODY STATIC mean-force frequency no_stop format bits units"),
-    ("design friction", Ratios, "omega FRICTIONS format bits"),
-    (
-        "design friction",
-        Machine,
-        "mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE over of picture overwrite format bits units",
-    ),
-    ("design bands", Ratios, "alpha damping-ratio from to no_stop format bits"),
-    ("design bands", Machine, "BODY DRIVE from to no_stop format bits units"),
-    ("design displacement", Ratios, "omega damping-ratio target format bits"),
-    ("design displacement", Machine, "BODY mean-force frequency target format bits units"),
-    ("design velocity", Ratios, "omega damping-ratio target format bits"),
-    ("design velocity", Machine, "BODY mean-force frequency target format bits units"),
-    ("design dissipation", Ratios, "omega damping-ratio sticking format bits"),
-    ("design dissipation", Machine, "mass SPRING gravity DAMPER frequency DRIVE sticking format bits units"),
-    ("design stiffness", Ratios, "alpha from to format bits"),
-    (
-        "design stiffness",
-        Machine,
-        "mass FRICTION gravity friction-backward DAMPER frequency DRIVE from to format bits units",
-    ),
-];
+/// The options that a command uses: its inputs in ratios, those with a machine or a file, and the other options, of which
+/// letters before a colon are the only modes. A command has the modes for which it has inputs, and with a `p:` that of
+/// points. One that is not listed has one mode and uses all of its options.
+const USED: &str = "\
+response | RATIOS | SHIFTED | r:enclose format p:header bits mp:units
+border | omega FRICTIONS | omega BODY STATIC frequency | no_stop r:enclose format p:header bits mp:units
+steady | RATIOS | SHIFTED | x0 v0 max_periods r:enclose format p:header bits mp:units
+attractors | RATIOS | DRIVEN | starts reach max_periods unstable rows resume format bits m:units
+basins | RATIOS | DRIVEN | x0 v0 max_periods rows resume bits m:units out title size overwrite
+simulate | RATIOS | SHIFTED | x0 v0 cycles m:duration samples m:rate out overwrite format bits m:units
+sweep | RATIOS | SHIFTED | question m:units outputs format out resume shard header no_header bits
+map | RATIOS | DRIVEN | quantity m:units out overwrite title size range
+response-curve | omega alpha damping-ratio | omega alpha BODY frequency DRIVE | what m:units out overwrite title size x_range y_range linear
+motion-plot | RATIOS | DRIVEN | x0 v0 m:units out overwrite title size
+identify | | mass SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
+identify | decay half_cycles | decay half_cycles mass SPRING gravity | file format units
+record | | BODY STATIC mean-force | file no_spring slope one_way time_step scale from to x0 v0 out interval picture title size overwrite enclose format bits units
+spectrum | | BODY STATIC mean-force | files no_spring slope one_way time_step scale from to units format out resume shard header no_header picture title size overwrite
+decay | FRICTIONS | BODY STATIC mean-force | x0 v0 out title size overwrite format bits m:units
+design force | omega FRICTIONS | BODY STATIC mean-force frequency | no_stop format bits m:units
+design friction | omega FRICTIONS | mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE | m:over m:of m:picture m:overwrite format bits m:units
+design bands | alpha damping-ratio | BODY DRIVE | from to no_stop format bits m:units
+design displacement | omega damping-ratio | BODY mean-force frequency | target format bits m:units
+design velocity | omega damping-ratio | BODY mean-force frequency | target format bits m:units
+design dissipation | omega damping-ratio | mass SPRING gravity DAMPER frequency DRIVE | sticking format bits m:units
+design stiffness | alpha | mass FRICTION gravity friction-backward DAMPER frequency DRIVE | from to format bits m:units";
+
+/// The modes of a command with the options that it uses in each.
+fn modes(command: &str) -> impl Iterator<Item = (Mode, Vec<&'static str>)> {
+    let rows = USED.lines().map(|row| row.split('|').map(str::trim));
+    let rows =
+        rows.filter_map(move |mut row| (row.next()? == command).then_some([(); 3].map(|()| row.next())));
+    rows.flat_map(|[ratios, machine, others]| {
+        let others = others.unwrap_or_default();
+        let modes = [(Ratios, 'r', ratios), (Machine, 'm', machine), (Points, 'p', machine)];
+        modes.into_iter().filter_map(move |(mode, letter, inputs)| {
+            let inputs =
+                inputs.filter(|inputs| !inputs.is_empty() && (mode != Points || others.contains("p:")))?;
+            let others = others.split(' ').filter_map(|option| match option.split_once(':') {
+                Some((modes, option)) => modes.contains(letter).then_some(option),
+                None => Some(option),
+            });
+            let points = (mode == Points).then_some("points").into_iter();
+            Some((mode, points.chain(options(inputs)).chain(others).collect()))
+        })
+    })
+}
 
 /// The single options of an entry, with its groups of inputs expanded.
 fn options(used: &'static str) -> Vec<&'static str> {
@@ -129,8 +100,7 @@ fn options(used: &'static str) -> Vec<&'static str> {
 
 /// The inputs that a command reads from the columns of a file of points.
 pub(crate) fn columns(command: &str) -> Vec<Input> {
-    let row = USED.iter().find(|(name, mode, _)| *name == command && *mode == Points);
-    let used: Vec<&str> = row.map(|(.., used)| options(used)).unwrap_or_default();
+    let used = modes(command).find(|(mode, _)| *mode == Points).map(|(_, used)| used).unwrap_or_default();
     Input::ALL.into_iter().filter(|input| used.contains(&input.name())).collect()
 }
 
@@ -153,28 +123,24 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
         .filter(|id| !id.contains(char::is_uppercase))
         .collect();
     // Select the mode in which the fewest options are unused; a file of points leaves no choice.
-    let unused = |used: &'static str| {
-        let of_use = |id: &&str| *id == "quiet" || options(used).contains(id);
-        given.iter().copied().filter(|id| !of_use(id)).collect::<Vec<_>>()
+    let unused = |used: &[&str]| -> Vec<&str> {
+        given.iter().copied().filter(|id| *id != "quiet" && !used.contains(id)).collect()
     };
     let is_machine = given.iter().filter_map(|option| Input::named(option)).any(Input::is_physical);
     let fits = |mode: Mode| given.contains(&"points") == (mode == Points) && (mode != Machine || is_machine);
     // The file of a free decay asks another question than a response curve.
-    let is_asked = |used: &'static str| options(used).contains(&"decay") == given.contains(&"decay");
-    let modes = USED.iter().filter(|(name, mode, used)| *name == command && fits(*mode) && is_asked(used));
-    let Some((_, mode, used)) = modes.min_by_key(|(_, _, used)| unused(used).len()) else { return Ok(()) };
-    if let Some(id) = unused(used).first() {
-        return Err(Failure::Input(format!(
+    let is_asked = |used: &[&str]| used.contains(&"decay") == given.contains(&"decay");
+    let asked = modes(&command).filter(|(mode, used)| fits(*mode) && is_asked(used));
+    let Some((mode, used)) = asked.min_by_key(|(_, used)| unused(used).len()) else { return Ok(()) };
+    if let Some(id) = unused(&used).first() {
+        let shown = used.into_iter().filter(|id| !PLACES.contains(id)).map(option);
+        return Err(format!(
             "{}: {command} does not use it {}. It uses {}",
             written(id, matches),
             mode.name(),
-            options(used)
-                .into_iter()
-                .filter(|id| !PLACES.contains(id))
-                .map(option)
-                .collect::<Vec<_>>()
-                .join(", ")
-        )));
+            shown.collect::<Vec<_>>().join(", ")
+        )
+        .into());
     }
     Ok(())
 }
@@ -200,12 +166,12 @@ fn written(id: &str, matches: &ArgMatches) -> String {
 pub(super) fn hide_unused(command: clap::Command, before: &str) -> clap::Command {
     let name = format!("{before} {}", command.get_name()).trim_start().to_owned();
     let command = command.mut_subcommands(|question| hide_unused(question, &name));
-    if !USED.iter().any(|(of, ..)| *of == name) {
+    let used: Vec<&str> = modes(&name).flat_map(|(_, used)| used).collect();
+    if used.is_empty() {
         return command;
     }
-    let uses = |id: &str| USED.iter().any(|(of, _, used)| *of == name && options(used).contains(&id));
     command.mut_args(|arg| {
-        let hidden = arg.is_hide_set() || !(arg.is_global_set() || uses(arg.get_id().as_str()));
+        let hidden = arg.is_hide_set() || !(arg.is_global_set() || used.contains(&arg.get_id().as_str()));
         arg.hide(hidden)
     })
 }

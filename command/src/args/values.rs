@@ -1,6 +1,6 @@
 //! Values whose unit was typed as a word of its own.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::Outcome;
 use std::ffi::OsString;
 use stickslip::inputs::units::Reader;
 
@@ -12,9 +12,7 @@ pub(super) fn check(words: &[OsString]) -> Outcome {
             && number.parse::<f64>().is_ok()
             && Reader::is_unit(unit)
         {
-            return Err(Failure::Input(format!(
-                "{option} {number} {unit}: must be one word, {option} {number}{unit}"
-            )));
+            return Err(format!("{option} {number} {unit}: must be one word, {option} {number}{unit}").into());
         }
     }
     Ok(())

@@ -9,30 +9,63 @@ use stickslip::Regime;
 use stickslip::inputs::units::Kind;
 use stickslip::motion::Amplitude;
 
+/// What is shown of a quantity.
+pub(super) struct Shown {
+    amplitude: Amplitude,
+    kind: Kind,
+    pub(super) words: &'static str,
+    /// The name with the unit in ratios, in which the quantity is one over α.
+    in_ratios: &'static str,
+    /// The power of Ω in this unit.
+    power: i32,
+}
+
+pub(super) const fn shown(what: CurveQuantity) -> Shown {
+    let (amplitude, kind, words, in_ratios, power) = match what {
+        CurveQuantity::Displacement => (
+            Amplitude::Displacement,
+            Kind::Length,
+            "maximum displacement",
+            "dynamic amplification k Δ₀/p₀",
+            0,
+        ),
+        CurveQuantity::Velocity => {
+            (Amplitude::Velocity, Kind::Velocity, "maximum velocity", "maximum velocity, in p₀/√(k m)", 1)
+        }
+        CurveQuantity::Acceleration => (
+            Amplitude::Acceleration,
+            Kind::Acceleration,
+            "maximum acceleration",
+            "maximum acceleration, in p₀/m",
+            2,
+        ),
+        CurveQuantity::Force => {
+            (Amplitude::TransmittedForce, Kind::Force, "transmitted force", "transmitted force, in p₀", 0)
+        }
+        CurveQuantity::Transmissibility => {
+            (Amplitude::Transmissibility, Kind::Ratio, "transmissibility", "transmissibility (1)", 0)
+        }
+        CurveQuantity::Absolute => {
+            let words = "maximum absolute displacement";
+            (Amplitude::AbsoluteDisplacement, Kind::Length, words, "maximum absolute displacement, in p₀", 0)
+        }
+    };
+    Shown { amplitude, kind, words, in_ratios, power }
+}
+
 impl AskedCurve {
     /// The value at a point, in the machine's units or in those of p₀; `None` where it grows without bound. Beside it
     /// the regime by name, and whether the body sticks.
     pub(super) fn value(&self, point: &Point<f64>) -> Result<(Option<f64>, &'static str, bool), Failure> {
-        let (omega, alpha) = (point.ratios.omega(), point.ratios.alpha());
-        let amplitude = match self.what {
-            CurveQuantity::Displacement => Amplitude::Displacement,
-            CurveQuantity::Velocity => Amplitude::Velocity,
-            CurveQuantity::Acceleration => Amplitude::Acceleration,
-            CurveQuantity::Force => Amplitude::TransmittedForce,
-            CurveQuantity::Transmissibility => Amplitude::Transmissibility,
-            CurveQuantity::Absolute => Amplitude::AbsoluteDisplacement,
-        };
+        let Shown { amplitude, kind, power, .. } = shown(self.what);
         let excitation = excitation(point.machine.as_ref());
-        let found = amplitude
-            .of(point.ratios, excitation)
-            .map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?;
-        let in_units = |x: f64| match (&point.machine, self.what) {
-            (_, CurveQuantity::Transmissibility) => x,
-            (Some(machine), _) => x * amplitude.unit(&machine.scales),
+        let found =
+            amplitude.of(point.ratios, excitation).map_err(|e| format!("{}: {e}", self.axis.option()))?;
+        let in_units = |x: f64| match &point.machine {
+            _ if kind == Kind::Ratio => x,
+            Some(machine) => x * amplitude.unit(&machine.scales),
             // 1/α overflows for the least α.
-            (None, CurveQuantity::Displacement | CurveQuantity::Absolute | CurveQuantity::Force) => x / alpha,
-            (None, CurveQuantity::Velocity) => x / alpha * omega,
-            (None, CurveQuantity::Acceleration) => x / alpha * omega.powi(2),
+            None => x / point.ratios.alpha() * point.ratios.omega().powi(power),
         };
         let regime = found.regime.map_or("undecided", Regime::name);
         let sticks = matches!(found.regime, Some(Regime::Sticking | Regime::Stuck));
@@ -41,41 +74,10 @@ impl AskedCurve {
 
     /// The name of the quantity with its unit, for an axis.
     pub(super) fn label(&self) -> String {
-        let kind = match self.what {
-            CurveQuantity::Displacement | CurveQuantity::Absolute => Kind::Length,
-            CurveQuantity::Velocity => Kind::Velocity,
-            CurveQuantity::Acceleration => Kind::Acceleration,
-            CurveQuantity::Force => Kind::Force,
-            CurveQuantity::Transmissibility => Kind::Ratio,
-        };
-        let name = words(self.what);
-        if self.what == CurveQuantity::Transmissibility {
-            return format!("{name} (1)");
-        }
-        if self.is_machine() {
-            return format!("{name} ({})", self.system.name(kind));
-        }
-        match self.what {
-            CurveQuantity::Displacement => "dynamic amplification k Δ₀/p₀".to_owned(),
-            CurveQuantity::Velocity => format!("{name}, in p₀/√(k m)"),
-            CurveQuantity::Acceleration => format!("{name}, in p₀/m"),
-            CurveQuantity::Force | CurveQuantity::Transmissibility | CurveQuantity::Absolute => {
-                format!("{name}, in p₀")
-            }
-        }
+        let Shown { kind, words, in_ratios, .. } = shown(self.what);
+        if self.is_machine() { format!("{words} ({})", self.system.name(kind)) } else { in_ratios.to_owned() }
     }
 }
 
 /// The regime of a motion that grows without bound.
 pub(super) const UNBOUNDED: &str = Regime::Unbounded.name();
-
-pub(super) const fn words(what: CurveQuantity) -> &'static str {
-    match what {
-        CurveQuantity::Displacement => "maximum displacement",
-        CurveQuantity::Velocity => "maximum velocity",
-        CurveQuantity::Acceleration => "maximum acceleration",
-        CurveQuantity::Force => "transmitted force",
-        CurveQuantity::Transmissibility => "transmissibility",
-        CurveQuantity::Absolute => "maximum absolute displacement",
-    }
-}

@@ -1,6 +1,6 @@
 //! The picture of response curves.
 
-use super::{AskedCurve, CurvePoint, Line, Source, words};
+use super::{AskedCurve, CurvePoint, Line, Source, shown};
 use crate::bits::digits;
 use crate::failure::Failure;
 use crate::map::capital;
@@ -27,17 +27,13 @@ impl AskedCurve {
         let (left, right) =
             (frequencies().fold(f64::INFINITY, f64::min), frequencies().fold(0.0f64, f64::max));
         if left >= right {
-            return Err(Failure::Input(format!("{}: a picture needs two frequencies", self.axis.option())));
+            return Err(format!("{}: a picture needs two frequencies", self.axis.option()).into());
         }
         let (left, right) = self.look.x_range.unwrap_or((left, right));
         let frequency = format!("frequency ({})", self.unit.0);
         let name =
             if self.axis == Input::Frequency { frequency.as_str() } else { "frequency ratio Ω = ω_d/ω_n" };
-        let x = if self.grid.is_logarithmic() {
-            Axis::logarithmic(name, left, right)
-        } else {
-            Axis::linear(name, left, right)
-        };
+        let x = self.grid.axis(name, (left, right));
         let all = VerticalRange::of(lines, self.grid.is_logarithmic());
         let range = match self.look.range {
             Some((low, high)) => VerticalRange { low, high, cut_below: false, cut_above: false },
@@ -46,11 +42,7 @@ impl AskedCurve {
             None => all,
         };
         let (low, high) = (range.low, range.high);
-        let y = if self.look.is_linear {
-            Axis::linear(&self.label(), low, high)
-        } else {
-            Axis::logarithmic(&self.label(), low, high)
-        };
+        let y = Axis::new(&self.label(), (low, high), !self.look.is_linear);
         let mut series = Vec::new();
         let naturals: Vec<f64> = lines.iter().map(|line| line.natural).collect();
         let one = naturals.windows(2).all(|pair| matches!(pair, [a, b] if (a / b - 1.0).abs() < 1e-9));
@@ -122,20 +114,14 @@ impl AskedCurve {
                 series.push(Series::new(key, Style::Note, 0, []));
             }
         }
-        let mut title = format!("{} against frequency", capital(words(self.what)));
+        let mut title = format!("{} against frequency", capital(shown(self.what).words));
         title.push_str(&match (range.cut_below, range.cut_above) {
             (false, false) => String::new(),
             (false, true) => format!(", cut off at {}", digits(high)),
             (true, false) => format!(", cut off below {}", digits(low)),
             (true, true) => format!(", cut off below {} and at {}", digits(low), digits(high)),
         });
-        let title = self.look.title.clone().unwrap_or(title);
-        Ok(Figure {
-            name: "response-curve".to_owned(),
-            title,
-            caption: String::new(),
-            panels: vec![Panel { title: self.machine.clone(), x, y, plane: None, series }],
-        })
+        Ok(Figure::new("response-curve", title, "", vec![Panel::new(self.machine.clone(), x, y, series)]))
     }
 }
 

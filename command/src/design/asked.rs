@@ -9,7 +9,7 @@ use crate::record::Cell;
 use std::io::Write;
 use stickslip::inputs::units::{self, Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role, in_typed_unit};
-use stickslip::{Border, Drive, Error, Oscillator, Quantity, Ratios};
+use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
 
 /// The arguments of a question, read on demand.
 pub(super) struct AskedDesign<'a, F> {
@@ -26,7 +26,7 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         let physical = given.is_physical();
         if physical && (given.has(Input::Omega) || given.has(Input::Alpha)) {
             let text = "--omega and --alpha: must be left out in physical units, where --frequency and --force take their place";
-            return Err(Failure::Input(text.to_owned()));
+            return Err(text.into());
         }
         Ok(Self { args, reader, given, physical, one: F::int(1) })
     }
@@ -173,11 +173,6 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         Ok(self.given.completed(ratios)?)
     }
 
-    /// The border at Ω with the given damping ratio and static friction ratio.
-    pub(super) fn border(&self, omega: F) -> Result<Border<F>, Failure> {
-        Ok(Border::of(&self.ratios(omega)?))
-    }
-
     pub(super) fn alpha(&self) -> Result<F, Failure> {
         Ok(self.given.required(Input::Alpha)?)
     }
@@ -200,7 +195,7 @@ impl<'a, F: Value> AskedDesign<'a, F> {
             Some(text) => {
                 Ok(self.reader.value(name, text, if self.physical { kind } else { Kind::Ratio })?)
             }
-            None => Err(Failure::Input(format!("{name} is missing"))),
+            None => Err(format!("{name} is missing").into()),
         }
     }
 

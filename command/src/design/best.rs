@@ -1,159 +1,122 @@
 //! `stickslip design dissipation` and `stiffness`: the optimum, and the reason why it is one.
 
-use super::{AnswerRow, AskedDesign, DesignAnswer, searched_field, some};
+use super::{AskedDesign, DesignAnswer, searched_field, some};
 use crate::bits::{Value, digits};
 use crate::failure::Failure;
 use crate::record::Cell;
-use stickslip::design::{self, OptimumKind};
+use stickslip::Error;
+use stickslip::design::{self, BoundedOptimum, Optimum, OptimumKind};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
 
-impl<F: Value> AskedDesign<'_, F> {
-    pub(super) fn dissipation(&self) -> Result<DesignAnswer<F>, Failure> {
-        if self.args.sticking {
-            return self.dissipation_of_all();
-        }
-        if !self.physical {
-            let (omega, zeta) = (self.omega()?, self.damping_ratio());
-            let best = design::most_dissipating_force_ratio(omega, zeta).map_err(|e| self.fail(e))?;
-            let size = ("loop_size_stiffness", Kind::Ratio, best.value);
-            return Ok(best_ratio("", 'α', ("force_ratio", Kind::Ratio, best.at), size, None, best.kind));
-        }
-        let body = self.body(true, false)?;
-        let drive = self.drive(&body, self.frequency()?)?;
-        let best = design::most_dissipating_friction(&body, &drive).map_err(|e| self.fail(e))?;
-        let place = self.friction_of(best.at);
-        Ok(self.best("", &place, ("friction", Kind::Force, best.at), best.value, None, best.kind))
-    }
+/// An optimum, with the bound on every other value if it is one of all motions.
+struct Best<F> {
+    at: F,
+    value: F,
+    bound: Option<F>,
+    kind: OptimumKind,
+}
 
-    /// The friction that dissipates most with sticking allowed, by exact motions, with a bound on the
+impl<F> From<Optimum<F>> for Best<F> {
+    fn from(Optimum { at, value, kind, .. }: Optimum<F>) -> Self {
+        Self { at, value, bound: None, kind }
+    }
+}
+
+impl<F> From<BoundedOptimum<F>> for Best<F> {
+    fn from(BoundedOptimum { at, value, bound, kind, .. }: BoundedOptimum<F>) -> Self {
+        Self { at, value, bound: Some(bound), kind }
+    }
+}
+
+impl<F: Value> AskedDesign<'_, F> {
+    /// The force ratio or the friction that dissipates most; with sticking allowed by exact motions, with a bound on the
     /// dissipation at any friction.
-    fn dissipation_of_all(&self) -> Result<DesignAnswer<F>, Failure> {
+    pub(super) fn dissipation(&self) -> Result<DesignAnswer<F>, Failure> {
         let tolerance = F::ratio(1, 1_000_000);
         if !self.physical {
             let (omega, zeta) = (self.omega()?, self.damping_ratio());
-            let best = design::most_dissipating_force_ratio_of_all(omega, zeta, tolerance);
-            let best = best.map_err(|e| self.fail(e))?;
-            let (at, bound) = (("force_ratio", Kind::Ratio, best.at), Some(best.bound));
-            return Ok(best_ratio(
-                " of all motions",
-                'α',
-                at,
-                ("loop_size_stiffness", Kind::Ratio, best.value),
-                bound,
-                best.kind,
-            ));
+            let best = if self.args.sticking {
+                design::most_dissipating_force_ratio_of_all(omega, zeta, tolerance).map(Best::from)
+            } else {
+                design::most_dissipating_force_ratio(omega, zeta).map(Best::from)
+            };
+            return self.best(best, ["force_ratio", "loop_size_stiffness"], |best| at('α', best));
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
-        let best = design::most_dissipating_friction_of_all(&body, &drive, tolerance);
-        let best = best.map_err(|e| self.fail(e))?;
-        let place = self.friction_of(best.at);
-        let at = ("friction", Kind::Force, best.at);
-        Ok(self.best(" of all motions", &place, at, best.value, Some(best.bound), best.kind))
+        let best = if self.args.sticking {
+            design::most_dissipating_friction_of_all(&body, &drive, tolerance).map(Best::from)
+        } else {
+            design::most_dissipating_friction(&body, &drive).map(Best::from)
+        };
+        self.best(best, ["friction", "energy"], |best| {
+            let force = self.system().force();
+            format!("with a friction bound of {} {force}: {}", digits(best.at), self.energy(best))
+        })
     }
 
     pub(super) fn stiffness(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Stiffness)?;
         if !self.physical {
-            let best = design::most_dissipating_frequency_ratio(self.alpha()?, low, high);
-            let best = best.map_err(|e| self.fail(e))?;
-            return Ok(best_ratio(
-                "",
-                'Ω',
-                ("omega", Kind::Ratio, best.at),
-                ("loop_size_inertia", Kind::Ratio, best.value),
-                None,
-                best.kind,
-            ));
+            let best = design::most_dissipating_frequency_ratio(self.alpha()?, low, high).map(Best::from);
+            return self.best(best, ["omega", "loop_size_inertia"], |best| at('Ω', best));
         }
         if self.given.has(Input::DampingRatio) {
             let text = "--damping-ratio: changes with the stiffness that is asked for. Give the damping constant by \
                 --damping";
-            return Err(Failure::Input(text.to_owned()));
+            return Err(text.into());
         }
         let body = self.body(false, true)?;
         let drive = self.drive(&body, self.frequency()?)?;
-        let best = design::most_dissipating_stiffness(&body, &drive, low, high).map_err(|e| self.fail(e))?;
-        let (force, length) = (self.system().force(), self.system().length());
+        let best = design::most_dissipating_stiffness(&body, &drive, low, high).map(Best::from);
         let searched = body.damping() > F::int(0);
         let by = if searched { " (by a search that is not a proof)" } else { "" };
-        let place = format!("with a stiffness of {} {force}/{length}{by}", digits(best.at));
-        let at = ("stiffness", Kind::Stiffness, best.at);
-        let mut answer = self.best("", &place, at, best.value, None, best.kind);
+        let mut answer = self.best(best, ["stiffness", "energy"], |best| {
+            let unit = self.system().name(Kind::Stiffness);
+            format!("with a stiffness of {} {unit}{by}: {}", digits(best.at), self.energy(best))
+        })?;
         if searched {
             answer.rows.iter_mut().for_each(|row| row.push(searched_field()));
         }
         Ok(answer)
     }
 
-    fn friction_of(&self, friction: F) -> String {
-        format!("with a friction bound of {} {}", digits(friction), self.system().force())
+    fn energy(&self, best: &Best<F>) -> String {
+        format!("{} {}·{} a cycle", digits(best.value), self.system().force(), self.system().length())
     }
 
-    /// The optimum in physical units: its place, its value, and the reason for the optimum.
+    /// The optimum: its place in words, its fields, and the reason for it.
     fn best(
         &self,
-        of_all: &str,
-        place: &str,
-        at: (&'static str, Kind, F),
-        energy: F,
-        bound: Option<F>,
-        optimum: OptimumKind,
-    ) -> DesignAnswer<F> {
-        let (force, length) = (self.system().force(), self.system().length());
-        let energy_text = digits(energy);
-        let sentence = format!(
-            "Dissipation is greatest{of_all} {place}: {energy_text} {force}·{length} a cycle, {}.",
-            why(optimum)
-        );
-        DesignAnswer::one(sentence, best_fields(at, ("energy", Kind::Energy, energy), bound, optimum))
+        found: Result<Best<F>, Error>,
+        [at, value]: [&'static str; 2],
+        place: impl FnOnce(&Best<F>) -> String,
+    ) -> Result<DesignAnswer<F>, Failure> {
+        let best = found.map_err(|e| self.fail(e))?;
+        let of_all = if best.bound.is_some() { " of all motions" } else { "" };
+        let (name, why) = match best.kind {
+            OptimumKind::Interior => ("interior", "an interior maximum"),
+            OptimumKind::Border => ("border", "on the border of sticking"),
+            OptimumKind::RangeEnd => ("end-of-range", "at the end of the range"),
+            OptimumKind::Sticking => ("sticking", "where it sticks, by the exact motion"),
+            // The library may add kinds.
+            _ => ("other", "by the motion itself"),
+        };
+        let [at_kind, kind] = match at {
+            "friction" => [Kind::Force, Kind::Energy],
+            "stiffness" => [Kind::Stiffness, Kind::Energy],
+            _ => [Kind::Ratio; 2],
+        };
+        let mut fields = vec![(at, at_kind, some(best.at)), (value, kind, some(best.value))];
+        fields.extend(best.bound.map(|bound| ("bound", kind, some(bound))));
+        fields.push(("optimum", Kind::Ratio, Cell::Text(name)));
+        let sentence = format!("Dissipation is greatest{of_all} {}, {why}.", place(&best));
+        Ok(DesignAnswer::one(sentence, fields))
     }
 }
 
-/// The optimum in ratios, at α or Ω.
-fn best_ratio<F: Value>(
-    of_all: &str,
-    symbol: char,
-    at: (&'static str, Kind, F),
-    size: (&'static str, Kind, F),
-    bound: Option<F>,
-    optimum: OptimumKind,
-) -> DesignAnswer<F> {
-    let sentence =
-        format!("Dissipation is greatest{of_all} at {symbol} = {}, {}.", digits(at.2), why(optimum));
-    DesignAnswer::one(sentence, best_fields(at, size, bound, optimum))
-}
-
-fn best_fields<F: Value>(
-    at: (&'static str, Kind, F),
-    size: (&'static str, Kind, F),
-    bound: Option<F>,
-    optimum: OptimumKind,
-) -> AnswerRow<F> {
-    let mut fields = vec![(at.0, at.1, some(at.2)), (size.0, size.1, some(size.2))];
-    fields.extend(bound.map(|bound| ("bound", size.1, some(bound))));
-    fields.push(("optimum", Kind::Ratio, Cell::Text(name(optimum))));
-    fields
-}
-
-fn name(optimum: OptimumKind) -> &'static str {
-    match optimum {
-        OptimumKind::Interior => "interior",
-        OptimumKind::Border => "border",
-        OptimumKind::RangeEnd => "end-of-range",
-        OptimumKind::Sticking => "sticking",
-        // The library may add kinds.
-        _ => "other",
-    }
-}
-
-fn why(optimum: OptimumKind) -> &'static str {
-    match optimum {
-        OptimumKind::Interior => "an interior maximum",
-        OptimumKind::Border => "on the border of sticking",
-        OptimumKind::RangeEnd => "at the end of the range",
-        OptimumKind::Sticking => "where it sticks, by the exact motion",
-        _ => "by the motion itself",
-    }
+/// The place of an optimum in ratios.
+fn at<F: Value>(symbol: char, best: &Best<F>) -> String {
+    format!("at {symbol} = {}", digits(best.at))
 }

@@ -5,37 +5,29 @@ use crate::args::{CurveQuantity, DesignAim};
 use crate::bits::{Value, digits};
 use crate::curve::AskedCurve;
 use crate::failure::{Failure, Outcome};
-use crate::figure;
-use crate::output::PendingFile;
+use crate::figure::{PLAIN, Target};
 use crate::record::Cell;
+use stickslip::Excitation;
 use stickslip::design::{self, Aim, BandFriction, BandFrictionKind};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
 
 impl DesignAim {
-    const fn aim(self) -> Aim {
+    /// The amplitude, the curve that shows it, its name, and its kind.
+    const fn shown(self) -> (Aim, CurveQuantity, &'static str, Kind) {
         match self {
-            Self::Displacement => Aim::Displacement,
-            Self::AbsoluteDisplacement => Aim::AbsoluteDisplacement,
-            Self::TransmittedForce => Aim::TransmittedForce,
-            Self::Acceleration => Aim::Acceleration,
-        }
-    }
-
-    const fn words(self) -> &'static str {
-        match self {
-            Self::Displacement => "displacement",
-            Self::AbsoluteDisplacement => "absolute displacement",
-            Self::TransmittedForce => "transmitted force",
-            Self::Acceleration => "absolute acceleration",
-        }
-    }
-
-    const fn kind(self) -> Kind {
-        match self {
-            Self::Displacement | Self::AbsoluteDisplacement => Kind::Length,
-            Self::TransmittedForce => Kind::Force,
-            Self::Acceleration => Kind::Acceleration,
+            Self::Displacement => {
+                (Aim::Displacement, CurveQuantity::Displacement, "displacement", Kind::Length)
+            }
+            Self::AbsoluteDisplacement => {
+                (Aim::AbsoluteDisplacement, CurveQuantity::Absolute, "absolute displacement", Kind::Length)
+            }
+            Self::TransmittedForce => {
+                (Aim::TransmittedForce, CurveQuantity::Force, "transmitted force", Kind::Force)
+            }
+            Self::Acceleration => {
+                (Aim::Acceleration, CurveQuantity::Acceleration, "absolute acceleration", Kind::Acceleration)
+            }
         }
     }
 }
@@ -44,28 +36,26 @@ impl<F: Value> AskedDesign<'_, F> {
     pub(super) fn friction_over_band(&self, over: &str) -> Result<DesignAnswer<F>, Failure> {
         let Some(of) = self.args.of else {
             let names = "displacement, absolute-displacement, transmitted-force or acceleration";
-            return Err(Failure::Input(format!("--of is missing beside --over {over}: {names}")));
+            return Err(format!("--of is missing beside --over {over}: {names}").into());
         };
         if !self.physical {
-            return Err(Failure::Input(format!(
-                "--over {over}: needs a machine in units, and --mass is missing"
-            )));
+            return Err(format!("--over {over}: needs a machine in units, and --mass is missing").into());
         }
         if self.given.has(Input::Frequency) {
             let frequency = self.given.label(Input::Frequency);
-            return Err(Failure::Input(format!("{frequency}: must be left out beside --over {over}")));
+            return Err(format!("{frequency}: must be left out beside --over {over}").into());
         }
         let Some((from, to)) = over.split_once(':') else {
-            return Err(Failure::Input(format!("--over {over}: must be LOW:HIGH, such as 0.5Hz:2Hz")));
+            return Err(format!("--over {over}: must be LOW:HIGH, such as 0.5Hz:2Hz").into());
         };
         let end = |text: &str| self.reader.value::<F>("--over", text, Kind::Frequency);
         let (low, high) = (end(from)?, end(to)?);
         if low >= high {
-            return Err(Failure::Input(format!("--over {over}: the lower end must be < the upper end")));
+            return Err(format!("--over {over}: the lower end must be < the upper end").into());
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.one)?;
-        let found = design::best_friction_over_band(&body, &drive, low, high, of.aim())
+        let found = design::best_friction_over_band(&body, &drive, low, high, of.shown().0)
             .map_err(|e| self.fail(e).about(&format!("--over {over}")))?;
         if let Some(file) = &self.args.picture {
             self.picture(file, over, of, found.friction.to_f64())?;
@@ -74,7 +64,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let mut fields = vec![
             ("friction", Kind::Force, some(found.friction)),
             ("friction_coefficient", Kind::Ratio, some(coefficient)),
-            ("greatest", of.kind(), some(found.greatest)),
+            ("greatest", of.shown().3, some(found.greatest)),
         ];
         if !found.at.is_empty() {
             let mut ranges = found.at.iter().map(|&(from, to)| (from, Some(to)));
@@ -89,19 +79,18 @@ impl<F: Value> AskedDesign<'_, F> {
     }
 
     fn sentence(&self, of: DesignAim, over: &str, found: &BandFriction<F>) -> String {
-        let (words, force) = (of.words(), self.system().force());
+        let ((_, _, words, kind), force) = (of.shown(), self.system().force());
         let band = over.replacen(':', " to ", 1);
         let friction = format!("{} {force}", digits(found.friction));
         let hertz = |omega: F| digits(omega / (F::int(2) * F::pi()));
+        let greatest = format!("{} {}", digits(found.greatest), self.system().name(kind));
         match found.kind {
             BandFrictionKind::Rest if found.greatest == F::int(0) => format!(
                 "The greatest {words} from {band} is 0 with a friction bound of {friction} or more, because the \
                  body rests. Short of that, more friction is as a rule less motion."
             ),
             BandFrictionKind::None => format!(
-                "The less friction, the less is the greatest {words} from {band}: {} {} with next to none.",
-                digits(found.greatest),
-                self.system().name(of.kind())
+                "The less friction, the less is the greatest {words} from {band}: {greatest} with next to none."
             ),
             BandFrictionKind::Rest | BandFrictionKind::Interior | _ => {
                 let places: Vec<String> = found
@@ -116,10 +105,8 @@ impl<F: Value> AskedDesign<'_, F> {
                     })
                     .collect();
                 format!(
-                    "The greatest {words} from {band} is least with a friction bound of {friction}: {} {}, at {}. \
+                    "The greatest {words} from {band} is least with a friction bound of {friction}: {greatest}, at {}. \
                      The friction is found by a search that is not a proof.",
-                    digits(found.greatest),
-                    self.system().name(of.kind()),
                     places.join(" and at ")
                 )
             }
@@ -128,24 +115,15 @@ impl<F: Value> AskedDesign<'_, F> {
 
     /// The curves with half the friction, with it, and with twice as much.
     fn picture(&self, file: &std::path::Path, over: &str, of: DesignAim, friction: f64) -> Outcome {
-        let what = match of {
-            DesignAim::Displacement => CurveQuantity::Displacement,
-            DesignAim::AbsoluteDisplacement => CurveQuantity::Absolute,
-            DesignAim::TransmittedForce => CurveQuantity::Force,
+        let input = self.given.amplitude().ok().and_then(|(input, _)| input.excitation());
+        let what = match of.shown() {
             // Over a moving surface the absolute acceleration is that force over m.
-            DesignAim::Acceleration if self.moves_surface() => CurveQuantity::Force,
-            DesignAim::Acceleration => CurveQuantity::Acceleration,
+            (Aim::Acceleration, ..) if input.is_some_and(Excitation::carries_surface) => CurveQuantity::Force,
+            (_, what, ..) => what,
         };
-        let option = format!("--picture {}", file.display());
-        let drawing = figure::drawing(file, "--picture")?;
-        let pending = PendingFile::create(file, &option, self.args.overwrite)?;
+        let target = Target::new("--picture", Some(file), self.args.overwrite, &PLAIN)?;
         let frictions = [0.5, 1.0, 2.0].map(|share| share * friction);
         let curve = AskedCurve::of_frictions(what, over, &self.args.machine, frictions, self.reader)?;
-        pending.fill(|out| figure::write(&curve.drawn()?, drawing, out))
-    }
-
-    fn moves_surface(&self) -> bool {
-        let input = self.given.amplitude().ok().and_then(|(input, _)| input.excitation());
-        input.is_some_and(stickslip::Excitation::carries_surface)
+        target.draw(&mut std::io::sink(), || curve.drawn())
     }
 }

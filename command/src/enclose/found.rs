@@ -1,30 +1,24 @@
 //! `--enclose`: each output as certain digits, then ±.
 
-use super::Others;
-use crate::args::{Format, OutputArgs};
-use crate::failure::{Failure, Outcome};
+use super::typed::TypedRatios;
+use crate::failure::Outcome;
+use crate::output;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
-use stickslip::enclosed::{self, Known, Regime, Response};
-use stickslip::{Error, Output, Quantity};
-
-/// The default number of bits of an enclosure.
-pub(crate) const BITS: u32 = 64;
+use stickslip::Output;
+use stickslip::enclosed::{self, Regime, Response};
+use stickslip::inputs::Input;
 
 /// The typed ratios and the answer.
 struct EnclosedAnswer<'a> {
-    typed: Vec<(&'static str, &'a str)>,
+    typed: TypedRatios<'a>,
     found: Response,
-    outputs: Vec<Output>,
+    outputs: &'static [Output],
     has_regime: bool,
 }
 
 impl EnclosedAnswer<'_> {
-    fn has_static_friction(&self) -> bool {
-        self.typed.iter().any(|(name, _)| *name == "static_friction_ratio")
-    }
-
     /// The certain regime as a sentence.
     fn verdict(&self) -> String {
         let bits = self.found.bits;
@@ -56,46 +50,22 @@ impl EnclosedAnswer<'_> {
     }
 }
 
-/// The damping ratio and the static friction ratio; zero and one by default.
-pub(super) fn known_others((zeta, eta): Others<'_>) -> Result<(Known, Known), Failure> {
-    let zeta = known("--damping-ratio", zeta.unwrap_or("0"))?;
-    Ok((zeta, known("--static-friction-ratio", eta.unwrap_or("1"))?))
-}
-
-/// The damping ratio and the static friction ratio that were typed, as options or as keys of JSON.
-pub(super) fn typed_others<'a>((zeta, eta): Others<'a>) -> impl Iterator<Item = (&'static str, &'a str)> {
-    let zeta = zeta.map(|zeta| ("damping_ratio", zeta));
-    zeta.into_iter().chain(eta.map(|eta| ("static_friction_ratio", eta)))
-}
-
-/// The options as typed, for messages.
-pub(super) fn options(typed: &[(&'static str, &str)]) -> String {
-    let option = |(name, text): &(&str, &str)| format!("--{} {text}", name.replace('_', "-"));
-    typed.iter().map(option).collect::<Vec<_>>().join(" ")
-}
-
 /// `response --enclose`.
-pub(crate) fn response(
-    (omega, alpha): (&str, &str),
-    others: Others<'_>,
-    output: &OutputArgs,
-    out: &mut impl Write,
-) -> Outcome {
-    let ((zeta, eta), bits) = (known_others(others)?, bits(output));
-    let typed: Vec<_> =
-        [("omega", omega), ("alpha", alpha)].into_iter().chain(typed_others(others)).collect();
-    let found = enclosed::response(&known("--omega", omega)?, &known("--alpha", alpha)?, &zeta, &eta, bits);
-    let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
-    EnclosedAnswer { typed, found, outputs: Output::ALL.to_vec(), has_regime: true }.write(output, out)
+pub(super) fn response(typed: TypedRatios<'_>, out: &mut impl Write) -> Outcome {
+    let known = |input| typed.known(input);
+    let [omega, alpha] = [known(Input::Omega)?, known(Input::Alpha)?];
+    let [zeta, eta] = [known(Input::DampingRatio)?, known(Input::StaticFrictionRatio)?];
+    let found = enclosed::response(&omega, &alpha, &zeta, &eta, typed.bits).map_err(|e| typed.fault(&e))?;
+    EnclosedAnswer { typed, found, outputs: &Output::ALL, has_regime: true }.write(out)
 }
 
 /// `border --enclose`.
-pub(crate) fn border(omega: &str, others: Others<'_>, output: &OutputArgs, out: &mut impl Write) -> Outcome {
-    let ((zeta, eta), bits) = (known_others(others)?, bits(output));
-    let typed: Vec<_> = [("omega", omega)].into_iter().chain(typed_others(others)).collect();
-    let found = enclosed::border(&known("--omega", omega)?, &zeta, &eta, bits);
-    let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
-    let of_border = [
+pub(super) fn border(typed: TypedRatios<'_>, out: &mut impl Write) -> Outcome {
+    let known = |input| typed.known(input);
+    let [omega, zeta] = [known(Input::Omega)?, known(Input::DampingRatio)?];
+    let eta = known(Input::StaticFrictionRatio)?;
+    let found = enclosed::border(&omega, &zeta, &eta, typed.bits).map_err(|e| typed.fault(&e))?;
+    let outputs = &[
         Output::MinForceRatio,
         Output::TurningPointForceRatio,
         Output::LeastDisplacement,
@@ -103,45 +73,22 @@ pub(crate) fn border(omega: &str, others: Others<'_>, output: &OutputArgs, out: 
         Output::BestForceRatio,
         Output::BestLoopSize,
     ];
-    EnclosedAnswer { typed, found, outputs: of_border.to_vec(), has_regime: false }.write(output, out)
-}
-
-pub(super) fn bits(output: &OutputArgs) -> u32 {
-    output.bits.unwrap_or(BITS)
-}
-
-/// The failure, which names its cause: the typed ratios, or the bits.
-pub(super) fn fault(ratios: &str, output: &OutputArgs, error: &Error) -> Failure {
-    match error.quantity() {
-        Some(Quantity::Precision) => Failure::Input(format!("--bits {}: {error}", bits(output))),
-        _ => Failure::Input(format!("{ratios}: {error}")),
-    }
-}
-
-/// The ratio exactly as written.
-pub(super) fn known(option: &str, text: &str) -> Result<Known, Failure> {
-    text.parse().map_err(|e| Failure::Input(format!("{option} {text}: {e}")))
+    EnclosedAnswer { typed, found, outputs, has_regime: false }.write(out)
 }
 
 impl EnclosedAnswer<'_> {
-    fn write(&self, output: &OutputArgs, out: &mut impl Write) -> Outcome {
-        match output.format.unwrap_or(Format::Text) {
-            Format::Text => self.text(out),
-            Format::Json => {
-                serde_json::to_writer_pretty(&mut *out, self)?;
-                Ok(out.write_all(b"\n")?)
-            }
-            Format::Jsonl | Format::Csv => Err(Failure::single_format()),
-        }
+    fn write(&self, out: &mut impl Write) -> Outcome {
+        if self.typed.output.is_json()? { output::json(self, out) } else { self.text(out) }
     }
 
     fn text(&self, out: &mut impl Write) -> Outcome {
         let bits = self.found.bits;
         if self.has_regime {
             writeln!(out, "{}", style::verdict(&self.verdict()))?;
-            let is_higher =
-                |(name, text): &(&str, &str)| *name == "static_friction_ratio" && text.parse() != Ok(1.0);
-            if self.typed.iter().any(is_higher) && self.found.regime != Some(Regime::Stuck) {
+            let is_higher = |eta: &str| eta.parse() != Ok(1.0);
+            if self.typed.text(Input::StaticFrictionRatio).is_some_and(is_higher)
+                && self.found.regime != Some(Regime::Stuck)
+            {
                 let rest = match self.found.moves_from_rest {
                     Some(true) => "A body at rest is released wherever it is.",
                     Some(false) => "A body at rest at x = 0 stays at rest.",
@@ -151,7 +98,7 @@ impl EnclosedAnswer<'_> {
             }
             writeln!(out)?;
         }
-        for &output in &self.outputs {
+        for &output in self.outputs {
             if let Some(value) = self.found.get(output) {
                 let unit = match output.definition().measure.unit() {
                     "1" => String::new(),
@@ -170,17 +117,15 @@ impl EnclosedAnswer<'_> {
 impl Serialize for EnclosedAnswer<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        for (name, text) in &self.typed {
-            map.serialize_entry(name, text)?;
-        }
+        self.typed.serialize(&mut map)?;
         if self.has_regime {
             map.serialize_entry("regime", &self.found.regime.map(Regime::name))?;
-            if self.has_static_friction() {
+            if self.typed.text(Input::StaticFrictionRatio).is_some() {
                 map.serialize_entry("motion_without_stop", &self.has_motion_without_stop())?;
                 map.serialize_entry("moves_from_rest", &self.found.moves_from_rest)?;
             }
         }
-        for output in &self.outputs {
+        for output in self.outputs {
             map.serialize_entry(output.name(), &self.found.get(*output))?;
         }
         map.serialize_entry("bits", &self.found.bits)?;

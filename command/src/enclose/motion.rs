@@ -1,45 +1,27 @@
 //! `steady --enclose`: a motion that is proved to exist.
 
-use super::Others;
-use super::found::{bits, fault, known, known_others, options, typed_others};
-use crate::args::{Format, OutputArgs};
-use crate::failure::{Failure, Outcome};
+use super::typed::TypedRatios;
+use crate::failure::Outcome;
+use crate::output;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::enclosed::{self, Enclosure, Steady, Unproved};
+use stickslip::inputs::Input;
 
 /// The typed ratios and the motion, or the reason why it is not proved.
 struct EnclosedMotionAnswer<'a> {
-    omega: &'a str,
-    alpha: &'a str,
-    damping_ratio: Option<&'a str>,
-    static_friction_ratio: Option<&'a str>,
+    typed: TypedRatios<'a>,
     found: Result<Steady, Unproved>,
 }
 
-pub(crate) fn steady(
-    (omega, alpha): (&str, &str),
-    (damping_ratio, static_friction_ratio): Others<'_>,
-    output: &OutputArgs,
-    out: &mut impl Write,
-) -> Outcome {
-    let others = (damping_ratio, static_friction_ratio);
-    let (zeta, eta) = known_others(others)?;
-    let ratios = (known("--omega", omega)?, known("--alpha", alpha)?);
-    let found = enclosed::steady(&ratios.0, &ratios.1, &zeta, &eta, bits(output));
-    let typed: Vec<_> =
-        [("omega", omega), ("alpha", alpha)].into_iter().chain(typed_others(others)).collect();
-    let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
-    let answer = EnclosedMotionAnswer { omega, alpha, damping_ratio, static_friction_ratio, found };
-    match output.format.unwrap_or(Format::Text) {
-        Format::Text => answer.text(out),
-        Format::Json => {
-            serde_json::to_writer_pretty(&mut *out, &answer)?;
-            Ok(out.write_all(b"\n")?)
-        }
-        Format::Jsonl | Format::Csv => Err(Failure::single_format()),
-    }
+pub(super) fn steady(typed: TypedRatios<'_>, out: &mut impl Write) -> Outcome {
+    let known = |input| typed.known(input);
+    let [omega, alpha] = [known(Input::Omega)?, known(Input::Alpha)?];
+    let [zeta, eta] = [known(Input::DampingRatio)?, known(Input::StaticFrictionRatio)?];
+    let found = enclosed::steady(&omega, &alpha, &zeta, &eta, typed.bits).map_err(|e| typed.fault(&e))?;
+    let answer = EnclosedMotionAnswer { typed, found };
+    if answer.typed.output.is_json()? { output::json(&answer, out) } else { answer.text(out) }
 }
 
 impl EnclosedMotionAnswer<'_> {
@@ -87,14 +69,7 @@ impl EnclosedMotionAnswer<'_> {
 impl Serialize for EnclosedMotionAnswer<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("omega", self.omega)?;
-        map.serialize_entry("alpha", self.alpha)?;
-        if let Some(zeta) = self.damping_ratio {
-            map.serialize_entry("damping_ratio", zeta)?;
-        }
-        if let Some(eta) = self.static_friction_ratio {
-            map.serialize_entry("static_friction_ratio", eta)?;
-        }
+        self.typed.serialize(&mut map)?;
         let found = self.found.as_ref().ok();
         let value = |of: fn(&Steady) -> &Enclosure| found.map(of);
         map.serialize_entry("proved", &found.is_some())?;

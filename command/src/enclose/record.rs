@@ -1,9 +1,10 @@
 //! `record --enclose`: every answer with a bound of its error, and every stop proved.
 
-use super::found::BITS;
-use crate::args::{Format, RecordArgs};
+use super::typed::BITS;
+use crate::args::RecordArgs;
 use crate::failure::{Failure, Outcome};
 use crate::follow::Shaken;
+use crate::output;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
@@ -26,11 +27,7 @@ pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = enclosed::follow(&body, &record, x, v, args.bits.unwrap_or(BITS)).map_err(named)?;
     let answer = EnclosedRecord { found, system: given.system };
-    if args.format == Format::Json {
-        serde_json::to_writer_pretty(&mut *out, &answer)?;
-        return Ok(out.write_all(b"\n")?);
-    }
-    answer.text(out)
+    if args.format.is_json("record")? { output::json(&answer, out) } else { answer.text(out) }
 }
 
 impl EnclosedRecord {

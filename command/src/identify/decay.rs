@@ -1,9 +1,10 @@
 //! `stickslip identify --decay`: friction and damping from a free decay.
 
 use super::{EstimateRecord, MeasuredColumn, each_row, estimate_line, opened};
-use crate::args::{Format, IdentifyArgs};
+use crate::args::IdentifyArgs;
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
+use crate::output;
 use crate::rows::Ahead;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -34,7 +35,13 @@ struct DecayAnswer {
     ignored_columns: Vec<String>,
 }
 
-pub(super) fn run(args: &IdentifyArgs, given: &Given<f64>, reader: &Reader, out: &mut impl Write) -> Outcome {
+pub(super) fn run(
+    args: &IdentifyArgs,
+    given: &Given<f64>,
+    reader: &Reader,
+    is_json: bool,
+    out: &mut impl Write,
+) -> Outcome {
     let name = args.file.display().to_string();
     let file = DecayFile::read(&args.file, &name, reader)?;
     let found = file.identified(args.half_cycles).map_err(|e| {
@@ -45,11 +52,7 @@ pub(super) fn run(args: &IdentifyArgs, given: &Given<f64>, reader: &Reader, out:
         Failure::Input(format!("{name}: {e}"))
     })?;
     let answer = DecayAnswer::new(given, found, &file)?;
-    if let Format::Json = args.format {
-        serde_json::to_writer_pretty(&mut *out, &answer)?;
-        return Ok(out.write_all(b"\n")?);
-    }
-    answer.text(&file, given, out)
+    if is_json { output::json(&answer, out) } else { answer.text(&file, given, out) }
 }
 
 /// The columns of a decay.
@@ -75,13 +78,14 @@ impl DecayFile {
             (both, _) => {
                 let found = header.iter().collect::<Vec<_>>().join(",");
                 let what = if both.is_some() { "one of the columns" } else { "the column" };
-                return Err(Failure::Input(format!(
+                return Err(format!(
                     "{name}: {what} peak or displacement must be in the header “{found}”, such as peak[mm]"
-                )));
+                )
+                .into());
             }
         };
         if is_sampled && time.is_none() {
-            return Err(Failure::Input(format!("{name}: the column time is missing beside displacement")));
+            return Err(format!("{name}: the column time is missing beside displacement").into());
         }
         let (mut values, mut times) = (Vec::new(), Vec::new());
         let lines = each_row(&mut table, name, &ahead, (MOST_ROWS, "rows"), |row, at| {

@@ -25,7 +25,7 @@ pub(super) fn described(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
     let limits = (0..STARTS)
         .map(|number| follow(ratios, start(number, reach)?, PERIODS))
         .collect::<Result<Vec<_>, _>>()?;
-    let all = Attractors::of_limits(limits).map_err(|e| Failure::Input(e.to_string()))?;
+    let all = Attractors::of_limits(limits).map_err(|e| e.to_string())?;
     if all.limits.iter().any(|found| matches!(found.limit, LongRun::Irregular(_))) {
         return Ok(IRREGULAR);
     }

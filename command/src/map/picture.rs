@@ -46,16 +46,12 @@ impl Map<'_> {
         if !inverse && up.role() != Role::Drive {
             return Vec::new();
         }
-        let ((left, right), (low, _)) = (self.across.1.ends(), self.up.1.ends());
+        let (low, _) = self.up.1.ends();
         let mut given = self.axes.given_at(0);
-        let logarithmic = self.across.1.is_logarithmic();
-        let at = |i: u32| {
-            let share = f64::from(i) / f64::from(BORDER_POINTS);
-            if logarithmic { left * (right / left).powf(share) } else { left + (right - left) * share }
-        };
         let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);
         let mut points = Vec::new();
-        for x in (0..=BORDER_POINTS).map(at) {
+        for i in 0..=BORDER_POINTS {
+            let x = self.across.1.at(f64::from(i) / f64::from(BORDER_POINTS));
             given.set(self.across.0, x);
             given.set(up, low);
             let Ok(point) = input::point(&given) else { continue };
@@ -79,15 +75,16 @@ impl Map<'_> {
     fn drawable(&self) -> Outcome {
         let (points, (x, y)) = (self.axes.len(), (self.across.0.option(), self.up.0.option()));
         if points > MOST {
-            return Err(Failure::Input(format!("{x}, {y}: {points} points, must be ≤ {MOST} in a picture")));
+            return Err(format!("{x}, {y}: {points} points, must be ≤ {MOST} in a picture").into());
         }
         for (parameter, grid) in [&self.across, &self.up] {
             if grid.len() > MOST_ACROSS {
-                return Err(Failure::Input(format!(
+                return Err(format!(
                     "{}: {} values, must be ≤ {MOST_ACROSS} in a picture",
                     parameter.option(),
                     grid.len()
-                )));
+                )
+                .into());
             }
         }
         Ok(())
@@ -101,11 +98,7 @@ impl Map<'_> {
             (unit, _) if unit.is_empty() => parameter.symbol().to_owned(),
             (unit, _) => format!("{} ({unit})", parameter.symbol()),
         };
-        if grid.is_logarithmic() {
-            Axis::logarithmic(&label, ends.0, ends.1)
-        } else {
-            Axis::linear(&label, ends.0, ends.1)
-        }
+        grid.axis(&label, ends)
     }
 
     pub(super) fn picture(&self) -> Result<Figure, Failure> {
@@ -115,7 +108,7 @@ impl Map<'_> {
         };
         let (Some(across), Some(up)) = (ends(&values(&self.across)), ends(&values(&self.up))) else {
             let (x, y) = (self.across.0.option(), self.up.0.option());
-            return Err(Failure::Input(format!("{x}, {y}: a picture needs two values or more, ascending")));
+            return Err(format!("{x}, {y}: a picture needs two values or more, ascending").into());
         };
         let (columns, is_asked) = self.columns();
         let columns = (self.across.0, Grid::List(columns));
@@ -178,7 +171,6 @@ impl Map<'_> {
                 (_, scale) => self.lit(clipped(scale, &asked, &mut title)),
             },
         };
-        let title = self.title.map_or(title, str::to_owned);
         let mut series = Vec::new();
         let border = self.border();
         if !border.is_empty() {
@@ -208,18 +200,20 @@ impl Map<'_> {
         if has_absent {
             series.push(Series::new(self.quantity.absence(), Style::Note, 0, []));
         }
-        Ok(Figure {
-            name: "map".to_owned(),
+        Ok(Figure::new(
+            "map",
             title,
-            caption: String::new(),
-            panels: vec![Panel {
-                title: self.machine.clone(),
-                x: self.axis(&self.across, across),
-                y: self.axis(&self.up, up),
-                series,
-                plane: Some(Plane { label, x, y, values, scale }),
-            }],
-        })
+            "",
+            vec![
+                Panel::new(
+                    self.machine.clone(),
+                    self.axis(&self.across, across),
+                    self.axis(&self.up, up),
+                    series,
+                )
+                .over(Plane { label, x, y, values, scale }),
+            ],
+        ))
     }
 }
 

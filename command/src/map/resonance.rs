@@ -22,9 +22,6 @@ impl Map<'_> {
         let one = self.natural(&self.axes.given_at(0)).ok().flatten().filter(|one| low < *one && *one < high);
         if let Some(one) = one.filter(|_| self.has_one_resonance()) {
             let logarithmic = self.across.1.is_logarithmic();
-            let moved = |share: f64| {
-                if logarithmic { one * (high / low).powf(share) } else { one + (high - low) * share }
-            };
             let share = |x: f64| {
                 if logarithmic { (x / one).ln() / (high / low).ln() } else { (x - one) / (high - low) }
             };
@@ -34,7 +31,7 @@ impl Map<'_> {
             for (sign, nearest) in [(-1.0, nearest(-1.0)), (1.0, nearest(1.0))] {
                 let halved = std::iter::successors(Some(nearest / 2.0), |share| Some(share / 2.0));
                 let halved = halved.take_while(|share| *share >= COLUMN);
-                added.extend(halved.map(|share| moved(sign * share)));
+                added.extend(halved.map(|share| self.across.1.moved(one, sign * share)));
             }
             added.retain(|x| columns.iter().all(|column| column.0 != *x));
             columns.extend(added.into_iter().map(|x| (x, false)));
@@ -65,12 +62,10 @@ impl Map<'_> {
 
     /// The line on which the motion is unbounded, with NaN where the motion is bounded.
     pub(super) fn unbounded(&self) -> Vec<(f64, f64)> {
-        let ((low, high), logarithmic) = (self.up.1.ends(), self.up.1.is_logarithmic());
         let scales = [self.across.0, self.up.0].map(|parameter| self.on_axis(parameter).1);
         let mut given = self.axes.given_at(0);
         let at = |i: u32| {
-            let share = f64::from(i) / f64::from(BORDER_POINTS);
-            let y = if logarithmic { low * (high / low).powf(share) } else { low + (high - low) * share };
+            let y = self.up.1.at(f64::from(i) / f64::from(BORDER_POINTS));
             given.set(self.up.0, y);
             let x = self.natural(&given).ok().flatten()?;
             given.set(self.across.0, x);

@@ -22,25 +22,19 @@ impl Map<'_> {
     /// picture of the limits whose vertical axis is the force.
     pub(super) fn breaks(&self) -> Result<Breaks, Failure> {
         let up = self.up.0;
-        let ((left, right), (low, high)) = (self.across.1.ends(), self.up.1.ends());
+        let (low, high) = self.up.1.ends();
         if !matches!(self.quantity, Quantity::Limits) || up.role() != Role::Drive || low < 0.0 {
             return Ok(Breaks::default());
         }
         let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);
         let columns = (4 * self.across.1.len()).min(MOST_COLUMNS);
         let steps = u32::try_from(2 * self.up.1.len()).unwrap_or(u32::MAX).min(MOST_STEPS);
-        let logarithmic = self.across.1.is_logarithmic();
         let mut found = Breaks::default();
         progress::in_order(
             0..columns + 1,
             |place| {
                 interrupt::check()?;
-                let share = place as f64 / columns as f64;
-                let x = if logarithmic {
-                    left * (right / left).powf(share)
-                } else {
-                    left + (right - left) * share
-                };
+                let x = self.across.1.at(place as f64 / columns as f64);
                 let mut given = self.axes.given_at(0);
                 given.set(self.across.0, x);
                 given.set(up, high);
@@ -74,7 +68,7 @@ fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>
     let found = match symmetry_breaks(ratios, low, high, steps) {
         // A large map is drawn without this point of the line, and a note reports the omission.
         Err(Error::SearchBound { .. }) => return Ok(None),
-        found => found.map_err(|e| Failure::Input(e.to_string()))?,
+        found => found.map_err(|e| e.to_string())?,
     };
     let (by_multiplier, others): (Vec<_>, Vec<_>) =
         found.into_iter().partition(|one| one.loss == Loss::Multiplier);

@@ -2,11 +2,10 @@
 
 use super::{both, static_friction};
 use crate::bits::{Value, digits};
-use crate::input::BorderScales;
 use crate::machine::{Machine, transmitted};
 use std::io::{self, Write};
 use stickslip::inputs::units::System;
-use stickslip::{NoStop, Ratios, Response};
+use stickslip::{NoStop, Ratios, Response, Scales};
 
 /// The minimum force without sticking, and the force of maximum dissipation.
 pub(super) fn needed_force<F: Value>(
@@ -110,7 +109,7 @@ fn exact_from<F: Value>(ratios: Ratios<F>) -> F {
 pub(crate) fn border<F: Value>(
     answer: &Response<F>,
     found: Option<&NoStop<F>>,
-    scales: Option<BorderScales<F>>,
+    scales: Option<&Scales<F>>,
     units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {

@@ -1,7 +1,7 @@
 //! One value of a record, in each format.
 
 use crate::bits::{self, Value};
-use crate::failure::{Failure, Outcome};
+use crate::failure::Outcome;
 use serde::ser::{Serialize, Serializer};
 
 /// A value of a record.
@@ -37,7 +37,7 @@ impl<F: Value> Cell<F> {
     pub(crate) fn finite(&self, name: &str) -> Outcome {
         let one = |x: F| {
             let text = format!("{name} = {x} must be finite: it is beyond the largest number in these units");
-            if x.is_finite() { Ok(()) } else { Err(Failure::Input(text)) }
+            if x.is_finite() { Ok(()) } else { Err(text.into()) }
         };
         match self {
             Self::Number(number) => number.map_or(Ok(()), one),

@@ -1,9 +1,9 @@
 //! A record as JSON, as a row of CSV, and as a row of a table.
 
-use super::{Cell, Record};
+use super::{Cell, Record, csv_text};
 use crate::args::Header;
 use crate::bits::Value;
-use crate::failure::Outcome;
+use crate::failure::{Failure, Outcome};
 use crate::outputs::plain;
 use std::io::{self, Write};
 
@@ -14,10 +14,14 @@ impl<F: Value> Record<F> {
         Ok(out.write_all(b"\n")?)
     }
 
-    /// JSON for a single answer, indented.
-    pub(crate) fn write_pretty(&self, out: &mut impl Write) -> Outcome {
-        serde_json::to_writer_pretty(&mut *out, self)?;
-        Ok(out.write_all(b"\n")?)
+    /// The row as text, of CSV or of JSON lines.
+    pub(crate) fn line(&self, is_csv: bool) -> Result<Vec<u8>, Failure> {
+        if is_csv {
+            return csv_text(|writer| self.write_row(writer));
+        }
+        let mut text = Vec::new();
+        self.write_line(&mut text)?;
+        Ok(text)
     }
 
     /// One row of CSV, with an empty cell for a missing value. Each number has the digits that identify it.

@@ -9,7 +9,7 @@ use crate::progress;
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
 use stickslip::motion::record::RecordAnswer;
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_figures::{Figure, Panel, Series, Style};
 
 /// Colours of the values of the second grid; similar ones with colour blindness are left out.
 const INDICES: [usize; 5] = [2, 1, 4, 5, 6];
@@ -33,7 +33,7 @@ impl Spectra<'_> {
     /// records.
     pub(super) fn figure(&self) -> Result<Figure, Failure> {
         let grids = self.axes.grids();
-        let bad = |text: String| Err(Failure::Input(text));
+        let bad = |text: String| Err(text.into());
         let is_period = |(input, _): &&(Input, Grid<f64>)| *input == Input::Period;
         let Some((axis, grid)) = grids.iter().find(is_period).or(grids.first()) else {
             return bad("--picture: needs a grid, such as --period 0.1s:4s:100:log".to_owned());
@@ -58,16 +58,11 @@ impl Spectra<'_> {
             answers.extend(answer);
             Ok(())
         })?;
-        let (low, high) = grid.ends();
         let label = |name: &str, kind: Kind| {
             if kind == Kind::Ratio { name.to_owned() } else { format!("{name} ({})", self.system.name(kind)) }
         };
         let name = label(&axis.name().replace('-', " "), axis.kind());
-        let x = if grid.is_logarithmic() {
-            Axis::logarithmic(&name, low, high)
-        } else {
-            Axis::linear(&name, low, high)
-        };
+        let x = grid.axis(&name, grid.ends());
         let (count, bodies) = (grid.len(), self.axes.len());
         // The grids vary in their order, the last fastest.
         let is_slow = grids.first().is_some_and(|(input, _)| input == axis);
@@ -111,13 +106,7 @@ impl Spectra<'_> {
                 }
             }
             let label = label(title, kind);
-            Panel {
-                title: title.to_owned(),
-                x: x.clone(),
-                y: crate::motion_plot::axis(&label, heights.into_iter(), 0.05),
-                plane: None,
-                series,
-            }
+            Panel::new(title, x.clone(), crate::motion_plot::axis(&label, heights.into_iter(), 0.05), series)
         });
         let (first, count) = (self.loads.first().map_or("", |(name, _)| name), self.loads.len());
         let records = if count == 1 { first.to_owned() } else { format!("{count} records") };
@@ -128,6 +117,6 @@ impl Spectra<'_> {
         } else {
             format!("Spectra of {records}: {machine}")
         };
-        Ok(Figure { name: "spectrum".to_owned(), title, caption: String::new(), panels: panels.into() })
+        Ok(Figure::new("spectrum", title, "", panels))
     }
 }

@@ -9,13 +9,11 @@ mod parts;
 
 use super::Table;
 use crate::args::TableArgs;
-use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::output::{Lines, PendingFile};
 use crate::parquet_file::{self, ParquetColumn};
 use crate::progress;
 use crate::record::Record;
-use core::marker::PhantomData;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -25,26 +23,18 @@ use std::fs::File;
 use std::ops::Range;
 use std::path::Path;
 
-pub(super) fn run<F: Value, T: Table<F>>(args: &TableArgs, rows: &T, part: Range<u64>) -> Outcome {
+pub(super) fn run<T: Table>(args: &TableArgs, rows: &T, part: Range<u64>) -> Outcome {
     let Some(file) = &args.out else {
-        return Err(Failure::Input("--format parquet: give its file by --out FILE".to_owned()));
+        return Err("--format parquet: give its file by --out FILE".into());
     };
     if args.no_header {
-        return Err(Failure::Input(
-            "--no-header: must be left out, because a Parquet file names its columns".to_owned(),
-        ));
+        return Err("--no-header: must be left out, because a Parquet file names its columns".into());
     }
-    let sweep = Sweep {
-        rows,
-        part,
-        notes: notes(rows),
-        columns: parquet_file::columns(rows.form()),
-        of: PhantomData,
-    };
+    let sweep = Sweep { rows, part, notes: notes(rows), columns: parquet_file::columns(rows.form()) };
     if file.exists() {
         if !args.resume {
             let text = format!("--out {}: must not exist yet. Continue it with --resume", file.display());
-            return Err(Failure::Input(text));
+            return Err(text.into());
         }
         // The file is made from all parts at once: if it exists, nothing is left to do.
         sweep.is_whole(file).map_err(|what| error_at(file, &what))?;
@@ -74,15 +64,14 @@ fn error_at(file: &Path, what: &str) -> Failure {
 }
 
 /// A sweep, with the metadata that identify it.
-struct Sweep<'a, F, T> {
+struct Sweep<'a, T> {
     rows: &'a T,
     part: Range<u64>,
     notes: Vec<KeyValue>,
     columns: Vec<ParquetColumn>,
-    of: PhantomData<F>,
 }
 
-impl<F: Value, T: Table<F>> Sweep<'_, F, T> {
+impl<T: Table> Sweep<'_, T> {
     /// Fails unless the file contains the rows of these points, according to its metadata, its columns, their
     /// number, and its first and last rows.
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
@@ -135,7 +124,7 @@ fn open(file: &Path) -> Result<SerializedFileReader<File>, Failure> {
     Ok(SerializedFileReader::new(File::open(file)?)?)
 }
 
-fn notes<F: Value>(rows: &impl Table<F>) -> Vec<KeyValue> {
+fn notes(rows: &impl Table) -> Vec<KeyValue> {
     let notes = rows.notes().into_iter().map(|(key, value)| KeyValue::new(key, value));
     core::iter::once(parquet_file::units_note()).chain(notes).collect()
 }
@@ -148,11 +137,11 @@ struct PendingRows {
 }
 
 impl PendingRows {
-    fn push<F: Value, T: Table<F>>(
+    fn push<T: Table>(
         &mut self,
-        record: &Record<F>,
+        record: &Record<T::Number>,
         parts: &mut Parts,
-        sweep: &Sweep<'_, F, T>,
+        sweep: &Sweep<'_, T>,
     ) -> Outcome {
         parquet_file::push(&mut self.columns, record);
         self.rows += 1;
@@ -163,7 +152,7 @@ impl PendingRows {
     }
 
     /// Writes the rows in memory as a part.
-    fn commit<F: Value, T: Table<F>>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, F, T>) -> Outcome {
+    fn commit<T: Table>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, T>) -> Outcome {
         // The rows are taken only once, even if the write fails: the columns are then no longer complete.
         let rows = std::mem::take(&mut self.rows);
         if rows > 0 {

@@ -2,14 +2,13 @@
 
 use super::Table;
 use super::loops::Looped;
-use crate::args::{Header, SweepArgs, SweepFormat, Swept};
+use crate::args::{SweepArgs, Swept};
 use crate::axes::Axes;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::outputs::{self, ALPHA, Key, OMEGA};
-use crate::record::{Cell, Record, csv_text};
-use crate::resume;
+use crate::record::{Cell, Record};
 use crate::{border, input, response, steady};
 use std::ops::Range;
 use stickslip::inputs::{Given, Input, Role};
@@ -23,8 +22,6 @@ pub(crate) struct SweepRows<F> {
     /// A row without its motion, for the names of its values.
     form: Record<F>,
     columns: Vec<String>,
-    csv: bool,
-    header: Header,
     /// Whether the requested outputs need the search for peaks.
     peaks: bool,
     /// The rows in loops over many points, where they have no other columns.
@@ -51,22 +48,22 @@ fn notes(args: &SweepArgs) -> Vec<(String, String)> {
 
 impl<F: Value> SweepRows<F> {
     /// The requested rows, if every point has an answer and every column exists.
-    pub(crate) fn new(args: &SweepArgs, format: SweepFormat, axes: Axes<F>) -> Result<Self, Failure> {
-        let csv = format == SweepFormat::Csv;
+    pub(crate) fn new(args: &SweepArgs, axes: Axes<F>) -> Result<Self, Failure> {
         let outputs = args.outputs.clone();
         let peaks = outputs.as_ref().is_none_or(|names| names.iter().any(|name| outputs::is_searched(name)));
-        let (question, header) = (args.question, args.table.header);
+        let question = args.question;
         check(question, &axes)?;
         let form = form(question, &axes.named_at(0), peaks)?;
         for (place, wanted) in outputs.iter().flatten().enumerate() {
             if outputs.iter().flatten().take(place).any(|earlier| earlier == wanted) {
-                return Err(Failure::Input(format!("--outputs {wanted}: must be named only once")));
+                return Err(format!("--outputs {wanted}: must be named only once").into());
             }
             if !form.has(wanted) {
-                return Err(Failure::Input(format!(
+                return Err(format!(
                     "--outputs {wanted}: unknown column. Choose from {}",
                     form.output_names().join(", ")
-                )));
+                )
+                .into());
             }
         }
         let form = match &outputs {
@@ -86,8 +83,6 @@ impl<F: Value> SweepRows<F> {
             outputs,
             form,
             columns,
-            csv,
-            header,
             peaks,
             looped,
         })
@@ -102,37 +97,13 @@ impl<F: Value> SweepRows<F> {
         Ok((ratios.omega(), ratios.alpha()))
     }
 
-    /// The requested columns, in the given order.
-    pub(crate) fn record(&self, point: u64) -> Result<Record<F>, Failure> {
+    /// The requested columns of a row, in the given order.
+    fn alone(&self, point: u64) -> Result<Record<F>, Failure> {
         let record = self.full_record(point)?;
         Ok(match &self.outputs {
             Some(outputs) => record.only(outputs),
             None => record,
         })
-    }
-
-    /// The rows of the first points of a range, at least one.
-    fn first_records(&self, points: Range<u64>) -> Vec<Result<Record<F>, Failure>> {
-        let alone = |point| vec![self.record(point)];
-        let Some(looped) = &self.looped else { return alone(points.start) };
-        if interrupt::asked() {
-            return alone(points.start);
-        }
-        let first = points.start;
-        let ratios: Vec<_> = points.map(|point| Looped::ratios(&self.axes.given_at(point))).collect();
-        let found = looped.records(&ratios).into_iter().zip(first..);
-        // Alone, a point without ratios has its error.
-        found.map(|(record, point)| record.map_or_else(|| self.record(point), Ok)).collect()
-    }
-
-    /// The text of a row.
-    fn written(&self, record: &Record<F>) -> Result<Vec<u8>, Failure> {
-        if self.csv {
-            return csv_text(|writer| record.write_row(writer));
-        }
-        let mut text = Vec::new();
-        record.write_line(&mut text)?;
-        Ok(text)
     }
 
     fn full_record(&self, point: u64) -> Result<Record<F>, Failure> {
@@ -145,47 +116,33 @@ impl<F: Value> SweepRows<F> {
     }
 }
 
-impl<F: Value> Table<F> for SweepRows<F> {
+impl<F: Value> Table for SweepRows<F> {
+    type Number = F;
+
+    const OF: &'static str = "this sweep";
+
     fn len(&self) -> u64 {
         self.axes.len()
     }
 
-    #[cfg(feature = "parquet")]
     fn form(&self) -> &Record<F> {
         &self.form
     }
 
-    #[cfg(feature = "parquet")]
-    fn record(&self, point: u64) -> Result<Record<F>, Failure> {
-        Self::record(self, point)
-    }
-
-    #[cfg(feature = "parquet")]
     fn records(&self, points: Range<u64>) -> Vec<Result<Record<F>, Failure>> {
-        self.first_records(points)
+        let Some(looped) = self.looped.as_ref().filter(|_| !interrupt::asked()) else {
+            return vec![self.alone(points.start)];
+        };
+        let first = points.start;
+        let ratios: Vec<_> = points.map(|point| Looped::ratios(&self.axes.given_at(point))).collect();
+        let found = looped.records(&ratios).into_iter().zip(first..);
+        // Alone, a point without ratios has its error.
+        found.map(|(record, point)| record.map_or_else(|| self.alone(point), Ok)).collect()
     }
 
     #[cfg(feature = "parquet")]
     fn notes(&self) -> Vec<(String, String)> {
         self.notes.clone()
-    }
-}
-
-impl<F: Value> resume::Rows for SweepRows<F> {
-    const OF: &'static str = "this sweep";
-
-    /// The header line; empty for JSON lines.
-    fn header(&self) -> Result<Vec<u8>, Failure> {
-        csv_text(|writer| if self.csv { self.form.write_header(writer, self.header) } else { Ok(()) })
-    }
-
-    fn text(&self, point: u64) -> Result<Vec<u8>, Failure> {
-        self.written(&self.record(point)?)
-    }
-
-    fn texts(&self, points: Range<u64>) -> Vec<Result<Vec<u8>, Failure>> {
-        let records = self.first_records(points).into_iter();
-        records.map(|record| record.and_then(|record| self.written(&record))).collect()
     }
 
     /// Whether Ω and, if there is one, α are among the columns. For a machine they distinguish the rows of
@@ -196,29 +153,23 @@ impl<F: Value> resume::Rows for SweepRows<F> {
     }
 
     /// Whether the Ω and α in a written row, if the row contains them, are those of a point of the grid.
-    fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
+    fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure> {
         let (omega, alpha) = self.ratios(point)?;
         let due = [Some((OMEGA, omega)), (self.question != Swept::Border).then_some((ALPHA, alpha))];
+        // The object `{"omega":0.5}` as a member of the row.
+        let inner = |text: &[u8]| text.strip_prefix(b"{")?.strip_suffix(b"}").map(<[u8]>::to_vec);
+        let line = line.trim_ascii_end();
         for (key, value) in due.into_iter().flatten() {
             let Some(place) = self.columns.iter().position(|name| name == key.name) else { continue };
-            let cell = Record::of(vec![(key, Cell::Number(Some(value)))]);
-            let same = if self.csv {
-                let due = csv_text(|writer| cell.write_row(writer))?;
-                let found = line.trim_ascii_end().split(|byte| *byte == b',').nth(place);
-                found == Some(due.trim_ascii_end())
+            let due = Record::of(vec![(key, Cell::Number(Some(value)))]).line(is_csv)?;
+            let due = due.trim_ascii_end();
+            let is_same = if is_csv {
+                line.split(|byte| *byte == b',').nth(place) == Some(due)
             } else {
-                let mut due = Vec::new();
-                cell.write_line(&mut due)?;
-                // The object `{"omega":0.5}` as a member of the row.
-                let inner = |text: &[u8]| {
-                    text.trim_ascii_end().strip_prefix(b"{")?.strip_suffix(b"}").map(<[u8]>::to_vec)
-                };
-                inner(&due).is_some_and(|due| {
-                    inner(line)
-                        .is_some_and(|found| found.split(|byte| *byte == b',').any(|member| member == due))
-                })
+                let members = inner(line).zip(inner(due));
+                members.is_some_and(|(row, due)| row.split(|byte| *byte == b',').any(|member| member == due))
             };
-            if !same {
+            if !is_same {
                 return Ok(false);
             }
         }
@@ -250,10 +201,7 @@ pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
     if question == Swept::Border
         && let Some(drive) = Input::of_role(Role::Drive).into_iter().find(|p| axes.has(*p))
     {
-        return Err(Failure::Input(format!(
-            "{}: must be left out, because a border has none",
-            drive.option()
-        )));
+        return Err(format!("{}: must be left out, because a border has none", drive.option()).into());
     }
     axes.at_ends(|given| match question {
         Swept::Border => input::border_point(given).map(|_| ()),

@@ -7,13 +7,13 @@
 //! ([`stickslip::enclosed::steady`]).
 
 use super::case::{Arithmetic, Case, Circular, Signs};
+use super::points::{CheckPoint, Numbers};
 use super::statements::{self, Standing, Statement};
-use super::{StatementVerdict, points};
+use super::{Place, Residue, StatementVerdict};
 use crate::failure::Failure;
-use std::ops::ControlFlow;
 use stickslip::cycle::equations::System;
 use stickslip::dependencies::rug::float::Round;
-use stickslip::dependencies::rug::{Float, Integer, Rational, ops::Pow};
+use stickslip::dependencies::rug::{Float, Rational};
 use stickslip::enclosed::{self, Ball, Enclosure, Known, Steady};
 use stickslip::float::Mp;
 use stickslip::{Field, Output, Real};
@@ -22,72 +22,36 @@ use stickslip::{Field, Output, Real};
 const MOST: u32 = 4096;
 
 /// A point with exact ratios.
-struct ExactPoint {
+struct ExactRatios {
     omega: Rational,
     alpha: Rational,
     zeta: Rational,
-    /// Whether the motion is proved at this point, which excludes the neighbourhood of the poles.
-    with_motion: bool,
-    /// Whether the motions near the border are proved.
-    with_border: bool,
 }
 
 fn known(x: &Rational) -> Known {
     Known::rational(x.clone())
 }
 
-/// A rational number with forty digits.
-fn written(x: &Rational) -> String {
-    Mp::<2>::from_rational(x).to_string()
-}
-
-impl ExactPoint {
+impl ExactRatios {
     /// The point at α `over` hundredths of the border, rounded to 64 bits.
     fn above_border(omega: Rational, zeta: Rational, over: i32) -> Option<Self> {
         let one = known(&Rational::from(1));
         let border = enclosed::border(&known(&omega), &known(&zeta), &one, 64).ok()?;
         let least = Float::with_val(64, &border.get(Output::MinForceRatio)?.mid);
         let alpha = (least * over / 100u32).to_rational()?;
-        Some(Self { omega, alpha, zeta, with_motion: true, with_border: true })
+        Some(Self { omega, alpha, zeta })
     }
 
     fn is_damped(&self) -> bool {
         self.zeta > 0
     }
-}
 
-/// The points of [`points`], with exact ratios.
-fn places() -> Vec<ExactPoint> {
-    let mut omegas = Vec::new();
-    for ((p, q), (r, s)) in points::BANDS {
-        let (low, high) = (Rational::from((p, q)), Rational::from((r, s)));
-        let width = Rational::from(&high - &low);
-        omegas.extend((1..points::PARTS).map(|i| (Rational::from((i, points::PARTS)) * &width + &low, true)));
+    /// The ratios with forty digits.
+    fn written(&self) -> Place {
+        let [omega, alpha, zeta] =
+            [&self.omega, &self.alpha, &self.zeta].map(|x| Mp::<2>::from_rational(x).to_string());
+        Place { omega: Some(omega), alpha: Some(alpha), damping_ratio: self.is_damped().then_some(zeta) }
     }
-    let (numbers, exponents) = points::BESIDE;
-    for n in numbers {
-        for exponent in exponents {
-            let distance = Rational::from((Integer::from(1), Integer::from(10).pow(exponent)));
-            let middle = Rational::from((1, n));
-            omegas.push((Rational::from(&middle - &distance), exponent == 3));
-            omegas.push((middle + distance, exponent == 3));
-        }
-    }
-    let plain = omegas.into_iter().flat_map(|(omega, ordinary)| {
-        points::OVER.into_iter().enumerate().filter_map(move |(i, over)| {
-            let place = ExactPoint::above_border(omega.clone(), Rational::new(), over)?;
-            Some(ExactPoint { with_motion: ordinary, with_border: ordinary && i == 0, ..place })
-        })
-    });
-    let pairs =
-        points::OMEGA.into_iter().flat_map(|omega| points::ZETA.into_iter().map(move |zeta| (omega, zeta)));
-    let damped =
-        pairs.zip(points::OVER.into_iter().cycle()).enumerate().filter_map(|(i, ((omega, zeta), over))| {
-            let place =
-                ExactPoint::above_border(Rational::from((omega, 100)), Rational::from((zeta, 1000)), over)?;
-            Some(ExactPoint { with_border: i % 5 == 0, ..place })
-        });
-    plain.chain(damped).collect()
 }
 
 /// Whether every number of one ball is below every number of another (true) or above (false); `None` if the
@@ -101,7 +65,7 @@ fn is_below<const W: usize>(low: Ball<W>, high: Ball<W>) -> Option<bool> {
 }
 
 /// The case of the enclosed answers at a point; `None` where this number of bits does not find them.
-fn case<const W: usize>(place: &ExactPoint, answers: &enclosed::Response) -> Option<Case<Ball<W>>> {
+fn case<const W: usize>(place: &ExactRatios, answers: &enclosed::Response) -> Option<Case<Ball<W>>> {
     let found = Output::ALL.into_iter().filter_map(|output| Some((output, answers.get(output)?.ball())));
     let [omega, alpha, zeta]: [Ball<W>; 3] =
         [&place.omega, &place.alpha, &place.zeta].map(|ratio| known(ratio).ball());
@@ -120,57 +84,31 @@ fn case<const W: usize>(place: &ExactPoint, answers: &enclosed::Response) -> Opt
     Case::new(arithmetic, (omega, alpha, zeta), found.collect(), circular, signs)
 }
 
-/// The residual of a statement at a point, relative to its terms.
-#[derive(Debug, Clone)]
-struct Residue {
-    /// An upper and a lower bound of its magnitude.
-    most: Float,
-    least: Float,
-    has_zero: bool,
+/// A residual of which nothing is known.
+const UNKNOWN: Residue = Residue { units: f64::INFINITY, least: 0.0, is_zero: false, is_off: false };
+
+/// The residual of a statement, in units in the last of `bits` bits: small where its ball contains 0 and lies within one.
+fn residue<const W: usize>(residual: Ball<W>, scale: Ball<W>, bits: u32) -> Residue {
+    let Some(Enclosure { mid, rad, .. }) = Enclosure::of(&(residual / scale)) else { return UNKNOWN };
+    let size = Float::with_val_round(64, mid.abs_ref(), Round::Up).0;
+    let below = Float::with_val_round(64, mid.abs_ref(), Round::Down).0;
+    let most = Float::with_val_round(64, &size + &rad, Round::Up).0;
+    let units = Float::with_val(64, &most << bits).to_f64();
+    let least = Float::with_val_round(64, &below - &rad, Round::Down).0.max(&Float::new(64));
+    Residue { units, least: least.to_f64(), is_zero: below <= rad && units <= 1.0, is_off: below > rad }
 }
 
-impl Residue {
-    /// A residual of which nothing is known.
-    fn unknown() -> Self {
-        let infinite = Float::with_val(64, stickslip::dependencies::rug::float::Special::Infinity);
-        Self { most: infinite, least: Float::new(64), has_zero: true }
-    }
-
-    fn of<const W: usize>(residual: Ball<W>, scale: Ball<W>) -> Self {
-        let Some(Enclosure { mid, rad, .. }) = Enclosure::of(&(residual / scale)) else {
-            return Self::unknown();
-        };
-        let size = Float::with_val_round(64, mid.abs_ref(), Round::Up).0;
-        let below = Float::with_val_round(64, mid.abs_ref(), Round::Down).0;
-        Self {
-            most: Float::with_val_round(64, &size + &rad, Round::Up).0,
-            least: Float::with_val_round(64, &below - &rad, Round::Down).0.max(&Float::new(64)),
-            has_zero: below <= rad,
-        }
-    }
-
-    /// A residual of one unit if the condition fails, and of zero if it holds.
-    fn count(is_right: bool) -> Self {
-        let size = Float::with_val(64, u32::from(!is_right));
-        Self { most: size.clone(), least: size, has_zero: is_right }
-    }
-
-    /// The bound in units of the last of `bits` bits.
-    fn in_last_places(&self, bits: u32) -> f64 {
-        Float::with_val(64, &self.most << bits).to_f64()
-    }
-
-    /// Whether the bound is below one unit in the last of `bits` bits.
-    fn is_small(&self, bits: u32) -> bool {
-        self.in_last_places(bits) <= 1.0
-    }
+/// A residual of one unit if the condition fails, and of zero if it holds.
+fn count(is_right: bool, bits: u32) -> Residue {
+    let size = f64::from(u8::from(!is_right));
+    Residue { units: size * 2f64.powi(bits as i32), least: size, is_zero: is_right, is_off: !is_right }
 }
 
 /// The residuals of all statements at a point, with enough bits to bring them to one unit in the last of
 /// `bits`.
-fn residues(place: &ExactPoint, bits: u32) -> Vec<Option<Residue>> {
+fn residues(place: &ExactRatios, bits: u32) -> Vec<Option<Residue>> {
     let count = statements::all::<Ball<2>>().len();
-    let mut last = vec![Some(Residue::unknown()); count];
+    let mut last = vec![Some(UNKNOWN); count];
     let one = known(&Rational::from(1));
     macro_rules! at {
         ($($width:literal)*) => {$(
@@ -182,11 +120,11 @@ fn residues(place: &ExactPoint, bits: u32) -> Vec<Option<Residue>> {
                 && let Some(case) = case::<$width>(place, &answers)
             {
                 let found = statements::all().into_iter().map(|statement: Statement<_, _>| {
-                    Some(Residue::of((statement.residual)(&case)?, case.scale))
+                    Some(residue((statement.residual)(&case)?, case.scale, bits))
                 });
                 let found: Vec<_> = found.collect();
                 // A residual that excludes 0 needs no more bits.
-                if found.iter().flatten().all(|residue| residue.is_small(bits) || !residue.has_zero) {
+                if found.iter().flatten().all(|residue| residue.units <= 1.0 || residue.is_off) {
                     return found;
                 }
                 last = found;
@@ -208,21 +146,21 @@ const OF_MOTIONS: [(&str, &str); 7] = [
     ("62", "just below the border a motion with stops is proved, and one without above"),
 ];
 
-fn motion(place: &ExactPoint, alpha: &Rational, bits: u32) -> Option<Steady> {
+fn motion(place: &ExactRatios, alpha: &Rational, bits: u32) -> Option<Steady> {
     let one = known(&Rational::from(1));
     enclosed::steady(&known(&place.omega), &known(alpha), &known(&place.zeta), &one, bits).ok()?.ok()
 }
 
 /// The residuals at a point, in the order of [`OF_MOTIONS`].
-fn residues_of_motions(place: &ExactPoint, bits: u32) -> Vec<Option<Residue>> {
-    if !place.with_motion {
+fn residues_of_motions(point: &CheckPoint<ExactRatios>, bits: u32) -> Vec<Option<Residue>> {
+    if !point.with_motion {
         return vec![None; OF_MOTIONS.len()];
     }
     macro_rules! at {
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64 {
-                return against::<$width>(place, bits)
-                    .unwrap_or_else(|| vec![Some(Residue::unknown()); OF_MOTIONS.len()]);
+                return against::<$width>(point, bits)
+                    .unwrap_or_else(|| vec![Some(UNKNOWN); OF_MOTIONS.len()]);
             }
         )*};
     }
@@ -230,7 +168,10 @@ fn residues_of_motions(place: &ExactPoint, bits: u32) -> Vec<Option<Residue>> {
     Vec::new()
 }
 
-fn against<const W: usize>(place: &ExactPoint, bits: u32) -> Option<Vec<Option<Residue>>> {
+fn against<const W: usize>(
+    &CheckPoint { ref place, with_border, .. }: &CheckPoint<ExactRatios>,
+    bits: u32,
+) -> Option<Vec<Option<Residue>>> {
     let one = known(&Rational::from(1));
     let (omega, alpha, zeta) = (known(&place.omega), known(&place.alpha), known(&place.zeta));
     let answers = enclosed::response(&omega, &alpha, &zeta, &one, Mp::<W>::BITS - 64).ok()?;
@@ -254,20 +195,21 @@ fn against<const W: usize>(place: &ExactPoint, bits: u32) -> Option<Vec<Option<R
     };
     let slides = motion.sticks_per_cycle == 0 && motion.velocity_zeros_per_cycle == 2;
     let contraction = case.get(Output::Contraction)?;
+    let of = |residual| Some(residue(residual, case.scale, bits));
     Some(vec![
-        Some(Residue::of(ball(&motion.max_displacement) - u.max_displacement, case.scale)),
-        Some(Residue::of(late * u.max_displacement, case.scale)),
-        Some(Residue::of(ball(&motion.max_velocity) * case.omega - u.max_velocity, case.scale)),
-        Some(Residue::count(slides)),
-        Some(Residue::of(by_trace.abs() + by_product.abs(), case.scale)),
-        Some(Residue::of(contraction.square() - largest, Ball::int(1))),
-        place.with_border.then(|| beside_the_border(place, &answers)).flatten(),
+        of(ball(&motion.max_displacement) - u.max_displacement),
+        of(late * u.max_displacement),
+        of(ball(&motion.max_velocity) * case.omega - u.max_velocity),
+        Some(count(slides, bits)),
+        of(by_trace.abs() + by_product.abs()),
+        Some(residue(contraction.square() - largest, Ball::int(1), bits)),
+        with_border.then(|| beside_the_border(place, &answers, bits)).flatten(),
     ])
 }
 
 /// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), except next to a pole, where the body need not stop below
 /// the border.
-fn beside_the_border(place: &ExactPoint, answers: &enclosed::Response) -> Option<Residue> {
+fn beside_the_border(place: &ExactRatios, answers: &enclosed::Response, bits: u32) -> Option<Residue> {
     let turns = Rational::from(place.omega.recip_ref());
     let nearest = (Rational::from(&turns - 1u32) / 2u32).round() * 2u32 + 1u32;
     if (turns - nearest).abs() * 128u32 <= 1 {
@@ -277,90 +219,33 @@ fn beside_the_border(place: &ExactPoint, answers: &enclosed::Response) -> Option
     let little = Float::with_val(64, &least >> 16u32);
     let stops = |alpha: Float| Some(motion(place, &alpha.to_rational()?, 64)?.sticks_per_cycle);
     let (below, above) = (stops(Float::with_val(64, &least - &little)), stops(least + little));
-    Some(Residue::count(below.is_some_and(|stops| stops > 0) && above == Some(0)))
-}
-
-/// The worst residual of a statement so far.
-struct BallTally {
-    equation: &'static str,
-    words: &'static str,
-    standing: Standing,
-    points: usize,
-    worst: Option<(Residue, usize)>,
-    all_pass: bool,
-}
-
-impl BallTally {
-    fn new((equation, words, standing): (&'static str, &'static str, Standing)) -> Self {
-        Self { equation, words, standing, points: 0, worst: None, all_pass: true }
-    }
-
-    fn add(&mut self, residue: Residue, at: usize, bits: u32) {
-        self.points += 1;
-        let worst = self.worst.as_ref().map(|(worst, _)| worst);
-        let (passes, is_worse) = match self.standing {
-            Standing::Holds => (
-                residue.has_zero && residue.is_small(bits),
-                worst.is_none_or(|worst| residue.most > worst.most),
-            ),
-            Standing::Refuted => (!residue.has_zero, worst.is_none_or(|worst| residue.least < worst.least)),
-        };
-        self.all_pass &= passes;
-        if is_worse {
-            self.worst = Some((residue, at));
-        }
-    }
-
-    fn verdict(self, places: &[ExactPoint], bits: u32) -> StatementVerdict {
-        let place = self.worst.as_ref().and_then(|(_, at)| places.get(*at));
-        StatementVerdict {
-            equation: self.equation,
-            statement: self.words,
-            standing: self.standing,
-            points: self.points,
-            worst: self.worst.as_ref().map_or(0.0, |(residue, _)| match self.standing {
-                Standing::Holds => residue.in_last_places(bits),
-                Standing::Refuted => residue.least.to_f64(),
-            }),
-            at: place.map(|place| (written(&place.omega), written(&place.alpha))),
-            damping_ratio: place.filter(|place| place.is_damped()).map(|place| written(&place.zeta)),
-            passed: self.all_pass && self.points > 0,
-        }
-    }
+    Some(count(below.is_some_and(|stops| stops > 0) && above == Some(0), bits))
 }
 
 /// Checks every statement in ball arithmetic at a set of points.
 ///
 /// A statement passes if, at every point, its ball contains 0 and lies within one unit in the last of `bits`
-/// bits of the statement's terms; [`StatementVerdict::worst`] is the greatest distance from 0 in those units. A
-/// statement that is wrong as printed passes if every ball excludes 0; `worst` is then the least certain
-/// relative residual.
-pub(super) fn verdicts(
-    bits: u32,
-    mut step: impl FnMut(usize, usize) -> ControlFlow<Failure>,
-) -> Result<ControlFlow<Failure, Vec<StatementVerdict>>, Failure> {
+/// bits of the statement's terms; its worst residual is the greatest distance from 0 in those units. A
+/// statement that is wrong as printed passes if every ball excludes 0; its worst residual is then the least certain
+/// relative one.
+pub(super) fn verdicts(bits: u32) -> Result<Vec<StatementVerdict>, Failure> {
     if !(1..=MOST).contains(&bits) {
         let text = format!("--bits {bits}: number of bits {bits} must be ≥ 1 and ≤ {MOST}");
-        return Err(Failure::Input(text));
+        return Err(text.into());
     }
-    let places = places();
     let of_answers = statements::all::<Ball<2>>();
-    let of_answers = of_answers.iter().map(|s| (s.equation, s.words, s.standing));
-    let of_motions = OF_MOTIONS.into_iter().map(|(equation, words)| (equation, words, Standing::Holds));
-    let mut tallies: Vec<_> = of_answers.chain(of_motions).map(BallTally::new).collect();
-    for (number, place) in places.iter().enumerate() {
-        if let ControlFlow::Break(failure) = step(number, places.len()) {
-            return Ok(ControlFlow::Break(failure));
-        }
-        let found = residues(place, bits).into_iter().chain(residues_of_motions(place, bits));
-        for (tally, residue) in tallies.iter_mut().zip(found) {
-            if let Some(residue) = residue {
-                tally.add(residue, number, bits);
-            }
-        }
-    }
-    if let ControlFlow::Break(failure) = step(places.len(), places.len()) {
-        return Ok(ControlFlow::Break(failure));
-    }
-    Ok(ControlFlow::Continue(tallies.into_iter().map(|tally| tally.verdict(&places, bits)).collect()))
+    let of_motions =
+        OF_MOTIONS.map(|(equation, words)| StatementVerdict::of(equation, words, Standing::Holds));
+    let verdicts = of_answers.iter().map(Statement::verdict).chain(of_motions).collect();
+    let numbers = Numbers {
+        ratio: |p, q| Rational::from((p, q)),
+        has_digits: |_| true,
+        in_turn: [|_| true, |number| number % 5 == 0],
+    };
+    let residues = |point: &CheckPoint<ExactRatios>| {
+        residues(&point.place, bits).into_iter().chain(residues_of_motions(point, bits)).collect()
+    };
+    super::verdicts(verdicts, &numbers.points(ExactRatios::above_border), residues, |point| {
+        point.place.written()
+    })
 }

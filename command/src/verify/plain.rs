@@ -2,13 +2,13 @@
 //! it starts from rest and is computed slide by slide.
 
 use super::case::{Arithmetic, Case, Circular, Signs};
+use super::points::{CheckPoint, Numbers};
 use super::statements::{self, Standing, Statement, statements};
-use super::{StatementVerdict, points};
-use std::cmp::Ordering;
-use std::ops::ControlFlow;
+use super::{Place, Residue, StatementVerdict};
+use crate::failure::Failure;
 use stickslip::cycle::equations::System;
 use stickslip::motion::{LongRun, Peaks, Segment, State, SteadyState, Trajectory};
-use stickslip::{Cycle, Float, Output, PhaseFunction, Ratios, Response};
+use stickslip::{Border, Cycle, Float, Output, PhaseFunction, Ratios, Response};
 
 /// The greatest residual that rounding may leave of a true identity, in units of the last place of its
 /// largest term.
@@ -69,8 +69,8 @@ struct BesideBorder<F> {
 impl<F: Float> AnsweredPoint<F> {
     /// A point of the list with its answers; its flags say whether the exact motion is followed, also next to
     /// the border.
-    fn at(point: &points::CheckPoint<F>) -> Option<Self> {
-        let ratios = point.ratios;
+    fn at(point: &CheckPoint<Ratios<F>>) -> Option<Self> {
+        let ratios = point.place;
         Some(Self {
             case: case(ratios)?,
             cycle: Cycle::new(ratios).ok()?,
@@ -83,6 +83,11 @@ impl<F: Float> AnsweredPoint<F> {
     /// may produce. A difference of the size of `doubt` counts as one unit in the last place.
     fn within(&self, residual: F, size: F, doubt: F) -> F {
         residual / (F::epsilon() * size + doubt) * F::epsilon() * self.case.scale
+    }
+
+    /// The residual of a difference quotient, which keeps half of the digits.
+    fn by_differences(&self, residual: F) -> F {
+        residual * self.case.scale * F::epsilon().sqrt()
     }
 
     /// The largest of some values at instants within a half cycle: eight for each free oscillation.
@@ -196,12 +201,9 @@ fn half_cycle<F: Float>(p: &AnsweredPoint<F>) -> (F, F) {
     (a + c, a * c - b * d)
 }
 
-type Statements<F> = Vec<Statement<AnsweredPoint<F>, F>>;
-
-/// Statements about the exact motion, the waveform and the border. Statements by difference quotients keep
-/// half of the digits.
-fn of_motion<F: Float>() -> (Statements<F>, Statements<F>) {
-    let all = statements![any, AnsweredPoint<F>:
+/// Statements about the exact motion, the waveform and the border.
+fn of_motion<F: Float>() -> Vec<Statement<AnsweredPoint<F>, F>> {
+    statements![any, AnsweredPoint<F>:
         "15, 16" "the waveform and its velocity are the matched branches": |p| {
             let (c, turn) = (&p.case, F::pi() / F::int(3));
             let falling = c.unknowns.displacement_phase + turn;
@@ -307,132 +309,68 @@ fn of_motion<F: Float>() -> (Statements<F>, Statements<F>) {
             let (size, _) = p.beside.as_ref()?.optimum?;
             Some((size / p.case.get(Output::BestLoopSize)? - F::int(1)) * p.case.scale)
         },
-    ];
-    let by_differences = statements![any, AnsweredPoint<F>:
         "λ" "λ₁ + λ₂ and λ₁λ₂, with their signs, are those of the exact half cycle": |p| {
             let ((trace, product), (sum, determinant)) = (p.motion.as_ref()?.half_map?, half_cycle(p));
-            Some(((trace - sum).abs() + (product - determinant).abs()) * p.case.scale)
+            Some(p.by_differences((trace - sum).abs() + (product - determinant).abs()))
         },
         "65" "A₁ of the exact motion is stationary at α*": |p| {
-            Some(p.beside.as_ref()?.optimum?.1 * p.case.scale)
+            Some(p.by_differences(p.beside.as_ref()?.optimum?.1))
         },
-    ];
-    (all, by_differences)
+    ]
 }
 
-/// The worst residual so far.
-#[derive(Clone)]
-struct Tally<F> {
-    points: usize,
-    worst: Option<(F, Ratios<F>)>,
+/// A residual in plain numbers: as small as the rounding of the terms, or not.
+fn residue<F: Float>(residual: F, scale: F) -> Residue {
+    let size = residual.abs() / scale;
+    let units = (size / F::epsilon()).to_f64();
+    Residue { units, least: size.to_f64(), is_zero: units <= TOLERANCE, is_off: units > TOLERANCE }
 }
 
-impl<F: Float> Tally<F> {
-    fn add(&mut self, standing: Standing, residual: F, at: Ratios<F>) {
-        self.points += 1;
-        // For either kind, a residual of NaN is the worst of all.
-        let worse = self.worst.as_ref().is_none_or(|(worst, _)| match standing {
-            _ if worst.partial_cmp(worst).is_none() => false,
-            Standing::Holds => residual.partial_cmp(worst).is_none_or(Ordering::is_gt),
-            Standing::Refuted => residual.partial_cmp(worst).is_none_or(Ordering::is_lt),
-        });
-        if worse {
-            self.worst = Some((residual, at));
-        }
-    }
-
-    fn verdict<C>(&self, statement: &Statement<C, F>) -> StatementVerdict {
-        let residual = self.worst.map_or(F::int(0), |(residual, _)| residual);
-        let at = self.worst.map(|(_, ratios)| ratios);
-        let in_last_places = (residual / F::epsilon()).to_f64();
-        let (worst, passed) = match statement.standing {
-            Standing::Holds => (in_last_places, in_last_places <= TOLERANCE),
-            Standing::Refuted => (residual.to_f64(), in_last_places > TOLERANCE),
-        };
-        StatementVerdict {
-            equation: statement.equation,
-            statement: statement.words,
-            standing: statement.standing,
-            points: self.points,
-            worst,
-            at: at.map(|ratios| (ratios.omega().to_string(), ratios.alpha().to_string())),
-            damping_ratio: at.filter(Ratios::is_damped).map(|ratios| ratios.damping_ratio().to_string()),
-            passed: passed && self.points > 0,
-        }
-    }
+/// The points, where the precision is at least twice as fine as their distance from a singular frequency.
+fn places<F: Float>() -> Vec<CheckPoint<Ratios<F>>> {
+    // A motion with a thousand digits takes a tenth of a second; at such precisions only every third motion
+    // is followed.
+    let in_turn = |number: usize| F::PRECISION <= 512 || number.is_multiple_of(3);
+    // Closer than half the digits, the paper's own forms have no digits left.
+    let has_digits = |distance: &F| distance.square() > F::epsilon();
+    Numbers { ratio: F::ratio, has_digits, in_turn: [in_turn, in_turn] }.points(|omega, zeta, over| {
+        let least = Border::with_damping(omega, zeta).ok()?.min_force_ratio;
+        Ratios::new(omega, least * F::ratio(over, 100)).ok()?.with_damping_ratio(zeta).ok()
+    })
 }
 
-/// Statements of one kind with their tallies, and the unit of their residuals.
-struct KeptStatements<C, F> {
-    rows: Vec<(Statement<C, F>, Tally<F>)>,
-    unit: F,
-}
-
-impl<C, F: Float> KeptStatements<C, F> {
-    fn new(statements: Vec<Statement<C, F>>, unit: F) -> Self {
-        let rows = statements.into_iter().map(|statement| (statement, Tally { points: 0, worst: None }));
-        Self { rows: rows.collect(), unit }
-    }
-
-    fn add(&mut self, point: &C, scale: F, at: Ratios<F>) {
-        for (statement, tally) in &mut self.rows {
-            if let Some(residual) = (statement.residual)(point) {
-                tally.add(statement.standing, residual.abs() / scale * self.unit, at);
-            }
-        }
-    }
-
-    fn verdicts(&self) -> impl Iterator<Item = StatementVerdict> {
-        self.rows.iter().map(|(statement, tally)| tally.verdict(statement))
-    }
-}
-
-/// Checks every statement at every point. `step` receives the number of points done and of all points, and
-/// may stop the check.
-pub(super) fn verdicts<F: Float, B>(
-    mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
-) -> ControlFlow<B, Vec<StatementVerdict>> {
-    let (of_motion, by_differences) = of_motion::<F>();
-    let mut of_answers = KeptStatements::new(statements::all::<F>(), F::int(1));
-    let mut of_motion = KeptStatements::new(of_motion, F::int(1));
-    let mut by_differences = KeptStatements::new(by_differences, F::epsilon().sqrt());
-    let all = points::all::<F>();
-    for (done, place) in all.iter().enumerate() {
-        step(done, all.len())?;
-        let Some(point) = AnsweredPoint::at(place) else { continue };
-        let scale = point.case.scale;
-        of_answers.add(&point.case, scale, place.ratios);
-        of_motion.add(&point, scale, place.ratios);
-        by_differences.add(&point, scale, place.ratios);
-    }
-    step(all.len(), all.len())?;
-    let found = of_answers.verdicts().chain(of_motion.verdicts()).chain(by_differences.verdicts());
-    ControlFlow::Continue(found.collect())
+/// Checks every statement at every point.
+pub(super) fn verdicts<F: Float>() -> Result<Vec<StatementVerdict>, Failure> {
+    let (of_answers, of_motion) = (statements::all::<F>(), of_motion::<F>());
+    let verdicts = of_answers.iter().map(Statement::verdict).chain(of_motion.iter().map(Statement::verdict));
+    let residues = |place: &CheckPoint<Ratios<F>>| {
+        let Some(point) = AnsweredPoint::at(place) else { return Vec::new() };
+        let of_answers = of_answers.iter().map(|statement| (statement.residual)(&point.case));
+        let found = of_answers.chain(of_motion.iter().map(|statement| (statement.residual)(&point)));
+        found.map(|residual| Some(residue(residual?, point.case.scale))).collect()
+    };
+    let written = |CheckPoint { place, .. }: &CheckPoint<Ratios<F>>| Place {
+        omega: Some(place.omega().to_string()),
+        alpha: Some(place.alpha().to_string()),
+        damping_ratio: place.is_damped().then(|| place.damping_ratio().to_string()),
+    };
+    super::verdicts(verdicts.collect(), &places(), residues, written)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{TOLERANCE, Tally, case, case_of, verdicts};
+    use super::{TOLERANCE, case, case_of, places, residue, verdicts};
+    use crate::verify::Place;
     use crate::verify::statements::{self, Standing, Statement};
-    use crate::verify::{StatementVerdict, points};
     use proptest::prelude::*;
-
-    use std::ops::ControlFlow;
     use stickslip::{Border, Float, Output, Ratios, Response};
 
-    fn found<F: Float>() -> Vec<StatementVerdict> {
-        match verdicts::<F, ()>(|_, _| ControlFlow::Continue(())) {
-            ControlFlow::Continue(verdicts) => verdicts,
-            ControlFlow::Break(()) => panic!("ended by nobody"),
-        }
-    }
-
     fn all_hold<F: Float>() {
-        let verdicts = found::<F>();
+        let verdicts = verdicts::<F>().unwrap();
         let failed: Vec<_> = verdicts.iter().filter(|v| !v.passed || v.points < 3).collect();
         assert!(failed.is_empty() && verdicts.len() > 60, "{} {failed:#?}", verdicts.len());
         let worst = verdicts.iter().filter(|v| v.standing == Standing::Holds);
-        let worst = worst.map(|v| v.worst).fold(0.0, f64::max);
+        let worst = worst.map(|v| v.worst_residual).fold(0.0, f64::max);
         assert!(worst > 1.0 && worst < TOLERANCE / 2.0, "{worst}");
     }
 
@@ -467,7 +405,7 @@ mod tests {
         let told_by_the_motion = [Output::MaxAcceleration, Output::MaxAbsoluteDisplacement];
         for output in Output::ALL.into_iter().filter(|o| !told_by_the_motion.contains(o)) {
             for is_damped in [false, true] {
-                let places = points::all::<f64>().into_iter().map(|place| place.ratios);
+                let places = places::<f64>().into_iter().map(|point| point.place);
                 let told = places.filter(|ratios| ratios.is_damped() == is_damped).any(|ratios| {
                     most_off(ratios, output, 1.0) < TOLERANCE
                         && most_off(ratios, output, 1.000_001) > TOLERANCE
@@ -479,13 +417,11 @@ mod tests {
 
     #[test]
     fn a_tally_needs_points_and_takes_nan_for_the_worst() {
-        let ratios = Ratios::new(0.7, 2.0).unwrap();
-        assert!(case(ratios).is_some());
+        assert!(case(Ratios::new(0.7, 2.0).unwrap()).is_some());
         let passed = |standing, residuals: &[f64]| {
-            let mut tally = Tally { points: 0, worst: None };
-            residuals.iter().for_each(|&residual| tally.add(standing, residual, ratios));
             let statement = Statement { equation: "0", words: "", standing, residual: |_: &()| None::<f64> };
-            let verdict = tally.verdict(&statement);
+            let mut verdict = statement.verdict();
+            residuals.iter().for_each(|&residual| verdict.add(residue(residual, 1.0), Place::default));
             assert_eq!(verdict.points, residuals.len());
             verdict.passed
         };
@@ -514,23 +450,5 @@ mod tests {
                 prop_assert_eq!(is_zero, holds, "{}: {}", statement.equation, statement.words);
             }
         }
-    }
-
-    #[test]
-    fn progress_reaches_its_end() {
-        let mut last = (0, 0);
-        let told = verdicts::<f64, ()>(|done, all| {
-            assert!(done >= last.0 && done <= all);
-            last = (done, all);
-            ControlFlow::Continue(())
-        });
-        assert!(last.0 == last.1 && last.1 > 50 && told.is_continue());
-        // The check stops when the callback says so.
-        let mut steps = 0;
-        let ended = verdicts::<f64, usize>(|done, _| {
-            steps += 1;
-            if done == 2 { ControlFlow::Break(done) } else { ControlFlow::Continue(()) }
-        });
-        assert!(matches!(ended, ControlFlow::Break(2)) && steps == 3);
     }
 }

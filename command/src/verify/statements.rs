@@ -3,12 +3,15 @@
 //! Each statement is a left side less a right side. Statements of the paper have no damper and apply at
 //! ζ = 0; the others apply at every ζ.
 
+use super::StatementVerdict;
 use super::case::Case;
+use serde::Serialize;
 use stickslip::cycle::{equations as eq, printed};
 use stickslip::{Output, Real};
 
 /// Whether an equation of the paper holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub(super) enum Standing {
     /// The equation holds at every point.
     Holds,
@@ -25,6 +28,13 @@ pub(super) struct Statement<C, R> {
     pub(super) standing: Standing,
     /// The left side less the right side; `None` where the statement does not apply.
     pub(super) residual: fn(&C) -> Option<R>,
+}
+
+impl<C, R> Statement<C, R> {
+    /// The verdict before the first point.
+    pub(super) fn verdict(&self) -> StatementVerdict {
+        StatementVerdict::of(self.equation, self.words, self.standing)
+    }
 }
 
 macro_rules! statements {

@@ -2,7 +2,6 @@
 
 use super::super::Table;
 use super::{PendingFile, Sweep, error_at, open};
-use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output::{self, Lines, named, put_new, with_suffix};
@@ -33,7 +32,7 @@ impl Parts {
                 "--out {}: {name} has the parts of an interrupted sweep. Continue it with --resume",
                 file.display()
             );
-            return Err(Failure::Input(text));
+            return Err(text.into());
         }
         let bad = |e: std::io::Error| Failure::Input(format!("--out {}: {name}: {e}", file.display()));
         let made = fs::create_dir(&folder);
@@ -62,7 +61,7 @@ impl Parts {
     }
 
     /// The point after the last part, if each part belongs to this sweep.
-    pub(super) fn check<F: Value, T: Table<F>>(&self, sweep: &Sweep<'_, F, T>) -> Result<u64, Failure> {
+    pub(super) fn check<T: Table>(&self, sweep: &Sweep<'_, T>) -> Result<u64, Failure> {
         let mut next = sweep.part.start;
         for range in &self.parts {
             let path = self.path(range);
@@ -93,7 +92,7 @@ impl Parts {
     }
 
     /// Merges the parts into the file, which appears complete or not at all, and removes them.
-    pub(super) fn become_file<F: Value, T: Table<F>>(self, file: &Path, sweep: &Sweep<'_, F, T>) -> Outcome {
+    pub(super) fn become_file<T: Table>(self, file: &Path, sweep: &Sweep<'_, T>) -> Outcome {
         if let [whole] = self.parts.as_slice() {
             put_new(&self.path(whole), file).map_err(|e| named(&file.display().to_string(), e))?;
             return self.remove(&[]);
