@@ -8,7 +8,7 @@ use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::input;
-use crate::note::{both, decay, measured_from};
+use crate::note::{both, decay, line, measured_from};
 use crate::output;
 use crate::outputs::{ATTRACTOR, FIRST_V, FIRST_X, MIRROR, REST_FROM, REST_TO, SHARE, STARTS};
 use crate::progress;
@@ -231,17 +231,17 @@ fn text<F: Value>(
         let part = digits((share(all, found) * 1e4).round() / 1e2);
         writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, stickslip::words::described(found))?;
         if let Some(steady) = found.limit.steady_state() {
-            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
-            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
-            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle)?;
-            writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
+            line(out, "maximum displacement", length(steady.max_displacement.value))?;
+            line(out, "minimum displacement", length(steady.min_displacement.value))?;
+            line(out, "stops in a cycle", steady.sticks_per_cycle)?;
+            line(out, "a disturbance", decay(steady.contraction(), "a cycle"))?;
         } else if let LongRun::Irregular(motion) = found.limit {
-            writeln!(out, "  greatest displacement    {}", length(motion.max_displacement))?;
-            writeln!(out, "  least displacement       {}", length(motion.min_displacement))?;
-            writeln!(out, "  Lyapunov exponent        {} a turn", digits(motion.lyapunov_exponent))?;
+            line(out, "greatest displacement", length(motion.max_displacement))?;
+            line(out, "least displacement", length(motion.min_displacement))?;
+            line(out, "Lyapunov exponent", format_args!("{} a turn", digits(motion.lyapunov_exponent)))?;
         } else if let Some((low, high)) = found.range {
-            writeln!(out, "  from                     {}", length(low))?;
-            writeln!(out, "  to                       {}", length(high))?;
+            line(out, "from", length(low))?;
+            line(out, "to", length(high))?;
         }
     }
     Ok(())

@@ -5,6 +5,7 @@ use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
 use crate::input::BorderPoint;
+use crate::note::Note;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
@@ -65,6 +66,7 @@ fn respond<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
         Ok(((point, answer, found), record))
     };
     points::answered(asked, out, answer, |(point, answer, found), units, out| {
-        note::border(answer, found.as_ref(), point.machine.as_ref().map(|m| &m.scales), units, out)
+        let scales = point.machine.as_ref().map(|machine| &machine.scales);
+        note::border(answer, found.as_ref(), Note { machine: None, scales, units, out })
     })
 }

@@ -6,7 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::given;
 use crate::motion_plot::axis;
-use crate::note::{self, both};
+use crate::note::{self, both, line};
 use crate::output;
 use crate::outputs::{DAMPING_RATIO, STATIC_FRICTION_RATIO, key};
 use crate::physical::Physical;
@@ -75,11 +75,11 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     } else {
         writeln!(out, "The body creeps towards rest for ever.\n")?;
     }
-    writeln!(out, "  first turning point      {}", length(decay.first_turn))?;
-    writeln!(out, "  rest position            {}", length(decay.rest_position))?;
+    line(out, "first turning point", length(decay.first_turn))?;
+    line(out, "rest position", length(decay.rest_position))?;
     if rests {
         let time = both(decay.rest_time, "/ω_n", scales.as_ref().map(|s| s.time), "s");
-        writeln!(out, "  time to rest             {time}")?;
+        line(out, "time to rest", time)?;
     }
     if let Some((mean, system)) = scales.as_ref().and_then(|s| Some((s.mean_displacement?, &s.system))) {
         note::mean_displacement(mean, system, out)?;

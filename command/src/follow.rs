@@ -7,6 +7,7 @@ use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::given;
 use crate::measured;
+use crate::motion_plot;
 use crate::output::{self, PendingFile};
 use crate::physical::Physical;
 use crate::record::Cell;
@@ -14,7 +15,7 @@ use std::io::Write;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
-use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordMotion};
+use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordMotion, RecordState};
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
@@ -180,7 +181,7 @@ fn states<F: Value>(motion: &RecordMotion<F>, system: &System, out: &mut impl Wr
     Ok(table.flush()?)
 }
 
-/// The load, the displacement and the velocity over time, and the displacement over the velocity's sign: rests apart.
+/// The load, the displacement and the velocity over time.
 fn drawing<F: Value>(
     record: &Record<F>,
     motion: &RecordMotion<F>,
@@ -188,12 +189,9 @@ fn drawing<F: Value>(
     file: &Path,
     machine: &str,
 ) -> Figure {
-    let load: Vec<_> = record
-        .samples()
-        .iter()
-        .enumerate()
-        .map(|(index, sample)| (record.time(index).to_f64(), sample.to_f64()))
-        .collect();
+    let time = |index: usize| record.time(index).to_f64();
+    let samples = record.samples().iter().enumerate();
+    let load: Vec<_> = samples.map(|(index, sample)| (time(index), sample.to_f64())).collect();
     let (name, kind) = match record.excitation() {
         stickslip::Excitation::Force => ("force", Kind::Force),
         stickslip::Excitation::SurfaceAcceleration => ("acceleration of the surface", Kind::Acceleration),
@@ -205,66 +203,22 @@ fn drawing<F: Value>(
         | _ => ("displacement of the foot", Kind::Length),
     };
     let label = |name: &str, kind: Kind| format!("{name} ({})", system.name(kind));
-    let of = |value: fn(&stickslip::motion::record::RecordState<F>) -> F, rests: bool| {
-        let states = motion.states.iter();
-        let mut points: Vec<_> = states
-            .map(|state| {
-                let shown = !rests || state.direction == 0;
-                (state.time.to_f64(), if shown { value(state).to_f64() } else { f64::NAN })
-            })
-            .collect();
-        // A rest is drawn to its end, which is the beginning of the next slide.
-        if rests {
-            for place in 1..points.len() {
-                let is_end = motion.states.get(place - 1).is_some_and(|state| state.direction == 0);
-                if let (true, Some(point), Some(state)) =
-                    (is_end, points.get_mut(place), motion.states.get(place))
-                {
-                    point.1 = value(state).to_f64();
-                }
-            }
-        }
-        points
+    let times = || motion.states.iter().map(|state| state.time.to_f64());
+    let last = times().chain(load.iter().map(|(time, _)| *time)).fold(f64::NEG_INFINITY, f64::max);
+    let x = || Axis::linear("time (s)", times().fold(f64::INFINITY, f64::min), last);
+    // A rest is drawn to its end, which is the beginning of the next slide.
+    let at_rest = || motion.states.iter().map(|state| state.direction == 0);
+    let rests: Vec<_> = at_rest().zip([false].into_iter().chain(at_rest())).map(|(a, b)| a || b).collect();
+    let moving = |name: &str, kind: Kind, value: fn(&RecordState<F>) -> F| {
+        let points = times().zip(motion.states.iter().map(|state| value(state).to_f64())).collect();
+        motion_plot::panel(name, x(), &label(name, kind), points, &rests)
     };
-    let ends = |points: &[(f64, f64)]| {
-        let times = points.iter().map(|(time, _)| *time);
-        times.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| (low.min(t), high.max(t)))
-    };
-    let displacement = of(|state| state.displacement, false);
-    let (first, last) = ends(&displacement);
-    let (_, end) = ends(&load);
-    let last = last.max(end);
-    let panel = |title: &str, y: String, series: Vec<Series>, values: &[(f64, f64)]| {
-        Panel::new(
-            title,
-            Axis::linear("time (s)", first, last),
-            crate::motion_plot::axis(&y, values.iter().map(|(_, value)| *value), 0.08),
-            series,
-        )
-    };
-    let moving = |value: fn(&stickslip::motion::record::RecordState<F>) -> F| {
-        let points = of(value, false);
-        let rests = of(value, true);
-        let mut series = vec![Series::new("sliding", Style::Line, 2, points)];
-        if rests.iter().any(|(_, value)| value.is_finite()) {
-            series.push(Series::new("at rest", Style::Thick, 3, rests));
-        }
-        series
-    };
-    let velocity = of(|state| state.velocity, false);
-    Figure::new(
-        "record",
-        format!("Motion under {}: {machine}", file.file_name().unwrap_or_default().to_string_lossy()),
-        "",
-        vec![
-            panel(name, label(name, kind), vec![Series::new("", Style::Line, 1, load.clone())], &load),
-            panel(
-                "displacement",
-                label("displacement", Kind::Length),
-                moving(|state| state.displacement),
-                &displacement,
-            ),
-            panel("velocity", label("velocity", Kind::Velocity), moving(|state| state.velocity), &velocity),
-        ],
-    )
+    let y = motion_plot::axis(&label(name, kind), load.iter().map(|(_, value)| *value), 0.08);
+    let panels = [
+        Panel::new(name, x(), y, vec![Series::new("", Style::Line, 1, load.clone())]),
+        moving("displacement", Kind::Length, |state| state.displacement),
+        moving("velocity", Kind::Velocity, |state| state.velocity),
+    ];
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    Figure::new("record", format!("Motion under {name}: {machine}"), "", panels)
 }

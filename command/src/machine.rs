@@ -2,7 +2,7 @@
 
 use crate::bits::Value;
 use stickslip::inputs::units::System;
-use stickslip::{Drive, Excitation, Oscillator, Ratios, Scales};
+use stickslip::{Drive, Excitation, Oscillator, Scales};
 
 /// A machine in physical units and the scale of its answers.
 pub(crate) struct Machine<F> {
@@ -46,14 +46,4 @@ impl<F> Machine<F> {
 /// The excitation of a machine, or of ratios alone: a force.
 pub(crate) fn excitation<F: Value>(machine: Option<&Machine<F>>) -> Excitation {
     machine.map_or(Excitation::Force, |machine| machine.drive.excitation())
-}
-
-/// The transmitted force in r_y and the transmissibility of a machine, from those of a body under a force.
-pub(crate) fn transmitted<F: Value>(
-    machine: Option<&Machine<F>>,
-    ratios: &Ratios<F>,
-    force: F,
-    acceleration: F,
-) -> (F, F) {
-    excitation(machine).transmitted(ratios, force, acceleration)
 }

@@ -60,49 +60,34 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let over_time = |value: &dyn Fn(&Instant<f64>) -> f64| -> Vec<(f64, f64)> {
         samples.iter().enumerate().map(|(i, s)| (time(i), value(s))).collect()
     };
-    // Stops have the colour that means rest in all pictures.
-    let stops = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
-        let rests = |s: &Instant<f64>| s.state.v == 0.0 && s.acceleration == 0.0;
-        samples
-            .iter()
-            .zip(points)
-            .map(|(s, point)| if rests(s) { *point } else { (f64::NAN, f64::NAN) })
-            .collect()
-    };
-    let panel = |title: &str, x: &str, y: String, points: Vec<(f64, f64)>| {
-        let at_rest = stops(&points);
-        let mut series = vec![Series::new("sliding", Style::Line, 2, points.clone())];
-        if at_rest.iter().any(|(x, _)| x.is_finite()) {
-            series.push(Series::new("at rest", Style::Thick, 3, at_rest));
-        }
-        Panel::new(
-            title,
-            axis(x, points.iter().map(|(x, _)| *x), 0.0),
-            axis(&y, points.iter().map(|(_, y)| *y), 0.08),
-            series,
-        )
-    };
+    let rests = samples.iter().map(|s| s.state.v == 0.0 && s.acceleration == 0.0).collect::<Vec<_>>();
+    let over = |points: &[(f64, f64)], label: &str, room: f64| axis(label, points.iter().map(|p| p.0), room);
     let (x, r) = (label(displacement, "x/B", Kind::Length), label("friction force", "r/r_y", Kind::Force));
-    let loop_points: Vec<(f64, f64)> = samples.iter().map(|s| (s.state.x * length, friction(s))).collect();
-    let mut friction_loop = panel("friction loop", &x, r.clone(), loop_points);
-    friction_loop.x = axis(&x, samples.iter().map(|s| s.state.x * length), 0.08);
-    let figure = Figure::new(
-        "motion",
-        format!("Steady motion: {}", given::line(&args.machine, |_| true, &given.system)),
-        "",
-        vec![
-            panel("displacement", when, x.clone(), over_time(&|s| s.state.x * length)),
-            panel(
-                "velocity",
-                when,
-                label("velocity", "x′/(Bω_d)", Kind::Velocity),
-                over_time(&|s| s.state.v * velocity),
-            ),
-            panel("friction force", when, r, over_time(&friction)),
-            friction_loop,
-        ],
-    );
+    let friction_loop: Vec<_> = samples.iter().map(|s| (s.state.x * length, friction(s))).collect();
+    let speed = label("velocity", "x′/(Bω_d)", Kind::Velocity);
+    let panels = [
+        ("displacement", &x, over_time(&|s| s.state.x * length)),
+        ("velocity", &speed, over_time(&|s| s.state.v * velocity)),
+        ("friction force", &r, over_time(&friction)),
+    ];
+    let mut panels: Vec<_> = panels
+        .into_iter()
+        .map(|(title, y, points)| panel(title, over(&points, when, 0.0), y, points, &rests))
+        .collect();
+    panels.push(panel("friction loop", over(&friction_loop, &x, 0.08), &r, friction_loop, &rests));
+    let title = format!("Steady motion: {}", given::line(&args.machine, |_| true, &given.system));
+    let figure = Figure::new("motion", title, "", panels);
     target.draw(out, || Ok(figure))
+}
+
+/// A panel of a motion, whose rests have the colour that means rest in all pictures.
+pub(crate) fn panel(title: &str, x: Axis, y: &str, points: Vec<(f64, f64)>, rests: &[bool]) -> Panel {
+    let y = axis(y, points.iter().map(|(_, y)| *y), 0.08);
+    let at_rest = points.iter().zip(rests).map(|(&(x, y), rests)| (x, if *rests { y } else { f64::NAN }));
+    let at_rest = Series::new("at rest", Style::Thick, 3, at_rest);
+    let mut series = vec![Series::new("sliding", Style::Line, 2, points)];
+    series.extend(rests.contains(&true).then_some(at_rest));
+    Panel::new(title, x, y, series)
 }
 
 /// An axis that contains all values, with a margin.

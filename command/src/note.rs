@@ -4,59 +4,99 @@ mod force;
 mod static_friction;
 
 use crate::bits::{Value, digits};
-use crate::machine::Machine;
+use crate::machine::{Machine, excitation};
 use crate::style;
+use std::fmt::Display;
 use std::io::{self, Write};
 use stickslip::inputs::units::{Kind, System};
 use stickslip::words;
-use stickslip::{Cycle, Excitation, PhaseFunction, Regime, Response};
+use stickslip::{Cycle, Excitation, Measure, PhaseFunction, Ratios, Regime, Response, Scales};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
 
+/// A line of a note: a name and its value, below those of the lines before.
+pub(crate) fn line(out: &mut impl Write, name: &str, value: impl Display) -> io::Result<()> {
+    writeln!(out, "  {name:<24} {value}")
+}
+
+/// A number with its unit.
+fn with_unit<F: Value>(x: F, unit: &str) -> String {
+    format!("{} {unit}", digits(x))
+}
+
 /// A number in its dimensionless unit and, if there is a machine, in the user's unit.
 pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
-    let own = format!("{} {unit}", digits(x));
+    let own = with_unit(x, unit);
     match scale {
         Some(scale) => format!("{:<22} = {} {name}", own.trim_end(), digits(x * scale)),
         None => own.trim_end().to_owned(),
     }
 }
 
-/// The text of [`both`] within a sentence, without aligned columns.
-pub(crate) fn both_in_words<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
-    both(x, unit, scale, name).split_whitespace().collect::<Vec<_>>().join(" ")
+/// A note on a machine, or on ratios alone.
+pub(crate) struct Note<'a, F, W> {
+    pub(crate) machine: Option<&'a Machine<F>>,
+    /// The sizes of the ratios, if there is a machine.
+    pub(crate) scales: Option<&'a Scales<F>>,
+    pub(crate) units: &'a System,
+    pub(crate) out: &'a mut W,
+}
+
+impl<'a, F: Value, W: Write> Note<'a, F, W> {
+    pub(crate) fn of(machine: Option<&'a Machine<F>>, units: &'a System, out: &'a mut W) -> Self {
+        Self { machine, scales: machine.map(|machine| &machine.scales), units, out }
+    }
+
+    /// A number in its unit and, if there is a machine, in that of the user.
+    pub(crate) fn both(&self, measure: Measure, x: F) -> String {
+        let scale = self.scales.map(|scales| measure.size(scales));
+        both(x, measure.unit(), scale, &self.units.name(measure.kind()))
+    }
+
+    /// A line with a number.
+    pub(crate) fn number(&mut self, name: &str, measure: Measure, x: F) -> io::Result<()> {
+        let text = self.both(measure, x);
+        self.line(name, text)
+    }
+
+    pub(crate) fn line(&mut self, name: &str, value: impl Display) -> io::Result<()> {
+        line(self.out, name, value)
+    }
+
+    /// Whether the excitation is one of those.
+    pub(crate) fn is_driven(&self, is_one: fn(Excitation) -> bool) -> bool {
+        self.machine.is_some_and(|machine| is_one(machine.drive.excitation()))
+    }
 }
 
 /// The note on a response.
 pub(crate) fn response<F: Value>(
     response: &Response<F>,
-    machine: Option<&Machine<F>>,
-    units: &System,
-    out: &mut impl Write,
+    mut note: Note<'_, F, impl Write>,
 ) -> io::Result<()> {
     let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
-    writeln!(out, "{}\n", style::verdict(&words::verdict(response)))?;
-    writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
-    writeln!(out, "  force ratio α            {}", digits(alpha))?;
+    writeln!(note.out, "{}\n", style::verdict(&words::verdict(response)))?;
+    note.line("frequency ratio Ω", digits(omega))?;
+    note.line("force ratio α", digits(alpha))?;
     if response.ratios.is_damped() {
-        writeln!(out, "  damping ratio ζ          {}", digits(response.ratios.damping_ratio()))?;
+        note.line("damping ratio ζ", digits(response.ratios.damping_ratio()))?;
     }
     if response.ratios.has_higher_static_friction() {
         let eta = digits(response.ratios.static_friction_ratio());
-        writeln!(out, "  static friction ratio η  {eta}")?;
+        note.line("static friction ratio η", eta)?;
     }
-    if let Some(machine) = machine {
-        given(machine, out)?;
+    if let Some(machine) = note.machine {
+        given(machine, note.out)?;
     }
     if response.regime == Regime::DependsOnStart {
-        writeln!(out, "\n`stickslip steady` follows one start, and `stickslip attractors` many.")?;
+        writeln!(note.out, "\n`stickslip steady` follows one start, and `stickslip attractors` many.")?;
     }
     if let Some(cycle) = response.cycle.as_ref() {
-        motion(cycle, machine, units, out)?;
+        motion(cycle, &mut note)?;
     } else if response.reversals_per_cycle() == Some(6) {
         writeln!(
-            out,
+            note.out,
             "\nThe closed forms hold for two reversals only. `stickslip steady` gives this motion."
         )?;
     }
@@ -67,66 +107,49 @@ pub(crate) fn response<F: Value>(
         let (one, least) = (F::int(1), response.border.min_force_ratio);
         let shift = digits(response.ratios.static_friction_ratio() * (alpha / least - one));
         writeln!(
-            out,
+            note.out,
             "\nAt Ω = 1/(2n) this is the symmetric member of a family of cycles, whose centres lie within"
         )?;
-        writeln!(out, "±{shift} B. The start decides which is reached, see `stickslip steady`.")?;
+        writeln!(note.out, "±{shift} B. The start decides which is reached, see `stickslip steady`.")?;
     }
-    needed_force(response, machine, units, out)
+    needed_force(response, &mut note)
 }
 
 /// The machine and its drive, which show how the arguments were understood.
 pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io::Result<()> {
     let Machine { oscillator, drive, scales, system, has_damper, .. } = machine;
     let (force, length) = (system.force(), system.length());
-    let hertz = |frequency: F| digits(frequency / (F::int(2) * F::pi()));
-    let (driven, natural) = (drive.angular_frequency(), oscillator.natural_frequency());
     if let Some(base) = words::base_motion(drive.excitation()) {
-        writeln!(out, "  base motion              {base}")?;
+        line(out, "base motion", base)?;
     }
-    writeln!(
-        out,
-        "  drive frequency ω_d      {:<22} = {} Hz",
-        format!("{} rad/s", digits(driven)),
-        hertz(driven)
-    )?;
-    writeln!(
-        out,
-        "  natural frequency ω_n    {:<22} = {} Hz",
-        format!("{} rad/s", digits(natural)),
-        hertz(natural)
-    )?;
-    writeln!(out, "  mass m                   {}", mass(oscillator.mass(), system))?;
-    writeln!(out, "  stiffness k              {} {force}/{length}", digits(oscillator.stiffness()))?;
+    let frequency = |x: F| {
+        let hertz = digits(x / (F::int(2) * F::pi()));
+        format!("{:<22} = {hertz} Hz", with_unit(x, "rad/s"))
+    };
+    line(out, "drive frequency ω_d", frequency(drive.angular_frequency()))?;
+    line(out, "natural frequency ω_n", frequency(oscillator.natural_frequency()))?;
+    line(out, "mass m", mass(oscillator.mass(), system))?;
+    line(out, "stiffness k", with_unit(oscillator.stiffness(), &system.name(Kind::Stiffness)))?;
     let bound = digits(oscillator.friction_bound());
     match machine.directional_friction {
         Some((forward, backward)) => {
             let (forward, backward) = (digits(forward), digits(backward));
-            writeln!(
+            line(
                 out,
-                "  friction bound r_y       {bound} {force} = ({forward} forward + {backward} backward)/2"
+                "friction bound r_y",
+                format_args!("{bound} {force} = ({forward} forward + {backward} backward)/2"),
             )?;
         }
-        None => writeln!(out, "  friction bound r_y       {bound} {force}")?,
+        None => line(out, "friction bound r_y", format_args!("{bound} {force}"))?,
     }
     if *has_damper {
-        writeln!(
-            out,
-            "  damping constant c       {} {}",
-            digits(oscillator.damping()),
-            system.name(Kind::Damping)
-        )?;
+        line(out, "damping constant c", with_unit(oscillator.damping(), &system.name(Kind::Damping)))?;
     }
     if drive.excitation() == Excitation::Unbalance {
-        writeln!(
-            out,
-            "  unbalance m_e e          {} {}",
-            digits(drive.amplitude()),
-            system.name(Kind::Unbalance)
-        )?;
+        line(out, "unbalance m_e e", with_unit(drive.amplitude(), &system.name(Kind::Unbalance)))?;
     }
-    writeln!(out, "  force amplitude p₀       {} {force}", digits(drive.force_amplitude(oscillator)))?;
-    writeln!(out, "  friction displacement B  {} {length}", digits(scales.length))?;
+    line(out, "force amplitude p₀", with_unit(drive.force_amplitude(oscillator), force))?;
+    line(out, "friction displacement B", with_unit(scales.length, length))?;
     if let Some(force) = machine.mean_force {
         writeln!(out, "  mean force p̄             {} {}", digits(force), system.force())?;
     }
@@ -146,17 +169,24 @@ fn mass<F: Value>(mass: F, system: &System) -> String {
 /// The shift of the motion by a mean force and by friction that differs by direction.
 pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut impl Write) -> io::Result<()> {
     let (mean, length) = (digits(mean), system.length());
-    writeln!(out, "  mean displacement        {mean} {length} (displacements are measured from there)")
+    line(out, "mean displacement", format_args!("{mean} {length} (displacements are measured from there)"))
 }
 
-/// A note that the transmitted force does not contain the mean force, if one was given.
-pub(crate) fn without_mean_force<F: Value>(
-    machine: Option<&Machine<F>>,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    match machine.and_then(|machine| machine.mean_force) {
-        Some(_) => writeln!(out, "    (without the mean force p̄, which the support carries in addition)"),
-        None => Ok(()),
+impl<F: Value, W: Write> Note<'_, F, W> {
+    /// The greatest force on the support, with the rules of its excitation, and that force over the one of the drive.
+    pub(crate) fn transmitted(
+        &mut self,
+        ratios: &Ratios<F>,
+        force: F,
+        acceleration: F,
+        name: &str,
+    ) -> io::Result<String> {
+        let (force, ratio) = excitation(self.machine).transmitted(ratios, force, acceleration);
+        self.number(name, Measure::Force, force)?;
+        if self.machine.is_some_and(|machine| machine.mean_force.is_some()) {
+            writeln!(self.out, "    (without the mean force p̄, which the support carries in addition)")?;
+        }
+        Ok(digits(ratio))
     }
 }
 
@@ -168,48 +198,30 @@ pub(crate) fn measured_from<F: Value>(machine: Option<&Machine<F>>, out: &mut im
 }
 
 /// The numbers of a non-sticking cycle.
-fn motion<F: Value>(
-    cycle: &Cycle<F>,
-    machine: Option<&Machine<F>>,
-    units: &System,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let scales = machine.map(|m| &m.scales);
-    let (force, length) = (units.force(), units.length());
-    let lengths = |x| both(x, "B", scales.map(|s| s.length), length);
-    let phases = |x| both(x, "rad", scales.map(|s| s.time), "s");
-    let speed = both(cycle.max_velocity, "B ω_d", scales.map(|s| s.velocity), &format!("{length}/s"));
-    writeln!(out, "\nMotion (steady, symmetric, two reversals a cycle)")?;
-    writeln!(out, "  maximum displacement     {}", lengths(cycle.max_displacement))?;
-    writeln!(out, "    at ω_d t₂              {}", phases(cycle.displacement_phase))?;
-    writeln!(out, "  maximum velocity         {speed}")?;
-    writeln!(out, "    at ω_d t₁              {}", phases(cycle.velocity_phase))?;
-    writeln!(out, "    where x = Δ₁           {}", lengths(cycle.deviation()))?;
-    let acceleration = scales.map(|s| s.velocity / s.time);
-    let acceleration =
-        both(cycle.max_acceleration(), "B ω_d²", acceleration, &units.name(Kind::Acceleration));
-    writeln!(out, "  maximum acceleration     {acceleration}")?;
-    if machine.is_some_and(|m| m.drive.excitation().carries_surface()) {
-        writeln!(out, "  absolute displacement    {}", lengths(cycle.max_absolute_displacement()))?;
+fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
+    writeln!(note.out, "\nMotion (steady, symmetric, two reversals a cycle)")?;
+    note.number("maximum displacement", Measure::Length, cycle.max_displacement)?;
+    note.number("  at ω_d t₂", Measure::Angle, cycle.displacement_phase)?;
+    note.number("maximum velocity", Measure::Velocity, cycle.max_velocity)?;
+    note.number("  at ω_d t₁", Measure::Angle, cycle.velocity_phase)?;
+    note.number("  where x = Δ₁", Measure::Length, cycle.deviation())?;
+    note.number("maximum acceleration", Measure::Acceleration, cycle.max_acceleration())?;
+    if note.is_driven(Excitation::carries_surface) {
+        note.number("absolute displacement", Measure::Length, cycle.max_absolute_displacement())?;
     }
-    writeln!(
-        out,
-        "  dynamic amplification    k Δ₀/p₀ = {}",
-        digits(cycle.max_displacement / cycle.ratios.alpha())
-    )?;
-    writeln!(out, "  a disturbance            {}", decay(cycle.contraction(), "half a cycle"))?;
-    writeln!(out, "\nDissipation in a cycle")?;
-    if let Some(Machine { scales, .. }) = machine {
+    let amplification = digits(cycle.max_displacement / cycle.ratios.alpha());
+    note.line("dynamic amplification", format_args!("k Δ₀/p₀ = {amplification}"))?;
+    note.line("a disturbance", decay(cycle.contraction(), "half a cycle"))?;
+    writeln!(note.out, "\nDissipation in a cycle")?;
+    if let Some(scales) = note.scales {
         let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
-        writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(energy))?;
+        note.line("energy 4 r_y Δ₀", with_unit(energy, &note.units.name(Kind::Energy)))?;
     }
-    if cycle.ratios.is_damped() && !machine.is_some_and(Machine::has_damped_foot) {
-        let scale = scales.map(|s| s.force * s.length);
-        let work = both(cycle.damper_work(), "r_y B", scale, &format!("{force}·{length}"));
-        writeln!(out, "  energy of the damper     {work}")?;
+    if cycle.ratios.is_damped() && !note.machine.is_some_and(Machine::has_damped_foot) {
+        note.number("energy of the damper", Measure::Work, cycle.damper_work())?;
     }
-    writeln!(out, "  per static energy        A₁ = {}", digits(cycle.loop_size_stiffness()))?;
-    writeln!(out, "  per pseudo-static energy A₂ = {}", digits(cycle.loop_size_inertia()))
+    note.line("per static energy", format_args!("A₁ = {}", digits(cycle.loop_size_stiffness())))?;
+    note.line("per pseudo-static energy", format_args!("A₂ = {}", digits(cycle.loop_size_inertia())))
 }
 
 /// The fraction of a disturbance that remains after a time.

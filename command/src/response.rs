@@ -6,6 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
 use crate::input::Point;
 use crate::machine::excitation;
+use crate::note::Note;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
@@ -35,7 +36,7 @@ fn respond<F: Value>(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
         Ok(((point, response), record))
     };
     points::answered(asked, out, answer, |(point, response), units, out| {
-        note::response(response, point.machine.as_ref(), units, out)
+        note::response(response, Note::of(point.machine.as_ref(), units, out))
     })
 }
 

@@ -4,6 +4,7 @@ use super::LimitData;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
+use crate::note::line;
 use crate::progress;
 use crate::record::Record;
 use std::io::Write;
@@ -93,13 +94,13 @@ impl<F: Value> Others<F> {
             let stability = if steady.is_stable() { "stable" } else { "unstable" };
             let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
             writeln!(out, "\n{number}. {}, {stability}{mirror}", stickslip::words::shape(steady))?;
-            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
-            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
-            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle)?;
+            line(out, "maximum displacement", length(steady.max_displacement.value))?;
+            line(out, "minimum displacement", length(steady.min_displacement.value))?;
+            line(out, "stops in a cycle", steady.sticks_per_cycle)?;
             let [(re, im), _] = steady.multipliers;
             let imaginary =
                 if im == F::int(0) { String::new() } else { format!(" ± {} i", digits(im.abs())) };
-            writeln!(out, "  greatest multiplier      {}{imaginary} in a cycle", digits(re))?;
+            line(out, "greatest multiplier", format_args!("{}{imaginary} in a cycle", digits(re)))?;
         }
         Ok(())
     }

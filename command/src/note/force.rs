@@ -1,72 +1,58 @@
 //! The note on forces: the minimum without sticking, the optimum for dissipation, and the border.
 
-use super::{both, static_friction};
+use super::{Note, static_friction};
 use crate::bits::{Value, digits};
-use crate::machine::{Machine, transmitted};
 use std::io::{self, Write};
-use stickslip::inputs::units::System;
-use stickslip::{NoStop, Ratios, Response, Scales};
+use stickslip::{Excitation, Measure, NoStop, Ratios, Response};
 
 /// The minimum force without sticking, and the force of maximum dissipation.
 pub(super) fn needed_force<F: Value>(
     response: &Response<F>,
-    machine: Option<&Machine<F>>,
-    units: &System,
-    out: &mut impl Write,
+    note: &mut Note<'_, F, impl Write>,
 ) -> io::Result<()> {
     let border = response.border;
-    let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force());
-    writeln!(out, "\nForce")?;
+    writeln!(note.out, "\nForce")?;
     if let Some(cycle) = response.cycle.as_ref() {
-        let (ratios, acceleration) = (response.ratios, cycle.max_acceleration());
-        let (force, ratio) = transmitted(machine, &ratios, cycle.transmitted_force(), acceleration);
-        writeln!(out, "  transmitted, maximum     {}", forces(force))?;
-        super::without_mean_force(machine, out)?;
-        let name = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) {
-            "per foot acceleration"
-        } else {
-            "per p₀"
-        };
-        writeln!(out, "    {name:<22} {}", digits(ratio))?;
+        let (force, acceleration) = (cycle.transmitted_force(), cycle.max_acceleration());
+        let ratio = note.transmitted(&response.ratios, force, acceleration, "transmitted, maximum")?;
+        let of_foot = note.is_driven(Excitation::moves_foot);
+        note.line(if of_foot { "  per foot acceleration" } else { "  per p₀" }, ratio)?;
     }
     match NoStop::of(&response.ratios).six_reversals {
-        _ if response.ratios.has_higher_static_friction() => static_friction::forces(response, forces, out)?,
-        None => writeln!(out, "  minimum without sticking {}", forces(border.min_force_ratio))?,
+        _ if response.ratios.has_higher_static_friction() => static_friction::forces(response, note)?,
+        None => note.number("minimum without sticking", Measure::Force, border.min_force_ratio)?,
         Some((low, high)) => {
-            writeln!(out, "  minimum without a stop   {}", forces(low))?;
-            writeln!(out, "    up to                  {}  (six reversals a cycle)", forces(high))?;
-            writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio))?;
-            writeln!(out, "    (between these two the body stops)")?;
+            note.number("minimum without a stop", Measure::Force, low)?;
+            let high = note.both(Measure::Force, high);
+            note.line("  up to", format_args!("{high}  (six reversals a cycle)"))?;
+            note.number("two-reversal border", Measure::Force, border.min_force_ratio)?;
+            writeln!(note.out, "    (between these two the body stops)")?;
         }
     }
-    not_to_be_held(response.ratios.omega(), border.min_force_ratio, out)?;
+    not_to_be_held(response.ratios.omega(), border.min_force_ratio, note.out)?;
     if border.turning_point < border.min_force_ratio && !response.ratios.is_damped() {
         let eq_61 = digits(border.turning_point);
-        writeln!(out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
+        writeln!(note.out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
     }
+    let (name, best) = ("maximum dissipation at", response.best_force_ratio);
     match response.best_loop_size {
         Some(size) if response.best_is_reached() => {
-            writeln!(out, "  maximum dissipation at   {}", forces(response.best_force_ratio))?;
-            writeln!(out, "    loop size A₁ there     {}", digits(size))?;
+            note.number(name, Measure::Force, best)?;
+            note.line("  loop size A₁ there", digits(size))?;
             if size.to_f64() > ABSURD {
-                writeln!(
-                    out,
-                    "    (no machine holds a frequency so close to Ω = 1/(2n), where it is infinite)"
-                )?;
+                let text = "no machine holds a frequency so close to Ω = 1/(2n), where it is infinite";
+                writeln!(note.out, "    ({text})")?;
             }
             Ok(())
         }
         None if response.best_is_reached() => {
-            writeln!(
-                out,
-                "  maximum dissipation at   any force above the minimum: at Ω = 1 the loop grows in every cycle"
-            )
+            note.line(name, "any force above the minimum: at Ω = 1 the loop grows in every cycle")
         }
-        Some(_) | None => writeln!(
-            out,
-            "  maximum dissipation at   the minimum above: with the optimum of eq. 65, {} r_y, it would stick",
-            digits(response.best_force_ratio)
-        ),
+        Some(_) | None => {
+            let best = digits(best);
+            let text = format!("the minimum above: with the optimum of eq. 65, {best} r_y, it would stick");
+            note.line(name, text)
+        }
     }
 }
 
@@ -77,10 +63,8 @@ const ABSURD: f64 = 1e6;
 fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
     // Away from the poles the border is a few times 1/Ω².
     if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
-        writeln!(
-            out,
-            "    (no machine holds a frequency so close to Ω = 1/(2n+1), where the border is infinite)"
-        )?;
+        let text = "no machine holds a frequency so close to Ω = 1/(2n+1), where the border is infinite";
+        writeln!(out, "    ({text})")?;
     }
     Ok(())
 }
@@ -109,43 +93,30 @@ fn exact_from<F: Value>(ratios: Ratios<F>) -> F {
 pub(crate) fn border<F: Value>(
     answer: &Response<F>,
     found: Option<&NoStop<F>>,
-    scales: Option<&Scales<F>>,
-    units: &System,
-    out: &mut impl Write,
+    mut note: Note<'_, F, impl Write>,
 ) -> io::Result<()> {
     let (omega, border) = (answer.ratios.omega(), answer.border);
-    let forces = |x| both(x, "r_y", scales.map(|s| s.force), units.force());
-    let lengths = |x| both(x, "B", scales.map(|s| s.length), units.length());
-    let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
-    match found {
+    let sentence = match found {
         None => {
             let least = digits(border.min_force_ratio);
-            let cycle = "the cycle of two reversals does not stick at a force of";
-            writeln!(out, "At Ω = {} {cycle} {least} r_y or more.\n", digits(omega))?;
+            format!("the cycle of two reversals does not stick at a force of {least} r_y or more")
         }
-        Some(found) => {
-            writeln!(out, "At Ω = {} the body does not stop {}.\n", digits(omega), no_stop(found, "r_y"))?;
-        }
-    }
+        Some(found) => format!("the body does not stop {}", no_stop(found, "r_y")),
+    };
+    writeln!(note.out, "At Ω = {} {sentence}.\n", digits(omega))?;
     if answer.ratios.is_damped() {
-        writeln!(out, "  damping ratio ζ          {}", digits(answer.ratios.damping_ratio()))?;
+        note.line("damping ratio ζ", digits(answer.ratios.damping_ratio()))?;
     }
     if let Some((low, high)) = found.and_then(|it| it.six_reversals) {
-        writeln!(out, "  six reversals from       {}", forces(low))?;
-        writeln!(out, "    up to                  {}", forces(high))?;
+        note.number("six reversals from", Measure::Force, low)?;
+        note.number("  up to", Measure::Force, high)?;
     }
-    writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio))?;
-    not_to_be_held(omega, border.min_force_ratio, out)?;
-    writeln!(out, "  at the turning point     {}", forces(border.turning_point))?;
-    writeln!(
-        out,
-        "    (eq. 61{})",
-        if omega >= exact_from(answer.ratios) { ", exact here" } else { ", necessary only here" }
-    )?;
-    writeln!(out, "  minimum displacement     {}", lengths(border.min_displacement))?;
-    writeln!(
-        out,
-        "  velocity touches zero    {} after the maximum displacement",
-        times(border.touching_phase)
-    )
+    note.number("two-reversal border", Measure::Force, border.min_force_ratio)?;
+    not_to_be_held(omega, border.min_force_ratio, note.out)?;
+    note.number("at the turning point", Measure::Force, border.turning_point)?;
+    let is_exact = omega >= exact_from(answer.ratios);
+    writeln!(note.out, "    (eq. 61, {} here)", if is_exact { "exact" } else { "necessary only" })?;
+    note.number("minimum displacement", Measure::Length, border.min_displacement)?;
+    let touching = note.both(Measure::Angle, border.touching_phase);
+    note.line("velocity touches zero", format_args!("{touching} after the maximum displacement"))
 }

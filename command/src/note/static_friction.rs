@@ -1,28 +1,22 @@
 //! Static friction above the kinetic one: the cycle without a stop, a body at rest, and every start are three
 //! statements.
 
+use super::Note;
 use crate::bits::Value;
 use std::io::{self, Write};
-use stickslip::{NoStop, Response};
+use stickslip::{Measure, NoStop, Response};
 
 /// The forces that release a body at rest, that a cycle without a stop needs, and that suffice for every start.
-pub(super) fn forces<F: Value>(
-    response: &Response<F>,
-    text: impl Fn(F) -> String,
-    out: &mut impl Write,
-) -> io::Result<()> {
+pub(super) fn forces<F: Value>(response: &Response<F>, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
     let found = NoStop::of(&response.ratios);
-    writeln!(out, "  releases a body at rest  above {}", text(response.ratios.static_friction_ratio()))?;
+    let release = note.both(Measure::Force, response.ratios.static_friction_ratio());
+    note.line("releases a body at rest", format_args!("above {release}"))?;
     if let Some((low, high)) = found.six_reversals {
-        writeln!(out, "  six-reversal cycle from  {}", text(low))?;
-        writeln!(out, "    up to                  {}", text(high))?;
+        note.number("six-reversal cycle from", Measure::Force, low)?;
+        note.number("  up to", Measure::Force, high)?;
     }
-    writeln!(out, "  cycle without a stop     {}", text(found.border))?;
-    match found.every_start {
-        Some(bound) => {
-            writeln!(out, "  every start slides       above {}", text(bound))?;
-            writeln!(out, "    (this bound suffices and is not the least)")
-        }
-        None => Ok(()),
-    }
+    note.number("cycle without a stop", Measure::Force, found.border)?;
+    let Some(bound) = found.every_start.map(|bound| note.both(Measure::Force, bound)) else { return Ok(()) };
+    note.line("every start slides", format_args!("above {bound}"))?;
+    writeln!(note.out, "    (this bound suffices and is not the least)")
 }
