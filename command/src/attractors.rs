@@ -24,7 +24,6 @@ use stickslip::definitions::{
     LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR, MULTIPLIERS, STICKS_PER_CYCLE, SYMMETRIC,
     TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
 };
-use stickslip::inputs::{Given, Role};
 use stickslip::motion::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyOutput, SteadyState};
 
 /// The greatest number of starts, whose limits are kept in memory.
@@ -57,14 +56,14 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
             args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
         }
         Format::Json => {
-            let answer = AttractorsAnswer::of(
-                &given,
-                &point.ratios,
-                &all,
-                reach,
-                &rows,
-                args.unstable.map(|_| more.as_slice()),
-            );
+            let answer = AttractorsAnswer {
+                ratios: Record::of_ratios(&given, &point.ratios, true),
+                starts: all.of_start.len(),
+                reach: Cell::Number(Some(reach)),
+                unsettled: all.unsettled(),
+                attractors: &rows,
+                other_motions: args.unstable.map(|_| more.as_slice()),
+            };
             output::json(&answer, out)
         }
         Format::Jsonl | Format::Csv => {
@@ -103,17 +102,14 @@ fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
 /// A limit as a record, or an empty one for its names.
 fn row<F: Value>(all: &Attractors<F>, place: Option<usize>, reach: F) -> Record<F> {
     let found = place.and_then(|place| all.limits.get(place));
-    let irregular = found.and_then(|found| found.limit.irregular());
     LimitData {
         number: place.map_or(0, |place| place + 1),
-        limit: found.map_or("", |found| found.limit.name()),
+        name: found.map_or("", |found| found.limit.name()),
         share: found.map_or(0.0, |found| share(all, found)),
         starts: found.map_or(0, |found| found.starts),
         first: found.and_then(|found| start(found.first_start as u64, reach).ok()),
         mirror: found.and_then(|found| found.mirror).map(|place| place + 1),
-        steady: found.and_then(|found| found.limit.steady_state()),
-        extrema: found.and_then(|found| found.limit.extrema()),
-        exponent: irregular.map(|m| (m.lyapunov_exponent, m.lyapunov_exponent_error)),
+        limit: found.map(|found| found.limit),
         range: found.and_then(|found| found.range),
     }
     .record()
@@ -126,26 +122,27 @@ fn unsettled<F: Value>(all: &Attractors<F>) -> String {
 }
 
 /// The data of a limit, or of a motion that no start leads to.
-pub(crate) struct LimitData<'a, F> {
+pub(crate) struct LimitData<F> {
     pub(crate) number: usize,
-    pub(crate) limit: &'static str,
+    pub(crate) name: &'static str,
     pub(crate) share: f64,
     pub(crate) starts: u64,
     pub(crate) first: Option<State<F>>,
     pub(crate) mirror: Option<usize>,
-    pub(crate) steady: Option<&'a SteadyState<F>>,
-    pub(crate) extrema: Option<(F, F)>,
-    pub(crate) exponent: Option<(F, F)>,
+    pub(crate) limit: Option<LongRun<F>>,
     pub(crate) range: Option<(F, F)>,
 }
 
-impl<F: Value> LimitData<'_, F> {
+impl<F: Value> LimitData<F> {
     pub(crate) fn record(&self) -> Record<F> {
-        let steady = self.steady;
+        let limit = self.limit.as_ref();
+        let steady = limit.and_then(LongRun::steady_state);
+        let (least, most) = limit.and_then(LongRun::extrema).unzip();
+        let exponent = limit.and_then(LongRun::irregular);
         let count = |of: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(of(s))));
         Record::of(vec![
             (ATTRACTOR, Cell::Count(Some(self.number as u64))),
-            (LIMIT, Cell::Text(self.limit)),
+            (LIMIT, Cell::Text(self.name)),
             (SHARE, Cell::Number(Some(F::from_f64(self.share)))),
             (STARTS, Cell::Count(Some(self.starts))),
             (FIRST_X, Cell::Number(self.first.map(|s| s.x))),
@@ -153,14 +150,14 @@ impl<F: Value> LimitData<'_, F> {
             (MIRROR, Cell::Count(self.mirror.map(|number| number as u64))),
             (SYMMETRIC, Cell::Flag(steady.map(|s| s.is_symmetric))),
             (TURNS_PER_CYCLE, count(|s| s.turns_per_cycle)),
-            (SteadyOutput::MaxDisplacement.definition(), Cell::Number(self.extrema.map(|(_, most)| most))),
-            (SteadyOutput::MinDisplacement.definition(), Cell::Number(self.extrema.map(|(least, _)| least))),
+            (SteadyOutput::MaxDisplacement.definition(), Cell::Number(most)),
+            (SteadyOutput::MinDisplacement.definition(), Cell::Number(least)),
             (STICKS_PER_CYCLE, count(|it| it.sticks_per_cycle)),
             (VELOCITY_ZEROS_PER_CYCLE, count(|it| it.velocity_zeros_per_cycle)),
             (SteadyOutput::StickFraction.definition(), Cell::Number(steady.map(|it| it.stick_fraction))),
             (MULTIPLIERS, Cell::Pairs(steady.map(|it| it.multipliers))),
-            (LYAPUNOV_EXPONENT, Cell::Number(self.exponent.map(|(mean, _)| mean))),
-            (LYAPUNOV_EXPONENT_ERROR, Cell::Number(self.exponent.map(|(_, error)| error))),
+            (LYAPUNOV_EXPONENT, Cell::Number(exponent.map(|it| it.lyapunov_exponent))),
+            (LYAPUNOV_EXPONENT_ERROR, Cell::Number(exponent.map(|it| it.lyapunov_exponent_error))),
             (REST_FROM, Cell::Number(self.range.map(|(low, _)| low))),
             (REST_TO, Cell::Number(self.range.map(|(_, high)| high))),
         ])
@@ -171,44 +168,14 @@ impl<F: Value> LimitData<'_, F> {
 #[derive(Serialize)]
 #[serde(bound = "")]
 struct AttractorsAnswer<'a, F: Value> {
-    omega: Cell<F>,
-    alpha: Cell<F>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    damping_ratio: Option<Cell<F>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    static_friction_ratio: Option<Cell<F>>,
-    starts: u64,
+    #[serde(flatten)]
+    ratios: Record<F>,
+    starts: usize,
     reach: Cell<F>,
-    unsettled: u64,
+    unsettled: usize,
     attractors: &'a [Record<F>],
     #[serde(skip_serializing_if = "Option::is_none")]
     other_motions: Option<&'a [Record<F>]>,
-}
-
-impl<'a, F: Value> AttractorsAnswer<'a, F> {
-    fn of(
-        given: &Given<F>,
-        ratios: &Ratios<F>,
-        all: &Attractors<F>,
-        reach: F,
-        rows: &'a [Record<F>],
-        other_motions: Option<&'a [Record<F>]>,
-    ) -> Self {
-        let number = |x: F| Cell::Number(Some(x));
-        Self {
-            omega: number(ratios.omega()),
-            alpha: number(ratios.alpha()),
-            damping_ratio: given.has_role(Role::Damper).then(|| number(ratios.damping_ratio())),
-            static_friction_ratio: given
-                .has_role(Role::StaticFriction)
-                .then(|| number(ratios.static_friction_ratio())),
-            starts: all.of_start.len() as u64,
-            reach: number(reach),
-            unsettled: all.unsettled() as u64,
-            attractors: rows,
-            other_motions,
-        }
-    }
 }
 
 fn text<F: Value>(
@@ -218,11 +185,13 @@ fn text<F: Value>(
     out: &mut impl Write,
 ) -> Outcome {
     let (count, reach) = (all.of_start.len(), digits(reach));
-    let sentence = match all.limits.len() {
-        0 => format!("No limit from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
-        1 => format!("One limit from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
-        n => format!("{n} limits from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
+    let limits = match all.limits.len() {
+        0 => "No limit".to_owned(),
+        1 => "One limit".to_owned(),
+        n => format!("{n} limits"),
     };
+    let sentence =
+        format!("{limits} from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d.");
     writeln!(out, "{}", style::verdict(&sentence))?;
     if all.unsettled() > 0 {
         writeln!(out, "{}", unsettled(all))?;

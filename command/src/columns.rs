@@ -1,4 +1,53 @@
-//! The names of the columns of a file, and the errors of its rows.
+//! The columns of a file with their units, and the errors of its rows.
+
+use csv::StringRecord;
+use std::str::FromStr;
+use stickslip::Float;
+use stickslip::inputs::units::{Factor, InputError, Kind, Reader, number};
+
+/// A column that is read.
+pub(crate) struct Column {
+    pub(crate) place: usize,
+    name: String,
+    kind: Kind,
+    /// The factor of the unit in the header; without one, a value may have its own unit.
+    factor: Option<Factor>,
+}
+
+impl Column {
+    pub(crate) fn new(
+        file: &str,
+        (place, name, unit): (usize, &str, Option<&str>),
+        kind: Kind,
+        reader: &Reader,
+    ) -> Result<Self, InputError> {
+        let in_header = |unit| reader.factor_of_column(&format!("{file}: column {name}"), unit, kind);
+        Ok(Self { place, name: name.to_owned(), kind, factor: unit.map(in_header).transpose()? })
+    }
+
+    /// Whether the header has the unit of the values.
+    pub(crate) const fn has_unit(&self) -> bool {
+        self.factor.is_some()
+    }
+
+    pub(crate) fn text<'a>(&self, row: &'a StringRecord) -> &'a str {
+        row.get(self.place).unwrap_or_default()
+    }
+
+    /// The value in a row at that place of the file.
+    pub(crate) fn value<F: Float + FromStr>(
+        &self,
+        row: &StringRecord,
+        at: &str,
+        reader: &Reader,
+    ) -> Result<F, InputError> {
+        let (text, name) = (self.text(row), format!("{at}: {}", self.name));
+        match self.factor {
+            Some(factor) => Ok(factor.times(number(&name, text)?)),
+            None => reader.value(&name, text, self.kind),
+        }
+    }
+}
 
 /// The error for input that the reader cannot parse as a row.
 pub(crate) fn unreadable(name: &str, error: &csv::Error) -> String {

@@ -12,6 +12,7 @@ use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::output;
+use crate::physical::Units;
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use static_friction::Divided;
@@ -108,18 +109,10 @@ impl<F: Value> Serialize for NamedRow<'_, F> {
         if let Some(system) = self.system {
             let numbers =
                 self.row.iter().filter(|(_, _, cell)| matches!(cell, Cell::Number(_) | Cell::Intervals(_)));
-            let units: Vec<_> = numbers.map(|(name, kind, _)| (*name, system.name(*kind))).collect();
-            map.serialize_entry("units", &Units(&units))?;
+            let kinds = numbers.map(|(name, kind, _)| (*name, *kind)).collect();
+            map.serialize_entry("units", &Units(system, kinds))?;
         }
         map.end()
-    }
-}
-
-struct Units<'a>(&'a [(&'static str, String)]);
-
-impl Serialize for Units<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, unit)| (name, unit)))
     }
 }
 

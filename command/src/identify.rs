@@ -4,19 +4,19 @@ mod decay;
 
 use crate::args::IdentifyArgs;
 use crate::bits::digits;
-use crate::columns::{is_misspelt, name_and_unit};
+use crate::columns::{Column, is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::output;
-use crate::rows::{self, Ahead, Bounded, unreadable};
-use csv::{ReaderBuilder, StringRecord, Trim};
+use crate::rows::{self, Ahead, Bounded};
+use csv::StringRecord;
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::io::{Read, Write};
 use std::iter::zip;
 use std::path::Path;
 use stickslip::design::{self, AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading};
-use stickslip::inputs::units::{Factor, Kind, Reader};
+use stickslip::inputs::units::{Kind, Reader};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::uncertainty::Estimate;
 use stickslip::{Error, Oscillator};
@@ -39,14 +39,12 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let file = Measured::read(&args.file, &name, &reader)?;
     let reading = Reading { amplitude: args.amplitude, phase: args.phase };
     let found = design::identify_as(&body, force, &file.curve, reading).map_err(|e| {
-        if let Error::InMeasurement { index, error } = e {
-            let line = file.lines.get(index).copied().unwrap_or_default();
-            return Failure::Input(format!("{name} line {line}: {error}"));
-        }
         // The message names the arguments if they are wrong, and otherwise the file.
         match e.quantity() {
-            Some(_) => Failure::from(given.at_fault(&e)).about(&name),
-            None => Failure::Input(format!("{name}: {e}")),
+            Some(_) if !matches!(e, Error::InMeasurement { .. }) => {
+                Failure::from(given.at_fault(&e)).about(&name)
+            }
+            _ => in_line(e, &name, &file.lines).into(),
         }
     })?;
     let answer = IdentifyAnswer::new(&given, &body, &found, &file, reading.amplitude)?;
@@ -78,68 +76,49 @@ fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
     }
 }
 
-/// A column of measurements: its index, and its unit if the header has one.
-struct MeasuredColumn {
-    place: usize,
-    name: &'static str,
-    kind: Kind,
-    factor: Option<Factor>,
+/// The columns of a header that are read, and the names of the others.
+fn columns(
+    header: &StringRecord,
+    file: &str,
+    reader: &Reader,
+    known: [(&'static str, Kind); 3],
+) -> Result<([Option<Column>; 3], Vec<String>), Failure> {
+    let (mut found, mut others) = ([None, None, None], Vec::new());
+    for (place, text) in header.iter().enumerate() {
+        let (own, unit) = name_and_unit(text);
+        let refused = |what: &str| Err(format!("{file}: column {own} {what}").into());
+        let named = zip(&mut found, known).find(|(_, (name, _))| own.eq_ignore_ascii_case(name));
+        let Some((column, (name, kind))) = named else {
+            // A misspelt column must not be ignored silently.
+            if let Some((name, _)) = known.iter().find(|(name, _)| is_misspelt(own, name)) {
+                return refused(&format!("is unknown. Spell it {name}, or rename it"));
+            }
+            others.push(own.to_owned());
+            continue;
+        };
+        if column.is_some() {
+            return refused("must be there once only");
+        }
+        *column = Some(Column::new(file, (place, name, unit), kind, reader)?);
+    }
+    Ok((found, others))
 }
 
-impl MeasuredColumn {
-    /// The columns of a header that are read, and the names of the others.
-    fn all(
-        header: &StringRecord,
-        file: &str,
-        reader: &Reader,
-        known: [(&'static str, Kind); 3],
-    ) -> Result<([Option<Self>; 3], Vec<String>), Failure> {
-        let (mut found, mut others) = ([None, None, None], Vec::new());
-        for (place, text) in header.iter().enumerate() {
-            let (own, unit) = name_and_unit(text);
-            let refused = |what: &str| Err(format!("{file}: column {own} {what}").into());
-            let named = zip(&mut found, known).find(|(_, (name, _))| own.eq_ignore_ascii_case(name));
-            let Some((column, (name, kind))) = named else {
-                // A misspelt column must not be ignored silently.
-                if let Some((name, _)) = known.iter().find(|(name, _)| is_misspelt(own, name)) {
-                    return refused(&format!("is unknown. Spell it {name}, or rename it"));
-                }
-                others.push(own.to_owned());
-                continue;
-            };
-            if column.is_some() {
-                return refused("must be there once only");
-            }
-            let of = |unit| reader.factor_of_column(&format!("{file}: column {name}"), unit, kind);
-            *column = Some(Self { place, name, kind, factor: unit.map(of).transpose()? });
-        }
-        Ok((found, others))
+/// A phase within a turn. Without a unit it is in radians, and more than a turn is a sign of degrees.
+fn phase(column: &Column, row: &StringRecord, at: &str, reader: &Reader) -> Result<f64, Failure> {
+    let (phase, text) = (column.value::<f64>(row, at, reader)?, column.text(row));
+    if column.has_unit() || Reader::has_unit(text) {
+        return Ok(phase % TAU);
     }
-
-    fn value(&self, row: &StringRecord, at: &str, reader: &Reader) -> Result<f64, Failure> {
-        let (text, name) = (row.get(self.place).unwrap_or_default(), format!("{at}: {}", self.name));
-        match self.factor {
-            Some(factor) => Ok(factor.times(crate::input::number(&name, text)?)),
-            None => Ok(reader.value(&name, text, self.kind)?),
-        }
+    // 2π with three decimals.
+    if phase.abs() > 6.284 {
+        return Err(format!(
+            "{at}: phase {text}: must be ≥ -2π and ≤ 2π because it has no unit and is in radians. For \
+             degrees the column is phase[deg]"
+        )
+        .into());
     }
-
-    /// A phase within a turn. Without a unit it is in radians, and more than a turn is a sign of degrees.
-    fn phase(&self, row: &StringRecord, at: &str, reader: &Reader) -> Result<f64, Failure> {
-        let (phase, text) = (self.value(row, at, reader)?, row.get(self.place).unwrap_or_default());
-        if self.factor.is_some() || Reader::has_unit(text) {
-            return Ok(phase % TAU);
-        }
-        // 2π with three decimals.
-        if phase.abs() > 6.284 {
-            return Err(format!(
-                "{at}: phase {text}: must be ≥ -2π and ≤ 2π because it has no unit and is in radians. For \
-                 degrees the column is phase[deg]"
-            )
-            .into());
-        }
-        Ok(phase.clamp(-TAU, TAU))
-    }
+    Ok(phase.clamp(-TAU, TAU))
 }
 
 /// The measurements of a file.
@@ -157,8 +136,8 @@ impl Measured {
         let ahead = Ahead::default();
         let (mut table, header) = opened(file, name, &ahead)?;
         let known = [("frequency", Kind::Frequency), ("amplitude", Kind::Length), ("phase", Kind::Angle)];
-        let ([frequency, amplitude, phase], others) = MeasuredColumn::all(&header, name, reader, known)?;
-        let due = |column: Option<MeasuredColumn>, which: &str| {
+        let ([frequency, amplitude, angle], others) = columns(&header, name, reader, known)?;
+        let due = |column: Option<Column>, which: &str| {
             column.ok_or_else(|| {
                 let found = header.iter().collect::<Vec<_>>().join(",");
                 Failure::Input(format!("{name}: column {which} is missing in the header “{found}”"))
@@ -170,7 +149,7 @@ impl Measured {
             curve.push(Measurement {
                 angular_frequency: frequency.value(row, at, reader)?,
                 amplitude: amplitude.value(row, at, reader)?,
-                phase: phase.as_ref().map(|phase| phase.phase(row, at, reader)).transpose()?,
+                phase: angle.as_ref().map(|column| phase(column, row, at, reader)).transpose()?,
             });
             Ok(())
         })?;
@@ -183,10 +162,7 @@ type Table<'a> = csv::Reader<Bounded<'a, Box<dyn Read>>>;
 
 /// The file and its header.
 fn opened<'a>(file: &Path, name: &str, ahead: &'a Ahead) -> Result<(Table<'a>, StringRecord), Failure> {
-    let source = Bounded { source: rows::open(file, name)?, ahead };
-    let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
-    let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
-    Ok((table, header))
+    rows::table(Bounded { source: rows::open(file, name)?, ahead }, name)
 }
 
 /// Takes each row with its place in words, up to a number of things, and returns the lines of the rows.
@@ -197,22 +173,26 @@ fn each_row(
     (most, things): (usize, &str),
     mut take: impl FnMut(&StringRecord, &str) -> Outcome,
 ) -> Result<Vec<u64>, Failure> {
-    let (mut row, mut lines) = (StringRecord::new(), Vec::new());
-    let mut begin = table.position().byte();
-    ahead.complete(begin);
-    while table.read_record(&mut row).map_err(|e| unreadable(name, e))? {
-        let end = table.position().byte();
-        ahead.complete(end - begin);
-        begin = end;
-        let line = row.position().map_or(0, csv::Position::line);
+    let mut lines = Vec::new();
+    rows::each(table, name, ahead, |row, line| {
         let at = format!("{name} line {line}");
         if lines.len() == most {
             return Err(format!("{at}: the number of {things} must be ≤ {most}").into());
         }
-        take(&row, &at)?;
         lines.push(line);
-    }
+        take(row, &at)
+    })?;
     Ok(lines)
+}
+
+/// The error of a measurement with its line.
+fn in_line(error: Error, name: &str, lines: &[u64]) -> String {
+    match error {
+        Error::InMeasurement { index, error } => {
+            format!("{name} line {}: {error}", lines.get(index).copied().unwrap_or_default())
+        }
+        error => format!("{name}: {error}"),
+    }
 }
 
 /// An estimate in JSON.

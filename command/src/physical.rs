@@ -168,18 +168,18 @@ impl<F: Value> Serialize for Physical<F> {
         for (name, _, cell) in &self.values {
             map.serialize_entry(name, cell)?;
         }
-        map.serialize_entry("units", &Units(self))?;
+        let kinds = self.values.iter().map(|(name, kind, _)| (*name, *kind)).collect();
+        map.serialize_entry("units", &Units(self.system, kinds))?;
         map.end()
     }
 }
 
 /// The unit of each value, under the name of the value.
-struct Units<'a, F>(&'a Physical<F>);
+pub(crate) struct Units(pub(crate) System, pub(crate) Vec<(&'static str, Kind)>);
 
-impl<F: Value> Serialize for Units<'_, F> {
+impl Serialize for Units {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self(physical) = self;
-        serializer
-            .collect_map(physical.values.iter().map(|(name, kind, _)| (name, physical.system.name(*kind))))
+        let Self(system, values) = self;
+        serializer.collect_map(values.iter().map(|(name, kind)| (name, system.name(*kind))))
     }
 }

@@ -2,22 +2,21 @@
 
 use crate::args::{Format, Header, OutputArgs, StartArgs, used};
 use crate::bits::Value;
-use crate::columns::{is_misspelt, name_and_unit};
+use crate::columns::{Column, is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
-use crate::input::number;
 use crate::interrupt;
 use crate::output;
 use crate::outputs;
 use crate::progress;
 use crate::record::Record;
-use crate::rows::{self, Ahead, Bounded, unreadable};
+use crate::rows::{self, Ahead, Bounded};
 use crate::sink::Sink;
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::StringRecord;
 use std::cell::RefCell;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stickslip::inputs::units::{Factor, Kind, Reader, System};
+use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
 
 /// The time after which answers are written, even if more are coming.
@@ -78,25 +77,6 @@ fn rows_of<F: Value>(
     outcome
 }
 
-/// A column that is read.
-struct ReadColumn {
-    parameter: Input,
-    place: usize,
-    name: String,
-    kind: Kind,
-    /// The factor of the unit in the column's header; without one, a value may have its own unit.
-    factor: Option<Factor>,
-}
-
-impl ReadColumn {
-    fn value<F: Value>(&self, reader: &Reader, name: &str, text: &str) -> Result<F, Failure> {
-        match self.factor {
-            Some(factor) => Ok(factor.times(number(name, text)?)),
-            None => Ok(reader.value(name, text, self.kind)?),
-        }
-    }
-}
-
 fn answer_all<F: Value, W: Write>(
     source: impl Read,
     ahead: &Ahead,
@@ -105,12 +85,11 @@ fn answer_all<F: Value, W: Write>(
     sink: &RefCell<Sink<W>>,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
-    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
-    let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
+    let (mut table, header) = rows::table(source, name)?;
     let used = used::columns(asked.command);
     let (columns, is_machine) = columns(&header, name, &used, &asked)?;
     let AskedPoints { mut given, reader: units, output, .. } = asked;
-    let has = |p: Input| given.has(p) || columns.iter().any(|column| column.parameter == p);
+    let has = |p: Input| given.has(p) || columns.iter().any(|(own, _)| *own == p);
     let needed = if is_machine { of_a_machine() } else { vec![vec![Input::Omega], vec![Input::Alpha]] };
     let mut needed = needed.into_iter().filter(|several| several.iter().any(|p| used.contains(p)));
     if let Some(missing) = needed.find(|several| !several.iter().any(|p| has(*p))) {
@@ -135,22 +114,13 @@ fn answer_all<F: Value, W: Write>(
     }
     let counted = progress::counter("points");
     let mut flushed = Instant::now();
-    let mut row = StringRecord::new();
-    let mut begin = reader.position().byte();
-    ahead.complete(begin);
     let mut any = false;
-    while reader.read_record(&mut row).map_err(|e| unreadable(name, e))? {
-        let end = reader.position().byte();
-        ahead.complete(end - begin);
-        begin = end;
-        let line = row.position().map_or(0, csv::Position::line);
-        for column in &columns {
-            let text = row.get(column.place).unwrap_or_default();
-            let value = column.value(units, &format!("{name} line {line}: {}", column.name), text)?;
-            given.set(column.parameter, value);
+    rows::each(&mut table, name, ahead, |row, line| {
+        let at = format!("{name} line {line}");
+        for (parameter, column) in &columns {
+            given.set(*parameter, column.value(row, &at, units)?);
         }
-        let placed = |failure: Failure| failure.about(&format!("{name} line {line}"));
-        let record = answer(&given).map_err(placed)?;
+        let record = answer(&given).map_err(|failure| failure.about(&at))?;
         sink.borrow_mut().write(&record)?;
         any = true;
         // The next row may take long.
@@ -159,11 +129,11 @@ fn answer_all<F: Value, W: Write>(
             flushed = Instant::now();
         }
         counted.inc(1);
-        interrupt::check()?;
-    }
+        interrupt::check()
+    })?;
     if !any {
         // A file without rows still has a header, which is the same for any point.
-        columns.iter().for_each(|column| given.set(column.parameter, F::int(2)));
+        columns.iter().for_each(|(parameter, _)| given.set(*parameter, F::int(2)));
         sink.borrow_mut().write_header(&answer(&given)?)?;
     }
     Ok(())
@@ -176,14 +146,6 @@ fn of_a_machine() -> Vec<Vec<Input>> {
     vec![vec![Input::Mass], tuned, friction, frequency, drive]
 }
 
-/// A known column of the header.
-struct KnownColumn<'a> {
-    parameter: Input,
-    place: usize,
-    own: &'a str,
-    unit: Option<&'a str>,
-}
-
 /// The columns that are read, those of `used`, and whether the columns and the arguments belong to a machine.
 ///
 /// Each column must occur once, and none may also be an argument. A note names the columns that are not read.
@@ -192,11 +154,11 @@ fn columns<F: Value>(
     name: &str,
     used: &[Input],
     asked: &AskedPoints<'_, F>,
-) -> Result<(Vec<ReadColumn>, bool), Failure> {
+) -> Result<(Vec<(Input, Column)>, bool), Failure> {
     let AskedPoints { given, reader, start, .. } = asked;
     let known = || used.iter().copied();
     let is_typed = |p: Input| given.has(p) || start.is_some_and(|start| start.text(p).is_some());
-    let (mut found, mut unread): (Vec<KnownColumn<'_>>, Vec<&str>) = (Vec::new(), Vec::new());
+    let (mut found, mut unread): (Vec<(Input, _)>, Vec<&str>) = (Vec::new(), Vec::new());
     for (place, text) in header.iter().enumerate() {
         let (own, unit) = name_and_unit(text);
         let plain = own.to_lowercase().replace(['-', ' '], "_");
@@ -217,27 +179,25 @@ fn columns<F: Value>(
         if !parameter.is_column(&plain) {
             progress::note(&format!("{name}: column {own} is read as {}", parameter.column()));
         }
-        if found.iter().any(|earlier| earlier.parameter == parameter) {
+        if found.iter().any(|(earlier, _)| *earlier == parameter) {
             return refused("must be there once only");
         }
         if is_typed(parameter) {
             return refused(&format!("must be left out, or {}, which gives the same", parameter.option()));
         }
-        found.push(KnownColumn { parameter, place, own, unit });
+        found.push((parameter, (place, own, unit)));
     }
     if !unread.is_empty() {
         let (columns, are) = if unread.len() == 1 { ("column", "is") } else { ("columns", "are") };
         progress::note(&format!("{name}: {columns} {} {are} not used", unread.join(", ")));
     }
-    let has = |p: Input| given.has(p) || found.iter().any(|named| named.parameter == p);
+    let has = |p: Input| given.has(p) || found.iter().any(|(own, _)| *own == p);
     let is_machine = known().any(|p| p.is_physical() && has(p));
-    let columns = found.into_iter().map(|KnownColumn { parameter, place, own, unit }| {
+    let columns = found.into_iter().map(|(parameter, (place, own, unit))| {
         let is_ratio = !is_machine && parameter.role() == Role::Start;
         let kind = if is_ratio { Kind::Ratio } else { parameter.kind() };
         let unit = unit.filter(|unit| kind != Kind::Ratio || !parameter.ratio_units().contains(unit));
-        let in_header = |unit| reader.factor_of_column(&format!("{name}: column {own}"), unit, kind);
-        let factor = unit.map(in_header).transpose()?;
-        Ok(ReadColumn { parameter, place, name: own.to_owned(), kind, factor })
+        Ok((parameter, Column::new(name, (place, own, unit), kind, reader)?))
     });
     Ok((columns.collect::<Result<_, Failure>>()?, is_machine))
 }

@@ -65,7 +65,7 @@ impl<F: Value> Record<F> {
     }
 
     /// Ω, α if `has_alpha`, and ζ and η where they were given.
-    fn of_ratios(given: &Given<F>, ratios: &Ratios<F>, has_alpha: bool) -> Self {
+    pub(crate) fn of_ratios(given: &Given<F>, ratios: &Ratios<F>, has_alpha: bool) -> Self {
         let others = [
             (has_alpha, ALPHA, ratios.alpha()),
             (given.has_role(Role::Damper), DAMPING_RATIO, ratios.damping_ratio()),

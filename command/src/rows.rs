@@ -1,7 +1,8 @@
 //! The rows of a file or of standard input, in bounded memory, and the names of their columns.
 
 use crate::columns;
-use crate::failure::Failure;
+use crate::failure::{Failure, Outcome};
+use csv::{ReaderBuilder, StringRecord, Trim};
 use std::cell::Cell;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
@@ -25,7 +26,7 @@ pub(crate) struct Ahead(Cell<u64>);
 
 impl Ahead {
     /// Subtracts the length of a complete row.
-    pub(crate) fn complete(&self, length: u64) {
+    fn complete(&self, length: u64) {
         self.0.set(self.0.get() - length);
     }
 }
@@ -53,8 +54,34 @@ impl<R: Read> Read for Bounded<'_, R> {
     }
 }
 
+/// A table and its header.
+pub(crate) fn table<R: Read>(source: R, name: &str) -> Result<(csv::Reader<R>, StringRecord), Failure> {
+    let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
+    let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
+    Ok((table, header))
+}
+
+/// Takes each row with its line.
+pub(crate) fn each(
+    table: &mut csv::Reader<impl Read>,
+    name: &str,
+    ahead: &Ahead,
+    mut take: impl FnMut(&StringRecord, u64) -> Outcome,
+) -> Outcome {
+    let mut row = StringRecord::new();
+    let mut begin = table.position().byte();
+    ahead.complete(begin);
+    while table.read_record(&mut row).map_err(|e| unreadable(name, e))? {
+        let end = table.position().byte();
+        ahead.complete(end - begin);
+        begin = end;
+        take(&row, row.position().map_or(0, csv::Position::line))?;
+    }
+    Ok(())
+}
+
 /// The failure for input that the reader cannot parse as a row.
-pub(crate) fn unreadable(name: &str, error: csv::Error) -> Failure {
+fn unreadable(name: &str, error: csv::Error) -> Failure {
     let text = columns::unreadable(name, &error);
     if let csv::ErrorKind::Io(error) = error.into_kind()
         && error.kind() != ErrorKind::InvalidData

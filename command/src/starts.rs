@@ -127,27 +127,26 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         kind: &'static str,
         signature: &Signature<F>,
     ) -> Result<Record<F>, Failure> {
-        let (mut half_turns, mut x, mut v, mut off, mut most, mut least) =
-            (None, None, None, None, None, None);
-        match *signature {
-            Signature::Periodic { half_turns: count, x: place, v: speed, distance } => {
-                (half_turns, x, v) = (Some(u64::from(count)), Some(place), Some(speed));
-                off = Some(distance);
+        let (half_turns, [x, v, off_x, off_v, most, least]) = match *signature {
+            Signature::Periodic { half_turns, x, v, distance: (off_x, off_v) } => {
+                (Some(half_turns.into()), [Some(x), Some(v), Some(off_x), Some(off_v), None, None])
             }
-            Signature::Family { middle: place } | Signature::Rest { position: place } => x = Some(place),
-            Signature::Irregular { max_displacement, min_displacement } => {
-                (most, least) = (Some(max_displacement), Some(min_displacement));
+            Signature::Family { middle: place } | Signature::Rest { position: place } => {
+                (None, [Some(place), None, None, None, None, None])
             }
-            Signature::Unbounded | Signature::NotConverged => {}
-        }
+            Signature::Irregular { max_displacement: most, min_displacement: least } => {
+                (None, [None, None, None, None, Some(most), Some(least)])
+            }
+            Signature::Unbounded | Signature::NotConverged => (None, [None; 6]),
+        };
         let mut fields = self.of_start(number)?;
         fields.extend([
             (LIMIT, Cell::Text(kind)),
             (key!("half_turns"), Cell::Count(half_turns)),
             (key!("x"), Cell::Number(x)),
             (key!("v"), Cell::Number(v)),
-            (SteadyOutput::Distance.definition(), Cell::Number(off.map(|(x, _)| x))),
-            (key!("velocity_distance"), Cell::Number(off.map(|(_, v)| v))),
+            (SteadyOutput::Distance.definition(), Cell::Number(off_x)),
+            (key!("velocity_distance"), Cell::Number(off_v)),
             (SteadyOutput::MaxDisplacement.definition(), Cell::Number(most)),
             (SteadyOutput::MinDisplacement.definition(), Cell::Number(least)),
         ]);

@@ -242,6 +242,19 @@ pub enum Style {
     Note,
 }
 
+impl Style {
+    /// Whether points are joined by a line.
+    pub(crate) const fn is_line(self) -> bool {
+        matches!(self, Self::Line | Self::Thick | Self::Dashed | Self::Dotted | Self::Marked(_) | Self::Arrow)
+    }
+
+    /// The lengths of a dash and of a gap in pixels, of a line that has them.
+    pub(crate) fn dashes(self) -> Option<(i32, i32)> {
+        let of = [(Self::Dashed, (7, 4)), (Self::Dotted, (2, 3))];
+        of.into_iter().find(|(style, _)| *style == self).map(|(_, lengths)| lengths)
+    }
+}
+
 impl Series {
     /// A series; `index` chooses the colour and the mark.
     pub fn new(

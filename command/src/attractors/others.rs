@@ -67,14 +67,12 @@ impl<F: Value> Others<F> {
         let row = |Other { number, mirror, steady }: &Other<F>| {
             LimitData {
                 number: *number,
-                limit: if steady.is_stable() { "periodic" } else { "unstable" },
+                name: if steady.is_stable() { "periodic" } else { "unstable" },
                 share: 0.0,
                 starts: 0,
                 first: None,
                 mirror: *mirror,
-                steady: Some(steady),
-                extrema: Some((steady.min_displacement.value, steady.max_displacement.value)),
-                exponent: None,
+                limit: Some(LongRun::Periodic(*steady)),
                 range: None,
             }
             .record()

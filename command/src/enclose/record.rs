@@ -5,12 +5,13 @@ use crate::args::RecordArgs;
 use crate::failure::{Failure, Outcome};
 use crate::follow::Shaken;
 use crate::output;
+use crate::physical::Units;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::enclosed::{self, Enclosure};
 use stickslip::float::Mp;
-use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::units::System;
 use stickslip::motion::record::{Entry, RecordAnswer};
 
 /// The precision at which inputs are read, in words of 64 bits: that of the widest computation.
@@ -64,10 +65,9 @@ impl Serialize for EnclosedRecord {
                 Entry::Count(count) => map.serialize_entry(name, count)?,
             }
         }
-        let unit = |kind: Kind| self.system.name(kind);
-        let units: std::collections::BTreeMap<_, _> =
-            entries.iter().map(|(name, kind, _)| (*name, unit(*kind))).collect();
-        map.serialize_entry("units", &units)?;
+        let mut kinds: Vec<_> = entries.iter().map(|(name, kind, _)| (*name, *kind)).collect();
+        kinds.sort_by_key(|(name, _)| *name);
+        map.serialize_entry("units", &Units(self.system, kinds))?;
         map.end()
     }
 }

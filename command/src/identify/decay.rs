@@ -1,6 +1,6 @@
 //! `stickslip identify --decay`: friction and damping from a free decay.
 
-use super::{EstimateRecord, MeasuredColumn, each_row, estimate_line, opened};
+use super::{EstimateRecord, columns, each_row, estimate_line, in_line, opened};
 use crate::args::IdentifyArgs;
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
@@ -44,13 +44,7 @@ pub(super) fn run(
 ) -> Outcome {
     let name = args.file.display().to_string();
     let file = DecayFile::read(&args.file, &name, reader)?;
-    let found = file.identified(args.half_cycles).map_err(|e| {
-        if let Error::InMeasurement { index, error } = e {
-            let line = file.lines.get(index).copied().unwrap_or_default();
-            return Failure::Input(format!("{name} line {line}: {error}"));
-        }
-        Failure::Input(format!("{name}: {e}"))
-    })?;
+    let found = file.identified(args.half_cycles).map_err(|e| in_line(e, &name, &file.lines))?;
     let answer = DecayAnswer::new(given, found, &file)?;
     if is_json { output::json(&answer, out) } else { answer.text(&file, given, out) }
 }
@@ -71,7 +65,7 @@ impl DecayFile {
         let ahead = Ahead::default();
         let (mut table, header) = opened(file, name, &ahead)?;
         let known = [("time", Kind::Time), ("displacement", Kind::Length), ("peak", Kind::Length)];
-        let ([time, displacement, peak], others) = MeasuredColumn::all(&header, name, reader, known)?;
+        let ([time, displacement, peak], others) = columns(&header, name, reader, known)?;
         let (is_sampled, column) = match (displacement, peak) {
             (Some(column), None) => (true, column),
             (None, Some(column)) => (false, column),

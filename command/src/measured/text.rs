@@ -1,10 +1,10 @@
 //! The text of a record: of the PEER database, or CSV with units in its header. It needs no file, so that the page in
 //! the browser reads a record by it, too.
 
-use crate::columns::{is_misspelt, name_and_unit, unreadable};
+use crate::columns::{Column, is_misspelt, name_and_unit, unreadable};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::str::FromStr;
-use stickslip::inputs::units::{Factor, Kind, Reader, number};
+use stickslip::inputs::units::{Kind, Reader, number};
 use stickslip::motion::record::Record;
 use stickslip::{Error, Excitation, Float};
 
@@ -129,12 +129,8 @@ impl<F: Float + FromStr> Samples<F> {
         let Some(&(column, kind, excitation)) = LOADS.get(index) else {
             return Err(bad("no load".to_owned()));
         };
-        let factor = |column: &str, unit: Option<&str>, kind: Kind| {
-            unit.map(|unit| reader.factor_of_column(&format!("{name}: column {column}"), unit, kind))
-                .transpose()
-        };
-        let scale = factor(column, unit, kind)?;
-        let time = time.map(|(place, _, unit)| Ok::<_, String>((place, factor("time", unit, Kind::Time)?)));
+        let load = Column::new(name, (place, column, unit), kind, reader)?;
+        let time = time.map(|(place, _, unit)| Column::new(name, (place, "time", unit), Kind::Time, reader));
         let time = time.transpose()?;
         if time.is_none() && step.is_none() {
             return Err(bad(format!("has no column time. Give the time between samples {place_of_step}")));
@@ -146,20 +142,16 @@ impl<F: Float + FromStr> Samples<F> {
         let mut row = StringRecord::new();
         while table.read_record(&mut row).map_err(|e| unreadable(name, &e))? {
             let line = row.position().map_or(0, csv::Position::line);
-            let value = |place: usize, column: &str, factor: Option<Factor>, kind: Kind| {
-                let (text, at) =
-                    (row.get(place).unwrap_or_default(), format!("{name} line {line}: {column}"));
-                if text.is_empty() {
-                    return Err(format!("{at}: is missing"));
+            let at = format!("{name} line {line}");
+            let value = |column: &Column, name: &str| {
+                if column.text(&row).is_empty() {
+                    return Err(format!("{at}: {name}: is missing"));
                 }
-                Ok::<F, String>(match factor {
-                    Some(factor) => factor.times(number(&at, text)?),
-                    None => reader.value(&at, text, kind)?,
-                })
+                Ok(column.value::<F>(&row, &at, reader)?)
             };
-            values.push(value(place, column, scale, kind)?);
-            if let Some((place, factor)) = time {
-                times.push(value(place, "time", factor, Kind::Time)?);
+            values.push(value(&load, column)?);
+            if let Some(time) = &time {
+                times.push(value(time, "time")?);
             }
             lines.push(line);
         }
@@ -169,10 +161,10 @@ impl<F: Float + FromStr> Samples<F> {
 }
 
 /// A column: its place, its index among the loads, and its unit.
-type Column<'a> = Option<(usize, usize, Option<&'a str>)>;
+type Named<'a> = Option<(usize, usize, Option<&'a str>)>;
 
 /// The columns of the time and of the load, and the names of the others.
-fn columns<'a>(header: &'a StringRecord, name: &str) -> Result<([Column<'a>; 2], Vec<String>), String> {
+fn columns<'a>(header: &'a StringRecord, name: &str) -> Result<([Named<'a>; 2], Vec<String>), String> {
     let (mut found, mut others) = ([None; 2], Vec::new());
     for (place, text) in header.iter().enumerate() {
         let (own, unit) = name_and_unit(text);
@@ -193,7 +185,7 @@ fn columns<'a>(header: &'a StringRecord, name: &str) -> Result<([Column<'a>; 2],
             }
         };
         let [time, load] = &mut found;
-        let column: &mut Column<'a> = if slot == 0 { time } else { load };
+        let column: &mut Named<'a> = if slot == 0 { time } else { load };
         if column.replace((place, index.unwrap_or(0), unit)).is_some() {
             return refused("must be the only one of its kind. Rename the others");
         }

@@ -93,20 +93,13 @@ impl<'a> Frame<'a> {
                 let places: Vec<_> = points.map(|&point| self.place(on_edge(point))).collect();
                 // Letters at a point are wider than marks, and marks than lines.
                 let around = |room| places.iter().all(|&at| within(area(room), at, at).is_none());
-                match series.style {
-                    Style::Note => true,
-                    Style::Named => around(40),
-                    Style::Marks | Style::Dots | Style::Beyond => around(12),
-                    Style::Line
-                    | Style::Thick
-                    | Style::Dashed
-                    | Style::Dotted
-                    | Style::Marked(_)
-                    | Style::Arrow => places.windows(2).all(|pair| match pair {
+                if series.style.is_line() {
+                    return places.windows(2).all(|pair| match pair {
                         [from, to] => within(area(8), *from, *to).is_none(),
                         _ => true,
-                    }),
+                    });
                 }
+                series.style == Style::Note || around(if series.style == Style::Named { 40 } else { 12 })
             })
     }
 

@@ -9,22 +9,8 @@ use plotters::style::{Color, RGBColor};
 pub(super) fn stroke(canvas: &Canvas<'_>, line: Vec<(i32, i32)>, style: Style, colour: RGBColor) -> Drawn {
     let width = if style == Style::Thick { 3 * UNITS } else { 3 * UNITS / 2 };
     let pen = colour.stroke_width(width.unsigned_abs());
-    let (dash, gap) = match style {
-        Style::Dashed => (7 * UNITS, 4 * UNITS),
-        Style::Dotted => (2 * UNITS, 3 * UNITS),
-        Style::Line
-        | Style::Thick
-        | Style::Marked(_)
-        | Style::Marks
-        | Style::Dots
-        | Style::Beyond
-        | Style::Arrow
-        | Style::Named
-        | Style::Note => {
-            return canvas.draw(&PathElement::new(line, pen));
-        }
-    };
-    for piece in dashes(&line, f64::from(dash), f64::from(gap)) {
+    let Some((dash, gap)) = style.dashes() else { return canvas.draw(&PathElement::new(line, pen)) };
+    for piece in dashes(&line, f64::from(dash * UNITS), f64::from(gap * UNITS)) {
         canvas.draw(&PathElement::new(piece, pen))?;
     }
     Ok(())

@@ -42,26 +42,12 @@ fn powers_of_ten(low: f64, high: f64) -> Vec<(f64, String)> {
 
 /// A power of ten in characters that need no markup.
 fn power(exponent: i32) -> String {
-    match exponent {
-        -2 => "0.01".to_owned(),
-        -1 => "0.1".to_owned(),
-        0 => "1".to_owned(),
-        1 => "10".to_owned(),
-        2 => "100".to_owned(),
-        3 => "1000".to_owned(),
-        _ => {
-            let raised = |c| match c {
-                '-' => '⁻',
-                '1' => '¹',
-                '2' => '²',
-                '3' => '³',
-                digit => char::from_digit(digit as u32 - '0' as u32, 10)
-                    .and_then(|d| char::from_u32('⁰' as u32 + (d as u32 - '0' as u32)))
-                    .unwrap_or(digit),
-            };
-            format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
-        }
+    if (-2..=3).contains(&exponent) {
+        return 10f64.powi(exponent).to_string();
     }
+    let raised =
+        |c: char| c.to_digit(10).map_or(Some('⁻'), |digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize));
+    format!("10{}", exponent.to_string().chars().filter_map(raised).collect::<String>())
 }
 
 /// Multiples of 1, 2 or 5 times a power of ten, four to nine of them.
