@@ -101,16 +101,9 @@ impl PendingFile {
     /// Fills the file and renames it. The temporary file is removed if either fails or the command is
     /// interrupted.
     pub(crate) fn fill(self, fill: impl FnOnce(&mut Lines<&File>) -> Outcome) -> Outcome {
-        self.fill_with(|mut out| fill(&mut out).map(|()| out))
-    }
-
-    /// Fills the file by a function that takes the stream and returns it, and renames the file.
-    pub(crate) fn fill_with(
-        self,
-        fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,
-    ) -> Outcome {
         let name = self.place.display().to_string();
-        let mut out = fill(Lines::new(&self.file, name.clone()))?;
+        let mut out = Lines::new(&self.file, name.clone());
+        fill(&mut out)?;
         out.flush()?;
         self.file.sync_all().map_err(|e| named(&name, e))?;
         let (from, to) = (self.beside.place(), &self.place);

@@ -5,8 +5,10 @@ mod column;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::record::Record;
-pub(crate) use column::{ParquetColumn, ends, equals};
+use column::ParquetColumn;
+pub(crate) use column::{ends, equals};
 use parquet::basic::Compression;
+use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
@@ -16,21 +18,9 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 /// The greatest number of rows in a group.
-pub(crate) const ROWS: usize = 1 << 17;
+const ROWS: usize = 1 << 17;
 /// The approximate greatest size of a group in memory, whatever the precision of its numbers.
 const BYTES: usize = 1 << 26;
-
-/// The columns of rows like this one.
-pub(crate) fn columns<F: Value>(row: &Record<F>) -> Vec<ParquetColumn> {
-    row.names().into_iter().zip(row.cells()).map(|(name, cell)| ParquetColumn::of(name, &cell)).collect()
-}
-
-/// Adds a row to its columns.
-pub(crate) fn push<F: Value>(columns: &mut [ParquetColumn], row: &Record<F>) {
-    for (column, cell) in columns.iter_mut().zip(row.cells()) {
-        column.push(&cell);
-    }
-}
 
 /// The note on the units of columns without a unit in their names.
 pub(crate) fn units_note() -> KeyValue {
@@ -41,7 +31,7 @@ pub(crate) fn units_note() -> KeyValue {
 /// A writer of row groups.
 pub(crate) fn writer<W: Write + Send>(
     out: W,
-    columns: &[ParquetColumn],
+    schema: Arc<Type>,
     notes: Vec<KeyValue>,
 ) -> Result<SerializedFileWriter<W>, Failure> {
     let properties = WriterProperties::builder()
@@ -49,73 +39,93 @@ pub(crate) fn writer<W: Write + Send>(
         .set_compression(Compression::SNAPPY)
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_key_value_metadata(Some(notes));
-    Ok(SerializedFileWriter::new(out, schema(columns)?, Arc::new(properties.build()))?)
+    Ok(SerializedFileWriter::new(out, schema, Arc::new(properties.build()))?)
 }
 
-/// Whether the rows suffice for a group.
-pub(crate) fn is_group(columns: &[ParquetColumn], rows: usize) -> bool {
-    rows >= ROWS || columns.iter().map(ParquetColumn::bytes).sum::<usize>() >= BYTES
+/// Rows in memory, which become a group of a file.
+pub(crate) struct Group {
+    columns: Vec<ParquetColumn>,
+    pub(crate) rows: usize,
 }
 
-/// Writes the rows in memory as a group of the file.
-pub(crate) fn write_group<W: Write + Send>(
-    writer: &mut SerializedFileWriter<W>,
-    columns: &mut [ParquetColumn],
-) -> Outcome {
-    let mut group = writer.next_row_group()?;
-    for column in columns {
-        let Some(mut writer) = group.next_column()? else { break };
-        column.write(writer.untyped())?;
-        writer.close()?;
+impl Group {
+    /// No rows, with the columns of this one.
+    pub(crate) fn of<F: Value>(row: &Record<F>) -> Self {
+        let columns = row.names().into_iter().zip(row.cells());
+        Self { columns: columns.map(|(name, cell)| ParquetColumn::of(name, &cell)).collect(), rows: 0 }
     }
-    group.close()?;
-    Ok(())
-}
 
-/// The schema of a file with these columns.
-pub(crate) fn schema(columns: &[ParquetColumn]) -> Result<Arc<Type>, ParquetError> {
-    let fields = columns.iter().map(|column| column.field().map(Arc::new)).collect::<Result<_, _>>()?;
-    // Resumed files hold this name.
-    Ok(Arc::new(Type::group_type_builder("sweep").with_fields(fields).build()?))
+    /// The schema of a file with these columns.
+    pub(crate) fn schema(&self) -> Result<Arc<Type>, ParquetError> {
+        let fields = self.columns.iter().map(|column| column.field().map(Arc::new));
+        let fields = fields.collect::<Result<_, _>>()?;
+        // Resumed files hold this name.
+        Ok(Arc::new(Type::group_type_builder("sweep").with_fields(fields).build()?))
+    }
+
+    pub(crate) fn push<F: Value>(&mut self, row: &Record<F>) {
+        self.columns.iter_mut().zip(row.cells()).for_each(|(column, cell)| column.push(&cell));
+        self.rows += 1;
+    }
+
+    /// Takes some of so many rows of a file, and returns their number, so that the memory is bounded.
+    pub(crate) fn read(&mut self, readers: &mut [ColumnReader], most: usize) -> Result<usize, ParquetError> {
+        let count = most.min(ROWS - self.rows).min(1 << 12);
+        self.columns.iter_mut().zip(readers).try_for_each(|(column, reader)| column.read(reader, count))?;
+        self.rows += count;
+        Ok(count)
+    }
+
+    /// Whether the rows suffice for a group.
+    pub(crate) fn is_full(&self) -> bool {
+        self.rows >= ROWS || self.columns.iter().map(ParquetColumn::bytes).sum::<usize>() >= BYTES
+    }
+
+    /// Writes the rows, if there are any. They are taken even if the write fails: the columns are then no longer
+    /// complete.
+    pub(crate) fn write<W: Write + Send>(&mut self, writer: &mut SerializedFileWriter<W>) -> Outcome {
+        if std::mem::take(&mut self.rows) == 0 {
+            return Ok(());
+        }
+        let mut group = writer.next_row_group()?;
+        for column in &mut self.columns {
+            let Some(mut writer) = group.next_column()? else { break };
+            column.write(writer.untyped())?;
+            writer.close()?;
+        }
+        group.close()?;
+        Ok(())
+    }
 }
 
 /// A stream of rows that becomes a Parquet file. Encoded groups wait in memory until they are taken.
 pub(crate) struct ParquetStream {
     writer: SerializedFileWriter<Vec<u8>>,
-    columns: Vec<ParquetColumn>,
-    rows: usize,
+    group: Group,
 }
 
 impl ParquetStream {
     /// A stream of rows like this one.
     pub(crate) fn new<F: Value>(row: &Record<F>) -> Result<Self, Failure> {
-        let columns = columns(row);
-        Ok(Self { writer: writer(Vec::new(), &columns, vec![units_note()])?, columns, rows: 0 })
+        let group = Group::of(row);
+        Ok(Self { writer: writer(Vec::new(), group.schema()?, vec![units_note()])?, group })
     }
 
     /// Adds a row, and writes the bytes that are complete.
     pub(crate) fn write<F: Value>(&mut self, row: &Record<F>, out: &mut impl Write) -> Outcome {
-        push(&mut self.columns, row);
-        self.rows += 1;
-        if is_group(&self.columns, self.rows) {
-            self.write_rows(out)?;
+        self.group.push(row);
+        if !self.group.is_full() {
+            return Ok(());
         }
-        Ok(())
+        self.group.write(&mut self.writer)?;
+        self.writer.flush()?;
+        self.hand_on(out)
     }
 
     /// Writes the remaining rows and the end of the file.
     pub(crate) fn finish(&mut self, out: &mut impl Write) -> Outcome {
-        if self.rows > 0 {
-            self.write_rows(out)?;
-        }
+        self.group.write(&mut self.writer)?;
         self.writer.finish()?;
-        self.hand_on(out)
-    }
-
-    fn write_rows(&mut self, out: &mut impl Write) -> Outcome {
-        self.rows = 0;
-        write_group(&mut self.writer, &mut self.columns)?;
-        self.writer.flush()?;
         self.hand_on(out)
     }
 

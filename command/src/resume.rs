@@ -7,7 +7,7 @@
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
-use crate::output;
+use crate::output::{self, Lines, named};
 use crate::progress;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fs::{self, File, OpenOptions};
@@ -40,7 +40,7 @@ pub(crate) trait Rows: Sync {
 }
 
 /// Creates a file; an existing one is not overwritten.
-pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
+fn create(file: &Path, option: &str) -> Result<File, Failure> {
     let argument = format!("{option} {}", file.display());
     let created = OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
         if e.kind() == ErrorKind::AlreadyExists {
@@ -51,6 +51,31 @@ pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
     })?;
     output::take(&created, &argument)?;
     Ok(created)
+}
+
+/// Writes the rows of a part to a new file, or after the complete rows of one that is continued, from a point on that
+/// `fill` receives. After any interruption the file can be resumed.
+pub(crate) fn to_file<R: Rows>(
+    (option, name): (&str, &Path),
+    is_continued: bool,
+    rows: &R,
+    part: &Range<u64>,
+    has_header: bool,
+    fill: impl FnOnce(u64, &mut Lines<&File>) -> Outcome,
+) -> Outcome {
+    let (file, done) = if is_continued && name.exists() {
+        reopen(name, rows, part, has_header)?
+    } else {
+        (create(name, option)?, Done { header: false, rows: 0 })
+    };
+    let name = name.display().to_string();
+    let mut out = Lines::new(&file, name.as_str());
+    if has_header && !done.header {
+        out.write_all(&rows.header()?)?;
+    }
+    let outcome = fill(part.start + done.rows, &mut out);
+    // This reports data that the system failed to write.
+    outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
 }
 
 /// Answers the points of a range in parallel, and writes the rows that `take` makes of the answers, in order,
@@ -70,9 +95,9 @@ pub(crate) fn write<T: Send, W: Write>(
 }
 
 /// The contents of an existing file.
-pub(crate) struct Done {
-    pub(crate) header: bool,
-    pub(crate) rows: u64,
+struct Done {
+    header: bool,
+    rows: u64,
 }
 
 /// The greatest length of a line in bytes; a row of 8192 bits has less than a tenth of it.
@@ -82,12 +107,7 @@ const MOST_COMPARED: usize = 1 << 13;
 const COMPARING: Duration = Duration::from_secs(1);
 
 /// Opens the file after its last complete row and truncates the rest.
-pub(crate) fn reopen<R: Rows>(
-    name: &Path,
-    rows: &R,
-    part: &Range<u64>,
-    header: bool,
-) -> Result<(File, Done), Failure> {
+fn reopen<R: Rows>(name: &Path, rows: &R, part: &Range<u64>, header: bool) -> Result<(File, Done), Failure> {
     let argument = format!("--resume: {}", name.display());
     let bad = |what: String| Failure::Input(what).about(&argument);
     if !fs::metadata(name).map_err(|e| bad(e.to_string()))?.is_file() {

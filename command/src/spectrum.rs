@@ -34,12 +34,6 @@ pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
     target.draw(out, || spectra.figure())
 }
 
-/// Answers of bodies by their place in the grids, under one record.
-struct Found {
-    bodies: Range<u64>,
-    answers: Vec<Result<RecordAnswer<f64>, Failure>>,
-}
-
 /// One row for each body under each record.
 struct Spectra<'a> {
     loads: Vec<(&'static str, Load<f64>)>,
@@ -111,19 +105,25 @@ impl<'a> Spectra<'a> {
         Ok((name, load, point % bodies))
     }
 
-    /// The answers of the first rows of a range, which share a record.
-    fn answers(&self, points: Range<u64>) -> Result<Found, Failure> {
+    /// The answers of the first rows of a range, which share a record, each with the place of its body.
+    fn answers(&self, points: Range<u64>) -> Vec<Result<(u64, RecordAnswer<f64>), Failure>> {
+        self.followed(points).unwrap_or_else(|failure| vec![Err(failure)])
+    }
+
+    fn followed(
+        &self,
+        points: Range<u64>,
+    ) -> Result<Vec<Result<(u64, RecordAnswer<f64>), Failure>>, Failure> {
         interrupt::check()?;
         let (name, load, first) = self.place(points.start)?;
         let count = SIDE_BY_SIDE.min(points.end - points.start).min(self.axes.len() - first);
         let bodies = (first..first + count).map(|body| self.body(self.axes.given_at(body)));
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-        let answers = follow_each(&bodies, load);
         let named = |(place, answer): (u64, Result<RecordAnswer<f64>, Error>)| {
-            answer
-                .map_err(|e| Failure::Input(format!("{} {name}: {e}", self.axes.named_at(place).all_typed())))
+            let about = |e| format!("{} {name}: {e}", self.axes.named_at(place).all_typed());
+            Ok((place, answer.map_err(about)?))
         };
-        Ok(Found { bodies: first..first + count, answers: (first..).zip(answers).map(named).collect() })
+        Ok((first..).zip(follow_each(&bodies, load)).map(named).collect())
     }
 }
 
@@ -142,13 +142,8 @@ impl Table for Spectra<'_> {
 
     fn records(&self, points: Range<u64>) -> Vec<Result<Record<f64>, Failure>> {
         let name = self.place(points.start).map_or("", |(name, ..)| name);
-        match self.answers(points) {
-            Ok(Found { bodies, answers }) => bodies
-                .zip(answers)
-                .map(|(body, answer)| Ok(self.row(name, &self.axes.given_at(body), Some(&answer?))))
-                .collect(),
-            Err(failure) => vec![Err(failure)],
-        }
+        let row = |(body, answer)| self.row(name, &self.axes.given_at(body), Some(&answer));
+        self.answers(points).into_iter().map(|found| found.map(row)).collect()
     }
 
     /// A row begins with the name of its record and with its inputs.

@@ -4,7 +4,6 @@ use crate::args::{Header, RowsArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
-use crate::output::{Lines, named};
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO, key};
 use crate::record::{Cell, Record, csv_text};
 use crate::resume::{self, not_this};
@@ -35,33 +34,11 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
             self.follow_on(0, &mut all, &mut io::sink())?;
             return Ok(all);
         };
-        if rows.resume && name.exists() {
-            let (file, done) = resume::reopen(name, self, &(0..self.count), true)?;
-            self.read(name, done.rows, &mut all)
-                .map_err(|e| e.about(&format!("--resume: {}", name.display())))?;
-            self.to_file(done.rows, done.header, &mut all, &file, name)?;
-        } else {
-            self.to_file(0, false, &mut all, &resume::create(name, "--rows")?, name)?;
-        }
+        resume::to_file(("--rows", name), rows.resume, self, &(0..self.count), true, |from, out| {
+            self.read(name, from, &mut all).map_err(|e| e.about(&format!("--resume: {}", name.display())))?;
+            self.follow_on(from, &mut all, out)
+        })?;
         Ok(all)
-    }
-
-    /// Writes the rows from a start to the end of a file. After any interruption the file can be resumed.
-    fn to_file(
-        &self,
-        from: u64,
-        has_header: bool,
-        all: &mut Attractors<F>,
-        file: &File,
-        name: &Path,
-    ) -> Outcome {
-        let name = name.display().to_string();
-        let mut out = Lines::new(file, name.as_str());
-        if !has_header {
-            out.write_all(&resume::Rows::header(self)?)?;
-        }
-        let outcome = self.follow_on(from, all, &mut out);
-        outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
     }
 
     /// Computes the limits from one start on.

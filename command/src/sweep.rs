@@ -9,14 +9,13 @@ use crate::args::{Header, SweepArgs, SweepFormat, TableArgs};
 use crate::axes::Axes;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
-use crate::output::{Lines, named};
+use crate::output::Lines;
 use crate::record::{Record, csv_text};
 use crate::resume;
 use rows::SweepRows;
 use std::fs::File;
 use std::io::Write;
 use std::ops::Range;
-use std::path::Path;
 
 pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
     at_bits!(args.bits, compute(args: &SweepArgs, out))
@@ -125,35 +124,25 @@ pub(crate) fn write_table(
 }
 
 fn to_text(args: &TableArgs, rows: &impl resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
-    match &args.out {
-        None => write(rows, part, !args.no_header, out),
-        Some(name) if args.resume && name.exists() => {
-            let (file, done) = resume::reopen(name, rows, &part, !args.no_header)?;
-            to_file(rows, part.start + done.rows..part.end, !done.header && !args.no_header, &file, name)
-        }
-        Some(name) => to_file(rows, part, !args.no_header, &resume::create(name, "--out")?, name),
+    let header = !args.no_header;
+    if let Some(name) = &args.out {
+        let (place, end) = (("--out", name.as_path()), part.end);
+        let fill = |start, out: &mut Lines<&File>| write(rows, start..end, out);
+        return resume::to_file(place, args.resume, rows, &part, header, fill);
     }
+    if header {
+        out.write_all(&rows.header()?)?;
+    }
+    write(rows, part, out)
 }
 
-/// Writes the rows to the end of a file. After any interruption the file can be resumed.
-fn to_file(rows: &impl resume::Rows, part: Range<u64>, header: bool, file: &File, name: &Path) -> Outcome {
-    let name = name.display().to_string();
-    let outcome = write(rows, part, header, &mut Lines::new(file, name.as_str()));
-    // This reports data that the system failed to write.
-    outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
+fn write(rows: &impl resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
+    resume::write(part, out, |points| rows.texts(points), |text, out| Ok(out.write_all(&text)?))
 }
 
 #[cfg(not(feature = "parquet"))]
 pub(crate) fn no_parquet() -> Failure {
     Failure::Input("--format parquet: needs a build with the feature parquet".to_owned())
-}
-
-/// Writes the rows of a part, with their header.
-fn write(rows: &impl resume::Rows, part: Range<u64>, header: bool, out: &mut impl Write) -> Outcome {
-    if header {
-        out.write_all(&rows.header()?)?;
-    }
-    resume::write(part, out, |points| rows.texts(points), |text, out| Ok(out.write_all(&text)?))
 }
 
 /// The rows of `--shard I/N`: the parts are contiguous, and differ by at most one row.

@@ -1,6 +1,6 @@
 //! The picture of spectra.
 
-use super::{Found, Spectra};
+use super::Spectra;
 use crate::bits::digits;
 use crate::failure::Failure;
 use crate::given;
@@ -50,14 +50,14 @@ impl Spectra<'_> {
         };
         let mut answers = Vec::new();
         let all = 0..self.axes.len() * self.loads.len() as u64;
-        let found = |points: std::ops::Range<u64>| match self.answers(points) {
-            Ok(Found { answers, .. }) => answers,
-            Err(failure) => vec![Err(failure)],
-        };
-        progress::in_order_kept(all, found, |answer| {
-            answers.extend(answer);
-            Ok(())
-        })?;
+        progress::in_order_kept(
+            all,
+            |points| self.answers(points),
+            |answer| {
+                answers.extend(answer.map(|(_, answer)| answer));
+                Ok(())
+            },
+        )?;
         let label = |name: &str, kind: Kind| {
             if kind == Kind::Ratio { name.to_owned() } else { format!("{name} ({})", self.system.name(kind)) }
         };

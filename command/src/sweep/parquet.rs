@@ -10,18 +10,21 @@ mod parts;
 use super::Table;
 use crate::args::TableArgs;
 use crate::failure::{Failure, Outcome};
-use crate::output::{Lines, PendingFile};
-use crate::parquet_file::{self, ParquetColumn};
+use crate::output::PendingFile;
+use crate::parquet_file::{self, Group};
 use crate::progress;
 use crate::record::Record;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
 use parts::Parts;
 use std::fs::File;
+use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
 pub(super) fn run<T: Table>(args: &TableArgs, rows: &T, part: Range<u64>) -> Outcome {
     let Some(file) = &args.out else {
@@ -30,7 +33,8 @@ pub(super) fn run<T: Table>(args: &TableArgs, rows: &T, part: Range<u64>) -> Out
     if args.no_header {
         return Err("--no-header: must be left out, because a Parquet file names its columns".into());
     }
-    let sweep = Sweep { rows, part, notes: notes(rows), columns: parquet_file::columns(rows.form()) };
+    let group = Group::of(rows.form());
+    let sweep = Sweep { rows, part, notes: notes(rows), schema: group.schema()? };
     if file.exists() {
         if !args.resume {
             let text = format!("--out {}: must not exist yet. Continue it with --resume", file.display());
@@ -42,7 +46,7 @@ pub(super) fn run<T: Table>(args: &TableArgs, rows: &T, part: Range<u64>) -> Out
     }
     let mut parts = Parts::open(file, args.resume)?;
     let done = parts.check(&sweep)?;
-    let mut table = PendingRows { columns: parquet_file::columns(rows.form()), rows: 0, start: done };
+    let mut table = PendingRows { group, start: done };
     let outcome = progress::in_order_kept(
         done..sweep.part.end,
         |points| rows.records(points),
@@ -68,7 +72,7 @@ struct Sweep<'a, T> {
     rows: &'a T,
     part: Range<u64>,
     notes: Vec<KeyValue>,
-    columns: Vec<ParquetColumn>,
+    schema: Arc<Type>,
 }
 
 impl<T: Table> Sweep<'_, T> {
@@ -91,7 +95,7 @@ impl<T: Table> Sweep<'_, T> {
             }
         }
         let text = |e: ParquetError| e.to_string();
-        if metadata.schema() != &*parquet_file::schema(&self.columns).map_err(text)? {
+        if metadata.schema() != &*self.schema {
             return Err("its columns are not those of this sweep".to_owned());
         }
         let rows = u64::try_from(metadata.num_rows()).unwrap_or(0);
@@ -115,8 +119,8 @@ impl<T: Table> Sweep<'_, T> {
     }
 
     /// A writer of row groups.
-    fn writer<'f>(&self, out: Lines<&'f File>) -> Result<SerializedFileWriter<Lines<&'f File>>, Failure> {
-        parquet_file::writer(out, &self.columns, self.notes.clone())
+    fn writer<W: Write + Send>(&self, out: W) -> Result<SerializedFileWriter<W>, Failure> {
+        parquet_file::writer(out, self.schema.clone(), self.notes.clone())
     }
 }
 
@@ -131,8 +135,7 @@ fn notes(rows: &impl Table) -> Vec<KeyValue> {
 
 /// The rows in memory, from a point on.
 struct PendingRows {
-    columns: Vec<ParquetColumn>,
-    rows: usize,
+    group: Group,
     start: u64,
 }
 
@@ -143,28 +146,22 @@ impl PendingRows {
         parts: &mut Parts,
         sweep: &Sweep<'_, T>,
     ) -> Outcome {
-        parquet_file::push(&mut self.columns, record);
-        self.rows += 1;
-        if parquet_file::is_group(&self.columns, self.rows) {
-            self.commit(parts, sweep)?;
-        }
-        Ok(())
+        self.group.push(record);
+        if self.group.is_full() { self.commit(parts, sweep) } else { Ok(()) }
     }
 
     /// Writes the rows in memory as a part.
     fn commit<T: Table>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, T>) -> Outcome {
-        // The rows are taken only once, even if the write fails: the columns are then no longer complete.
-        let rows = std::mem::take(&mut self.rows);
-        if rows > 0 {
-            let end = self.start + rows as u64;
-            let columns = &mut self.columns;
-            parts.add(self.start..end, |out| {
-                let mut writer = sweep.writer(out)?;
-                parquet_file::write_group(&mut writer, columns)?;
-                Ok(writer.into_inner()?)
-            })?;
-            self.start = end;
+        let points = self.start..self.start + self.group.rows as u64;
+        if points.is_empty() {
+            return Ok(());
         }
-        Ok(())
+        self.start = points.end;
+        parts.add(points, |out| {
+            let mut writer = sweep.writer(out)?;
+            self.group.write(&mut writer)?;
+            writer.finish()?;
+            Ok(())
+        })
     }
 }

@@ -5,7 +5,7 @@ use super::{PendingFile, Sweep, error_at, open};
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output::{self, Lines, named, put_new, with_suffix};
-use crate::parquet_file::{ParquetColumn, ROWS, columns, is_group, write_group};
+use crate::parquet_file::Group;
 use parquet::file::reader::FileReader;
 use std::fs::{self, File};
 use std::ops::Range;
@@ -83,10 +83,10 @@ impl Parts {
     pub(super) fn add(
         &mut self,
         range: Range<u64>,
-        fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,
+        fill: impl FnOnce(&mut Lines<&File>) -> Outcome,
     ) -> Outcome {
         let path = self.path(&range);
-        PendingFile::create(&path, &path.display().to_string(), false)?.fill_with(fill)?;
+        PendingFile::create(&path, &path.display().to_string(), false)?.fill(fill)?;
         self.parts.push(range);
         Ok(())
     }
@@ -98,37 +98,28 @@ impl Parts {
             return self.remove(&[]);
         }
         let argument = format!("--out {}", file.display());
-        PendingFile::create(file, &argument, false)?.fill_with(|out| {
+        PendingFile::create(file, &argument, false)?.fill(|out| {
             let mut writer = sweep.writer(out)?;
-            let mut gathered = columns(sweep.rows.form());
-            let mut rows = 0;
+            let mut gathered = Group::of(sweep.rows.form());
             for range in &self.parts {
                 let reader = open(&self.path(range))?;
                 for group in 0..reader.num_row_groups() {
                     let group = reader.get_row_group(group)?;
-                    let mut readers = (0..gathered.len())
-                        .map(|column| group.get_column_reader(column))
-                        .collect::<Result<Vec<_>, _>>()?;
+                    let readers = (0..group.num_columns()).map(|column| group.get_column_reader(column));
+                    let mut readers = readers.collect::<Result<Vec<_>, _>>()?;
                     let mut left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
                     while left > 0 {
                         interrupt::check()?;
-                        // Rows are copied in steps, so that the memory is bounded, too.
-                        let count = left.min(ROWS - rows).min(1 << 12);
-                        for (column, reader) in gathered.iter_mut().zip(&mut readers) {
-                            ParquetColumn::read(column, reader, count)?;
-                        }
-                        (left, rows) = (left - count, rows + count);
-                        if is_group(&gathered, rows) {
-                            write_group(&mut writer, &mut gathered)?;
-                            rows = 0;
+                        left -= gathered.read(&mut readers, left)?;
+                        if gathered.is_full() {
+                            gathered.write(&mut writer)?;
                         }
                     }
                 }
             }
-            if rows > 0 {
-                write_group(&mut writer, &mut gathered)?;
-            }
-            Ok(writer.into_inner()?)
+            gathered.write(&mut writer)?;
+            writer.finish()?;
+            Ok(())
         })?;
         let parts = self.parts.clone();
         self.remove(&parts)
