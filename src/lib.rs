@@ -187,7 +187,7 @@ pub mod words;
 #[doc(hidden)]
 pub mod inputs {
     pub use crate::machine::units;
-    pub use crate::machine::{Driven, Given, Input, Naming, Role, in_typed_unit};
+    pub use crate::machine::{Driven, Given, Input, Naming, Point, Role, in_typed_unit};
 }
 
 /// The crates whose types and traits occur in this API, in the required versions.

@@ -37,5 +37,5 @@ mod tests;
 )]
 pub mod units;
 
-pub use given::{Driven, Given, in_typed_unit};
+pub use given::{Driven, Given, Point, in_typed_unit};
 pub use input::{Input, Naming, Role};

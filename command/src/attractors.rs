@@ -51,7 +51,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
         Format::Text => {
             let scale = point.machine.as_ref().map(|m| m.scales.length);
             let length = |x| both(x, "B", scale, given.system.length());
-            measured_from(point.machine.as_ref(), out)?;
+            measured_from(&given, point.machine.as_ref(), out)?;
             text(&all, reach, length, out)?;
             args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
         }

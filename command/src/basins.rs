@@ -9,7 +9,6 @@ use crate::figure::Target;
 use crate::given;
 use crate::grid::Grid;
 use crate::input;
-use crate::machine::Machine;
 use crate::starts::Starts;
 use std::io::Write;
 use stickslip::inputs::units::Kind;
@@ -72,7 +71,7 @@ impl<F: Value> Basins<F> {
             };
             let unit = if scales.is_some() { given.system.name(kind) } else { symbol.to_owned() };
             let name = option.trim_start_matches('-');
-            let displacement = point.machine.as_ref().map_or("displacement", Machine::displacement);
+            let displacement = given::displacement(&given);
             let what = if name == "x0" { displacement } else { "velocity" };
             let (label, column) = (format!("{what} at the start ({unit})"), format!("{name}[{unit}]"));
             Ok::<_, Failure>(Axed { grid, scale, label, column })

@@ -4,12 +4,11 @@ use crate::args::{BorderArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
-use crate::input::BorderPoint;
 use crate::note::Note;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
-use stickslip::inputs::Given;
+use stickslip::inputs::{Given, Point};
 use stickslip::{Error, Ratios, Response};
 use stickslip::{NoStop, no_stop_force_ratios};
 
@@ -35,7 +34,7 @@ fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
 /// The answer at a point, with the forces without a stop if requested, and its record.
 pub(crate) fn record<F: Value>(
     given: &Given<F>,
-    point: &BorderPoint<F>,
+    point: &Point<F>,
     with_no_stop: bool,
 ) -> Result<BorderAnswer<F>, Failure> {
     // The border does not depend on the force, here r_y.
@@ -47,9 +46,7 @@ pub(crate) fn record<F: Value>(
         record = record.with_no_stop(found);
     }
     let record = match &point.machine {
-        Some(machine) => {
-            record.with_border(machine, given.system).finite().map_err(|e| behind_all(given, e))?
-        }
+        Some(machine) => record.with_border(given, machine).finite().map_err(|e| behind_all(given, e))?,
         None => record,
     };
     Ok((answer, found, record))
@@ -65,8 +62,8 @@ fn respond<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
         let (answer, found, record) = record(given, &point, args.no_stop)?;
         Ok(((point, answer, found), record))
     };
-    points::answered(asked, out, answer, |(point, answer, found), units, out| {
+    points::answered(asked, out, answer, |(point, answer, found), given, out| {
         let scales = point.machine.as_ref().map(|machine| &machine.scales);
-        note::border(answer, found.as_ref(), Note { machine: None, scales, units, out })
+        note::border(answer, found.as_ref(), Note { given, machine: None, scales, out })
     })
 }

@@ -7,11 +7,11 @@ use stickslip::inputs::units::{Factor, InputError, Kind, Reader, number};
 
 /// A column that is read.
 pub(crate) struct Column {
-    pub(crate) place: usize,
+    place: usize,
     name: String,
     kind: Kind,
     /// The factor of the unit in the header; without one, a value may have its own unit.
-    factor: Option<Factor>,
+    pub(crate) factor: Option<Factor>,
 }
 
 impl Column {
@@ -23,11 +23,6 @@ impl Column {
     ) -> Result<Self, InputError> {
         let in_header = |unit| reader.factor_of_column(&format!("{file}: column {name}"), unit, kind);
         Ok(Self { place, name: name.to_owned(), kind, factor: unit.map(in_header).transpose()? })
-    }
-
-    /// Whether the header has the unit of the values.
-    pub(crate) const fn has_unit(&self) -> bool {
-        self.factor.is_some()
     }
 
     pub(crate) fn text<'a>(&self, row: &'a StringRecord) -> &'a str {

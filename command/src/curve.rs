@@ -9,7 +9,7 @@ use crate::failure::{Failure, Outcome};
 use crate::figure::{self, Target};
 use crate::given::{self, behind_all, in_symbols, line};
 use crate::grid::Grid;
-use crate::input::{self, Point};
+use crate::input;
 use crate::interrupt;
 use crate::map::margin;
 use crate::record::Cell;
@@ -19,7 +19,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Naming, Role};
+use stickslip::inputs::{Given, Input, Naming, Point, Role};
 use stickslip_figures::{Figure, Origin, resolved};
 
 /// The greatest number of curves in a picture.
@@ -213,9 +213,7 @@ impl AskedCurve {
 
     fn line(&self, name: String, given: &Given<f64>) -> Result<Line, Failure> {
         let first = self.point(given, self.grid.value(0))?;
-        if self.what == CurveQuantity::Absolute
-            && !first.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface())
-        {
+        if self.what == CurveQuantity::Absolute && !first.excitation().carries_surface() {
             return Err(
                 "response-curve absolute: needs --base-acceleration, --base-velocity or --base-displacement"
                     .into(),

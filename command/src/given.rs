@@ -62,6 +62,11 @@ pub(crate) fn line(typed: &[(Input, String)], shown: impl Fn(Input) -> bool, sys
     shown.map(|(input, text)| in_symbols(*input, text, system)).collect::<Vec<_>>().join(", ")
 }
 
+/// The name of a displacement, which in a shifted motion is measured from the mean.
+pub(crate) fn displacement<F: Value>(given: &Given<F>) -> &'static str {
+    if given.is_shifted() { "displacement from the mean" } else { "displacement" }
+}
+
 /// The shift of the motion, which is the same under any drive.
 pub(crate) fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>) -> Result<F, Failure> {
     Drive::force(body.friction_bound(), body.natural_frequency())

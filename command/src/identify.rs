@@ -107,7 +107,7 @@ fn columns(
 /// A phase within a turn. Without a unit it is in radians, and more than a turn is a sign of degrees.
 fn phase(column: &Column, row: &StringRecord, at: &str, reader: &Reader) -> Result<f64, Failure> {
     let (phase, text) = (column.value::<f64>(row, at, reader)?, column.text(row));
-    if column.has_unit() || Reader::has_unit(text) {
+    if column.factor.is_some() || Reader::has_unit(text) {
         return Ok(phase % TAU);
     }
     // 2π with three decimals.

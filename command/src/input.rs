@@ -3,56 +3,26 @@
 use crate::args::StartArgs;
 use crate::bits::Value;
 use crate::failure::Failure;
-use crate::machine::Machine;
 use stickslip::inputs::units::{self, Kind, Reader};
-use stickslip::inputs::{Driven, Given, Input, Role};
+use stickslip::inputs::{Driven, Given, Input, Point};
 use stickslip::motion::State;
 use stickslip::{Error, Quantity, Ratios};
 
-/// The input of `response`: the ratios and, in physical units, the machine.
-pub(crate) struct Point<F> {
-    pub(crate) ratios: Ratios<F>,
-    pub(crate) machine: Option<Machine<F>>,
-}
-
-/// The input of `border`: Ω and ζ, at α = 1, and, in physical units, the machine under a force of r_y.
-pub(crate) struct BorderPoint<F> {
-    pub(crate) ratios: Ratios<F>,
-    pub(crate) machine: Option<Driven<F>>,
-}
-
 /// The ratios of `--omega` and `--alpha`, or the machine of the physical arguments.
 pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
-    let named = |e: Error| given.at_fault(&e);
     if given.is_empty() {
         let text = "--omega and --alpha are missing. Give both, or a machine: --mass, --stiffness (or --period), \
                     --friction (or --friction-coefficient), --frequency and --force";
         return Err(text.into());
     }
-    if !given.is_physical() {
-        let ratios = Ratios::new(given.required(Input::Omega)?, given.required(Input::Alpha)?);
-        return Ok(Point { ratios: given.completed(ratios.map_err(named)?)?, machine: None });
-    }
-    let Driven { oscillator, drive, scales, ratios } = given.driven()?;
-    let machine = Machine {
-        oscillator,
-        drive,
-        scales,
-        system: given.system,
-        has_damper: given.has_role(Role::Damper),
-        has_static_friction: given.has_role(Role::StaticFriction),
-        directional_friction: given.directional_friction()?,
-        mean_force: given.get(Input::MeanForce),
-        friction_coefficient: given.get(Input::FrictionCoefficient),
-    };
-    Ok(Point { ratios, machine: Some(machine) })
+    Ok(given.point()?)
 }
 
 /// The state at ω_d t = 0 given by `--x0` and `--v0`, or by a row of a file, in the units of the point.
 pub(crate) fn start<F: Value>(
     start: &StartArgs,
     given: &Given<F>,
-    machine: Option<&Machine<F>>,
+    machine: Option<&Driven<F>>,
     reader: &Reader,
 ) -> Result<State<F>, Failure> {
     let read = |input: Input| match (given.get(input), start.text(input)) {
@@ -66,7 +36,7 @@ pub(crate) fn start<F: Value>(
     };
     let (x0, v0) = (read(Input::X0)?, read(Input::V0)?);
     let (x, v) = match machine {
-        Some(Machine { scales, .. }) => (x0 / scales.length, v0 / scales.velocity),
+        Some(Driven { scales, .. }) => (x0 / scales.length, v0 / scales.velocity),
         None => (x0, v0),
     };
     State::new(F::int(0), x, v).map_err(|e| {
@@ -92,8 +62,8 @@ pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failur
     }
 }
 
-/// Ω of `--omega`, or of the physical arguments.
-pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>, Failure> {
+/// Ω of `--omega` at α = 1, or the machine under a force of r_y.
+pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     let named = |e: Error| given.at_fault(&e);
     if given.is_empty() {
         let text = "--omega is missing. Give it, or a machine: --mass, --stiffness (or --period), --friction (or \
@@ -102,10 +72,10 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
     }
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(Input::Omega)?, F::int(1)).map_err(named)?;
-        return Ok(BorderPoint { ratios: given.completed(ratios)?, machine: None });
+        return Ok(Point { ratios: given.completed(ratios)?, machine: None });
     }
     let machine = given.on_border()?;
-    Ok(BorderPoint { ratios: machine.ratios, machine: Some(machine) })
+    Ok(Point { ratios: machine.ratios, machine: Some(machine) })
 }
 
 /// A typed number.

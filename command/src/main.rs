@@ -35,7 +35,6 @@ mod grid;
 mod identify;
 mod input;
 mod interrupt;
-mod machine;
 mod map;
 mod measured;
 mod motion_plot;

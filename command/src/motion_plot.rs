@@ -5,7 +5,6 @@ use crate::failure::Outcome;
 use crate::figure::Target;
 use crate::given;
 use crate::input;
-use crate::machine::Machine;
 use crate::steady::of_motion;
 use std::io::Write;
 use stickslip::inputs::units::Kind;
@@ -42,7 +41,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let scale =
         |of: fn(&stickslip::Scales<f64>) -> f64| point.machine.as_ref().map_or(1.0, |m| of(&m.scales));
     let (length, velocity, force) = (scale(|s| s.length), scale(|s| s.velocity), scale(|s| s.force));
-    let displacement = point.machine.as_ref().map_or("displacement", Machine::displacement);
+    let displacement = given::displacement(&given);
     let mean_friction = point.machine.as_ref().map_or(0.0, |m| m.scales.mean_friction);
     let friction = |s: &Instant<f64>| s.friction * force + mean_friction;
     let label = |name: &str, symbol: &str, kind: Kind| match point.machine {

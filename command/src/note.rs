@@ -4,11 +4,11 @@ mod force;
 mod static_friction;
 
 use crate::bits::{Value, digits};
-use crate::machine::{Machine, excitation};
 use crate::style;
 use std::fmt::Display;
 use std::io::{self, Write};
 use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Driven, Given, Input, Role};
 use stickslip::words;
 use stickslip::{Cycle, Excitation, Measure, PhaseFunction, Ratios, Regime, Response, Scales};
 
@@ -36,22 +36,22 @@ pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> 
 
 /// A note on a machine, or on ratios alone.
 pub(crate) struct Note<'a, F, W> {
-    pub(crate) machine: Option<&'a Machine<F>>,
+    pub(crate) given: &'a Given<F>,
+    pub(crate) machine: Option<&'a Driven<F>>,
     /// The sizes of the ratios, if there is a machine.
     pub(crate) scales: Option<&'a Scales<F>>,
-    pub(crate) units: &'a System,
     pub(crate) out: &'a mut W,
 }
 
 impl<'a, F: Value, W: Write> Note<'a, F, W> {
-    pub(crate) fn of(machine: Option<&'a Machine<F>>, units: &'a System, out: &'a mut W) -> Self {
-        Self { machine, scales: machine.map(|machine| &machine.scales), units, out }
+    pub(crate) fn of(given: &'a Given<F>, machine: Option<&'a Driven<F>>, out: &'a mut W) -> Self {
+        Self { given, machine, scales: machine.map(|machine| &machine.scales), out }
     }
 
     /// A number in its unit and, if there is a machine, in that of the user.
     pub(crate) fn both(&self, measure: Measure, x: F) -> String {
         let scale = self.scales.map(|scales| measure.size(scales));
-        both(x, measure.unit(), scale, &self.units.name(measure.kind()))
+        both(x, measure.unit(), scale, &self.given.system.name(measure.kind()))
     }
 
     /// A line with a number.
@@ -62,6 +62,12 @@ impl<'a, F: Value, W: Write> Note<'a, F, W> {
 
     pub(crate) fn line(&mut self, name: &str, value: impl Display) -> io::Result<()> {
         line(self.out, name, value)
+    }
+
+    /// Whether the damper stands on the spring's moving foot. The heat of the damper is then not the work of
+    /// `c x′`, and the work of the foot is not that of p: neither is known here.
+    pub(crate) fn has_damped_foot(&self) -> bool {
+        self.is_driven(|excitation| excitation == Excitation::DampedFootMotion)
     }
 
     /// Whether the excitation is one of those.
@@ -87,7 +93,7 @@ pub(crate) fn response<F: Value>(
         note.line("static friction ratio η", eta)?;
     }
     if let Some(machine) = note.machine {
-        given(machine, note.out)?;
+        of_machine(note.given, machine, note.out)?;
     }
     if response.regime == Regime::DependsOnStart {
         writeln!(note.out, "\n`stickslip steady` follows one start, and `stickslip attractors` many.")?;
@@ -116,8 +122,8 @@ pub(crate) fn response<F: Value>(
 }
 
 /// The machine and its drive, which show how the arguments were understood.
-pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io::Result<()> {
-    let Machine { oscillator, drive, scales, system, has_damper, .. } = machine;
+fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Write) -> io::Result<()> {
+    let (Driven { oscillator, drive, scales, .. }, system) = (machine, &given.system);
     let (force, length) = (system.force(), system.length());
     if let Some(base) = words::base_motion(drive.excitation()) {
         line(out, "base motion", base)?;
@@ -131,8 +137,8 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
     line(out, "mass m", mass(oscillator.mass(), system))?;
     line(out, "stiffness k", with_unit(oscillator.stiffness(), &system.name(Kind::Stiffness)))?;
     let bound = digits(oscillator.friction_bound());
-    match machine.directional_friction {
-        Some((forward, backward)) => {
+    match given.directional_friction() {
+        Ok(Some((forward, backward))) => {
             let (forward, backward) = (digits(forward), digits(backward));
             line(
                 out,
@@ -140,9 +146,9 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
                 format_args!("{bound} {force} = ({forward} forward + {backward} backward)/2"),
             )?;
         }
-        None => line(out, "friction bound r_y", format_args!("{bound} {force}"))?,
+        _ => line(out, "friction bound r_y", format_args!("{bound} {force}"))?,
     }
-    if *has_damper {
+    if given.has_role(Role::Damper) {
         line(out, "damping constant c", with_unit(oscillator.damping(), &system.name(Kind::Damping)))?;
     }
     if drive.excitation() == Excitation::Unbalance {
@@ -150,10 +156,10 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
     }
     line(out, "force amplitude p₀", with_unit(drive.force_amplitude(oscillator), force))?;
     line(out, "friction displacement B", with_unit(scales.length, length))?;
-    if let Some(force) = machine.mean_force {
+    if let Some(force) = given.get(Input::MeanForce) {
         writeln!(out, "  mean force p̄             {} {}", digits(force), system.force())?;
     }
-    if machine.is_shifted() {
+    if given.is_shifted() {
         mean_displacement(scales.mean_displacement, system, out)?;
     }
     Ok(())
@@ -181,9 +187,10 @@ impl<F: Value, W: Write> Note<'_, F, W> {
         acceleration: F,
         name: &str,
     ) -> io::Result<String> {
-        let (force, ratio) = excitation(self.machine).transmitted(ratios, force, acceleration);
+        let excitation = self.machine.map_or(Excitation::Force, |machine| machine.drive.excitation());
+        let (force, ratio) = excitation.transmitted(ratios, force, acceleration);
         self.number(name, Measure::Force, force)?;
-        if self.machine.is_some_and(|machine| machine.mean_force.is_some()) {
+        if self.given.has(Input::MeanForce) {
             writeln!(self.out, "    (without the mean force p̄, which the support carries in addition)")?;
         }
         Ok(digits(ratio))
@@ -191,9 +198,13 @@ impl<F: Value, W: Write> Note<'_, F, W> {
 }
 
 /// The displacement from which a shifted motion is measured, in a sentence.
-pub(crate) fn measured_from<F: Value>(machine: Option<&Machine<F>>, out: &mut impl Write) -> io::Result<()> {
-    let Some(machine) = machine.filter(|machine| machine.is_shifted()) else { return Ok(()) };
-    let (mean, unit) = (digits(machine.scales.mean_displacement), machine.system.length());
+pub(crate) fn measured_from<F: Value>(
+    given: &Given<F>,
+    machine: Option<&Driven<F>>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let Some(machine) = machine.filter(|_| given.is_shifted()) else { return Ok(()) };
+    let (mean, unit) = (digits(machine.scales.mean_displacement), given.system.length());
     writeln!(out, "Displacements are measured from the mean displacement of {mean} {unit}.")
 }
 
@@ -215,9 +226,9 @@ fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io:
     writeln!(note.out, "\nDissipation in a cycle")?;
     if let Some(scales) = note.scales {
         let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
-        note.line("energy 4 r_y Δ₀", with_unit(energy, &note.units.name(Kind::Energy)))?;
+        note.line("energy 4 r_y Δ₀", with_unit(energy, &note.given.system.name(Kind::Energy)))?;
     }
-    if cycle.ratios.is_damped() && !note.machine.is_some_and(Machine::has_damped_foot) {
+    if cycle.ratios.is_damped() && !note.has_damped_foot() {
         note.number("energy of the damper", Measure::Work, cycle.damper_work())?;
     }
     note.line("per static energy", format_args!("A₁ = {}", digits(cycle.loop_size_stiffness())))?;

@@ -1,11 +1,11 @@
 //! The answer in the machine's units: the physical names of the values, and their units.
 
 use crate::bits::Value;
-use crate::machine::Machine;
 use crate::outputs::{Key, plain};
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Driven, Given, Input, Role};
 use stickslip::{Excitation, Measure};
 
 /// Values with their units.
@@ -42,10 +42,10 @@ impl<F: Value> Physical<F> {
     }
 
     /// The machine and its drive: the given quantities and those that follow from them.
-    pub(crate) fn of_machine(machine: &Machine<F>) -> Self {
-        let Machine { oscillator, drive, scales, system, has_damper, has_static_friction, .. } = machine;
+    pub(crate) fn of_machine(given: &Given<F>, machine: &Driven<F>) -> Self {
+        let Driven { oscillator, drive, scales, .. } = machine;
         let p0 = drive.force_amplitude(oscillator);
-        let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(*system) };
+        let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(given.system) };
         let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
         let turn = F::int(2) * F::pi();
         add("frequency", Kind::Hertz, drive.angular_frequency() / turn);
@@ -54,21 +54,21 @@ impl<F: Value> Physical<F> {
         add("period", Kind::Time, turn / oscillator.natural_frequency());
         add("mass", Kind::Mass, oscillator.mass());
         add("stiffness", Kind::Stiffness, oscillator.stiffness());
-        match machine.directional_friction {
-            Some((forward, backward)) => {
+        match given.directional_friction() {
+            Ok(Some((forward, backward))) => {
                 add("friction", Kind::Force, forward);
                 add("friction_backward", Kind::Force, backward);
                 add("friction_bound", Kind::Force, oscillator.friction_bound());
             }
-            None => add("friction", Kind::Force, oscillator.friction_bound()),
+            _ => add("friction", Kind::Force, oscillator.friction_bound()),
         }
-        if let Some(coefficient) = machine.friction_coefficient {
+        if let Some(coefficient) = given.get(Input::FrictionCoefficient) {
             add("friction_coefficient", Kind::Ratio, coefficient);
         }
-        if *has_damper {
+        if given.has_role(Role::Damper) {
             add("damping", Kind::Damping, oscillator.damping());
         }
-        if *has_static_friction {
+        if given.has_role(Role::StaticFriction) {
             let ratio = oscillator.static_friction_ratio();
             add("static_friction", Kind::Force, ratio * oscillator.friction_bound());
         }
@@ -90,10 +90,10 @@ impl<F: Value> Physical<F> {
             _ => {}
         }
         add("friction_displacement", Kind::Length, scales.length);
-        if let Some(mean_force) = machine.mean_force {
+        if let Some(mean_force) = given.get(Input::MeanForce) {
             add("mean_force", Kind::Force, mean_force);
         }
-        if machine.is_shifted() {
+        if given.is_shifted() {
             add("mean_displacement", Kind::Length, scales.mean_displacement);
         }
         physical

@@ -16,7 +16,7 @@ use std::cell::RefCell;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::inputs::units::{Kind, Reader};
 use stickslip::inputs::{Given, Input, Role};
 
 /// The time after which answers are written, even if more are coming.
@@ -38,7 +38,7 @@ pub(crate) fn answered<F: Value, A, W: Write>(
     asked: AskedPoints<'_, F>,
     out: &mut W,
     answer: impl Fn(&Given<F>) -> Result<(A, Record<F>), Failure>,
-    note: impl FnOnce(&A, &System, &mut W) -> io::Result<()>,
+    note: impl FnOnce(&A, &Given<F>, &mut W) -> io::Result<()>,
 ) -> Outcome {
     if let Some(file) = &asked.output.points {
         return rows_of(file, asked, out, |given| answer(given).map(|(_, record)| record));
@@ -47,7 +47,7 @@ pub(crate) fn answered<F: Value, A, W: Write>(
     if asked.output.is_json()? {
         return output::json(&record, out);
     }
-    Ok(note(&found, &asked.given.system, out)?)
+    Ok(note(&found, &asked.given, out)?)
 }
 
 /// Answers each row of a file with the record that `answer` makes from its quantities.

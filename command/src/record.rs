@@ -5,12 +5,11 @@ mod written;
 
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::machine::Machine;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
-use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::units::Kind;
 use stickslip::inputs::{Driven, Given, Role};
 use stickslip::{Column, Excitation, Measure, NoStop, Output, Ratios, Response, When};
 
@@ -144,7 +143,7 @@ impl<F: Value> Record<F> {
     }
 
     /// Adds the machine and the answer in its units; both loop sizes are the energy of a cycle.
-    pub(crate) fn with_machine(mut self, machine: &Machine<F>) -> Self {
+    pub(crate) fn with_machine(mut self, given: &Given<F>, machine: &Driven<F>) -> Self {
         let scales = &machine.scales;
         let best = self.fields.iter().find(|(key, _)| *key == Output::BestForceRatio.definition());
         let best = match best {
@@ -152,14 +151,15 @@ impl<F: Value> Record<F> {
             _ => F::int(0),
         };
         let size = |measure| Measure::size_with(measure, scales, best, machine.oscillator.stiffness());
-        self.physical = Physical::of_machine(machine).with(&self.fields, machine.drive.excitation(), size);
+        self.physical =
+            Physical::of_machine(given, machine).with(&self.fields, machine.drive.excitation(), size);
         self
     }
 
     /// The border in the machine's units.
-    pub(crate) fn with_border(mut self, machine: &Driven<F>, system: System) -> Self {
+    pub(crate) fn with_border(mut self, given: &Given<F>, machine: &Driven<F>) -> Self {
         let frequency = Cell::Number(Some(machine.drive.angular_frequency()));
-        self.physical = Physical::of(system);
+        self.physical = Physical::of(given.system);
         self.physical.values.push(("angular_frequency", Kind::Frequency, frequency));
         let size = |measure: Measure| measure.size(&machine.scales);
         self.physical = self.physical.with(&self.fields, Excitation::Force, size);

@@ -4,13 +4,11 @@ use crate::args::{ResponseArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
-use crate::input::Point;
-use crate::machine::excitation;
 use crate::note::Note;
 use crate::record::Record;
 use crate::{enclose, input, note, points};
 use std::io::Write;
-use stickslip::inputs::Given;
+use stickslip::inputs::{Given, Point};
 use stickslip::{Response, ResponseAnswer};
 
 pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
@@ -35,8 +33,8 @@ fn respond<F: Value>(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
         let (response, record) = answer(given, &point, true)?;
         Ok(((point, response), record))
     };
-    points::answered(asked, out, answer, |(point, response), units, out| {
-        note::response(response, Note::of(point.machine.as_ref(), units, out))
+    points::answered(asked, out, answer, |(point, response), given, out| {
+        note::response(response, Note::of(given, point.machine.as_ref(), out))
     })
 }
 
@@ -47,11 +45,10 @@ pub(crate) fn answer<F: Value>(
     peaks: bool,
 ) -> Result<(Response<F>, Record<F>), Failure> {
     let response = Response::guarded(point.ratios);
-    let excitation = excitation(point.machine.as_ref());
-    let found = ResponseAnswer { response: &response, excitation, peaks };
+    let found = ResponseAnswer { response: &response, excitation: point.excitation(), peaks };
     let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
     let record = match &point.machine {
-        Some(machine) => record.with_machine(machine).finite().map_err(|e| behind_all(given, e))?,
+        Some(machine) => record.with_machine(given, machine).finite().map_err(|e| behind_all(given, e))?,
         None => record,
     };
     Ok((response, record))

@@ -6,7 +6,6 @@ use crate::failure::{Failure, Outcome};
 use crate::given;
 use crate::input;
 use crate::interrupt;
-use crate::machine::Machine;
 use crate::output::PendingFile;
 use crate::outputs::{DURATION, ENDS_BY, FRICTION, KIND, R, START_CYCLE, START_PHASE, START_V, START_X, key};
 use crate::physical::Physical;
@@ -22,8 +21,8 @@ use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use std::path::Path;
 use stickslip::Error;
-use stickslip::inputs::units::{Kind as Quantity, Reader};
-use stickslip::inputs::{Given, Input};
+use stickslip::inputs::units::{Kind as Quantity, Reader, System};
+use stickslip::inputs::{Driven, Given, Input};
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
@@ -86,7 +85,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
         None => stream(&mut sink, motion, |phase| {
             let begins = phase.start().phase;
             clock.tick(begins.cycles());
-            is_within(begins).then(|| of_phase(&phase, machine))
+            is_within(begins).then(|| of_phase(&phase, given.system, machine))
         }),
         Some(spacing) => {
             let mut samples = match spacing {
@@ -105,7 +104,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
             stream(&mut sink, samples, |instant| {
                 clock.tick(instant.state.phase.cycles());
                 left = left.checked_sub(1)?;
-                Some(of_instant(&instant, machine))
+                Some(of_instant(&instant, given.system, machine))
             })
         }
     };
@@ -182,7 +181,7 @@ struct Extent {
 impl Extent {
     fn new<F: Value>(
         args: &SimulateArgs,
-        machine: Option<&Machine<F>>,
+        machine: Option<&Driven<F>>,
         reader: &Reader,
     ) -> Result<Self, Failure> {
         // The used options make sure that there is a machine where times are given.
@@ -261,12 +260,12 @@ fn when<F: Value>(phase: DrivePhase<F>) -> (Cell<F>, Cell<F>) {
 }
 
 /// The time of a phase in the machine's units.
-fn time<F: Value>(phase: DrivePhase<F>, machine: &Machine<F>) -> F {
+fn time<F: Value>(phase: DrivePhase<F>, machine: &Driven<F>) -> F {
     let cycles = F::from_f64(phase.cycles() as f64);
     (F::int(2) * F::pi() * cycles + phase.reduced()) * machine.scales.time
 }
 
-fn of_phase<F: Value>(phase: &Segment<F>, machine: Option<&Machine<F>>) -> Record<F> {
+fn of_phase<F: Value>(phase: &Segment<F>, system: System, machine: Option<&Driven<F>>) -> Record<F> {
     let kind = match phase.kind {
         Kind::SlideForward => "slide-forward",
         Kind::SlideBackward => "slide-backward",
@@ -298,7 +297,7 @@ fn of_phase<F: Value>(phase: &Segment<F>, machine: Option<&Machine<F>>) -> Recor
     let physical = machine.map_or_else(Physical::default, |machine| {
         let scales = &machine.scales;
         Physical::beside(
-            machine.system,
+            system,
             vec![
                 ("start_time", Quantity::Time, number(time(start.phase, machine))),
                 ("end_time", Quantity::Time, Cell::Number(end.map(|e| time(e.phase, machine)))),
@@ -311,7 +310,7 @@ fn of_phase<F: Value>(phase: &Segment<F>, machine: Option<&Machine<F>>) -> Recor
     Record { fields, physical }
 }
 
-fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> Record<F> {
+fn of_instant<F: Value>(instant: &Instant<F>, system: System, machine: Option<&Driven<F>>) -> Record<F> {
     let state = instant.state;
     let (cycle, phase) = when(state.phase);
     let number = |x: F| Cell::Number(Some(x));
@@ -328,7 +327,7 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
         let friction = instant.friction * scales.force + scales.mean_friction;
         let acceleration = scales.velocity / scales.time;
         Physical::beside(
-            machine.system,
+            system,
             vec![
                 ("time", Quantity::Time, number(time(state.phase, machine))),
                 ("displacement", Quantity::Length, number(state.x * scales.length)),

@@ -7,13 +7,12 @@ use crate::bits::{Value, at_bits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::given::{self, behind_all};
-use crate::input::{self, Point};
+use crate::input;
 use crate::interrupt;
-use crate::machine::excitation;
 use crate::points;
 use crate::record::Record;
 use std::io::Write;
-use stickslip::inputs::Given;
+use stickslip::inputs::{Given, Point};
 use stickslip::motion::{LongRun, State, SteadyAnswer};
 use stickslip::{Error, Quantity};
 
@@ -39,7 +38,7 @@ fn respond<F: Value>(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
         let (limit, record) = answer(given, &point, start, args.max_periods, true)?;
         Ok(((point, limit), record))
     };
-    points::answered(asked, out, answer, |(point, limit), units, out| note(point, limit, units, out))
+    points::answered(asked, out, answer, |(point, limit), given, out| note(given, point, limit, out))
 }
 
 /// The steady state from a start, and its record.
@@ -68,11 +67,11 @@ fn of_limit<F: Value>(
     limit: &LongRun<F>,
     peaks: bool,
 ) -> Result<Record<F>, Failure> {
-    let excitation = excitation(point.machine.as_ref());
-    let found = SteadyAnswer::new(point.ratios, excitation, limit, peaks).map_err(|e| given.at_fault(&e))?;
+    let found =
+        SteadyAnswer::new(point.ratios, point.excitation(), limit, peaks).map_err(|e| given.at_fault(&e))?;
     let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
     match &point.machine {
-        Some(machine) => record.with_machine(machine).finite().map_err(|e| behind_all(given, e)),
+        Some(machine) => record.with_machine(given, machine).finite().map_err(|e| behind_all(given, e)),
         None => Ok(record),
     }
 }

@@ -23,7 +23,6 @@ mod command {
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
-    pub(crate) mod machine;
     pub(crate) mod map;
     pub(crate) mod measured;
     pub(crate) mod motion_plot;
@@ -47,8 +46,8 @@ mod command {
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
     args, attractors, axes, bits, border, columns, curve, decay, design, enclose, failure, figure, follow,
-    given, grid, input, interrupt, machine, map, measured, motion_plot, note, output, outputs, physical,
-    points, progress, record, response, resume, rows, sink, starts, steady, style, sweep,
+    given, grid, input, interrupt, map, measured, motion_plot, note, output, outputs, physical, points,
+    progress, record, response, resume, rows, sink, starts, steady, style, sweep,
 };
 use failure::Failure;
 use std::path::PathBuf;

@@ -17,7 +17,6 @@ mod command {
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
-    pub(crate) mod machine;
     pub(crate) mod note;
     pub(crate) mod output;
     pub(crate) mod outputs;
@@ -33,7 +32,7 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, bits, border, columns, enclose, failure, given, input, interrupt, machine, note, outputs, physical,
+    args, bits, border, columns, enclose, failure, given, input, interrupt, note, output, outputs, physical,
     points, progress, record, response, rows, sink, style,
 };
 use csv::{ReaderBuilder, StringRecord, Trim};

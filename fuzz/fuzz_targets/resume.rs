@@ -18,7 +18,6 @@ mod command {
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
-    pub(crate) mod machine;
     pub(crate) mod note;
     pub(crate) mod output;
     pub(crate) mod outputs;
@@ -37,8 +36,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, axes, bits, border, columns, enclose, failure, given, grid, input, interrupt, machine, note,
-    output, outputs, physical, points, progress, record, response, resume, rows, sink, steady, style, sweep,
+    args, axes, bits, border, columns, enclose, failure, given, grid, input, interrupt, note, output,
+    outputs, physical, points, progress, record, response, resume, rows, sink, steady, style, sweep,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;

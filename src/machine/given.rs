@@ -3,7 +3,7 @@
 use super::input::{Input, Naming, Role};
 use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity};
-use crate::machine::oscillator::{Drive, Oscillator, Scales};
+use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
 use crate::machine::ratios::{Ratios, positive};
 use crate::machine::units::{InputError, Reader, System, scaled};
 use alloc::borrow::ToOwned;
@@ -34,6 +34,22 @@ pub struct Driven<F> {
     /// The ratios of the answers. A ratio that is given is used as it is, without the rounding of a conversion by k
     /// and p₀.
     pub ratios: Ratios<F>,
+}
+
+/// The ratios of a problem and, in physical units, its machine.
+#[derive(Debug, Clone, Copy)]
+pub struct Point<F> {
+    /// The ratios.
+    pub ratios: Ratios<F>,
+    /// The body under its drive, if it was given.
+    pub machine: Option<Driven<F>>,
+}
+
+impl<F: Float> Point<F> {
+    /// The excitation; for ratios alone a force.
+    pub fn excitation(&self) -> Excitation {
+        self.machine.as_ref().map_or(Excitation::Force, |machine| machine.drive.excitation())
+    }
 }
 
 impl<F: Float + FromStr> Given<F> {
@@ -359,6 +375,25 @@ impl<F: Float + FromStr> Given<F> {
     /// Where the force is not finite.
     pub fn with_mean_force(&self, drive: Drive<F>) -> Result<Drive<F>, Error> {
         self.get(Input::MeanForce).map_or(Ok(drive), |force| drive.with_mean_force(force))
+    }
+
+    /// The machine, or the ratios alone.
+    ///
+    /// # Errors
+    /// As for [`Given::driven`].
+    pub fn point(&self) -> Result<Point<F>, InputError> {
+        if self.is_physical() {
+            let machine = self.driven()?;
+            return Ok(Point { ratios: machine.ratios, machine: Some(machine) });
+        }
+        let ratios = Ratios::new(self.required(Input::Omega)?, self.required(Input::Alpha)?);
+        let ratios = self.completed(ratios.map_err(|e| self.at_fault(&e))?)?;
+        Ok(Point { ratios, machine: None })
+    }
+
+    /// Whether a constant force or backward friction was given, which shift the motion.
+    pub fn is_shifted(&self) -> bool {
+        self.has(Input::MeanForce) || self.has(Input::FrictionBackward)
     }
 
     /// The machine.

@@ -1,9 +1,9 @@
 //! The answer at one point: the verdicts, the closed forms, the steady state, and the machine in its units.
 
-use crate::asked::{Asked, Point, point};
+use crate::asked::Asked;
 use serde_json::{Map, Value, json};
 use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input, Role};
+use stickslip::inputs::{Given, Input, Point, Role};
 use stickslip::motion::{LongRun, State, SteadyAnswer};
 use stickslip::words::{self, digits};
 use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAnswer, When};
@@ -11,7 +11,7 @@ use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAn
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
     let given = asked.given(&asked.reader()?)?;
-    let point = point(&given)?;
+    let point = given.point()?;
     let named = |e: stickslip::Error| String::from(given.at_fault(&e));
     let response = Response::guarded(point.ratios);
     let excitation = point.excitation();
@@ -46,7 +46,7 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
 }
 
 /// A displacement in words.
-pub(crate) fn length(x: f64, point: &Point, system: &System) -> String {
+pub(crate) fn length(x: f64, point: &Point<f64>, system: &System) -> String {
     match point.machine {
         Some(machine) => {
             format!("{} B = {} {}", digits(x), digits(x * machine.scales.length), system.length())
@@ -56,19 +56,18 @@ pub(crate) fn length(x: f64, point: &Point, system: &System) -> String {
 }
 
 /// The meaning of the displacement: of a moving base, and of a shifted motion.
-fn notes(given: &Given<f64>, point: &Point) -> Vec<String> {
+fn notes(given: &Given<f64>, point: &Point<f64>) -> Vec<String> {
     let Some(machine) = &point.machine else { return Vec::new() };
     let base = words::base_motion(machine.drive.excitation()).map(|base| format!("Base motion {base}."));
-    let is_shifted = given.has(Input::MeanForce) || given.has(Input::FrictionBackward);
     let mean = digits(machine.scales.mean_displacement);
-    let shifted = is_shifted.then(|| {
+    let shifted = given.is_shifted().then(|| {
         format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())
     });
     base.into_iter().chain(shifted).collect()
 }
 
 /// The value of each kind of input that the machine could be given by instead.
-fn kinds(point: &Point, system: &System) -> Value {
+fn kinds(point: &Point<f64>, system: &System) -> Value {
     let Some(machine) = &point.machine else { return Value::Null };
     let (body, drive) = (&machine.oscillator, &machine.drive);
     let weight = body.mass() * system.gravity::<f64>();
@@ -99,7 +98,7 @@ fn kinds(point: &Point, system: &System) -> Value {
 }
 
 /// The quantities of a machine that follow from its inputs.
-fn machine(point: &Point, system: &System) -> Value {
+fn machine(point: &Point<f64>, system: &System) -> Value {
     let Some(machine) = &point.machine else { return Value::Null };
     let (body, drive) = (&machine.oscillator, &machine.drive);
     let turn = 2.0 * std::f64::consts::PI;
@@ -126,7 +125,7 @@ fn machine(point: &Point, system: &System) -> Value {
 /// The values of an answer, with those in the machine's units.
 struct Values<'a> {
     given: &'a Given<f64>,
-    point: &'a Point,
+    point: &'a Point<f64>,
     /// The force ratio of the largest loop.
     best: f64,
 }

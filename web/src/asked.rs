@@ -2,27 +2,14 @@
 
 use serde_json::Value;
 use stickslip::inputs::units::{Reader, System};
-use stickslip::inputs::{Driven, Given, Input, Naming};
-use stickslip::{Error, Excitation, Ratios};
+use stickslip::inputs::{Given, Input, Naming, Point};
 
 /// A question as the page asks it.
 pub struct Asked<'a>(pub(crate) &'a Value);
 
-/// The ratios of a question and, if it has one, the machine.
-pub(crate) struct Point {
-    pub(crate) ratios: Ratios<f64>,
-    pub(crate) machine: Option<Driven<f64>>,
-}
-
-impl Point {
-    pub(crate) fn excitation(&self) -> Excitation {
-        self.machine.map_or(Excitation::Force, |machine| machine.drive.excitation())
-    }
-
-    /// The size of B, or 1 for ratios.
-    pub(crate) fn length(&self) -> f64 {
-        self.machine.map_or(1.0, |machine| machine.scales.length)
-    }
+/// The size of B, or 1 for ratios.
+pub(crate) fn length(point: &Point<f64>) -> f64 {
+    point.machine.map_or(1.0, |machine| machine.scales.length)
 }
 
 impl Asked<'_> {
@@ -67,15 +54,4 @@ impl Asked<'_> {
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.0.get(name).and_then(Value::as_str).filter(|text| !text.trim().is_empty())
     }
-}
-
-/// The ratios and the machine of the given inputs.
-pub(crate) fn point(given: &Given<f64>) -> Result<Point, String> {
-    if given.is_physical() {
-        let machine = given.driven()?;
-        return Ok(Point { ratios: machine.ratios, machine: Some(machine) });
-    }
-    let named = |e: Error| String::from(given.at_fault(&e));
-    let ratios = Ratios::new(given.required(Input::Omega)?, given.required(Input::Alpha)?).map_err(named)?;
-    Ok(Point { ratios: given.completed(ratios)?, machine: None })
 }

@@ -1,6 +1,6 @@
 //! The response curve: the greatest displacement over the frequency, stops included, and that of the border.
 
-use crate::asked::{Asked, point};
+use crate::asked::{Asked, length};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use stickslip::inputs::Input;
@@ -13,7 +13,7 @@ const MOST: u64 = 5000;
 /// The curve from `from` to `to` times the natural frequency, at equal ratios, and finer beside the natural frequency.
 pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let given = asked.given(&asked.reader()?)?;
-    let here = point(&given)?;
+    let here = given.point()?;
     let (from, to) = (asked.number("from", 0.1), asked.number("to", 4.0));
     if !(from > 0.0 && from < to && to.is_finite()) {
         return Err(format!("from {from} to {to}: must be > 0, and the lower end < the upper end"));
@@ -41,14 +41,14 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
             None => given.set(Input::Omega, omega),
         }
         // Outside the range of the arithmetic there is no point.
-        let Ok(there) = point(&given) else { continue };
+        let Ok(there) = given.point() else { continue };
         let found = Amplitude::Displacement.of(there.ratios, there.excitation());
         let (value, regime) = found.map_or((None, None), |found| (found.value, found.regime));
         kept.push(omega);
         frequencies.push(there.machine.map_or(omega, |machine| machine.drive.angular_frequency() / TAU));
-        values.push(value.map(|x| x * there.length()));
+        values.push(value.map(|x| x * length(&there)));
         regimes.push(regime.map_or("undecided", Regime::name));
-        borders.push(Border::of(&there.ratios).min_displacement * there.length());
+        borders.push(Border::of(&there.ratios).min_displacement * length(&there));
     }
     let natural = here.machine.map_or(1.0, |machine| machine.oscillator.natural_frequency() / TAU);
     Ok(json!({

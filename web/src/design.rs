@@ -1,6 +1,6 @@
 //! The answers to design: the least force, the greatest friction, and the friction that dissipates most.
 
-use crate::asked::{Asked, point};
+use crate::asked::Asked;
 use serde_json::{Value, json};
 use stickslip::design;
 use stickslip::inputs::Input;
@@ -20,7 +20,7 @@ fn row(name: &str, found: Result<f64, Error>, unit: &str) -> Value {
 /// rest, and every start have forces of their own.
 pub(crate) fn design(asked: &Asked<'_>) -> Result<Value, String> {
     let given = asked.given(&asked.reader()?)?;
-    let point = point(&given)?;
+    let point = given.point()?;
     let ratios = &point.ratios;
     let least = Border::of(ratios).min_force_ratio;
     let (force, size) = match &point.machine {

@@ -1,6 +1,6 @@
 //! The motion over a cycle of its steady state, or from rest where there is none.
 
-use crate::asked::{Asked, point};
+use crate::asked::Asked;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use stickslip::Error;
@@ -13,7 +13,7 @@ const MOST_TURNS: u32 = 8;
 /// Samples of the motion, `count` in a turn of the drive: of its cycle, or of the first turns from rest.
 pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
     let given = asked.given(&asked.reader()?)?;
-    let point = point(&given)?;
+    let point = given.point()?;
     let named = |e: Error| String::from(given.at_fault(&e));
     let start = State::default();
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;

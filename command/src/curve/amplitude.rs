@@ -3,9 +3,8 @@
 use super::AskedCurve;
 use crate::args::CurveQuantity;
 use crate::failure::Failure;
-use crate::input::Point;
-use crate::machine::excitation;
 use stickslip::Regime;
+use stickslip::inputs::Point;
 use stickslip::inputs::units::Kind;
 use stickslip::motion::Amplitude;
 
@@ -58,9 +57,9 @@ impl AskedCurve {
     /// the regime by name, and whether the body sticks.
     pub(super) fn value(&self, point: &Point<f64>) -> Result<(Option<f64>, &'static str, bool), Failure> {
         let Shown { amplitude, kind, power, .. } = shown(self.what);
-        let excitation = excitation(point.machine.as_ref());
-        let found =
-            amplitude.of(point.ratios, excitation).map_err(|e| format!("{}: {e}", self.axis.option()))?;
+        let found = amplitude
+            .of(point.ratios, point.excitation())
+            .map_err(|e| format!("{}: {e}", self.axis.option()))?;
         let in_units = |x: f64| match &point.machine {
             _ if kind == Kind::Ratio => x,
             Some(machine) => x * amplitude.unit(&machine.scales),

@@ -3,8 +3,8 @@
 use super::BORDER_POINTS;
 use super::{Map, Quantity};
 use crate::failure::Failure;
-use crate::input::{self, Point};
-use stickslip::inputs::{Given, Input};
+use crate::input;
+use stickslip::inputs::{Given, Input, Point};
 use stickslip::{Regime, Response};
 
 /// The narrowest column beside resonance, as a part of the axis: a pixel.

@@ -1,28 +1,26 @@
 //! The note on a steady state.
 
 use crate::bits::{Value, digits};
-use crate::input::Point;
-use crate::machine::Machine;
 use crate::note::{Note, decay, measured_from};
 use crate::style;
 use std::io::{self, Write};
-use stickslip::inputs::units::System;
+use stickslip::inputs::{Given, Point};
 use stickslip::motion::{LongRun, Peaks, SteadyState};
 use stickslip::words;
 use stickslip::{Excitation, Measure, Ratios};
 
 /// The answer as a note.
 pub(super) fn note<F: Value>(
+    given: &Given<F>,
     point: &Point<F>,
     limit: &LongRun<F>,
-    units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let mut note = Note::of(point.machine.as_ref(), units, out);
+    let mut note = Note::of(given, point.machine.as_ref(), out);
     if let Some(base) = note.machine.and_then(|m| words::base_motion(m.drive.excitation())) {
         writeln!(note.out, "Base motion {base}.")?;
     }
-    measured_from(note.machine, note.out)?;
+    measured_from(given, note.machine, note.out)?;
     let length = |x| note.both(Measure::Length, x).split_whitespace().collect::<Vec<_>>().join(" ");
     let verdict = words::limit(point.ratios, limit, length, " Allow more with --max-periods.");
     let verdict = style::verdict(&verdict);
@@ -63,7 +61,7 @@ fn motion<F: Value>(
         peaks(&found, ratios, note)?;
     }
     note.line("velocity zeros in a cycle", steady.velocity_zeros_per_cycle)?;
-    let has_damped_foot = note.machine.is_some_and(Machine::has_damped_foot);
+    let has_damped_foot = note.has_damped_foot();
     if !has_damped_foot {
         note.number("work of the drive", Measure::Work, steady.energy_in)?;
     }
