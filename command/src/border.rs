@@ -3,10 +3,11 @@
 use crate::args::{BorderArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
-use crate::given::{self, behind_all};
 use crate::note::Note;
+use crate::physical::Physical;
+use crate::points::AskedPoints;
 use crate::record::Record;
-use crate::{enclose, input, note, points};
+use crate::{enclose, note};
 use std::io::Write;
 use stickslip::inputs::{Given, Point};
 use stickslip::{Error, Ratios, Response};
@@ -20,7 +21,7 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
 }
 
 /// The answer at a point, with the forces without a stop if requested, and its record.
-type BorderAnswer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
+type BorderAnswer<F> = ((Response<F>, Option<NoStop<F>>), Record<F>);
 
 /// The forces without any stop; they are unknown for a static friction above the kinetic one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
@@ -45,25 +46,19 @@ pub(crate) fn record<F: Value>(
     if let Some(found) = &found {
         record = record.with_no_stop(found);
     }
-    let record = match &point.machine {
-        Some(machine) => record.with_border(given, machine).finite().map_err(|e| behind_all(given, e))?,
-        None => record,
-    };
-    Ok((answer, found, record))
+    let record = record.in_units(given, point, Physical::of_border)?;
+    Ok(((answer, found), record))
 }
 
 fn respond<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
-    let reader = args.output.units.reader();
-    let given = given::read::<F>(&args.machine, &reader)?;
-    let asked =
-        points::AskedPoints { command: "border", output: &args.output, reader: &reader, given, start: None };
-    let answer = |given: &Given<F>| {
-        let point = input::border_point(given)?;
-        let (answer, found, record) = record(given, &point, args.no_stop)?;
-        Ok(((point, answer, found), record))
-    };
-    points::answered(asked, out, answer, |(point, answer, found), given, out| {
-        let scales = point.machine.as_ref().map(|machine| &machine.scales);
-        note::border(answer, found.as_ref(), Note { given, machine: None, scales, out })
-    })
+    let asked = AskedPoints { question: Swept::Border, output: &args.output, start: None };
+    asked.answered(
+        &args.machine,
+        out,
+        |given: &Given<F>, point, _| record(given, point, args.no_stop),
+        |point, (answer, found), given, out| {
+            let scales = point.machine.as_ref().map(|machine| &machine.scales);
+            note::border(answer, found.as_ref(), Note { given, machine: None, scales, out })
+        },
+    )
 }

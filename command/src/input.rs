@@ -1,6 +1,6 @@
 //! From the arguments to the ratios and, if given, the machine.
 
-use crate::args::StartArgs;
+use crate::args::{StartArgs, Swept};
 use crate::bits::Value;
 use crate::failure::Failure;
 use stickslip::inputs::units::{self, Kind, Reader};
@@ -16,6 +16,27 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
         return Err(text.into());
     }
     Ok(given.point()?)
+}
+
+/// Ω of `--omega` at α = 1, or the machine under a force of r_y.
+fn border_point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
+    let named = |e: Error| given.at_fault(&e);
+    if given.is_empty() {
+        let text = "--omega is missing. Give it, or a machine: --mass, --stiffness (or --period), --friction (or \
+                    --friction-coefficient) and --frequency";
+        return Err(text.into());
+    }
+    if !given.is_physical() {
+        let ratios = Ratios::new(given.required(Input::Omega)?, F::int(1)).map_err(named)?;
+        return Ok(Point { ratios: given.completed(ratios)?, machine: None });
+    }
+    let machine = given.on_border()?;
+    Ok(Point { ratios: machine.ratios, machine: Some(machine) })
+}
+
+/// The problem of a question.
+pub(crate) fn problem<F: Value>(question: Swept, given: &Given<F>) -> Result<Point<F>, Failure> {
+    if question == Swept::Border { border_point(given) } else { point(given) }
 }
 
 /// The state at ω_d t = 0 given by `--x0` and `--v0`, or by a row of a file, in the units of the point.
@@ -60,22 +81,6 @@ pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failur
         Ok(n) if (1..=greatest).contains(&n) => Ok(n),
         _ => Err(format!("{name} {text}: must be a whole number ≥ 1 and ≤ {greatest}").into()),
     }
-}
-
-/// Ω of `--omega` at α = 1, or the machine under a force of r_y.
-pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
-    let named = |e: Error| given.at_fault(&e);
-    if given.is_empty() {
-        let text = "--omega is missing. Give it, or a machine: --mass, --stiffness (or --period), --friction (or \
-                    --friction-coefficient) and --frequency";
-        return Err(text.into());
-    }
-    if !given.is_physical() {
-        let ratios = Ratios::new(given.required(Input::Omega)?, F::int(1)).map_err(named)?;
-        return Ok(Point { ratios: given.completed(ratios)?, machine: None });
-    }
-    let machine = given.on_border()?;
-    Ok(Point { ratios: machine.ratios, machine: Some(machine) })
 }
 
 /// A typed number.

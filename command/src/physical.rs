@@ -99,6 +99,12 @@ impl<F: Value> Physical<F> {
         physical
     }
 
+    /// The frequency of a border.
+    pub(crate) fn of_border(given: &Given<F>, machine: &Driven<F>) -> Self {
+        let frequency = Cell::Number(Some(machine.drive.angular_frequency()));
+        Self { values: vec![("angular_frequency", Kind::Frequency, frequency)], ..Self::of(given.system) }
+    }
+
     /// Adds each number of `fields` that has a name under this excitation, with the size of its unit.
     pub(crate) fn with(
         mut self,

@@ -1,9 +1,11 @@
 //! The answer to one point, or to many from a file or standard input, row by row in bounded memory.
 
-use crate::args::{Format, Header, OutputArgs, StartArgs, used};
+use crate::args::{Format, Header, OutputArgs, StartArgs, Swept, used};
 use crate::bits::Value;
 use crate::columns::{Column, is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
+use crate::given;
+use crate::input;
 use crate::interrupt;
 use crate::output;
 use crate::outputs;
@@ -17,37 +19,45 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role};
+use stickslip::inputs::{Given, Input, Point, Role};
 
 /// The time after which answers are written, even if more are coming.
 const UNSEEN: Duration = Duration::from_millis(10);
 
 /// The request for one point, or for a file of points.
-pub(crate) struct AskedPoints<'a, F> {
-    pub(crate) command: &'static str,
+pub(crate) struct AskedPoints<'a> {
+    pub(crate) question: Swept,
     pub(crate) output: &'a OutputArgs,
-    pub(crate) reader: &'a Reader,
-    /// The quantities of the arguments, which all rows share.
-    pub(crate) given: Given<F>,
     /// The arguments of the start, if the command has one.
     pub(crate) start: Option<&'a StartArgs>,
 }
 
-/// Answers the point of the arguments, in words by `note` or by its record, or with `--points` each row of the file.
-pub(crate) fn answered<F: Value, A, W: Write>(
-    asked: AskedPoints<'_, F>,
-    out: &mut W,
-    answer: impl Fn(&Given<F>) -> Result<(A, Record<F>), Failure>,
-    note: impl FnOnce(&A, &Given<F>, &mut W) -> io::Result<()>,
-) -> Outcome {
-    if let Some(file) = &asked.output.points {
-        return rows_of(file, asked, out, |given| answer(given).map(|(_, record)| record));
+impl AskedPoints<'_> {
+    /// Answers the point of the arguments, in words by `note` or by its record, or with `--points` each row of the file.
+    pub(crate) fn answered<F: Value, A, W: Write>(
+        &self,
+        machine: &[(Input, String)],
+        out: &mut W,
+        answer: impl Fn(&Given<F>, &Point<F>, &Reader) -> Result<(A, Record<F>), Failure>,
+        note: impl FnOnce(&Point<F>, &A, &Given<F>, &mut W) -> io::Result<()>,
+    ) -> Outcome {
+        let reader = self.output.units.reader();
+        let given = given::read::<F>(machine, &reader)?;
+        let answer = |given: &Given<F>| {
+            let point = input::problem(self.question, given)?;
+            answer(given, &point, &reader).map(|found| (point, found))
+        };
+        if let Some(file) = &self.output.points {
+            return rows_of(file, self, (given, &reader), out, |given| {
+                answer(given).map(|(_, (_, record))| record)
+            });
+        }
+        let (point, (found, record)) = answer(&given)?;
+        if self.output.is_json()? {
+            return output::json(&record, out);
+        }
+        Ok(note(&point, &found, &given, out)?)
     }
-    let (found, record) = answer(&asked.given)?;
-    if asked.output.is_json()? {
-        return output::json(&record, out);
-    }
-    Ok(note(&found, &asked.given, out)?)
 }
 
 /// Answers each row of a file with the record that `answer` makes from its quantities.
@@ -56,7 +66,8 @@ pub(crate) fn answered<F: Value, A, W: Write>(
 /// line and the value.
 fn rows_of<F: Value>(
     file: &Path,
-    asked: AskedPoints<'_, F>,
+    asked: &AskedPoints<'_>,
+    given: (Given<F>, &Reader),
     out: &mut impl Write,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
@@ -72,23 +83,23 @@ fn rows_of<F: Value>(
     });
     let ahead = Ahead::default();
     let source = FlushFirst { source: Bounded { source, ahead: &ahead }, sink: &sink };
-    let outcome = answer_all(source, &ahead, &name, asked, &sink, answer);
+    let outcome = answer_all((source, &ahead), &name, asked, given, &sink, answer);
     sink.borrow_mut().flush()?;
     outcome
 }
 
 fn answer_all<F: Value, W: Write>(
-    source: impl Read,
-    ahead: &Ahead,
+    (source, ahead): (impl Read, &Ahead),
     name: &str,
-    asked: AskedPoints<'_, F>,
+    asked: &AskedPoints<'_>,
+    (mut given, units): (Given<F>, &Reader),
     sink: &RefCell<Sink<W>>,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
     let (mut table, header) = rows::table(source, name)?;
-    let used = used::columns(asked.command);
-    let (columns, is_machine) = columns(&header, name, &used, &asked)?;
-    let AskedPoints { mut given, reader: units, output, .. } = asked;
+    let used = used::columns(asked.question.command());
+    let (columns, is_machine) = columns(&header, name, &used, (&given, units, asked.start))?;
+    let output = asked.output;
     let has = |p: Input| given.has(p) || columns.iter().any(|(own, _)| *own == p);
     let needed = if is_machine { of_a_machine() } else { vec![vec![Input::Omega], vec![Input::Alpha]] };
     let mut needed = needed.into_iter().filter(|several| several.iter().any(|p| used.contains(p)));
@@ -153,9 +164,8 @@ fn columns<F: Value>(
     header: &StringRecord,
     name: &str,
     used: &[Input],
-    asked: &AskedPoints<'_, F>,
+    (given, reader, start): (&Given<F>, &Reader, Option<&StartArgs>),
 ) -> Result<(Vec<(Input, Column)>, bool), Failure> {
-    let AskedPoints { given, reader, start, .. } = asked;
     let known = || used.iter().copied();
     let is_typed = |p: Input| given.has(p) || start.is_some_and(|start| start.text(p).is_some());
     let (mut found, mut unread): (Vec<(Input, _)>, Vec<&str>) = (Vec::new(), Vec::new());

@@ -5,13 +5,13 @@ mod written;
 
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
+use crate::given::behind_all;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
-use stickslip::inputs::units::Kind;
-use stickslip::inputs::{Driven, Given, Role};
-use stickslip::{Column, Excitation, Measure, NoStop, Output, Ratios, Response, When};
+use stickslip::inputs::{Driven, Given, Point, Role};
+use stickslip::{Column, Measure, NoStop, Output, Ratios, Response, When};
 
 pub(crate) use cell::Cell;
 
@@ -142,28 +142,24 @@ impl<F: Value> Record<F> {
         Cell::Intervals([intervals.next(), intervals.next()])
     }
 
-    /// Adds the machine and the answer in its units; both loop sizes are the energy of a cycle.
-    pub(crate) fn with_machine(mut self, given: &Given<F>, machine: &Driven<F>) -> Self {
-        let scales = &machine.scales;
+    /// The record with the answer in the units of the machine, if there is one, behind its own quantities; both loop
+    /// sizes are the energy of a cycle.
+    pub(crate) fn in_units(
+        mut self,
+        given: &Given<F>,
+        point: &Point<F>,
+        physical: fn(&Given<F>, &Driven<F>) -> Physical<F>,
+    ) -> Result<Self, Failure> {
+        let Some(machine) = &point.machine else { return Ok(self) };
         let best = self.fields.iter().find(|(key, _)| *key == Output::BestForceRatio.definition());
         let best = match best {
             Some((_, Cell::Number(Some(ratio)))) => *ratio,
             _ => F::int(0),
         };
-        let size = |measure| Measure::size_with(measure, scales, best, machine.oscillator.stiffness());
-        self.physical =
-            Physical::of_machine(given, machine).with(&self.fields, machine.drive.excitation(), size);
-        self
-    }
-
-    /// The border in the machine's units.
-    pub(crate) fn with_border(mut self, given: &Given<F>, machine: &Driven<F>) -> Self {
-        let frequency = Cell::Number(Some(machine.drive.angular_frequency()));
-        self.physical = Physical::of(given.system);
-        self.physical.values.push(("angular_frequency", Kind::Frequency, frequency));
-        let size = |measure: Measure| measure.size(&machine.scales);
-        self.physical = self.physical.with(&self.fields, Excitation::Force, size);
-        self
+        let stiffness = machine.oscillator.stiffness();
+        let size = |measure| Measure::size_with(measure, &machine.scales, best, stiffness);
+        self.physical = physical(given, machine).with(&self.fields, machine.drive.excitation(), size);
+        self.finite().map_err(|e| behind_all(given, e))
     }
 
     /// The record, if all its numbers are finite. In units that are too small a motion overflows to infinity,

@@ -3,10 +3,11 @@
 use crate::args::{ResponseArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
-use crate::given::{self, behind_all};
 use crate::note::Note;
+use crate::physical::Physical;
+use crate::points::AskedPoints;
 use crate::record::Record;
-use crate::{enclose, input, note, points};
+use crate::{enclose, note};
 use std::io::Write;
 use stickslip::inputs::{Given, Point};
 use stickslip::{Response, ResponseAnswer};
@@ -19,23 +20,13 @@ pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn respond<F: Value>(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
-    let reader = args.output.units.reader();
-    let given = given::read::<F>(&args.machine, &reader)?;
-    let asked = points::AskedPoints {
-        command: "response",
-        output: &args.output,
-        reader: &reader,
-        given,
-        start: None,
-    };
-    let answer = |given: &Given<F>| {
-        let point = input::point(given)?;
-        let (response, record) = answer(given, &point, true)?;
-        Ok(((point, response), record))
-    };
-    points::answered(asked, out, answer, |(point, response), given, out| {
-        note::response(response, Note::of(given, point.machine.as_ref(), out))
-    })
+    let asked = AskedPoints { question: Swept::Response, output: &args.output, start: None };
+    asked.answered(
+        &args.machine,
+        out,
+        |given: &Given<F>, point, _| answer(given, point, true),
+        |point, response, given, out| note::response(response, Note::of(given, point.machine.as_ref(), out)),
+    )
 }
 
 /// The response at a point, and its record.
@@ -47,9 +38,6 @@ pub(crate) fn answer<F: Value>(
     let response = Response::guarded(point.ratios);
     let found = ResponseAnswer { response: &response, excitation: point.excitation(), peaks };
     let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
-    let record = match &point.machine {
-        Some(machine) => record.with_machine(given, machine).finite().map_err(|e| behind_all(given, e))?,
-        None => record,
-    };
+    let record = record.in_units(given, point, Physical::of_machine)?;
     Ok((response, record))
 }

@@ -6,12 +6,13 @@ use crate::args::{SteadyArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
-use crate::given::{self, behind_all};
 use crate::input;
 use crate::interrupt;
-use crate::points;
+use crate::physical::Physical;
+use crate::points::AskedPoints;
 use crate::record::Record;
 use std::io::Write;
+use stickslip::inputs::units::Reader;
 use stickslip::inputs::{Given, Point};
 use stickslip::motion::{LongRun, State, SteadyAnswer};
 use stickslip::{Error, Quantity};
@@ -27,18 +28,12 @@ pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
 
 fn respond<F: Value>(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     input::periods(args.max_periods)?;
-    let reader = args.output.units.reader();
-    let given = given::read::<F>(&args.machine, &reader)?;
-    let start = Some(&args.start);
-    let asked =
-        points::AskedPoints { command: "steady", output: &args.output, reader: &reader, given, start };
-    let answer = |given: &Given<F>| {
-        let point = input::point(given)?;
-        let start = input::start(&args.start, given, point.machine.as_ref(), &reader)?;
-        let (limit, record) = answer(given, &point, start, args.max_periods, true)?;
-        Ok(((point, limit), record))
+    let asked = AskedPoints { question: Swept::Steady, output: &args.output, start: Some(&args.start) };
+    let answer = |given: &Given<F>, point: &Point<F>, reader: &Reader| {
+        let start = input::start(&args.start, given, point.machine.as_ref(), reader)?;
+        answer(given, point, start, args.max_periods, true)
     };
-    points::answered(asked, out, answer, |(point, limit), given, out| note(given, point, limit, out))
+    asked.answered(&args.machine, out, answer, |point, limit, given, out| note(given, point, limit, out))
 }
 
 /// The steady state from a start, and its record.
@@ -70,10 +65,7 @@ fn of_limit<F: Value>(
     let found =
         SteadyAnswer::new(point.ratios, point.excitation(), limit, peaks).map_err(|e| given.at_fault(&e))?;
     let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
-    match &point.machine {
-        Some(machine) => record.with_machine(given, machine).finite().map_err(|e| behind_all(given, e)),
-        None => Ok(record),
-    }
+    record.in_units(given, point, Physical::of_machine)
 }
 
 /// The failure, preceded by the argument for which the exact motion cannot be computed.

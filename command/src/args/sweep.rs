@@ -12,6 +12,17 @@ pub(crate) enum Swept {
     Border,
 }
 
+impl Swept {
+    /// The command with these answers.
+    pub(crate) const fn command(self) -> &'static str {
+        match self {
+            Self::Response => "response",
+            Self::Steady => "steady",
+            Self::Border => "border",
+        }
+    }
+}
+
 /// How the rows are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SweepFormat {

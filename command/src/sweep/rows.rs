@@ -88,15 +88,6 @@ impl<F: Value> SweepRows<F> {
         })
     }
 
-    fn ratios(&self, point: u64) -> Result<(F, F), Failure> {
-        let given = self.axes.given_at(point);
-        let ratios = match self.question {
-            Swept::Border => input::border_point(&given)?.ratios,
-            Swept::Response | Swept::Steady => input::point(&given)?.ratios,
-        };
-        Ok((ratios.omega(), ratios.alpha()))
-    }
-
     /// The requested columns of a row, in the given order.
     fn alone(&self, point: u64) -> Result<Record<F>, Failure> {
         let record = self.full_record(point)?;
@@ -154,8 +145,9 @@ impl<F: Value> Table for SweepRows<F> {
 
     /// Whether the Ω and α in a written row, if the row contains them, are those of a point of the grid.
     fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure> {
-        let (omega, alpha) = self.ratios(point)?;
-        let due = [Some((OMEGA, omega)), (self.question != Swept::Border).then_some((ALPHA, alpha))];
+        let ratios = input::problem(self.question, &self.axes.given_at(point))?.ratios;
+        let alpha = (self.question != Swept::Border).then_some((ALPHA, ratios.alpha()));
+        let due = [Some((OMEGA, ratios.omega())), alpha];
         // The object `{"omega":0.5}` as a member of the row.
         let inner = |text: &[u8]| text.strip_prefix(b"{")?.strip_suffix(b"}").map(<[u8]>::to_vec);
         let line = line.trim_ascii_end();
@@ -179,12 +171,11 @@ impl<F: Value> Table for SweepRows<F> {
 
 /// The answer of the command with this name for the given quantities.
 pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Record<F>, Failure> {
+    let point = input::problem(question, given)?;
     Ok(match question {
-        Swept::Response => response::answer(given, &input::point(given)?, peaks)?.1,
-        Swept::Steady => {
-            steady::answer(given, &input::point(given)?, State::default(), DEFAULT_BUDGET, peaks)?.1
-        }
-        Swept::Border => border::record(given, &input::border_point(given)?, false)?.2,
+        Swept::Response => response::answer(given, &point, peaks)?.1,
+        Swept::Steady => steady::answer(given, &point, State::default(), DEFAULT_BUDGET, peaks)?.1,
+        Swept::Border => border::record(given, &point, false)?.1,
     })
 }
 
@@ -203,12 +194,11 @@ pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
     {
         return Err(format!("{}: must be left out, because a border has none", drive.option()).into());
     }
-    axes.at_ends(|given| match question {
-        Swept::Border => input::border_point(given).map(|_| ()),
-        Swept::Response => input::point(given).map(|_| ()),
-        Swept::Steady => {
-            let ratios = input::point(given)?.ratios;
-            Trajectory::new(ratios, State::default()).map(|_| ()).map_err(|e| given.at_fault(&e).into())
+    axes.at_ends(|given| {
+        let ratios = input::problem(question, given)?.ratios;
+        if question == Swept::Steady {
+            Trajectory::new(ratios, State::default()).map_err(|e| given.at_fault(&e))?;
         }
+        Ok(())
     })
 }
