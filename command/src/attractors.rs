@@ -6,7 +6,6 @@ use crate::args::{AttractorsArgs, Format, Header};
 use crate::bits::digits;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
-use crate::given;
 use crate::input;
 use crate::note::{both, decay, line, measured_from};
 use crate::output;
@@ -36,7 +35,7 @@ pub(crate) fn run(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
 fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
     let periods = input::periods(args.max_periods)?;
     let count = input::count("--starts", &args.starts, MOST_STARTS)?;
-    let given = given::read::<F>(&args.machine, &args.units.reader())?;
+    let given = input::read::<F>(&args.machine, &args.units.reader())?;
     let point = input::point(&given)?;
     let reach = reach(args.reach.as_deref(), &point.ratios)?;
     let at = |number| start(number, reach);

@@ -6,7 +6,6 @@ use crate::bits::digits;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::given;
 use crate::grid::Grid;
 use crate::input;
 use crate::starts::Starts;
@@ -55,7 +54,7 @@ impl<F: Value> Basins<F> {
     fn new(args: &BasinsArgs) -> Result<Self, Failure> {
         let periods = input::periods(args.max_periods)?;
         let reader = args.units.reader();
-        let given = given::read::<F>(&args.machine, &reader)?;
+        let given = input::read::<F>(&args.machine, &reader)?;
         let point = input::point(&given)?;
         let scales = point.machine.as_ref().map(|m| m.scales);
         let reach: F = reach(None, &point.ratios)?;
@@ -71,7 +70,7 @@ impl<F: Value> Basins<F> {
             };
             let unit = if scales.is_some() { given.system.name(kind) } else { symbol.to_owned() };
             let name = option.trim_start_matches('-');
-            let displacement = given::displacement(&given);
+            let displacement = input::displacement(&given);
             let what = if name == "x0" { displacement } else { "velocity" };
             let (label, column) = (format!("{what} at the start ({unit})"), format!("{name}[{unit}]"));
             Ok::<_, Failure>(Axed { grid, scale, label, column })
@@ -89,7 +88,7 @@ impl<F: Value> Basins<F> {
                 .map_err(|e| Failure::Input(format!("--x0 {place}, --v0 {speed}: {e}")))
         };
         let all = Starts { ratios: point.ratios, count, at: start, periods }.limits(&given, &args.rows)?;
-        let machine = given::line(&args.machine, |_| true, &given.system);
+        let machine = input::line(&args.machine, |_| true, &given.system);
         Ok(Self { x, v, all, machine })
     }
 

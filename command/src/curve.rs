@@ -7,9 +7,8 @@ use crate::args::{CurveArgs, CurveQuantity};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::figure::{self, Target};
-use crate::given::{self, behind_all, in_symbols, line};
 use crate::grid::Grid;
-use crate::input;
+use crate::input::{self, behind_all, in_symbols, line};
 use crate::interrupt;
 use crate::map::margin;
 use crate::record::Cell;
@@ -176,7 +175,7 @@ impl AskedCurve {
         frictions: [f64; 3],
         reader: &Reader,
     ) -> Result<Self, Failure> {
-        let given = given::read::<f64>(machine, reader)?;
+        let given = input::read::<f64>(machine, reader)?;
         let grid = Grid::with_units("--over", &format!("{over}:200:log"), reader, Kind::Frequency)?;
         let system = reader.system();
         // A legend has no room for all digits.

@@ -4,7 +4,7 @@ use crate::args::DecayArgs;
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::given;
+use crate::input;
 use crate::motion_plot::axis;
 use crate::note::{self, both, line};
 use crate::output;
@@ -42,7 +42,7 @@ struct Frictions<F> {
 
 fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let reader = args.units.reader();
-    let given = given::read::<F>(&args.machine, &reader)?;
+    let given = input::read::<F>(&args.machine, &reader)?;
     let (scales, frictions) = body(&given)?;
     let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
     let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
@@ -151,7 +151,7 @@ fn write_file<F: Value>(
         if decay.half_cycles > MOST_DRAWN {
             return Err(refused(MOST_DRAWN));
         }
-        let machine = given::line(&args.machine, |_| true, &args.units.reader().system());
+        let machine = input::line(&args.machine, |_| true, &args.units.reader().system());
         drawn(decay, machine, [time, length], units)
     })
 }
@@ -241,7 +241,7 @@ fn body<F: Value>(given: &Given<F>) -> Result<(Option<DecayScales<F>>, Frictions
     let scales = DecayScales {
         length: body.friction_displacement(),
         time: F::int(1) / body.natural_frequency(),
-        mean_displacement: shifted.then(|| given::mean_displacement(given, &body)).transpose()?,
+        mean_displacement: shifted.then(|| input::mean_displacement(given, &body)).transpose()?,
         system: given.system,
     };
     Ok((Some(scales), frictions))

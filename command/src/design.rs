@@ -10,7 +10,7 @@ use crate::args::{Question, QuestionArgs};
 use crate::bits::digits;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
-use crate::given;
+use crate::input;
 use crate::output;
 use crate::physical::Units;
 use crate::record::Cell;
@@ -264,7 +264,7 @@ impl<F: Value> AskedDesign<'_, F> {
         if !self.given.has(Input::MeanForce) {
             return Ok(Vec::new());
         }
-        Ok(vec![("mean_displacement", Kind::Length, some(given::mean_displacement(&self.given, body)?))])
+        Ok(vec![("mean_displacement", Kind::Length, some(input::mean_displacement(&self.given, body)?))])
     }
 }
 

@@ -5,7 +5,7 @@ use crate::bits::{Value, at_bits, digits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::given;
+use crate::input;
 use crate::measured;
 use crate::motion_plot;
 use crate::output::{self, PendingFile};
@@ -49,7 +49,7 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     }
     if args.picture.is_some() {
         let motion = motion((record.end() - record.time(0)) / F::int(4000))?;
-        let machine = given::line(&args.machine, |_| true, &given.system);
+        let machine = input::line(&args.machine, |_| true, &given.system);
         target.draw(out, || Ok(drawing(&record, &motion, &given.system, &args.file, &machine)))?;
     }
     let physical = physical(&answer, given.system);
@@ -74,7 +74,7 @@ impl<F: Value> Shaken<F> {
     pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
         args.format.is_json("record")?;
         let reader = args.units.reader();
-        let given = given::read::<F>(&args.machine, &reader)?;
+        let given = input::read::<F>(&args.machine, &reader)?;
         let body = Surface::read(&args.surface, &reader)?.body(&given)?;
         let start = |option: &str, text: &Option<String>, kind: Kind| match text {
             Some(text) => reader.value::<F>(option, text, kind),

@@ -6,7 +6,7 @@ use crate::args::IdentifyArgs;
 use crate::bits::digits;
 use crate::columns::{Column, is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
-use crate::given;
+use crate::input;
 use crate::output;
 use crate::rows::{self, Ahead, Bounded};
 use csv::StringRecord;
@@ -29,7 +29,7 @@ const MUCH_NOISE: f64 = 0.1;
 pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let is_json = args.format.is_json("identify")?;
     let reader = args.units.reader();
-    let given = given::read::<f64>(&args.machine, &reader)?;
+    let given = input::read::<f64>(&args.machine, &reader)?;
     if args.decay {
         return decay::run(args, &given, &reader, is_json, out);
     }

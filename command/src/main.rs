@@ -15,10 +15,9 @@
 
 mod args;
 mod attractors;
-mod axes;
 mod basins;
 mod bits;
-mod border;
+mod closed;
 mod columns;
 mod curve;
 mod decay;
@@ -30,7 +29,6 @@ mod enclose;
 mod failure;
 mod figure;
 mod follow;
-mod given;
 mod grid;
 mod identify;
 mod input;
@@ -47,7 +45,6 @@ mod physical;
 mod points;
 mod progress;
 mod record;
-mod response;
 mod resume;
 mod rows;
 mod shell;
@@ -98,8 +95,8 @@ fn ended(outcome: Outcome) -> ExitCode {
 fn run_command(command: &Command) -> Outcome {
     let mut out = Lines::new(io::stdout().lock(), "standard output");
     match command {
-        Command::Response(args) => response::run(args, &mut out)?,
-        Command::Border(args) => border::run(args, &mut out)?,
+        Command::Response(args) => closed::response(args, &mut out)?,
+        Command::Border(args) => closed::border(args, &mut out)?,
         Command::Steady(args) => steady::run(args, &mut out)?,
         Command::Attractors(args) => attractors::run(args, &mut out)?,
         Command::Basins(args) => basins::run(args, &mut out)?,

@@ -6,11 +6,9 @@ mod resonance;
 mod symmetry;
 
 use crate::args::{MapArgs, Swept};
-use crate::axes::Axes;
 use crate::failure::{Failure, Outcome};
 use crate::figure::{self, Target};
-use crate::given;
-use crate::grid::Grid;
+use crate::grid::{Axes, Grid};
 use crate::input;
 use crate::interrupt;
 use crate::outputs::{self, plain};
@@ -166,7 +164,7 @@ impl<'a> Map<'a> {
         let range = args.range.as_ref().map(|text| figure::range("--range", text, true)).transpose()?;
         let system = reader.system();
         let is_fixed = |input| input != across.0 && input != up.0;
-        let machine = given::line(&args.machine, is_fixed, &system);
+        let machine = input::line(&args.machine, is_fixed, &system);
         Ok(Self { quantity, kind, axes, across, up, system, machine, range })
     }
 

@@ -3,7 +3,6 @@
 use crate::args::MotionPlotArgs;
 use crate::failure::Outcome;
 use crate::figure::Target;
-use crate::given;
 use crate::input;
 use crate::steady::of_motion;
 use std::io::Write;
@@ -19,7 +18,7 @@ const CYCLES: u32 = 2;
 pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new("--out", args.out.as_deref(), args.overwrite, &args.look)?;
     let reader = args.units.reader();
-    let given = given::read::<f64>(&args.machine, &reader)?;
+    let given = input::read::<f64>(&args.machine, &reader)?;
     let point = input::point(&given)?;
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let named = |e: stickslip::Error| of_motion(&given, e);
@@ -41,7 +40,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let scale =
         |of: fn(&stickslip::Scales<f64>) -> f64| point.machine.as_ref().map_or(1.0, |m| of(&m.scales));
     let (length, velocity, force) = (scale(|s| s.length), scale(|s| s.velocity), scale(|s| s.force));
-    let displacement = given::displacement(&given);
+    let displacement = input::displacement(&given);
     let mean_friction = point.machine.as_ref().map_or(0.0, |m| m.scales.mean_friction);
     let friction = |s: &Instant<f64>| s.friction * force + mean_friction;
     let label = |name: &str, symbol: &str, kind: Kind| match point.machine {
@@ -74,7 +73,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         .map(|(title, y, points)| panel(title, over(&points, when, 0.0), y, points, &rests))
         .collect();
     panels.push(panel("friction loop", over(&friction_loop, &x, 0.08), &r, friction_loop, &rests));
-    let title = format!("Steady motion: {}", given::line(&args.machine, |_| true, &given.system));
+    let title = format!("Steady motion: {}", input::line(&args.machine, |_| true, &given.system));
     let figure = Figure::new("motion", title, "", panels);
     target.draw(out, || Ok(figure))
 }

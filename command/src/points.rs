@@ -4,7 +4,6 @@ use crate::args::{Format, Header, OutputArgs, StartArgs, Swept, used};
 use crate::bits::Value;
 use crate::columns::{Column, is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
-use crate::given;
 use crate::input;
 use crate::interrupt;
 use crate::output;
@@ -42,7 +41,7 @@ impl AskedPoints<'_> {
         note: impl FnOnce(&Point<F>, &A, &Given<F>, &mut W) -> io::Result<()>,
     ) -> Outcome {
         let reader = self.output.units.reader();
-        let given = given::read::<F>(machine, &reader)?;
+        let given = input::read::<F>(machine, &reader)?;
         let answer = |given: &Given<F>| {
             let point = input::problem(self.question, given)?;
             answer(given, &point, &reader).map(|found| (point, found))

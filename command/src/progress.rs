@@ -117,10 +117,9 @@ struct OpenPoints {
 }
 
 struct Left {
-    /// The points that belong to no stretch yet.
-    fresh: Range<u64>,
-    /// The remaining points of stretches that took too long.
-    returned: BTreeMap<u64, u64>,
+    /// The points that belong to no stretch, as ranges by their start: those of no stretch yet, and the rest of stretches
+    /// that took too long.
+    open: BTreeMap<u64, u64>,
     /// The greatest length of a stretch now.
     stretch: u64,
     /// The number of stretches that are being answered.
@@ -132,14 +131,8 @@ struct Left {
 
 impl OpenPoints {
     fn new(points: &Range<u64>) -> Self {
-        let left = Left {
-            fresh: points.clone(),
-            returned: BTreeMap::new(),
-            stretch: 1,
-            busy: 0,
-            next: points.start,
-            stopped: false,
-        };
+        let open = if points.is_empty() { BTreeMap::new() } else { [(points.start, points.end)].into() };
+        let left = Left { open, stretch: 1, busy: 0, next: points.start, stopped: false };
         let threads = rayon::current_num_threads() as u64;
         Self { threads, left: Mutex::new(left), change: Condvar::new() }
     }
@@ -156,23 +149,18 @@ impl OpenPoints {
                 return None;
             }
             let most = left.stretch;
-            if let Some((start, end)) = left.returned.pop_first() {
-                let cut = end.min(start + most);
-                if cut < end {
-                    left.returned.insert(cut, end);
+            match left.open.first_key_value().map(|(start, end)| (*start, *end)) {
+                Some((start, end)) if start < left.next + 4 * most * self.threads => {
+                    left.open.remove(&start);
+                    let cut = end.min(start + most);
+                    if cut < end {
+                        left.open.insert(cut, end);
+                    }
+                    left.busy += 1;
+                    return Some(Stretch { work: self, points: start..cut, begin: Instant::now() });
                 }
-                left.busy += 1;
-                return Some(Stretch { work: self, points: start..cut, begin: Instant::now() });
-            }
-            if left.fresh.start < left.fresh.end.min(left.next + 4 * most * self.threads) {
-                let start = left.fresh.start;
-                left.fresh.start = left.fresh.end.min(start + most);
-                left.busy += 1;
-                let points = start..left.fresh.start;
-                return Some(Stretch { work: self, points, begin: Instant::now() });
-            }
-            if left.fresh.is_empty() && left.busy == 0 {
-                return None;
+                None if left.busy == 0 => return None,
+                Some(_) | None => {}
             }
             left = self.change.wait(left).unwrap_or_else(PoisonError::into_inner);
         }
@@ -221,7 +209,7 @@ impl Drop for Stretch<'_> {
         let mut left = self.work.left();
         left.busy -= 1;
         if !self.points.is_empty() {
-            left.returned.insert(self.points.start, self.points.end);
+            left.open.insert(self.points.start, self.points.end);
         }
         let is_long = self.begin.elapsed() > LONG;
         left.stretch = if is_long { (left.stretch / 2).max(1) } else { (2 * left.stretch).min(STRETCH) };

@@ -5,7 +5,7 @@ mod written;
 
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::given::behind_all;
+use crate::input::behind_all;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};

@@ -3,7 +3,6 @@
 use crate::args::{Header, SimulateArgs, StreamFormat};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
-use crate::given;
 use crate::input;
 use crate::interrupt;
 use crate::output::PendingFile;
@@ -19,7 +18,6 @@ use core::ops::ControlFlow;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
-use std::path::Path;
 use stickslip::Error;
 use stickslip::inputs::units::{Kind as Quantity, Reader, System};
 use stickslip::inputs::{Driven, Given, Input};
@@ -33,7 +31,7 @@ pub(crate) fn run(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
-    let format = args.format.map_or_else(|| format(args.out.as_deref()), Ok)?;
+    let format = args.format()?;
     match &args.out {
         None if format == StreamFormat::Parquet => {
             Err("--format parquet: give its file by --out FILE".into())
@@ -44,17 +42,6 @@ fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
             PendingFile::create(file, &argument, args.overwrite)?.fill(|out| write::<F>(args, format, out))
         }
     }
-}
-
-/// The format of the file's name; text without a file.
-fn format(out: Option<&Path>) -> Result<StreamFormat, Failure> {
-    let Some(file) = out else { return Ok(StreamFormat::Text) };
-    StreamFormat::of(file).ok_or_else(|| {
-        Failure::Input(format!(
-            "--out {}: the name must end in .csv, .jsonl or .parquet, or --format be given",
-            file.display()
-        ))
-    })
 }
 
 fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Write) -> Outcome {
@@ -70,7 +57,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
         StreamFormat::Parquet => return Err(no_parquet()),
     };
     let reader = args.units.reader();
-    let given = with_no_force(given::read::<F>(&args.machine, &reader)?)?;
+    let given = with_no_force(input::read::<F>(&args.machine, &reader)?)?;
     let point = input::point(&given)?;
     let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;
     let cycles = extent.cycles();

@@ -3,10 +3,10 @@
 mod picture;
 
 use crate::args::{SpectrumArgs, SweepFormat};
-use crate::axes::Axes;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::follow::{self, Surface};
+use crate::grid::Axes;
 use crate::interrupt;
 use crate::measured;
 use crate::outputs::key;
@@ -24,7 +24,7 @@ use stickslip::motion::record::{Body, Record as Load, RecordAnswer, follow_each}
 const SIDE_BY_SIDE: u64 = 16;
 
 pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
-    let format = if args.picture.is_some() { SweepFormat::Csv } else { sweep::format(&args.table)? };
+    let format = if args.picture.is_some() { SweepFormat::Csv } else { args.table.format()? };
     let spectra = Spectra::new(args)?;
     args.look.needs("--picture", args.picture.as_deref())?;
     if args.picture.is_none() {

@@ -6,9 +6,9 @@ mod parquet;
 pub(crate) mod rows;
 
 use crate::args::{Header, SweepArgs, SweepFormat, TableArgs};
-use crate::axes::Axes;
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
+use crate::grid::Axes;
 use crate::output::Lines;
 use crate::record::{Record, csv_text};
 use crate::resume;
@@ -22,19 +22,9 @@ pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
-    let format = format(&args.table)?;
+    let format = args.table.format()?;
     let axes = Axes::new(&args.machine, &args.units.reader())?;
     write_table(&args.table, format, &SweepRows::<F>::new(args, axes)?, out)
-}
-
-/// The format of a table, if its file's name has one.
-pub(crate) fn format(args: &TableArgs) -> Result<SweepFormat, Failure> {
-    args.format().ok_or_else(|| {
-        let name = args.out.as_deref().map_or(String::new(), |file| file.display().to_string());
-        Failure::Input(format!(
-            "--out {name}: the name must end in .csv, .jsonl or .parquet, or --format be given"
-        ))
-    })
 }
 
 /// Rows of many columns, each computed from its number alone.

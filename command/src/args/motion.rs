@@ -1,8 +1,9 @@
 //! The arguments of what the exact motion answers.
 
 use super::{BodyArgs, Format, LookArgs, MachineArgs, OutputArgs, StartArgs, SweepFormat, UnitArgs};
+use crate::failure::Failure;
 use clap::{Args, ValueEnum};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -36,17 +37,6 @@ pub(crate) enum StreamFormat {
     Jsonl,
     Csv,
     Parquet,
-}
-
-impl StreamFormat {
-    /// The format named by the end of a file's name.
-    pub(crate) fn of(file: &Path) -> Option<Self> {
-        Some(match SweepFormat::of(file)? {
-            SweepFormat::Jsonl => Self::Jsonl,
-            SweepFormat::Csv => Self::Csv,
-            SweepFormat::Parquet => Self::Parquet,
-        })
-    }
 }
 
 #[derive(Debug, Args)]
@@ -87,6 +77,21 @@ pub(crate) struct SimulateArgs {
     pub(crate) bits: Option<u32>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
+}
+
+impl SimulateArgs {
+    /// The format of `--format`, or that of the end of the file's name; text without a file.
+    pub(crate) fn format(&self) -> Result<StreamFormat, Failure> {
+        match (self.format, &self.out) {
+            (Some(format), _) => Ok(format),
+            (None, None) => Ok(StreamFormat::Text),
+            (None, Some(file)) => Ok(match SweepFormat::of(file)? {
+                SweepFormat::Jsonl => StreamFormat::Jsonl,
+                SweepFormat::Csv => StreamFormat::Csv,
+                SweepFormat::Parquet => StreamFormat::Parquet,
+            }),
+        }
+    }
 }
 
 #[derive(Debug, Args)]

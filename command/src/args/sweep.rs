@@ -1,6 +1,7 @@
 //! The arguments of sweeps.
 
 use super::{Header, MachineArgs, UnitArgs};
+use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -33,12 +34,16 @@ pub(crate) enum SweepFormat {
 
 impl SweepFormat {
     /// The format named by the end of a file's name.
-    pub(super) fn of(file: &Path) -> Option<Self> {
-        match file.extension()?.to_str()? {
-            "csv" => Some(Self::Csv),
-            "jsonl" => Some(Self::Jsonl),
-            "parquet" => Some(Self::Parquet),
-            _ => None,
+    pub(super) fn of(file: &Path) -> Result<Self, Failure> {
+        match file.extension().and_then(|end| end.to_str()) {
+            Some("csv") => Ok(Self::Csv),
+            Some("jsonl") => Ok(Self::Jsonl),
+            Some("parquet") => Ok(Self::Parquet),
+            _ => {
+                let name = file.display();
+                let ends = "the name must end in .csv, .jsonl or .parquet, or --format be given";
+                Err(format!("--out {name}: {ends}").into())
+            }
         }
     }
 }
@@ -112,13 +117,12 @@ pub(crate) struct TableArgs {
 }
 
 impl TableArgs {
-    /// The format of `--format`, or that of the end of the file's name; CSV for a name without an end. `None`
-    /// where the end names no format.
-    pub(crate) fn format(&self) -> Option<SweepFormat> {
+    /// The format of `--format`, or that of the end of the file's name; CSV for a name without an end.
+    pub(crate) fn format(&self) -> Result<SweepFormat, Failure> {
         match (self.format, self.out.as_deref()) {
-            (Some(format), _) => Some(format),
+            (Some(format), _) => Ok(format),
             (None, Some(file)) if file.extension().is_some() => SweepFormat::of(file),
-            (None, _) => Some(SweepFormat::Csv),
+            (None, _) => Ok(SweepFormat::Csv),
         }
     }
 }

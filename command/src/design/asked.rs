@@ -4,7 +4,7 @@ use super::{AnswerRow, DesignAnswer, NamedRow};
 use crate::args::QuestionArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
-use crate::given;
+use crate::input;
 use crate::record::Cell;
 use std::io::Write;
 use stickslip::inputs::units::{self, Kind, Reader, System};
@@ -22,7 +22,7 @@ pub(super) struct AskedDesign<'a, F> {
 
 impl<'a, F: Value> AskedDesign<'a, F> {
     pub(super) fn new(args: &'a QuestionArgs, reader: &'a Reader) -> Result<Self, Failure> {
-        let given = given::read(&args.machine, reader)?;
+        let given = input::read(&args.machine, reader)?;
         let physical = given.is_physical();
         if physical && (given.has(Input::Omega) || given.has(Input::Alpha)) {
             let text = "--omega and --alpha: must be left out in physical units, where --frequency and --force take their place";

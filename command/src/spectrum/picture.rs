@@ -3,8 +3,8 @@
 use super::Spectra;
 use crate::bits::digits;
 use crate::failure::Failure;
-use crate::given;
 use crate::grid::Grid;
+use crate::input;
 use crate::progress;
 use stickslip::inputs::Input;
 use stickslip::inputs::units::Kind;
@@ -81,7 +81,7 @@ impl Spectra<'_> {
             let mut heights = vec![0.0];
             for (line, index) in (0..lines).zip(INDICES) {
                 let of = other.map_or(String::new(), |(input, values)| {
-                    given::in_symbols(*input, &digits(values.value(line)), &self.system)
+                    input::in_symbols(*input, &digits(values.value(line)), &self.system)
                 });
                 let loads = self.loads.len() as u64;
                 for (load, (name, _)) in (0..).zip(&self.loads) {
@@ -111,7 +111,7 @@ impl Spectra<'_> {
         let (first, count) = (self.loads.first().map_or("", |(name, _)| name), self.loads.len());
         let records = if count == 1 { first.to_owned() } else { format!("{count} records") };
         let is_fixed = |input| grids.iter().all(|(other, _)| *other != input);
-        let machine = given::line(&self.args.machine, is_fixed, &self.system);
+        let machine = input::line(&self.args.machine, is_fixed, &self.system);
         let title = if machine.is_empty() {
             format!("Spectra of {records}")
         } else {

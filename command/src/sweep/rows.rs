@@ -3,13 +3,13 @@
 use super::Table;
 use super::loops::Looped;
 use crate::args::{SweepArgs, Swept};
-use crate::axes::Axes;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
+use crate::grid::Axes;
 use crate::interrupt;
 use crate::outputs::{self, ALPHA, Key, OMEGA};
 use crate::record::{Cell, Record};
-use crate::{border, input, response, steady};
+use crate::{closed, input, steady};
 use std::ops::Range;
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::{DEFAULT_BUDGET, State, Trajectory};
@@ -173,9 +173,9 @@ impl<F: Value> Table for SweepRows<F> {
 pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Record<F>, Failure> {
     let point = input::problem(question, given)?;
     Ok(match question {
-        Swept::Response => response::answer(given, &point, peaks)?.1,
+        Swept::Response => closed::response_at(given, &point, peaks)?.1,
         Swept::Steady => steady::answer(given, &point, State::default(), DEFAULT_BUDGET, peaks)?.1,
-        Swept::Border => border::record(given, &point, false)?.1,
+        Swept::Border => closed::border_at(given, &point, false)?.1,
     })
 }
 

@@ -1,23 +1,52 @@
-//! `stickslip border`.
+//! `stickslip response` and `border`: the answers of the closed forms.
 
-use crate::args::{BorderArgs, Swept};
+use crate::args::{BorderArgs, ResponseArgs, Swept};
 use crate::bits::{Value, at_bits};
+use crate::enclose;
 use crate::failure::{Failure, Outcome};
-use crate::note::Note;
+use crate::note::{self, Note};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
 use crate::record::Record;
-use crate::{enclose, note};
 use std::io::Write;
 use stickslip::inputs::{Given, Point};
-use stickslip::{Error, Ratios, Response};
-use stickslip::{NoStop, no_stop_force_ratios};
+use stickslip::{Error, NoStop, Ratios, Response, ResponseAnswer, no_stop_force_ratios};
 
-pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
+pub(crate) fn response(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
+    if args.enclose {
+        return enclose::answer(Swept::Response, &args.machine, &args.output, out);
+    }
+    at_bits!(args.output.bits, answer_responses(args: &ResponseArgs, out))
+}
+
+fn answer_responses<F: Value>(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
+    let asked = AskedPoints { question: Swept::Response, output: &args.output, start: None };
+    asked.answered(
+        &args.machine,
+        out,
+        |given: &Given<F>, point, _| response_at(given, point, true),
+        |point, response, given, out| note::response(response, Note::of(given, point.machine.as_ref(), out)),
+    )
+}
+
+/// The response at a point, and its record.
+pub(crate) fn response_at<F: Value>(
+    given: &Given<F>,
+    point: &Point<F>,
+    peaks: bool,
+) -> Result<(Response<F>, Record<F>), Failure> {
+    let response = Response::guarded(point.ratios);
+    let found = ResponseAnswer { response: &response, excitation: point.excitation(), peaks };
+    let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
+    let record = record.in_units(given, point, Physical::of_machine)?;
+    Ok((response, record))
+}
+
+pub(crate) fn border(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
         return enclose::answer(Swept::Border, &args.machine, &args.output, out);
     }
-    at_bits!(args.output.bits, respond(args: &BorderArgs, out))
+    at_bits!(args.output.bits, answer_borders(args: &BorderArgs, out))
 }
 
 /// The answer at a point, with the forces without a stop if requested, and its record.
@@ -33,7 +62,7 @@ fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
 }
 
 /// The answer at a point, with the forces without a stop if requested, and its record.
-pub(crate) fn record<F: Value>(
+pub(crate) fn border_at<F: Value>(
     given: &Given<F>,
     point: &Point<F>,
     with_no_stop: bool,
@@ -50,12 +79,12 @@ pub(crate) fn record<F: Value>(
     Ok(((answer, found), record))
 }
 
-fn respond<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
+fn answer_borders<F: Value>(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     let asked = AskedPoints { question: Swept::Border, output: &args.output, start: None };
     asked.answered(
         &args.machine,
         out,
-        |given: &Given<F>, point, _| record(given, point, args.no_stop),
+        |given: &Given<F>, point, _| border_at(given, point, args.no_stop),
         |point, (answer, found), given, out| {
             let scales = point.machine.as_ref().map(|machine| &machine.scales);
             note::border(answer, found.as_ref(), Note { given, machine: None, scales, out })
