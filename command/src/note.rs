@@ -1,7 +1,6 @@
 //! The answer as a note: the regime first, then the numbers, then the necessary force.
 
 mod force;
-mod static_friction;
 
 use crate::bits::{Value, digits};
 use crate::style;

@@ -1,6 +1,6 @@
 //! The note on forces: the minimum without sticking, the optimum for dissipation, and the border.
 
-use super::{Note, static_friction};
+use super::Note;
 use crate::bits::{Value, digits};
 use std::io::{self, Write};
 use stickslip::{Excitation, Measure, NoStop, Ratios, Response};
@@ -19,7 +19,7 @@ pub(super) fn needed_force<F: Value>(
         note.line(if of_foot { "  per foot acceleration" } else { "  per p₀" }, ratio)?;
     }
     match NoStop::of(&response.ratios).six_reversals {
-        _ if response.ratios.has_higher_static_friction() => static_friction::forces(response, note)?,
+        _ if response.ratios.has_higher_static_friction() => forces_of_static_friction(response, note)?,
         None => note.number("minimum without sticking", Measure::Force, border.min_force_ratio)?,
         Some((low, high)) => {
             note.number("minimum without a stop", Measure::Force, low)?;
@@ -119,4 +119,22 @@ pub(crate) fn border<F: Value>(
     note.number("minimum displacement", Measure::Length, border.min_displacement)?;
     let touching = note.both(Measure::Angle, border.touching_phase);
     note.line("velocity touches zero", format_args!("{touching} after the maximum displacement"))
+}
+
+/// The forces that release a body at rest, that a cycle without a stop needs, and that suffice for every start.
+fn forces_of_static_friction<F: Value>(
+    response: &Response<F>,
+    note: &mut Note<'_, F, impl Write>,
+) -> io::Result<()> {
+    let found = NoStop::of(&response.ratios);
+    let release = note.both(Measure::Force, response.ratios.static_friction_ratio());
+    note.line("releases a body at rest", format_args!("above {release}"))?;
+    if let Some((low, high)) = found.six_reversals {
+        note.number("six-reversal cycle from", Measure::Force, low)?;
+        note.number("  up to", Measure::Force, high)?;
+    }
+    note.number("cycle without a stop", Measure::Force, found.border)?;
+    let Some(bound) = found.every_start.map(|bound| note.both(Measure::Force, bound)) else { return Ok(()) };
+    note.line("every start slides", format_args!("above {bound}"))?;
+    writeln!(note.out, "    (this bound suffices and is not the least)")
 }
