@@ -1,10 +1,9 @@
 //! The command line.
 
 mod attractors;
+mod checks;
 mod closed;
-mod curve;
 mod design;
-mod files;
 mod identify;
 mod inputs;
 mod motion;
@@ -14,7 +13,6 @@ mod shared;
 mod shell;
 mod sweep;
 pub(crate) mod used;
-mod values;
 
 use crate::failure::Failure;
 use crate::outputs;
@@ -22,12 +20,13 @@ use crate::style::STYLES;
 pub(crate) use attractors::{AttractorsArgs, BasinsArgs, RowsArgs};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
-pub(crate) use curve::{CurveArgs, CurveQuantity, MotionPlotArgs};
 pub(crate) use design::{DesignAim, Question, QuestionArgs};
 pub(crate) use identify::IdentifyArgs;
 pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
 pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs, StreamFormat};
-pub(crate) use pictures::{FigureArgs, FiguresArgs, LookArgs, MapArgs, Picture};
+pub(crate) use pictures::{
+    CurveArgs, CurveQuantity, FigureArgs, FiguresArgs, LookArgs, MapArgs, MotionPlotArgs, Picture,
+};
 pub(crate) use record::{LoadArgs, RecordArgs, SpectrumArgs, SurfaceArgs};
 pub(crate) use shared::{Format, Header, OutputArgs, UnitArgs};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
@@ -140,9 +139,9 @@ pub(crate) fn parse(
         if error.use_stderr() { NoCommand::Failed(error.into()) } else { NoCommand::Answered(error) }
     };
     let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
-    values::check(&words).map_err(NoCommand::Failed)?;
+    checks::check_units(&words).map_err(NoCommand::Failed)?;
     let matches = grammar().try_get_matches_from(words).map_err(refuse)?;
-    used::check(&matches).and_then(|()| files::check(&matches)).map_err(NoCommand::Failed)?;
+    used::check(&matches).and_then(|()| checks::check_files(&matches)).map_err(NoCommand::Failed)?;
     CommandLine::from_arg_matches(&matches).map_err(refuse)
 }
 

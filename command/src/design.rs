@@ -2,27 +2,23 @@
 
 mod asked;
 mod best;
-mod no_stop;
 mod over_band;
 mod static_friction;
 
 use crate::args::{Question, QuestionArgs};
-use crate::bits::digits;
-use crate::bits::{Value, at_bits};
+use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
-use crate::input;
-use crate::output;
 use crate::physical::Units;
-use crate::record::Cell;
+use crate::record::{Cell, Record};
+use crate::{input, note, output};
+use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use static_friction::Divided;
 use std::io::Write;
-use stickslip::design::{self, Band, Edge};
+use stickslip::design::{self, Band, Edge, NoStopBand};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
-use stickslip::{Border, Drive, Error, Excitation, Oscillator};
-
-use asked::AskedDesign;
+use stickslip::{Border, Drive, Error, Excitation, Oscillator, no_stop_force_ratios};
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
     at_bits!(arguments(question).bits, respond(question: &Question, out))
@@ -290,4 +286,50 @@ const fn searched_field<F>() -> (&'static str, Kind, Cell<F>) {
 
 fn some<F: Value>(x: F) -> Cell<F> {
     Cell::Number(Some(x))
+}
+
+impl<F: Value> AskedDesign<'_, F> {
+    fn forces_without_stop(&self) -> Result<DesignAnswer<F>, Failure> {
+        let (found, unit, mut fields, name, kind) = if self.physical {
+            let (body, frequency) = (self.body(true, true)?, self.frequency()?);
+            let forces = design::forces_without_stop(&body, frequency).map_err(|e| self.fail(e))?;
+            let fields = force_and_equals(&body, frequency, forces.min());
+            (forces, self.system().force(), fields, "no_stop_forces", Kind::Force)
+        } else {
+            self.one_friction()?;
+            let omega = self.omega()?;
+            let ratios = no_stop_force_ratios(omega, self.damping_ratio()).map_err(|e| self.fail(e))?;
+            let least = ("force_ratio", Kind::Ratio, some(ratios.min()));
+            let fields = vec![("omega", Kind::Ratio, some(omega)), least];
+            (ratios, "r_y", fields, "no_stop_force_ratios", Kind::Ratio)
+        };
+        fields.push((name, kind, Record::intervals(&found)));
+        Ok(DesignAnswer::one(format!("The body does not stop {}.", note::no_stop(&found, unit)), fields))
+    }
+
+    fn bands_without_stop(&self) -> Result<DesignAnswer<F>, Failure> {
+        let (low, high) = self.range(Kind::Frequency)?;
+        let found = if self.physical {
+            let body = self.body(true, true)?;
+            // The frequency of the drive is unknown: only its amplitude counts.
+            let drive = self.drive(&body, self.one)?;
+            design::frequency_bands_without_stop(&body, &drive, low, high)
+        } else {
+            self.one_friction()?;
+            design::bands_without_stop(self.alpha()?, self.damping_ratio(), low, high)
+        };
+        let row = |band: NoStopBand<F>| {
+            let mut row = self.band([band.low, band.high], [band.low_edge, band.high_edge]);
+            let reversals = Cell::Count(Some(band.reversals_per_cycle.into()));
+            row.push(("reversals_per_cycle", Kind::Ratio, reversals));
+            row
+        };
+        let rows: Vec<_> = found.map_err(|e| self.fail(e))?.into_iter().map(row).collect();
+        let sentence = match rows.len() {
+            0 => "The body stops or rests throughout that range.".to_owned(),
+            1 => "The body does not stop in one band of that range:".to_owned(),
+            n => format!("The body does not stop in {n} bands of that range:"),
+        };
+        Ok(DesignAnswer { sentence, rows })
+    }
 }

@@ -3,7 +3,6 @@
 mod limits;
 mod picture;
 mod resonance;
-mod symmetry;
 
 use crate::args::{MapArgs, Swept};
 use crate::failure::{Failure, Outcome};

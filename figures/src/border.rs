@@ -1,7 +1,8 @@
-//! Figure 8: the minimum force ratio without sticking.
+//! The minimum force ratio without sticking: figure 8, and the neighbourhood of the poles 1/3 and 1/5, where the body never
+//! stops.
 
-use super::{Axis, Figure, Series, Style, evenly, settled};
-use stickslip::Border;
+use super::{Axis, Figure, Panel, Series, Style, evenly, settled};
+use stickslip::{Border, no_stop_force_ratios};
 
 /// The exact border, eq. 61, and the points where the exact motion has no stop.
 pub(super) fn least_force() -> Figure {
@@ -35,4 +36,55 @@ fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
 
 fn never_stops((omega, alpha): (f64, f64)) -> bool {
     settled(omega, alpha).is_some_and(|steady| steady.sticks_per_cycle == 0)
+}
+
+/// The border, the region of six reversals below it, and the points where the exact motion has no stop.
+pub(super) fn beside_poles() -> Figure {
+    Figure::new(
+        "poles",
+        "Beside the poles 1/3 and 1/5",
+        "Force ratios without any stop beside Ω = 1/3 and 1/5: above the border of the two-reversal cycle \
+            (thick) and inside the edges of the six-reversal cycle (lines). Dots: points at which the exact \
+            motion from rest has no stop.",
+        vec![panel(3.0, (0.3284, 0.3368), (40.0, 2000.0)), panel(5.0, (0.1981, 0.2013), (110.0, 5500.0))],
+    )
+}
+
+fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
+    // The steps never meet the pole.
+    let omegas = || evenly(from, to, 1201);
+    let border = omegas().filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio)));
+    let edges: Vec<(f64, (f64, f64))> = omegas()
+        .filter_map(|omega| Some((omega, no_stop_force_ratios(omega, 0.0).ok()?.six_reversals?)))
+        .collect();
+    let least = edges.iter().map(|&(omega, (low, _))| (omega, low));
+    let greatest = edges.iter().map(|&(omega, (_, high))| (omega, high));
+    // The path leads once around the region, from the left of the pole to its right; points above the axis
+    // break the line.
+    let around = greatest.rev().chain(least).chain(edges.last().map(|&(omega, (_, high))| (omega, high)));
+    let shown = |(omega, alpha): (f64, f64)| (omega, if alpha < high { alpha } else { f64::NAN });
+    let lattice = evenly(from, to, 43).flat_map(|omega| {
+        evenly(low.ln(), high.ln(), 27).map(move |alpha| (omega, alpha.exp(), reversals(omega, alpha.exp())))
+    });
+    let lattice: Vec<(f64, f64, Option<u32>)> = lattice.collect();
+    let dots = |count: u32| {
+        lattice.iter().filter(move |point| point.2 == Some(count)).map(|&(omega, alpha, _)| (omega, alpha))
+    };
+    Panel::new(
+        format!("beside Ω = 1/{pole}"),
+        Axis::frequency_ratio(from, to),
+        Axis::logarithmic("force ratio α = p₀/r_y", low, high),
+        vec![
+            Series::new("two reversals", Style::Dots, 5, dots(2)),
+            Series::new("six reversals", Style::Dots, 2, dots(6)),
+            Series::new("border α_min", Style::Thick, 1, border.map(shown)),
+            Series::new("edges of six", Style::Line, 0, around.map(shown)),
+        ],
+    )
+}
+
+/// The number of velocity zeros per cycle of the exact motion from rest, if it has no stop.
+fn reversals(omega: f64, alpha: f64) -> Option<u32> {
+    let steady = settled(omega, alpha)?;
+    (steady.sticks_per_cycle == 0).then_some(steady.velocity_zeros_per_cycle)
 }

@@ -5,7 +5,6 @@
 
 mod frame;
 mod legend;
-mod line;
 mod mark;
 #[cfg(feature = "png")]
 mod png;

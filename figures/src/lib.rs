@@ -6,10 +6,9 @@
 //! | `cycle` | 2: a cycle without stops in the phase plane |
 //! | `symmetry` | 3: the error measures |
 //! | `response` | 4–7: Δ₀/B, the two phases, Δ₁/B, V₀/(Bω_d) |
-//! | `border` | 8: the least force ratio without sticking |
+//! | `border` | 8: the least force ratio without sticking; the neighbourhood of the poles 1/3 and 1/5 |
 //! | `dissipation` | 9a, 9b, 10a, 10b: the loop sizes |
 //! | `stops` | the map of stops per cycle |
-//! | `poles` | the neighbourhood of the poles 1/3 and 1/5 |
 //! | `portrait` | two motions in the phase plane |
 //! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | the rate at which the motion settles |
@@ -46,7 +45,6 @@ mod draw;
 mod multipliers;
 mod oscillator;
 mod plane;
-mod poles;
 mod portrait;
 mod resolve;
 mod response;
@@ -62,52 +60,42 @@ use std::io::{self, Write};
 use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Cycle, Error, Ratios};
 
-/// The names of all figures, in order; those of the paper have their numbers.
-pub const NAMES: [&str; 18] = [
-    "1",
-    "2",
-    "3",
-    "4",
-    "5",
-    "6",
-    "7",
-    "8",
-    "9a",
-    "9b",
-    "10a",
-    "10b",
-    "stops",
-    "portrait",
-    "accuracy",
-    "multipliers",
-    "poles",
-    "damping",
-];
+/// Defines the figures from one row each: the name, and the function that makes it.
+macro_rules! figures {
+    ($($name:literal => $of:path),* $(,)?) => {
+        /// The names of all figures, in order; those of the paper have their numbers.
+        pub const NAMES: [&str; [$($name),*].len()] = [$($name),*];
 
-/// The figure with that name, one of [`NAMES`].
-#[must_use]
-pub fn figure(name: &str) -> Option<Figure> {
-    Some(match name {
-        "1" => oscillator::with_friction(),
-        "2" => cycle::in_phase_plane(),
-        "3" => symmetry::errors(),
-        "4" => response::max_displacement(),
-        "5" => response::phases(),
-        "6" => response::deviation(),
-        "7" => response::max_velocity(),
-        "8" => border::least_force(),
-        "9a" => dissipation::best_force(),
-        "9b" => dissipation::largest_loop(),
-        "10a" => dissipation::loop_by_friction(),
-        "10b" => dissipation::loop_by_frequency(),
-        "stops" => stops::per_cycle(),
-        "portrait" => portrait::two_motions(),
-        "accuracy" => accuracy::beside_one(),
-        "multipliers" => multipliers::of_the_cycle(),
-        "poles" => poles::beside(),
-        "damping" => damping::four_ratios(),
-        _ => return None,
-    })
+        /// The figure with that name, one of [`NAMES`].
+        #[must_use]
+        pub fn figure(name: &str) -> Option<Figure> {
+            match name {
+                $($name => Some($of()),)*
+                _ => None,
+            }
+        }
+    };
+}
+
+figures! {
+    "1" => oscillator::with_friction,
+    "2" => cycle::in_phase_plane,
+    "3" => symmetry::errors,
+    "4" => response::max_displacement,
+    "5" => response::phases,
+    "6" => response::deviation,
+    "7" => response::max_velocity,
+    "8" => border::least_force,
+    "9a" => dissipation::best_force,
+    "9b" => dissipation::largest_loop,
+    "10a" => dissipation::loop_by_friction,
+    "10b" => dissipation::loop_by_frequency,
+    "stops" => stops::per_cycle,
+    "portrait" => portrait::two_motions,
+    "accuracy" => accuracy::beside_one,
+    "multipliers" => multipliers::of_the_cycle,
+    "poles" => border::beside_poles,
+    "damping" => damping::four_ratios,
 }
 
 /// A figure: panels side by side, and a caption.

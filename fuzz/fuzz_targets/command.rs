@@ -8,9 +8,8 @@
 mod command {
     pub(crate) mod args;
     pub(crate) mod attractors;
-    pub(crate) mod axes;
     pub(crate) mod bits;
-    pub(crate) mod border;
+    pub(crate) mod closed;
     pub(crate) mod columns;
     pub(crate) mod curve;
     pub(crate) mod decay;
@@ -19,7 +18,6 @@ mod command {
     pub(crate) mod failure;
     pub(crate) mod figure;
     pub(crate) mod follow;
-    pub(crate) mod given;
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
@@ -33,7 +31,6 @@ mod command {
     pub(crate) mod points;
     pub(crate) mod progress;
     pub(crate) mod record;
-    pub(crate) mod response;
     pub(crate) mod resume;
     pub(crate) mod rows;
     pub(crate) mod sink;
@@ -45,9 +42,9 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, attractors, axes, bits, border, columns, curve, decay, design, enclose, failure, figure, follow,
-    given, grid, input, interrupt, map, measured, motion_plot, note, output, outputs, physical, points,
-    progress, record, response, resume, rows, sink, starts, steady, style, sweep,
+    args, attractors, bits, closed, columns, curve, decay, design, enclose, failure, figure, follow, grid,
+    input, interrupt, map, measured, motion_plot, note, output, outputs, physical, points, progress, record,
+    resume, rows, sink, starts, steady, style, sweep,
 };
 use failure::Failure;
 use std::path::PathBuf;
@@ -71,11 +68,11 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
     Some(match command {
         Command::Response(args) => {
             redirect(&mut args.output, content);
-            response::run(args, out)
+            closed::response(args, out)
         }
         Command::Border(args) => {
             redirect(&mut args.output, content);
-            border::run(args, out)
+            closed::border(args, out)
         }
         Command::Record(args) => {
             std::fs::write(&*POINTS, content).expect("a temporary file");

@@ -9,11 +9,10 @@
 mod command {
     pub(crate) mod args;
     pub(crate) mod bits;
-    pub(crate) mod border;
+    pub(crate) mod closed;
     pub(crate) mod columns;
     pub(crate) mod enclose;
     pub(crate) mod failure;
-    pub(crate) mod given;
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
@@ -24,7 +23,6 @@ mod command {
     pub(crate) mod points;
     pub(crate) mod progress;
     pub(crate) mod record;
-    pub(crate) mod response;
     pub(crate) mod rows;
     pub(crate) mod sink;
     pub(crate) mod style;
@@ -32,8 +30,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, bits, border, columns, enclose, failure, given, input, interrupt, note, output, outputs, physical,
-    points, progress, record, response, rows, sink, style,
+    args, bits, closed, columns, enclose, failure, input, interrupt, note, output, outputs, physical, points,
+    progress, record, rows, sink, style,
 };
 use csv::{ReaderBuilder, StringRecord, Trim};
 use failure::{Failure, Outcome};
@@ -64,8 +62,8 @@ const ROWS: [&str; 4] = ["", "1.5,2.5\n", "a,3,0.4,0.05\n", "1,8,3,2,12\n"];
 fn run<'a>(words: impl Iterator<Item = &'a str>) -> (Outcome, String) {
     let mut out = Vec::new();
     let outcome = match args::parse(std::iter::once("stickslip").chain(words)) {
-        Ok(args::CommandLine { command: Command::Response(args), .. }) => response::run(&args, &mut out),
-        Ok(args::CommandLine { command: Command::Border(args), .. }) => border::run(&args, &mut out),
+        Ok(args::CommandLine { command: Command::Response(args), .. }) => closed::response(&args, &mut out),
+        Ok(args::CommandLine { command: Command::Border(args), .. }) => closed::border(&args, &mut out),
         Ok(_) | Err(NoCommand::Answered(_)) => return (Ok(()), String::new()),
         Err(NoCommand::Failed(failure)) => Err(failure),
     };

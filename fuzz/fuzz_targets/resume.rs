@@ -8,13 +8,11 @@
 #[path = "../../command/src"]
 mod command {
     pub(crate) mod args;
-    pub(crate) mod axes;
     pub(crate) mod bits;
-    pub(crate) mod border;
+    pub(crate) mod closed;
     pub(crate) mod columns;
     pub(crate) mod enclose;
     pub(crate) mod failure;
-    pub(crate) mod given;
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
@@ -25,7 +23,6 @@ mod command {
     pub(crate) mod points;
     pub(crate) mod progress;
     pub(crate) mod record;
-    pub(crate) mod response;
     pub(crate) mod resume;
     pub(crate) mod rows;
     pub(crate) mod sink;
@@ -36,8 +33,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, axes, bits, border, columns, enclose, failure, given, grid, input, interrupt, note, output,
-    outputs, physical, points, progress, record, response, resume, rows, sink, steady, style, sweep,
+    args, bits, closed, columns, enclose, failure, grid, input, interrupt, note, output, outputs, physical,
+    points, progress, record, resume, rows, sink, steady, style, sweep,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;

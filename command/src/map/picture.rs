@@ -2,7 +2,7 @@
 
 use super::BORDER_POINTS;
 use super::resonance::is_unbounded;
-use super::{Map, Quantity, limits, margin, symmetry};
+use super::{Map, Quantity, limits, margin};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
@@ -185,7 +185,7 @@ impl Map<'_> {
         if unbounded.iter().any(|(x, y)| y.is_finite() && (across.0..=across.1).contains(x)) {
             series.push(Series::new("unbounded", Style::Line, 3, unbounded));
         }
-        let symmetry::Breaks { by_multiplier, others, missing } = self.breaks()?;
+        let limits::Breaks { by_multiplier, others, missing } = self.breaks()?;
         let lines = [
             ("symmetry breaks at a multiplier of −1", 1, by_multiplier),
             ("a symmetric motion ends by a jump or a fold", 3, others),

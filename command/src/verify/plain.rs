@@ -45,7 +45,10 @@ struct AnsweredPoint<F> {
     case: Case<F>,
     cycle: Cycle<F>,
     motion: Option<MotionFromRest<F>>,
-    beside: Option<BesideBorder<F>>,
+    /// The numbers of stops in a cycle slightly below α_min and slightly above.
+    stops: Option<(u32, u32)>,
+    /// A₁ at α* from the work against friction, and its relative slope there.
+    optimum: Option<(F, F)>,
 }
 
 /// The limit of the motion from rest.
@@ -58,24 +61,19 @@ struct MotionFromRest<F> {
     half_map: Option<(F, F)>,
 }
 
-/// The exact motion beside the border and at the best force ratio.
-struct BesideBorder<F> {
-    /// The numbers of stops in a cycle slightly below α_min and slightly above.
-    stops: Option<(u32, u32)>,
-    /// A₁ at α* from the work against friction, and its relative slope there.
-    optimum: Option<(F, F)>,
-}
-
 impl<F: Float> AnsweredPoint<F> {
     /// A point of the list with its answers; its flags say whether the exact motion is followed, also next to
     /// the border.
     fn at(point: &CheckPoint<Ratios<F>>) -> Option<Self> {
         let ratios = point.place;
+        let beside = point.with_border.then(|| Response::new(ratios));
+        let least = |response: &Response<F>| response.border.min_force_ratio;
         Some(Self {
             case: case(ratios)?,
             cycle: Cycle::new(ratios).ok()?,
             motion: if point.with_motion { MotionFromRest::at(ratios) } else { None },
-            beside: point.with_border.then(|| BesideBorder::at(ratios)).flatten(),
+            stops: beside.as_ref().and_then(|found| stops_beside(ratios, least(found))),
+            optimum: beside.and_then(|found| optimum(ratios, found.best_force_ratio, least(&found))),
         })
     }
 
@@ -147,17 +145,6 @@ fn apart<F: Float>(a: F, b: F) -> F {
 fn steady<F: Float>(ratios: Ratios<F>, alpha: F) -> Option<SteadyState<F>> {
     let ratios = Ratios::new(ratios.omega(), alpha).ok()?.with_damping_ratio(ratios.damping_ratio()).ok()?;
     LongRun::from_start(ratios, State::default()).ok()?.steady_state().copied()
-}
-
-impl<F: Float> BesideBorder<F> {
-    fn at(ratios: Ratios<F>) -> Option<Self> {
-        let response = Response::new(ratios);
-        let least = response.border.min_force_ratio;
-        Some(Self {
-            stops: stops_beside(ratios, least),
-            optimum: optimum(ratios, response.best_force_ratio, least),
-        })
-    }
 }
 
 /// Stops of the exact motion at α (1 − 2⁻¹⁶) and at α (1 + 2⁻¹⁶). Next to a pole the body need not stop below
@@ -302,11 +289,11 @@ fn of_motion<F: Float>() -> Vec<Statement<AnsweredPoint<F>, F>> {
             Some(p.within(off, F::int(1) + F::int(1) / c.omega, m.doubt))
         },
         "62" "the exact motion stops just below the border, and not above": |p| {
-            let (below, above) = p.beside.as_ref()?.stops?;
+            let (below, above) = p.stops?;
             Some(if below > 0 && above == 0 { F::int(0) } else { p.case.scale })
         },
         "66" "A₁ of the exact motion at α* is A₁max": |p| {
-            let (size, _) = p.beside.as_ref()?.optimum?;
+            let (size, _) = p.optimum?;
             Some((size / p.case.get(Output::BestLoopSize)? - F::int(1)) * p.case.scale)
         },
         "λ" "λ₁ + λ₂ and λ₁λ₂, with their signs, are those of the exact half cycle": |p| {
@@ -314,7 +301,7 @@ fn of_motion<F: Float>() -> Vec<Statement<AnsweredPoint<F>, F>> {
             Some(p.by_differences((trace - sum).abs() + (product - determinant).abs()))
         },
         "65" "A₁ of the exact motion is stationary at α*": |p| {
-            Some(p.by_differences(p.beside.as_ref()?.optimum?.1))
+            Some(p.by_differences(p.optimum?.1))
         },
     ]
 }

@@ -1,6 +1,6 @@
 //! One pair of axes and its contents.
 
-use super::line::{arrow, stroke, whole};
+use super::mark::{arrow, stroke, whole};
 use super::ticks::ticks;
 use super::{Anchor, Canvas, Drawn, UNITS, mark, title, write};
 use crate::{Axis, Panel, Plane, Series, Style};

@@ -1,6 +1,6 @@
 //! The legend of lines, marks and colours, in a single panel where there is room, otherwise beside the panels.
 
-use super::line::stroke;
+use super::mark::stroke;
 use super::shade::{STEPS, shade};
 use super::ticks::ticks;
 use super::{Anchor, Canvas, Drawn, Layout, UNITS, mark, write};

@@ -1,13 +1,30 @@
-//! The files of a command line: no file may be two arguments, because one of them would destroy the other.
+//! Checks of a command line beyond its grammar: a unit that was typed as a word of its own, and a file that is two
+//! arguments, because one of them would destroy the other.
 
 use super::used;
 use crate::failure::Outcome;
 use clap::ArgMatches;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
+use stickslip::inputs::units::Reader;
+
+/// Fails at an option whose number is followed by a unit, as in `--force 30 N`.
+pub(super) fn check_units(words: &[OsString]) -> Outcome {
+    for three in words.windows(3) {
+        if let [Some(option), Some(number), Some(unit)] = [0, 1, 2].map(|i| three.get(i)?.to_str())
+            && option.starts_with("--")
+            && number.parse::<f64>().is_ok()
+            && Reader::is_unit(unit)
+        {
+            return Err(format!("{option} {number} {unit}: must be one word, {option} {number}{unit}").into());
+        }
+    }
+    Ok(())
+}
 
 /// Fails if two arguments of the command are the same file, by whatever name or link.
-pub(super) fn check(matches: &ArgMatches) -> Outcome {
+pub(super) fn check_files(matches: &ArgMatches) -> Outcome {
     let mut matches = matches;
     while let Some((_, inner)) = matches.subcommand() {
         matches = inner;
