@@ -4,7 +4,6 @@ mod attractors;
 mod checks;
 mod closed;
 mod design;
-mod identify;
 mod inputs;
 mod motion;
 mod pictures;
@@ -20,15 +19,14 @@ use crate::style::STYLES;
 pub(crate) use attractors::{AttractorsArgs, BasinsArgs, RowsArgs};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
-pub(crate) use design::{DesignAim, Question, QuestionArgs};
-pub(crate) use identify::IdentifyArgs;
+pub(crate) use design::{DesignAim, IdentifyArgs, Question, QuestionArgs};
 pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
 pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs, StreamFormat};
 pub(crate) use pictures::{
     CurveArgs, CurveQuantity, FigureArgs, FiguresArgs, LookArgs, MapArgs, MotionPlotArgs, Picture,
 };
 pub(crate) use record::{LoadArgs, RecordArgs, SpectrumArgs, SurfaceArgs};
-pub(crate) use shared::{Format, Header, OutputArgs, UnitArgs};
+pub(crate) use shared::{AnswerArgs, Format, Header, OutputArgs, UnitArgs};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 use std::ffi::OsString;
 pub(crate) use sweep::{SweepArgs, SweepFormat, Swept, TableArgs};

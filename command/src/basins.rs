@@ -8,6 +8,7 @@ use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::grid::Grid;
 use crate::input;
+use crate::map;
 use crate::starts::Starts;
 use std::io::Write;
 use stickslip::inputs::units::Kind;
@@ -113,11 +114,10 @@ impl<F: Value> Basins<F> {
     fn figure(&self) -> Result<Figure, Failure> {
         let drawn = |axed: &Axed<F>| axed.grid.values().map(F::to_f64).collect::<Vec<f64>>();
         let (x, y) = (drawn(&self.x), drawn(&self.v));
-        let ends = |values: &[f64], option: &str| match values {
-            [first, .., last] if values.windows(2).all(|pair| matches!(pair, [a, b] if a < b)) => {
-                Ok::<_, Failure>((*first, *last))
-            }
-            _ => Err(format!("{option}: a picture needs two values or more, ascending").into()),
+        let ends = |values: &[f64], option: &str| {
+            map::ends(values).ok_or_else(|| {
+                Failure::from(format!("{option}: a picture needs two values or more, ascending"))
+            })
         };
         let (across, up) = (ends(&x, "--x0")?, ends(&y, "--v0")?);
         let shown = self.all.limits.len().min(MOST_NAMES);

@@ -78,7 +78,7 @@ pub(crate) struct AskedCurve {
     look: Look,
 }
 
-/// The look of a picture, as far as it was chosen.
+/// The look of the axes, as far as it was chosen.
 #[derive(Default)]
 struct Look {
     x_range: Option<(f64, f64)>,
@@ -88,10 +88,11 @@ struct Look {
 
 impl Look {
     fn of(args: &CurveArgs, is_logarithmic: bool) -> Result<Self, Failure> {
-        let x_range = args.x_range.as_ref();
-        let x_range = x_range.map(|text| figure::range("--x-range", text, !is_logarithmic)).transpose()?;
-        let range = args.y_range.as_ref().map(|text| figure::range("--y-range", text, args.linear));
-        Ok(Self { x_range, range: range.transpose()?, is_linear: args.linear })
+        let range = |option, text: &Option<String>, is_linear| {
+            text.as_ref().map(|text| figure::range(option, text, is_linear)).transpose()
+        };
+        let x_range = range("--x-range", &args.x_range, !is_logarithmic)?;
+        Ok(Self { x_range, range: range("--y-range", &args.y_range, args.linear)?, is_linear: args.linear })
     }
 }
 

@@ -22,7 +22,7 @@ use stickslip::{Excitation, Measure, Quantity};
 use stickslip_figures::{Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
-    at_bits!(args.bits, respond(args: &DecayArgs, out))
+    at_bits!(args.answer.bits, respond(args: &DecayArgs, out))
 }
 
 /// The scales of free vibration: length B, time 1/ω_n.
@@ -41,7 +41,7 @@ struct Frictions<F> {
 }
 
 fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
-    let reader = args.units.reader();
+    let reader = args.answer.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
     let (scales, frictions) = body(&given)?;
     let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
@@ -64,7 +64,7 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     if let Some(file) = &args.out {
         write_file(args, &decay, scales.as_ref(), file)?;
     }
-    if args.format.is_json("decay")? {
+    if args.answer.format.is_json("decay")? {
         return output::json(&record, out);
     }
     let name = given.system.length();
@@ -151,7 +151,7 @@ fn write_file<F: Value>(
         if decay.half_cycles > MOST_DRAWN {
             return Err(refused(MOST_DRAWN));
         }
-        let machine = input::line(&args.machine, |_| true, &args.units.reader().system());
+        let machine = input::line(&args.machine, |_| true, &args.answer.units.reader().system());
         drawn(decay, machine, [time, length], units)
     })
 }

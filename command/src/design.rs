@@ -3,7 +3,6 @@
 mod asked;
 mod best;
 mod over_band;
-mod static_friction;
 
 use crate::args::{Question, QuestionArgs};
 use crate::bits::{Value, at_bits, digits};
@@ -13,15 +12,14 @@ use crate::record::{Cell, Record};
 use crate::{input, note, output};
 use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use static_friction::Divided;
 use std::io::Write;
 use stickslip::design::{self, Band, Edge, NoStopBand};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
-use stickslip::{Border, Drive, Error, Excitation, Oscillator, no_stop_force_ratios};
+use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios, no_stop_force_ratios};
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
-    at_bits!(arguments(question).bits, respond(question: &Question, out))
+    at_bits!(arguments(question).answer.bits, respond(question: &Question, out))
 }
 
 const fn arguments(question: &Question) -> &QuestionArgs {
@@ -53,7 +51,7 @@ impl<F: Value> DesignAnswer<F> {
 
 fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
     let args = arguments(question);
-    let reader = args.units.reader();
+    let reader = args.answer.units.reader();
     let asked = AskedDesign::<F>::new(args, &reader)?;
     let answer = match question {
         Question::Force(_) if args.no_stop => asked.forces_without_stop(),
@@ -76,7 +74,7 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
         Question::Stiffness(_) => asked.stiffness(),
     }?;
     answer.rows.iter().flatten().try_for_each(|(name, _, cell)| cell.finite(name))?;
-    if !args.format.is_json("design")? {
+    if !args.answer.format.is_json("design")? {
         return asked.text(&answer, out);
     }
     let records: Vec<_> = answer.rows.iter().map(|row| asked.named(row)).collect();
@@ -331,5 +329,49 @@ impl<F: Value> AskedDesign<'_, F> {
             n => format!("The body does not stop in {n} bands of that range:"),
         };
         Ok(DesignAnswer { sentence, rows })
+    }
+}
+
+/// The quantity whose bound is asked for: a force, or a friction.
+struct Divided<'a, F> {
+    /// Whether it is a force, or a friction bound as a part of the force.
+    is_force: bool,
+    /// The names of the one that releases a body at rest, and of the one that suffices for every start.
+    names: [&'static str; 2],
+    kind: Kind,
+    /// The size of r_y, or for a friction that of the force.
+    scale: F,
+    unit: &'a str,
+}
+
+impl<F: Value> DesignAnswer<F> {
+    /// The answer where static friction divides it into three; otherwise as it is.
+    fn divided(mut self, ratios: &Ratios<F>, of: &Divided<'_, F>) -> Self {
+        if !ratios.has_higher_static_friction() {
+            return self;
+        }
+        let (eta, found, one) = (ratios.static_friction_ratio(), NoStop::of(ratios), F::int(1));
+        let Divided { is_force, names: [release, every_start], kind, scale, unit } = *of;
+        let text = |x: F| format!("{} {unit}", digits(if is_force { x * scale } else { one / x * scale }));
+        let [released, with, more, bound] = if is_force {
+            ["above a force of", "at", "more", "above"]
+        } else {
+            ["with a friction bound below", "with", "less", "below"]
+        };
+        let of_every_start = match found.every_start {
+            Some(least) => format!("Every start leads to sliding without a stop {bound} {}.", text(least)),
+            None => "The start decides between this motion and others.".to_owned(),
+        };
+        self.sentence = format!(
+            "A body at rest is released {released} {}. A motion without a stop exists and attracts its \
+             neighbourhood {with} {} or {more}. {of_every_start}",
+            text(eta),
+            text(found.border)
+        );
+        let value = |x: F| some(if is_force { x * scale } else { scale / x });
+        let release = (release, kind, value(eta));
+        let bound = found.every_start.map(|bound| (every_start, kind, value(bound)));
+        self.rows.iter_mut().for_each(|row| row.extend([release].into_iter().chain(bound)));
+        self
     }
 }

@@ -3,11 +3,7 @@
 #[cfg(feature = "mp")]
 mod found;
 #[cfg(feature = "mp")]
-mod motion;
-#[cfg(feature = "mp")]
 mod record;
-#[cfg(feature = "mp")]
-mod typed;
 
 #[cfg(not(feature = "mp"))]
 use crate::args::RecordArgs;
@@ -16,10 +12,10 @@ use crate::args::{OutputArgs, Swept, Typed};
 use crate::failure::Failure;
 use crate::failure::Outcome;
 #[cfg(feature = "mp")]
+pub(crate) use found::BITS;
+#[cfg(feature = "mp")]
 pub(crate) use record::record;
 use std::io::Write;
-#[cfg(feature = "mp")]
-pub(crate) use typed::BITS;
 
 /// `response`, `border` or `steady` with `--enclose`.
 #[cfg(feature = "mp")]
@@ -29,11 +25,11 @@ pub(crate) fn answer<const PARTS: u8>(
     output: &OutputArgs,
     out: &mut impl Write,
 ) -> Outcome {
-    let typed = typed::TypedRatios::of(machine, output);
+    let typed = found::TypedRatios::of(machine, output);
     match question {
         Swept::Response => found::response(typed, out),
         Swept::Border => found::border(typed, out),
-        Swept::Steady => motion::steady(typed, out),
+        Swept::Steady => found::steady(typed, out),
     }
 }
 

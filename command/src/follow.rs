@@ -22,7 +22,7 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
         return enclose::record(args, out);
     }
-    at_bits!(args.bits, follow(args: &RecordArgs, out))
+    at_bits!(args.answer.bits, follow(args: &RecordArgs, out))
 }
 
 fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
@@ -32,7 +32,7 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     }
     let target = Target::new("--picture", args.picture.as_deref(), args.overwrite, &args.look)?;
     let interval = args.interval.as_ref();
-    let interval = interval.map(|text| args.units.reader().value::<F>("--interval", text, Kind::Time));
+    let interval = interval.map(|text| args.answer.units.reader().value::<F>("--interval", text, Kind::Time));
     let interval = interval.transpose()?;
     if args.interval.is_some() && args.out.is_none() {
         return Err("--interval: needs a file for the motion, --out FILE.csv".into());
@@ -56,7 +56,7 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     for (name, _, cell) in &physical.values {
         cell.finite(name)?;
     }
-    if args.format.is_json("record")? {
+    if args.answer.format.is_json("record")? {
         return output::json(&physical, out);
     }
     text(&answer, &physical, &given.system, out)
@@ -72,8 +72,8 @@ pub(crate) struct Shaken<F> {
 
 impl<F: Value> Shaken<F> {
     pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
-        args.format.is_json("record")?;
-        let reader = args.units.reader();
+        args.answer.format.is_json("record")?;
+        let reader = args.answer.units.reader();
         let given = input::read::<F>(&args.machine, &reader)?;
         let body = Surface::read(&args.surface, &reader)?.body(&given)?;
         let start = |option: &str, text: &Option<String>, kind: Kind| match text {

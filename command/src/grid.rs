@@ -193,26 +193,21 @@ impl<F: Value> Axes<F> {
 
     /// The given quantities at a point below [`Axes::len`].
     pub(crate) fn given_at(&self, point: u64) -> Given<F> {
-        let mut given = self.fixed.clone();
-        self.each(point, |parameter, value| given.set(parameter, value));
-        given
+        self.at(point, |given, parameter, value| given.set(parameter, value))
     }
 
-    /// The given quantities at a point below [`Axes::len`], each value with its text for messages.
+    /// The same, each value with its text for messages.
     pub(crate) fn named_at(&self, point: u64) -> Given<F> {
-        let mut given = self.fixed.clone();
-        self.each(point, |parameter, value| {
-            given.set_typed(parameter, value, &all_digits(value));
-        });
-        given
+        self.at(point, |given, parameter, value| given.set_typed(parameter, value, &all_digits(value)))
     }
 
-    fn each(&self, point: u64, mut take: impl FnMut(Input, F)) {
-        let mut rest = point;
+    fn at(&self, point: u64, set: fn(&mut Given<F>, Input, F)) -> Given<F> {
+        let (mut given, mut rest) = (self.fixed.clone(), point);
         for (parameter, grid) in self.grids.iter().rev() {
-            take(*parameter, grid.value(rest % grid.len()));
+            set(&mut given, *parameter, grid.value(rest % grid.len()));
             rest /= grid.len();
         }
+        given
     }
 
     /// Applies a check to every combination of the ends of the grids.

@@ -21,7 +21,7 @@ use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input};
 use stickslip::{Output, Ratios};
 
-pub(crate) use picture::capital;
+pub(crate) use picture::{capital, ends};
 
 /// A value, with its kind if it is in the machine's units.
 type MapValue = (Option<Kind>, Cell<f64>);

@@ -15,7 +15,7 @@ use crate::steady::of_motion;
 #[cfg(not(feature = "parquet"))]
 use crate::sweep::no_parquet;
 use core::ops::ControlFlow;
-use indicatif::{ProgressBar, ProgressDrawTarget};
+use indicatif::ProgressDrawTarget;
 use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
@@ -67,11 +67,21 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
     let machine = point.machine.as_ref();
     let is_within = |phase: DrivePhase<F>| extent.contains(phase);
-    let mut clock = Clock::new(cycles);
+    let bar = progress::bar(cycles, "cycles");
+    if stdout().is_terminal() {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
+    let mut shown = 0;
+    let mut tick = |cycle: i64| {
+        if cycle != shown {
+            shown = cycle;
+            bar.set_position(u64::try_from(cycle).unwrap_or(0));
+        }
+    };
     let outcome = match samples {
         None => stream(&mut sink, motion, |phase| {
             let begins = phase.start().phase;
-            clock.tick(begins.cycles());
+            tick(begins.cycles());
             is_within(begins).then(|| of_phase(&phase, given.system, machine))
         }),
         Some(spacing) => {
@@ -89,13 +99,13 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
             };
             let samples = core::iter::from_fn(|| samples.next_while(heard));
             stream(&mut sink, samples, |instant| {
-                clock.tick(instant.state.phase.cycles());
+                tick(instant.state.phase.cycles());
                 left = left.checked_sub(1)?;
                 Some(of_instant(&instant, given.system, machine))
             })
         }
     };
-    clock.bar.finish_and_clear();
+    bar.finish_and_clear();
     sink.finish()?;
     outcome
 }
@@ -215,29 +225,6 @@ impl Extent {
     /// Whether a segment that begins at this phase is shown.
     fn contains<F: Value>(&self, phase: DrivePhase<F>) -> bool {
         phase.cycles() as f64 + phase.reduced().to_f64() / TAU < self.turns
-    }
-}
-
-/// Progress in cycles, on a terminal to which no rows are written.
-struct Clock {
-    bar: ProgressBar,
-    cycle: i64,
-}
-
-impl Clock {
-    fn new(cycles: u64) -> Self {
-        let bar = progress::bar(cycles, "cycles");
-        if stdout().is_terminal() {
-            bar.set_draw_target(ProgressDrawTarget::hidden());
-        }
-        Self { bar, cycle: 0 }
-    }
-
-    fn tick(&mut self, cycle: i64) {
-        if cycle != self.cycle {
-            self.cycle = cycle;
-            self.bar.set_position(u64::try_from(cycle).unwrap_or(0));
-        }
     }
 }
 

@@ -3,13 +3,12 @@
 //! | file | figures |
 //! |---|---|
 //! | `oscillator` | 1: the oscillator and its law of friction |
-//! | `cycle` | 2: a cycle without stops in the phase plane |
 //! | `symmetry` | 3: the error measures |
 //! | `response` | 4–7: Δ₀/B, the two phases, Δ₁/B, V₀/(Bω_d) |
 //! | `border` | 8: the least force ratio without sticking; the neighbourhood of the poles 1/3 and 1/5 |
 //! | `dissipation` | 9a, 9b, 10a, 10b: the loop sizes |
 //! | `stops` | the map of stops per cycle |
-//! | `portrait` | two motions in the phase plane |
+//! | `portrait` | 2: a cycle without stops in the phase plane; two motions with their transients |
 //! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | the rate at which the motion settles |
 //! | `damping` | the effect of viscous damping |
@@ -38,7 +37,6 @@
 
 mod accuracy;
 mod border;
-mod cycle;
 mod damping;
 mod dissipation;
 mod draw;
@@ -79,7 +77,7 @@ macro_rules! figures {
 
 figures! {
     "1" => oscillator::with_friction,
-    "2" => cycle::in_phase_plane,
+    "2" => portrait::in_phase_plane,
     "3" => symmetry::errors,
     "4" => response::max_displacement,
     "5" => response::phases,

@@ -1,6 +1,6 @@
 //! The arguments of what the exact motion answers.
 
-use super::{BodyArgs, Format, LookArgs, MachineArgs, OutputArgs, StartArgs, SweepFormat, UnitArgs};
+use super::{AnswerArgs, BodyArgs, LookArgs, MachineArgs, OutputArgs, StartArgs, SweepFormat, UnitArgs};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -117,12 +117,6 @@ pub(crate) struct DecayArgs {
     /// Replace a file that exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,
-    /// text or json
-    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
-    pub(crate) format: Format,
-    /// Bits of precision (needs a build with the feature mp)
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
-    pub(crate) bits: Option<u32>,
     #[command(flatten)]
-    pub(crate) units: UnitArgs,
+    pub(crate) answer: AnswerArgs,
 }

@@ -1,6 +1,6 @@
 //! The arguments of the motion under a record, and of spectra.
 
-use super::{BodyArgs, Format, LookArgs, TableArgs, UnitArgs};
+use super::{AnswerArgs, BodyArgs, LookArgs, TableArgs, UnitArgs};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -82,14 +82,8 @@ pub(crate) struct RecordArgs {
     /// Guaranteed digits, and a proof of every stop: for the inputs as typed (needs a build with the feature mp)
     #[arg(long, conflicts_with_all = ["out", "picture", "interval"])]
     pub(crate) enclose: bool,
-    /// text or json
-    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
-    pub(crate) format: Format,
-    /// Bits of precision (needs a build with the feature mp)
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
-    pub(crate) bits: Option<u32>,
     #[command(flatten)]
-    pub(crate) units: UnitArgs,
+    pub(crate) answer: AnswerArgs,
 }
 
 #[derive(Debug, Args)]

@@ -24,6 +24,19 @@ pub(crate) struct OutputArgs {
     pub(crate) units: UnitArgs,
 }
 
+/// How a single answer is written.
+#[derive(Debug, Args)]
+pub(crate) struct AnswerArgs {
+    /// text or json
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
+    pub(crate) bits: Option<u32>,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+}
+
 /// The system of units.
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct UnitArgs {

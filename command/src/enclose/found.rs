@@ -1,14 +1,62 @@
-//! `--enclose`: each output as certain digits, then ±.
+//! `--enclose` for ratios: the closed forms, each output as certain digits, then ±, and a motion that is proved to exist.
 
-use super::typed::TypedRatios;
-use crate::failure::Outcome;
-use crate::output;
-use crate::style;
+use crate::args::{OutputArgs, Typed};
+use crate::failure::{Failure, Outcome};
+use crate::{output, style};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
-use stickslip::Output;
-use stickslip::enclosed::{self, Regime, Response};
+use stickslip::enclosed::{self, Enclosure, Known, Regime, Response, Steady, Unproved};
 use stickslip::inputs::Input;
+use stickslip::{Error, Output, Quantity};
+
+/// The default number of bits of an enclosure.
+pub(crate) const BITS: u32 = 64;
+
+/// The typed ratios, and the options of the answer.
+pub(super) struct TypedRatios<'a> {
+    typed: Vec<(Input, &'a str)>,
+    pub(super) output: &'a OutputArgs,
+    pub(super) bits: u32,
+}
+
+impl<'a> TypedRatios<'a> {
+    pub(super) fn of<const PARTS: u8>(machine: &'a Typed<PARTS>, output: &'a OutputArgs) -> Self {
+        let ratios = [Input::Omega, Input::Alpha, Input::DampingRatio, Input::StaticFrictionRatio];
+        let typed = ratios.into_iter().filter_map(|input| Some((input, machine.text(input)?))).collect();
+        Self { typed, output, bits: output.bits.unwrap_or(BITS) }
+    }
+
+    pub(super) fn text(&self, input: Input) -> Option<&'a str> {
+        self.typed.iter().find(|(own, _)| *own == input).map(|(_, text)| *text)
+    }
+
+    /// A ratio exactly as written; without one ζ is 0 and η is 1.
+    pub(super) fn known(&self, input: Input) -> Result<Known, Failure> {
+        let option = input.option();
+        let otherwise = match input {
+            Input::DampingRatio => Some("0"),
+            Input::StaticFrictionRatio => Some("1"),
+            _ => None,
+        };
+        let missing = || Failure::Input(format!("{option} is missing"));
+        let text = self.text(input).or(otherwise).ok_or_else(missing)?;
+        text.parse().map_err(|e| Failure::Input(format!("{option} {text}: {e}")))
+    }
+
+    /// The failure, which names its cause: the typed ratios, or the bits.
+    pub(super) fn fault(&self, error: &Error) -> Failure {
+        if error.quantity() == Some(Quantity::Precision) {
+            return Failure::Input(format!("--bits {}: {error}", self.bits));
+        }
+        let options = self.typed.iter().map(|(input, text)| format!("{} {text}", input.option()));
+        Failure::Input(format!("{}: {error}", options.collect::<Vec<_>>().join(" ")))
+    }
+
+    /// The ratios as keys of JSON.
+    pub(super) fn serialize<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
+        self.typed.iter().try_for_each(|(input, text)| map.serialize_entry(&input.column(), text))
+    }
+}
 
 /// The typed ratios and the answer.
 struct EnclosedAnswer<'a> {
@@ -129,6 +177,89 @@ impl Serialize for EnclosedAnswer<'_> {
             map.serialize_entry(output.name(), &self.found.get(*output))?;
         }
         map.serialize_entry("bits", &self.found.bits)?;
+        map.end()
+    }
+}
+
+/// The typed ratios and the motion, or the reason why it is not proved.
+struct EnclosedMotionAnswer<'a> {
+    typed: TypedRatios<'a>,
+    found: Result<Steady, Unproved>,
+}
+
+pub(super) fn steady(typed: TypedRatios<'_>, out: &mut impl Write) -> Outcome {
+    let known = |input| typed.known(input);
+    let [omega, alpha] = [known(Input::Omega)?, known(Input::Alpha)?];
+    let [zeta, eta] = [known(Input::DampingRatio)?, known(Input::StaticFrictionRatio)?];
+    let found = enclosed::steady(&omega, &alpha, &zeta, &eta, typed.bits).map_err(|e| typed.fault(&e))?;
+    let answer = EnclosedMotionAnswer { typed, found };
+    if answer.typed.output.is_json()? { output::json(&answer, out) } else { answer.text(out) }
+}
+
+impl EnclosedMotionAnswer<'_> {
+    fn text(&self, out: &mut impl Write) -> Outcome {
+        let found = match &self.found {
+            Ok(found) => found,
+            Err(why) => return Ok(writeln!(out, "{}", style::verdict(&format!("Not proved: {why}.")))?),
+        };
+        let stops = match found.sticks_per_cycle {
+            0 => "without a stop".to_owned(),
+            1 => "with one stop a cycle".to_owned(),
+            n => format!("with {n} stops a cycle"),
+        };
+        writeln!(out, "{}\n", style::verdict(&format!("Proved: a periodic motion {stops} exists.")))?;
+        if found.turns_per_cycle > 1 {
+            writeln!(out, "  turns_per_cycle       {}", found.turns_per_cycle)?;
+        }
+        writeln!(out, "  max_displacement      {} B", found.max_displacement)?;
+        if !found.is_symmetric {
+            writeln!(out, "  min_displacement      {} B", found.min_displacement)?;
+        }
+        writeln!(out, "  max_velocity          {} B ω_d", found.max_velocity)?;
+        if !found.is_symmetric {
+            writeln!(out, "  min_velocity          {} B ω_d", found.min_velocity)?;
+        }
+        writeln!(out, "  stick_fraction        {}", found.stick_fraction)?;
+        for (n, (re, im)) in (1..).zip(&found.multipliers) {
+            writeln!(out, "  multiplier {n}          {re}, {im} i")?;
+        }
+        let begins = if found.sticks_per_cycle > 0 { "a release" } else { "a reversal" };
+        writeln!(out, "  {begins:<22}at {} rad", found.start.0)?;
+        writeln!(out, "                        at {} B", found.start.1)?;
+        writeln!(
+            out,
+            "\nEach value lies within ± of the number printed. Within {:e} B of that place there is no other {}\n\
+             motion of this kind. Computed at {} bits.",
+            found.only_within.1.mid.to_f64(),
+            if found.is_symmetric { "symmetric" } else { "periodic" },
+            found.bits
+        )?;
+        Ok(())
+    }
+}
+
+impl Serialize for EnclosedMotionAnswer<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        self.typed.serialize(&mut map)?;
+        let found = self.found.as_ref().ok();
+        let value = |of: fn(&Steady) -> &Enclosure| found.map(of);
+        map.serialize_entry("proved", &found.is_some())?;
+        map.serialize_entry("reason", &self.found.as_ref().err().map(Unproved::to_string))?;
+        map.serialize_entry("symmetric", &found.map(|found| found.is_symmetric))?;
+        map.serialize_entry("turns_per_cycle", &found.map(|found| found.turns_per_cycle))?;
+        map.serialize_entry("max_displacement", &value(|found| &found.max_displacement))?;
+        map.serialize_entry("min_displacement", &value(|found| &found.min_displacement))?;
+        map.serialize_entry("max_velocity", &value(|found| &found.max_velocity))?;
+        map.serialize_entry("min_velocity", &value(|found| &found.min_velocity))?;
+        map.serialize_entry("sticks_per_cycle", &found.map(|found| found.sticks_per_cycle))?;
+        map.serialize_entry("velocity_zeros_per_cycle", &found.map(|found| found.velocity_zeros_per_cycle))?;
+        map.serialize_entry("stick_fraction", &value(|found| &found.stick_fraction))?;
+        map.serialize_entry("multipliers", &found.map(|found| &found.multipliers))?;
+        map.serialize_entry("start_phase", &value(|found| &found.start.0))?;
+        map.serialize_entry("start_displacement", &value(|found| &found.start.1))?;
+        map.serialize_entry("only_within", &found.map(|found| found.only_within.1.mid.to_f64()))?;
+        map.serialize_entry("bits", &found.map(|found| found.bits))?;
         map.end()
     }
 }

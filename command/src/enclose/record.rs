@@ -1,6 +1,6 @@
 //! `record --enclose`: every answer with a bound of its error, and every stop proved.
 
-use super::typed::BITS;
+use super::found::BITS;
 use crate::args::RecordArgs;
 use crate::failure::{Failure, Outcome};
 use crate::follow::Shaken;
@@ -26,9 +26,9 @@ struct EnclosedRecord {
 pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     let Shaken { given, body, record, start: [x, v] } = Shaken::<Mp<WORDS>>::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
-    let found = enclosed::follow(&body, &record, x, v, args.bits.unwrap_or(BITS)).map_err(named)?;
+    let found = enclosed::follow(&body, &record, x, v, args.answer.bits.unwrap_or(BITS)).map_err(named)?;
     let answer = EnclosedRecord { found, system: given.system };
-    if args.format.is_json("record")? { output::json(&answer, out) } else { answer.text(out) }
+    if args.answer.format.is_json("record")? { output::json(&answer, out) } else { answer.text(out) }
 }
 
 impl EnclosedRecord {

@@ -275,7 +275,7 @@ pub(crate) fn capital(text: &str) -> String {
 }
 
 /// The first and the last value, if the values are ascending.
-fn ends(values: &[f64]) -> Option<(f64, f64)> {
+pub(crate) fn ends(values: &[f64]) -> Option<(f64, f64)> {
     let ascending = values.windows(2).all(|pair| matches!(pair, [a, b] if a < b));
     match values {
         [first, .., last] if ascending => Some((*first, *last)),
