@@ -34,16 +34,10 @@ struct DecayScales<F> {
     system: System,
 }
 
-/// The ratios ζ and η, where given.
-struct Frictions<F> {
-    damping: Option<F>,
-    static_friction: Option<F>,
-}
-
 fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let reader = args.answer.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
-    let (scales, frictions) = body(&given)?;
+    let (scales, frictions @ [damping, static_friction]) = body(&given)?;
     let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
     let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
     let v0: F =
@@ -52,14 +46,14 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
         Some(s) => (x0 / s.length, v0 * s.time / s.length),
         None => (x0, v0),
     };
-    let zeta = frictions.damping.unwrap_or(F::int(0));
-    let eta = frictions.static_friction.unwrap_or(F::int(1));
+    let zeta = damping.unwrap_or(F::int(0));
+    let eta = static_friction.unwrap_or(F::int(1));
     let decay = FreeDecay::new(x, v, zeta, eta).map_err(|e| match e.quantity() {
         Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(&e).into(),
         Some(Quantity::Velocity) => Failure::Input(format!("--v0 {}: {e}", args.v0)),
         _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
     })?;
-    let record = record(&decay, scales.as_ref(), &frictions).finite()?;
+    let record = record(&decay, scales.as_ref(), frictions).finite()?;
     args.look.needs("--out", args.out.as_deref())?;
     if let Some(file) = &args.out {
         write_file(args, &decay, scales.as_ref(), file)?;
@@ -201,11 +195,11 @@ stickslip::define! {
 fn record<F: Value>(
     decay: &FreeDecay<F>,
     scales: Option<&DecayScales<F>>,
-    frictions: &Frictions<F>,
+    frictions: [Option<F>; 2],
 ) -> Record<F> {
     let number = |x: F| Cell::Number(Some(x));
-    let repeated = [(DAMPING_RATIO, frictions.damping), (STATIC_FRICTION_RATIO, frictions.static_friction)];
-    let mut fields: Vec<_> = repeated.into_iter().filter_map(|(key, x)| Some((key, number(x?)))).collect();
+    let given = [DAMPING_RATIO, STATIC_FRICTION_RATIO].into_iter().zip(frictions);
+    let mut fields: Vec<_> = given.filter_map(|(key, x)| Some((key, number(x?)))).collect();
     fields.extend([
         (key!("half_cycles"), Cell::Count(Some(decay.half_cycles))),
         (FIRST_TURN, number(decay.first_turn)),
@@ -224,24 +218,21 @@ fn record<F: Value>(
     record
 }
 
-/// The scales of the machine, if there is one, and its damping and static friction.
-fn body<F: Value>(given: &Given<F>) -> Result<(Option<DecayScales<F>>, Frictions<F>), Failure> {
+/// The scales of the machine, if there is one, and ζ and η, where given.
+fn body<F: Value>(given: &Given<F>) -> Result<(Option<DecayScales<F>>, [Option<F>; 2]), Failure> {
     let (zeta, eta) = (given.get(Input::DampingRatio), given.get(Input::StaticFrictionRatio));
     if !given.is_physical() {
-        return Ok((None, Frictions { damping: zeta, static_friction: eta }));
+        return Ok((None, [zeta, eta]));
     }
     let body = given.oscillator()?;
-    let frictions = Frictions {
-        damping: given.has_role(Role::Damper).then(|| zeta.unwrap_or(body.damping_ratio())),
-        static_friction: given
-            .has_role(Role::StaticFriction)
-            .then(|| eta.unwrap_or(body.static_friction_ratio())),
-    };
-    let shifted = given.has(Input::MeanForce) || given.has(Input::FrictionBackward);
+    let frictions = [
+        given.has_role(Role::Damper).then(|| zeta.unwrap_or(body.damping_ratio())),
+        given.has_role(Role::StaticFriction).then(|| eta.unwrap_or(body.static_friction_ratio())),
+    ];
     let scales = DecayScales {
         length: body.friction_displacement(),
         time: F::int(1) / body.natural_frequency(),
-        mean_displacement: shifted.then(|| input::mean_displacement(given, &body)).transpose()?,
+        mean_displacement: given.is_shifted().then(|| input::mean_displacement(given, &body)).transpose()?,
         system: given.system,
     };
     Ok((Some(scales), frictions))

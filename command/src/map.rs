@@ -26,70 +26,62 @@ pub(crate) use picture::{capital, ends};
 /// A value, with its kind if it is in the machine's units.
 type MapValue = (Option<Kind>, Cell<f64>);
 
-/// Quantity to map.
-enum Quantity<'a> {
+/// What is mapped.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Mapped {
     Regime,
     Margin,
     Stops,
     Limits,
-    Output(Swept, &'a str),
+    Output,
+}
+
+/// Quantity to map, and the question that it is an output of.
+struct Quantity<'a> {
+    mapped: Mapped,
+    name: &'a str,
+    question: Swept,
 }
 
 impl<'a> Quantity<'a> {
     fn parse(text: &'a str) -> Self {
-        match text {
-            "regime" => Self::Regime,
-            "margin" => Self::Margin,
-            "stops" => Self::Stops,
-            "limits" => Self::Limits,
+        let (mapped, name, question) = match text {
+            "regime" => (Mapped::Regime, text, Swept::Response),
+            "margin" => (Mapped::Margin, text, Swept::Response),
+            "stops" => (Mapped::Stops, "sticks_per_cycle", Swept::Steady),
+            "limits" => (Mapped::Limits, text, Swept::Steady),
             _ => match text.strip_prefix("steady:") {
-                Some(name) => Self::Output(Swept::Steady, name),
-                None => Self::Output(Swept::Response, text),
+                Some(name) => (Mapped::Output, name, Swept::Steady),
+                None => (Mapped::Output, text, Swept::Response),
             },
-        }
-    }
-
-    const fn name(&self) -> &'a str {
-        match self {
-            Self::Regime => "regime",
-            Self::Margin => "margin",
-            Self::Stops => "sticks_per_cycle",
-            Self::Limits => "limits",
-            Self::Output(_, name) => name,
-        }
-    }
-
-    const fn question(&self) -> Swept {
-        match self {
-            Self::Regime | Self::Margin => Swept::Response,
-            Self::Stops | Self::Limits => Swept::Steady,
-            Self::Output(question, _) => *question,
-        }
+        };
+        Self { mapped, name, question }
     }
 
     /// The loops of a batch that compute it in ratios, if there are any.
     fn looped(&self) -> Option<Looped> {
-        let name = matches!(self, Self::Regime | Self::Output(Swept::Response, _)).then(|| self.name())?;
-        Looped::of(core::iter::once(outputs::find(name)?))
+        let is_closed =
+            matches!(self.mapped, Mapped::Regime | Mapped::Output) && self.question == Swept::Response;
+        Looped::of(core::iter::once(outputs::find(self.name).filter(|_| is_closed)?))
     }
 
     /// The value at a point, with the kind of values in the machine's units; `None` if there is no such
     /// output.
     fn value_at(&self, given: &Given<f64>) -> Result<Option<MapValue>, Failure> {
-        if matches!(self, Self::Margin) {
+        if self.mapped == Mapped::Margin {
             let margin = margin(input::point(given)?.ratios);
             return Ok(Some((None, Cell::Number(Some(margin)))));
         }
-        if matches!(self, Self::Limits) {
+        if self.mapped == Mapped::Limits {
             return Ok(Some((None, Cell::Text(limits::described(input::point(given)?.ratios)?))));
         }
-        let peaks = outputs::is_searched(self.name());
-        let record = rows::answer(self.question(), given, peaks)?;
-        let physical = record.physical.values.iter().find(|(name, ..)| *name == self.name());
+        let peaks = outputs::is_searched(self.name);
+        let record = rows::answer(self.question, given, peaks)?;
+        let physical = record.physical.values.iter().find(|(name, ..)| *name == self.name);
         let found = match physical {
             Some((_, kind, cell)) => Some((Some(*kind), *cell)),
             None => {
-                record.fields.iter().find(|(key, _)| key.name == self.name()).map(|(_, cell)| (None, *cell))
+                record.fields.iter().find(|(key, _)| key.name == self.name).map(|(_, cell)| (None, *cell))
             }
         };
         Ok(found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_))))
@@ -97,7 +89,7 @@ impl<'a> Quantity<'a> {
 
     /// The reason for a missing value, as text for a key.
     const fn absence(&self) -> &'static str {
-        match self.question() {
+        match self.question {
             Swept::Response => "white: the body sticks or stays at rest",
             Swept::Steady | Swept::Border => "white: no periodic motion",
         }
@@ -155,7 +147,7 @@ impl<'a> Map<'a> {
         };
         // Points are computed row by row: the horizontal grid varies fastest.
         axes.order([up.clone(), across.clone()]);
-        rows::check(quantity.question(), &axes)?;
+        rows::check(quantity.question, &axes)?;
         let Some((kind, _)) = quantity.value_at(&axes.given_at(0))? else {
             let known = "regime, margin, stops, an output of response, or steady: and an output of steady";
             return Err(format!("map {}: must be one of {known}", args.quantity).into());

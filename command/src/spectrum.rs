@@ -162,7 +162,6 @@ impl Table for Spectra<'_> {
     #[cfg(feature = "parquet")]
     fn notes(&self) -> Vec<(String, String)> {
         let args = self.args;
-        let typed = args.machine.iter().map(|(input, text)| (input.column(), text.clone()));
         let names = self.loads.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(",");
         let others = [
             ("records", Some(names)),
@@ -176,6 +175,6 @@ impl Table for Spectra<'_> {
             ("shard", args.table.shard.clone()),
             ("system", args.units.units.map(|system| system.to_string())),
         ];
-        typed.chain(others.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?)))).collect()
+        sweep::notes(&args.machine, others)
     }
 }

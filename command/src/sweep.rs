@@ -16,6 +16,8 @@ use rows::SweepRows;
 use std::fs::File;
 use std::io::Write;
 use std::ops::Range;
+#[cfg(feature = "parquet")]
+use stickslip::inputs::Input;
 
 pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
     at_bits!(args.bits, compute(args: &SweepArgs, out))
@@ -57,6 +59,16 @@ pub(crate) trait Table: Sync {
     /// What identifies the table, by name.
     #[cfg(feature = "parquet")]
     fn notes(&self) -> Vec<(String, String)>;
+}
+
+/// The typed inputs, and what else identifies a table, by name.
+#[cfg(feature = "parquet")]
+pub(crate) fn notes<const N: usize>(
+    typed: &[(Input, String)],
+    others: [(&str, Option<String>); N],
+) -> Vec<(String, String)> {
+    let typed = typed.iter().map(|(input, text)| (input.column(), text.clone()));
+    typed.chain(others.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?)))).collect()
 }
 
 /// The rows of a table as text.

@@ -1,6 +1,6 @@
 //! The limits of a machine from several starts, and the line on which the symmetric motion is lost, in a picture of them.
 
-use super::{Map, Quantity};
+use super::{Map, Mapped};
 use crate::attractors::{reach, start};
 use crate::failure::Failure;
 use crate::starts::follow;
@@ -63,7 +63,7 @@ impl Map<'_> {
     pub(super) fn breaks(&self) -> Result<Breaks, Failure> {
         let up = self.up.0;
         let (low, high) = self.up.1.ends();
-        if !matches!(self.quantity, Quantity::Limits) || up.role() != Role::Drive || low < 0.0 {
+        if !matches!(self.quantity.mapped, Mapped::Limits) || up.role() != Role::Drive || low < 0.0 {
             return Ok(Breaks::default());
         }
         let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);

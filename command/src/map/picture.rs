@@ -2,7 +2,7 @@
 
 use super::BORDER_POINTS;
 use super::resonance::is_unbounded;
-use super::{Map, Quantity, limits, margin};
+use super::{Map, Mapped, limits, margin};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
@@ -15,17 +15,17 @@ use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 impl Map<'_> {
     /// The meaning of the colours, in words, with the unit.
     fn label(&self) -> (String, String) {
-        let words = match self.quantity {
-            Quantity::Regime => "regime".to_owned(),
-            Quantity::Margin => "margin over the border, α/α_min".to_owned(),
-            Quantity::Stops if self.has_static_friction() => "stops in a cycle, from rest".to_owned(),
-            Quantity::Stops => "stops in a cycle".to_owned(),
-            Quantity::Limits => format!("limits from {} starts", limits::STARTS),
-            Quantity::Output(..) => outputs::in_words(self.quantity.name()),
+        let words = match self.quantity.mapped {
+            Mapped::Regime => "regime".to_owned(),
+            Mapped::Margin => "margin over the border, α/α_min".to_owned(),
+            Mapped::Stops if self.has_static_friction() => "stops in a cycle, from rest".to_owned(),
+            Mapped::Stops => "stops in a cycle".to_owned(),
+            Mapped::Limits => format!("limits from {} starts", limits::STARTS),
+            Mapped::Output => outputs::in_words(self.quantity.name),
         };
         let unit = match self.kind {
             Some(kind) => self.system.name(kind),
-            None => outputs::find(self.quantity.name()).map_or("", |key| key.measure.unit()).to_owned(),
+            None => outputs::find(self.quantity.name).map_or("", |key| key.measure.unit()).to_owned(),
         };
         let label =
             if matches!(unit.as_str(), "" | "1") { words.clone() } else { format!("{words} ({unit})") };
@@ -64,7 +64,7 @@ impl Map<'_> {
     /// The scale, reversed for the fraction of time at rest: as in all pictures, light shades mean motion.
     fn lit(&self, scale: Scale) -> Scale {
         match scale {
-            Scale::Shades { low, high, logarithmic } if self.quantity.name() == "stick_fraction" => {
+            Scale::Shades { low, high, logarithmic } if self.quantity.name == "stick_fraction" => {
                 Scale::Shades { low: high, high: low, logarithmic }
             }
             Scale::Shades { .. } | Scale::Names(_) => scale,
@@ -122,7 +122,7 @@ impl Map<'_> {
         } else {
             &["non-sticking", "unbounded", "sticking", "stuck"]
         };
-        let known = if matches!(self.quantity, Quantity::Limits) { &limits::NAMES[..] } else { regimes };
+        let known = if matches!(self.quantity.mapped, Mapped::Limits) { &limits::NAMES[..] } else { regimes };
         let mut names: Vec<String> = known.iter().map(|name| (*name).to_owned()).collect();
         let mut named = false;
         let mut values = Vec::new();
@@ -133,7 +133,7 @@ impl Map<'_> {
         self.cells(&axes, |given, cell| {
             let value = match cell {
                 // The line of unbounded motion shows these points.
-                Cell::Text(_) if matches!(self.quantity, Quantity::Regime) && is_unbounded(&given) => {
+                Cell::Text(_) if matches!(self.quantity.mapped, Mapped::Regime) && is_unbounded(&given) => {
                     f64::NAN
                 }
                 Cell::Text(name) => {

@@ -1,7 +1,7 @@
 //! The columns beside resonance in a picture of a map, and the line on which the motion is unbounded.
 
 use super::BORDER_POINTS;
-use super::{Map, Quantity};
+use super::{Map, Mapped};
 use crate::failure::Failure;
 use crate::input;
 use stickslip::inputs::{Given, Input, Point};
@@ -46,7 +46,7 @@ impl Map<'_> {
             self.up.0,
             Input::Mass | Input::Stiffness | Input::Period | Input::Omega | Input::Frequency
         );
-        is_same && matches!(self.quantity, Quantity::Regime | Quantity::Output(..))
+        is_same && matches!(self.quantity.mapped, Mapped::Regime | Mapped::Output)
     }
 
     /// The value across at which Ω = 1, if the axis is the frequency or Ω.

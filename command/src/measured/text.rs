@@ -25,139 +25,105 @@ pub(crate) fn read<F: Float + FromStr>(
     step: Option<(F, &str)>,
     place_of_step: &str,
 ) -> Result<(Record<F>, Vec<String>), String> {
-    let samples = if peer(text).is_some() {
-        if let Some((_, typed)) = step {
-            return Err(format!("{typed}: must be left out, because {name} states its own"));
+    if peer(text).is_none() {
+        return of_table(text, name, reader, step, place_of_step);
+    }
+    match step {
+        Some((_, typed)) => Err(format!("{typed}: must be left out, because {name} states its own")),
+        None => Ok((of_peer(text, name, reader)?, Vec::new())),
+    }
+}
+
+/// The accelerations of a record of the PEER database, in g. Its fourth line has the number of samples and the step.
+fn of_peer<F: Float + FromStr>(text: &str, name: &str, reader: &Reader) -> Result<Record<F>, String> {
+    let bad = |line: usize, what: String| format!("{name} line {line}: {what}");
+    let (count, step) = peer(text).flatten().ok_or_else(|| {
+        bad(4, "must state the number of samples and the step: NPTS= 4000, DT= .005 SEC".to_owned())
+    })?;
+    let unit = reader.factor_of_column(name, "g", Kind::Acceleration)?;
+    let second = reader.factor_of_column(name, "s", Kind::Time)?;
+    let step = second.times(number::<F>(&format!("{name} line 4: DT"), step)?);
+    let mut values = Vec::with_capacity(count.min(1 << 24));
+    for (line, text) in (1..).zip(text.lines()).skip(4) {
+        for word in text.split_whitespace() {
+            let value = number::<F>(&format!("{name} line {line}"), word)?;
+            values.push(unit.times(value));
         }
-        Samples::of_peer(text, name, reader)?
-    } else {
-        Samples::of_table(text, name, reader, step, place_of_step)?
+    }
+    if values.len() != count {
+        let found = values.len();
+        return Err(bad(4, format!("NPTS = {count}, but the file has {found} samples")));
+    }
+    Record::new(Excitation::SurfaceAcceleration, step, values).map_err(|e| format!("{name}: {e}"))
+}
+
+/// The record of a table with a header, and the names of the columns that are not used.
+fn of_table<F: Float + FromStr>(
+    text: &str,
+    name: &str,
+    reader: &Reader,
+    step: Option<(F, &str)>,
+    place_of_step: &str,
+) -> Result<(Record<F>, Vec<String>), String> {
+    let bad = |what: String| format!("{name}: {what}");
+    let first = text.lines().next().unwrap_or_default();
+    let delimiter = [b',', b';', b'\t'].into_iter().find(|byte| first.as_bytes().contains(byte));
+    let mut table = ReaderBuilder::new()
+        .trim(Trim::All)
+        .delimiter(delimiter.unwrap_or(b','))
+        .from_reader(text.as_bytes());
+    let header = table.headers().map_err(|e| unreadable(name, &e))?.clone();
+    let ([time, load], unused) = columns(&header, name)?;
+    let (place, index, unit) = load.ok_or_else(|| {
+        let names = LOADS.map(|(name, ..)| name).join(", ");
+        bad(format!("a column of the load is missing in the header “{first}”. Name one of {names}, such as acceleration[g]"))
+    })?;
+    let Some(&(column, kind, excitation)) = LOADS.get(index) else {
+        return Err(bad("no load".to_owned()));
     };
-    let unused = samples.unused.clone();
-    Ok((samples.record(name)?, unused))
-}
-
-/// The samples of a file.
-struct Samples<F> {
-    excitation: Excitation,
-    times: Times<F>,
-    values: Vec<F>,
-    /// The line of each row of a table.
-    lines: Vec<u64>,
-    /// The names of the columns that are not used.
-    unused: Vec<String>,
-}
-
-enum Times<F> {
-    /// The step, from 0 on.
-    Step(F),
-    Each(Vec<F>),
-}
-
-impl<F: Float + FromStr> Samples<F> {
-    fn record(self, name: &str) -> Result<Record<F>, String> {
-        let Self { excitation, times, values, lines, .. } = self;
-        let record = match times {
-            Times::Step(step) => Record::new(excitation, step, values),
-            Times::Each(times) => match even(&times) {
-                Some((start, step)) => {
-                    Record::new(excitation, step, values).and_then(|record| record.beginning_at(start))
-                }
-                None => Record::at_times(excitation, times, values),
-            },
-        };
-        record.map_err(|e| {
-            if let Error::InSample { index, error } = &e
-                && let Some(line) = lines.get(*index)
-            {
-                return format!("{name} line {line}: {error}");
-            }
-            format!("{name}: {e}")
-        })
-    }
-
-    /// The accelerations of a record of the PEER database, in g. Its fourth line has the number of samples and the step.
-    fn of_peer(text: &str, name: &str, reader: &Reader) -> Result<Self, String> {
-        let bad = |line: usize, what: String| format!("{name} line {line}: {what}");
-        let (count, step) = peer(text).flatten().ok_or_else(|| {
-            bad(4, "must state the number of samples and the step: NPTS= 4000, DT= .005 SEC".to_owned())
-        })?;
-        let unit = reader.factor_of_column(name, "g", Kind::Acceleration)?;
-        let second = reader.factor_of_column(name, "s", Kind::Time)?;
-        let step = second.times(number::<F>(&format!("{name} line 4: DT"), step)?);
-        let mut values = Vec::with_capacity(count.min(1 << 24));
-        for (line, text) in (1..).zip(text.lines()).skip(4) {
-            for word in text.split_whitespace() {
-                let value = number::<F>(&format!("{name} line {line}"), word)?;
-                values.push(unit.times(value));
-            }
-        }
-        if values.len() != count {
-            let found = values.len();
-            return Err(bad(4, format!("NPTS = {count}, but the file has {found} samples")));
-        }
-        Ok(Self {
-            excitation: Excitation::SurfaceAcceleration,
-            times: Times::Step(step),
-            values,
-            lines: Vec::new(),
-            unused: Vec::new(),
-        })
-    }
-
-    /// The samples of a table with a header.
-    fn of_table(
-        text: &str,
-        name: &str,
-        reader: &Reader,
-        step: Option<(F, &str)>,
-        place_of_step: &str,
-    ) -> Result<Self, String> {
-        let bad = |what: String| format!("{name}: {what}");
-        let first = text.lines().next().unwrap_or_default();
-        let delimiter = [b',', b';', b'\t'].into_iter().find(|byte| first.as_bytes().contains(byte));
-        let mut table = ReaderBuilder::new()
-            .trim(Trim::All)
-            .delimiter(delimiter.unwrap_or(b','))
-            .from_reader(text.as_bytes());
-        let header = table.headers().map_err(|e| unreadable(name, &e))?.clone();
-        let ([time, load], unused) = columns(&header, name)?;
-        let (place, index, unit) = load.ok_or_else(|| {
-            let names = LOADS.map(|(name, ..)| name).join(", ");
-            bad(format!("a column of the load is missing in the header “{first}”. Name one of {names}, such as acceleration[g]"))
-        })?;
-        let Some(&(column, kind, excitation)) = LOADS.get(index) else {
-            return Err(bad("no load".to_owned()));
-        };
-        let load = Column::new(name, (place, column, unit), kind, reader)?;
-        let time = time.map(|(place, _, unit)| Column::new(name, (place, "time", unit), Kind::Time, reader));
-        let time = time.transpose()?;
-        if time.is_none() && step.is_none() {
+    let load = Column::new(name, (place, column, unit), kind, reader)?;
+    let time = time.map(|(place, _, unit)| Column::new(name, (place, "time", unit), Kind::Time, reader));
+    let time = time.transpose()?;
+    match (&time, step) {
+        (None, None) => {
             return Err(bad(format!("has no column time. Give the time between samples {place_of_step}")));
         }
-        if let (Some(_), Some((_, typed))) = (&time, step) {
+        (Some(_), Some((_, typed))) => {
             return Err(format!("{typed}: must be left out, because {name} has a column time"));
         }
-        let (mut times, mut values, mut lines) = (Vec::new(), Vec::new(), Vec::new());
-        let mut row = StringRecord::new();
-        while table.read_record(&mut row).map_err(|e| unreadable(name, &e))? {
-            let line = row.position().map_or(0, csv::Position::line);
-            let at = format!("{name} line {line}");
-            let value = |column: &Column, name: &str| {
-                if column.text(&row).is_empty() {
-                    return Err(format!("{at}: {name}: is missing"));
-                }
-                Ok(column.value::<F>(&row, &at, reader)?)
-            };
-            values.push(value(&load, column)?);
-            if let Some(time) = &time {
-                times.push(value(time, "time")?);
-            }
-            lines.push(line);
-        }
-        let times = step.map_or(Times::Each(times), |(step, _)| Times::Step(step));
-        Ok(Self { excitation, times, values, lines, unused })
+        _ => {}
     }
+    let (mut times, mut values, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    let mut row = StringRecord::new();
+    while table.read_record(&mut row).map_err(|e| unreadable(name, &e))? {
+        let line = row.position().map_or(0, csv::Position::line);
+        let at = format!("{name} line {line}");
+        let value = |column: &Column, name: &str| {
+            if column.text(&row).is_empty() {
+                return Err(format!("{at}: {name}: is missing"));
+            }
+            Ok(column.value::<F>(&row, &at, reader)?)
+        };
+        values.push(value(&load, column)?);
+        if let Some(time) = &time {
+            times.push(value(time, "time")?);
+        }
+        lines.push(line);
+    }
+    let record = match (step, even(&times)) {
+        (Some((step, _)), _) => Record::new(excitation, step, values),
+        (None, Some((start, step))) => {
+            Record::new(excitation, step, values).and_then(|record| record.beginning_at(start))
+        }
+        (None, None) => Record::at_times(excitation, times, values),
+    };
+    let record = record.map_err(|e| match &e {
+        Error::InSample { index, error } if *index < lines.len() => {
+            format!("{name} line {}: {error}", lines.get(*index).copied().unwrap_or_default())
+        }
+        _ => bad(e.to_string()),
+    })?;
+    Ok((record, unused))
 }
 
 /// A column: its place, its index among the loads, and its unit.

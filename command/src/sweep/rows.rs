@@ -33,17 +33,16 @@ pub(crate) struct SweepRows<F> {
 /// What identifies a sweep in a Parquet file.
 #[cfg(feature = "parquet")]
 fn notes(args: &SweepArgs) -> Vec<(String, String)> {
-    let question =
-        clap::ValueEnum::to_possible_value(&args.question).map(|value| value.get_name().to_owned());
-    let grids = args.machine.iter().map(|(input, text)| (input.column(), text.clone()));
-    let notes = [
-        ("system", args.units.units.map(|system| system.to_string())),
-        ("sweep", question),
-        ("outputs", args.outputs.as_ref().map(|names| names.join(","))),
-        ("shard", args.table.shard.clone()),
-        ("bits", args.bits.map(|bits| bits.to_string())),
-    ];
-    grids.chain(notes.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?)))).collect()
+    super::notes(
+        &args.machine,
+        [
+            ("system", args.units.units.map(|system| system.to_string())),
+            ("sweep", Some(args.question.command().to_owned())),
+            ("outputs", args.outputs.as_ref().map(|names| names.join(","))),
+            ("shard", args.table.shard.clone()),
+            ("bits", args.bits.map(|bits| bits.to_string())),
+        ],
+    )
 }
 
 impl<F: Value> SweepRows<F> {
