@@ -3,7 +3,7 @@
 use crate::args::{AttractorsArgs, Format, Header};
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
-use crate::note::{both, decay, line, measured_from};
+use crate::note::{Note, decay, measured_from};
 use crate::outputs::{ATTRACTOR, FIRST_V, FIRST_X, MIRROR, REST_FROM, REST_TO, SHARE, STARTS};
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
@@ -11,7 +11,6 @@ use crate::starts::Starts;
 use crate::{input, interrupt, output, progress, style};
 use serde::Serialize;
 use std::io::Write;
-use stickslip::Ratios;
 use stickslip::definitions::{
     LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR, MULTIPLIERS, STICKS_PER_CYCLE, SYMMETRIC,
     TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
@@ -20,6 +19,7 @@ use stickslip::motion::{
     Attractor, Attractors, LongRun, PeriodicMotions, Signature, Starts as Spread, State, SteadyOutput,
     SteadyState, periodic_motions_from,
 };
+use stickslip::{Measure, Ratios};
 
 /// The greatest number of starts, whose limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -36,19 +36,16 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
     let reach = reach(args.reach.as_deref(), &point.ratios)?;
     let at = |number| start(number, reach);
     let all = Starts { ratios: point.ratios, count, at, periods }.limits(&given, &args.rows)?;
-    let others = match args.unstable {
-        Some(turns) => Others::search(&all, point.ratios, count, at, turns)?,
-        None => Others::none(),
-    };
+    let others = args.unstable.map(|turns| others(&all, point.ratios, count, at, turns)).transpose()?;
     let rows: Vec<Record<F>> = (0..all.limits.len()).map(|place| row(&all, Some(place), reach)).collect();
-    let more = others.rows();
+    let more = others.as_ref().map(|others| others.iter().map(Other::record).collect::<Vec<_>>());
     match args.format {
         Format::Text => {
-            let scale = point.machine.as_ref().map(|m| m.scales.length);
-            let length = |x| both(x, "B", scale, given.system.length());
-            measured_from(&given, point.machine.as_ref(), out)?;
-            text(&all, reach, length, out)?;
-            args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
+            let mut note = Note::of(&given, point.machine.as_ref(), out);
+            measured_from(note.given, note.machine, note.out)?;
+            text(&all, reach, &mut note)?;
+            let turns = args.unstable.unwrap_or_default();
+            others.map_or(Ok(()), |others| text_of_others(&others, turns, &mut note))
         }
         Format::Json => {
             let answer = AttractorsAnswer {
@@ -57,7 +54,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
                 reach: Cell::Number(Some(reach)),
                 unsettled: all.unsettled(),
                 attractors: &rows,
-                other_motions: args.unstable.map(|_| more.as_slice()),
+                other_motions: more.as_deref(),
             };
             output::json(&answer, out)
         }
@@ -68,7 +65,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
                 sink.write_header(&row(&all, None, reach))?;
                 progress::note(&unsettled(&all));
             }
-            rows.iter().chain(&more).try_for_each(|row| sink.write(row))?;
+            rows.iter().chain(more.iter().flatten()).try_for_each(|row| sink.write(row))?;
             Ok(sink.flush()?)
         }
     }
@@ -173,12 +170,7 @@ struct AttractorsAnswer<'a, F: Value> {
     other_motions: Option<&'a [Record<F>]>,
 }
 
-fn text<F: Value>(
-    all: &Attractors<F>,
-    reach: F,
-    length: impl Fn(F) -> String,
-    out: &mut impl Write,
-) -> Outcome {
+fn text<F: Value>(all: &Attractors<F>, reach: F, note: &mut Note<'_, F, impl Write>) -> Outcome {
     let (count, reach) = (all.of_start.len(), digits(reach));
     let limits = match all.limits.len() {
         0 => "No limit".to_owned(),
@@ -187,28 +179,38 @@ fn text<F: Value>(
     };
     let sentence =
         format!("{limits} from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d.");
-    writeln!(out, "{}", style::verdict(&sentence))?;
+    writeln!(note.out, "{}", style::verdict(&sentence))?;
     if all.unsettled() > 0 {
-        writeln!(out, "{}", unsettled(all))?;
+        writeln!(note.out, "{}", unsettled(all))?;
     }
     for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);
-        writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, stickslip::words::described(found))?;
+        writeln!(
+            note.out,
+            "\n{}. {}, {part} % of the starts",
+            place + 1,
+            stickslip::words::described(found)
+        )?;
         if let Some(steady) = found.limit.steady_state() {
-            line(out, "maximum displacement", length(steady.max_displacement.value))?;
-            line(out, "minimum displacement", length(steady.min_displacement.value))?;
-            line(out, "stops in a cycle", steady.sticks_per_cycle)?;
-            line(out, "a disturbance", decay(steady.contraction(), "a cycle"))?;
+            of_cycle(steady, note)?;
+            note.line("a disturbance", decay(steady.contraction(), "a cycle"))?;
         } else if let LongRun::Irregular(motion) = found.limit {
-            line(out, "greatest displacement", length(motion.max_displacement))?;
-            line(out, "least displacement", length(motion.min_displacement))?;
-            line(out, "Lyapunov exponent", format_args!("{} a turn", digits(motion.lyapunov_exponent)))?;
+            note.number("greatest displacement", Measure::Length, motion.max_displacement)?;
+            note.number("least displacement", Measure::Length, motion.min_displacement)?;
+            note.line("Lyapunov exponent", format_args!("{} a turn", digits(motion.lyapunov_exponent)))?;
         } else if let Some((low, high)) = found.range {
-            line(out, "from", length(low))?;
-            line(out, "to", length(high))?;
+            note.number("from", Measure::Length, low)?;
+            note.number("to", Measure::Length, high)?;
         }
     }
     Ok(())
+}
+
+/// The extrema and the stops of a cycle.
+fn of_cycle<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>) -> Outcome {
+    note.number("maximum displacement", Measure::Length, steady.max_displacement.value)?;
+    note.number("minimum displacement", Measure::Length, steady.min_displacement.value)?;
+    Ok(note.line("stops in a cycle", steady.sticks_per_cycle)?)
 }
 
 /// A motion that no start leads to, with its number and that of its mirror image.
@@ -218,86 +220,71 @@ struct Other<F> {
     steady: SteadyState<F>,
 }
 
-/// All motions found to which no start leads.
-struct Others<F>(Vec<Other<F>>);
-
-impl<F: Value> Others<F> {
-    const fn none() -> Self {
-        Self(Vec::new())
+/// The motions found to which no start leads, by Newton's method from the starts, in parallel; the numbers continue
+/// those of the limits.
+fn others<F: Value>(
+    all: &Attractors<F>,
+    ratios: Ratios<F>,
+    count: u64,
+    at: impl Fn(u64) -> Result<State<F>, Failure> + Sync,
+    turns: u32,
+) -> Result<Vec<Other<F>>, Failure> {
+    let mut motions = PeriodicMotions::new();
+    progress::in_order(
+        0..count,
+        |number| Ok(periodic_motions_from(ratios, at(number)?, turns, &mut interrupt::keep_going)?),
+        |found| Ok(found.into_iter().try_for_each(|steady| motions.add(steady))?),
+    )?;
+    let mut numbers = Vec::new();
+    let mut next = all.limits.len();
+    for motion in motions.found() {
+        let signature = Signature::of(&LongRun::Periodic(motion.steady_state))?;
+        let place = all.place_of(&signature);
+        numbers.push((place.is_none(), 1 + place.unwrap_or(next)));
+        next += usize::from(place.is_none());
     }
+    let number = |place: usize| numbers.get(place).map(|(_, number)| *number);
+    let others = motions.found().iter().zip(&numbers).filter(|(_, (is_other, _))| *is_other);
+    let other = others.map(|(motion, (_, own))| Other {
+        number: *own,
+        mirror: motion.mirror.and_then(number),
+        steady: motion.steady_state,
+    });
+    Ok(other.collect())
+}
 
-    /// Searches by Newton's method from the starts, in parallel; the numbers continue those of the limits.
-    fn search(
-        all: &Attractors<F>,
-        ratios: Ratios<F>,
-        count: u64,
-        at: impl Fn(u64) -> Result<State<F>, Failure> + Sync,
-        turns: u32,
-    ) -> Result<Self, Failure> {
-        let mut motions = PeriodicMotions::new();
-        progress::in_order(
-            0..count,
-            |number| Ok(periodic_motions_from(ratios, at(number)?, turns, &mut interrupt::keep_going)?),
-            |found| Ok(found.into_iter().try_for_each(|steady| motions.add(steady))?),
-        )?;
-        let mut numbers = Vec::new();
-        let mut next = all.limits.len();
-        for motion in motions.found() {
-            let signature = Signature::of(&LongRun::Periodic(motion.steady_state))?;
-            let place = all.place_of(&signature);
-            numbers.push((place.is_none(), 1 + place.unwrap_or(next)));
-            next += usize::from(place.is_none());
+impl<F: Value> Other<F> {
+    fn record(&self) -> Record<F> {
+        LimitData {
+            number: self.number,
+            name: if self.steady.is_stable() { "periodic" } else { "unstable" },
+            share: 0.0,
+            starts: 0,
+            first: None,
+            mirror: self.mirror,
+            limit: Some(LongRun::Periodic(self.steady)),
+            range: None,
         }
-        let number = |place: usize| numbers.get(place).map(|(_, number)| *number);
-        let others = motions.found().iter().zip(&numbers).filter(|(_, (is_other, _))| *is_other);
-        Ok(Self(
-            others
-                .map(|(motion, (_, own))| Other {
-                    number: *own,
-                    mirror: motion.mirror.and_then(number),
-                    steady: motion.steady_state,
-                })
-                .collect(),
-        ))
+        .record()
     }
+}
 
-    fn rows(&self) -> Vec<Record<F>> {
-        let row = |Other { number, mirror, steady }: &Other<F>| {
-            LimitData {
-                number: *number,
-                name: if steady.is_stable() { "periodic" } else { "unstable" },
-                share: 0.0,
-                starts: 0,
-                first: None,
-                mirror: *mirror,
-                limit: Some(LongRun::Periodic(*steady)),
-                range: None,
-            }
-            .record()
-        };
-        self.0.iter().map(row).collect()
+fn text_of_others<F: Value>(others: &[Other<F>], turns: u32, note: &mut Note<'_, F, impl Write>) -> Outcome {
+    let of = if turns == 1 { "one turn".to_owned() } else { format!("{turns} turns or fewer") };
+    let found = match others.len() {
+        0 => "No periodic motion",
+        1 => "A periodic motion",
+        _ => "Periodic motions",
+    };
+    writeln!(note.out, "\n{found} of {of} that no start leads to, by a search from the same starts.")?;
+    for Other { number, mirror, steady } in others {
+        let stability = if steady.is_stable() { "stable" } else { "unstable" };
+        let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
+        writeln!(note.out, "\n{number}. {}, {stability}{mirror}", stickslip::words::shape(steady))?;
+        of_cycle(steady, note)?;
+        let [(re, im), _] = steady.multipliers;
+        let imaginary = if im == F::int(0) { String::new() } else { format!(" ± {} i", digits(im.abs())) };
+        note.line("greatest multiplier", format_args!("{}{imaginary} in a cycle", digits(re)))?;
     }
-
-    fn text(&self, turns: u32, length: impl Fn(F) -> String, out: &mut impl Write) -> Outcome {
-        let of = if turns == 1 { "one turn".to_owned() } else { format!("{turns} turns or fewer") };
-        let found = match self.0.len() {
-            0 => "No periodic motion",
-            1 => "A periodic motion",
-            _ => "Periodic motions",
-        };
-        writeln!(out, "\n{found} of {of} that no start leads to, by a search from the same starts.")?;
-        for Other { number, mirror, steady } in &self.0 {
-            let stability = if steady.is_stable() { "stable" } else { "unstable" };
-            let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
-            writeln!(out, "\n{number}. {}, {stability}{mirror}", stickslip::words::shape(steady))?;
-            line(out, "maximum displacement", length(steady.max_displacement.value))?;
-            line(out, "minimum displacement", length(steady.min_displacement.value))?;
-            line(out, "stops in a cycle", steady.sticks_per_cycle)?;
-            let [(re, im), _] = steady.multipliers;
-            let imaginary =
-                if im == F::int(0) { String::new() } else { format!(" ± {} i", digits(im.abs())) };
-            line(out, "greatest multiplier", format_args!("{}{imaginary} in a cycle", digits(re)))?;
-        }
-        Ok(())
-    }
+    Ok(())
 }

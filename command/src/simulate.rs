@@ -45,8 +45,6 @@ fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Write) -> Outcome {
-    let samples = args.samples.as_ref().map(|n| input::count("--samples", n, u64::from(u32::MAX)));
-    let samples = samples.transpose()?;
     let mut sink = match format {
         StreamFormat::Text => Sink::table(out),
         StreamFormat::Jsonl => Sink::lines(out),
@@ -60,14 +58,11 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     let given = with_no_force(input::read::<F>(&args.machine, &reader)?)?;
     let point = input::point(&given)?;
     let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;
-    let cycles = extent.cycles();
-    let samples = samples.map_or_else(|| extent.rate.map(Spacing::Turns), |n| Some(Spacing::PerCycle(n)));
-    refuse_years(cycles, samples, point.ratios.omega().to_f64(), &extent)?;
+    extent.refuse_years(point.ratios.omega().to_f64())?;
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
     let machine = point.machine.as_ref();
-    let is_within = |phase: DrivePhase<F>| extent.contains(phase);
-    let bar = progress::bar(cycles, "cycles");
+    let bar = progress::bar(extent.cycles(), "cycles");
     if stdout().is_terminal() {
         bar.set_draw_target(ProgressDrawTarget::hidden());
     }
@@ -78,11 +73,11 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
             bar.set_position(u64::try_from(cycle).unwrap_or(0));
         }
     };
-    let outcome = match samples {
+    let outcome = match extent.spacing {
         None => stream(&mut sink, motion, |phase| {
             let begins = phase.start().phase;
             tick(begins.cycles());
-            is_within(begins).then(|| of_phase(&phase, given.system, machine))
+            extent.contains(begins).then(|| of_phase(&phase, given.system, machine))
         }),
         Some(spacing) => {
             let mut samples = match spacing {
@@ -94,9 +89,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
                 }
             };
             let mut left = extent.rows(spacing);
-            let heard = || {
-                if interrupt::check().is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-            };
+            let heard = || interrupt::check().map_or(ControlFlow::Break(()), ControlFlow::Continue);
             let samples = core::iter::from_fn(|| samples.next_while(heard));
             stream(&mut sink, samples, |instant| {
                 tick(instant.state.phase.cycles());
@@ -138,26 +131,6 @@ fn stream<F: Value, T>(
     Ok(())
 }
 
-/// Refuses a simulation that would take years. A slide is no longer than half a turn of the drive or of the
-/// body, so that a cycle has about 2 + 2/Ω slides.
-fn refuse_years(cycles: u64, samples: Option<Spacing>, omega: f64, extent: &Extent) -> Outcome {
-    let slides = cycles as f64 * (2.0 + 2.0 / omega);
-    let typed = &extent.typed;
-    let too_many = |argument: &str, count: f64, things: &str| {
-        Err(format!("{argument}: about {count:.1e} {things} at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}")
-            .into())
-    };
-    match samples.map(|spacing| (spacing, extent.rows(spacing) as f64)) {
-        Some((Spacing::PerCycle(n), rows)) if rows > MOST_ROWS + 1.0 => {
-            too_many(&format!("{typed} --samples {n}"), rows - 1.0, "rows")
-        }
-        Some((Spacing::Turns(_), rows)) if rows > MOST_ROWS + 1.0 => too_many(typed, rows, "rows"),
-        None if slides > MOST_ROWS => too_many(typed, slides, "rows"),
-        Some(_) if slides > MOST_ROWS => too_many(typed, slides, "slides"),
-        Some(_) | None => Ok(()),
-    }
-}
-
 /// The distance of samples: so many in a cycle, or turns of the drive from one to the next.
 #[derive(Debug, Clone, Copy)]
 enum Spacing {
@@ -171,8 +144,7 @@ struct Extent {
     turns: f64,
     /// The arguments as typed.
     typed: String,
-    /// The turns of the drive from one sample to the next, of a sampling rate.
-    rate: Option<f64>,
+    spacing: Option<Spacing>,
 }
 
 impl Extent {
@@ -190,9 +162,15 @@ impl Extent {
             }
             Err(format!("{name} {text}: must be > 0").into())
         };
-        let rate = args.rate.as_ref().map(|text| {
-            Ok::<f64, Failure>(per_time / (positive("--rate", text, Quantity::Frequency)? / TAU))
-        });
+        let spacing = match (&args.samples, &args.rate) {
+            (Some(count), _) => {
+                Some(Spacing::PerCycle(input::count("--samples", count, u64::from(u32::MAX))?))
+            }
+            (None, Some(rate)) => {
+                Some(Spacing::Turns(per_time / (positive("--rate", rate, Quantity::Frequency)? / TAU)))
+            }
+            (None, None) => None,
+        };
         let (turns, typed) = match (&args.cycles, &args.duration) {
             (_, Some(text)) => {
                 (positive("--duration", text, Quantity::Time)? * per_time, format!("--duration {text}"))
@@ -204,7 +182,7 @@ impl Extent {
             }
         };
         let typed = args.rate.as_ref().map_or(typed.clone(), |rate| format!("{typed} --rate {rate}"));
-        Ok(Self { turns, typed, rate: rate.transpose()? })
+        Ok(Self { turns, typed, spacing })
     }
 
     /// Whole cycles, the last one begun.
@@ -220,6 +198,24 @@ impl Extent {
         };
         // A count that is whole but for rounding is whole.
         ((self.turns * per_turn * (1.0 + 4.0 * f64::EPSILON)).floor() as u64).saturating_add(1)
+    }
+
+    /// Refuses a simulation that would take years. A slide is no longer than half a turn of the drive or of the
+    /// body, so that a cycle has about 2 + 2/Ω slides.
+    fn refuse_years(&self, omega: f64) -> Outcome {
+        let (typed, slides) = (&self.typed, self.cycles() as f64 * (2.0 + 2.0 / omega));
+        let rows = self.spacing.map(|spacing| (spacing, self.rows(spacing) as f64));
+        let (argument, count, things) = match rows {
+            Some((Spacing::PerCycle(n), rows)) if rows > MOST_ROWS + 1.0 => {
+                (format!("{typed} --samples {n}"), rows - 1.0, "rows")
+            }
+            Some((Spacing::Turns(_), rows)) if rows > MOST_ROWS + 1.0 => (typed.clone(), rows, "rows"),
+            _ if slides <= MOST_ROWS => return Ok(()),
+            Some(_) => (typed.clone(), slides, "slides"),
+            None => (typed.clone(), slides, "rows"),
+        };
+        Err(format!("{argument}: about {count:.1e} {things} at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}")
+            .into())
     }
 
     /// Whether a segment that begins at this phase is shown.

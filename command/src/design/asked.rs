@@ -40,23 +40,26 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         for row in &answer.rows {
             writeln!(out)?;
             for (name, kind, cell) in row {
-                let is_number = matches!(cell, Cell::Number(_) | Cell::Intervals(_)) && *kind != Kind::Ratio;
-                let unit = if is_number { format!(" {}", self.system().name(*kind)) } else { String::new() };
-                let mut hertz = String::new();
                 let in_hertz = |value: F| digits(value / (F::int(2) * F::pi()));
-                if let (Cell::Number(Some(value)), Kind::Frequency) = (cell, kind) {
-                    hertz = format!(" = {} Hz", in_hertz(*value));
-                }
-                if let (Cell::Intervals(intervals), Kind::Frequency) = (cell, kind) {
-                    let range = |&(low, high): &(F, Option<F>)| match high {
-                        Some(high) if high > low => format!("{} to {}", in_hertz(low), in_hertz(high)),
-                        _ => in_hertz(low),
-                    };
-                    let ranges: Vec<_> = intervals.iter().flatten().map(range).collect();
-                    writeln!(out, "  {:<22} {} Hz", name.replace('_', " "), ranges.join(" and "))?;
-                    continue;
-                }
-                writeln!(out, "  {:<22} {}{unit}{hertz}", name.replace('_', " "), cell.text())?;
+                let range = |&(low, high): &(F, Option<F>)| match high {
+                    Some(high) if high > low => format!("{} to {}", in_hertz(low), in_hertz(high)),
+                    _ => in_hertz(low),
+                };
+                let unit = self.system().name(*kind);
+                let text = match (cell, kind) {
+                    (Cell::Number(Some(value)), Kind::Frequency) => {
+                        format!("{} {unit} = {} Hz", cell.text(), in_hertz(*value))
+                    }
+                    (Cell::Intervals(intervals), Kind::Frequency) => {
+                        let ranges: Vec<_> = intervals.iter().flatten().map(range).collect();
+                        format!("{} Hz", ranges.join(" and "))
+                    }
+                    (Cell::Number(_) | Cell::Intervals(_), kind) if *kind != Kind::Ratio => {
+                        format!("{} {unit}", cell.text())
+                    }
+                    _ => cell.text(),
+                };
+                writeln!(out, "  {:<22} {text}", name.replace('_', " "))?;
             }
         }
         Ok(())

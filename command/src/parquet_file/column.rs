@@ -4,8 +4,8 @@ use crate::bits::Value;
 use crate::record::{Cell, Record};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::ColumnReader;
-use parquet::column::writer::ColumnWriter;
-use parquet::data_type::ByteArray;
+use parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
+use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
@@ -123,30 +123,33 @@ impl ParquetColumn {
 
     /// Writes the rows and clears them.
     pub(crate) fn write(&mut self, writer: &mut ColumnWriter<'_>) -> Result<(), ParquetError> {
-        let there = Some(self.there.as_slice());
+        let there = &self.there;
         match (&mut self.values, writer) {
             (Values::Doubles(values), ColumnWriter::DoubleColumnWriter(writer)) => {
-                writer.write_batch(values, there, None)?;
-                values.clear();
+                write(writer, values, there)
             }
-            (Values::Counts(values), ColumnWriter::Int64ColumnWriter(writer)) => {
-                writer.write_batch(values, there, None)?;
-                values.clear();
-            }
-            (Values::Flags(values), ColumnWriter::BoolColumnWriter(writer)) => {
-                writer.write_batch(values, there, None)?;
-                values.clear();
-            }
+            (Values::Counts(values), ColumnWriter::Int64ColumnWriter(writer)) => write(writer, values, there),
+            (Values::Flags(values), ColumnWriter::BoolColumnWriter(writer)) => write(writer, values, there),
             (Values::Texts(values), ColumnWriter::ByteArrayColumnWriter(writer)) => {
-                writer.write_batch(values, there, None)?;
-                values.clear();
+                write(writer, values, there)
             }
-            _ => return Err(ParquetError::General(format!("column {}: of another kind", self.name))),
-        }
+            _ => Err(ParquetError::General(format!("column {}: of another kind", self.name))),
+        }?;
         self.there.clear();
         self.bytes = 0;
         Ok(())
     }
+}
+
+/// Writes the values and clears them.
+fn write<T: DataType>(
+    writer: &mut ColumnWriterImpl<'_, T>,
+    values: &mut Vec<T::T>,
+    there: &[i16],
+) -> Result<(), ParquetError> {
+    writer.write_batch(values, Some(there), None)?;
+    values.clear();
+    Ok(())
 }
 
 /// The first and the last row of a file.
