@@ -1,6 +1,6 @@
 //! `stickslip attractors`: all limits that a set of starts leads to.
 
-use crate::args::{AttractorsArgs, Format, Header};
+use crate::args::{AttractorsArgs, Format, Header, StreamFormat};
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::note::{Note, decay, measured_from};
@@ -59,8 +59,9 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
             output::json(&answer, out)
         }
         Format::Jsonl | Format::Csv => {
-            let mut sink =
-                if args.format == Format::Csv { Sink::rows(out, Header::Names) } else { Sink::lines(out) };
+            let is_csv = args.format == Format::Csv;
+            let format = if is_csv { StreamFormat::Csv } else { StreamFormat::Jsonl };
+            let mut sink = Sink::new(format, out, Header::Names)?;
             if rows.is_empty() {
                 sink.write_header(&row(&all, None, reach))?;
                 progress::note(&unsettled(&all));

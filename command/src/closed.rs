@@ -9,6 +9,7 @@ use crate::physical::Physical;
 use crate::points::AskedPoints;
 use crate::record::Record;
 use std::io::Write;
+use stickslip::definitions::NO_STOP_FORCE_RATIOS;
 use stickslip::inputs::{Given, Point};
 use stickslip::{Error, NoStop, Ratios, Response, ResponseAnswer, no_stop_force_ratios};
 
@@ -72,9 +73,7 @@ pub(crate) fn border_at<F: Value>(
     let found = with_no_stop.then(|| no_stop(point.ratios)).transpose();
     let found = found.map_err(|e| given.at_fault(&e))?;
     let mut record = Record::of_border(given, &answer);
-    if let Some(found) = &found {
-        record = record.with_no_stop(found);
-    }
+    record.fields.extend(found.as_ref().map(|found| (NO_STOP_FORCE_RATIOS, Record::intervals(found))));
     let record = record.in_units(given, point, Physical::of_border)?;
     Ok(((answer, found), record))
 }

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::{Mutex, Once, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -28,17 +28,14 @@ const LAST_WRITE: Duration = Duration::from_millis(50);
 
 /// Installs the handler of Ctrl-C, SIGTERM and SIGHUP.
 pub(crate) fn listen() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        let hear = || {
-            if ASKED_TO_STOP.swap(true, Ordering::SeqCst) {
-                end();
-            }
-            thread::spawn(watch);
-        };
-        // If the system refuses a handler, its own behaviour remains.
-        let _ = ctrlc::set_handler(hear);
-    });
+    let hear = || {
+        if ASKED_TO_STOP.swap(true, Ordering::SeqCst) {
+            end();
+        }
+        thread::spawn(watch);
+    };
+    // If the system refuses a handler, its own behaviour remains.
+    let _ = ctrlc::set_handler(hear);
 }
 
 /// Whether the user has asked to stop; parallel work checks this and leaves the rest undone.

@@ -1,6 +1,6 @@
 //! The answer to one point, or to many from a file or standard input, row by row in bounded memory.
 
-use crate::args::{Format, Header, OutputArgs, StartArgs, Swept, used};
+use crate::args::{Format, Header, OutputArgs, StartArgs, StreamFormat, Swept, used};
 use crate::bits::Value;
 use crate::columns::{Column, is_misspelt, name_and_unit};
 use crate::failure::{Failure, Outcome};
@@ -73,13 +73,12 @@ fn rows_of<F: Value>(
     let output = asked.output;
     let name = file.display().to_string();
     let source = rows::open(file, &format!("--points {name}"))?;
-    let sink = RefCell::new(match output.format.unwrap_or(Format::Jsonl) {
-        Format::Jsonl => Sink::lines(out),
-        Format::Csv => Sink::rows(out, output.header),
-        Format::Text | Format::Json => {
-            return Err("--format: must be jsonl or csv with --points".into());
-        }
-    });
+    let format = match output.format.unwrap_or(Format::Jsonl) {
+        Format::Jsonl => StreamFormat::Jsonl,
+        Format::Csv => StreamFormat::Csv,
+        Format::Text | Format::Json => return Err("--format: must be jsonl or csv with --points".into()),
+    };
+    let sink = RefCell::new(Sink::new(format, out, output.header)?);
     let ahead = Ahead::default();
     let source = FlushFirst { source: Bounded { source, ahead: &ahead }, sink: &sink };
     let outcome = answer_all((source, &ahead), &name, asked, given, &sink, answer);

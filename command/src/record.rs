@@ -10,7 +10,6 @@ use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO, pl
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
-use stickslip::definitions::NO_STOP_FORCE_RATIOS;
 use stickslip::inputs::{Driven, Given, Point, Role};
 use stickslip::{Column, Measure, NoStop, Output, Ratios, Response, When};
 
@@ -129,12 +128,6 @@ impl<F: Value> Record<F> {
         ];
         record.fields.extend(outputs.map(|output| (output.definition(), Cell::Number(output.of(response)))));
         record
-    }
-
-    /// Adds the force ratios without any stop.
-    pub(crate) fn with_no_stop(mut self, no_stop: &NoStop<F>) -> Self {
-        self.fields.push((NO_STOP_FORCE_RATIOS, Self::intervals(no_stop)));
-        self
     }
 
     /// The intervals as a value.

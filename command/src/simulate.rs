@@ -12,8 +12,6 @@ use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
 use crate::steady::of_motion;
-#[cfg(not(feature = "parquet"))]
-use crate::sweep::no_parquet;
 use core::ops::ControlFlow;
 use indicatif::ProgressDrawTarget;
 use std::f64::consts::TAU;
@@ -45,15 +43,7 @@ fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
 }
 
 fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Write) -> Outcome {
-    let mut sink = match format {
-        StreamFormat::Text => Sink::table(out),
-        StreamFormat::Jsonl => Sink::lines(out),
-        StreamFormat::Csv => Sink::rows(out, Header::Names),
-        #[cfg(feature = "parquet")]
-        StreamFormat::Parquet => Sink::parquet(out),
-        #[cfg(not(feature = "parquet"))]
-        StreamFormat::Parquet => return Err(no_parquet()),
-    };
+    let mut sink = Sink::new(format, out, Header::Names)?;
     let reader = args.units.reader();
     let given = with_no_force(input::read::<F>(&args.machine, &reader)?)?;
     let point = input::point(&given)?;

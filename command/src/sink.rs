@@ -1,8 +1,8 @@
 //! The destination of a stream of records.
 
-use crate::args::Header;
+use crate::args::{Header, StreamFormat};
 use crate::bits::Value;
-use crate::failure::Outcome;
+use crate::failure::{Failure, Outcome};
 #[cfg(feature = "parquet")]
 use crate::parquet_file::ParquetStream;
 use crate::record::Record;
@@ -28,21 +28,18 @@ pub(crate) enum Sink<W: Write> {
 }
 
 impl<W: Write> Sink<W> {
-    pub(crate) fn lines(out: W) -> Self {
-        Self::Lines(out)
-    }
-
-    pub(crate) fn rows(out: W, names: Header) -> Self {
-        Self::Rows { writer: Box::new(csv::Writer::from_writer(out)), header: false, names }
-    }
-
-    pub(crate) fn table(out: W) -> Self {
-        Self::Table { out, header: false }
-    }
-
-    #[cfg(feature = "parquet")]
-    pub(crate) fn parquet(out: W) -> Self {
-        Self::Parquet { out, stream: None }
+    pub(crate) fn new(format: StreamFormat, out: W, names: Header) -> Result<Self, Failure> {
+        match format {
+            StreamFormat::Jsonl => Ok(Self::Lines(out)),
+            StreamFormat::Csv => {
+                Ok(Self::Rows { writer: Box::new(csv::Writer::from_writer(out)), header: false, names })
+            }
+            StreamFormat::Text => Ok(Self::Table { out, header: false }),
+            #[cfg(feature = "parquet")]
+            StreamFormat::Parquet => Ok(Self::Parquet { out, stream: None }),
+            #[cfg(not(feature = "parquet"))]
+            StreamFormat::Parquet => Err(no_parquet()),
+        }
     }
 
     /// Writes one record. Except for Parquet, every record is complete whenever the program ends between
@@ -96,4 +93,9 @@ impl<W: Write> Sink<W> {
         }
         Ok(self.flush()?)
     }
+}
+
+#[cfg(not(feature = "parquet"))]
+pub(crate) fn no_parquet() -> Failure {
+    Failure::Input("--format parquet: needs a build with the feature parquet".to_owned())
 }

@@ -120,7 +120,7 @@ pub(crate) fn write_table(
         #[cfg(feature = "parquet")]
         SweepFormat::Parquet => return parquet::run(args, table, part),
         #[cfg(not(feature = "parquet"))]
-        SweepFormat::Parquet => return Err(no_parquet()),
+        SweepFormat::Parquet => return Err(crate::sink::no_parquet()),
     };
     to_text(args, &TextRows { table, is_csv, header: args.header }, part, out)
 }
@@ -140,11 +140,6 @@ fn to_text(args: &TableArgs, rows: &impl resume::Rows, part: Range<u64>, out: &m
 
 fn write(rows: &impl resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
     resume::write(part, out, |points| rows.texts(points), |text, out| Ok(out.write_all(&text)?))
-}
-
-#[cfg(not(feature = "parquet"))]
-pub(crate) fn no_parquet() -> Failure {
-    Failure::Input("--format parquet: needs a build with the feature parquet".to_owned())
 }
 
 /// The rows of `--shard I/N`: the parts are contiguous, and differ by at most one row.
