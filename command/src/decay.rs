@@ -34,6 +34,9 @@ struct DecayScales<F> {
     system: System,
 }
 
+/// ζ and η, where given.
+type Frictions<F> = [Option<F>; 2];
+
 fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let reader = args.answer.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
@@ -195,7 +198,7 @@ stickslip::define! {
 fn record<F: Value>(
     decay: &FreeDecay<F>,
     scales: Option<&DecayScales<F>>,
-    frictions: [Option<F>; 2],
+    frictions: Frictions<F>,
 ) -> Record<F> {
     let number = |x: F| Cell::Number(Some(x));
     let given = [DAMPING_RATIO, STATIC_FRICTION_RATIO].into_iter().zip(frictions);
@@ -219,7 +222,7 @@ fn record<F: Value>(
 }
 
 /// The scales of the machine, if there is one, and ζ and η, where given.
-fn body<F: Value>(given: &Given<F>) -> Result<(Option<DecayScales<F>>, [Option<F>; 2]), Failure> {
+fn body<F: Value>(given: &Given<F>) -> Result<(Option<DecayScales<F>>, Frictions<F>), Failure> {
     let (zeta, eta) = (given.get(Input::DampingRatio), given.get(Input::StaticFrictionRatio));
     if !given.is_physical() {
         return Ok((None, [zeta, eta]));

@@ -187,12 +187,10 @@ fn each_row(
 
 /// The error of a measurement with its line.
 fn in_line(error: Error, name: &str, lines: &[u64]) -> String {
-    match error {
-        Error::InMeasurement { index, error } => {
-            format!("{name} line {}: {error}", lines.get(index).copied().unwrap_or_default())
-        }
-        error => format!("{name}: {error}"),
+    if let Error::InMeasurement { index, error } = error {
+        return format!("{name} line {}: {error}", lines.get(index).copied().unwrap_or_default());
     }
+    format!("{name}: {error}")
 }
 
 /// An estimate in JSON.

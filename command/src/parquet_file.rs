@@ -2,6 +2,7 @@
 
 mod column;
 
+use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::record::Record;
@@ -51,7 +52,7 @@ pub(crate) struct Group {
 impl Group {
     /// No rows, with the columns of this one.
     pub(crate) fn of<F: Value>(row: &Record<F>) -> Self {
-        let columns = row.names().into_iter().zip(row.cells());
+        let columns = row.names(Header::Names).into_iter().zip(row.cells());
         Self { columns: columns.map(|(name, cell)| ParquetColumn::of(name, &cell)).collect(), rows: 0 }
     }
 

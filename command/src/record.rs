@@ -193,10 +193,7 @@ impl<F: Value> Record<F> {
 
     /// The header of the rows.
     pub(crate) fn write_header(&self, out: &mut csv::Writer<impl Write>, header: Header) -> Outcome {
-        Ok(out.write_record(match header {
-            Header::Names => self.names(),
-            Header::Units => self.names_with_units(),
-        })?)
+        Ok(out.write_record(self.names(header))?)
     }
 
     /// The cells of a row, each with one value, those in physical units last.
@@ -205,16 +202,11 @@ impl<F: Value> Record<F> {
         self.fields.iter().map(|(_, cell)| *cell).chain(physical).flat_map(|cell| cell.parts()).flatten()
     }
 
-    /// The names of the cells of a row.
-    pub(crate) fn names(&self) -> Vec<String> {
-        let own = self.fields.iter().flat_map(|(key, cell)| cell.part_names(key.name));
-        own.chain(self.physical.names()).collect()
-    }
-
-    /// The names of the cells of a row, with the unit in brackets after each dimensionless name that has one.
-    fn names_with_units(&self) -> Vec<String> {
+    /// The names of the cells of a row, with units if they are asked for in brackets after each dimensionless name that
+    /// has one.
+    pub(crate) fn names(&self, header: Header) -> Vec<String> {
         let own = self.fields.iter().flat_map(|(key, cell)| {
-            let unit = plain(key.measure.unit());
+            let unit = plain(if header == Header::Units { key.measure.unit() } else { "" });
             let unit = if unit.is_empty() { unit } else { format!("[{unit}]") };
             cell.part_names(key.name).into_iter().map(move |name| name + &unit)
         });

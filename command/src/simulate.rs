@@ -302,13 +302,13 @@ fn of_instant<F: Value>(instant: &Instant<F>, system: System, machine: Option<&D
 
 #[cfg(test)]
 mod tests {
-    use super::{Extent, Spacing, refuse_years};
+    use super::{Extent, Spacing};
 
     /// The limit is ten thousand million rows or slides; a cycle has 2 + 2/Ω slides.
     #[test]
     fn a_run_of_years_is_refused() {
         for (cycles, samples, omega, words) in [
-            (1_666_666_666, None, 0.5, None),
+            (1_666_666_666_u32, None, 0.5, None),
             (1_666_666_667, None, 0.5, Some("rows")),
             (2_500_000_000, None, 1.0, None),
             (2_500_000_001, None, 1.0, Some("rows")),
@@ -319,10 +319,9 @@ mod tests {
             (2_500_000_001, Some(1), 1.0, Some("slides")),
             (2_500_000_000, Some(1), 1.0, None),
         ] {
-            let extent = Extent { turns: cycles as f64, typed: String::new(), rate: None };
             let spacing = samples.map(Spacing::PerCycle);
-            let found =
-                refuse_years(cycles, spacing, omega, &extent).err().map(|failure| failure.to_string());
+            let extent = Extent { turns: f64::from(cycles), typed: String::new(), spacing };
+            let found = extent.refuse_years(omega).err().map(|failure| failure.to_string());
             match words {
                 None => assert!(found.is_none(), "{cycles} {samples:?} {omega}: {found:?}"),
                 Some(words) => {

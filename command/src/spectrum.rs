@@ -34,6 +34,9 @@ pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
     target.draw(out, || spectra.figure())
 }
 
+/// Answers, each with the place of its body in the grids.
+type Answers = Vec<Result<(u64, RecordAnswer<f64>), Failure>>;
+
 /// One row for each body under each record.
 struct Spectra<'a> {
     loads: Vec<(&'static str, Load<f64>)>,
@@ -105,15 +108,12 @@ impl<'a> Spectra<'a> {
         Ok((name, load, point % bodies))
     }
 
-    /// The answers of the first rows of a range, which share a record, each with the place of its body.
-    fn answers(&self, points: Range<u64>) -> Vec<Result<(u64, RecordAnswer<f64>), Failure>> {
+    /// The answers of the first rows of a range, which share a record.
+    fn answers(&self, points: Range<u64>) -> Answers {
         self.followed(points).unwrap_or_else(|failure| vec![Err(failure)])
     }
 
-    fn followed(
-        &self,
-        points: Range<u64>,
-    ) -> Result<Vec<Result<(u64, RecordAnswer<f64>), Failure>>, Failure> {
+    fn followed(&self, points: Range<u64>) -> Result<Answers, Failure> {
         interrupt::check()?;
         let (name, load, first) = self.place(points.start)?;
         let count = SIDE_BY_SIDE.min(points.end - points.start).min(self.axes.len() - first);

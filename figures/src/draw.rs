@@ -31,7 +31,7 @@ const UNITS: i32 = 4;
 pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// The result of drawing.
-pub(super) type Drawn = Result<(), DrawingAreaErrorKind<io::Error>>;
+pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
 
 /// The drawing of a figure.
 pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {

@@ -33,11 +33,8 @@ impl<'a> TypedRatios<'a> {
     /// A ratio exactly as written; without one ζ is 0 and η is 1.
     pub(super) fn known(&self, input: Input) -> Result<Known, Failure> {
         let option = input.option();
-        let otherwise = match input {
-            Input::DampingRatio => Some("0"),
-            Input::StaticFrictionRatio => Some("1"),
-            _ => None,
-        };
+        let otherwise = [(Input::DampingRatio, "0"), (Input::StaticFrictionRatio, "1")];
+        let otherwise = otherwise.into_iter().find(|(own, _)| *own == input).map(|(_, text)| text);
         let missing = || Failure::Input(format!("{option} is missing"));
         let text = self.text(input).or(otherwise).ok_or_else(missing)?;
         text.parse().map_err(|e| Failure::Input(format!("{option} {text}: {e}")))

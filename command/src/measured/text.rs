@@ -117,11 +117,13 @@ fn of_table<F: Float + FromStr>(
         }
         (None, None) => Record::at_times(excitation, times, values),
     };
-    let record = record.map_err(|e| match &e {
-        Error::InSample { index, error } if *index < lines.len() => {
-            format!("{name} line {}: {error}", lines.get(*index).copied().unwrap_or_default())
+    let record = record.map_err(|e| {
+        if let Error::InSample { index, error } = &e
+            && let Some(line) = lines.get(*index)
+        {
+            return format!("{name} line {line}: {error}");
         }
-        _ => bad(e.to_string()),
+        bad(e.to_string())
     })?;
     Ok((record, unused))
 }

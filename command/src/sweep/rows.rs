@@ -2,7 +2,7 @@
 
 use super::Table;
 use super::loops::Looped;
-use crate::args::{SweepArgs, Swept};
+use crate::args::{Header, SweepArgs, Swept};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Axes;
@@ -69,7 +69,7 @@ impl<F: Value> SweepRows<F> {
             Some(outputs) => form.only(outputs),
             None => form,
         };
-        let columns = form.names();
+        let columns = form.names(Header::Names);
         let is_looped = question == Swept::Response && args.bits.is_none() && !axes.is_physical();
         let looped = is_looped.then(|| Looped::of(form.fields.iter().map(|(key, _)| *key))).flatten();
         #[cfg(feature = "parquet")]

@@ -38,12 +38,15 @@ impl<C, R> Statement<C, R> {
 }
 
 macro_rules! statements {
-    ($kind:ident, $case:ty: $($equation:literal $words:literal: |$c:ident| $residual:expr),+ $(,)?) => {
+    ($kind:ident, $case:ty: $($equation:literal $words:literal: |$c:ident $(, $u:ident)?| $residual:expr),+ $(,)?) => {
         vec![$(Statement {
             equation: $equation,
             words: $words,
             standing: Standing::Holds,
-            residual: |$c: &$case| statements!(@$kind $c, $residual),
+            residual: |$c: &$case| {
+                $(let $u = &$c.unknowns;)?
+                statements!(@$kind $c, $residual)
+            },
         }),+]
     };
     (@paper $c:ident, $residual:expr) => { (!$c.signs.is_damped).then(|| $residual) };
@@ -59,34 +62,21 @@ pub(super) fn all<R: Real>() -> Vec<Statement<Case<R>, R>> {
 /// Eq. 2–25: the two branches, and the conditions that match them.
 fn branches<R: Real>() -> Vec<Statement<Case<R>, R>> {
     let mut all = statements![paper, Case<R>:
-        "3" "x(t₄) = −Δ₀, half a period after t₂": |c| {
-            let u = &c.unknowns;
+        "3" "x(t₄) = −Δ₀, half a period after t₂": |c, u| {
             c.given.falling_displacement(u, eq::half_period_later(u.displacement_phase)) + u.max_displacement
         },
-        "11" "x₁(t₁) = Δ₁": |c| {
-            c.given.rising_displacement(&c.unknowns, c.unknowns.velocity_phase) - c.unknowns.deviation
-        },
-        "12" "x₂(t₃) = −Δ₁": |c| {
-            let u = &c.unknowns;
+        "11" "x₁(t₁) = Δ₁": |c, u| c.given.rising_displacement(u, u.velocity_phase) - u.deviation,
+        "12" "x₂(t₃) = −Δ₁": |c, u| {
             c.given.falling_displacement(u, eq::half_period_later(u.velocity_phase)) + u.deviation
         },
-        "13" "x₁′(t₁) = V₀": |c| {
-            c.given.rising_velocity(&c.unknowns, c.unknowns.velocity_phase) - c.unknowns.max_velocity
-        },
-        "14" "x₂′(t₃) = −V₀": |c| {
-            let u = &c.unknowns;
+        "13" "x₁′(t₁) = V₀": |c, u| c.given.rising_velocity(u, u.velocity_phase) - u.max_velocity,
+        "14" "x₂′(t₃) = −V₀": |c, u| {
             c.given.falling_velocity(u, eq::half_period_later(u.velocity_phase)) + u.max_velocity
         },
-        "17" "x₁′(t₂) = 0": |c| c.given.rising_velocity(&c.unknowns, c.unknowns.displacement_phase),
-        "18" "x₂′(t₂) = 0": |c| c.given.falling_velocity(&c.unknowns, c.unknowns.displacement_phase),
-        "19" "x₁(t₂) = Δ₀": |c| {
-            let u = &c.unknowns;
-            c.given.rising_displacement(u, u.displacement_phase) - u.max_displacement
-        },
-        "20" "x₂(t₂) = Δ₀": |c| {
-            let u = &c.unknowns;
-            c.given.falling_displacement(u, u.displacement_phase) - u.max_displacement
-        },
+        "17" "x₁′(t₂) = 0": |c, u| c.given.rising_velocity(u, u.displacement_phase),
+        "18" "x₂′(t₂) = 0": |c, u| c.given.falling_velocity(u, u.displacement_phase),
+        "19" "x₁(t₂) = Δ₀": |c, u| c.given.rising_displacement(u, u.displacement_phase) - u.max_displacement,
+        "20" "x₂(t₂) = Δ₀": |c, u| c.given.falling_displacement(u, u.displacement_phase) - u.max_displacement,
     ];
     all.extend(statements![any, Case<R>:
         "21" "matching: x₁′(t₂) = 0": |c| { let [e, ..] = c.matched(); Some(e) },
@@ -101,44 +91,42 @@ fn branches<R: Real>() -> Vec<Statement<Case<R>, R>> {
 /// Eq. 27–39 and 45: the elimination of the unknowns.
 fn elimination<R: Real>() -> Vec<Statement<Case<R>, R>> {
     statements![paper, Case<R>:
-        "27" "ρ, the free swing at t₁, brings the body to rest at t₂": |c| {
-            let ((sine, cosine), u) = (c.given.lag(&c.unknowns).sin_cos(), &c.unknowns);
+        "27" "ρ, the free swing at t₁, brings the body to rest at t₂": |c, u| {
+            let (sine, cosine) = c.given.lag(u).sin_cos();
             c.given.amplitude * c.omega * u.displacement_phase.cos() + c.given.rho(u) * cosine
                 - c.given.offset(u) * sine
         },
-        "37" "ρ has the sign of 1 − Ω": |c| {
-            let rho = c.given.rho(&c.unknowns);
+        "37" "ρ has the sign of 1 − Ω": |c, u| {
+            let rho = c.given.rho(u);
             rho * c.sign() - rho.abs()
         },
-        "28" "a cos θ + b sin θ = 0": |c| c.given.elimination_of_rate(&c.unknowns),
-        "29" "a sin θ − b cos θ = 2B": |c| c.given.elimination_of_position(&c.unknowns),
-        "32" "a² + b² = 2(1 + cos π₁)(ρ² + X²)": |c| {
-            let (a, b) = (c.given.coefficient_a(&c.unknowns), c.given.coefficient_b(&c.unknowns));
-            c.near_pole(a.square() + b.square() - c.given.squared_coefficients(&c.unknowns))
+        "28" "a cos θ + b sin θ = 0": |c, u| c.given.elimination_of_rate(u),
+        "29" "a sin θ − b cos θ = 2B": |c, u| c.given.elimination_of_position(u),
+        "32" "a² + b² = 2(1 + cos π₁)(ρ² + X²)": |c, u| {
+            let (a, b) = (c.given.coefficient_a(u), c.given.coefficient_b(u));
+            c.near_pole(a.square() + b.square() - c.given.squared_coefficients(u))
         },
-        "33" "cos θ = −2Bb/(a² + b²)": |c| {
-            (c.given.lag(&c.unknowns).cos() - c.given.cos_lag_from_coefficients(&c.unknowns)) * c.one_plus_cos()
+        "33" "cos θ = −2Bb/(a² + b²)": |c, u| {
+            (c.given.lag(u).cos() - c.given.cos_lag_from_coefficients(u)) * c.one_plus_cos()
         },
-        "34" "sin θ = 2Ba/(a² + b²)": |c| {
-            (c.given.lag(&c.unknowns).sin() - c.given.sin_lag_from_coefficients(&c.unknowns)) * c.one_plus_cos()
+        "34" "sin θ = 2Ba/(a² + b²)": |c, u| {
+            (c.given.lag(u).sin() - c.given.sin_lag_from_coefficients(u)) * c.one_plus_cos()
         },
-        "35" "a² + b² = 4B²": |c| {
-            let (a, b) = (c.given.coefficient_a(&c.unknowns), c.given.coefficient_b(&c.unknowns));
+        "35" "a² + b² = 4B²": |c, u| {
+            let (a, b) = (c.given.coefficient_a(u), c.given.coefficient_b(u));
             a.square() + b.square() - R::int(4)
         },
-        "36" "ρ² = 2B²/(1 + cos π₁) − X²": |c| {
-            let u = &c.unknowns;
+        "36" "ρ² = 2B²/(1 + cos π₁) − X²": |c, u| {
             c.near_pole((c.given.rho(u).square() - c.given.squared_rho(u)) * c.one_plus_cos())
         },
-        "37" "V₀/ω_n = AΩ cos ω_d t₁ + sgn(1−Ω) √ρ²": |c| {
+        "37" "V₀/ω_n = AΩ cos ω_d t₁ + sgn(1−Ω) √ρ²": |c, u| {
             // The factor ρ restores the digits: the root of a small difference keeps only half of them.
-            let u = &c.unknowns;
             let left = c.given.max_velocity(u, c.sign()) - u.max_velocity;
             c.near_pole(left * c.given.rho(u) * c.one_plus_cos())
         },
-        "38" "cos θ = −b/(2B)": |c| c.given.lag(&c.unknowns).cos() - c.given.cos_lag(&c.unknowns),
-        "39" "sin θ = a/(2B)": |c| c.given.lag(&c.unknowns).sin() - c.given.sin_lag(&c.unknowns),
-        "45" "(1 + cos π₁)(B cos θ − X) + B sin π₁ sin θ = 0": |c| c.given.combined_lag(&c.unknowns),
+        "38" "cos θ = −b/(2B)": |c, u| c.given.lag(u).cos() - c.given.cos_lag(u),
+        "39" "sin θ = a/(2B)": |c, u| c.given.lag(u).sin() - c.given.sin_lag(u),
+        "45" "(1 + cos π₁)(B cos θ − X) + B sin π₁ sin θ = 0": |c, u| c.given.combined_lag(u),
     ]
 }
 
@@ -158,55 +146,51 @@ fn off<R: Real>(c: &Case<R>, found: R, expected: R) -> R {
 /// Eq. 40–67 without a damper: the closed forms and Den Hartog's half cycle.
 fn closed_forms<R: Real>() -> Vec<Statement<Case<R>, R>> {
     statements![paper, Case<R>:
-        "40" "A sin ω_d t₂ = Δ₀": |c| {
-            c.given.amplitude * c.unknowns.displacement_phase.sin() - c.unknowns.max_displacement
+        "40" "A sin ω_d t₂ = Δ₀": |c, u| c.given.amplitude * u.displacement_phase.sin() - u.max_displacement,
+        "41" "A cos ω_d t₂ = BT/Ω": |c, u| {
+            c.given.amplitude * u.displacement_phase.cos() - c.circular.tangent / c.omega
         },
-        "41" "A cos ω_d t₂ = BT/Ω": |c| {
-            c.given.amplitude * c.unknowns.displacement_phase.cos() - c.circular.tangent / c.omega
-        },
-        "42" "Δ₀² = A² − (BT/Ω)²": |c| {
+        "42" "Δ₀² = A² − (BT/Ω)²": |c, u| {
             let one = R::int(1);
             let by_42 = eq::max_displacement_from_amplitude(c.given.amplitude, one, c.circular.tangent, c.omega);
-            (by_42.square() - c.unknowns.max_displacement.square()) / c.scale
+            (by_42.square() - u.max_displacement.square()) / c.scale
         },
-        "43" "sgn sin ω_d t₂ = sgn(1 − Ω), cos ω_d t₂ = K/α": |c| {
-            let (sine, cosine) = c.unknowns.displacement_phase.sin_cos();
+        "43" "sgn sin ω_d t₂ = sgn(1 − Ω), cos ω_d t₂ = K/α": |c, u| {
+            let (sine, cosine) = u.displacement_phase.sin_cos();
             let root = ((R::int(1) - cosine) * (R::int(1) + cosine)).sqrt() * c.sign();
             (sine - root) * sine + cosine - eq::cos_displacement_phase(c.circular.k, c.alpha)
         },
-        "46" "x″(t₁) = 0 in ω_d t₁ alone": |c| {
-            let (u, pi_1) = (&c.unknowns, eq::pi_1(c.omega).sin_cos());
+        "46" "x″(t₁) = 0 in ω_d t₁ alone": |c, u| {
+            let pi_1 = eq::pi_1(c.omega).sin_cos();
             eq::velocity_phase_residual(c.given.amplitude, c.omega, pi_1, c.given.lag(u), u.velocity_phase.sin())
         },
         "41, 43" "K = (1 − Ω²) tan(π/2Ω)/Ω": |c| {
             c.circular.k - eq::phase_function_of_tangent(c.omega, c.circular.tangent)
         },
-        "44" "Δ₀/B = √[(α − K)(α + K)]/|1 − Ω²|": |c| {
+        "44" "Δ₀/B = √[(α − K)(α + K)]/|1 − Ω²|": |c, u| {
             let by_44 = eq::max_displacement(c.circular.k, c.alpha, c.one_minus_square);
-            (by_44.square() - c.unknowns.max_displacement.square()) / c.scale
+            (by_44.square() - u.max_displacement.square()) / c.scale
         },
-        "47" "Δ₁/B = α sin ω_d t₁ − 1": |c| {
-            eq::deviation(c.alpha, c.unknowns.velocity_phase.sin()) - c.unknowns.deviation
-        },
-        "48, 49" "V₀ = Bω_d [A/B cos ω_d t₁ + ρ/(BΩ)], signs corrected": |c| {
-            let (u, cos_pi_1) = (&c.unknowns, eq::pi_1(c.omega).cos());
+        "47" "Δ₁/B = α sin ω_d t₁ − 1": |c, u| eq::deviation(c.alpha, u.velocity_phase.sin()) - u.deviation,
+        "48, 49" "V₀ = Bω_d [A/B cos ω_d t₁ + ρ/(BΩ)], signs corrected": |c, u| {
+            let cos_pi_1 = eq::pi_1(c.omega).cos();
             let at = u.velocity_phase.sin_cos();
             let by_49 =
                 eq::max_velocity_from_phase(c.given.amplitude, c.omega, cos_pi_1, at, u.deviation, c.sign());
             c.near_pole((by_49 - u.max_velocity / c.omega) * c.given.rho(u) * c.one_plus_cos())
         },
-        "50" "Den Hartog: x(0) = Δ₀": |c| c.half.displacement(R::int(0)) - c.unknowns.max_displacement,
+        "50" "Den Hartog: x(0) = Δ₀": |c, u| c.half.displacement(R::int(0)) - u.max_displacement,
         "51" "Den Hartog: x′(0) = 0": |c| c.half.velocity(R::int(0)),
-        "52" "Den Hartog: x(π/ω_d) = −Δ₀": |c| c.half.displacement(R::pi()) + c.unknowns.max_displacement,
+        "52" "Den Hartog: x(π/ω_d) = −Δ₀": |c, u| c.half.displacement(R::pi()) + u.max_displacement,
         "53" "Den Hartog: x′(π/ω_d) = 0": |c| c.half.velocity(R::pi()),
-        "54" "Den Hartog's half cycle is the falling one of eq. 16": |c| {
+        "54" "Den Hartog's half cycle is the falling one of eq. 16": |c, u| {
             let turn = R::pi() / R::int(3);
-            let phase = c.unknowns.displacement_phase + turn;
-            c.half.displacement(turn) - c.given.falling_displacement(&c.unknowns, phase)
+            let phase = u.displacement_phase + turn;
+            c.half.displacement(turn) - c.given.falling_displacement(u, phase)
         },
         "55" "C₁ = ΩA sin φ": |c| c.half.c1 - c.omega * c.half.amplitude * c.half.phase_lag.sin(),
-        "56" "C₂ = Δ₀ − B − A cos φ": |c| {
-            c.half.c2 + R::int(1) + c.half.amplitude * c.half.phase_lag.cos() - c.unknowns.max_displacement
+        "56" "C₂ = Δ₀ − B − A cos φ": |c, u| {
+            c.half.c2 + R::int(1) + c.half.amplitude * c.half.phase_lag.cos() - u.max_displacement
         },
         "57–59" "on eq. 61 the force at a reversal is r_y": |c| {
             let (alpha, delta, sine) = at_turning_point(c);
@@ -236,11 +220,11 @@ fn closed_forms<R: Real>() -> Vec<Statement<Case<R>, R>> {
 /// Statements about the border and the dissipation, with or without a damper.
 fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
     statements![any, Case<R>:
-        "λ" "without a damper it is a root of λ² ± (1+s) cos π₁ λ + s, or its modulus": |c| {
+        "λ" "without a damper it is a root of λ² ± (1+s) cos π₁ λ + s, or its modulus": |c, u| {
             if c.signs.is_damped {
                 return None;
             }
-            let s = eq::multiplier_product(c.omega, c.unknowns.max_displacement);
+            let s = eq::multiplier_product(c.omega, u.max_displacement);
             let (modulus, cos_pi_1) = (c.get(Output::Contraction)?, eq::pi_1(c.omega).cos());
             let half = (R::int(1) + s) * cos_pi_1;
             Some(if c.is_below(half.square(), R::int(4) * s)? {
@@ -277,12 +261,12 @@ fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
             let damper = R::int(2) * c.zeta * w;
             Some(w.abs() + (alpha * (phase + tau).sin() - x - damper + R::int(1)).abs())
         },
-        "63, 64" "A₁ = 2ks/p₀², s = 4 r_y Δ₀": |c| {
-            let s = eq::loop_size(R::int(1), c.unknowns.max_displacement);
+        "63, 64" "A₁ = 2ks/p₀², s = 4 r_y Δ₀": |c, u| {
+            let s = eq::loop_size(R::int(1), u.max_displacement);
             Some(off(c, R::int(2) * s / c.alpha.square(), c.get(Output::LoopSizeStiffness)?))
         },
-        "64" "A₁ = 8(Δ₀/B)/α²": |c| {
-            let by_64 = eq::loop_size_stiffness(c.unknowns.max_displacement, c.alpha);
+        "64" "A₁ = 8(Δ₀/B)/α²": |c, u| {
+            let by_64 = eq::loop_size_stiffness(u.max_displacement, c.alpha);
             Some(off(c, by_64, c.get(Output::LoopSizeStiffness)?))
         },
         "67" "A₂ = Ω² A₁": |c| {
@@ -313,8 +297,8 @@ fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
         "44" "margin: α/α_min": |c| {
             Some(off(c, c.get(Output::Margin)? * c.get(Output::MinForceRatio)?, c.alpha))
         },
-        "44" "dynamic amplification: Δ₀ k/p₀": |c| {
-            Some(c.get(Output::DynamicAmplification)? * c.alpha - c.unknowns.max_displacement)
+        "44" "dynamic amplification: Δ₀ k/p₀": |c, u| {
+            Some(c.get(Output::DynamicAmplification)? * c.alpha - u.max_displacement)
         },
         "44" "transmissibility: the transmitted force over p₀": |c| {
             Some(off(c, c.get(Output::Transmissibility)? * c.alpha, c.get(Output::TransmittedForce)?))
@@ -325,17 +309,17 @@ fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
 /// Equations that are wrong as printed, at points where they fail.
 fn misprints<R: Real>() -> Vec<Statement<Case<R>, R>> {
     let mut all = statements![any, Case<R>:
-        "43" "as printed, π/2 < ω_d t₂ < 3π/2, fails where K > 0": |c| {
+        "43" "as printed, π/2 < ω_d t₂ < 3π/2, fails where K > 0": |c, u| {
             has_positive_k(c).then(|| {
-                let sine = c.unknowns.max_displacement / c.given.amplitude;
-                (printed::displacement_phase(sine) - c.unknowns.displacement_phase) * c.scale
+                let sine = u.max_displacement / c.given.amplitude;
+                (printed::displacement_phase(sine) - u.displacement_phase) * c.scale
             })
         },
-        "49" "as printed, both roots positive, fails for Ω > 1": |c| {
+        "49" "as printed, both roots positive, fails for Ω > 1": |c, u| {
             (!c.signs.is_damped && c.signs.is_above_one).then(|| {
                 let cos_pi_1 = eq::pi_1(c.omega).cos();
-                let wrong = printed::max_velocity(c.omega, c.alpha, cos_pi_1, c.unknowns.deviation);
-                off(c, wrong * c.omega, c.unknowns.max_velocity)
+                let wrong = printed::max_velocity(c.omega, c.alpha, cos_pi_1, u.deviation);
+                off(c, wrong * c.omega, u.max_velocity)
             })
         },
         "61" "as printed, sufficient, fails between 1/(2n+1) and 1/(2n)": |c| {

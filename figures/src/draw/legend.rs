@@ -128,12 +128,7 @@ fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
 }
 
 /// Draws a square for each name that occurs.
-fn named(
-    plane: &Plane,
-    names: &[String],
-    (left, top): (i32, i32),
-    canvas: &Canvas<'_>,
-) -> Result<i32, Error> {
+fn named(plane: &Plane, names: &[String], (left, top): (i32, i32), canvas: &Canvas<'_>) -> Drawn<i32> {
     let mut y = top;
     for (step, name) in (0u32..).zip(names) {
         if !plane.values.iter().any(|&value| plane.scale.step(value) == Some(step)) {
@@ -164,9 +159,6 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
     }
     Ok(())
 }
-
-/// Errors of drawing.
-type Error = plotters::drawing::DrawingAreaErrorKind<std::io::Error>;
 
 #[cfg(test)]
 mod tests {
