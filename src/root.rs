@@ -1,6 +1,49 @@
-//! Zeros of functions of one variable: in a bracket, and refined from a start.
+//! Zeros of functions of one variable: a bracket at f64, then refinement at the precision of the type.
 
 use crate::float::Float;
+#[cfg(feature = "std")]
+use roots::{SimpleConvergency, find_root_brent};
+
+/// A zero of `f` in `[low, high]`, where it changes sign, by Brent's method at f64.
+///
+/// Where rounding hides the change of sign, the result is the end at which |f| is smaller: the zero is within
+/// rounding of it.
+#[cfg(feature = "std")]
+pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let mut convergency = SimpleConvergency { eps: 1e-15, max_iter: 200 };
+    match find_root_brent(low, high, &mut f, &mut convergency) {
+        Ok(x) => x.clamp(low, high),
+        Err(_) => {
+            if f(low).abs() <= f(high).abs() {
+                low
+            } else {
+                high
+            }
+        }
+    }
+}
+
+/// A zero of `f` in `[low, high]`, where it changes sign, by halving the interval down to neighbouring numbers: the crate
+/// roots needs the standard library.
+#[cfg(not(feature = "std"))]
+pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (low, high);
+    let (start, end) = (f(low), f(high));
+    if (start < 0.0) == (end < 0.0) {
+        return if start.abs() <= end.abs() { low } else { high };
+    }
+    loop {
+        let middle = low + (high - low) / 2.0;
+        if middle <= low || middle >= high {
+            return middle;
+        }
+        if (f(middle) < 0.0) == (start < 0.0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}
 
 /// Newton's method inside `[low, high]` from a `start` accurate to about 1e-8; `f` gives (value, slope).
 ///
@@ -175,7 +218,7 @@ pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::{enclosed, newton, newton_within};
+    use super::{bracketed, enclosed, newton, newton_within};
 
     #[test]
     fn the_enclosure_is_two_neighbours() {
@@ -202,11 +245,12 @@ mod tests {
     fn a_zero_is_on_the_positive_side() {
         assert_eq!(enclosed(0.0, 1.0, |x: f64| x - 0.5).1, 0.5);
         assert_eq!(enclosed(0.0, 1.0, |x: f64| 0.5 - x).0, 0.5);
+        assert_eq!(enclosed(1.0, 2.0, |x: f64| x), (1.0, 1.0));
     }
 
     #[test]
     fn the_zero_of_the_cosine() {
-        let (start, _) = enclosed(1.0, 2.0, f64::cos);
+        let start = bracketed(1.0, 2.0, f64::cos);
         assert!((start - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
         let polished = newton(1.57, 1.0, 2.0, |x: f64| (x.cos(), -x.sin()));
         assert_eq!(polished, std::f64::consts::FRAC_PI_2);
@@ -214,8 +258,8 @@ mod tests {
 
     #[test]
     fn no_change_of_sign_gives_the_nearer_end() {
-        assert_eq!(enclosed(1.0, 2.0, |x: f64| x), (1.0, 1.0));
-        assert_eq!(enclosed(-2.0, -1.0, |x: f64| x), (-1.0, -1.0));
+        assert_eq!(bracketed(1.0, 2.0, |x| x), 1.0);
+        assert_eq!(bracketed(-2.0, -1.0, |x| x), -1.0);
     }
 
     #[test]

@@ -128,7 +128,7 @@ pub(super) fn fall_of_cosine<F: Float>(tau: F, sigma: F) -> F {
     F::int(2) * (half * (sigma + tau)).sin() * (half * (sigma - tau)).sin()
 }
 
-/// The zero ξ of `g` on (0, π): a bracketed search at f64, then Newton at ever higher precision.
+/// The zero ξ of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
 ///
 /// g is increasing, so every zero in the bracket is the one; Newton only polishes.
 pub(crate) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
@@ -138,7 +138,7 @@ pub(crate) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
     } else if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
         let g = |xi| stationarity(omega, gamma, xi).0;
-        F::from_f64(root::enclosed(0.0, core::f64::consts::PI, g).0)
+        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))
     } else {
         at_precision!(narrowed, <F>(omega: F, gamma: F) -> F, |there, back: G| {
             back(stationary_point(there(omega), there(gamma)))

@@ -106,5 +106,5 @@ pub(super) fn from_bracket(half: &HalfCycle<f64>, k: f64, alpha: f64) -> f64 {
         } else {
             centre
         };
-    root::enclosed(start.min(end), start.max(end), slope).0
+    root::bracketed(start.min(end), start.max(end), slope)
 }
