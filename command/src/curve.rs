@@ -300,10 +300,7 @@ impl AskedCurve {
     fn rows(&self, lines: &[Line], out: &mut impl Write) -> Outcome {
         let what = self.what.to_possible_value();
         let what = what.as_ref().map_or("", |what| what.get_name());
-        let unit = self
-            .label()
-            .rsplit_once('(')
-            .map_or("p₀".to_owned(), |(_, u)| u.trim_end_matches(')').to_owned());
+        let unit = self.unit_of_quantity();
         let name = if self.axis == Input::Frequency { "frequency" } else { "omega" };
         let axis = format!("{name}[{}]", self.unit.0);
         let mut writer = csv::Writer::from_writer(out);
@@ -326,43 +323,30 @@ struct Shown {
     amplitude: Amplitude,
     kind: Kind,
     words: &'static str,
-    /// The name with the unit in ratios, in which the quantity is one over α.
-    in_ratios: &'static str,
+    /// The unit in ratios, in which the quantity is one over α.
+    unit: &'static str,
     /// The power of Ω in this unit.
     power: i32,
 }
 
 const fn shown(what: CurveQuantity) -> Shown {
-    let (amplitude, kind, words, in_ratios, power) = match what {
-        CurveQuantity::Displacement => (
-            Amplitude::Displacement,
-            Kind::Length,
-            "maximum displacement",
-            "dynamic amplification k Δ₀/p₀",
-            0,
-        ),
-        CurveQuantity::Velocity => {
-            (Amplitude::Velocity, Kind::Velocity, "maximum velocity", "maximum velocity, in p₀/√(k m)", 1)
+    let (amplitude, kind, words, unit, power) = match what {
+        CurveQuantity::Displacement => {
+            (Amplitude::Displacement, Kind::Length, "maximum displacement", "p₀/k", 0)
         }
-        CurveQuantity::Acceleration => (
-            Amplitude::Acceleration,
-            Kind::Acceleration,
-            "maximum acceleration",
-            "maximum acceleration, in p₀/m",
-            2,
-        ),
-        CurveQuantity::Force => {
-            (Amplitude::TransmittedForce, Kind::Force, "transmitted force", "transmitted force, in p₀", 0)
+        CurveQuantity::Velocity => (Amplitude::Velocity, Kind::Velocity, "maximum velocity", "p₀/√(k m)", 1),
+        CurveQuantity::Acceleration => {
+            (Amplitude::Acceleration, Kind::Acceleration, "maximum acceleration", "p₀/m", 2)
         }
+        CurveQuantity::Force => (Amplitude::TransmittedForce, Kind::Force, "transmitted force", "p₀", 0),
         CurveQuantity::Transmissibility => {
-            (Amplitude::Transmissibility, Kind::Ratio, "transmissibility", "transmissibility (1)", 0)
+            (Amplitude::Transmissibility, Kind::Ratio, "transmissibility", "1", 0)
         }
         CurveQuantity::Absolute => {
-            let words = "maximum absolute displacement";
-            (Amplitude::AbsoluteDisplacement, Kind::Length, words, "maximum absolute displacement, in p₀", 0)
+            (Amplitude::AbsoluteDisplacement, Kind::Length, "maximum absolute displacement", "p₀/k", 0)
         }
     };
-    Shown { amplitude, kind, words, in_ratios, power }
+    Shown { amplitude, kind, words, unit, power }
 }
 
 impl AskedCurve {
@@ -384,10 +368,20 @@ impl AskedCurve {
         Ok((found.value.map(in_units), regime, sticks))
     }
 
+    /// The unit of the quantity.
+    fn unit_of_quantity(&self) -> String {
+        let Shown { kind, unit, .. } = shown(self.what);
+        if self.is_machine() { self.system.name(kind) } else { unit.to_owned() }
+    }
+
     /// The name of the quantity with its unit, for an axis.
     fn label(&self) -> String {
-        let Shown { kind, words, in_ratios, .. } = shown(self.what);
-        if self.is_machine() { format!("{words} ({})", self.system.name(kind)) } else { in_ratios.to_owned() }
+        let Shown { kind, words, unit, .. } = shown(self.what);
+        match self.what {
+            _ if self.is_machine() || kind == Kind::Ratio => format!("{words} ({})", self.unit_of_quantity()),
+            CurveQuantity::Displacement => "dynamic amplification k Δ₀/p₀".to_owned(),
+            _ => format!("{words}, in {unit}"),
+        }
     }
 }
 

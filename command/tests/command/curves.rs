@@ -364,3 +364,20 @@ fn a_picture_shows_the_data_of_its_machine() {
         assert!(text.contains(line), "{command}: {shown:?}");
     }
 }
+
+/// Without a machine a quantity is divided by its value for a slow force without friction.
+#[test]
+fn a_column_in_ratios_has_the_unit_of_its_quantity() {
+    for (quantity, unit) in [
+        ("displacement", "p₀/k"),
+        ("velocity", "p₀/√(k m)"),
+        ("acceleration", "p₀/m"),
+        ("force", "p₀"),
+        ("transmissibility", "1"),
+        ("absolute", "p₀/k"),
+    ] {
+        let text = stdout(&format!("response-curve {quantity} --omega 0.5:2:3 --alpha 3"));
+        let due = format!("curve,omega[1],regime,{quantity}[{unit}],margin[1],point");
+        assert_eq!(text.lines().next(), Some(due.as_str()));
+    }
+}
