@@ -1,7 +1,7 @@
 //! What a record does to a body: its extremes, its residual displacement, its stops and its work.
 
-use super::body::Body;
-use super::follow::{Constants, Failed, Failure, Follower, Mode, Watch};
+use super::body::{Body, Constants};
+use super::follow::{Failed, Failure, Follower, Mode, Watch};
 use super::lanes::{self, Followed};
 use super::load::{Factors, Piece, Record};
 use super::number::Number;

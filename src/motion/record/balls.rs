@@ -5,8 +5,8 @@
 //! certain signs.
 
 use super::answers::{End, RecordAnswer, Weights, begun};
-use super::body::Body;
-use super::follow::{Constants, Failure};
+use super::body::{Body, Constants};
+use super::follow::Failure;
 use super::load::{Factors, Piece, Record};
 use super::number::Number;
 use crate::float::ball::{Ball, Radius};

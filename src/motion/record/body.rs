@@ -1,5 +1,6 @@
 //! The body that a record moves: with or without a spring, a damper, friction in both directions or in one.
 
+use super::number::Number;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::Oscillator;
@@ -239,6 +240,45 @@ impl<F: Float> From<&Oscillator<F>> for Body<F> {
             mean_force: F::int(0),
             friction_offset: oscillator.friction_offset(),
             is_one_way: false,
+        }
+    }
+}
+
+/// The constants of a body per mass.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Constants<F> {
+    /// 2β = c/m.
+    pub(super) rate: F,
+    /// ω² = k/m.
+    pub(super) square: F,
+    /// Friction per mass while it slides.
+    pub(super) friction: F,
+    /// Static friction per mass.
+    pub(super) held: F,
+    /// The acceleration of a body that the static friction no longer holds: `held − friction`, and exactly 0 where the
+    /// two frictions are one.
+    pub(super) excess: F,
+    /// The constant force per mass, with that of friction by direction.
+    pub(super) mean: F,
+    pub(super) is_one_way: bool,
+}
+
+impl<F: Number> Constants<F> {
+    /// Those of a body whose numbers are `known` as others.
+    pub(super) fn of<G: Float>(body: &Body<G>, known: impl Fn(G) -> F) -> Self {
+        let mass = known(body.mass());
+        let friction = known(body.friction()) / mass;
+        let eta = body.static_friction_ratio();
+        let held = if eta == G::int(1) { friction } else { known(eta) * friction };
+        let excess = if eta == G::int(1) { F::int(0) } else { held - friction };
+        Self {
+            rate: known(body.damping()) / mass,
+            square: known(body.stiffness()) / mass,
+            friction,
+            held,
+            excess,
+            mean: (known(body.mean_force()) - known(body.friction_offset())) / mass,
+            is_one_way: body.is_one_way(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A record: samples of a load, and straight lines between them.
 
-use super::follow::Constants;
+use super::body::Constants;
 use super::number::Number;
 use crate::float::Float;
 use crate::machine::drive::Excitation;
