@@ -19,48 +19,47 @@ use crate::float::pair::Pair;
 use crate::machine::ratios::Ratios;
 use crate::output::Output;
 
-/// `[d, γ, 1/Ω]` in pairs from `[Ω, ζ]`.
+/// `[d, γ, 1/Ω]`, the first two in pairs, from `[Ω, ζ]`.
 struct Turning;
 
-impl AtPoint<2, 6> for Turning {
+impl AtPoint<2, 5> for Turning {
     #[inline(always)]
-    fn at(&self, [omega, zeta]: [f64; 2]) -> [f64; 6] {
+    fn at(&self, [omega, zeta]: [f64; 2]) -> [f64; 5] {
         let Angle { d, gamma, inverse } = Angle::at(omega, zeta);
-        [d.hi, d.lo, gamma.hi, gamma.lo, inverse.hi, inverse.lo]
+        [d.hi, d.lo, gamma.hi, gamma.lo, inverse]
     }
 }
 
 /// `[G, H]` in pairs from `[Ω, ζ]` and the results of [`Turning`]; NaN where the point must be recomputed.
 struct Responses(Swell<f64>);
 
-impl AtPoint<8, 4> for Responses {
+impl AtPoint<7, 4> for Responses {
     #[inline(always)]
-    fn at(&self, [omega, zeta, angle @ ..]: [f64; 8]) -> [f64; 4] {
+    fn at(&self, [omega, zeta, angle @ ..]: [f64; 7]) -> [f64; 4] {
         let (shift, h, is_accurate) = angle_of(angle).responses(omega, zeta, &self.0);
         [select(is_accurate & (zeta > 0.0), shift.hi, f64::NAN), shift.lo, h.hi, h.lo]
     }
 }
 
 #[inline(always)]
-fn angle_of([d, d_rest, gamma, gamma_rest, inverse, inverse_rest]: [f64; 6]) -> Angle<f64> {
+fn angle_of([d, d_rest, gamma, gamma_rest, inverse]: [f64; 5]) -> Angle<f64> {
     let (d, gamma) = (Pair::new(d, d_rest), Pair::new(gamma, gamma_rest));
-    Angle { d, gamma, inverse: Pair::new(inverse, inverse_rest) }
+    Angle { d, gamma, inverse }
 }
 
 /// The half period from `[Ω, ζ]`, 1/Ω and the results of [`Responses`].
 #[inline(always)]
-fn half([omega, zeta, inverse, inverse_rest, shift, shift_rest, h, h_rest]: [f64; 8]) -> HalfPeriod<f64> {
-    let (inverse, shift) = (Pair::new(inverse, inverse_rest), Pair::new(shift, shift_rest));
-    HalfPeriod::of_responses(omega, zeta, inverse, shift, Pair::new(h, h_rest))
+fn half([omega, zeta, inverse, shift, shift_rest, h, h_rest]: [f64; 7]) -> HalfPeriod<f64> {
+    HalfPeriod::of_responses(omega, zeta, inverse, Pair::new(shift, shift_rest), Pair::new(h, h_rest))
 }
 
 /// `[a², S, α_min]`, the first two in pairs, from `[α, η]` and the inputs of [`half`]; a NaN in α_min means that the
 /// point must be recomputed.
 struct Squares;
 
-impl AtPoint<10, 5> for Squares {
+impl AtPoint<9, 5> for Squares {
     #[inline(always)]
-    fn at(&self, [alpha, eta, given @ ..]: [f64; 10]) -> [f64; 5] {
+    fn at(&self, [alpha, eta, given @ ..]: [f64; 9]) -> [f64; 5] {
         let (square, least, border) = from_turning_point(&half(given).with_static_friction(eta), alpha);
         [square.hi, square.lo, least.hi, least.lo, border]
     }
@@ -69,7 +68,7 @@ impl AtPoint<10, 5> for Squares {
 /// The half cycle from `[α, a², S, α_min]` and the inputs of [`half`], and whether there is one.
 #[inline(always)]
 fn rising(
-    [alpha, square, square_rest, least, least_rest, border, given @ ..]: [f64; 14],
+    [alpha, square, square_rest, least, least_rest, border, given @ ..]: [f64; 13],
 ) -> (Rising<f64>, bool) {
     let (square, least) = (Pair::new(square, square_rest), Pair::new(least, least_rest));
     (Rising::of_square(half(given), square, least), exists(alpha, border))
@@ -78,20 +77,20 @@ fn rising(
 /// `[Δ₀, A₁]` from the inputs of [`rising`].
 struct Sizes;
 
-impl AtPoint<14, 2> for Sizes {
+impl AtPoint<13, 2> for Sizes {
     #[inline(always)]
-    fn at(&self, given: [f64; 14]) -> [f64; 2] {
+    fn at(&self, given: [f64; 13]) -> [f64; 2] {
         let (rising, slides) = rising(given);
         let size = rising.loop_sizes(given[0]).0;
         [select(slides, rising.max_displacement, f64::NAN), select(slides, size, f64::NAN)]
     }
 }
 
-impl AtPoint<14, 8> for Sizes {
+impl AtPoint<13, 8> for Sizes {
     /// The same and `[ω_d t₂, A₂, α_min, the low part of Δ₀]` with f_c and f_s of the drive; a NaN in α_min means that
     /// the point must be recomputed.
     #[inline(always)]
-    fn at(&self, given: [f64; 14]) -> [f64; 8] {
+    fn at(&self, given: [f64; 13]) -> [f64; 8] {
         let (rising, slides) = rising(given);
         let ((size1, size2), drive) = (rising.loop_sizes(given[0]), rising.drive());
         let phase = displacement_phase(drive);
@@ -112,22 +111,22 @@ impl AtPoint<14, 8> for Sizes {
 struct Middles;
 
 #[inline(always)]
-fn middle([omega, zeta, angle @ .., shift]: [f64; 9]) -> Middle<f64> {
+fn middle([omega, zeta, angle @ .., shift]: [f64; 8]) -> Middle<f64> {
     angle_of(angle).middle(omega, zeta, shift)
 }
 
-impl AtPoint<9, 2> for Middles {
+impl AtPoint<8, 2> for Middles {
     /// Without the displacement.
     #[inline(always)]
-    fn at(&self, given: [f64; 9]) -> [f64; 2] {
+    fn at(&self, given: [f64; 8]) -> [f64; 2] {
         let Middle { velocity, slope, .. } = middle(given);
         [velocity, slope]
     }
 }
 
-impl AtPoint<9, 3> for Middles {
+impl AtPoint<8, 3> for Middles {
     #[inline(always)]
-    fn at(&self, given: [f64; 9]) -> [f64; 3] {
+    fn at(&self, given: [f64; 8]) -> [f64; 3] {
         let Middle { velocity, slope, displacement } = middle(given);
         [velocity, slope, displacement]
     }
@@ -187,7 +186,7 @@ struct Pass<'a> {
     wanted: Wanted,
     given: &'a [Block; 4],
     found: &'a mut Answer,
-    work: &'a mut [Block; 21],
+    work: &'a mut [Block; 20],
 }
 
 impl Loops for Pass<'_> {
@@ -197,34 +196,34 @@ impl Loops for Pass<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { wanted, given: [omega, alpha, zeta, eta], found, work } = self;
-        let [a, b, c, d, e, f, shift, shift_rest, h, h_rest, work @ ..] = work;
+        let [a, b, c, d, e, shift, shift_rest, h, h_rest, work @ ..] = work;
         let [square, square_rest, least, least_rest, rest, along, across, mark, middle @ ..] = work;
         let [delta, border, size1, phase2, size2, velocity, phase1, deviation, _] = found;
-        each(&Turning, [omega, zeta], [&mut *a, b, c, d, e, f]);
+        each(&Turning, [omega, zeta], [&mut *a, b, c, d, e]);
         let responses = Responses(held(Swell::new()));
-        each(&responses, [omega, zeta, a, b, c, d, e, f], [&mut *shift, shift_rest, h, h_rest]);
-        let [i, j, k, l, m, n, o, q] = [omega, zeta, e, f, &*shift, shift_rest, h, h_rest];
+        each(&responses, [omega, zeta, a, b, c, d, e], [&mut *shift, shift_rest, h, h_rest]);
+        let [i, j, k, l, m, n, o] = [omega, zeta, &*e, shift, shift_rest, h, h_rest];
         let squares = [&mut *square, square_rest, least, least_rest, &mut *border];
-        each(&Squares, [alpha, eta, i, j, k, l, m, n, o, q], squares);
-        let given = [alpha, square, square_rest, least, least_rest, border, i, j, k, l, m, n, o, q];
+        each(&Squares, [alpha, eta, i, j, k, l, m, n, o], squares);
+        let given = [alpha, square, square_rest, least, least_rest, border, i, j, k, l, m, n, o];
         if !wanted.more {
-            return each::<14, 2>(&Sizes, given, [delta, size1]);
+            return each::<13, 2>(&Sizes, given, [delta, size1]);
         }
-        each::<14, 8>(&Sizes, given, [&mut *delta, size1, phase2, size2, mark, rest, along, across]);
+        each::<13, 8>(&Sizes, given, [&mut *delta, size1, phase2, size2, mark, rest, along, across]);
         if !wanted.velocity {
             *border = *mark;
             return;
         }
-        let given = [omega, zeta, a, b, c, d, e, f, shift];
+        let given = [omega, zeta, a, b, c, d, e, shift];
         let [x, v, w] = middle;
         let at = [omega, zeta, &*along, across, delta, rest, phase2, mark];
         let [i, j, k, l, m, n, o, q] = at;
         if wanted.deviation {
-            each::<9, 3>(&Middles, given, [&mut *v, w, x]);
+            each::<8, 3>(&Middles, given, [&mut *v, w, x]);
             let given = [i, j, k, l, m, n, o, q, v, w, x];
             each::<11, 4>(&Arrival::new(), given, [velocity, phase1, border, deviation]);
         } else {
-            each::<9, 2>(&Middles, given, [&mut *v, w]);
+            each::<8, 2>(&Middles, given, [&mut *v, w]);
             each::<10, 3>(&Arrival::new(), [i, j, k, l, m, n, o, q, v, w], [velocity, phase1, border]);
         }
     }
@@ -244,7 +243,7 @@ pub(super) fn run(
         return (0..n).for_each(|i| columns.put(i, answer(i)));
     }
     let (mut given, mut found) = ([[0.0; POINTS]; 4], [[0.0; POINTS]; LOOPED.len()]);
-    let mut work = [[0.0; POINTS]; 21];
+    let mut work = [[0.0; POINTS]; 20];
     let mut out = columns.take_looped();
     let wanted = Wanted::of(&out);
     for first in (0..n).step_by(POINTS) {

@@ -82,8 +82,9 @@ pub(crate) fn half_period<const W: usize>(
     let period = Ball::pi() / omega;
     let decay = if is_undamped { one } else { (-(zeta * period)).exp() };
     let Waves { cosine, sine } = waves(&free, period);
-    let lag = (two * zeta * omega, angle.one_minus_square);
-    let stiffness = if is_undamped { lag.1.abs() } else { lag.0.hypot(lag.1) };
+    let one_minus_square = angle.one_minus_square;
+    let stiffness =
+        if is_undamped { one_minus_square.abs() } else { (two * zeta * omega).hypot(one_minus_square) };
     let (shift, h, k) = if is_undamped {
         (Ball::int(0), angle.sin_cos.0 / (omega * angle.sin_cos.1), angle.phase_function)
     } else {
@@ -97,12 +98,12 @@ pub(crate) fn half_period<const W: usize>(
         inverse: one / omega,
         free,
         period,
-        lag,
+        one_minus_square,
         stiffness,
         shift,
         h,
         k,
-        rest: [Ball::int(0); 4],
+        rest: [Ball::int(0); 3],
         form: Form::Definition,
         parts: [Ball::int(0); 3],
         decay,

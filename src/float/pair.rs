@@ -96,6 +96,13 @@ impl<F: Float> Pair<F> {
         Self { hi, lo: a.mul_add(b, -hi) }
     }
 
+    /// `1/x`, given a number within a few units in the last place of it.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn reciprocal(x: F, near: F) -> Self {
+        Self { hi: near, lo: (-near).mul_add(x, F::int(1)) * near }
+    }
+
     /// π with an error of at most `2⁻²ᵖ`.
     #[inline(always)]
     #[must_use]

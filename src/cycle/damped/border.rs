@@ -108,13 +108,14 @@ pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool
 /// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
 #[inline(always)]
 pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
-    (half.static_friction + half.shift + half.lag.0 * half.h) * half.inverse.square()
+    (half.static_friction + half.shift + half.damper() * half.h) * half.inverse.square()
 }
 
 /// The least Δ₀/B with which it does not stick at its turning points, S − G: `[η + G(1 − Ω²) + 2ζΩH]/Ω²`.
 #[inline(always)]
 pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
-    (half.static_friction + half.shift * half.lag.1 + half.lag.0 * half.h) * half.inverse.square()
+    (half.static_friction + half.shift * half.one_minus_square + half.damper() * half.h)
+        * half.inverse.square()
 }
 
 /// The search at a lower precision.
@@ -166,7 +167,7 @@ impl<F: Field> HalfPeriod<F> {
     /// `p = (Ω² + 4ζ² − 1) h′ + 2ζh`.
     pub(crate) fn weighted(&self, velocity: F, displacement: F) -> F {
         let zeta = self.free.zeta;
-        (F::int(4) * zeta.square() - self.lag.1) * velocity + F::int(2) * zeta * displacement
+        (F::int(4) * zeta.square() - self.one_minus_square) * velocity + F::int(2) * zeta * displacement
     }
 }
 

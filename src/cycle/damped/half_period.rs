@@ -33,8 +33,8 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) free: Free<F>,
     /// T.
     pub(crate) period: F,
-    /// `q sin δ = 2ζΩ` and `q cos δ = 1 − Ω²`, δ the lag of the linear oscillator.
-    pub(crate) lag: (F, F),
+    /// `1 − Ω² = q cos δ`, δ the lag of the linear oscillator.
+    pub(crate) one_minus_square: F,
     /// q.
     pub(crate) stiffness: F,
     /// G.
@@ -43,8 +43,8 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) h: F,
     /// K = qH.
     pub(crate) k: F,
-    /// What rounding took from q, G, H and 1/Ω.
-    pub(crate) rest: [F; 4],
+    /// What rounding took from q, G and H.
+    pub(crate) rest: [F; 3],
     /// The form by which G and H were found, and what it gives beside them: see [`HalfPeriod::beyond`] and
     /// [`HalfPeriod::middle`]. One field for both keeps an answer small.
     pub(crate) form: Form,
@@ -71,14 +71,14 @@ impl<F: Float> HalfPeriod<F> {
             return half.with_waves(waves_at_end(&half.free, omega));
         }
         if let Some(Pole { stiffness, shift, h, beyond }) = Pole::beside(omega, zeta) {
-            let parts = [stiffness.normalised(), shift.normalised(), h.normalised(), Pair::int(1) / omega];
-            let half = Self::of_pairs(omega, zeta, parts);
+            let parts = [stiffness.normalised(), shift.normalised(), h.normalised()];
+            let half = Self::of_pairs(omega, zeta, F::int(1) / omega, parts);
             let half = half.with_waves(waves_at_end(&half.free, omega));
             return Self { form: Form::Pole, parts: [beyond.hi, beyond.lo, F::int(0)], ..half };
         }
         let Half { shift, h, waves } = half(omega, zeta);
         let (shift, h) = (shift.normalised(), h.normalised());
-        Self::of_responses(omega, zeta, Pair::int(1) / omega, shift, h).with_waves(waves)
+        Self::of_responses(omega, zeta, F::int(1) / omega, shift, h).with_waves(waves)
     }
 
     /// All that Δ₀ and the border at the turning point need: without the waves at T, which are NaN.
@@ -101,8 +101,8 @@ impl<F: Float> HalfPeriod<F> {
 
     /// From 1/Ω, G and H, normalised; the waves at T are NaN.
     #[inline(always)]
-    pub(crate) fn of_responses(omega: F, zeta: F, inverse: Pair<F>, shift: Pair<F>, h: Pair<F>) -> Self {
-        Self::of_pairs(omega, zeta, [stiffness(omega, zeta).normalised(), shift, h, inverse])
+    pub(crate) fn of_responses(omega: F, zeta: F, inverse: F, shift: Pair<F>, h: Pair<F>) -> Self {
+        Self::of_pairs(omega, zeta, inverse, [stiffness(omega, zeta).normalised(), shift, h])
     }
 
     #[inline(always)]
@@ -112,20 +112,19 @@ impl<F: Float> HalfPeriod<F> {
 
     /// From q, G, H and 1/Ω, normalised; the waves at T are NaN.
     #[inline(always)]
-    fn of_pairs(omega: F, zeta: F, parts: [Pair<F>; 4]) -> Self {
-        let [stiffness, shift, h, inverse] = parts;
+    fn of_pairs(omega: F, zeta: F, inverse: F, [stiffness, shift, h]: [Pair<F>; 3]) -> Self {
         let (period, nan) = (F::pi() / omega, F::int(0) / F::int(0));
         Self {
             omega,
-            inverse: inverse.hi,
+            inverse,
             free: Free::new(zeta),
             period,
-            lag: (F::int(2) * zeta * omega, one_minus_square(omega)),
+            one_minus_square: one_minus_square(omega),
             stiffness: stiffness.hi,
             shift: shift.hi,
             h: h.hi,
             k: (stiffness * h).value(),
-            rest: [stiffness.lo, shift.lo, h.lo, inverse.lo],
+            rest: [stiffness.lo, shift.lo, h.lo],
             form: Form::Definition,
             parts: [nan; 3],
             decay: nan,
@@ -140,13 +139,12 @@ impl<F: Float> HalfPeriod<F> {
     /// This half period with all digits of q, G, H and K.
     #[inline(always)]
     pub(crate) fn wide(&self) -> HalfPeriod<Pair<F>> {
-        let [stiffness, shift, h, inverse] = self.rest;
+        let [stiffness, shift, h] = self.rest;
         let (stiffness, h) = (Pair::new(self.stiffness, stiffness), Pair::new(self.h, h));
-        let damper = (self.free.zeta.wide() * self.omega).times(2);
         HalfPeriod {
-            inverse: Pair::new(self.inverse, inverse),
+            inverse: Pair::reciprocal(self.omega, self.inverse),
             // Where Ω is near 1 the leading digits of 1 − Ω² cancel, and its two parts overlap.
-            lag: (damper, one_minus_square_wide(self.omega).normalised()),
+            one_minus_square: one_minus_square_wide(self.omega).normalised(),
             stiffness,
             shift: Pair::new(self.shift, shift),
             h,
@@ -190,7 +188,7 @@ impl<F: Field> HalfPeriod<F> {
             inverse: to(self.inverse),
             free: self.free.map(&to),
             period: to(self.period),
-            lag: (to(self.lag.0), to(self.lag.1)),
+            one_minus_square: to(self.one_minus_square),
             stiffness: to(self.stiffness),
             shift: to(self.shift),
             h: to(self.h),
@@ -210,7 +208,7 @@ impl<F: Field> HalfPeriod<F> {
 impl<F: Real> HalfPeriod<F> {
     /// The lag δ of the linear oscillator, in (0, π).
     pub(crate) fn phase_lag(&self) -> F {
-        self.lag.0.atan2(self.lag.1)
+        self.damper().atan2(self.one_minus_square)
     }
 }
 
@@ -220,17 +218,23 @@ impl<F: Field> HalfPeriod<F> {
         Self { static_friction: eta, ..self }
     }
 
+    /// `2ζΩ = q sin δ`, δ the lag of the linear oscillator.
+    #[inline(always)]
+    pub(crate) fn damper(&self) -> F {
+        (self.free.zeta * self.omega).times(2)
+    }
+
     /// q².
     #[inline(always)]
     pub(crate) fn squared_stiffness(&self) -> F {
-        self.lag.0.square() + self.lag.1.square()
+        self.damper().square() + self.one_minus_square.square()
     }
 
     /// `1 + G + 2ζΩH`: the deceleration at the maximum of the cycle that is barely held back there, in units
     /// of B ω_n².
     #[inline(always)]
     pub(crate) fn holding(&self) -> F {
-        F::int(1) + self.shift + self.lag.0 * self.h
+        F::int(1) + self.shift + self.damper() * self.h
     }
 }
 

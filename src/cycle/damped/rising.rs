@@ -221,7 +221,7 @@ impl<F: Float> Rising<F> {
     /// The drive `f_c cos Ωτ + f_s sin Ωτ` that keeps the driven part up, to all digits: `(f_c, f_s)`.
     #[inline(always)]
     pub(crate) fn drive(&self) -> (Pair<F>, Pair<F>) {
-        let HalfPeriod { omega, free, shift, h, rest: [_, shift_rest, h_rest, _], .. } = self.half;
+        let HalfPeriod { omega, free, shift, h, rest: [_, shift_rest, h_rest], .. } = self.half;
         let a = Pair::new(self.max_displacement, self.rest) + Pair::new(shift, shift_rest);
         let (h, damper) = (Pair::new(h, h_rest), (free.zeta.wide() * omega).times(2));
         let stiffness = one_minus_square_wide(omega);

@@ -44,7 +44,7 @@ use crate::float::{Field, Float};
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tangent<F> {
     /// 1/Ω.
-    pub(crate) inverse: Pair<F>,
+    pub(crate) inverse: F,
     /// G.
     pub(crate) shift: Pair<F>,
     /// H.
@@ -60,7 +60,7 @@ pub(crate) struct Tangent<F> {
 pub(crate) struct Angle<F> {
     pub(crate) d: Pair<F>,
     pub(crate) gamma: Pair<F>,
-    pub(crate) inverse: Pair<F>,
+    pub(crate) inverse: F,
 }
 
 /// A complex number (real, imaginary).
@@ -86,12 +86,10 @@ impl<F: Float> Angle<F> {
         let twice = F::int(2) * d;
         // One division for 1/Ω and 1/2d.
         let both = F::int(1) / (twice * omega);
-        let inverse = twice * both;
-        let inverse = Pair::new(inverse, (-inverse).mul_add(omega, F::int(1)) * inverse);
         let d = Pair::new(d, ((-d).mul_add(d, rest.hi) + (rest.lo - square.lo)) * (omega * both));
         // Exact: the two differ by a factor of two at most.
         let near = d.hi - Self::turns(d.hi, omega).1;
-        Self { d, gamma: Pair::fast_two_sum(near, d.lo), inverse: inverse.normalised() }
+        Self { d, gamma: Pair::fast_two_sum(near, d.lo), inverse: twice * both }
     }
 
     /// Whether q is odd, and qΩ.
@@ -107,7 +105,8 @@ impl<F: Float> Angle<F> {
     /// G and H, and whether they are accurate.
     #[inline(always)]
     pub(crate) fn responses(&self, omega: F, zeta: F, swell: &Swell<F>) -> (Pair<F>, Pair<F>, bool) {
-        let Self { d, gamma, inverse } = *self;
+        let Self { d, gamma, .. } = *self;
+        let inverse = Pair::reciprocal(omega, self.inverse);
         let (zero, two) = (F::int(0), F::int(2));
         let (is_odd, turns) = Self::turns(d.hi, omega);
         let period = inverse * Pair::pi();
@@ -139,7 +138,7 @@ impl<F: Float> Angle<F> {
     /// P.
     #[inline(always)]
     fn fraction(&self, zeta: F) -> Complex<F> {
-        let half = F::pi() * F::ratio(1, 2) * self.inverse.hi;
+        let half = F::pi() * F::ratio(1, 2) * self.inverse;
         let (a, b) = (half * zeta, half * self.gamma.hi);
         let square = ((a - b) * (a + b), -(F::int(2) * a * b));
         let (re, im) = tail(square);
@@ -156,7 +155,7 @@ impl<F: Float> Angle<F> {
         let (is_odd, turn) = Self::turns(d, omega);
         let is_above = turn == zero;
         // v, v² and N = 1/(P + R), R = √(P² − v²)
-        let half = half_pi * self.inverse.hi;
+        let half = half_pi * self.inverse;
         let v = (-(half * zeta), half * gamma);
         let square = ((v.0 - v.1) * (v.0 + v.1), two * v.0 * v.1);
         let (re, im) = ((p - r).mul_add(p + r, -square.0), (two * p).mul_add(r, -square.1));

@@ -14,7 +14,8 @@ impl<F: Float> DampedCycle<F> {
     pub(crate) fn damper_work(&self) -> F {
         let (half, two) = (&self.rising.half, F::int(2));
         let q2 = half.stiffness.square();
-        let mixed = two * half.omega * (half.h * half.lag.1 - half.lag.0 * self.rising.amplitude) / q2;
+        let mixed =
+            two * half.omega * (half.h * half.one_minus_square - half.damper() * self.rising.amplitude) / q2;
         let zeta = half.free.zeta;
         let driven = two * zeta * half.period * self.rising.swing().square();
         let work = driven + F::int(4) * half.shift + F::int(8) * zeta * mixed;

@@ -135,7 +135,7 @@ impl<F: Float> FrictionWork<F> {
         let shift_slope = pi / two * h * shift - gamma * k;
         let g_slope = (shift_slope - shift / v) / v;
         // The first harmonic: 4/π times (1 − v)/D and 2γ/D.
-        let u = half.lag.1 * v;
+        let u = half.one_minus_square * v;
         let d = (half.stiffness * v).square();
         let (first, damping) = (four / pi / d, two * gamma);
         CycleAt {
