@@ -36,8 +36,9 @@ impl<F: Value> Cell<F> {
     /// An error with that name if a number is infinite.
     pub(crate) fn finite(&self, name: &str) -> Outcome {
         let one = |x: F| {
-            let text = format!("{name} = {x} must be finite: it is beyond the largest number in these units");
-            if x.is_finite() { Ok(()) } else { Err(text.into()) }
+            let text =
+                || format!("{name} = {x} must be finite: it is beyond the largest number in these units");
+            if x.is_finite() { Ok(()) } else { Err(text().into()) }
         };
         match self {
             Self::Number(number) => number.map_or(Ok(()), one),

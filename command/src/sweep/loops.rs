@@ -44,7 +44,7 @@ impl Looped {
         columns.collect::<Option<_>>().map(Self)
     }
 
-    /// The ratios of a point without a machine, if they are in their domains.
+    /// The ratios of a point, if they are in their domains.
     pub(crate) fn ratios<F: Value>(given: &Given<F>) -> Option<Ratios<f64>> {
         let ratios = input::point(given).ok()?.ratios;
         let at = Ratios::new(ratios.omega().to_f64(), ratios.alpha().to_f64()).ok()?;

@@ -70,7 +70,7 @@ impl<F: Value> SweepRows<F> {
             None => form,
         };
         let columns = form.names(Header::Names);
-        let is_looped = question == Swept::Response && args.bits.is_none() && !axes.is_physical();
+        let is_looped = question == Swept::Response && args.bits.is_none() && form.physical.is_empty();
         let looped = is_looped.then(|| Looped::of(form.fields.iter().map(|(key, _)| *key))).flatten();
         #[cfg(feature = "parquet")]
         let notes = notes(args);
