@@ -377,10 +377,12 @@ impl AskedCurve {
     /// The name of the quantity with its unit, for an axis.
     fn label(&self) -> String {
         let Shown { kind, words, unit, .. } = shown(self.what);
-        match self.what {
-            _ if self.is_machine() || kind == Kind::Ratio => format!("{words} ({})", self.unit_of_quantity()),
-            CurveQuantity::Displacement => "dynamic amplification k Δ₀/p₀".to_owned(),
-            _ => format!("{words}, in {unit}"),
+        if self.is_machine() || kind == Kind::Ratio {
+            format!("{words} ({})", self.unit_of_quantity())
+        } else if self.what == CurveQuantity::Displacement {
+            "dynamic amplification k Δ₀/p₀".to_owned()
+        } else {
+            format!("{words}, in {unit}")
         }
     }
 }

@@ -33,8 +33,14 @@ fn a_sweep_answers_each_point_in_order_as_the_command_does() {
 fn a_sweep_and_a_map_by_loops_have_the_digits_of_whole_rows() {
     let names = "velocity_phase,regime,omega,max_displacement,deviation,alpha,min_force_ratio,\
                  loop_size_stiffness,loop_size_inertia,displacement_phase,max_velocity";
-    for machine in ["", "--damping-ratio 5%", "--damping-ratio 0,0.3,0.9 --static-friction-ratio 1,1.2"] {
-        let sweep = format!("sweep response --omega 0.35:2.3:40 --alpha 0.5:9:18 {machine}");
+    let ratios = "--omega 0.35:2.3:40 --alpha 0.5:9:18";
+    for machine in [
+        ratios,
+        &format!("{ratios} --damping-ratio 5%"),
+        &format!("{ratios} --damping-ratio 0,0.3,0.9 --static-friction-ratio 1,1.2"),
+        "--mass 50kg --stiffness 3kN/m --friction 5N --damping-ratio 0,0.05 --frequency 0.4Hz:3Hz:40 --force 4N:60N:9",
+    ] {
+        let sweep = format!("sweep response {machine}");
         let (whole, some) = (stdout(&sweep), stdout(&format!("{sweep} --outputs {names}")));
         let columns: Vec<&str> = whole.lines().next().unwrap().split(',').collect();
         let places = names.split(',').map(|name| columns.iter().position(|column| *column == name).unwrap());
