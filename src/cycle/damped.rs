@@ -271,7 +271,8 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
         return Border::of_parts(at_turning_point, at_turning_point, F::int(0), least);
     };
     let wide = half.wide();
-    let inside = wide.k.hypot(wide.stiffness * amplitude).value();
+    // The two are rounded, each by a form of its own.
+    let inside = wide.k.hypot(wide.stiffness * amplitude).value().or_larger(at_turning_point);
     let displacement = (amplitude - wide.shift).value();
     Border::of_parts(inside, at_turning_point, touch.phase(half.omega), displacement)
 }

@@ -374,7 +374,6 @@ fn a_column_in_ratios_has_the_unit_of_its_quantity() {
         ("acceleration", "p₀/m"),
         ("force", "p₀"),
         ("transmissibility", "1"),
-        ("absolute", "p₀/k"),
     ] {
         let text = stdout(&format!("response-curve {quantity} --omega 0.5:2:3 --alpha 3"));
         let due = format!("curve,omega[1],regime,{quantity}[{unit}],margin[1],point");
