@@ -135,29 +135,20 @@ impl<F: Float> Angle<F> {
         (shift.normalised(), h.normalised(), is_accurate)
     }
 
-    /// P.
-    #[inline(always)]
-    fn fraction(&self, zeta: F) -> Complex<F> {
-        let half = F::pi() * F::ratio(1, 2) * self.inverse;
-        let (a, b) = (half * zeta, half * self.gamma.hi);
-        let square = ((a - b) * (a + b), -(F::int(2) * a * b));
-        let (re, im) = tail(square);
-        let (p, r) = over(square, (F::int(3) + re, im));
-        (F::int(1) + p, r)
-    }
-
     /// The middle of the half cycle, by G.
     #[inline(always)]
     pub(crate) fn middle(&self, omega: F, zeta: F, shift: F) -> Middle<F> {
-        let (p, r) = self.fraction(zeta);
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let (d, gamma, half_pi) = (self.d.hi, self.gamma.hi, F::pi() * F::ratio(1, 2));
         let (is_odd, turn) = Self::turns(d, omega);
         let is_above = turn == zero;
-        // v, v² and N = 1/(P + R), R = √(P² − v²)
+        // v, v², P and N = 1/(P + R), R = √(P² − v²)
         let half = half_pi * self.inverse;
         let v = (-(half * zeta), half * gamma);
         let square = ((v.0 - v.1) * (v.0 + v.1), two * v.0 * v.1);
+        let (re, im) = tail(square);
+        let (p, r) = over(square, (F::int(3) + re, im));
+        let p = one + p;
         let (re, im) = ((p - r).mul_add(p + r, -square.0), (two * p).mul_add(r, -square.1));
         let size = re.mul_add(re, im * im).sqrt();
         let a = ((size + re) * F::ratio(1, 2)).sqrt();

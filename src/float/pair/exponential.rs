@@ -84,8 +84,13 @@ mod tests {
                 ((wide(found) - exact) / exact).abs().to_f64() / f64::EPSILON
             };
             let (fall, value) = (off(fall, wide(pair).exp_m1()), off(value, wide(pair).exp()));
-            let most = if x > -170.0 { 0.05 } else { 0.2 };
-            assert!(fall < 0.05 && (value < most || x < -670.0), "{x}: {fall} {value}");
+            // The low part of the smallest is subnormal.
+            let most = match x {
+                -170.0.. => 0.05,
+                -670.0.. => 0.2,
+                _ => 1.0,
+            };
+            assert!(fall < 0.05 && (value < most || x < -700.0), "{x}: {fall} {value}");
         }
     }
 }
