@@ -17,7 +17,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
 
     /// `self · other`. The formulae contain many small integers, by which MPFR multiplies in a fraction of
     /// the time.
-    #[inline]
+    #[inline(never)]
     fn times(self, other: Self) -> Self {
         let (number, n, sign) = match (other.small_integer(), self.small_integer()) {
             (Some(n), _) => (self, n, other),
@@ -29,7 +29,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 
     /// `self / other`, with a fast path for small integers.
-    #[inline]
+    #[inline(never)]
     fn over(self, other: Self) -> Self {
         match other.small_integer() {
             Some(n) if other.is_sign_negative() => -self.over_int(n),

@@ -119,7 +119,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 
     /// The order of two numbers; `None` where one is NaN.
-    #[inline]
+    #[inline(never)]
     pub(super) fn order(&self, other: &Self) -> Option<Ordering> {
         if self.is_nan() || other.is_nan() {
             return None;
@@ -130,7 +130,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 
     /// `(sin self, cos self)`.
-    #[inline]
+    #[inline(never)]
     #[must_use]
     pub(crate) fn sin_cos(self) -> (Self, Self) {
         let x = self.input();
@@ -198,7 +198,7 @@ macro_rules! functions {
     ($($(#[$doc:meta])* $visible:vis $name:ident($($number:ident),*; $($plain:ident: $type:ty),*) = $mpfr:ident($($rnd:ident)?);)*) => {
         impl<const LIMBS: usize> Mp<LIMBS> {$(
             $(#[$doc])*
-            #[inline]
+            #[inline(never)]
             #[must_use]
             $visible fn $name($($number: Self,)* $($plain: $type),*) -> Self {
                 // SAFETY: the arguments are valid and only read.
