@@ -33,6 +33,7 @@ pub(crate) mod limit;
 #[cfg(test)]
 mod machines;
 pub(crate) mod many;
+mod pull;
 pub mod record;
 mod samples;
 pub(crate) mod slide;
@@ -52,6 +53,7 @@ pub use many::attractors::{Attractor, Attractors, attractors};
 pub use many::periodic::{PeriodicMotion, periodic_motions};
 pub use many::starts::Starts;
 pub use many::symmetry::{Loss, SymmetryBreak, symmetry_breaks};
+pub use pull::Pull;
 pub use samples::Samples;
 pub use state::{Instant, State};
 pub use trajectory::{End, Kind, Segment, Trajectory};
