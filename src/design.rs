@@ -8,6 +8,7 @@
 //! | forces without any stop, two or six reversals | [`crate::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
 //! | frequencies without any stop | [`bands_without_stop`] | [`frequency_bands_without_stop`] | `no_stop.rs` |
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
+//! | friction for a displacement | | [`frictions_for_displacement`] | `target_friction.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
 //! | friction that dissipates most, with sticking allowed | [`most_dissipating_force_ratio_of_all`] |
 //! [`most_dissipating_friction_of_all`] | `sticking.rs` |
@@ -48,6 +49,7 @@ mod optimum;
 mod over_band;
 mod sticking;
 mod target;
+mod target_friction;
 mod tuning;
 
 pub use band::{Band, Edge};
@@ -67,4 +69,5 @@ pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_frictio
 pub use target::{
     force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
 };
+pub use target_friction::{TargetFriction, frictions_for_displacement};
 pub use tuning::{most_dissipating_frequency_ratio, most_dissipating_stiffness};

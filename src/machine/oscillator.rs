@@ -131,6 +131,11 @@ impl<F: Float> Oscillator<F> {
         Ok(Self { friction_offset, ..self })
     }
 
+    /// This body with another friction bound r_y, and the same ratio of static friction.
+    pub(crate) fn with_friction_bound(self, friction_bound: F) -> Result<Self, Error> {
+        Ok(Self { friction_bound: positive(Quantity::FrictionBound, friction_bound)?, ..self })
+    }
+
     /// Mass m.
     pub const fn mass(&self) -> F {
         self.mass
