@@ -21,7 +21,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
 pub(crate) use design::{DesignAim, IdentifyArgs, Question, QuestionArgs};
 pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
-pub(crate) use motion::{DecayArgs, SimulateArgs, SteadyArgs, StreamFormat};
+pub(crate) use motion::{DecayArgs, PullArgs, SimulateArgs, SteadyArgs, StreamFormat};
 pub(crate) use pictures::{
     CurveArgs, CurveQuantity, FigureArgs, FiguresArgs, LookArgs, MapArgs, MotionPlotArgs, Picture,
 };
@@ -95,6 +95,8 @@ pub(crate) enum Command {
     Identify(IdentifyArgs),
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
     Decay(DecayArgs),
+    /// A body pulled at a constant speed, or on a belt: stick-slip, or smooth sliding.
+    Pull(PullArgs),
     /// The motion under a record: an earthquake, or any measured load. No stop is missed.
     Record(Box<RecordArgs>),
     /// The answers under records over periods, frictions and damping ratios, as rows or a picture.

@@ -3,6 +3,7 @@
 mod asked;
 mod best;
 mod over_band;
+mod target_friction;
 
 use crate::args::{Question, QuestionArgs};
 use crate::bits::{Value, at_bits, digits};
@@ -35,7 +36,7 @@ const fn arguments(question: &Question) -> &QuestionArgs {
 }
 
 /// A row of an answer: name, kind and value of each number.
-type AnswerRow<F> = Vec<(&'static str, Kind, Cell<F>)>;
+pub(crate) type AnswerRow<F> = Vec<(&'static str, Kind, Cell<F>)>;
 
 /// An answer: a sentence and its numbers.
 struct DesignAnswer<F> {
@@ -53,6 +54,9 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
     let args = arguments(question);
     let reader = args.answer.units.reader();
     let asked = AskedDesign::<F>::new(args, &reader)?;
+    if let Some(target) = &args.target_amplitude {
+        return asked.frictions_for(target, out);
+    }
     let answer = match question {
         Question::Force(_) if args.no_stop => asked.forces_without_stop(),
         Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
@@ -85,10 +89,10 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
 }
 
 /// A row as JSON; in physical units it includes the kind of base motion and the unit of each value.
-struct NamedRow<'a, F> {
-    row: &'a AnswerRow<F>,
-    system: Option<System>,
-    base_motion: Option<&'static str>,
+pub(crate) struct NamedRow<'a, F> {
+    pub(crate) row: &'a AnswerRow<F>,
+    pub(crate) system: Option<System>,
+    pub(crate) base_motion: Option<&'static str>,
 }
 
 impl<F: Value> Serialize for NamedRow<'_, F> {

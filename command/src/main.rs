@@ -44,6 +44,7 @@ mod parquet_file;
 mod physical;
 mod points;
 mod progress;
+mod pull;
 mod record;
 mod resume;
 mod rows;
@@ -104,6 +105,7 @@ fn run_command(command: &Command) -> Outcome {
         Command::Design(question) => design::run(question, &mut out)?,
         Command::Identify(args) => identify::run(args, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,
+        Command::Pull(args) => pull::run(args, &mut out)?,
         Command::Record(args) => follow::run(args, &mut out)?,
         Command::Spectrum(args) => spectrum::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,

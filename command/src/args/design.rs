@@ -13,6 +13,7 @@ Examples:
   stickslip design force --mass 50 --stiffness 1000 --friction 5 --frequency 6
   stickslip design friction --mass 50 --stiffness 1000 --frequency 6 --force 12
   stickslip design friction --mass 800kg --period 2.2s --base-displacement 50mm --over 0.2Hz:2Hz --of absolute-displacement
+  stickslip design friction --mass 50kg --stiffness 1kN/m --frequency 6rad/s --force 12N --target-amplitude 5mm
   stickslip design bands --alpha 12 --from 0.1 --to 2
   stickslip design bands --alpha 80 --from 0.3 --to 0.4 --no-stop
   stickslip design displacement --omega 1.5 --target 2
@@ -21,8 +22,8 @@ Examples:
 pub(crate) enum Question {
     /// The minimum force, or base motion, that keeps the body from sticking
     Force(QuestionArgs),
-    /// The maximum friction with which a force keeps the body from sticking or, with --over, the friction whose greatest
-    /// amplitude over a band is least
+    /// The maximum friction with which a force keeps the body from sticking. With --over, the friction whose greatest
+    /// amplitude over a band is least; with --target-amplitude, every friction that gives this amplitude
     Friction(QuestionArgs),
     /// The frequencies, between --from and --to, at which the body never sticks
     Bands(QuestionArgs),
@@ -79,6 +80,9 @@ pub(crate) struct QuestionArgs {
     /// Replace a picture that exists
     #[arg(long, requires = "picture")]
     pub(crate) overwrite: bool,
+    /// For friction: the greatest displacement that it is to give, unit of length
+    #[arg(long, value_name = "X", allow_hyphen_values = true, conflicts_with = "over")]
+    pub(crate) target_amplitude: Option<String>,
     /// Target value: in units of B or B ω_d, or of length or length per time
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) target: Option<String>,

@@ -120,3 +120,21 @@ pub(crate) struct DecayArgs {
     #[command(flatten)]
     pub(crate) answer: AnswerArgs,
 }
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A spring pulls the body over the surface, its end at a constant speed, or the body stands on a belt of that speed. The
+body sticks until the spring overcomes static friction, slips, and sticks again; or it slides smoothly.
+
+Examples:
+  stickslip pull --mass 2kg --stiffness 450N/m --friction 3N --static-friction-ratio 1.3 --speed 20mm/s
+  stickslip pull --mass 2kg --stiffness 450N/m --damping-ratio 2% --friction 3N --static-friction 4N --speed 20mm/s --format json")]
+pub(crate) struct PullArgs {
+    #[command(flatten)]
+    pub(crate) machine: BodyArgs,
+    /// Speed of the spring's end, or of the belt
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) speed: String,
+    #[command(flatten)]
+    pub(crate) answer: AnswerArgs,
+}

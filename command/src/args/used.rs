@@ -47,8 +47,9 @@ identify | decay half_cycles | decay half_cycles mass SPRING gravity | file form
 record | | BODY STATIC mean-force | file no_spring slope one_way time_step scale from to x0 v0 out interval picture title size overwrite enclose format bits units
 spectrum | | BODY STATIC mean-force | files no_spring slope one_way time_step scale from to units format out resume shard header no_header picture title size overwrite
 decay | FRICTIONS | BODY STATIC mean-force | x0 v0 out title size overwrite format bits m:units
+pull | | BODY STATIC | speed format bits units
 design force | omega FRICTIONS | BODY STATIC mean-force frequency | no_stop format bits m:units
-design friction | omega FRICTIONS | mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE | m:over m:of m:picture m:overwrite format bits m:units
+design friction | omega FRICTIONS | mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE | m:over m:of m:picture m:overwrite m:target_amplitude format bits m:units
 design bands | alpha damping-ratio | BODY DRIVE | from to no_stop format bits m:units
 design displacement | omega damping-ratio | BODY mean-force frequency | target format bits m:units
 design velocity | omega damping-ratio | BODY mean-force frequency | target format bits m:units

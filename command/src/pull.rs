@@ -1,0 +1,60 @@
+//! `stickslip pull`: a body pulled through its spring at a constant speed.
+
+use crate::args::PullArgs;
+use crate::bits::{Value, at_bits, digits};
+use crate::design::{AnswerRow, NamedRow};
+use crate::failure::{Failure, Outcome};
+use crate::note::line;
+use crate::record::Cell;
+use crate::{input, output};
+use std::io::Write;
+use stickslip::Quantity;
+use stickslip::inputs::units::Kind;
+use stickslip::motion::Pull;
+
+pub(crate) fn run(args: &PullArgs, out: &mut impl Write) -> Outcome {
+    at_bits!(args.answer.bits, respond(args: &PullArgs, out))
+}
+
+fn respond<F: Value>(args: &PullArgs, out: &mut impl Write) -> Outcome {
+    let reader = args.answer.units.reader();
+    let given = input::read::<F>(&args.machine, &reader)?;
+    let body = given.oscillator()?;
+    let speed: F = reader.value("--speed", &args.speed, Kind::Velocity)?;
+    let pull = Pull::new(&body, speed).map_err(|e| match e.quantity() {
+        Some(Quantity::Velocity | Quantity::Time | Quantity::Duration) => {
+            Failure::Input(format!("--speed {}: {e}", args.speed))
+        }
+        _ => given.at_fault(&e).into(),
+    })?;
+    let row: AnswerRow<F> = vec![
+        ("period", Kind::Time, Cell::Number(pull.period)),
+        ("slip_time", Kind::Time, Cell::Number(pull.slip_time)),
+        ("stick_time", Kind::Time, Cell::Number(pull.stick_time)),
+        ("slip_distance", Kind::Length, Cell::Number(pull.slip_distance)),
+        ("max_velocity", Kind::Velocity, Cell::Number(Some(pull.max_velocity))),
+        ("smooth_above", Kind::Velocity, Cell::Number(pull.smooth_above)),
+    ];
+    row.iter().try_for_each(|(name, _, cell)| cell.finite(name))?;
+    if args.answer.format.is_json("pull")? {
+        let system = Some(given.system);
+        return output::json(&NamedRow { row: &row, system, base_motion: None }, out);
+    }
+    let velocity = given.system.name(Kind::Velocity);
+    match (pull.period, pull.smooth_above) {
+        (Some(_), Some(least)) => writeln!(
+            out,
+            "Stick-slip: the body sticks and slips in turn. From {} {velocity} on it slides smoothly.\n",
+            digits(least)
+        )?,
+        (Some(_), None) => writeln!(
+            out,
+            "Stick-slip: the body sticks and slips in turn, at every speed, since there is no damper.\n"
+        )?,
+        (None, _) => writeln!(out, "Smooth: the body slides on, and its speed tends to that of the pull.\n")?,
+    }
+    for (name, kind, cell) in row.iter().filter(|(_, _, cell)| *cell != Cell::Number(None)) {
+        line(out, &name.replace('_', " "), format!("{} {}", cell.text(), given.system.name(*kind)))?;
+    }
+    Ok(())
+}
