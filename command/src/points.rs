@@ -152,7 +152,7 @@ fn answer_all<F: Value, W: Write>(
 fn of_a_machine() -> Vec<Vec<Input>> {
     let tuned = [Input::of_role(Role::Spring), vec![Input::Omega]].concat();
     let [friction, frequency, drive] = [Role::Friction, Role::Frequency, Role::Drive].map(Input::of_role);
-    vec![vec![Input::Mass], tuned, friction, frequency, drive]
+    vec![Input::of_role(Role::Mass), tuned, friction, frequency, drive]
 }
 
 /// The columns that are read, those of `used`, and whether the columns and the arguments belong to a machine.

@@ -17,7 +17,7 @@ use std::io::Write;
 use std::ops::Range;
 use stickslip::Error;
 use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input};
+use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Record as Load, RecordAnswer, follow_each};
 
 /// The greatest number of bodies that are followed side by side.
@@ -66,7 +66,7 @@ impl<'a> Spectra<'a> {
         let inputs = Input::ALL.into_iter().filter(|input| axes.has(*input));
         let inputs = inputs.map(|input| (input, &*input.column().leak())).collect();
         let (surface, system) = (Surface::read(&args.surface, &reader)?, reader.system());
-        let has_mass = axes.has(Input::Mass);
+        let has_mass = Input::of_role(Role::Mass).into_iter().any(|input| axes.has(input));
         let form = Record::of(Vec::new());
         let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, args };
         spectra.axes.at_ends(|given| spectra.body(given.clone()).map(|_| ()))?;

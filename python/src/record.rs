@@ -7,7 +7,7 @@ use interrupt::{interruptible, left_behind};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::inputs::Input;
+use stickslip::inputs::{Input, Role};
 use stickslip::inputs::units::Kind;
 use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
@@ -75,7 +75,7 @@ fn block(
     let (given, system) = given(values, units)?;
     let reader = crate::machine::reader(units)?;
     let slope = slope.map(|text| reader.value("slope", text, Kind::Angle)).transpose().map_err(refused)?;
-    if given.has(Input::Period) || given.has(Input::Stiffness) {
+    if given.has_role(Role::Spring) {
         return Err(refused("a block has no spring: see Machine"));
     }
     let body = Body::given(&given, slope).map_err(refused)?;

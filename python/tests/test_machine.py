@@ -151,7 +151,7 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
         (lambda: ss.Machine(1, 2, 3, damping=math.nan), "damping constant c = NaN"),
         (lambda: ss.Drive(angular_frequency=1), "force .or unbalance, base_acceleration, .*, damped_foot_displacement. is missing"),
         (lambda: ss.Drive(angular_frequency=1, force=1, base_velocity=2), "force and base_velocity: give one of the two, because"),
-        (lambda: ss.Machine(1, 2, 3, 0), "friction_backward 0.0: backward friction r₋ = 0 must be > 0"),
+        (lambda: ss.Machine(1, 2, 3, friction_backward=0), "friction_backward 0.0: backward friction r₋ = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=0, friction=1), "period 0.0: natural period T = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=1), "friction .or friction_coefficient. is missing"),
         (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "ω_d = -1 must be > 0"),

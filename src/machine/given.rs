@@ -136,6 +136,15 @@ impl<F: Float + FromStr> Given<F> {
     /// # Errors
     /// Where several are given.
     pub fn one_of(&self, role: Role) -> Result<Option<(Input, F)>, InputError> {
+        // The stiffness and the natural period or frequency give the mass.
+        if role == Role::Spring
+            && !self.has_role(Role::Mass)
+            && let Some((stiffness, Some(_))) = self.of_spring()
+            && !(self.has(Input::PendulumRadius)
+                || self.has(Input::Period) && self.has(Input::NaturalFrequency))
+        {
+            return Ok(Some((Input::Stiffness, stiffness)));
+        }
         let mut found = self.values.iter().filter(|(input, ..)| input.role() == role);
         let (first, second) = (found.next(), found.next());
         if second.is_none() {
@@ -191,9 +200,30 @@ impl<F: Float + FromStr> Given<F> {
     /// The mass.
     ///
     /// # Errors
-    /// Where the mass is not given.
+    /// Where neither the mass, nor the weight, nor the stiffness with the natural period or frequency is given; where
+    /// several are.
     pub fn mass(&self) -> Result<F, InputError> {
-        self.required(Input::Mass).map_err(|missing| self.in_units_beside_ratios().unwrap_or(missing))
+        match (self.one_of(Role::Mass)?, self.of_spring()) {
+            (Some((Input::Weight, weight)), _) => Ok(self.positive(Input::Weight, weight)? / self.gravity()?),
+            (Some((_, mass)), _) => Ok(mass),
+            // m = k/ω_n²
+            (None, Some((stiffness, Some(natural)))) => Ok(stiffness / natural?.square()),
+            (None, _) => {
+                let missing = self.missing(&[Input::Mass]);
+                Err(self.in_units_beside_ratios().unwrap_or(missing))
+            }
+        }
+    }
+
+    /// The stiffness, and ω_n where the period or the frequency is given beside it.
+    fn of_spring(&self) -> Option<(F, Option<Result<F, InputError>>)> {
+        let stiffness = self.get(Input::Stiffness)?;
+        let natural = if let Some(period) = self.get(Input::Period) {
+            Some(self.positive(Input::Period, period).map(|period| F::int(2) * F::pi() / period))
+        } else {
+            self.get(Input::NaturalFrequency).map(|natural| self.positive(Input::NaturalFrequency, natural))
+        };
+        Some((stiffness, natural))
     }
 
     /// The error for a single input in physical units beside ratios.
@@ -225,6 +255,9 @@ impl<F: Float + FromStr> Given<F> {
                 let natural = F::int(2) * F::pi() / self.positive(Input::Period, period)?;
                 Some(self.mass()? * natural.square())
             }
+            Some((Input::NaturalFrequency, natural)) => {
+                Some(self.mass()? * self.positive(Input::NaturalFrequency, natural)?.square())
+            }
             Some((Input::PendulumRadius, radius)) => {
                 Some(self.mass()? * self.gravity()? / self.positive(Input::PendulumRadius, radius)?)
             }
@@ -242,11 +275,13 @@ impl<F: Float + FromStr> Given<F> {
             let weight = self.mass()? * self.gravity()?;
             return Ok(Some(self.positive(Input::FrictionCoefficient, coefficient)? * weight));
         }
-        if self.has(Input::Gravity) && !self.has(Input::PendulumRadius) {
-            let [gravity, coefficient, radius] =
-                [Input::Gravity, Input::FrictionCoefficient, Input::PendulumRadius]
+        if self.has(Input::Gravity) && !self.has(Input::PendulumRadius) && !self.has(Input::Weight) {
+            let [gravity, coefficient, radius, weight] =
+                [Input::Gravity, Input::FrictionCoefficient, Input::PendulumRadius, Input::Weight]
                     .map(|input| self.naming.of(input));
-            return Err(InputError(format!("{gravity}: must be left out without {coefficient} or {radius}")));
+            return Err(InputError(format!(
+                "{gravity}: must be left out without {coefficient}, {radius} or {weight}"
+            )));
         }
         Ok(found.map(|(_, friction)| friction))
     }

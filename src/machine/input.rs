@@ -9,11 +9,14 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 /// The part of an input in a machine. The inputs of one role determine each other, so that one of them is given; only
-/// those of the body itself stand beside each other.
+/// those of the body itself stand beside each other. A spring is given twice, by its stiffness and by the period or the
+/// frequency, where these take the place of the mass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// The mass, gravity, and the friction of backward motion.
+    /// Gravity, and the friction of backward motion.
     Body,
+    /// The mass: directly or by the weight.
+    Mass,
     /// The spring: by its stiffness or by the natural period.
     Spring,
     /// The friction: by its bound or by the coefficient.
@@ -171,11 +174,16 @@ inputs! {
     /// Frequency ratio Ω = ω_d/ω_n
     Omega "--omega" "Ω": Ratio, Frequency, FrequencyRatio [Stiffness];
     /// Mass m, such as 800kg
-    Mass "--mass" "M": Mass, Body, Mass [FrequencyRatio PseudoStiffness];
+    Mass "--mass" "M": Mass, Mass, Mass [FrequencyRatio PseudoStiffness];
+    /// Weight W = m g, such as 500kip, in place of the mass
+    Weight "--weight" "W": Force, Mass, Weight [Mass FrequencyRatio PseudoStiffness];
     /// Stiffness k, such as 12kN/mm, or in its place a period, or Ω and a frequency
     Stiffness "--stiffness" "K": Stiffness, Spring, Stiffness [FrequencyRatio FrictionDisplacement];
     /// Natural period of the body on its spring, such as 2.2s, in place of the stiffness: k = m (2π/T)²
     Period "--period" "T": Time, Spring, NaturalPeriod [Stiffness FrequencyRatio FrictionDisplacement];
+    /// Natural frequency of the body on its spring, such as 1.5Hz, in place of the stiffness
+    NaturalFrequency "--natural-frequency" "WN": Frequency, Spring, NaturalFrequency
+        [Stiffness FrequencyRatio FrictionDisplacement];
     /// Radius of a friction pendulum, such as 2m, in place of the stiffness: k = m g/R, for displacements far below R
     PendulumRadius "--pendulum-radius" "R": Length, Spring, PendulumRadius
         [Stiffness FrequencyRatio FrictionDisplacement];
@@ -184,7 +192,7 @@ inputs! {
     /// Coefficient of friction µ of a body that rests on its surface, in place of the bound: r_y = µ m g
     FrictionCoefficient "--friction-coefficient" "µ": Ratio, Friction, FrictionCoefficient
         [FrictionBound ForwardFriction ForceRatio FrictionDisplacement] {letter: Some("mu")};
-    /// Gravity g for the coefficient of friction and the pendulum [default: 9.80665 m/s²]
+    /// Gravity g for the coefficient of friction, the weight and the pendulum [default: 9.80665 m/s²]
     Gravity "--gravity" "G": Acceleration, Body, Gravity [FrictionBound ForwardFriction Stiffness];
     /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion (r_y and
     /// r_s are the means of both directions, and at rest the bounds are η r_y ± (r₊ − r₋)/2)

@@ -28,6 +28,18 @@ fn each_input_of_a_role_gives_the_same_machine() {
     assert_eq!(given(Naming::Keyword, &tuned).oscillator().unwrap(), plain);
     let by_period = [BODY[0], BODY[2], (Input::Period, &period)];
     assert_eq!(given(Naming::Keyword, &by_period).oscillator().unwrap(), plain);
+    let by_frequency = [BODY[0], BODY[2], (Input::NaturalFrequency, "2 rad/s")];
+    assert_eq!(given(Naming::Keyword, &by_frequency).oscillator().unwrap(), plain);
+    let by_weight = [(Input::Weight, "8 N"), (Input::Gravity, "8 m/s²"), BODY[1], BODY[2]];
+    assert_eq!(given(Naming::Keyword, &by_weight).oscillator().unwrap(), plain);
+    // The stiffness with the natural period or frequency is a mass.
+    for natural in [(Input::Period, &*period), (Input::NaturalFrequency, "2 rad/s")] {
+        let found = given(Naming::Keyword, &[BODY[1], BODY[2], natural]).oscillator().unwrap();
+        assert!((found.mass() - 1.0).abs() < 1e-15 && found.stiffness() == 4.0);
+    }
+    let twice = [BODY[1], BODY[2], (Input::Period, &*period), (Input::NaturalFrequency, "2 rad/s")];
+    assert!(given(Naming::Keyword, &twice).oscillator().is_err());
+    assert!(given_with(&[(Input::Weight, "8 N")]).oscillator().is_err());
     let by_coefficient = [BODY[0], BODY[1], (Input::FrictionCoefficient, "0.5"), (Input::Gravity, "8 m/s²")];
     assert_eq!(given(Naming::Keyword, &by_coefficient).oscillator().unwrap(), plain);
     for (a, b) in [
@@ -71,10 +83,16 @@ fn the_words_are_the_same_with_the_names_of_each_program() {
     let without = [BODY[0], BODY[2]];
     assert_eq!(
         missing(Naming::Option, &without),
-        "--stiffness (or --period, --pendulum-radius, --omega) is missing"
+        "--stiffness (or --period, --natural-frequency, --pendulum-radius, --omega) is missing"
     );
-    assert_eq!(missing(Naming::Keyword, &without), "stiffness (or period, or pendulum_radius) is missing");
-    assert_eq!(missing(Naming::Field, &without), "stiffness (or period, pendulum radius, omega) is missing");
+    assert_eq!(
+        missing(Naming::Keyword, &without),
+        "stiffness (or period, natural_frequency, pendulum_radius) is missing"
+    );
+    assert_eq!(
+        missing(Naming::Field, &without),
+        "stiffness (or period, natural frequency, pendulum radius, omega) is missing"
+    );
     assert_eq!(missing(Naming::Keyword, &[BODY[1], (Input::Damping, "3 N*s/m")]), "mass is missing");
     assert_eq!(
         missing(Naming::Keyword, &[(Input::Damping, "3 N*s/m")]),

@@ -278,6 +278,15 @@ mod tests {
             ("1.4hz", Kind::Frequency, 1.4 * TAU),
             ("84cpm", Kind::Frequency, 1.4 * TAU),
             ("3kNm", Kind::Energy, 3000.0),
+            ("500kips", Kind::Force, 2_224_110.807_630_25),
+            ("10lb", Kind::Force, 44.482_216_152_605),
+            ("10lb", Kind::Mass, 4.535_923_7),
+            ("1 lb/in", Kind::Stiffness, 175.126_835_246_476_4),
+            ("2 kip/in", Kind::Stiffness, 350_253.670_492_952_8),
+            ("1 lb*s/in", Kind::Damping, 175.126_835_246_476_4),
+            ("3tf", Kind::Force, 29_419.95),
+            ("16oz-in", Kind::Unbalance, 0.011_521_246_198),
+            ("2N-m", Kind::Energy, 2.0),
         ] {
             let found = si(text, kind).unwrap();
             assert!((found - value).abs() <= 4.0 * f64::EPSILON * value, "{text}: {found} for {value}");

@@ -23,7 +23,7 @@ pub(crate) enum Question {
     /// The minimum force, or base motion, that keeps the body from sticking
     Force(QuestionArgs),
     /// The maximum friction with which a force keeps the body from sticking. With --over, the friction whose greatest
-    /// amplitude over a band is least; with --target-amplitude, every friction that gives this amplitude
+    /// amplitude over a band is least. With --target-amplitude, every friction that gives this amplitude
     Friction(QuestionArgs),
     /// The frequencies, between --from and --to, at which the body never sticks
     Bands(QuestionArgs),

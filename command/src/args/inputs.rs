@@ -29,6 +29,7 @@ impl<const PARTS: u8> Typed<PARTS> {
             Role::Drive | Role::RotatingMass => DRIVE,
             Role::Start => START,
             Role::Body
+            | Role::Mass
             | Role::Spring
             | Role::Friction
             | Role::Damper

@@ -124,7 +124,7 @@ pub(crate) struct DecayArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 A spring pulls the body over the surface, its end at a constant speed, or the body stands on a belt of that speed. The
-body sticks until the spring overcomes static friction, slips, and sticks again; or it slides smoothly.
+body sticks until the spring overcomes static friction, slips, and sticks again, or it slides smoothly.
 
 Examples:
   stickslip pull --mass 2kg --stiffness 450N/m --friction 3N --static-friction-ratio 1.3 --speed 20mm/s

@@ -42,19 +42,19 @@ sweep | RATIOS | SHIFTED | question m:units outputs format out resume shard head
 map | RATIOS | DRIVEN | quantity m:units out overwrite title size range
 response-curve | omega alpha damping-ratio | omega alpha BODY frequency DRIVE | what m:units out overwrite title size x_range y_range linear
 motion-plot | RATIOS | DRIVEN | x0 v0 m:units out overwrite title size
-identify | | mass SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
-identify | decay half_cycles | decay half_cycles mass SPRING gravity | file format units
+identify | | MASS SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
+identify | decay half_cycles | decay half_cycles MASS SPRING gravity | file format units
 record | | BODY STATIC mean-force | file no_spring slope one_way time_step scale from to x0 v0 out interval picture title size overwrite enclose format bits units
 spectrum | | BODY STATIC mean-force | files no_spring slope one_way time_step scale from to units format out resume shard header no_header picture title size overwrite
 decay | FRICTIONS | BODY STATIC mean-force | x0 v0 out title size overwrite format bits m:units
 pull | | BODY STATIC | speed format bits units
 design force | omega FRICTIONS | BODY STATIC mean-force frequency | no_stop format bits m:units
-design friction | omega FRICTIONS | mass SPRING gravity DAMPER static-friction-ratio frequency DRIVE | m:over m:of m:picture m:overwrite m:target_amplitude format bits m:units
+design friction | omega FRICTIONS | MASS SPRING gravity DAMPER static-friction-ratio frequency DRIVE | m:over m:of m:picture m:overwrite m:target_amplitude format bits m:units
 design bands | alpha damping-ratio | BODY DRIVE | from to no_stop format bits m:units
 design displacement | omega damping-ratio | BODY mean-force frequency | target format bits m:units
 design velocity | omega damping-ratio | BODY mean-force frequency | target format bits m:units
-design dissipation | omega damping-ratio | mass SPRING gravity DAMPER frequency DRIVE | sticking format bits m:units
-design stiffness | alpha | mass FRICTION gravity friction-backward DAMPER frequency DRIVE | from to format bits m:units";
+design dissipation | omega damping-ratio | MASS SPRING gravity DAMPER frequency DRIVE | sticking format bits m:units
+design stiffness | alpha | MASS FRICTION gravity friction-backward DAMPER frequency DRIVE | from to format bits m:units";
 
 /// The modes of a command with the options that it uses in each.
 fn modes(command: &str) -> impl Iterator<Item = (Mode, Vec<&'static str>)> {
@@ -88,7 +88,8 @@ fn options(used: &'static str) -> Vec<&'static str> {
         // With a constant force, and without one.
         "SHIFTED" => options("omega alpha BODY STATIC mean-force frequency DRIVE"),
         "DRIVEN" => options("omega alpha BODY STATIC frequency DRIVE"),
-        "BODY" => options("mass SPRING FRICTION gravity friction-backward DAMPER"),
+        "BODY" => options("MASS SPRING FRICTION gravity friction-backward DAMPER"),
+        "MASS" => inputs(Role::Mass),
         "SPRING" => inputs(Role::Spring),
         "FRICTION" => inputs(Role::Friction),
         "DAMPER" => inputs(Role::Damper),

@@ -85,6 +85,8 @@ impl<F: Value> AskedDesign<'_, F> {
 const fn words(regime: Regime) -> &'static str {
     match regime {
         Regime::NonSticking => "the body never stops",
-        _ => "the body stops in each cycle",
+        Regime::Stuck | Regime::Sticking | Regime::Unbounded | Regime::DependsOnStart => {
+            "the body stops in each cycle"
+        }
     }
 }

@@ -106,10 +106,11 @@ impl DecayFile {
 impl DecayAnswer {
     fn new(given: &Given<f64>, found: DecayIdentified, file: &DecayFile) -> Result<Self, Failure> {
         let unit = |kind: Kind| given.system.name(kind);
-        let mass = given.get(Input::Mass);
+        let mass = given.has_role(Role::Mass).then(|| given.mass()).transpose()?;
         // The spring: as given, or by the frequency found and the mass.
         let natural = match given.one_of(Role::Spring)? {
             Some((Input::Period, period)) => Some(TAU / period),
+            Some((Input::NaturalFrequency, natural)) => Some(natural),
             _ => found.natural_frequency.map(|estimate| estimate.value),
         };
         let stiffness = match (given.one_of(Role::Spring)?, mass, natural) {

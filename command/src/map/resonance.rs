@@ -4,7 +4,7 @@ use super::BORDER_POINTS;
 use super::{Map, Mapped};
 use crate::failure::Failure;
 use crate::input;
-use stickslip::inputs::{Given, Input, Point};
+use stickslip::inputs::{Given, Input, Point, Role};
 use stickslip::{Regime, Response};
 
 /// The narrowest column beside resonance, as a part of the axis: a pixel.
@@ -42,10 +42,7 @@ impl Map<'_> {
 
     /// Whether resonance is at the same place in every row, and the quantity changes there.
     fn has_one_resonance(&self) -> bool {
-        let is_same = !matches!(
-            self.up.0,
-            Input::Mass | Input::Stiffness | Input::Period | Input::Omega | Input::Frequency
-        );
+        let is_same = !matches!(self.up.0.role(), Role::Mass | Role::Spring | Role::Frequency);
         is_same && matches!(self.quantity.mapped, Mapped::Regime | Mapped::Output)
     }
 

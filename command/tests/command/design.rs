@@ -287,3 +287,62 @@ fn the_best_friction_over_a_band() {
         refused(&format!("{force} {arguments}"), &parts);
     }
 }
+
+#[test]
+fn the_frictions_for_an_amplitude_give_it() {
+    let machine = "--mass 50kg --stiffness 1kN/m --damping-ratio 1% --units N,mm";
+    let mut regimes = Vec::new();
+    for (frequency, target) in [(0.3, 2.0), (0.9, 14.0), (1.5, 3.0), (1.5, 0.5)] {
+        let drive = format!("--frequency {frequency}Hz --force 12N");
+        let found = json(&format!("design friction {machine} {drive} --target-amplitude {target}mm"));
+        assert_eq!(found["target_amplitude"], target);
+        let solutions = found["solutions"].as_array().unwrap();
+        assert!(!solutions.is_empty(), "{frequency} {target}");
+        for one in solutions {
+            let steady = json(&format!("steady {machine} {drive} --friction {}N", one["friction"]));
+            let displacement = number(&steady["physical"]["max_displacement"]);
+            assert!((displacement / target - 1.0).abs() < 1e-9, "{frequency} {target}: {displacement}");
+            assert_eq!(one["units"]["friction"], "N");
+            regimes.push(one["regime"].clone());
+        }
+    }
+    assert!(regimes.contains(&"sticking".into()) && regimes.contains(&"non-sticking".into()), "{regimes:?}");
+    let beyond = stdout(
+        "design friction --mass 50kg --stiffness 1kN/m --frequency 1rad/s --force 12N --target-amplitude 1m",
+    );
+    assert!(beyond.starts_with("No friction gives an amplitude of 1 m"), "{beyond}");
+    refused(
+        "design friction --omega 0.7 --target-amplitude 2",
+        &["--target-amplitude 2: design friction does not use it in ratios"],
+    );
+    let line = "design friction --mass 1 --stiffness 1 --frequency 2 --force 1";
+    refused(
+        &format!("{line} --target-amplitude 0"),
+        &["--target-amplitude 0: maximum displacement", "must be > 0"],
+    );
+}
+
+/// A block of 1 kg with µ_s = 0.5, µ_k = 0.3 and 200 N/m, pulled at 0.1 m/s: the formulae of textbooks on stick-slip
+/// without a damper, t_stick = 2 (F_s − F_k)/(k V) and t_slip = 2 (π − arctan((F_s − F_k) ω/(k V)))/ω.
+#[test]
+fn a_pulled_block_sticks_and_slips_as_textbooks_say() {
+    let pull = json(
+        "pull --mass 1kg --stiffness 200N/m --friction-coefficient 0.3 --static-friction 4.903325N --speed 0.1m/s",
+    );
+    let (drop, omega): (f64, f64) = (0.2 * 9.80665, 200f64.sqrt());
+    close(number(&pull["stick_time"]), 2.0 * drop / 20.0);
+    close(number(&pull["slip_time"]), 2.0 * (std::f64::consts::PI - (drop * omega / 20.0).atan()) / omega);
+    close(number(&pull["period"]), number(&pull["slip_time"]) + number(&pull["stick_time"]));
+    close(number(&pull["slip_distance"]), 0.1 * number(&pull["period"]));
+    close(number(&pull["max_velocity"]), 0.1 + (drop / 200.0 * omega).hypot(0.1));
+    assert!(pull["smooth_above"].is_null());
+    let smooth = stdout(
+        "pull --mass 1 --stiffness 200 --damping-ratio 5% --friction 3 --static-friction-ratio 1.2 --speed 5",
+    );
+    assert!(smooth.starts_with("Smooth: the body slides on"), "{smooth}");
+    refused(
+        "pull --mass 1 --stiffness 200 --friction 3 --speed 0",
+        &["--speed 0: velocity v = 0 must be > 0"],
+    );
+    refused("pull --mass 1 --friction 3 --speed 1", &["--stiffness (or --period", "is missing"]);
+}

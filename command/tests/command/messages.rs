@@ -134,7 +134,7 @@ fn a_frequency_ratio_and_a_spring_give_the_frequency() {
     refused(&three, &["--omega, --frequency and --stiffness: give two of the three"]);
     refused(
         "response --mass 50 --omega 1.5 --friction 5 --force 12",
-        &["--frequency (or --stiffness, --period, --pendulum-radius) is missing"],
+        &["--frequency (or --stiffness, --period, --natural-frequency, --pendulum-radius) is missing"],
     );
 }
 

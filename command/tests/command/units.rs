@@ -123,7 +123,7 @@ fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
         (format!("response {machine} --force 1N"), vec!["--frequency is missing"]),
         (
             "response --mass 800kg --friction 1N --frequency 2Hz --force 1N".to_owned(),
-            vec!["--stiffness (or --period, --pendulum-radius, --omega) is missing"],
+            vec!["--stiffness (or --period, --natural-frequency, --pendulum-radius, --omega) is missing"],
         ),
         (
             "response --mass 1kg --period -2s --friction 1N --frequency 2Hz --force 1N".to_owned(),
@@ -313,4 +313,30 @@ fn units_are_multiplied_from_left_to_right() {
         close(ratio(&found), ratio(&due), 1e-14);
         close(number(&found["max_displacement"]), number(&due["max_displacement"]), 1e-12);
     }
+}
+
+/// 500 kip at 1.5 Hz, and their mass and stiffness in SI.
+#[test]
+fn the_weight_and_the_natural_frequency_take_the_place_of_mass_and_stiffness() {
+    let rest =
+        "--friction-coefficient 0.05 --frequency 2Hz --base-acceleration 0.2g --units kip,in --format json";
+    let by_weight = json(&format!("response --weight 500kips --natural-frequency 1.5Hz {rest}"));
+    let mass = 500.0 * 4_448.221_615_260_5 / 9.80665;
+    let stiffness = mass * (3.0 * std::f64::consts::PI).powi(2);
+    let by_mass = json(&format!("response --mass {mass}kg --stiffness {stiffness}N/m {rest}"));
+    let by_both = json(&format!("response --stiffness {stiffness}N/m --natural-frequency 1.5Hz {rest}"));
+    for other in [by_mass, by_both] {
+        for name in ["max_displacement", "transmitted_force", "mass", "stiffness"] {
+            let [one, two] = [&by_weight, &other].map(|answer| answer["physical"][name].as_f64().unwrap());
+            assert!((one / two - 1.0).abs() < 1e-12, "{name}: {one} {two}");
+        }
+    }
+    refused(
+        "response --weight 5N --mass 2kg --period 1s --friction 1N --frequency 1Hz --force 2N",
+        &["--mass and --weight: give one"],
+    );
+    refused(
+        "response --stiffness 5N/m --mass 2kg --period 1s --friction 1N --frequency 1Hz --force 2N",
+        &["--stiffness and --period: give one"],
+    );
 }

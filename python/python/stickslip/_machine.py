@@ -29,6 +29,11 @@ if TYPE_CHECKING:
 _R = TypeVar("_R", bound=Result)
 
 
+def angular(frequency: Optional[Quantity]) -> Optional[Quantity]:
+    """The angular frequency of a number in hertz; text with a unit as it is."""
+    return frequency if frequency is None or isinstance(frequency, str) else 2 * np.pi * one("natural_frequency", frequency)
+
+
 @dataclass(frozen=True, init=False)
 class Machine:
     """A body on its spring and friction surface.
@@ -38,8 +43,12 @@ class Machine:
     Parameters
     ----------
     mass : float or str
+    weight : float or str
+        In place of the mass: ``mass = weight/gravity``.
     stiffness : float or str
-        Of the spring.
+        Of the spring. With the natural period or frequency it takes the place of the mass.
+    natural_frequency : float or str
+        In place of the stiffness, in hertz or as text such as ``"1.5 Hz"``.
     period : float or str
         The natural period in place of the stiffness: ``k = m (2 pi/period)**2``.
     pendulum_radius : float or str
@@ -97,12 +106,14 @@ class Machine:
 
     def __init__(
         self,
-        mass: Quantity,
+        mass: Optional[Quantity] = None,
         stiffness: Optional[Quantity] = None,
         friction: Optional[Quantity] = None,
+        *,
         friction_backward: Optional[Quantity] = None,
         damping: Optional[Quantity] = None,
-        *,
+        weight: Optional[Quantity] = None,
+        natural_frequency: Optional[Quantity] = None,
         period: Optional[Quantity] = None,
         pendulum_radius: Optional[Quantity] = None,
         friction_coefficient: Optional[Quantity] = None,
@@ -114,6 +125,9 @@ class Machine:
     ) -> None:
         given = {
             "mass": mass,
+            "weight": weight,
+            # A bare frequency is in hertz here, and an angular one in the library.
+            "natural_frequency": angular(natural_frequency),
             "stiffness": stiffness,
             "period": period,
             "pendulum_radius": pendulum_radius,

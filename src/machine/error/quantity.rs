@@ -31,6 +31,10 @@ quantities! {
     Stiffness "stiffness k";
     /// Natural period T of the body on its spring.
     NaturalPeriod "natural period T";
+    /// Natural angular frequency ω_n = √(k/m).
+    NaturalFrequency "natural frequency ω_n";
+    /// Weight W = m g of the body.
+    Weight "weight W";
     /// Friction bound r_y, the maximum force friction can carry.
     FrictionBound "friction bound r_y";
     /// Coefficient of friction µ.

@@ -17,7 +17,7 @@ pub(super) struct Unit {
 type Row = (&'static str, Kind, u128, u128, i8);
 
 /// Symbol, kind, and numerator, denominator and power of π of the factor. `g` is the gram or standard
-/// gravity, depending on the quantity. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity
+/// gravity, and `lb` a mass or a force, depending on the quantity. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity
 /// 9.80665 m/s².
 #[rustfmt::skip]
 const TABLE: &[Row] = &[
@@ -25,6 +25,7 @@ const TABLE: &[Row] = &[
     ("kg", Mass, 1, 1, 0), ("g", Mass, 1, 1000, 0), ("mg", Mass, 1, 1_000_000, 0), ("t", Mass, 1000, 1, 0),
     ("lb", Mass, 45_359_237, 100_000_000, 0), ("lbm", Mass, 45_359_237, 100_000_000, 0),
     ("lbs", Mass, 45_359_237, 100_000_000, 0),
+    ("oz", Mass, 45_359_237, 1_600_000_000, 0),
     ("slug", Mass, 8_896_443_230_521, 609_600_000_000, 0),
     ("m", Length, 1, 1, 0), ("km", Length, 1000, 1, 0), ("cm", Length, 1, 100, 0), ("mm", Length, 1, 1000, 0),
     ("um", Length, 1, 1_000_000, 0), ("µm", Length, 1, 1_000_000, 0), ("μm", Length, 1, 1_000_000, 0),
@@ -40,7 +41,11 @@ const TABLE: &[Row] = &[
     ("mg", Acceleration, 980_665, 100_000_000, 0),
     ("N", Force, 1, 1, 0), ("mN", Force, 1, 1000, 0), ("kN", Force, 1000, 1, 0), ("MN", Force, 1_000_000, 1, 0),
     ("lbf", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
+    ("lb", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
+    ("lbs", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
     ("kip", Force, 44_482_216_152_605, 10_000_000_000, 0),
+    ("kips", Force, 44_482_216_152_605, 10_000_000_000, 0),
+    ("tf", Force, 980_665, 100, 0),
     ("kgf", Force, 980_665, 100_000, 0),
     ("J", Energy, 1, 1, 0), ("mJ", Energy, 1, 1000, 0), ("kJ", Energy, 1000, 1, 0),
 ];
@@ -81,13 +86,13 @@ fn atoms(name: &str) -> Vec<Unit> {
     joined.into_iter().flatten().collect()
 }
 
-/// The possible meanings of a unit such as `kN/mm` or `m/s²`: none if it is unknown, two for `g`.
+/// The possible meanings of a unit such as `kN/mm`, `m/s²` or `oz-in`: none if it is unknown, two for `g`.
 pub(super) fn parse(text: &str) -> Vec<Unit> {
     let mut meanings = vec![Unit { dimension: [0; 4], factor: Factor::ONE }];
     let mut sign = 1i8;
     let mut rest = text;
     loop {
-        let end = rest.find(['/', '*', '·', '⋅']).unwrap_or(rest.len());
+        let end = rest.find(['/', '*', '·', '⋅', '-']).unwrap_or(rest.len());
         let (part, after) = rest.split_at(end);
         let (name, exponent) = with_exponent(part.trim());
         let atoms = atoms(name);
@@ -145,11 +150,11 @@ mod tests {
     }
 
     #[test]
-    fn g_is_the_only_symbol_with_two_meanings_beside_mg() {
+    fn symbols_with_two_meanings_are_those_of_gravity_and_the_pound() {
         for (i, (symbol, dimension, ..)) in TABLE.iter().enumerate() {
             let twins = TABLE.iter().enumerate().filter(|(j, (other, ..))| *j != i && other == symbol);
             for (_, (other, of, ..)) in twins {
-                assert!((*other == "g" || *other == "mg") && of != dimension, "{other}");
+                assert!(["g", "mg", "lb", "lbs"].contains(other) && of != dimension, "{other}");
             }
         }
     }

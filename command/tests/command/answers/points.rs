@@ -46,7 +46,12 @@ fn a_bad_row_stops_after_the_good_ones() {
     }
     let (out, err, code) = points("jsonl", "omega,force\n1,2\n");
     assert_eq!((out.as_str(), code), ("", 2));
-    assert!(err.contains("column mass (or --mass) is missing in the header “omega,force”"), "{err}");
+    assert!(
+        err.contains(
+            "column mass (or --mass), or weight (or --weight) is missing in the header “omega,force”"
+        ),
+        "{err}"
+    );
     let (out, err, code) = points("jsonl", "omega,beta\n1,2\n");
     assert_eq!((out.as_str(), code), ("", 2));
     assert!(err.contains("column alpha (or --alpha) is missing"), "{err}");
