@@ -88,11 +88,18 @@ pub(crate) fn panel(title: &str, x: Axis, y: &str, points: Vec<(f64, f64)>, rest
     Panel::new(title, x, y, series)
 }
 
-/// An axis that contains all values, with a margin.
+/// An axis that contains all values, with a margin. Values that hardly differ, such as those of a body at rest, have
+/// room around them.
 pub(crate) fn axis(label: &str, values: impl Iterator<Item = f64>, room: f64) -> Axis {
-    let (low, high) = values
-        .filter(|v| v.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
-    let room = room * (high - low).max(f64::MIN_POSITIVE);
+    /// The least part of a value that an axis resolves.
+    const RESOLVED: f64 = 1e-9;
+    let ends = values.filter(|v| v.is_finite()).map(|v| (v, v));
+    let (low, high) = ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or((0.0, 0.0));
+    let size = low.abs().max(high.abs());
+    let room = match high - low {
+        width if width > RESOLVED * size => room * width,
+        _ if size > f64::MIN_POSITIVE => size / 2.0,
+        _ => 1.0,
+    };
     Axis::linear(label, low - room, high + room)
 }

@@ -31,9 +31,17 @@ pub enum Scale {
     },
 }
 
-/// From 0 at the low end of a scale to 1 at its high end.
+/// From 0 at the low end of a scale to 1 at its high end; the middle for the value of a scale whose ends are equal.
 pub(crate) fn share((low, high): (f64, f64), logarithmic: bool, value: f64) -> f64 {
-    if logarithmic { (value / low).ln() / (high / low).ln() } else { (value - low) / (high - low) }
+    if value == low && value == high {
+        0.5
+    } else if logarithmic {
+        (value / low).ln() / (high / low).ln()
+    } else if (high - low).is_finite() {
+        (value - low) / (high - low)
+    } else {
+        (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0)
+    }
 }
 
 impl Plane {

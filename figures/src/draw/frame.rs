@@ -26,7 +26,7 @@ impl<'a> Frame<'a> {
     pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Drawn {
         let grid = RGBColor(222, 222, 222).stroke_width(UNITS.unsigned_abs());
         let (right, bottom) = (self.left + self.width, self.top + self.height);
-        let shown = |axis: &Axis| if axis.label.is_empty() { Vec::new() } else { ticks(axis) };
+        let shown = |axis: &Axis| if axis.label.is_empty() { Vec::new() } else { placed(axis) };
         let (x_ticks, y_ticks) = (shown(&self.panel.x), shown(&self.panel.y));
         for (value, _) in &x_ticks {
             let x = self.place((*value, self.panel.y.low)).0;
@@ -191,6 +191,13 @@ impl<'a> Frame<'a> {
         }
         Ok(())
     }
+}
+
+/// The ticks of an axis that have a place on it, which far from its ends a rounded number may not have.
+pub(super) fn placed(axis: &Axis) -> Vec<(f64, String)> {
+    let mut found = ticks(axis);
+    found.retain(|(value, _)| (-1e-6..=1.0 + 1e-6).contains(&axis.share(*value)));
+    found
 }
 
 /// The upper left corner of a rectangle, its width and its height.

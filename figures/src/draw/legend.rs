@@ -1,8 +1,8 @@
 //! The legend of lines, marks and colours, in a single panel where there is room, otherwise beside the panels.
 
+use super::frame::placed;
 use super::mark::stroke;
 use super::shade::{STEPS, shade};
-use super::ticks::ticks;
 use super::{Anchor, Canvas, Drawn, Layout, UNITS, mark, write};
 use crate::{Axis, Figure, Plane, Scale, Series, Style};
 use plotters::element::Rectangle;
@@ -153,7 +153,7 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
         let corners = [(left * UNITS, y(step + 1) - lap), ((left + 20) * UNITS, y(step))];
         canvas.draw(&Rectangle::new(corners, colour.filled()))?;
     }
-    for (value, text) in ticks(axis) {
+    for (value, text) in placed(axis) {
         let y = f64::from(top + height) - f64::from(height) * axis.share(value);
         write(canvas, &text, (left + 28, y.round() as i32), 13, Anchor::Left)?;
     }

@@ -112,9 +112,12 @@ pub(super) fn arrow(canvas: &Canvas<'_>, places: &[(f64, f64)], colour: RGBColor
     canvas.draw(&Polygon::new(vec![whole((*x, *y)), corner(4.5), corner(-4.5)], colour.filled()))
 }
 
-/// The nearest point in whole units.
+/// The nearest point in whole units, of which the drawing library can form multiples and differences.
 pub(super) fn whole((x, y): (f64, f64)) -> (i32, i32) {
-    (x.round() as i32, y.round() as i32)
+    /// Beyond every figure.
+    const FAR: f64 = 1e6;
+    let near = |at: f64| at.round().clamp(-FAR, FAR) as i32;
+    (near(x), near(y))
 }
 
 #[cfg(test)]

@@ -1,10 +1,19 @@
-//! The ticks of an axis and their labels.
+//! The ticks of an axis and their labels: for any two ends, also equal, subnormal, infinite and NaN ones.
 
 use crate::Axis;
 
-/// Ticks of an axis as (value, text).
+/// The most ticks of an axis.
+const MOST: usize = 12;
+
+/// The most letters of a label beside the axis' title; a longer one has a power of ten.
+const LETTERS: usize = 7;
+
+/// Ticks of an axis as (value, text): at most twelve, within its ends, and none where an end is not finite or has no logarithm.
 pub(super) fn ticks(axis: &Axis) -> Vec<(f64, String)> {
     let (low, high) = (axis.low.min(axis.high), axis.low.max(axis.high));
+    if !(axis.low.is_finite() && axis.high.is_finite()) || axis.logarithmic && low <= 0.0 {
+        return Vec::new();
+    }
     if !axis.logarithmic {
         return round_steps(low, high);
     }
@@ -29,7 +38,7 @@ fn one_two_five(low: f64, high: f64) -> Vec<(f64, String)> {
     };
     let within = |(value, _): &(f64, String)| *value >= low * (1.0 - 1e-9) && *value <= high * (1.0 + 1e-9);
     let found: Vec<_> = (first..=last).flat_map(tick).filter(within).collect();
-    if found.len() > 2 { found } else { round_steps(low, high) }
+    if (3..=MOST).contains(&found.len()) { found } else { round_steps(low, high) }
 }
 
 /// Powers of ten, at most nine of them.
@@ -37,7 +46,9 @@ fn powers_of_ten(low: f64, high: f64) -> Vec<(f64, String)> {
     let (first, last) = ((low.log10() - 1e-9).ceil() as i32, (high.log10() + 1e-9).floor() as i32);
     let step = ((last - first) / 8 + 1).max(1);
     let from = first + (step - first.rem_euclid(step)) % step;
-    (from..=last).step_by(step.unsigned_abs() as usize).map(|e| (10f64.powi(e), power(e))).collect()
+    let powers = (from..=last).step_by(step.unsigned_abs() as usize).map(|e| (10f64.powi(e), power(e)));
+    // The powers below 10⁻³⁰⁷ may be 0.
+    powers.filter(|(value, _)| *value > 0.0).collect()
 }
 
 /// A power of ten in characters that need no markup.
@@ -45,26 +56,72 @@ fn power(exponent: i32) -> String {
     if (-2..=3).contains(&exponent) {
         return 10f64.powi(exponent).to_string();
     }
-    let raised =
-        |c: char| c.to_digit(10).map_or(Some('⁻'), |digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize));
-    format!("10{}", exponent.to_string().chars().filter_map(raised).collect::<String>())
+    raised(exponent)
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten, four to nine of them.
+/// 10ᵉ.
+fn raised(exponent: i32) -> String {
+    let letter =
+        |c: char| c.to_digit(10).map_or(Some('⁻'), |digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize));
+    format!("10{}", exponent.to_string().chars().filter_map(letter).collect::<String>())
+}
+
+/// Multiples of 1, 2 or 5 times a power of ten, four to nine of them; the ends themselves where the numbers between
+/// them are too few for steps.
 fn round_steps(low: f64, high: f64) -> Vec<(f64, String)> {
-    let rough = (high - low) / 6.0;
+    /// Steps that are rounded to a thousandth of themselves are not round.
+    const COARSE: f64 = 1000.0;
+    let width = high - low;
+    let rough = if width.is_finite() { width / 6.0 } else { high / 6.0 - low / 6.0 };
     let size = 10f64.powf(rough.log10().floor());
     let step =
         [1.0, 2.0, 5.0, 10.0].map(|m| m * size).into_iter().find(|s| *s >= rough * 0.8).unwrap_or(rough);
-    let digits = (-step.log10().floor()).max(0.0) as usize;
+    let finest = COARSE * (f64::EPSILON * low.abs().max(high.abs())).max(f64::MIN_POSITIVE);
+    if step < finest || !step.is_finite() {
+        let ends = if low < high { vec![low, high] } else { vec![low] };
+        return ends.into_iter().map(|value| (value, exponential(value, None))).collect();
+    }
     let (first, last) = ((low / step - 1e-9).ceil() as i64, (high / step + 1e-9).floor() as i64);
-    (first..=last).map(|i| i as f64 * step).map(|v| (v, format!("{v:.digits$}").replace('-', "−"))).collect()
+    let values = (first..=last).take(MOST).map(|i| i as f64 * step).filter(|value| value.is_finite());
+    labelled(values.collect(), step.log10().floor() as i32)
+}
+
+/// Values with their labels, all with decimals down to the place 10ᵉ or all with a power of ten.
+fn labelled(values: Vec<f64>, place: i32) -> Vec<(f64, String)> {
+    let decimals = usize::try_from(-place).unwrap_or(0);
+    // The length is known without the text, which could have hundreds of letters.
+    let letters = |value: &f64| {
+        let digits = value.abs().max(1.0).log10().floor() as usize + 1;
+        digits + decimals + usize::from(decimals > 0) + usize::from(*value < 0.0)
+    };
+    if values.iter().all(|value| letters(value) <= LETTERS) {
+        return values.into_iter().map(|v| (v, format!("{v:.decimals$}").replace('-', "−"))).collect();
+    }
+    values.into_iter().map(|value| (value, exponential(value, Some(place)))).collect()
+}
+
+/// A number as m·10ᵉ with digits down to a place, or all its digits.
+fn exponential(value: f64, place: Option<i32>) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let above = |place: i32| usize::try_from(value.abs().log10().floor() as i32 - place).unwrap_or(0);
+    let text = match place {
+        Some(place) => format!("{value:.*e}", above(place).min(16)),
+        None => format!("{value:e}"),
+    };
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let digits = digits.replace('-', "−");
+    if exponent == 0 { digits } else { format!("{digits}·{}", raised(exponent)) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::ticks;
-    use crate::Axis;
+    use super::{MOST, ticks};
+    use crate::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
 
     fn texts(axis: &Axis) -> Vec<String> {
         ticks(axis).into_iter().map(|(_, text)| text).collect()
@@ -86,6 +143,102 @@ mod tests {
         assert_eq!(texts(&Axis::linear("", 1.0, 0.0)), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         for high in [0.7, 1.3, 4.0, 9.9, 16.0, 30.0, 123.0] {
             assert!((4..=10).contains(&ticks(&Axis::linear("", 0.0, high)).len()), "{high}");
+        }
+    }
+
+    #[test]
+    fn long_labels_have_a_power_of_ten() {
+        assert_eq!(
+            texts(&Axis::linear("", 0.0, 1e-5)),
+            ["0", "2·10⁻⁶", "4·10⁻⁶", "6·10⁻⁶", "8·10⁻⁶", "1.0·10⁻⁵"]
+        );
+        assert_eq!(texts(&Axis::linear("", -1e9, 1e9)), ["−1.0·10⁹", "−5·10⁸", "0", "5·10⁸", "1.0·10⁹"]);
+    }
+
+    #[test]
+    fn ends_without_numbers_between_them_are_ticks() {
+        assert_eq!(texts(&Axis::linear("", 3.0, 3.0)), ["3"]);
+        assert_eq!(texts(&Axis::linear("", 0.0, 5e-324)), ["0", "5·10⁻³²⁴"]);
+        assert_eq!(texts(&Axis::linear("", 0.0, f64::INFINITY)).len(), 0);
+        assert_eq!(texts(&Axis::logarithmic("", 0.0, 1.0)).len(), 0);
+        assert!(texts(&Axis::linear("", -f64::MAX, f64::MAX)).len() > 3);
+    }
+
+    /// Any number: of each sign and magnitude, and beside others.
+    fn number() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            any::<u64>().prop_map(f64::from_bits),
+            (-330.0..309.0).prop_map(|e: f64| 10f64.powf(e)),
+            (-10i32..10).prop_map(f64::from),
+        ]
+    }
+
+    /// As `tests/drawn` of the library.
+    fn cases(count: u32) -> ProptestConfig {
+        ProptestConfig {
+            rng_seed: RngSeed::Fixed(1),
+            failure_persistence: None,
+            ..ProptestConfig::with_cases(count)
+        }
+    }
+
+    proptest! {
+        #![proptest_config(cases(20_000))]
+
+        #[test]
+        fn ticks_are_few_and_short_for_any_ends(
+            low in number(),
+            high in number(),
+            beside in 0u64..2000,
+            is_narrow: bool,
+            logarithmic: bool,
+        ) {
+            let high = if is_narrow { f64::from_bits(low.to_bits().saturating_add(beside)) } else { high };
+            let axis = Axis::new("", (low, high), logarithmic);
+            let found = ticks(&axis);
+            prop_assert!(found.len() <= MOST, "{found:?}");
+            let has_scale = low.is_finite() && high.is_finite() && !(logarithmic && low.min(high) <= 0.0);
+            prop_assert_eq!(found.is_empty(), !has_scale);
+            let (least, greatest) = (low.min(high), low.max(high));
+            let slack = 1e-8 * (greatest / 2.0 - least / 2.0) + 1e-8 * if logarithmic { greatest.abs() } else { 0.0 };
+            for (value, text) in &found {
+                prop_assert!(*value >= least - slack && *value <= greatest + slack, "{value} {text}");
+                prop_assert!(!text.is_empty() && text.chars().count() <= 27, "{value} {text}");
+            }
+            let distinct: std::collections::BTreeSet<_> = found.iter().map(|(_, text)| text).collect();
+            prop_assert_eq!(distinct.len(), found.len());
+        }
+
+    }
+
+    proptest! {
+        #![proptest_config(cases(1_000))]
+
+        #[test]
+        fn a_picture_of_any_values_is_drawn(
+            ends in [number(), number(), number(), number()],
+            logarithmic: [bool; 2],
+            points in proptest::collection::vec((number(), number()), 0..12),
+            shades in [number(), number()],
+        ) {
+            let [left, right, low, high] = ends;
+            let axis = |ends, logarithmic| Axis::new("a", ends, logarithmic);
+            let styles = [
+                Style::Line, Style::Dashed, Style::Marked(2), Style::Marks, Style::Dots, Style::Beyond, Style::Arrow,
+                Style::Named, Style::Thick,
+            ];
+            let series = styles.map(|style| Series::new("s", style, 1, points.clone()));
+            let [x_log, y_log] = logarithmic;
+            let panel = Panel::new("", axis((left, right), x_log), axis((low, high), y_log), series.to_vec());
+            let x: Vec<f64> = points.iter().map(|point| point.0).collect();
+            let y: Vec<f64> = points.iter().map(|point| point.1).collect();
+            let values: Vec<f64> = y.iter().flat_map(|y| x.iter().map(move |x| x + y)).collect();
+            let scale = Scale::Shades { low: shades[0], high: shades[1], logarithmic: x_log };
+            let plane = Plane { label: "p".to_owned(), x, y, values, scale };
+            for panel in [panel.clone(), panel.over(plane)] {
+                let drawing = Figure::new("f", "title", "", [panel]).svg().unwrap();
+                prop_assert!(drawing.ends_with("</svg>\n") || drawing.ends_with("</svg>"));
+            }
         }
     }
 }
