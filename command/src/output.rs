@@ -30,6 +30,11 @@ impl<W: Write> Lines<W> {
         Self { out, name: name.into(), gathered: Vec::new() }
     }
 
+    /// The stream itself. What it has not received is lost.
+    pub(crate) fn into_inner(self) -> W {
+        self.out
+    }
+
     fn hand_on(&mut self, count: usize) -> io::Result<()> {
         if count > 0 {
             progress::answered();
@@ -90,21 +95,45 @@ impl PendingFile {
         let bad = |e| Failure::Input(format!("{argument}: {e}"));
         loop {
             let beside = unique(&place);
-            match OpenOptions::new().write(true).create_new(true).open(&beside) {
-                Ok(file) => return Ok(Self { place, beside: Temporary::new(beside), file, overwrite }),
+            match OpenOptions::new().read(true).write(true).create_new(true).open(&beside) {
+                Ok(file) => {
+                    let pending = Self { place, beside: Temporary::new(beside), file, overwrite };
+                    pending.begin();
+                    return Ok(pending);
+                }
                 Err(e) if e.kind() == ErrorKind::AlreadyExists => {}
                 Err(e) => return Err(bad(e)),
             }
         }
     }
 
+    /// Takes the modes of a file that is replaced, and removes the temporary files of commands that were killed.
+    fn begin(&self) {
+        // A file system may have no locks or no modes.
+        let _ = self.file.try_lock();
+        if let Some(replaced) = fs::metadata(&self.place).ok().filter(|_| self.overwrite) {
+            let _ = self.file.set_permissions(replaced.permissions());
+        }
+        remove_left(&self.place);
+    }
+
     /// Fills the file and renames it. The temporary file is removed if either fails or the command is
     /// interrupted.
     pub(crate) fn fill(self, fill: impl FnOnce(&mut Lines<&File>) -> Outcome) -> Outcome {
+        self.fill_and_seal(fill, |_| Ok(()))
+    }
+
+    /// As [`PendingFile::fill`], with a change of the whole file before it appears.
+    pub(crate) fn fill_and_seal(
+        self,
+        fill: impl FnOnce(&mut Lines<&File>) -> Outcome,
+        seal: impl FnOnce(&File) -> io::Result<()>,
+    ) -> Outcome {
         let name = self.place.display().to_string();
         let mut out = Lines::new(&self.file, name.clone());
         fill(&mut out)?;
         out.flush()?;
+        seal(&self.file).map_err(|e| named(&name, e))?;
         self.file.sync_all().map_err(|e| named(&name, e))?;
         let (from, to) = (self.beside.place(), &self.place);
         // A file of that name may have appeared since it was checked.
@@ -129,6 +158,26 @@ fn unique(place: &Path) -> PathBuf {
     static COUNT: AtomicU32 = AtomicU32::new(0);
     let count = COUNT.fetch_add(1, Ordering::Relaxed);
     with_suffix(place, &format!(".{}-{count}.part", process::id()))
+}
+
+/// Removes the temporary files of this name whose commands were killed: they have no lock, and no process.
+fn remove_left(place: &Path) {
+    let (Some(folder), Some(name)) = (place.parent(), place.file_name()) else { return };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let process = |beside: &Path| {
+        let numbers = beside.file_name()?.to_str()?.strip_prefix(name.to_str()?)?;
+        let (process, count) = numbers.strip_prefix('.')?.strip_suffix(".part")?.split_once('-')?;
+        count.parse::<u32>().ok()?;
+        process.parse::<u32>().ok()
+    };
+    for beside in fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
+        let Some(process) = process(&beside) else { continue };
+        let is_running = process == std::process::id() || Path::new(&format!("/proc/{process}")).exists();
+        let is_left = || File::open(&beside).is_ok_and(|file| file.try_lock().is_ok());
+        if !is_running && is_left() {
+            let _ = fs::remove_file(&beside);
+        }
+    }
 }
 
 /// The path with a suffix added to its name.

@@ -1,15 +1,19 @@
 //! Rows in a file, and resuming them after an interruption.
 //!
 //! A file is resumed only if its rows are those of the same request. The check covers the header, the columns
-//! that identify a row in its grid, and as many complete rows, evenly spaced, as a second allows. If the rows
-//! do not contain their grid, all of them are recomputed. The text after the last complete row must be the
-//! beginning of the next row.
+//! that identify a row in its grid, and as many complete rows, evenly spaced, as a second allows. Rows whose checksum
+//! was kept beside the file (`checksum`) are trusted; all others are recomputed, and so are all rows that do not contain
+//! their grid. The text after the last complete row must be the beginning of the next row.
+
+mod checksum;
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output::{self, Lines, named};
 use crate::progress;
+pub(crate) use checksum::{Checked, Checksum};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -61,19 +65,21 @@ pub(crate) fn to_file<R: Rows>(
     rows: &R,
     part: &Range<u64>,
     has_header: bool,
-    fill: impl FnOnce(u64, &mut Lines<&File>) -> Outcome,
+    fill: impl FnOnce(u64, &mut Lines<Checked<'_>>) -> Outcome,
 ) -> Outcome {
     let (file, done) = if is_continued && name.exists() {
         reopen(name, rows, part, has_header)?
     } else {
-        (create(name, option)?, Done { header: false, rows: 0 })
+        (create(name, option)?, Done { header: false, rows: 0, bytes: 0, sum: Checksum::EMPTY })
     };
+    let checked = Checked::new(name, &file, done.bytes, done.sum);
     let name = name.display().to_string();
-    let mut out = Lines::new(&file, name.as_str());
+    let mut out = Lines::new(checked, name.as_str());
     if has_header && !done.header {
         out.write_all(&rows.header()?)?;
     }
     let outcome = fill(part.start + done.rows, &mut out);
+    out.into_inner().finish();
     // This reports data that the system failed to write.
     outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
 }
@@ -98,6 +104,8 @@ pub(crate) fn write<T: Send, W: Write>(
 struct Done {
     header: bool,
     rows: u64,
+    bytes: u64,
+    sum: Checksum,
 }
 
 /// The greatest length of a line in bytes; a row of 8192 bits has less than a tenth of it.
@@ -116,14 +124,19 @@ fn reopen<R: Rows>(name: &Path, rows: &R, part: &Range<u64>, header: bool) -> Re
     let mut file = OpenOptions::new().read(true).write(true).open(name).map_err(|e| bad(e.to_string()))?;
     output::take(&file, &argument)?;
     let header = if header { rows.header()? } else { Vec::new() };
-    let kept = KeptRows::read(&file, rows, part, &header).and_then(|kept| {
-        let compare = if rows.hold_their_grid() { KeptRows::compare_some } else { KeptRows::compare_all };
-        compare(&kept, &file, rows, part).map(|()| kept)
+    let kept = KeptRows::read(&file, rows, part, &header, &checksum::kept(name)).and_then(|kept| {
+        let trusted = if rows.hold_their_grid() {
+            kept.compare_some(&file, rows, part)?;
+            kept.trusted
+        } else {
+            (0, kept.begin)
+        };
+        kept.compare_from(trusted, &file, rows, part).map(|()| kept)
     });
     let kept = kept.map_err(|failure| failure.about(&argument))?;
     file.set_len(kept.end)?;
     file.seek(SeekFrom::Start(kept.end))?;
-    Ok((file, Done { header: kept.begin > 0, rows: kept.rows }))
+    Ok((file, Done { header: kept.begin > 0, rows: kept.rows, bytes: kept.end, sum: kept.sum }))
 }
 
 /// The complete lines of a file.
@@ -133,15 +146,26 @@ struct KeptRows {
     begin: u64,
     /// The position after the last complete line.
     end: u64,
+    /// The checksum of the bytes before that position.
+    sum: Checksum,
+    /// The number of rows whose checksum was kept, and the position after them.
+    trusted: (u64, u64),
     /// Some rows, evenly spaced, with their numbers and positions.
     some: Spread,
 }
 
 impl KeptRows {
     /// Reads the whole file, and compares the parts that cost little.
-    fn read<R: Rows>(file: &File, rows: &R, part: &Range<u64>, header: &[u8]) -> Result<Self, Failure> {
+    fn read<R: Rows>(
+        file: &File,
+        rows: &R,
+        part: &Range<u64>,
+        header: &[u8],
+        sums: &BTreeMap<u64, String>,
+    ) -> Result<Self, Failure> {
         let mut lines = BufReader::new(file);
-        let mut kept = Self { rows: 0, begin: 0, end: 0, some: Spread::new() };
+        let (sum, trusted) = (Checksum::EMPTY, (0, header.len() as u64));
+        let mut kept = Self { rows: 0, begin: 0, end: 0, sum, trusted, some: Spread::new() };
         let length = part.end - part.start;
         let mut line = Vec::new();
         loop {
@@ -162,6 +186,10 @@ impl KeptRows {
                     kept.some.push((kept.rows - 1, kept.end, count));
                 }
                 kept.end += count;
+                kept.sum.add(&line);
+                if sums.get(&kept.end).is_some_and(|sum| *sum == kept.sum.text()) {
+                    kept.trusted = (kept.rows, kept.end);
+                }
                 if kept.rows.is_multiple_of(1024) {
                     interrupt::check()?;
                 }
@@ -221,14 +249,20 @@ impl KeptRows {
         Ok(())
     }
 
-    /// Compares every row.
-    fn compare_all<R: Rows>(&self, file: &File, rows: &R, part: &Range<u64>) -> Outcome {
+    /// Compares every row after a number of them that end at a position.
+    fn compare_from<R: Rows>(
+        &self,
+        (first, position): (u64, u64),
+        file: &File,
+        rows: &R,
+        part: &Range<u64>,
+    ) -> Outcome {
         let mut file = file;
-        file.seek(SeekFrom::Start(self.begin))?;
+        file.seek(SeekFrom::Start(position))?;
         let mut found = BufReader::new(file);
-        let mut row = 0;
+        let mut row = first;
         progress::in_order(
-            part.start..part.start + self.rows,
+            part.start + first..part.start + self.rows,
             |point| rows.text(point),
             |due| {
                 let mut line = vec![0; due.len()];

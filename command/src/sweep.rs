@@ -13,7 +13,6 @@ use crate::output::Lines;
 use crate::record::{Record, csv_text};
 use crate::resume;
 use rows::SweepRows;
-use std::fs::File;
 use std::io::Write;
 use std::ops::Range;
 #[cfg(feature = "parquet")]
@@ -129,7 +128,7 @@ fn to_text(args: &TableArgs, rows: &impl resume::Rows, part: Range<u64>, out: &m
     let header = !args.no_header;
     if let Some(name) = &args.out {
         let (place, end) = (("--out", name.as_path()), part.end);
-        let fill = |start, out: &mut Lines<&File>| write(rows, start..end, out);
+        let fill = |start, out: &mut Lines<resume::Checked<'_>>| write(rows, start..end, out);
         return resume::to_file(place, args.resume, rows, &part, header, fill);
     }
     if header {

@@ -6,6 +6,7 @@
 //! interruption the parts are kept, and can be resumed.
 
 mod parts;
+mod sealed;
 
 use super::Table;
 use crate::args::TableArgs;
@@ -41,7 +42,7 @@ pub(super) fn run<T: Table>(args: &TableArgs, rows: &T, part: Range<u64>) -> Out
             return Err(text.into());
         }
         // The file is made from all parts at once: if it exists, nothing is left to do.
-        sweep.is_whole(file).map_err(|what| error_at(file, &what))?;
+        sweep.check(file, sweep.part.clone()).map_err(|what| error_at(file, &what))?;
         return Parts::remove_left(file);
     }
     let mut parts = Parts::open(file, args.resume)?;
@@ -81,7 +82,8 @@ impl<T: Table> Sweep<'_, T> {
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
         let metadata = reader.metadata().file_metadata();
         let found = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);
-        for key in self.notes.iter().chain(found).map(|note| &note.key) {
+        let keys = self.notes.iter().chain(found).map(|note| &note.key);
+        for key in keys.filter(|key| *key != sealed::NOTE) {
             let value = |notes: &[KeyValue]| {
                 notes
                     .iter()
@@ -113,14 +115,19 @@ impl<T: Table> Sweep<'_, T> {
         Ok(())
     }
 
-    fn is_whole(&self, file: &Path) -> Result<(), String> {
-        let reader = open(file).map_err(|e| e.to_string())?;
-        self.has(&reader, self.part.clone())
+    /// Fails unless the file is as it was written, with the rows of these points.
+    fn check(&self, file: &Path, points: Range<u64>) -> Result<(), String> {
+        // Only a file that is as it was written is parsed.
+        let opened = File::open(file).map_err(|e| e.to_string())?;
+        sealed::check(&opened)?;
+        let reader = SerializedFileReader::new(opened).map_err(|e| e.to_string())?;
+        self.has(&reader, points)
     }
 
-    /// A writer of row groups.
+    /// A writer of row groups, for a file that is sealed.
     fn writer<W: Write + Send>(&self, out: W) -> Result<SerializedFileWriter<W>, Failure> {
-        parquet_file::writer(out, self.schema.clone(), self.notes.clone())
+        let notes = self.notes.iter().cloned().chain([sealed::note()]).collect();
+        parquet_file::writer(out, self.schema.clone(), notes)
     }
 }
 

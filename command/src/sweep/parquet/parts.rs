@@ -1,7 +1,7 @@
 //! The parts of an incomplete Parquet file: `FILE.parts/START-END.parquet`.
 
 use super::super::Table;
-use super::{PendingFile, Sweep, error_at, open};
+use super::{PendingFile, Sweep, error_at, open, sealed};
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output::{self, Lines, named, put_new, with_suffix};
@@ -71,8 +71,7 @@ impl Parts {
                     &format!("of another sweep, whose next part begins at row {next}"),
                 ));
             }
-            let reader = open(&path).map_err(|e| error_at(&path, &e.to_string()))?;
-            sweep.has(&reader, range.clone()).map_err(|what| error_at(&path, &what))?;
+            sweep.check(&path, range.clone()).map_err(|what| error_at(&path, &what))?;
             next = range.end;
             interrupt::check()?;
         }
@@ -86,7 +85,8 @@ impl Parts {
         fill: impl FnOnce(&mut Lines<&File>) -> Outcome,
     ) -> Outcome {
         let path = self.path(&range);
-        PendingFile::create(&path, &path.display().to_string(), false)?.fill(fill)?;
+        let pending = PendingFile::create(&path, &path.display().to_string(), false)?;
+        pending.fill_and_seal(fill, sealed::seal)?;
         self.parts.push(range);
         Ok(())
     }
@@ -98,7 +98,7 @@ impl Parts {
             return self.remove(&[]);
         }
         let argument = format!("--out {}", file.display());
-        PendingFile::create(file, &argument, false)?.fill(|out| {
+        let merge = |out: &mut Lines<&File>| {
             let mut writer = sweep.writer(out)?;
             let mut gathered = Group::of(sweep.rows.form());
             for range in &self.parts {
@@ -120,7 +120,8 @@ impl Parts {
             gathered.write(&mut writer)?;
             writer.finish()?;
             Ok(())
-        })?;
+        };
+        PendingFile::create(file, &argument, false)?.fill_and_seal(merge, sealed::seal)?;
         let parts = self.parts.clone();
         self.remove(&parts)
     }

@@ -210,3 +210,57 @@ fn a_row_of_another_point_is_refused() {
         std::fs::remove_file(&file).unwrap();
     }
 }
+
+/// A bit changed anywhere in a finished file is named, also in rows that a second does not suffice to compare: they are
+/// computed again unless their checksum was kept.
+#[test]
+fn a_changed_bit_of_a_finished_file_is_named() {
+    let mut state = 7u64;
+    let mut drawn = |count: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 33) % count as u64) as usize
+    };
+    for format in ["csv", "jsonl"] {
+        let file = place(&format!("finished.{format}"));
+        let sweep =
+            "response --omega 0.35:2.3:40 --alpha 0.5:9:30 --outputs omega,alpha,max_displacement,regime";
+        let line = format!("sweep {sweep} --out {}", file.display());
+        stdout(&line);
+        let whole = std::fs::read(&file).unwrap();
+        let kept = file.with_extension(format!("{format}.check"));
+        let sums = std::fs::read(&kept).unwrap();
+        // One line for the whole file.
+        let text = String::from_utf8(sums.clone()).unwrap();
+        assert_eq!(
+            (text.lines().count(), text.lines().nth(1).unwrap().split(' ').next().unwrap().parse()),
+            (2, Ok(whole.len()))
+        );
+        for with_sums in [true, false] {
+            for _ in 0..15 {
+                let mut changed = whole.clone();
+                let place = drawn(changed.len());
+                changed[place] ^= 1 << drawn(8);
+                std::fs::write(&file, &changed).unwrap();
+                if with_sums {
+                    std::fs::write(&kept, &sums).unwrap();
+                } else {
+                    let _ = std::fs::remove_file(&kept);
+                }
+                let output = stickslip(&format!("{line} --resume")).output().unwrap();
+                let message = String::from_utf8(output.stderr).unwrap();
+                assert_eq!(output.status.code(), Some(2), "byte {place}: {message}");
+                assert!(message.contains("finished"), "{message}");
+                assert!(std::fs::read(&file).unwrap() == changed);
+            }
+        }
+        std::fs::write(&file, &whole).unwrap();
+        std::fs::write(&kept, &sums).unwrap();
+        stdout(&format!("{line} --resume"));
+        assert!(std::fs::read(&file).unwrap() == whole && std::fs::read(&kept).unwrap() == sums);
+        // A file of other origin is not touched.
+        std::fs::write(&kept, "notes").unwrap();
+        std::fs::write(&file, &whole[..whole.len() / 3]).unwrap();
+        stdout(&format!("{line} --resume"));
+        assert!(std::fs::read(&file).unwrap() == whole && std::fs::read(&kept).unwrap() == b"notes");
+    }
+}
