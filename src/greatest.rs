@@ -79,11 +79,21 @@ impl<F: Float> Eq for Piece<F> {}
 /// The number of pieces of an interval before any is discarded.
 const PIECES: i32 = 16;
 
+/// The greatest number of pieces. A smooth function that has few oscillations in the interval takes some hundred.
+const MOST: u32 = 1 << 18;
+
+/// Whether a greatest value is that of a search that stopped at its bound.
+pub(crate) fn is_unknown<F: Float>(greatest: F) -> bool {
+    greatest.partial_cmp(&greatest).is_none()
+}
+
 /// The greater of `best` and the greatest |f| on `[low, high]`; `bound` gives bounds of f on a piece.
 ///
 /// This is branch and bound, with the most promising piece first. On a piece of half width d about c, |f| is
 /// at most `|f(c)| + |f′(c)| d + curvature d²/2`; the piece is discarded where that does not exceed the best
 /// value so far. On a sufficiently narrow piece, Newton's method on f′ starts from its middle.
+///
+/// NaN where 2¹⁸ pieces do not suffice: for a function with very many oscillations of nearly one height.
 pub(crate) fn greatest<F: Float>(
     low: F,
     high: F,
@@ -91,17 +101,26 @@ pub(crate) fn greatest<F: Float>(
     bound: impl Fn(F, F) -> Bound<F>,
     f: impl Fn(F) -> Jet<F>,
 ) -> F {
+    if is_unknown(best) {
+        // Another part of the interval has no answer.
+        return best;
+    }
     let width = (high - low) / F::int(PIECES);
     let mut best = best.or_larger(f(low).value.abs()).or_larger(f(high).value.abs());
     let mut pieces: BinaryHeap<Piece<F>> = (0..PIECES)
         .map(|i| Piece::new(low + width * F::int(i), low + width * F::int(i.saturating_add(1)), &bound, &f))
         .collect();
     let slack = F::int(1) + F::int(4) * F::epsilon();
+    let mut count = 0u32;
     while let Some(Piece { low, high, middle, at, reach, rest }) = pieces.pop() {
         best = best.or_larger(at.value.abs());
+        count = count.saturating_add(1);
+        if count > MOST {
+            return F::int(0) / F::int(0);
+        }
         if !reach.is_finite() {
             // The bound is NaN or overflows, and further division would not help.
-            return reach;
+            return F::int(1) / F::int(0);
         }
         if reach <= best * slack {
             break;
@@ -184,6 +203,20 @@ mod tests {
         let sampled = (0..7_000_000).map(|i| f(f64::from(i) * 1e-6).value.abs()).fold(0.0, f64::max);
         assert!(found >= sampled && found < sampled + 1e-8, "{found} {sampled}");
         assert_eq!(greatest(0.0, 1.0, 5.0, known(1603.0), f), 5.0);
+    }
+
+    #[test]
+    fn oscillations_of_one_height_are_not_searched_for_ever() {
+        // Their crests differ by less than a bound of the curvature can tell.
+        let f = |t: f64| Jet { value: t.sin(), slope: t.cos(), second: -t.sin() };
+        let found = greatest(
+            0.0,
+            1e9,
+            0.0,
+            |_, _| Bound { curvature: 1.0, value: f64::INFINITY },
+            |t| Jet { value: f(t).value + 1e-9 * (1e-9 * t).sin(), ..f(t) },
+        );
+        assert!(found.is_nan(), "{found}");
     }
 
     #[test]

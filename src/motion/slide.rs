@@ -31,6 +31,7 @@ pub(crate) mod work;
 use super::drive::DrivePhase;
 use super::state::Point;
 use crate::float::Float;
+use alloc::vec::Vec;
 use equation::{Equation, Responses};
 use motion::Motion;
 
@@ -267,6 +268,34 @@ impl<F: Float> Slide<F> {
             force: alpha * theta.0,
             rotation,
         }
+    }
+
+    /// (w, w′) of the free vibration at natural time φ: the motion without the forced wave.
+    pub(crate) fn free_motion(&self, phi: F) -> (F, F) {
+        let (si, ci) = (self.sin_start, self.cos_start);
+        let (sd, cd) = (self.equation.omega * phi).sin_cos();
+        let (x, w) = self.equation.forced((si * cd + ci * sd, ci * cd - si * sd));
+        let motion = self.motion(phi);
+        (motion.w - w, motion.acceleration + self.equation.omega.square() * x)
+    }
+
+    /// Parts of [0, end] of which one has the greatest value, and one the least, of any sum of a constant, a multiple of
+    /// `sin θ` and a free vibration, without damping: within 2π of a crest or a trough of sin θ, or of an end.
+    ///
+    /// Moved by 2π towards the crest, the free vibration is the same, and the multiple of sin θ not less.
+    pub(crate) fn windows(&self, end: F) -> Vec<(F, F)> {
+        let (turn, half) = (F::int(2) * F::pi(), F::pi() / F::int(2));
+        let within = |(low, high): (F, F)| {
+            let low = low.or_larger(F::int(0));
+            (low, if high < end { high } else { end })
+        };
+        // A slide is shorter than two turns of the drive.
+        let crests = [1, 3, 5, 7, 9, 11].map(|quarter| {
+            let crest = (half * F::int(quarter) - self.start.reduced()) / self.equation.omega;
+            (crest - turn, crest + turn)
+        });
+        let ends = [(F::int(0), turn), (end - turn, end)];
+        crests.into_iter().chain(ends).map(within).filter(|(low, high)| low < high).collect()
     }
 
     /// `w″ = αΩ cos θ − w − 2ζw′` at the start.

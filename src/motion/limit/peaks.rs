@@ -2,11 +2,12 @@
 
 use super::steady::SteadyState;
 use crate::float::Float;
-use crate::greatest::{Bound, Jet, greatest};
+use crate::greatest::{Bound, Jet, greatest, is_unknown};
 use crate::machine::error::Error;
 use crate::motion::slide::Slide;
 use crate::motion::slide::stick::Stick;
 use crate::motion::trajectory::{Body, Trajectory};
+use alloc::vec;
 use core::cell::{Cell, RefCell};
 use core::f64::consts::TAU;
 use core::ops::ControlFlow;
@@ -33,7 +34,8 @@ impl<F: Float> SteadyState<F> {
     /// max x/B + α/Ω².
     ///
     /// # Errors
-    /// Those of the motion ([`Trajectory`]).
+    /// Those of the motion ([`Trajectory`]), and [`Error::SearchBound`] where a slide has so many oscillations of nearly
+    /// one height that 2¹⁸ parts do not tell the highest.
     pub fn peaks(&self) -> Result<Peaks<F>, Error> {
         self.peaks_while(&mut || ControlFlow::Continue(()))
     }
@@ -73,10 +75,18 @@ impl<F: Float> SteadyState<F> {
         if is_interrupted.get() {
             return Err(Error::Interrupted);
         }
+        let found = [peaks.acceleration, peaks.transmitted_force, peaks.absolute_displacement];
+        if found.into_iter().any(is_unknown) {
+            let search = "the greatest acceleration, force or absolute displacement";
+            return Err(self.equation.lost(search, start.phase, "2¹⁸ parts of a slide").into());
+        }
         let square = self.equation.omega.square();
         Ok(Peaks { acceleration: peaks.acceleration / square, ..peaks })
     }
 }
+
+/// From this power of two on, in natural time over the fastest decay, a slide is long.
+const LONG: i32 = 16;
 
 impl<F: Float> Peaks<F> {
     /// The peaks of a slide, along which the displacement is at most `reach` and the speed w at most `speed`.
@@ -101,14 +111,32 @@ impl<F: Float> Peaks<F> {
         let force = reach + one + damping * speed;
         let most = equation.alpha + force;
         let jerk = omega * equation.alpha + speed + damping * most;
-        let known = |waves: F, ode: F| {
-            let curvature = if waves < ode { waves } else { ode };
-            move |_, _| Bound { curvature: if stops() { one / zero } else { curvature }, value: one / zero }
+        // On a slide of very many oscillations, or with much damping, the free vibration is looked at anew in each piece.
+        let is_long = end * (one + damping) > F::exp2i(LONG);
+        let free_from = |phi: F| {
+            if !is_long || damping == zero {
+                return free;
+            }
+            let (w, rate) = slide.free_motion(phi);
+            let second = -(w + damping * rate);
+            second.hypot(rate + damping * second)
         };
-        let bend = known(square.square() * amplitude + free, square * equation.alpha + most + damping * jerk);
-        self.acceleration = greatest(zero, end, self.acceleration, bend, |phi| {
-            let m = slide.motion(phi);
-            Jet { value: m.acceleration, slope: m.jerk, second: m.higher(equation).0 }
+        let free_from = &free_from;
+        let known = |waves: F, ode: F| {
+            move |low: F, _: F| {
+                let waves = waves + free_from(low);
+                let curvature = if waves < ode { waves } else { ode };
+                Bound { curvature: if stops() { one / zero } else { curvature }, value: one / zero }
+            }
+        };
+        // The greatest value in the windows that can have it.
+        let windows = if is_long && damping == zero { slide.windows(end) } else { vec![(zero, end)] };
+        let bend = known(square.square() * amplitude, square * equation.alpha + most + damping * jerk);
+        self.acceleration = windows.iter().fold(self.acceleration, |best, &(low, high)| {
+            greatest(low, high, best, bend, |phi| {
+                let m = slide.motion(phi);
+                Jet { value: m.acceleration, slope: m.jerk, second: m.higher(equation).0 }
+            })
         });
         if damping == zero {
             // The force grows along the slide, and its ends decide.
@@ -116,7 +144,7 @@ impl<F: Float> Peaks<F> {
                 self.transmitted_force = self.transmitted_force.or_larger((x + sign).abs());
             }
         } else {
-            let waves = square * amplitude * one.hypot(damping * omega) + free;
+            let waves = square * amplitude * one.hypot(damping * omega);
             let bend = known(waves, most + damping * jerk);
             self.transmitted_force = greatest(zero, end, self.transmitted_force, bend, |phi| {
                 let m = slide.motion(phi);
@@ -124,12 +152,14 @@ impl<F: Float> Peaks<F> {
                 Jet { value: m.x + sign + damping * m.w, slope, second: m.acceleration + damping * m.jerk }
             });
         }
-        self.absolute_displacement =
-            greatest(zero, end, self.absolute_displacement, known(force, force), |phi| {
+        let bend = known(force, force);
+        self.absolute_displacement = windows.iter().fold(self.absolute_displacement, |best, &(low, high)| {
+            greatest(low, high, best, bend, |phi| {
                 let m = slide.motion(phi);
                 let slope = m.w + (m.jerk + m.w + damping * m.acceleration) / square;
                 Jet { value: m.x + m.force / square, slope, second: -(m.x + sign + damping * m.w) }
-            });
+            })
+        });
     }
 
     fn stick(&mut self, stick: &Stick<F>, length: F) {
