@@ -42,9 +42,11 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let given = input::read::<F>(&args.machine, &reader)?;
     let (scales, frictions @ [damping, static_friction]) = body(&given)?;
     let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
-    let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
-    let v0: F =
-        if args.v0 == "0" { F::int(0) } else { reader.value("--v0", &args.v0, kind(Kind::Velocity))? };
+    let start = |option: &str, text: &Option<String>, of: Kind| match text {
+        Some(text) => reader.value(option, text, kind(of)),
+        None => Ok(F::int(0)),
+    };
+    let (x0, v0) = (start("--x0", &args.x0, Kind::Length)?, start("--v0", &args.v0, Kind::Velocity)?);
     let (x, v) = match &scales {
         Some(s) => (x0 / s.length, v0 * s.time / s.length),
         None => (x0, v0),
@@ -53,8 +55,13 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let eta = static_friction.unwrap_or(F::int(1));
     let decay = FreeDecay::new(x, v, zeta, eta).map_err(|e| match e.quantity() {
         Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(&e).into(),
-        Some(Quantity::Velocity) => Failure::Input(format!("--v0 {}: {e}", args.v0)),
-        _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
+        quantity => {
+            let (option, text) = match (quantity, &args.v0, &args.x0) {
+                (Some(Quantity::Velocity), Some(text), _) | (_, Some(text), None) => ("--v0", text.as_str()),
+                (.., text) => ("--x0", text.as_deref().unwrap_or("0")),
+            };
+            Failure::Input(format!("{option} {text}: {e}"))
+        }
     })?;
     let record = record(&decay, scales.as_ref(), frictions).finite()?;
     args.look.needs("--out", args.out.as_deref())?;
@@ -68,7 +75,11 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let length = |x| both(x, "B", scales.as_ref().map(|s| s.length), name);
     let rests = decay.rest_time.is_finite();
     if rests {
-        writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles)?;
+        match decay.half_cycles {
+            0 => writeln!(out, "At rest from the start.\n")?,
+            1 => writeln!(out, "At rest after 1 half cycle.\n")?,
+            n => writeln!(out, "At rest after {n} half cycles.\n")?,
+        }
     } else {
         writeln!(out, "The body creeps towards rest for ever.\n")?;
     }

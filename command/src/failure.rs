@@ -116,11 +116,28 @@ fn meant(error: &clap::Error) -> Option<String> {
     })
 }
 
+/// The message on a value that is no whole number, or none of this size.
+fn no_whole_number(error: &clap::Error) -> Option<String> {
+    use clap::error::{ContextKind, ContextValue};
+    use std::num::IntErrorKind;
+    let number = std::error::Error::source(error)?.downcast_ref::<std::num::ParseIntError>()?;
+    let typed =
+        |kind| if let ContextValue::String(text) = error.get(kind)? { Some(text.as_str()) } else { None };
+    let option = typed(ContextKind::InvalidArg)?.split(' ').next()?;
+    let value = typed(ContextKind::InvalidValue)?;
+    let is_large = *number.kind() == IntErrorKind::PosOverflow;
+    let due = if is_large { "must be a smaller whole number" } else { "must be a whole number ≥ 0" };
+    Some(format!("{option} {value}: {due}"))
+}
+
 /// The parser's own message on one line, with its suggestion and without the usage.
 impl From<clap::Error> for Failure {
     fn from(error: clap::Error) -> Self {
         if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
             return Self::Input("a command is missing. List the commands with --help".to_owned());
+        }
+        if let Some(text) = no_whole_number(&error) {
+            return Self::Input(text);
         }
         let text = error.to_string();
         let message: Vec<&str> =

@@ -181,16 +181,20 @@ impl<'a> Target<'a> {
 
 /// Writes a figure, with a width and a height in pixels if they are given.
 fn write(figure: &Figure, picture: Picture, size: Option<(u32, u32)>, out: &mut impl Write) -> Outcome {
+    let of_size = |e: std::io::Error| match size {
+        Some((width, height)) => format!("--size {width}x{height}: {e}"),
+        None => e.to_string(),
+    };
     let svg = || size.map_or_else(|| figure.svg(), |size| figure.svg_of_size(size));
     match picture {
         Picture::Svg => {
-            let text = svg().map_err(|e| format!("--size: {e}"))?;
+            let text = svg().map_err(of_size)?;
             out.write_all(text.as_bytes())?;
         }
         #[cfg(feature = "png")]
         Picture::Png => {
             let image = size.map_or_else(|| figure.png(WIDTH), |size| figure.png_of_size(size));
-            out.write_all(&image.map_err(|e| format!("--size: {e}"))?)?;
+            out.write_all(&image.map_err(of_size)?)?;
         }
         #[cfg(not(feature = "png"))]
         Picture::Png => check(picture, "png")?,

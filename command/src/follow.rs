@@ -31,13 +31,10 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         output::refuse_existing(file, &format!("--out {}", file.display()), args.overwrite)?;
     }
     let target = Target::new("--picture", args.picture.as_deref(), args.overwrite, &args.look)?;
-    let interval = args.interval.as_ref();
-    let interval = interval.map(|text| args.answer.units.reader().value::<F>("--interval", text, Kind::Time));
-    let interval = interval.transpose()?;
     if args.interval.is_some() && args.out.is_none() {
         return Err("--interval: needs a file for the motion, --out FILE.csv".into());
     }
-    let Shaken { given, body, record, start: [x0, v0] } = Shaken::read(args)?;
+    let Shaken { given, body, record, start: [x0, v0], interval } = Shaken::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
     let answer = body.follow_from(&record, x0, v0).map_err(named)?;
     let motion = |interval: F| body.motion(&record, x0, v0, interval).map_err(named);
@@ -68,6 +65,8 @@ pub(crate) struct Shaken<F> {
     pub(crate) body: Body<F>,
     pub(crate) record: Record<F>,
     pub(crate) start: [F; 2],
+    /// The greatest distance of the states of a motion, if it was given.
+    interval: Option<F>,
 }
 
 impl<F: Value> Shaken<F> {
@@ -81,8 +80,16 @@ impl<F: Value> Shaken<F> {
             None => Ok(F::int(0)),
         };
         let start = [start("--x0", &args.x0, Kind::Length)?, start("--v0", &args.v0, Kind::Velocity)?];
+        let interval = args.interval.as_ref().map(|text| {
+            let interval = reader.value::<F>("--interval", text, Kind::Time)?;
+            if interval > F::int(0) && interval.is_finite() {
+                return Ok(interval);
+            }
+            Err(Failure::Input(format!("--interval {text}: must be > 0 and finite")))
+        });
+        let interval = interval.transpose()?;
         let record = measured::read::<F>(&args.file, &args.load, &reader)?;
-        Ok(Self { given, body, record, start })
+        Ok(Self { given, body, record, start, interval })
     }
 }
 
@@ -95,7 +102,16 @@ pub(crate) struct Surface<F> {
 
 impl<F: Value> Surface<F> {
     pub(crate) fn read(args: &SurfaceArgs, reader: &Reader) -> Result<Self, Failure> {
-        let slope = args.slope.as_ref().map(|text| reader.value::<F>("--slope", text, Kind::Angle));
+        let slope = args.slope.as_ref().map(|text| {
+            let slope = reader.value::<F>("--slope", text, Kind::Angle)?;
+            // A bare number may be meant in degrees, in radians, or as a gradient.
+            if slope != F::int(0) && !Reader::has_unit(text) {
+                return Err(Failure::Input(format!(
+                    "--slope {text}: must have a unit, {text}deg or {text}rad"
+                )));
+            }
+            Ok(slope)
+        });
         Ok(Self { slope: slope.transpose()?, has_spring: !args.no_spring, is_one_way: args.one_way })
     }
 

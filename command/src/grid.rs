@@ -2,7 +2,7 @@
 
 use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
-use crate::input::{self, note_percentage};
+use crate::input::{self, note_unusual};
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::inputs::{Given, Input, Naming};
 use stickslip_figures::Axis;
@@ -147,7 +147,7 @@ impl<F: Value> Axes<F> {
         let (mut fixed, mut grids) = (Given::empty(reader, Naming::Option), Vec::new());
         for &(parameter, ref text) in typed {
             let grid = Grid::with_units(parameter.option(), text, reader, parameter.kind())?;
-            note_percentage(parameter, text, grid.ends().1);
+            note_unusual(parameter, text, grid.ends().1, &reader.system());
             if grid.len() == 1 {
                 fixed.set_typed(parameter, grid.value(0), text);
             } else {

@@ -14,7 +14,7 @@ pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Resu
     let mut given = Given::empty(reader, Naming::Option);
     for (input, text) in typed {
         let value = given.read(*input, text, reader)?;
-        note_percentage(*input, text, value);
+        note_unusual(*input, text, value, &reader.system());
     }
     Ok(given)
 }
@@ -27,14 +27,33 @@ pub(crate) fn behind_all<F: Value>(given: &Given<F>, failure: Failure) -> Failur
     }
 }
 
-/// A note where a damping ratio without % is so large that a percentage was probably meant.
-pub(crate) fn note_percentage<F: Value>(input: Input, text: &str, value: F) {
+/// A note where a damping ratio without % is so large that a percentage was probably meant, and where gravity without a
+/// unit is far from that of every planet, so that another unit was probably meant.
+pub(crate) fn note_unusual<F: Value>(input: Input, text: &str, value: F, system: &System) {
+    /// Gravity on the surface of Ceres and of Jupiter, as parts of that of the Earth.
+    const PLANETS: [f64; 2] = [0.029, 2.5];
+    let share = value.to_f64() / system.gravity::<f64>();
+    if input == Input::Gravity && !Reader::has_unit(text) && !(PLANETS[0]..=PLANETS[1]).contains(&share) {
+        let (option, unit) = (input.option(), crate::outputs::plain(&system.name(Kind::Acceleration)));
+        progress::note(&format!(
+            "{option} {text} is {text} {unit}, {} of standard gravity, because a bare number is in the units of \
+             --units {system}. Gravity in m/s² is {option} {text}m/s^2",
+            crate::bits::digits(share)
+        ));
+    }
     if input == Input::DampingRatio && value >= F::int(1) && !text.contains('%') {
         let (option, percent) = (input.option(), crate::bits::digits(F::int(100) * value));
         progress::note(&format!(
             "{option} {text} is {percent} % of critical damping. A damping ratio of {text} percent is {option} {text}%"
         ));
     }
+}
+
+/// The unit of the first frequency that was typed with one, and its value in rad/s.
+pub(crate) fn frequency_unit<'a, F: Value>(typed: impl IntoIterator<Item = &'a str>) -> Option<(String, F)> {
+    let units = typed.into_iter().flat_map(|text| text.split([':', ','])).map(|part| split(part).1);
+    let of = |unit: &str| Reader::new(None, "").value::<F>("", &format!("1{unit}"), Kind::Frequency).ok();
+    units.filter(|unit| !unit.is_empty()).find_map(|unit| Some((unit.to_owned(), of(unit)?)))
 }
 
 /// An input as on a picture: `r_y = 5 kN`, or the quantity in words where it has no symbol.

@@ -87,11 +87,13 @@ impl<'a> Quantity<'a> {
         Ok(found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_))))
     }
 
-    /// The reason for a missing value, as text for a key.
-    const fn absence(&self) -> &'static str {
-        match self.question {
-            Swept::Response => "white: the body sticks or stays at rest",
-            Swept::Steady | Swept::Border => "white: no periodic motion",
+    /// The reasons for missing values, as text for a key: some of bodies that never move, and others.
+    const fn absence(&self, at_rest: bool, others: bool) -> &'static str {
+        match (self.question, at_rest, others) {
+            (Swept::Response, ..) => "white: the body sticks or stays at rest",
+            (_, true, true) => "white: at rest, or no periodic motion",
+            (_, true, false) => "white: the body never moves",
+            (_, false, _) => "white: no periodic motion",
         }
     }
 }
@@ -105,6 +107,8 @@ struct Map<'a> {
     across: (Input, Grid<f64>),
     up: (Input, Grid<f64>),
     system: System,
+    /// The unit of frequencies, and its value in rad/s.
+    frequency: (String, f64),
     /// The inputs that all points share.
     machine: String,
     /// The values of the first and the last shade, where they were chosen.
@@ -149,14 +153,17 @@ impl<'a> Map<'a> {
         axes.order([up.clone(), across.clone()]);
         rows::check(quantity.question, &axes)?;
         let Some((kind, _)) = quantity.value_at(&axes.given_at(0))? else {
-            let known = "regime, margin, stops, an output of response, or steady: and an output of steady";
+            let known =
+                "regime, margin, stops, limits, an output of response, or steady: and an output of steady";
             return Err(format!("map {}: must be one of {known}", args.quantity).into());
         };
         let range = args.range.as_ref().map(|text| figure::range("--range", text, true)).transpose()?;
         let system = reader.system();
+        let frequency = input::frequency_unit(args.machine.text(Input::Frequency));
+        let frequency = frequency.unwrap_or_else(|| (system.name(Kind::Hertz), TAU));
         let is_fixed = |input| input != across.0 && input != up.0;
         let machine = input::line(&args.machine, is_fixed, &system);
-        Ok(Self { quantity, kind, axes, across, up, system, machine, range })
+        Ok(Self { quantity, kind, axes, across, up, system, frequency, machine, range })
     }
 
     /// Computes the points in order, row by row.
@@ -196,7 +203,7 @@ impl<'a> Map<'a> {
         if kind == Kind::Ratio {
             (String::new(), 1.0)
         } else if kind == Kind::Frequency {
-            (self.system.name(Kind::Hertz), 1.0 / TAU)
+            (self.frequency.0.clone(), 1.0 / self.frequency.1)
         } else if kind == Kind::Mass {
             let (unit, factor) = self.system.mass_for_reading();
             (unit.to_owned(), factor.times(1.0))

@@ -24,9 +24,11 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let named = |e: stickslip::Error| of_motion(&given, e);
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
     let Some(steady) = limit.steady_state() else {
-        return Err(
-            "motion-plot: there is no periodic motion to draw. See stickslip steady for the reason".into()
-        );
+        let scale = point.machine.as_ref().map_or(1.0, |m| m.scales.length);
+        let unit = if point.machine.is_some() { given.system.length() } else { "B" };
+        let length = |x: f64| format!("{} {unit}", crate::bits::digits(x * scale));
+        let verdict = stickslip::words::limit(point.ratios, &limit, length, "");
+        return Err(format!("motion-plot: there is no periodic motion to draw. {verdict}").into());
     };
     let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)
         .and_then(|motion| motion.samples(PER_CYCLE))

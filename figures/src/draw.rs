@@ -37,11 +37,10 @@ pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
 pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
     let fitted = |legend| {
         let layout = Layout::of(figure, legend);
-        let layout = size.map_or(Some(layout), |size| layout.fitted(size));
-        layout.ok_or_else(|| {
-            let text = format!(
-                "a size must leave each plot {LEAST} pixels or more beside the texts, and be at most {MOST}"
-            );
+        let fitted = size.map_or(Some(layout), |size| layout.fitted(size));
+        fitted.ok_or_else(|| {
+            let (width, height) = layout.least();
+            let text = format!("must be from {width}x{height}, for this picture, to {MOST}x{MOST}");
             io::Error::new(io::ErrorKind::InvalidInput, text)
         })
     };
@@ -107,6 +106,13 @@ impl Layout {
             2 => Self { plot: (430, 400), columns: 2, panels, legend },
             _ => Self { plot: (400, 250), columns: 2, panels, legend },
         }
+    }
+
+    /// The least size of the figure in pixels.
+    fn least(&self) -> (i32, i32) {
+        let (width, height) = self.size();
+        let rows = (self.panels + self.columns - 1) / self.columns;
+        (width - self.columns * (self.plot.0 - LEAST), height - rows * (self.plot.1 - LEAST))
     }
 
     /// The layout of a figure of a given size in pixels; `None` where the plots would have no room.

@@ -4,7 +4,7 @@ use super::input::{Input, Naming, Role};
 use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity};
 use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
-use crate::machine::ratios::{Ratios, positive};
+use crate::machine::ratios::{Ratios, non_negative, positive};
 use crate::machine::units::{InputError, Reader, System, scaled};
 use alloc::borrow::ToOwned;
 use alloc::format;
@@ -268,12 +268,14 @@ impl<F: Float + FromStr> Given<F> {
     /// The friction bound, given directly or as µ m g; `None` where neither is given.
     ///
     /// # Errors
-    /// Where both are given, µ or g is not > 0, or g is given without µ.
+    /// Where both are given, µ < 0, g is not > 0, or g is given without µ.
     pub fn friction(&self) -> Result<Option<F>, InputError> {
         let found = self.one_of(Role::Friction)?;
         if let Some((Input::FrictionCoefficient, coefficient)) = found {
             let weight = self.mass()? * self.gravity()?;
-            return Ok(Some(self.positive(Input::FrictionCoefficient, coefficient)? * weight));
+            let coefficient = non_negative(Quantity::FrictionCoefficient, coefficient)
+                .map_err(|e| InputError(format!("{}: {e}", self.label(Input::FrictionCoefficient))))?;
+            return Ok(Some(coefficient * weight));
         }
         if self.has(Input::Gravity) && !self.has(Input::PendulumRadius) && !self.has(Input::Weight) {
             let [gravity, coefficient, radius, weight] =

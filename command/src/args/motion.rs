@@ -103,12 +103,12 @@ Examples:
 pub(crate) struct DecayArgs {
     #[command(flatten)]
     pub(crate) machine: BodyArgs,
-    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    pub(crate) x0: String,
-    /// Velocity at the start: in units of B ω_n, or of length per time
-    #[arg(long, value_name = "V", allow_hyphen_values = true, default_value = "0")]
-    pub(crate) v0: String,
+    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, required_unless_present = "v0")]
+    pub(crate) x0: Option<String>,
+    /// Velocity at the start: in units of B ω_n, or of length per time [default: 0]
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) v0: Option<String>,
     /// The motion as a picture in FILE.svg or FILE.png, its turning points in FILE.csv
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

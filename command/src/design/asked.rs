@@ -33,6 +33,12 @@ impl<'a, F: Value> AskedDesign<'a, F> {
 
     /// The sentence, the kind of base motion, and a line for each number with its unit.
     pub(super) fn text(&self, answer: &DesignAnswer<F>, out: &mut impl Write) -> Outcome {
+        let QuestionArgs { machine, from, to, over, .. } = self.args;
+        let typed =
+            [machine.text(Input::Frequency)].into_iter().chain([from, to, over].map(Option::as_deref));
+        // The answer has rad/s in any case.
+        let typed = input::frequency_unit::<F>(typed.flatten()).filter(|(_, factor)| *factor != self.one);
+        let (other, factor) = typed.unwrap_or_else(|| ("Hz".to_owned(), F::int(2) * F::pi()));
         writeln!(out, "{}", answer.sentence)?;
         if let Some(base) = self.base_motion() {
             writeln!(out, "Base motion {base}.")?;
@@ -40,19 +46,19 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         for row in &answer.rows {
             writeln!(out)?;
             for (name, kind, cell) in row {
-                let in_hertz = |value: F| digits(value / (F::int(2) * F::pi()));
+                let in_other = |value: F| digits(value / factor);
                 let range = |&(low, high): &(F, Option<F>)| match high {
-                    Some(high) if high > low => format!("{} to {}", in_hertz(low), in_hertz(high)),
-                    _ => in_hertz(low),
+                    Some(high) if high > low => format!("{} to {}", in_other(low), in_other(high)),
+                    _ => in_other(low),
                 };
                 let unit = self.system().name(*kind);
                 let text = match (cell, kind) {
                     (Cell::Number(Some(value)), Kind::Frequency) => {
-                        format!("{} {unit} = {} Hz", cell.text(), in_hertz(*value))
+                        format!("{} {unit} = {} {other}", cell.text(), in_other(*value))
                     }
                     (Cell::Intervals(intervals), Kind::Frequency) => {
                         let ranges: Vec<_> = intervals.iter().flatten().map(range).collect();
-                        format!("{} Hz", ranges.join(" and "))
+                        format!("{} {other}", ranges.join(" and "))
                     }
                     (Cell::Number(_) | Cell::Intervals(_), kind) if *kind != Kind::Ratio => {
                         format!("{} {unit}", cell.text())

@@ -126,7 +126,7 @@ impl Map<'_> {
         let mut names: Vec<String> = known.iter().map(|name| (*name).to_owned()).collect();
         let mut named = false;
         let mut values = Vec::new();
-        let (mut whole, mut has_absent) = (true, false);
+        let (mut whole, mut absent_at_rest, mut absent) = (true, false, false);
         // The values at the requested points, which alone determine the shades.
         let mut asked = Vec::new();
         let mut asked_so_far = is_asked.iter().cycle();
@@ -152,7 +152,13 @@ impl Map<'_> {
                 Cell::Flag(None) | Cell::Pairs(_) | Cell::Intervals(_) => f64::NAN,
             };
             // The line of unbounded motion explains its own points.
-            has_absent |= value.is_nan() && !is_unbounded(&given);
+            if value.is_nan() && !is_unbounded(&given) {
+                // From rest, the body moves if the force exceeds the static friction.
+                let moves = |ratios: stickslip::Ratios<f64>| ratios.alpha() > ratios.static_friction_ratio();
+                let is_moving = input::point(&given).is_ok_and(|point| moves(point.ratios));
+                absent |= is_moving;
+                absent_at_rest |= !is_moving;
+            }
             values.push(value);
             if asked_so_far.next() == Some(&true) {
                 asked.push(value);
@@ -197,8 +203,9 @@ impl Map<'_> {
             let note = format!("points missing at {missing} values, where the search reached its bound");
             series.push(Series::new(note, Style::Note, 0, []));
         }
-        if has_absent {
-            series.push(Series::new(self.quantity.absence(), Style::Note, 0, []));
+        if absent || absent_at_rest {
+            let key = self.quantity.absence(absent_at_rest, absent);
+            series.push(Series::new(key, Style::Note, 0, []));
         }
         Ok(Figure::new(
             "map",

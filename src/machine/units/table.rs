@@ -140,6 +140,7 @@ mod tests {
         assert_eq!(factor("slug"), factor("lbf*s^2/ft"));
         assert_eq!(factor("lbf"), factor("lb*ft/s2").and(Factor::new(980_665, 30_480, 0)).unwrap());
         assert_eq!(factor("kip/in"), factor("lbf/mil"));
+        assert_eq!((factor("kips"), factor("kips/in")), (factor("kip"), factor("kip/in")));
         assert_eq!(factor("rpm"), factor("rev/min"));
         assert_eq!(factor("J"), factor("N·m"));
         assert_eq!(factor("Ns/m"), factor("N*s/m"));
