@@ -169,14 +169,43 @@ pub enum Error {
         count: usize,
     },
     /// A measured free decay with too few turning points.
-    #[error("free decay: the number of turning points = {count} must be ≥ 4")]
+    #[error("free decay: the number of turning points = {count} must be ≥ {least}")]
     DecayTooShort {
         /// The number of turning points.
         count: usize,
+        /// The least number.
+        least: usize,
     },
     /// A measured free vibration that does not decay.
     #[error("free decay: the amplitude must fall from one turning point to the next")]
     NotADecay,
+    /// Samples of which no free decay stands out of the noise.
+    #[error(
+        "free decay: no decay stands out of the noise of the samples, whose standard deviation is {noise}"
+    )]
+    NoDecay {
+        /// The standard deviation of the samples.
+        noise: Number,
+    },
+    /// A measured free decay that only a negative friction or damping would explain.
+    #[error(
+        "free decay: {quantity} = {value} would fit best and must be ≥ 0: no friction and damping explain this decay"
+    )]
+    NegativeFriction {
+        /// The quantity.
+        quantity: Quantity,
+        /// Its value.
+        value: Number,
+    },
+    /// A measured free decay that the model does not explain.
+    #[error(
+        "free decay: no friction and damping explain it: the best fit is off by {misfit} of the first amplitude, and not \
+         by chance"
+    )]
+    DecayUnexplained {
+        /// The root mean square of the residuals, relative to the first amplitude.
+        misfit: Number,
+    },
     /// A response curve from which friction and damping do not follow.
     #[error(
         "response curve: friction and damping do not follow from it. It must have several frequencies, some \

@@ -22,6 +22,7 @@ mod design_damped;
 mod design_optimum;
 #[cfg(feature = "mp")]
 mod design_wide;
+mod free_decay;
 mod identify;
 mod independent;
 #[cfg(feature = "mp")]

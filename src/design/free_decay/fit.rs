@@ -1,39 +1,39 @@
 //! Least squares of a model of a few parameters, by Levenberg and Marquardt's descent from several starts.
 
-use crate::machine::error::Error;
 use crate::uncertainty::Estimate;
 use alloc::vec::Vec;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
 /// A least-squares fit.
+#[derive(Debug, Clone)]
 pub(super) struct Fit {
     /// The parameters.
     pub(super) at: Vec<f64>,
     /// The covariance over the variance of one measurement, by rows.
     covariance: Vec<Vec<f64>>,
-    sum: f64,
+    pub(super) sum: f64,
     pub(super) residuals: Vec<f64>,
 }
 
 impl Fit {
-    /// The best fit from several starts.
+    /// The best fit from several starts, if one of them leads to any.
     pub(super) fn best(
         measured: &[f64],
         model: &impl Fn(&[f64]) -> Vec<f64>,
         starts: &[Vec<f64>],
         scales: &[f64],
-    ) -> Result<Self, Error> {
+    ) -> Option<Self> {
         let fits = starts.iter().filter_map(|start| {
             let at = descend(measured, model, start.clone(), scales)?;
             let residuals = residuals(measured, model, &at);
             let sum = squares(&residuals);
             Some(Self { covariance: inverse(&normal(model, &at, scales).0)?, at, sum, residuals })
         });
-        fits.min_by(|a, b| a.sum.total_cmp(&b.sum)).ok_or(Error::NotADecay)
+        fits.min_by(|a, b| a.sum.total_cmp(&b.sum))
     }
 
-    fn degrees_of_freedom(&self) -> f64 {
+    pub(super) fn degrees_of_freedom(&self) -> f64 {
         self.residuals.len().saturating_sub(self.at.len()).max(1) as f64
     }
 
@@ -43,7 +43,7 @@ impl Fit {
     }
 
     /// The standard error of a parameter.
-    pub(super) fn error(&self, i: usize) -> f64 {
+    fn error(&self, i: usize) -> f64 {
         self.covariance.get(i).and_then(|row| row.get(i)).map_or(f64::NAN, |v| v.sqrt()) * self.noise()
     }
 
@@ -51,6 +51,54 @@ impl Fit {
     pub(super) fn estimate(&self, value: f64, standard_error: f64, greatest: f64) -> Estimate {
         let degrees_of_freedom = self.degrees_of_freedom();
         Estimate { value, standard_error, degrees_of_freedom, range: (0.0, greatest) }
+    }
+
+    /// The correlation of neighbouring residuals, where it is above chance, and otherwise 0.
+    pub(super) fn correlation(&self) -> f64 {
+        let pairs = self.residuals.iter().zip(self.residuals.iter().skip(1));
+        let found = pairs.map(|(a, b)| a * b).sum::<f64>() / self.sum;
+        if found > 3.0 / (self.residuals.len() as f64).sqrt() { found } else { 0.0 }
+    }
+}
+
+/// Fits with different numbers of half cycles that explain a measurement equally well but for chance; there is one at least.
+pub(super) struct Alike {
+    fits: Vec<(Option<usize>, Fit)>,
+    /// The factor of the standard errors, above 1 where the residuals are not independent.
+    wider: f64,
+}
+
+impl Alike {
+    /// Those of a list whose sum of squares is within three standard errors of the least.
+    pub(super) fn of(mut fits: Vec<(Option<usize>, Fit)>) -> Option<Self> {
+        fits.sort_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
+        let best = &fits.first()?.1;
+        let enough = best.sum * (1.0 + 9.0 / best.degrees_of_freedom());
+        let correlation = best.correlation().min(0.98);
+        fits.retain(|(_, fit)| fit.sum <= enough);
+        // The mean of n numbers, of which neighbours have this correlation, varies as that of n/factor² independent ones.
+        Some(Self { fits, wider: ((1.0 + correlation) / (1.0 - correlation)).sqrt() })
+    }
+
+    pub(super) fn best(&self) -> &Fit {
+        &self.fits[0].1
+    }
+
+    /// The half cycles until rest of the best fit, if it comes to rest.
+    pub(super) fn half_cycles(&self) -> Option<usize> {
+        self.fits[0].0
+    }
+
+    /// Whether all fits come to rest; their half cycles and parameters.
+    pub(super) fn at_rest(&self) -> Option<Vec<(usize, &[f64])>> {
+        self.fits.iter().map(|(half_cycles, fit)| Some(((*half_cycles)?, fit.at.as_slice()))).collect()
+    }
+
+    /// The standard error of a parameter, so that its interval covers that of each fit.
+    pub(super) fn error(&self, i: usize) -> f64 {
+        let best = self.best();
+        let off = |fit: &Fit| (fit.at[i] - best.at[i]).abs() / 2.0 + fit.error(i);
+        self.wider * self.fits.iter().map(|(_, fit)| off(fit)).fold(0.0, f64::max)
     }
 }
 
