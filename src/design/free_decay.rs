@@ -28,7 +28,7 @@ mod samples;
 
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::{finite, positive};
-use crate::uncertainty::Estimate;
+use crate::uncertainty::{Estimate, student};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -94,7 +94,7 @@ fn identified(fits: &Alike) -> Result<DecayIdentified, Error> {
     let best = fits.best();
     for (i, quantity) in [(FRICTION, Quantity::FrictionDisplacement), (ZETA, Quantity::DampingRatio)] {
         let (value, error) = (best.at[i], fits.error(i));
-        if value + CERTAIN * error < 0.0 {
+        if value + student(CERTAIN, best.degrees_of_freedom()) * error < 0.0 {
             // By how much both change an amplitude in half a cycle.
             let falls = (1.0 - ratio(best.at[ZETA])) * best.at[AMPLITUDE] + 2.0 * best.at[FRICTION];
             let value = written(value);
@@ -120,7 +120,7 @@ fn identified(fits: &Alike) -> Result<DecayIdentified, Error> {
     })
 }
 
-/// The standard errors beyond which a sign is no chance: 1 in 10⁵.
+/// The quantile of the normal distribution beyond which a sign is no chance: 1 in 10⁵.
 const CERTAIN: f64 = 4.4;
 
 /// The amplitude of the turning point after one of the amplitude y.

@@ -3,10 +3,10 @@
 
 use crate::random::Random;
 use std::f64::consts::TAU;
+use stickslip::Excitation;
 use stickslip::design::{DecayIdentified, identify_decay};
 use stickslip::motion::record::{Body, Record};
 use stickslip::uncertainty::Estimate;
-use stickslip::Excitation;
 
 /// A standard normal number, by Box and Muller's method.
 fn normal(random: &mut Random) -> f64 {
@@ -86,7 +86,11 @@ fn count(decays: usize, seed: u64) -> Count {
         match &found {
             Ok(found) => {
                 let DecayIdentified { friction_displacement, damping_ratio, natural_frequency, .. } = found;
-                let off = [off(*friction_displacement, 1.0), off(*damping_ratio, decay.zeta), off(natural_frequency.unwrap(), 1.0)];
+                let off = [
+                    off(*friction_displacement, 1.0),
+                    off(*damping_ratio, decay.zeta),
+                    off(natural_frequency.unwrap(), 1.0),
+                ];
                 count.answered += usize::from(enough);
                 all += 1;
                 for (within, off) in count.within.iter_mut().zip(off) {
@@ -97,16 +101,33 @@ fn count(decays: usize, seed: u64) -> Count {
                 if most > 2.0 {
                     count.wrong += 1;
                     if std::env::var("SHOW").is_ok() {
-                        println!("{i}: {off:?} zeta {} peaks {} n {} {:?} {:?} {:?} {:?}", decay.zeta, decay.peaks, decay.times.len(), friction_displacement.interval(), damping_ratio.interval(), natural_frequency.unwrap().interval(), found.half_cycles);
+                        println!(
+                            "{i}: {off:?} zeta {} peaks {} n {} {:?} {:?} {:?} {:?}",
+                            decay.zeta,
+                            decay.peaks,
+                            decay.times.len(),
+                            friction_displacement.interval(),
+                            damping_ratio.interval(),
+                            natural_frequency.unwrap().interval(),
+                            found.half_cycles
+                        );
                     }
                 }
             }
             Err(error) => {
                 let words = error.to_string();
                 if std::env::var("SHOW").is_ok() && enough {
-                    println!("{i}: zeta {} peaks {} n {} {words}", decay.zeta, decay.peaks, decay.times.len());
+                    println!(
+                        "{i}: zeta {} peaks {} n {} {words}",
+                        decay.zeta,
+                        decay.peaks,
+                        decay.times.len()
+                    );
                 }
-                *count.refused.entry(words.chars().take(48).collect::<String>() + &enough.to_string()).or_default() += 1;
+                *count
+                    .refused
+                    .entry(words.chars().take(48).collect::<String>() + &enough.to_string())
+                    .or_default() += 1;
             }
         }
     }
@@ -119,4 +140,30 @@ fn campaign() {
     let n = std::env::var("DECAYS").ok().and_then(|n| n.parse().ok()).unwrap_or(100);
     let found = count(n, 5);
     assert_eq!(found.wrong, 0);
+}
+
+#[test]
+fn dump() {
+    let Some(which) = std::env::var("DUMP").ok().and_then(|n| n.parse::<usize>().ok()) else { return };
+    let mut random = Random(5);
+    let mut d = decay(&mut random);
+    for _ in 0..which {
+        d = decay(&mut random);
+    }
+    let text: String = d.times.iter().zip(&d.values).map(|(t, x)| format!("{t},{x}\n")).collect();
+    std::fs::write("/tmp/ident_dump.csv", format!("time[s],displacement[m]\n{text}")).unwrap();
+}
+#[test]
+fn dumped() {
+    let Ok(text) = std::fs::read_to_string("/tmp/ident_dump.csv") else { return };
+    let rows: Vec<(f64, f64)> = text
+        .lines()
+        .skip(1)
+        .map(|l| l.split_once(',').map(|(a, b)| (a.parse().unwrap(), b.parse().unwrap())).unwrap())
+        .collect();
+    let (t, x): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+    println!(
+        "{:?}",
+        identify_decay(&t, &x).map(|f| (f.friction_displacement, f.damping_ratio, f.half_cycles))
+    );
 }

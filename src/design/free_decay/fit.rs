@@ -5,6 +5,9 @@ use alloc::vec::Vec;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
+/// The tolerance of an answer.
+pub(super) const EXACT: f64 = 1e-14;
+
 /// A least-squares fit.
 #[derive(Debug, Clone)]
 pub(super) struct Fit {
@@ -17,15 +20,16 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// The best fit from several starts, if one of them leads to any.
+    /// The best fit from several starts, if one of them leads to any; it ends where a step gains less than a part of the sum.
     pub(super) fn best(
         measured: &[f64],
         model: &impl Fn(&[f64]) -> Vec<f64>,
         starts: &[Vec<f64>],
         scales: &[f64],
+        tolerance: f64,
     ) -> Option<Self> {
         let fits = starts.iter().filter_map(|start| {
-            let at = descend(measured, model, start.clone(), scales)?;
+            let at = descend(measured, model, start.clone(), scales, tolerance)?;
             let residuals = residuals(measured, model, &at);
             let sum = squares(&residuals);
             Some(Self { covariance: inverse(&normal(model, &at, scales).0)?, at, sum, residuals })
@@ -135,6 +139,7 @@ fn descend(
     model: &impl Fn(&[f64]) -> Vec<f64>,
     mut at: Vec<f64>,
     scales: &[f64],
+    tolerance: f64,
 ) -> Option<Vec<f64>> {
     let mut rest = residuals(measured, model, &at);
     let mut sum = squares(&rest);
@@ -160,7 +165,7 @@ fn descend(
             if smaller <= sum {
                 let gain = sum - smaller;
                 (at, rest, damping) = (next, trial, (damping / 10.0).max(1e-12));
-                is_moved = gain > 1e-14 * sum;
+                is_moved = gain > tolerance * sum;
                 sum = smaller;
                 break;
             }

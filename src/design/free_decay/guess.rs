@@ -38,17 +38,18 @@ pub(super) fn guesses(times: &[f64], x: &[f64]) -> Vec<Guess> {
         let smooth = smoothed(x, width);
         for part in PARTS {
             let of = of_turning_points(times, &smooth, width / 2, &turning_points(&smooth, part));
-            // The same turning points with more of them are the better guess.
-            if let Some(guess) = of.filter(|_| found.len() < MOST) {
-                let is_same = |other: &&mut Guess| {
-                    (other.half / guess.half).ln().abs() < SAME
-                        && other.first.abs_diff(guess.first) <= 2 * width
-                };
-                match found.iter_mut().find(is_same) {
-                    Some(other) if other.half_cycles < guess.half_cycles => *other = guess,
-                    Some(_) => {}
-                    None => found.push(guess),
-                }
+            // Means over more than a third of a half cycle show another motion.
+            let of = of.filter(|guess| times[width - 1] - times[0] <= guess.half / 3.0);
+            let Some(guess) = of.filter(|_| found.len() < MOST) else { continue };
+            // Of the same first turning point and length, the guess of more half cycles is the better one.
+            let is_same = |other: &&mut Guess| {
+                (other.half / guess.half).ln().abs() < SAME
+                    && (times[other.first] - times[guess.first]).abs() < guess.half / 4.0
+            };
+            match found.iter_mut().find(is_same) {
+                Some(other) if other.half_cycles < guess.half_cycles => *other = guess,
+                Some(_) => {}
+                None => found.push(guess),
             }
         }
         width *= 2;

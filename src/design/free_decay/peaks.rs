@@ -1,5 +1,6 @@
 //! The fit of measured turning points.
 
+use super::fit::EXACT;
 use super::{
     AMPLITUDE, Alike, DecayIdentified, FRICTION, Fit, TurningPoints, ZETA, held, identified, increasing,
     next, ratio, slides, swing,
@@ -109,7 +110,7 @@ fn fits(size: &[f64], halves: usize) -> Vec<(Option<usize>, Fit)> {
             vec![first, 0.0, (first - last) / steps / 2.0],
             vec![first, ((first / last).ln() / steps / PI).clamp(0.0, 0.9), 0.0],
         ];
-        Fit::best(size, &model, &starts, &scales).filter(|fit| slides(&fit.at, end))
+        Fit::best(size, &model, &starts, &scales, EXACT).filter(|fit| slides(&fit.at, end))
     };
     let mut at_rest: Vec<(Option<usize>, Fit)> = (2..whole)
         .filter_map(|end| Some((Some(end), to(end, end / halves)?)))

@@ -1,5 +1,6 @@
 //! The fit of a sampled decay.
 
+use super::fit::EXACT;
 use super::guess::{Guess, guesses};
 use super::{
     AMPLITUDE, Alike, DecayIdentified, FRICTION, Fit, ZETA, held, identified, increasing, next, ratio,
@@ -26,6 +27,14 @@ const LEAST: usize = 3;
 const FEW: usize = 500;
 /// The numbers of half cycles that are tried beyond the best so far.
 const BEYOND: usize = 3;
+/// The tolerance of the fits that are compared.
+const ROUGH: f64 = 1e-5;
+/// The damping ratio from which on there are no turning points to be seen.
+const MOST_DAMPING: f64 = 0.85;
+/// The dampings of the starts.
+const DAMPINGS: [f64; 6] = [0.0, 0.003, 0.01, 0.03, 0.08, 0.2];
+/// The numbers of half cycles from which the search begins.
+const STARTS: usize = 3;
 /// The part of the first amplitude above which a misfit that is no noise is none of the model's.
 const MISFIT: f64 = 0.03;
 /// The part of the first amplitude above which noise hides whether the model explains anything.
@@ -55,7 +64,8 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
     let every = times.len().div_ceil(FEW).max(1);
     let mut best: Option<(Samples<'_>, Vec<(Option<usize>, Fit)>)> = None;
     for guess in guesses(times, displacements) {
-        let samples = Samples { times, values: displacements, start: times[guess.first], guess };
+        let samples =
+            Samples { times, values: displacements, start: times[guess.first], guess, tolerance: EXACT };
         let fits = samples.thinned(every, |samples| samples.explored());
         let sum = |fits: &[(Option<usize>, Fit)]| {
             let mean = |fit: &Fit| fit.sum / fit.residuals.len() as f64;
@@ -82,6 +92,8 @@ struct Samples<'a> {
     /// The time from which the first turning point is counted.
     start: f64,
     guess: Guess,
+    /// The part of the sum of squares below which a step of the fit is its last.
+    tolerance: f64,
 }
 
 impl Samples<'_> {
@@ -100,6 +112,7 @@ impl Samples<'_> {
             values: &values,
             start: self.start,
             guess: Guess { first: 0, ..self.guess },
+            tolerance: ROUGH,
         })
     }
 
@@ -156,48 +169,88 @@ impl Samples<'_> {
         if values.len() <= scales.len() {
             return None;
         }
-        let fit = Fit::best(values, &|p| self.motion(p, half_cycles), starts, &scales)?;
+        let fit = Fit::best(values, &|p| self.motion(p, half_cycles), starts, &scales, self.tolerance)?;
         let within = self.half_cycles(&fit.at);
         let is_motion = fit.at[HALF] > 0.0
+            && fit.at[ZETA].abs() < MOST_DAMPING
             && end.is_none_or(|end| end < within)
             && slides(&fit.at, half_cycles.min(within))
             && fit.at[START].abs() < 1.0;
         is_motion.then_some(fit)
     }
 
+    /// The sum of squares of a start.
+    fn sum(&self, end: usize, at: &[f64]) -> f64 {
+        self.motion(at, end).iter().zip(self.window().1).map(|(a, b)| (a - b).powi(2)).sum()
+    }
+
+    /// Starts for each number of half cycles until rest: a damping, and the friction with which the body then rests at the
+    /// rest of the spring, from `y_N = κᴺy₀ − B (1 + κ)(1 − κᴺ)/(1 − κ) = 0`. The best ones first, one for each number.
+    fn starts(&self) -> Vec<(usize, Vec<f64>)> {
+        let Guess { rest, amplitudes: [first, _], half_cycles, .. } = self.guess;
+        let amplitude = first.abs();
+        let within = self.half_cycles(&[amplitude, 0.0, 0.0, rest, 0.0, 1.0]);
+        let mut starts = Vec::new();
+        for end in 1..=(2 * half_cycles + 6).min(within) {
+            let of = |zeta: f64| {
+                let (kappa, n) = (ratio(zeta), end as f64);
+                let left = kappa.powf(n);
+                let sum = if zeta > 0.0 { (1.0 + kappa) * (1.0 - left) / (1.0 - kappa) } else { 2.0 * n };
+                let start = vec![amplitude, zeta, amplitude * left / sum, rest, 0.0, 1.0];
+                (self.sum(end, &start), start)
+            };
+            let best = DAMPINGS.into_iter().map(of).min_by(|a, b| a.0.total_cmp(&b.0));
+            starts.extend(best.map(|(sum, start)| (sum, end, start)));
+        }
+        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        starts.into_iter().map(|(_, end, start)| (end, start)).collect()
+    }
+
     /// The fits with the numbers of half cycles near the best one.
     fn explored(&self) -> Vec<(Option<usize>, Fit)> {
         let Guess { rest, amplitudes: [first, last], half_cycles, .. } = self.guess;
         let (amplitude, steps) = (first.abs(), half_cycles as f64);
-        let starts = [
+        let decrement = ((amplitude / last).ln() / steps / PI).clamp(0.0, 0.9);
+        let going_on = [
             vec![amplitude, 0.0, (amplitude - last) / steps / 2.0, rest, 0.0, 1.0],
-            vec![amplitude, ((amplitude / last).ln() / steps / PI).clamp(0.0, 0.9), 0.0, rest, 0.0, 1.0],
+            vec![amplitude, decrement, 0.0, rest, 0.0, 1.0],
         ];
         let mut fits: Vec<(Option<usize>, Fit)> = Vec::new();
-        fits.extend(self.fit(None, &starts).map(|fit| (None, fit)));
-        // Upwards and downwards from the guess, each from the fit before.
+        fits.extend(self.fit(None, &going_on).map(|fit| (None, fit)));
+        let starts = self.starts();
+        for (end, start) in starts.iter().take(STARTS) {
+            fits.extend(self.fit(Some(*end), core::slice::from_ref(start)).map(|fit| (Some(*end), fit)));
+        }
         let least =
             |fits: &[(Option<usize>, Fit)]| fits.iter().map(|f| f.1.sum).fold(f64::INFINITY, f64::min);
+        // Upwards and downwards from the best, each from the fit before and from its own start.
+        let at_rest = fits.iter().filter(|(end, _)| end.is_some());
+        let best =
+            at_rest.min_by(|a, b| a.1.sum.total_cmp(&b.1.sum)).map(|(end, fit)| (*end, fit.at.clone()));
+        let Some((Some(middle), at)) = best else { return fits };
         for is_up in [true, false] {
-            let mut from = starts.to_vec();
-            let (mut end, mut beyond) = (if is_up { half_cycles } else { half_cycles.saturating_sub(1) }, 0);
-            while end >= 1 && beyond < BEYOND && end <= self.half_cycles(&starts[0]) + 1 {
-                let known = least(&fits);
-                match self.fit(Some(end), &from) {
-                    Some(fit) => {
-                        beyond = if fit.sum < known { 0 } else { beyond + 1 };
-                        from = vec![fit.at.clone()];
-                        from.extend(starts.iter().cloned().filter(|_| beyond > 0));
-                        fits.push((Some(end), fit));
-                    }
-                    None => beyond += 1,
-                }
+            let mut from = at.clone();
+            let (mut end, mut beyond) = (middle, 0);
+            while beyond < BEYOND && (is_up || end > 1) {
                 end = if is_up { end + 1 } else { end - 1 };
+                let known = least(&fits);
+                let own = starts.iter().find(|start| start.0 == end).map(|start| start.1.clone());
+                let from_both: Vec<Vec<f64>> = [Some(from.clone()), own].into_iter().flatten().collect();
+                let found = self.fit(Some(end), &from_both);
+                beyond = if found.as_ref().is_some_and(|fit| fit.sum < known) { 0 } else { beyond + 1 };
+                if let Some(fit) = found {
+                    from.clone_from(&fit.at);
+                    fits.push((Some(end), fit));
+                }
             }
         }
         // The others are worse by more than chance, with the few samples, too.
         let least = least(&fits);
-        fits.retain(|(_, fit)| fit.sum <= least * (1.0 + 25.0 / fit.degrees_of_freedom()) + 1e-300);
+        fits.retain(|(_, fit)| {
+            fit.sum <= least * (1.0 + 25.0 / fit.degrees_of_freedom()) + f64::MIN_POSITIVE
+        });
+        fits.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.sum.total_cmp(&b.1.sum)));
+        fits.dedup_by_key(|(end, _)| *end);
         fits
     }
 

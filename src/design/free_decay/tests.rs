@@ -4,12 +4,15 @@ use super::{DecayIdentified, TurningPoints, identify_decay, identify_turning_poi
 use crate::machine::error::Error;
 use crate::motion::FreeDecay;
 
-/// Turning points of the exact motion in B, by its own recursion.
+/// Turning points of the exact motion in B, by its own recursion, to the rest of the body.
 fn turns(first: f64, zeta: f64, count: usize) -> Vec<f64> {
     let (mut x, mut found) = (first, Vec::new());
     let kappa = (-zeta * std::f64::consts::PI / (1.0 - zeta * zeta).sqrt()).exp();
     for _ in 0..count {
         found.push(x);
+        if x.abs() <= 1.0 {
+            break;
+        }
         x = -x.signum() * (kappa * (x.abs() - 1.0) - 1.0);
     }
     found
@@ -59,7 +62,10 @@ fn sampled(friction: f64, zeta: f64, noise: f64, random: &mut Noise) -> DecayIde
     for i in 0..900 {
         let t = f64::from(i) * half * 10.9 / 900.0;
         let n = (t / half) as usize;
-        let (x, angle) = (turns[n], natural * d * (t - half * n as f64));
+        let last = turns.len() - 1;
+        // The body rests at the last one.
+        let (x, angle) =
+            (turns[n.min(last)], if n < last { natural * d * (t - half * n as f64) } else { 0.0 });
         let middle = x.signum() * friction;
         let wave = (-zeta / d * angle).exp() * (angle.cos() + zeta / d * angle.sin());
         times.push(t);
