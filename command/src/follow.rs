@@ -141,7 +141,7 @@ pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Ph
 }
 
 /// The answers as cells.
-pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> [(&'static str, Kind, Cell<F>); 20] {
+pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> [(&'static str, Kind, Cell<F>); 22] {
     answer.entries().map(|(name, kind, entry)| {
         let cell = match entry {
             Entry::Value(value) => Cell::Number(value.copied()),
@@ -160,15 +160,21 @@ fn text<F: Value>(
     let unit = |kind: Kind| system.name(kind);
     let times = |n: u64| if n == 1 { "once".to_owned() } else { format!("{n} times") };
     let slides = times(answer.slides);
-    match answer.residual_displacement {
+    match (answer.residual_displacement, answer.cut_time) {
         _ if answer.slides == 0 => writeln!(out, "The body rests throughout.\n")?,
-        Some(rest) => writeln!(
+        (Some(rest), _) => writeln!(
             out,
             "The body slides {slides}, and comes to rest at {} {}.\n",
             digits(rest),
             unit(Kind::Length)
         )?,
-        None => writeln!(out, "The body slides {slides}, and does not come to rest.\n")?,
+        (None, Some(cut)) => writeln!(
+            out,
+            "The body slides {slides}, and never comes to rest. Its motion is cut at {} {}.\n",
+            digits(cut),
+            unit(Kind::Time)
+        )?,
+        (None, None) => writeln!(out, "The body slides {slides}, and does not come to rest.\n")?,
     }
     for (name, kind, cell) in &physical.values {
         let unit = if *kind == Kind::Ratio { String::new() } else { format!(" {}", unit(*kind)) };

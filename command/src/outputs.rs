@@ -141,19 +141,21 @@ For a machine, under physical, each with its unit
 const RECORD: &str = "\
 record, spectrum: the motion under a record, each with its unit
 
-  max_displacement               greatest displacement from the rest position of the spring, and over the surface where that moves
+  max_displacement               greatest displacement from the position of the relaxed spring, and over the surface where that moves
   min_displacement               least displacement
   max_velocity, min_velocity     greatest and least velocity
-  …_time                         time at which the motion has that value first
+  …_time                         time at which the motion has that value first, none where it only tends to it
   max_absolute_acceleration      greatest acceleration in space, regardless of sign
   max_transmitted_force          greatest force of spring, damper and friction together on their support
   end_displacement, end_velocity
                                  state at the end of the record
   residual_displacement          displacement at rest after the record or its limit, none where the body never rests
-  path                           path of the body, to its rest
-  slides, stops                  numbers of releases and of stops, to its rest
+  cut_time                       time up to which a motion that never ends is followed, none where it ends
+  path                           path of the body, to its rest or its limit
+  slides                         number of slides: motion in one direction
+  stops, reversals               numbers of slides that end with a rest, and of those that a slide back follows at once
   stick_time                     time at rest during the record
-  friction_work, damper_work     work dissipated by friction and by the damper
+  friction_work, damper_work     work dissipated by friction and by the damper, which may stand on the moving foot
   load_work                      work of the load and of a constant force on the body
 ";
 

@@ -11,5 +11,6 @@ mod invariants;
 mod any;
 mod laws;
 mod references;
+mod sampled;
 #[cfg(all(feature = "dual", feature = "mp"))]
 mod sensitivities;

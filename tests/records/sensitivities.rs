@@ -31,10 +31,10 @@ fn follow<F: Float + From<f64>>(
 fn values<F: Float>(answer: &RecordAnswer<F>) -> [(&'static str, F); 12] {
     [
         ("max_displacement", answer.max_displacement),
-        ("max_displacement_time", answer.max_displacement_time),
+        ("max_displacement_time", answer.max_displacement_time.unwrap_or(F::int(0))),
         ("min_displacement", answer.min_displacement),
         ("max_velocity", answer.max_velocity),
-        ("max_velocity_time", answer.max_velocity_time),
+        ("max_velocity_time", answer.max_velocity_time.unwrap_or(F::int(0))),
         ("min_velocity", answer.min_velocity),
         ("max_absolute_acceleration", answer.max_absolute_acceleration),
         ("residual_displacement", answer.residual_displacement.unwrap_or(F::int(0))),

@@ -37,6 +37,7 @@ _UNITS = {
     "end_displacement": "length",
     "end_velocity": "velocity",
     "residual_displacement": "length",
+    "cut_time": "time",
     "path": "length",
     "stick_time": "time",
     "friction_work": "energy",
@@ -49,7 +50,8 @@ _WITHOUT_MASS = tuple(name for name, kind in _UNITS.items() if kind not in ("for
 
 @dataclass(frozen=True, init=False, eq=False)
 class Record:
-    """A measured load: samples, and straight lines between them. After the last sample it is zero.
+    """A measured load: samples, and straight lines between them. After the last sample a force or an acceleration is zero,
+    and a foot stays where it is.
 
     Parameters
     ----------
@@ -146,7 +148,8 @@ class Followed(Result):
     ----------
     max_displacement, max_displacement_time, min_displacement, min_displacement_time : float
     max_velocity, max_velocity_time, min_velocity, min_velocity_time : float
-        Extremes and the times at which the motion has them first; with a moving surface, in relation to it.
+        Extremes and the times at which the motion has them first; NaN for one that it only tends to. With a moving
+        surface, in relation to it. Displacements are from the position of the relaxed spring.
     max_absolute_acceleration : float
         Greatest acceleration in space, regardless of sign.
     max_transmitted_force : float
@@ -155,8 +158,11 @@ class Followed(Result):
         State at the end of the record.
     residual_displacement : float
         Displacement at rest after the record, or its limit; NaN if the body never rests.
+    cut_time : float
+        Time up to which a motion that never ends is followed; NaN if it ends.
     path : float
-    slides, stops : int
+    slides, stops, reversals : int
+        Slides, those that end with a rest, and those that a slide back follows at once.
     stick_time : float
         Time at rest during the record.
     friction_work, damper_work, load_work : float
@@ -177,9 +183,11 @@ class Followed(Result):
     end_displacement: float
     end_velocity: float
     residual_displacement: float
+    cut_time: float
     path: float
     slides: int
     stops: int
+    reversals: int
     stick_time: float
     friction_work: float
     damper_work: float
@@ -232,9 +240,11 @@ class Spectrum(Result, Generic[V]):
     end_displacement: V
     end_velocity: V
     residual_displacement: V
+    cut_time: V
     path: V
     slides: V
     stops: V
+    reversals: V
     stick_time: V
 
 

@@ -1,7 +1,7 @@
 //! What a record does to a body: its extremes, its residual displacement, its stops and its work.
 
 use super::body::{Body, Constants};
-use super::follow::{Failed, Failure, Follower, Mode, Watch};
+use super::follow::{Failed, Failure, Follower, Mode, Onset, Watch};
 use super::lanes::{self, Followed};
 use super::load::{Factors, Piece, Record};
 use super::number::Number;
@@ -28,7 +28,16 @@ macro_rules! answers {
         /// The motion of a body under a record and after it, until it rests: extremes, sums and counts, in the units of the
         /// body and the record.
         ///
-        /// With a moving surface, displacement and velocity are those in relation to it.
+        /// With a moving surface, displacement and velocity are those in relation to it. Displacements are counted from
+        /// the position in which the spring is relaxed, whatever the constant force.
+        ///
+        /// After the record a force and an acceleration are zero, and a foot stays where it is. The answers are of the whole
+        /// motion, to its rest or to the limit it tends to. A motion that never ends is cut, at
+        /// [`RecordAnswer::cut_time`]: without friction and damper after one more period, which has all extremes; on a
+        /// slope that is steeper than friction where the slide begins that does not end, or at the end of the record.
+        ///
+        /// Extremes are those of all times at which the body slides, or rests for a time > 0; an instant between two slides
+        /// is none of them. An extreme that is the limit of the motion has no time.
         #[derive(Debug, Clone, Copy, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize))]
         #[non_exhaustive]
@@ -66,20 +75,20 @@ macro_rules! answers {
 answers! {
     /// Greatest displacement.
     max_displacement: F, number Length;
-    /// Its time.
-    max_displacement_time: F, number Time;
+    /// Its time; `None` where it is a limit.
+    max_displacement_time: Option<F>, optional Time;
     /// Least displacement.
     min_displacement: F, number Length;
-    /// Its time.
-    min_displacement_time: F, number Time;
+    /// Its time; `None` where it is a limit.
+    min_displacement_time: Option<F>, optional Time;
     /// Greatest velocity.
     max_velocity: F, number Velocity;
-    /// Its time.
-    max_velocity_time: F, number Time;
+    /// Its time; `None` where it is a limit.
+    max_velocity_time: Option<F>, optional Time;
     /// Least velocity.
     min_velocity: F, number Velocity;
-    /// Its time.
-    min_velocity_time: F, number Time;
+    /// Its time; `None` where it is a limit.
+    min_velocity_time: Option<F>, optional Time;
     /// Greatest absolute acceleration: in space, where the surface moves.
     max_absolute_acceleration: F, number Acceleration;
     /// Greatest force of spring, damper and friction together on the body's support.
@@ -90,19 +99,25 @@ answers! {
     end_velocity: F, number Velocity;
     /// Displacement in which the body rests in the end, or which it creeps to; `None` where it never rests.
     residual_displacement: Option<F>, optional Length;
+    /// Time up to which a motion is followed that never ends; `None` where it rests or tends to a limit.
+    cut_time: Option<F>, optional Time;
     /// Path.
     path: F, number Length;
-    /// Slides.
+    /// Slides: times of motion in one direction. A velocity that touches zero and goes on ends none. Where a vibration
+    /// without friction decays for ever, slides, stops and reversals are those of the record.
     slides: u64, count Ratio;
-    /// Stops: times at which a slide ends, with a rest or without.
+    /// Stops: ends of slides that a rest follows.
     stops: u64, count Ratio;
+    /// Reversals: ends of slides that a slide in the other direction follows at once.
+    reversals: u64, count Ratio;
     /// Time at rest during the record.
     stick_time: F, number Time;
     /// Work of friction.
     friction_work: F, number Energy;
-    /// Work of the damper.
+    /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving foot u.
     damper_work: F, number Energy;
-    /// Work of the load and of the constant force on the body.
+    /// Work of the load and of the constant force on the body: ∫ (p + p̄)x′ dt with the force p, −m a of an acceleration a of
+    /// the surface, or k u + c u′ of a foot.
     load_work: F, number Energy;
 }
 
@@ -112,6 +127,8 @@ pub(super) struct End<F> {
     pub(super) x: F,
     pub(super) v: F,
     pub(super) rest: Rest<F>,
+    /// ∫ 2βu′² dt of a foot on which the damper stands.
+    pub(super) foot: F,
 }
 
 /// A body at the start of a record, at x with the velocity v, and what is collected of its motion.
@@ -120,22 +137,37 @@ pub(super) fn begun<F: Number>(
     [x, v]: [F; 2],
     longest_step: F,
     time: F,
+    first: &Piece<F>,
 ) -> Option<(Follower<F>, Totals<F>)> {
-    let follower = Follower::new(constants, x, v, Some(longest_step))?;
-    let mut totals = Totals::new(follower.omega, x, v, time);
+    let follower = Follower::new(constants, [x, v], time, Some(longest_step))?;
+    let a = follower.first_acceleration(first)?;
+    let mut totals = Totals::new(follower.omega, [x, v, a], first.from, time);
     if let Mode::Slide(sign) = follower.mode {
-        totals.released(time, x, sign);
+        totals.released(time, x, sign, Onset::Released);
     }
     Some((follower, totals))
 }
 
 impl<F: Float> End<F> {
     /// Follows a body from the end of a record to its rest.
-    fn of(record: &Record<F>, follower: &mut Follower<F>, watch: &mut impl Watch<F>) -> Result<Self, Error> {
+    fn of(
+        record: &Record<F>,
+        follower: &mut Follower<F>,
+        factors: &Factors<F>,
+        watch: &mut impl Watch<F>,
+    ) -> Result<Self, Error> {
         let end = record.end();
         let (x, v) = (follower.x, follower.v);
-        let rest = follower.settle(end, watch).map_err(|failure| failed((failure, end)))?;
-        Ok(Self { x, v, rest })
+        let load = factors.after(record.after(), record.last());
+        let rest = follower.settle(end, load, watch).map_err(|failure| failed((failure, end)))?;
+        let mut foot = F::int(0);
+        if factors.damper > F::int(0) {
+            for (_, length, samples) in record.steps() {
+                let piece = Piece::new(factors, samples, length, F::int(1) / length);
+                foot = foot + piece.work_at_rest(&follower.constants);
+            }
+        }
+        Ok(Self { x, v, rest, foot })
     }
 }
 
@@ -179,9 +211,12 @@ impl<F: Float> Body<F> {
         self.check_start(x, v)?;
         let start = record.time(0);
         let constants = Constants::of(self, |x| x);
-        let begun = begun(constants, [x, v], record.longest_step(), start);
-        let (follower, totals) = begun.ok_or_else(|| failed((Failure::Uncertain, start)))?;
         let factors = Factors::new(record.excitation(), self.mass(), &constants);
+        let first = record.steps().next();
+        let first =
+            first.map(|(_, length, samples)| Piece::new(&factors, samples, length, F::int(1) / length));
+        let begun = first.and_then(|first| begun(constants, [x, v], record.longest_step(), start, &first));
+        let (follower, totals) = begun.ok_or_else(|| failed((Failure::Uncertain, start)))?;
         Ok(Followed { follower, factors, totals, failure: None })
     }
 
@@ -192,12 +227,12 @@ impl<F: Float> Body<F> {
         start: [F; 2],
         followed: Followed<F>,
     ) -> Result<RecordAnswer<F>, Error> {
-        let Followed { mut follower, mut totals, failure, .. } = followed;
+        let Followed { mut follower, mut totals, failure, factors } = followed;
         if let Some(failure) = failure {
             return Err(failed(failure));
         }
-        let rest = End::of(record, &mut follower, &mut totals)?;
-        self.answered(record, start, rest, &mut totals)
+        let rest = End::of(record, &mut follower, &factors, &mut totals)?;
+        self.answered(record, start, rest, &totals)
     }
 
     /// Follows a body through a record and to its rest with somebody who watches.
@@ -208,13 +243,11 @@ impl<F: Float> Body<F> {
         factors: &Factors<F>,
         watch: &mut impl Watch<F>,
     ) -> Result<End<F>, Error> {
-        let samples = record.samples();
-        for (index, (&first, &second)) in samples.iter().zip(samples.iter().skip(1)).enumerate() {
-            let (length, time) = (record.step_after(index), record.time(index));
-            let piece = Piece::new(factors, [first, second], length, F::int(1) / length);
+        for (time, length, samples) in record.steps() {
+            let piece = Piece::new(factors, samples, length, F::int(1) / length);
             follower.step(&piece, time, watch).map_err(|failure| failed((failure, time)))?;
         }
-        End::of(record, follower, watch)
+        End::of(record, follower, factors, watch)
     }
 
     /// The answers of a motion from x and v.
@@ -223,10 +256,10 @@ impl<F: Float> Body<F> {
         record: &Record<F>,
         start: [F; 2],
         end: End<F>,
-        totals: &mut Totals<F>,
+        totals: &Totals<F>,
     ) -> Result<RecordAnswer<F>, Error> {
         let weights = Weights::of(self, |x| x);
-        let answer = weights.answer(record.excitation(), record.end(), start, end, totals);
+        let answer = weights.answer(record.excitation(), start, end, totals);
         answer.ok_or_else(|| failed((Failure::Uncertain, record.end())))
     }
 }
@@ -259,30 +292,23 @@ impl<F: Number> Weights<F> {
     pub(super) fn answer(
         &self,
         excitation: Excitation,
-        record_end: F,
         [x, v]: [F; 2],
         end: End<F>,
-        totals: &mut Totals<F>,
+        totals: &Totals<F>,
     ) -> Option<RecordAnswer<F>> {
         let &Self { mass, friction, friction_offset, stiffness, mean_force, has_damper } = self;
         let half = F::ratio(1, 2);
-        // Where it never rests, the sums are those of the record.
-        let (last, speed, residual) = match end.rest {
-            Rest::At(x) => (x, F::int(0), Some(x)),
-            Rest::Limit(x) => {
-                totals.creeps_to(x, record_end)?;
-                (x, F::int(0), Some(x))
-            }
-            Rest::Never => {
-                totals.creeps_to(end.x, record_end)?;
-                (end.x, end.v, None)
-            }
+        let (last, speed, residual, cut) = match end.rest {
+            Rest::At(x) | Rest::Limit(x) => (x, F::int(0), Some(x), None),
+            Rest::Never { time, x, v } => (x, v, None, Some(time)),
         };
         let net = last - x;
         let friction_work = friction * totals.path + friction_offset * net;
         let load_work = mass * totals.load_work + mean_force * net;
         let stored = mass * (speed - v) * (speed + v) * half + stiffness * net * (last + x) * half;
-        let damper_work = if has_damper { load_work - friction_work - stored } else { F::int(0) };
+        // ∫ c(x′ − u′)² dt is the work of the force −c x′, and what the foot adds.
+        let of_foot = mass * (end.foot - F::int(2) * totals.foot_work);
+        let damper_work = if has_damper { load_work - friction_work - stored + of_foot } else { F::int(0) };
         let (acceleration, free) = (&totals.acceleration, &totals.free_acceleration);
         let mean = mean_force / mass;
         let absolute = |range: &super::totals::Range<F>, shift: F| {
@@ -301,21 +327,23 @@ impl<F: Number> Weights<F> {
         };
         Some(RecordAnswer {
             max_displacement: totals.displacement.most.value,
-            max_displacement_time: totals.displacement.most.time,
+            max_displacement_time: totals.displacement.most.at_time(),
             min_displacement: totals.displacement.least.value,
-            min_displacement_time: totals.displacement.least.time,
+            min_displacement_time: totals.displacement.least.at_time(),
             max_velocity: totals.velocity.most.value,
-            max_velocity_time: totals.velocity.most.time,
+            max_velocity_time: totals.velocity.most.at_time(),
             min_velocity: totals.velocity.least.value,
-            min_velocity_time: totals.velocity.least.time,
+            min_velocity_time: totals.velocity.least.at_time(),
             max_absolute_acceleration: acceleration,
             max_transmitted_force: transmitted * mass,
             end_displacement: end.x,
             end_velocity: end.v,
             residual_displacement: residual,
+            cut_time: cut,
             path: totals.path,
             slides: totals.slides,
             stops: totals.stops,
+            reversals: totals.reversals,
             stick_time: totals.stick_time,
             friction_work,
             damper_work,

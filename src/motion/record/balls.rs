@@ -12,6 +12,7 @@ use super::number::Number;
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::float::{Field, Float};
+use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, written};
 use core::cmp::Ordering;
 
@@ -52,6 +53,10 @@ impl<const W: usize> Number for Ball<W> {
 
     fn is_negligible(term: Self) -> bool {
         <Mp<W> as Number>::is_negligible(term.abs().upper())
+    }
+
+    fn is_lost(self, _: Self) -> bool {
+        false
     }
 
     fn exponential(self) -> Self {
@@ -177,11 +182,14 @@ pub(crate) fn follow<const N: usize, const W: usize>(
     let (constants, weights) = (Constants::of(body, known::<N, W>), Weights::of(body, known::<N, W>));
     let uncertain = |time: Mp<N>| failed((Failure::Uncertain, time));
     let (begin, start) = (record.time(0), [x, v].map(known::<N, W>));
-    let begun = begun(constants, start, known(record.longest_step()), known(begin));
-    let (mut follower, mut totals) = begun.ok_or_else(|| uncertain(begin))?;
     let excitation = record.excitation();
     let factors = Factors::new(excitation, weights.mass, &constants);
-    for (index, (time, piece)) in pieces::<N, W>(record, factors).enumerate() {
+    let mut pieces = pieces::<N, W>(record, factors).peekable();
+    let begun = pieces
+        .peek()
+        .and_then(|(time, first)| begun(constants, start, known(record.longest_step()), *time, first));
+    let (mut follower, mut totals) = begun.ok_or_else(|| uncertain(begin))?;
+    for (index, (time, piece)) in pieces.enumerate() {
         follower.step(&piece, time, &mut totals).map_err(|failure| failed((failure, record.time(index))))?;
     }
     let end = record.end();
@@ -190,7 +198,14 @@ pub(crate) fn follow<const N: usize, const W: usize>(
         Some(step) => known(begin) + Ball::count(record.samples().len().saturating_sub(1)) * known(step),
         None => known(end),
     };
-    let rest = follower.settle(ended, &mut totals).map_err(|failure| failed((failure, end)))?;
-    let answer = weights.answer(excitation, ended, start, End { x, v, rest }, &mut totals);
+    let load = factors.after(record.after(), known(record.last()));
+    let rest = follower.settle(ended, load, &mut totals).map_err(|failure| failed((failure, end)))?;
+    let foot = if excitation == Excitation::DampedFootMotion && weights.has_damper {
+        let works = pieces::<N, W>(record, factors).map(|(_, piece)| piece.work_at_rest(&constants));
+        works.fold(Ball::int(0), |sum, work| sum + work)
+    } else {
+        Ball::int(0)
+    };
+    let answer = weights.answer(excitation, start, End { x, v, rest, foot }, &totals);
     answer.ok_or_else(|| uncertain(end))
 }

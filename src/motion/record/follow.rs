@@ -24,16 +24,34 @@ impl<F: Number> Mode<F> {
     }
 }
 
+/// The beginning of a slide.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Onset {
+    /// After a rest, or at the start of the motion.
+    Released,
+    /// At the end of a slide in the other direction, without a rest.
+    Reversed,
+    /// The velocity touched zero, and goes on in its direction: the slide was none that ended.
+    Touched,
+}
+
 /// Somebody who watches the motion.
 pub(super) trait Watch<F> {
     /// The body slides for a time, to this moment; the load at the start is `load`, without the constant force.
     fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()>;
-    /// The body rests for a time.
+    /// The body rests for a time > 0.
     fn rested(&mut self, x: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()>;
     /// A slide begins.
-    fn released(&mut self, time: F, x: F, sign: F);
+    fn released(&mut self, time: F, x: F, sign: F, onset: Onset);
     /// A slide ends.
     fn stopped(&mut self, time: F, x: F) -> Option<()>;
+    /// The counts end here: the motion has no last stop.
+    fn counted(&mut self);
+    /// The motion goes on without an end, and is at x at this time.
+    fn goes_on(&mut self, x: F, time: F) -> Option<()>;
+    /// The motion tends to x, the second of these places, under a constant load, over `swings` times the way there
+    /// from the last stop.
+    fn tends_to(&mut self, places: [F; 2], load: F, swings: F) -> Option<()>;
 }
 
 /// A stretch of a slide.
@@ -48,6 +66,11 @@ pub(super) struct Stretch<'a, F> {
     pub(super) load: [F; 2],
     pub(super) responses: &'a Responses<F>,
     pub(super) end: &'a Moment<F>,
+    /// 2βu′ of a foot on which the damper stands.
+    pub(super) foot: F,
+    /// Whether it is no longer than the certificate allows. A longer one is inside a slide whose extremes are in the
+    /// stretches before and after it.
+    pub(super) is_short: bool,
 }
 
 /// The reason why a motion is not followed any further.
@@ -68,6 +91,10 @@ pub(super) type Failed<F> = (Failure, F);
 const EVENTS_AT_ONCE: u32 = 64;
 /// The most stops and releases in one step of a record.
 const EVENTS: u32 = 100_000;
+/// The stops and releases in a step that are not counted towards the most of all steps.
+const FEW_EVENTS: u32 = 16;
+/// The most stops and releases in all steps, less the few of each.
+const ALL_EVENTS: u32 = 1_000_000;
 
 /// A body on its way.
 #[derive(Debug, Clone)]
@@ -80,11 +107,31 @@ pub(super) struct Follower<F> {
     /// The acceleration while it slides.
     pub(super) a: F,
     pub(super) mode: Mode<F>,
+    pub(super) last: Ended<F>,
+    /// The greatest |x| at a stop.
+    widest: F,
+    /// Stops and releases beyond the few of each step.
+    events: u32,
+}
+
+/// The slide before a rest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ended<F> {
+    /// Its direction; 0 where there was none.
+    sign: F,
+    /// The time at which the slide began, and its length.
+    began: F,
+    length: F,
+    /// Whether the body has rested for a time > 0 since.
+    pub(super) has_rested: bool,
+    /// The velocity that the slide would have lost in the time of the rest, without which it would have gone on;
+    /// `None` where that is unknown.
+    pub(super) lost: Option<F>,
 }
 
 impl<F: Number> Follower<F> {
     /// A body at the displacement x with the velocity v, for steps up to `longest`, or for any.
-    pub(super) fn new(constants: Constants<F>, x: F, v: F, longest: Option<F>) -> Option<Self> {
+    pub(super) fn new(constants: Constants<F>, [x, v]: [F; 2], time: F, longest: Option<F>) -> Option<Self> {
         let linear = Linear::new(constants.rate, constants.square, longest)?;
         let zero = F::int(0);
         let mode = if v.positive()? {
@@ -94,7 +141,21 @@ impl<F: Number> Follower<F> {
         } else {
             Mode::Rest
         };
-        Some(Self { constants, omega: constants.square.sqrt(), linear, x, v, a: zero, mode })
+        let last = Ended { sign: zero, began: time, length: zero, has_rested: false, lost: None };
+        let omega = constants.square.sqrt();
+        Some(Self { constants, omega, linear, x, v, a: zero, mode, last, widest: x.abs(), events: 0 })
+    }
+
+    /// The acceleration with which the motion begins, on the first step of a record.
+    pub(super) fn first_acceleration(&self, piece: &Piece<F>) -> Option<F> {
+        let nothing = F::int(0);
+        Some(match self.mode {
+            Mode::Slide(sign) => self.acceleration(piece.from, sign),
+            Mode::Rest => match self.rest(piece, nothing, piece.length)? {
+                Some(Release { after, a, .. }) if !after.positive()? => a,
+                _ => nothing,
+            },
+        })
     }
 
     /// The responses after a step, where it is shorter than π/d.
@@ -132,36 +193,44 @@ impl<F: Number> Follower<F> {
         }
         let mut from = F::int(0);
         let (mut events, mut at_once) = (0u32, 0u32);
+        // Stretches since the last event, and whether the slide has no stop in this step.
+        let (mut walked, mut goes_on) = (0i32, false);
         while events < EVENTS && at_once < EVENTS_AT_ONCE {
             let left = piece.length - from;
             if !left.positive().ok_or(Failure::Uncertain)? {
-                return Ok(());
+                break;
             }
             match self.mode {
                 Mode::Rest => {
                     let Some(rest) = self.rest(piece, from, left).ok_or(Failure::Uncertain)? else {
-                        watch.rested(self.x, piece, start, from, left).ok_or(Failure::Uncertain)?;
-                        return Ok(());
+                        self.rested(piece, start, from, left, watch).ok_or(Failure::Uncertain)?;
+                        break;
                     };
-                    let Release { after, sign, a } = rest;
-                    watch.rested(self.x, piece, start, from, after).ok_or(Failure::Uncertain)?;
-                    at_once = if after.positive().ok_or(Failure::Uncertain)? {
-                        0
+                    let after = rest.after;
+                    if after.positive().ok_or(Failure::Uncertain)? {
+                        self.rested(piece, start, from, after, watch).ok_or(Failure::Uncertain)?;
+                        at_once = 0;
                     } else {
-                        at_once.saturating_add(1)
-                    };
+                        at_once = at_once.saturating_add(1);
+                    }
                     from = from + after;
-                    (self.mode, self.v, self.a) = (Mode::Slide(sign), F::int(0), a);
-                    watch.released(start + from, self.x, sign);
+                    // From rest, and a force that is that of sliding, v is the response S₂ ≥ 0 to a unit step times
+                    // the slope of the load.
+                    goes_on = rest.is_smooth;
+                    self.begin(&rest, start + from, piece.from, watch).ok_or(Failure::Uncertain)?;
+                    walked = 0;
                     events = events.saturating_add(1);
                 }
                 Mode::Slide(sign) => {
-                    let parts = self.parts(left).ok_or(Failure::Bound)?;
-                    let length = left / F::int(parts);
-                    let is_stopped = self.stretch(piece, start, from, length, sign, watch)?;
-                    let passed = match is_stopped {
+                    let reach = self.reach(left, walked)?;
+                    let (length, is_short) = (reach.length, reach.is_short);
+                    let how = How { can_stop: !goes_on && is_short, is_short };
+                    let stop = self.stretch(piece, [start, from], length, sign, how, watch)?;
+                    walked = if stop.is_some() { 0 } else { walked.saturating_add(1) };
+                    goes_on &= stop.is_none();
+                    let passed = match stop {
                         Some(stop) => stop,
-                        None if parts == 1 => return Ok(()),
+                        None if reach.is_last => break,
                         None => length,
                     };
                     if passed.positive().ok_or(Failure::Uncertain)? {
@@ -171,7 +240,91 @@ impl<F: Number> Follower<F> {
                 }
             }
         }
+        self.events = self.events.saturating_add(events.saturating_sub(FEW_EVENTS));
+        if events < EVENTS && at_once < EVENTS_AT_ONCE && self.events < ALL_EVENTS {
+            return Ok(());
+        }
         Err(Failure::Bound)
+    }
+
+    /// The length of the next stretch of a slide with so much of a step left, after so many stretches since it began
+    /// in this step, and whether it is short enough for the certificate of a stop.
+    ///
+    /// v is the sum of a constant and of a free vibration, whose swings do not grow. Where it has had no zero over
+    /// more than a period, or as long as the slowest decay is not lost in rounding, it has none in this step. Its extremes,
+    /// and those of a and of a less the load, are in the stretches already taken or in as many before the end of the
+    /// step, so that one stretch leads there.
+    fn reach(&self, left: F, walked: i32) -> Result<Reach<F>, Failure> {
+        let many = F::MOST_TERMS.saturating_mul(2);
+        Ok(match self.parts(left) {
+            Some(parts) if parts <= many => {
+                Reach { length: left / F::int(parts), is_short: true, is_last: parts == 1 }
+            }
+            _ => {
+                let length = F::ratio(31, 32) / self.linear.shortness;
+                length.positive().filter(|is_positive| *is_positive).ok_or(Failure::Bound)?;
+                let is_short = walked < F::MOST_TERMS;
+                let length = if is_short { length } else { left - length * F::int(F::MOST_TERMS) };
+                Reach { length, is_short, is_last: false }
+            }
+        })
+    }
+
+    /// A rest of a time > 0.
+    fn rested(
+        &mut self,
+        piece: &Piece<F>,
+        start: F,
+        from: F,
+        length: F,
+        watch: &mut impl Watch<F>,
+    ) -> Option<()> {
+        let c = &self.constants;
+        let middle = piece.from + piece.slope * (from + length * F::ratio(1, 2));
+        let missing = c.friction - self.last.sign * (middle + c.mean - c.square * self.x);
+        self.last.lost = self.last.lost.map(|lost| lost + missing * length);
+        self.last.has_rested = true;
+        watch.rested(self.x, piece, start, from, length)
+    }
+
+    /// The size of the forces per mass on the body at rest, whose sum has their rounding.
+    fn size(&self, load: F) -> F {
+        let c = &self.constants;
+        load.abs() + c.mean.abs() + c.square * self.widest.larger(self.x.abs()) + c.held
+    }
+
+    /// Begins a slide.
+    ///
+    /// It continues the slide before where its direction is the same, and where it would have lost no more velocity in
+    /// the time of the rest than rounding may have taken: a velocity that touches zero is one that stops for the root of
+    /// a rounding. Only a static friction that is that of sliding lets it go on.
+    fn begin(&mut self, release: &Release<F>, time: F, load: F, watch: &mut impl Watch<F>) -> Option<()> {
+        let sign = release.sign;
+        let last = self.last;
+        let onset = if (last.sign * sign).positive()? {
+            let is_touch = !last.has_rested
+                || (!self.constants.excess.positive()?
+                    && last.lost.is_some_and(|lost| F::is_lost(lost, self.size(load) * last.length)));
+            if is_touch { Onset::Touched } else { Onset::Released }
+        } else if (last.sign * sign).negative()? && !last.has_rested {
+            Onset::Reversed
+        } else {
+            Onset::Released
+        };
+        (self.mode, self.v, self.a) = (Mode::Slide(sign), F::int(0), release.a);
+        let began = if onset == Onset::Touched { last.began } else { time };
+        self.last = Ended { sign, began, length: F::int(0), has_rested: false, lost: None };
+        watch.released(time, self.x, sign, onset);
+        Some(())
+    }
+
+    /// Ends a slide.
+    pub(super) fn end(&mut self, time: F, sign: F, watch: &mut impl Watch<F>) -> Option<()> {
+        let (zero, began) = (F::int(0), self.last.began);
+        self.last = Ended { sign, began, length: time - began, has_rested: false, lost: Some(zero) };
+        self.widest = self.widest.larger(self.x.abs());
+        (self.v, self.mode) = (zero, Mode::Rest);
+        watch.stopped(time, self.x)
     }
 
     /// Releases a body at rest under the load at the start of a step; the direction, if it moves.
@@ -182,28 +335,32 @@ impl<F: Number> Follower<F> {
         watch: &mut impl Watch<F>,
     ) -> Option<Option<F>> {
         let zero = F::int(0);
-        Some(self.rest(piece, zero, zero)?.map(|Release { sign, a, .. }| {
-            (self.mode, self.v, self.a) = (Mode::Slide(sign), zero, a);
-            watch.released(time, self.x, sign);
-            sign
-        }))
+        let Some(release) = self.rest(piece, zero, zero)? else { return Some(None) };
+        self.begin(&release, time, piece.from, watch)?;
+        Some(Some(release.sign))
     }
 
     /// Follows a slide for a length shorter than π/d, or to its stop.
     pub(super) fn stretch(
         &mut self,
         piece: &Piece<F>,
-        start: F,
-        from: F,
+        [start, from]: [F; 2],
         length: F,
         sign: F,
+        how: How,
         watch: &mut impl Watch<F>,
     ) -> Result<Option<F>, Failure> {
         let slide = self.slide(piece.slope, sign);
         let linear = &self.linear;
         let mut responses = linear.at(length).ok_or(Failure::Uncertain)?;
         let mut end = slide.moment(linear, &responses);
-        let stop = slide.stop(linear, self.omega, length, &end).ok_or(Failure::Uncertain)?;
+        let stop = if how.can_stop {
+            slide.stop(linear, self.omega, length, &end).ok_or(Failure::Uncertain)?
+        } else {
+            // A velocity that is not opposed, but for rounding.
+            end.v = sign * (sign * end.v).larger(F::int(0));
+            None
+        };
         let length = stop.unwrap_or(length);
         if stop.is_some() {
             responses = linear.at(length).ok_or(Failure::Uncertain)?;
@@ -217,13 +374,14 @@ impl<F: Number> Follower<F> {
             load: [load(from), load(from + length)],
             responses: &responses,
             end: &end,
+            foot: piece.foot,
+            is_short: how.is_short,
         };
         watch.slid(linear, &slide, &stretch).ok_or(Failure::Uncertain)?;
         (self.x, self.v) = (self.x + end.moved, end.v);
         self.a = self.acceleration(load(from + length), sign);
         if stop.is_some() {
-            watch.stopped(start + (from + length), self.x).ok_or(Failure::Uncertain)?;
-            self.mode = Mode::Rest;
+            self.end(start + (from + length), sign, watch).ok_or(Failure::Uncertain)?;
         }
         Ok(stop)
     }
@@ -231,23 +389,31 @@ impl<F: Number> Follower<F> {
     /// The release of the body at rest at the time `from` of a step, within the time `left`; `None` where it stays.
     ///
     /// The force on it, `f + p̄ − ω²x`, is linear in time, so that a division gives the time. The acceleration at
-    /// that time is exactly that of the static bound, `±(held − r)`.
+    /// that time is exactly that of the static bound, `±(held − r)`. A force within rounding of the bound holds the body.
     fn rest(&self, piece: &Piece<F>, from: F, left: F) -> Option<Option<Release<F>>> {
         let c = &self.constants;
         let offset = c.mean - c.square * self.x;
-        let now = piece.from + piece.slope * from + offset;
-        let later = piece.to + offset;
-        for sign in [F::int(1), F::int(-1)] {
-            if c.is_one_way && sign.negative()? {
-                break;
+        let load = piece.from + piece.slope * from;
+        let (now, later) = (load + offset, piece.to + offset);
+        let size = self.size(load.abs().larger(piece.to.abs()));
+        let exceeds = |force: F| {
+            let excess = force - c.held;
+            Some(excess.positive()? && !F::is_lost(excess, size))
+        };
+        let signs = || [F::int(1), F::int(-1)].into_iter().take(if c.is_one_way { 1 } else { 2 });
+        // What holds now comes before what will hold.
+        for sign in signs() {
+            if exceeds(sign * now)? {
+                let a = now - sign * c.friction;
+                return Some(Some(Release { after: F::int(0), sign, a, is_smooth: false }));
             }
-            if (sign * now - c.held).positive()? {
-                return Some(Some(Release { after: F::int(0), sign, a: now - sign * c.friction }));
-            }
-            if (sign * later - c.held).positive()? {
+        }
+        for sign in signs() {
+            if exceeds(sign * later)? {
                 let after = (c.held - sign * now) / (sign * piece.slope);
-                let after = if (left - after).negative()? { left } else { after };
-                return Some(Some(Release { after, sign, a: sign * c.excess }));
+                let after = if (left - after).negative()? { left } else { after.larger(F::int(0)) };
+                let is_smooth = !c.excess.positive()?;
+                return Some(Some(Release { after, sign, a: sign * c.excess, is_smooth }));
             }
         }
         Some(None)
@@ -259,4 +425,28 @@ struct Release<F> {
     after: F,
     sign: F,
     a: F,
+    /// Whether the velocity begins with the square of the time.
+    is_smooth: bool,
+}
+
+/// The next stretch of a slide.
+#[derive(Debug, Clone, Copy)]
+struct Reach<F> {
+    length: F,
+    is_short: bool,
+    /// Whether it leads to the end of the step.
+    is_last: bool,
+}
+
+/// How a stretch is taken.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct How {
+    /// Whether it may have a stop.
+    pub(super) can_stop: bool,
+    pub(super) is_short: bool,
+}
+
+impl How {
+    /// A stretch that the certificate of a stop allows.
+    pub(super) const SHORT: Self = Self { can_stop: true, is_short: true };
 }

@@ -2,7 +2,7 @@
 
 use super::answers::RecordAnswer;
 use super::body::Body;
-use super::follow::{Stretch, Watch};
+use super::follow::{Onset, Stretch, Watch};
 use super::linear::Linear;
 use super::load::{Piece, Record};
 use super::slide::Slide;
@@ -114,14 +114,20 @@ impl<F: Float> Watch<F> for History<F> {
     fn rested(&mut self, x: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()> {
         self.totals.rested(x, piece, start, from, length)?;
         let zero = F::int(0);
-        if length > zero {
-            self.push(start + from, [x, zero, zero], zero);
-        }
+        self.push(start + from, [x, zero, zero], zero);
         Some(())
     }
 
-    fn released(&mut self, time: F, x: F, sign: F) {
-        self.totals.released(time, x, sign);
+    fn released(&mut self, time: F, x: F, sign: F, onset: Onset) {
+        self.totals.released(time, x, sign, onset);
+        if onset == Onset::Touched {
+            // The slide goes on.
+            self.events.pop();
+            while self.states.last().is_some_and(|state| state.direction == 0) {
+                self.states.pop();
+            }
+            return;
+        }
         self.events.push(RecordEvent { time, displacement: x, direction: direction(sign) });
     }
 
@@ -129,6 +135,18 @@ impl<F: Float> Watch<F> for History<F> {
         self.totals.stopped(time, x)?;
         self.events.push(RecordEvent { time, displacement: x, direction: 0 });
         Some(())
+    }
+
+    fn counted(&mut self) {
+        self.totals.counted();
+    }
+
+    fn goes_on(&mut self, x: F, time: F) -> Option<()> {
+        self.totals.goes_on(x, time)
+    }
+
+    fn tends_to(&mut self, places: [F; 2], load: F, swings: F) -> Option<()> {
+        self.totals.tends_to(places, load, swings)
     }
 }
 
@@ -163,11 +181,11 @@ impl<F: Float> Body<F> {
         if followed.follower.mode.sign() == zero {
             history.push(time.or_larger(end), [followed.follower.x, zero, zero], zero);
         }
-        let History { mut totals, states, events, .. } = history;
+        let History { totals, states, events, .. } = history;
         if states.len() > MOST_STATES {
             return Err(Error::TooManyEvents { time: written(last) });
         }
-        let answer = self.answered(record, [x, v], rest, &mut totals)?;
+        let answer = self.answered(record, [x, v], rest, &totals)?;
         Ok(RecordMotion { answer, states, events })
     }
 }

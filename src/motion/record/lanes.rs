@@ -72,6 +72,10 @@ macro_rules! state {
 
             /// Returns the state of a lane to its body.
             fn write(&self, lane: usize, body: &mut Followed<F>) {
+                // A rest of whole steps, which the lanes took.
+                if at(&self.stick_time, lane) != body.totals.stick_time {
+                    (body.follower.last.has_rested, body.follower.last.lost) = (true, None);
+                }
                 $(body.$($place).+ = at(&self.$field, lane);)*
             }
         }
@@ -82,6 +86,7 @@ state! {
     x: follower.x,
     v: follower.v,
     load_work: totals.load_work,
+    foot_work: totals.foot_work,
     stick_time: totals.stick_time,
     most_velocity: totals.velocity.most.value,
     most_velocity_time: totals.velocity.most.time,
@@ -189,7 +194,7 @@ impl<F: Float, const L: usize> Lanes<F, L> {
         let end = time + length;
         for i in 0..L {
             let factors = Factors { factor: at(&self.factor, i), damper: at(&self.damper, i) };
-            let Piece { from: first, to: last, slope, .. } =
+            let Piece { from: first, to: last, slope, foot, .. } =
                 Piece::new(&factors, samples, length, step.inverse);
             let (x, v, sign) = (at(&self.state.x, i), at(&self.state.v, i), at(&self.sign, i));
             let (rate, square, omega) = (at(&self.rate, i), at(&self.square, i), at(&self.omega, i));
@@ -227,7 +232,8 @@ impl<F: Float, const L: usize> Lanes<F, L> {
             let (j, end_j) = (jerk(v, a), jerk(end_v, end_a));
             let (b, end_b) = (bend(a, j), bend(end_a, end_j));
             // Extremes at the ends; one between them is no further from the nearer end than g″ allows.
-            let changes = |start: F, end: F| (start < zero) != (end < zero);
+            let changes =
+                |start: F, end: F| ((start < zero) & (end > zero)) | ((start > zero) & (end < zero));
             let beyond_v = || (j.abs() + omega * a.abs()) * eighth;
             let beyond_a = || (b.abs() + omega * j.abs()) * eighth;
             let (free, end_free) = (a - first, end_a - last);
@@ -265,6 +271,7 @@ impl<F: Float, const L: usize> Lanes<F, L> {
             advance!(x, stays, |_| end_x);
             advance!(v, stays, |_| end_v);
             advance!(load_work, stays, |work| work + (last * moved - slope * area));
+            advance!(foot_work, stays, |work| work + foot * moved);
             advance!(stick_time, is_event | !rests, |time| time + length);
             advance!(most_velocity, stays, |_| most_v);
             advance!(least_velocity, stays, |_| least_v);

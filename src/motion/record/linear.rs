@@ -178,7 +178,7 @@ impl<F: Number> Linear<F> {
 }
 
 /// φ₁, φ₂, φ₃ at −z, z ≥ 0: `φ₁ = (1 − e^{−z})/z`, `φ_{n+1} = (1/n! − φ_n)/z`.
-fn growth<F: Number>(z: F) -> Option<[F; 3]> {
+pub(super) fn growth<F: Number>(z: F) -> Option<[F; 3]> {
     let one = F::int(1);
     if !z.is_within(one)? {
         let first = (one - (-z).exponential()) / z;

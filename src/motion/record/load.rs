@@ -10,7 +10,8 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
-/// spring's foot, with straight lines between them. Before its first sample and after its last one it is zero.
+/// spring's foot, with straight lines between them. After its last sample a force and an acceleration are zero, and a
+/// foot stays where it is.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(
@@ -24,6 +25,15 @@ pub struct Record<F> {
     excitation: Excitation,
     times: Times<F>,
     samples: Vec<F>,
+}
+
+/// The load after the last sample of a record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum After {
+    /// It is zero.
+    Zero,
+    /// It stays at the last sample.
+    Hold,
 }
 
 /// The times of the samples.
@@ -136,6 +146,29 @@ impl<F: Float> Record<F> {
         self.excitation
     }
 
+    /// The load after the last sample.
+    pub(super) const fn after(&self) -> After {
+        match self.excitation {
+            Excitation::FootMotion | Excitation::DampedFootMotion => After::Hold,
+            Excitation::Force
+            | Excitation::Unbalance
+            | Excitation::SurfaceMotion
+            | Excitation::SurfaceVelocity
+            | Excitation::SurfaceAcceleration => After::Zero,
+        }
+    }
+
+    /// The last sample.
+    pub(super) fn last(&self) -> F {
+        self.samples.last().copied().unwrap_or_else(|| F::int(0))
+    }
+
+    /// The steps between the samples: the time at which each begins, its length, and both samples.
+    pub(super) fn steps(&self) -> impl Iterator<Item = (F, F, [F; 2])> + '_ {
+        let pairs = self.samples.iter().zip(self.samples.iter().skip(1)).enumerate();
+        pairs.map(|(index, (&first, &second))| (self.time(index), self.step_after(index), [first, second]))
+    }
+
     /// The samples.
     pub fn samples(&self) -> &[F] {
         &self.samples
@@ -212,6 +245,14 @@ impl<F: Number> Factors<F> {
         let is_on_foot = excitation == Excitation::DampedFootMotion;
         Self { factor, damper: if is_on_foot { constants.rate } else { F::int(0) } }
     }
+
+    /// The load after a record with this last sample.
+    pub(super) fn after(&self, after: After, last: F) -> F {
+        match after {
+            After::Zero => F::int(0),
+            After::Hold => last * self.factor,
+        }
+    }
 }
 
 /// One step of a load per mass: its length, its values at both ends, and its slope.
@@ -221,6 +262,8 @@ pub(super) struct Piece<F> {
     pub(super) from: F,
     pub(super) to: F,
     pub(super) slope: F,
+    /// 2βu′ of a foot on which the damper stands, else 0: a part of the load.
+    pub(super) foot: F,
 }
 
 impl<F: Number> Piece<F> {
@@ -230,7 +273,18 @@ impl<F: Number> Piece<F> {
         let slope = (second - first) * inverse;
         let (from, to) = (first * factors.factor, second * factors.factor);
         // The damper on the foot carries the velocity of the foot, which is constant over the step.
-        let of_damper = factors.damper * slope;
-        Self { length, from: from + of_damper, to: to + of_damper, slope: slope * factors.factor }
+        let foot = factors.damper * slope;
+        Self { length, from: from + foot, to: to + foot, slope: slope * factors.factor, foot }
+    }
+
+    /// A constant load.
+    pub(super) fn constant(load: F, length: F) -> Self {
+        let zero = F::int(0);
+        Self { length, from: load, to: load, slope: zero, foot: zero }
+    }
+
+    /// The work 2βu′² of the damper in the step, were the body at rest; β > 0.
+    pub(super) fn work_at_rest(&self, constants: &Constants<F>) -> F {
+        self.foot.square() / constants.rate * self.length
     }
 }

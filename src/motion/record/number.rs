@@ -26,6 +26,9 @@ pub(super) trait Number: Real {
     fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self>;
     /// Whether a term of a series, in which the first is of size 1, is lost in rounding.
     fn is_negligible(term: Self) -> bool;
+    /// Whether this number is within the rounding of a sum of numbers of this size, each known to 64 units in its last
+    /// place. The sign of a ball is certain, so that none is.
+    fn is_lost(self, size: Self) -> bool;
     /// eˣ.
     fn exponential(self) -> Self;
     /// The zero in `[low, high]` of a function that is positive at `low`, negative at `high` and has no other
@@ -77,6 +80,10 @@ impl<F: Float> Number for F {
 
     fn is_negligible(term: Self) -> bool {
         term.abs() < F::epsilon() * F::ratio(1, 64)
+    }
+
+    fn is_lost(self, size: Self) -> bool {
+        self <= size * F::epsilon() * F::int(64)
     }
 
     fn exponential(self) -> Self {

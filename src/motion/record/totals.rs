@@ -1,6 +1,6 @@
 //! The answers of a motion under a record, collected as it is followed.
 
-use super::follow::{Stretch, Watch};
+use super::follow::{Onset, Stretch, Watch};
 use super::linear::Linear;
 use super::load::Piece;
 use super::number::Number;
@@ -12,12 +12,23 @@ use core::cmp::Ordering;
 pub(super) struct At<F> {
     pub(super) value: F,
     pub(super) time: F,
+    /// Whether it is a limit, which the motion has at no time.
+    is_limit: bool,
 }
 
 impl<F: Number> At<F> {
-    fn or(self, is_other: Option<bool>, value: F, time: F) -> Option<Self> {
-        let value = F::chosen(is_other, value, self.value)?;
-        Some(Self { value, time: F::chosen(is_other, time, self.time)? })
+    fn or(self, is_other: Option<bool>, other: Self) -> Option<Self> {
+        if is_other.is_none() && self.is_limit != other.is_limit {
+            return None;
+        }
+        let is_limit = if is_other == Some(false) { self.is_limit } else { other.is_limit };
+        let value = F::chosen(is_other, other.value, self.value)?;
+        Some(Self { value, time: F::chosen(is_other, other.time, self.time)?, is_limit })
+    }
+
+    /// The time, if there is one.
+    pub(super) fn at_time(&self) -> Option<F> {
+        (!self.is_limit).then_some(self.time)
     }
 }
 
@@ -30,19 +41,24 @@ pub(super) struct Range<F> {
 
 impl<F: Number> Range<F> {
     fn new(value: F, time: F) -> Self {
-        let at = At { value, time };
+        let at = At { value, time, is_limit: false };
         Self { most: at, least: at }
     }
 
     #[inline]
     fn include(&mut self, value: F, time: F) -> Option<()> {
-        let is_most = F::is_above(value, self.most.value);
-        let is_least = F::is_above(self.least.value, value);
+        self.include_at(At { value, time, is_limit: false })
+    }
+
+    #[inline]
+    fn include_at(&mut self, at: At<F>) -> Option<()> {
+        let is_most = F::is_above(at.value, self.most.value);
+        let is_least = F::is_above(self.least.value, at.value);
         if (is_most, is_least) == (Some(false), Some(false)) {
             return Some(());
         }
-        self.most = self.most.or(is_most, value, time)?;
-        self.least = self.least.or(is_least, value, time)?;
+        self.most = self.most.or(is_most, at)?;
+        self.least = self.least.or(is_least, at)?;
         Some(())
     }
 
@@ -70,38 +86,44 @@ pub(super) struct Totals<F> {
     pub(super) acceleration: Range<F>,
     pub(super) free_acceleration: Range<F>,
     pub(super) slides: u64,
+    /// Ends of slides that a rest follows.
     pub(super) stops: u64,
+    /// Ends of slides that a slide back follows at once.
+    pub(super) reversals: u64,
+    is_counted: bool,
     pub(super) stick_time: F,
+    /// The time at rest at the last stop.
+    stick_time_before: F,
     pub(super) path: F,
     /// ∫ f v dt, without the constant force.
     pub(super) load_work: F,
+    /// ∫ 2βu′v dt of a foot on which the damper stands.
+    pub(super) foot_work: F,
     omega: F,
     from: F,
 }
 
 impl<F: Number> Totals<F> {
-    /// Of a body at x with the velocity v at a time.
-    pub(super) fn new(omega: F, x: F, v: F, time: F) -> Self {
+    /// Of a body at x with the velocity v and the acceleration a at a time, under a load.
+    pub(super) fn new(omega: F, [x, v, a]: [F; 3], load: F, time: F) -> Self {
         let zero = F::int(0);
         Self {
             displacement: Range::new(x, time),
             velocity: Range::new(v, time),
-            acceleration: Range::new(zero, time),
-            free_acceleration: Range::new(zero, time),
+            acceleration: Range::new(a, time),
+            free_acceleration: Range::new(a - load, time),
             slides: 0,
             stops: 0,
+            reversals: 0,
+            is_counted: false,
             stick_time: zero,
+            stick_time_before: zero,
             path: zero,
             load_work: zero,
+            foot_work: zero,
             omega,
             from: x,
         }
-    }
-
-    /// A motion that goes on to x without a further stop.
-    pub(super) fn creeps_to(&mut self, x: F, time: F) -> Option<()> {
-        self.path = self.path + (x - self.from).abs();
-        self.displacement.include(x, time)
     }
 
     /// Includes a quantity g(t) over a stretch, its extremes inside it, too.
@@ -206,8 +228,14 @@ impl<F: Number> Totals<F> {
 impl<F: Number> Watch<F> for Totals<F> {
     #[inline(always)]
     fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()> {
-        let Stretch { length, load: [first, last], responses, end, .. } = *stretch;
+        let Stretch { time, length, load: [first, last], responses, end, foot, is_short, .. } = *stretch;
         self.load_work = self.load_work + last * end.moved - slide.slope * slide.area(linear, responses);
+        self.foot_work = self.foot_work + foot * end.moved;
+        if !is_short {
+            self.velocity.include(end.v, time + length)?;
+            self.acceleration.include(end.a, time + length)?;
+            return self.free_acceleration.include(end.a - last, time + length);
+        }
         // Nothing is further from the start than the greatest slope times the length, by an energy that does not grow.
         let swing = slide.jerk(linear, slide.v, slide.a).abs() + self.omega * slide.a.abs();
         let reach = length * swing;
@@ -231,13 +259,46 @@ impl<F: Number> Watch<F> for Totals<F> {
         Some(())
     }
 
-    fn released(&mut self, _: F, x: F, _: F) {
-        self.slides = self.slides.saturating_add(1);
+    fn released(&mut self, _: F, x: F, _: F, onset: Onset) {
+        let (slides, stops, reversals) = match onset {
+            Onset::Released => (1, 0, 0),
+            Onset::Reversed => (1, 1, 1),
+            Onset::Touched => {
+                self.stick_time = self.stick_time_before;
+                (0, 1, 0)
+            }
+        };
+        if !self.is_counted {
+            self.slides = self.slides.saturating_add(slides);
+            self.stops = self.stops.saturating_sub(stops);
+            self.reversals = self.reversals.saturating_add(reversals);
+        }
         self.from = x;
     }
 
     fn stopped(&mut self, time: F, x: F) -> Option<()> {
-        self.stops = self.stops.saturating_add(1);
-        self.creeps_to(x, time)
+        self.stick_time_before = self.stick_time;
+        self.stops = self.stops.saturating_add(u64::from(!self.is_counted));
+        self.goes_on(x, time)
+    }
+
+    fn counted(&mut self) {
+        self.is_counted = true;
+    }
+
+    fn goes_on(&mut self, x: F, time: F) -> Option<()> {
+        self.path = self.path + (x - self.from).abs();
+        self.displacement.include(x, time)
+    }
+
+    fn tends_to(&mut self, [now, x]: [F; 2], load: F, swings: F) -> Option<()> {
+        self.load_work = self.load_work + load * (x - now);
+        self.path = self.path + (x - self.from).abs() * swings;
+        let zero = F::int(0);
+        let limit = |value: F| At { value, time: zero, is_limit: true };
+        self.displacement.include_at(limit(x))?;
+        self.velocity.include_at(limit(zero))?;
+        self.acceleration.include_at(limit(zero))?;
+        self.free_acceleration.include_at(limit(-load))
     }
 }
