@@ -115,22 +115,8 @@ impl<F: Float> CycleStatistics<F> {
         } else {
             -statistics.min_v.value
         };
-        if start.w.abs() * F::int(1024) > most * omega {
-            return Ok(whole(statistics));
-        }
-        let mut longest: Option<(Slide<F>, F)> = None;
-        half_turns.each_part(budget, |part| {
-            if let MotionPart::Slide(slide, VelocityZero { phi, .. }) | MotionPart::Onward(slide, phi, ..) =
-                part
-                && longest.is_none_or(|(_, length)| *phi > length)
-            {
-                longest = Some((*slide, *phi));
-            }
-            Ok(())
-        })?;
-        let Some((slide, length)) = longest else { return Ok(whole(statistics)) };
-        let half = length / F::int(2);
-        let seam = slide.point(half);
+        let seam = seam(&start, most * omega, |visit| half_turns.each_part(budget, visit))?;
+        let Some((seam, half)) = seam else { return Ok(whole(statistics)) };
         let mut statistics = Self::at(&seam, omega);
         follow(equation, seam, m, half, budget, |part| statistics.add(&part))?;
         Ok(whole(statistics))
@@ -210,6 +196,36 @@ impl<F: Float> CycleStatistics<F> {
             error_4: shift(self.max_v.phase, self.min_v.phase),
         }
     }
+}
+
+/// A point in the middle of the longest slide, and its time from the slide's end, where a cycle begins at rest or nearly so:
+/// slower than 1/1024 of its greatest speed |w|. `None` where it begins well within a slide, or has none. `each` passes
+/// every part of the cycle on.
+///
+/// # Errors
+/// Those of `each`.
+#[inline]
+pub(crate) fn seam<F: Float>(
+    start: &Point<F>,
+    greatest: F,
+    each: impl FnOnce(&mut dyn FnMut(&MotionPart<F>) -> Result<(), Broken>) -> Result<(), Broken>,
+) -> Result<Option<(Point<F>, F)>, Broken> {
+    if start.w.abs() * F::int(1024) > greatest {
+        return Ok(None);
+    }
+    let mut longest: Option<(Slide<F>, F)> = None;
+    each(&mut |part| {
+        if let MotionPart::Slide(slide, VelocityZero { phi, .. }) | MotionPart::Onward(slide, phi, ..) = part
+            && longest.is_none_or(|(_, length)| *phi > length)
+        {
+            longest = Some((*slide, *phi));
+        }
+        Ok(())
+    })?;
+    Ok(longest.map(|(slide, length)| {
+        let half = length / F::int(2);
+        (slide.point(half), half)
+    }))
 }
 
 /// The asymmetry of a cycle: the four error measures of Hong & Liu 2001, section 3.

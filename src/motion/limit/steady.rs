@@ -1,6 +1,6 @@
 //! The steady state of the motion.
 
-use super::measures::{CycleStatistics, ErrorMeasures, Extreme};
+use super::measures::{CycleStatistics, ErrorMeasures, Extreme, seam};
 use super::propagation::{HalfTurns, follow};
 use crate::float::Float;
 use crate::machine::error::Error;
@@ -140,12 +140,21 @@ impl<F: Float> SteadyState<F> {
     }
 
     /// The paper's error measures of one cycle. The cycle is followed for this purpose, and both of its
-    /// halves are computed independently.
+    /// halves are computed independently. It begins within a slide: a stop that it cut in two would have two
+    /// instants of arrival.
     ///
     /// # Errors
     /// [`Error::SearchBound`].
     pub fn errors(&self) -> Result<ErrorMeasures<F>, Error> {
-        error_measures(self.equation, &self.start, self.turns_per_cycle)
+        let Self { equation, start, .. } = *self;
+        let turns = self.turns_per_cycle;
+        let greatest = self.max_velocity.value.abs().or_larger(self.min_velocity.value.abs());
+        let usual = F::pi() / equation.omega;
+        let seam = seam(&start, greatest * equation.omega, |visit| {
+            let half_turns = turns.saturating_mul(2);
+            follow(equation, start, half_turns, usual, &mut Budget::of(0), |part| visit(&part)).map(|_| ())
+        })?;
+        error_measures(equation, &seam.map_or(start, |(seam, _)| seam), turns)
     }
 }
 

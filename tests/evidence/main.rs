@@ -1,0 +1,9 @@
+//! Every number that the library gives, beside one that its own reading did not make: the table of docs/evidence.md.
+
+#[path = "../random/mod.rs"]
+mod random;
+
+mod closed_forms;
+mod drawn;
+mod sampled;
+mod steady;
