@@ -5,5 +5,6 @@ mod random;
 
 mod closed_forms;
 mod drawn;
+mod records;
 mod sampled;
 mod steady;

@@ -312,7 +312,7 @@ struct Part<'a> {
 
 impl Found {
     fn add(&mut self, equation: &Equation, part: &Part<'_>) {
-        let Part { a, ref start, ref end, time, length, sign } = *part;
+        let Part { a, ref start, ref end, length, sign, .. } = *part;
         let derivatives = |z: &Row| {
             let first = times(a, z);
             [*z, first, times(a, &first)]

@@ -1,0 +1,249 @@
+//! The answers of motions under records, every one of them, beside dense samples.
+
+use crate::random::Random;
+use crate::sampled::{Extreme, Load, Machine, Of, Recorded, record};
+use stickslip::Excitation;
+use stickslip::motion::record::{Body, Entry, Record, RecordAnswer};
+
+/// A body and a record in any consistent units.
+#[derive(Debug, Clone)]
+pub(crate) struct Shaken {
+    pub(crate) mass: f64,
+    pub(crate) stiffness: f64,
+    pub(crate) damping: f64,
+    pub(crate) friction: [f64; 2],
+    pub(crate) eta: f64,
+    pub(crate) mean: f64,
+    pub(crate) is_one_way: bool,
+    pub(crate) start: [f64; 2],
+    pub(crate) excitation: Excitation,
+    pub(crate) times: Vec<f64>,
+    pub(crate) samples: Vec<f64>,
+}
+
+/// Every kind of record.
+pub(crate) const RECORDS: [Excitation; 4] = [
+    Excitation::Force,
+    Excitation::FootMotion,
+    Excitation::DampedFootMotion,
+    Excitation::SurfaceAcceleration,
+];
+
+impl Shaken {
+    /// A body with or without spring, damper and friction under white noise, a slow wave or steps.
+    pub(crate) fn any(random: &mut Random, excitation: Excitation) -> Self {
+        let mass = random.scale(0.01, 100.0);
+        let step = random.scale(1e-3, 1.0);
+        let is_free = random.next() < 0.2 && excitation != Excitation::FootMotion;
+        // From a fiftieth of a period to ten periods in a step.
+        let natural = std::f64::consts::TAU * random.scale(0.02, 3.0) / step;
+        let stiffness = if is_free { 0.0 } else { mass * natural * natural };
+        let zeta = match (random.next() * 5.0) as u32 {
+            0 => 0.0,
+            1 => random.between(1.0, 3.0),
+            _ => random.scale(3e-3, 0.5),
+        };
+        let damping = if is_free { mass * zeta / step } else { 2.0 * zeta * mass * natural };
+        // The acceleration of the load, over that of friction.
+        let level = random.scale(0.1, 30.0);
+        let has_none = random.next() < 0.1 && (zeta > 0.0) && !is_free;
+        let friction = if has_none { 0.0 } else { mass * level * random.scale(0.02, 0.9) };
+        let backward = if random.next() < 0.25 { friction * random.between(0.5, 2.0) } else { friction };
+        let eta = if random.next() < 0.25 { random.between(1.01, 2.0) } else { 1.0 };
+        let is_one_way = random.next() < 0.1 && !has_none;
+        let mean =
+            if random.next() < 0.25 && !has_none { friction * random.between(-0.45, 0.45) } else { 0.0 };
+        let count = 3 + (random.next() * 30.0) as usize;
+        let kind = (random.next() * 3.0) as u32;
+        let samples: Vec<f64> = (0..count)
+            .map(|i| match kind {
+                0 => random.between(-1.0, 1.0),
+                1 => (0.7 * i as f64).sin() * (-0.05 * i as f64).exp(),
+                _ => f64::from((random.next() * 3.0) as i32 - 1),
+            })
+            .collect();
+        let size = match excitation {
+            Excitation::Force => mass * level,
+            Excitation::SurfaceAcceleration => level,
+            // A foot whose spring gives this force, or whose damper does.
+            _ if stiffness > 0.0 => mass * level / stiffness.max(damping / step),
+            _ => mass * level * step / damping.max(mass / step),
+        };
+        let samples = samples.iter().map(|x| x * size).collect();
+        let is_even = random.next() < 0.6;
+        let mut times = vec![if is_even { 0.0 } else { random.between(-2.0, 2.0) * step }];
+        for _ in 1..count {
+            let last = times[times.len() - 1];
+            times.push(last + if is_even { step } else { step * random.between(0.3, 2.0) });
+        }
+        let start = if random.next() < 0.3 {
+            let v = random.between(-1.0, 1.0) * level * step;
+            [random.between(-1.0, 1.0) * level * step * step, if is_one_way { v.abs() } else { v }]
+        } else {
+            [0.0, 0.0]
+        };
+        let friction = [friction, backward];
+        Self { mass, stiffness, damping, friction, eta, mean, is_one_way, start, excitation, times, samples }
+    }
+
+    pub(crate) fn body(&self) -> Body<f64> {
+        let body = Body::new(self.mass, self.friction[0]).unwrap();
+        let body = body.with_directional_friction(self.friction[0], self.friction[1]).unwrap();
+        let body = body.with_stiffness(self.stiffness).unwrap().with_damping(self.damping).unwrap();
+        let body = if self.eta > 1.0 { body.with_static_friction_ratio(self.eta).unwrap() } else { body };
+        let body = body.with_mean_force(self.mean).unwrap();
+        if self.is_one_way { body.one_way() } else { body }
+    }
+
+    pub(crate) fn record(&self) -> Record<f64> {
+        Record::at_times(self.excitation, self.times.clone(), self.samples.clone()).unwrap()
+    }
+
+    pub(crate) fn load(&self) -> Load {
+        match self.excitation {
+            Excitation::Force => Load::Force,
+            Excitation::FootMotion => Load::Foot,
+            Excitation::DampedFootMotion => Load::DampedFoot,
+            _ => Load::Surface,
+        }
+    }
+
+    pub(crate) fn sampled(&self, parts: f64) -> Recorded {
+        let ([forward, backward], rows) = (self.friction, [self.mass, self.stiffness, self.damping]);
+        let friction = [(forward + backward) / 2.0, (forward - backward) / 2.0, self.eta];
+        let machine = Machine { is_one_way: self.is_one_way, ..Machine::new(rows, friction, self.mean) };
+        record(machine, self.load(), &self.times, &self.samples, self.start, parts)
+    }
+
+    pub(crate) fn followed(&self) -> RecordAnswer<f64> {
+        self.body().follow_from(&self.record(), self.start[0], self.start[1]).unwrap()
+    }
+}
+
+/// A value of the samples: an extreme, a number or a count.
+enum Expected {
+    Extreme(Extreme, f64),
+    Time(f64, f64),
+    Number(f64, f64),
+    Count(u64),
+}
+
+/// What the samples give for an answer.
+fn expected(name: &str, shaken: &Shaken, found: &Recorded) -> Expected {
+    let &Recorded { ref found, end, rest, last, .. } = found;
+    let machine = Machine::new(
+        [shaken.mass, shaken.stiffness, shaken.damping],
+        [
+            (shaken.friction[0] + shaken.friction[1]) / 2.0,
+            (shaken.friction[0] - shaken.friction[1]) / 2.0,
+            shaken.eta,
+        ],
+        shaken.mean,
+    );
+    let (x, v) = (found.greatest(Of::Displacement).value, found.greatest(Of::Velocity).value);
+    let span = shaken.times[shaken.times.len() - 1] - shaken.times[0];
+    let path = found.path[0] + found.path[1];
+    let work = found.friction_work(&machine)
+        + found.damper_work
+        + found.load_work.abs()
+        + found.foot_work.abs()
+        + shaken.mass * v * v;
+    // An extreme is flat: its time is known to the root of the rounding of its value.
+    let time = |extreme: Extreme| Expected::Time(extreme.time, 3e-7 * span);
+    match name {
+        "max_displacement" => Expected::Extreme(found.most(Of::Displacement), x),
+        "max_displacement_time" => time(found.most(Of::Displacement)),
+        "min_displacement" => Expected::Extreme(found.least(Of::Displacement), x),
+        "min_displacement_time" => time(found.least(Of::Displacement)),
+        "max_velocity" => Expected::Extreme(found.most(Of::Velocity), v),
+        "max_velocity_time" => time(found.most(Of::Velocity)),
+        "min_velocity" => Expected::Extreme(found.least(Of::Velocity), v),
+        "min_velocity_time" => time(found.least(Of::Velocity)),
+        "max_absolute_acceleration" => {
+            let extreme = found.greatest(Of::AbsoluteAcceleration);
+            Expected::Extreme(extreme, extreme.value)
+        }
+        "max_transmitted_force" => {
+            let extreme = found.greatest(Of::Transmitted);
+            Expected::Extreme(extreme, extreme.value)
+        }
+        "end_displacement" => Expected::Number(end[0], x),
+        "end_velocity" => Expected::Number(end[1], v),
+        "residual_displacement" => Expected::Number(last, x),
+        "path" => Expected::Number(path, path),
+        "slides" => Expected::Count(found.slides),
+        "stops" => Expected::Count(found.ends),
+        "stick_time" => Expected::Number(rest, span),
+        "friction_work" => Expected::Number(found.friction_work(&machine), work),
+        "damper_work" => Expected::Number(found.damper_work, work),
+        "load_work" => Expected::Number(found.load_work + shaken.mean * (last - shaken.start[0]), work),
+        _ => panic!("no reference of {name}"),
+    }
+}
+
+/// The difference of an answer from the samples, where it is beyond the allowance: 1e-9 of its scale, and an extreme is
+/// nowhere below a sample.
+fn off(value: &Entry<'_, f64>, expected: &Expected) -> Option<String> {
+    let text =
+        |found: f64, reference: f64| Some(format!("{found} of the library, {reference} of the samples"));
+    match (value, expected) {
+        (Entry::Value(Some(found)), Expected::Extreme(extreme, scale)) => {
+            let beyond =
+                if extreme.value >= 0.0 { extreme.sampled - *found } else { *found - extreme.sampled };
+            let is_off = beyond > 1e-11 * scale || (*found - extreme.value).abs() > 1e-9 * scale;
+            if is_off { text(**found, extreme.value) } else { None }
+        }
+        (Entry::Value(Some(found)), Expected::Time(time, room)) => {
+            if (*found - time).abs() > *room {
+                text(**found, *time)
+            } else {
+                None
+            }
+        }
+        (Entry::Value(Some(found)), Expected::Number(number, scale)) => {
+            if (*found - number).abs() > 1e-9 * scale { text(**found, *number) } else { None }
+        }
+        (Entry::Count(found), Expected::Count(count)) => {
+            if found != count {
+                text(*found as f64, *count as f64)
+            } else {
+                None
+            }
+        }
+        _ => Some("an answer is missing".to_owned()),
+    }
+}
+
+/// Every answer of a motion under a record: forces, feet with and without a damper, and surfaces, with and without a
+/// spring, a damper and friction.
+#[test]
+fn every_answer_under_a_record_is_that_of_the_samples() {
+    let mut random = Random(21);
+    let mut failures: std::collections::BTreeMap<String, (u32, String)> = std::collections::BTreeMap::new();
+    let mut compared = 0;
+    for excitation in RECORDS {
+        for _ in 0..60 {
+            let shaken = Shaken::any(&mut random, excitation);
+            let found = shaken.sampled(64.0);
+            if !found.is_over {
+                continue;
+            }
+            compared += 1;
+            let answer = shaken.followed();
+            for (name, _, value) in answer.entries() {
+                if let Some(text) = off(&value, &expected(name, &shaken, &found)) {
+                    let entry =
+                        failures.entry(format!("{name} {excitation:?}")).or_insert((0, String::new()));
+                    entry.0 += 1;
+                    if entry.1.is_empty() {
+                        entry.1 = format!("{text}: {shaken:?}");
+                    }
+                }
+            }
+        }
+    }
+    let texts: Vec<_> =
+        failures.iter().map(|(name, (n, text))| format!("{name}, {n} times: {text}")).collect();
+    assert!(texts.is_empty(), "{}", texts.join("\n"));
+    assert!(compared > 200, "{compared}");
+}
