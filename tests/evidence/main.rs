@@ -4,7 +4,9 @@
 mod random;
 
 mod closed_forms;
+mod designs;
 mod drawn;
+mod motions;
 mod records;
 mod sampled;
 mod steady;

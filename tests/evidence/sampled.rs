@@ -717,6 +717,44 @@ impl Harmonic {
             .collect()
     }
 
+    /// The state (x, x′) after so many turns from a start.
+    pub(crate) fn after(&self, start: [f64; 2], phase: f64, turns: u32) -> [f64; 2] {
+        let mut follower = self.follower(start, phase);
+        for _ in 0..turns * self.steps() {
+            follower.advance(&mut None);
+        }
+        [follower.state[0], follower.state[1]]
+    }
+
+    /// The sum and the product of the multipliers of the map over so many turns, by differences at a point well within
+    /// a slide that the motion from a start passes.
+    pub(crate) fn multipliers(&self, start: [f64; 2], phase: f64, turns: u32) -> [f64; 2] {
+        let steps = self.steps() * turns;
+        let mut follower = self.follower(start, phase);
+        let mut seam = follower.clone();
+        for _ in 0..steps {
+            follower.advance(&mut None);
+            if follower.state[1].abs() > seam.state[1].abs() {
+                seam = follower.clone();
+            }
+        }
+        let size = 1e-6 * (seam.state[0].abs() + seam.state[1].abs());
+        let map = |index: usize, sign: f64| {
+            let mut moved = seam.clone();
+            moved.state[index] += sign * size;
+            for _ in 0..steps {
+                moved.advance(&mut None);
+            }
+            [moved.state[0], moved.state[1]]
+        };
+        let column = |index: usize| {
+            let (up, down) = (map(index, 1.0), map(index, -1.0));
+            [(up[0] - down[0]) / (2.0 * size), (up[1] - down[1]) / (2.0 * size)]
+        };
+        let (one, two) = (column(0), column(1));
+        [one[0] + two[1], one[0] * two[1] - one[1] * two[0]]
+    }
+
     /// The cycle through the state of a follower.
     fn cycle(&self, begin: Follower, turns: u32) -> Cycle {
         let steps = self.steps();
@@ -815,7 +853,7 @@ pub(crate) fn record(
             break;
         }
         // A creep, or a vibration without friction, ends in rounding.
-        quiet = if follower.state[1].abs() < 1e-17 * follower.speed { quiet + 1 } else { 0 };
+        quiet = if follower.state[1].abs() < 1e-13 * follower.speed { quiet + 1 } else { 0 };
         if quiet > 200 {
             is_over = true;
             break;

@@ -1,0 +1,391 @@
+//! Inverse problems beside dense samples: the motion of each answer, and of others.
+
+use crate::drawn::{DRIVES, Driven};
+use crate::random::Random;
+use crate::sampled::{Cycle, Limit, Load, Machine, Of, record};
+use std::f64::consts::TAU;
+use stickslip::design::{
+    Aim, Measurement, OptimumKind, TurningPoints, bands, bands_without_stop, best_friction_over_band,
+    force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
+    forces_without_stop, frequency_bands, frequency_bands_without_stop, identify, identify_decay,
+    identify_turning_points, max_friction, min_amplitude, most_dissipating_force_ratio,
+    most_dissipating_force_ratio_of_all, most_dissipating_frequency_ratio, most_dissipating_friction,
+    most_dissipating_friction_of_all, most_dissipating_stiffness,
+};
+use stickslip::{Drive, Excitation, Oscillator};
+
+/// The cycle of the samples from rest; `None` where it rests or has not settled.
+fn cycle(driven: &Driven, turns: u32) -> Option<Cycle> {
+    let harmonic = driven.harmonic();
+    match harmonic.limit([harmonic.mean(), 0.0], 0.0, turns) {
+        Limit::Periodic(cycle) => Some(*cycle),
+        Limit::Rest(_) | Limit::Unsettled => None,
+    }
+}
+
+/// Whether the cycle has two reversals and no stop.
+fn is_free(driven: &Driven) -> bool {
+    cycle(driven, 4000).is_some_and(|cycle| cycle.found.rests == 0 && cycle.found.ends == 2)
+}
+
+fn plain(mass: f64, stiffness: f64, damping: f64, friction: f64, force: f64, frequency: f64) -> Driven {
+    Driven {
+        mass,
+        stiffness,
+        damping,
+        friction,
+        offset: 0.0,
+        eta: 1.0,
+        mean: 0.0,
+        excitation: Excitation::Force,
+        amplitude: force,
+        frequency,
+    }
+}
+
+/// The work of friction in a cycle of the samples.
+fn friction_work(driven: &Driven) -> f64 {
+    let cycle = cycle(driven, 3000);
+    cycle.map_or(0.0, |cycle| driven.friction * (cycle.found.path[0] + cycle.found.path[1]))
+}
+
+/// The least amplitude of every drive, and the greatest friction: the motion of the samples stops on one side only.
+#[test]
+fn the_least_force_and_the_greatest_friction_divide_the_samples() {
+    let mut random = Random(41);
+    for excitation in DRIVES {
+        for _ in 0..4 {
+            let at = [random.scale(0.2, 2.5), 3.0, random.scale(0.01, 0.6), 1.0];
+            let driven = Driven::at(&mut random, at, excitation);
+            let least = min_amplitude(&driven.oscillator(), excitation, driven.frequency).unwrap();
+            let with = |amplitude: f64| is_free(&Driven { amplitude, ..driven });
+            assert_eq!([with(least * (1.0 - 1e-4)), with(least * (1.0 + 1e-4))], [false, true], "{driven:?}");
+            let greatest = max_friction(&driven.oscillator(), &driven.drive()).unwrap();
+            let with = |friction: f64| {
+                let offset = driven.offset / driven.friction * friction;
+                is_free(&Driven { friction, offset, ..driven })
+            };
+            let found = [with(greatest * (1.0 - 1e-4)), with(greatest * (1.0 + 1e-4))];
+            assert_eq!(found, [true, false], "{driven:?} {greatest}");
+        }
+    }
+}
+
+/// Bands of frequencies: without stops inside their ends, and not outside; in ratios and in units.
+#[test]
+fn bands_end_where_the_samples_begin_to_stop() {
+    let of = |omega: f64, zeta: f64, alpha: f64| plain(1.0, 1.0, 2.0 * zeta, 1.0, alpha, omega);
+    let counts =
+        |driven: &Driven| cycle(driven, 4000).map_or((1, 0), |cycle| (cycle.found.rests, cycle.found.ends));
+    let mut edges = 0;
+    for (alpha, zeta) in [(12.0_f64, 0.0_f64), (5.0, 0.03)] {
+        let all: Vec<_> = bands(alpha, zeta, 0.22, 2.0).unwrap().map(Result::unwrap).collect();
+        let physical = frequency_bands(
+            &Oscillator::new(4.0, 100.0, 3.0).unwrap().with_damping_ratio(zeta).unwrap(),
+            &Drive::force(3.0 * alpha, 1.0).unwrap(),
+            1.1,
+            10.0,
+        );
+        let physical: Vec<_> = physical.unwrap().map(Result::unwrap).collect();
+        assert_eq!(all.len(), physical.len());
+        for (band, same) in all.iter().zip(&physical) {
+            // ω_n = 5.
+            assert!((band.low * 5.0 - same.low).abs() < 1e-9 && (band.high * 5.0 - same.high).abs() < 1e-9);
+            for (end, out) in [(band.low, -1.0), (band.high, 1.0)] {
+                if end == 0.22 || end == 2.0 {
+                    continue;
+                }
+                edges += 1;
+                let [inside, outside] =
+                    [-1e-4, 1e-4].map(|by| counts(&of(end * (1.0 + out * by), zeta, alpha)));
+                assert_eq!(inside, (0, 2), "{end} {alpha} {zeta}");
+                assert_ne!(outside, (0, 2), "{end} {alpha} {zeta}");
+            }
+        }
+        // Between the bands a few frequencies stop.
+        for pair in all.windows(2) {
+            let middle = (pair[0].high + pair[1].low) / 2.0;
+            assert_ne!(counts(&of(middle, zeta, alpha)), (0, 2), "{middle} {alpha} {zeta}");
+        }
+    }
+    assert!(edges >= 3, "{edges}");
+    // Near a third of resonance six reversals, too.
+    let all = bands_without_stop(80.0_f64, 0.0, 0.3, 0.4).unwrap();
+    let body = Oscillator::new(4.0, 100.0, 3.0).unwrap();
+    let physical = frequency_bands_without_stop(&body, &Drive::force(240.0, 1.0).unwrap(), 1.5, 2.0).unwrap();
+    assert_eq!(all.len(), physical.len());
+    assert!(all.iter().any(|band| band.reversals_per_cycle == 6));
+    for (band, same) in all.iter().zip(&physical) {
+        assert!((band.low * 5.0 - same.low).abs() < 1e-8 && (band.high * 5.0 - same.high).abs() < 1e-8);
+        let middle = counts(&of((band.low * band.high).sqrt(), 0.0, 80.0));
+        assert_eq!(middle, (0, band.reversals_per_cycle.into()), "{band:?}");
+    }
+    let forces = forces_without_stop(&body, 5.0 * 0.331).unwrap();
+    for (low, high) in forces.intervals() {
+        let with = |force: f64| counts(&plain(4.0, 100.0, 0.0, 3.0, force, 5.0 * 0.331)).0;
+        assert_ne!(with(low * (1.0 - 1e-3)), 0, "{low}");
+        assert_eq!(with(high.map_or(1.1 * low, |high| (low * high).sqrt())), 0, "{low}");
+    }
+}
+
+/// The force for a displacement or a velocity: the samples reach it.
+#[test]
+fn the_force_for_a_target_reaches_it() {
+    let mut random = Random(43);
+    let mut found = 0;
+    for i in 0..30 {
+        let zeta = if i % 2 == 0 { 0.0 } else { random.scale(0.01, 0.6) };
+        let at = [random.scale(0.4, 2.5), 3.0, zeta, 1.0];
+        let driven = Driven::at(&mut random, at, Excitation::Force);
+        let body = driven.oscillator();
+        let border = min_amplitude(&body, Excitation::Force, driven.frequency).unwrap();
+        let Some(of_border) = cycle(&Driven { amplitude: border * 1.001, ..driven }, 3000) else { continue };
+        let mean = driven.harmonic().mean();
+        let by = random.between(1.1, 6.0);
+        let length = by * (of_border.found.most(Of::Displacement).value - mean);
+        let speed = by * of_border.found.most(Of::Velocity).value;
+        let (b, w) = (driven.friction / driven.stiffness, driven.frequency);
+        for (target, force, ratio, of) in [
+            (
+                length,
+                force_for_displacement(&body, w, length),
+                force_ratio_for_displacement(at[0], zeta, length / b),
+                Of::Displacement,
+            ),
+            (
+                speed,
+                force_for_velocity(&body, w, speed),
+                force_ratio_for_velocity(at[0], zeta, speed / (b * w)),
+                Of::Velocity,
+            ),
+        ] {
+            let (force, ratio) = (force.unwrap(), ratio.unwrap());
+            let Some(cycle) = cycle(&Driven { amplitude: force, ..driven }, 3000) else { continue };
+            found += 1;
+            let reached = cycle.found.most(of).value - if of == Of::Displacement { mean } else { 0.0 };
+            assert!((reached / target - 1.0).abs() < 1e-8, "{driven:?}: {reached} {target}");
+            assert!((force / driven.friction / ratio - 1.0).abs() < 1e-9, "{driven:?}: {force} {ratio}");
+        }
+    }
+    assert!(found > 40, "{found}");
+}
+
+/// The best force, friction, frequency and stiffness for dissipation: the energy is that of the samples, and no
+/// neighbour that does not stick has more.
+#[test]
+fn no_other_machine_dissipates_more() {
+    let mut random = Random(44);
+    for i in 0..8 {
+        let zeta = if i % 2 == 0 { 0.0 } else { random.scale(0.01, 0.2) };
+        let at = [random.scale(0.55, 2.2), 4.0, zeta, 1.0];
+        let mut driven = Driven::at(&mut random, at, Excitation::Force);
+        (driven.offset, driven.mean) = (0.0, 0.0);
+        let body = driven.oscillator();
+        // Friction.
+        let best = most_dissipating_friction(&body, &driven.drive()).unwrap();
+        let with = |friction: f64| Driven { friction, ..driven };
+        let value = friction_work(&with(best.at * (1.0 - 1e-9)));
+        assert!((value / best.value - 1.0).abs() < 1e-6, "{driven:?}: {value} {best:?}");
+        for by in [0.5, 0.8, 0.95, 1.05, 1.3] {
+            let other = with(best.at * by);
+            assert!(!is_free(&other) || friction_work(&other) < best.value, "{driven:?} {by} {best:?}");
+        }
+        // The same as a force ratio: A₁ in p₀²/(2k).
+        let ratio = most_dissipating_force_ratio(at[0], zeta).unwrap();
+        assert!((driven.amplitude / best.at / ratio.at - 1.0).abs() < 1e-9, "{best:?} {ratio:?}");
+        let unit = driven.amplitude * driven.amplitude / 2.0 / driven.stiffness;
+        assert!((best.value / unit / ratio.value - 1.0).abs() < 1e-9, "{best:?} {ratio:?}");
+        // Stiffness.
+        let (soft, hard) = (0.6 * driven.stiffness, 1.7 * driven.stiffness);
+        if let Ok(best) = most_dissipating_stiffness(&body, &driven.drive(), soft, hard) {
+            let with = |stiffness: f64| Driven { stiffness, ..driven };
+            let inside = if best.kind == OptimumKind::Border { 1e-7 } else { 0.0 };
+            let value = [1.0 - inside, 1.0 + inside].map(|by| friction_work(&with(best.at * by))).into_iter();
+            let value = value.fold(0.0, f64::max);
+            assert!((value / best.value - 1.0).abs() < 1e-4, "{driven:?}: {value} {best:?}");
+            for by in 0..12 {
+                let other = with(soft * (hard / soft).powf(f64::from(by) / 11.0));
+                let is_less = !is_free(&other) || friction_work(&other) < best.value * (1.0 + 1e-7);
+                assert!(is_less, "{driven:?} {by} {best:?}");
+            }
+        }
+    }
+    // Frequency: A₂ in p₀²/(2 m ω_d²).
+    let size = |omega: f64, alpha: f64| {
+        let driven = plain(1.0, 1.0, 0.0, 1.0, alpha, omega);
+        if is_free(&driven) { friction_work(&driven) / (alpha * alpha / 2.0 / (omega * omega)) } else { 0.0 }
+    };
+    for (alpha, low, high) in [(3.0, 0.7, 0.95), (6.0, 1.05, 2.0), (2.0, 1.1, 1.6)] {
+        let best = most_dissipating_frequency_ratio(alpha, low, high).unwrap();
+        let value = size(best.at * if best.at > 1.0 { 1.0 + 1e-9 } else { 1.0 }, alpha);
+        let of_stiffness = size(best.at, alpha) / best.at.powi(2);
+        let is_one = [value, of_stiffness].iter().any(|value| (value / best.value - 1.0).abs() < 1e-4);
+        assert!(is_one, "{value} {of_stiffness} {best:?}");
+        let is_of_inertia = (value / best.value - 1.0).abs() < 1e-4;
+        for i in 0..12 {
+            let omega = low + (high - low) * f64::from(i) / 11.0;
+            let other = size(omega, alpha) / if is_of_inertia { 1.0 } else { omega * omega };
+            assert!(other <= best.value * (1.0 + 1e-6), "{omega} {other} {best:?}");
+        }
+    }
+}
+
+/// The best friction among all motions, stops included: no friction of a grid has more, and none is above the bound.
+#[test]
+fn no_other_friction_dissipates_more_with_stops() {
+    let driven = plain(2.0, 50.0, 0.4, 1.0, 30.0, 1.7);
+    let best = most_dissipating_friction_of_all(&driven.oscillator(), &driven.drive(), 1e-4).unwrap();
+    let value = friction_work(&Driven { friction: best.at, ..driven });
+    assert!((value / best.value - 1.0).abs() < 1e-7, "{value} {best:?}");
+    let omega = 1.7 / 5.0;
+    let ratio = most_dissipating_force_ratio_of_all(omega, 0.4 / 20.0, 1e-4).unwrap();
+    assert!((30.0 / ratio.at / best.at - 1.0).abs() < 1e-6, "{ratio:?} {best:?}");
+    assert!((ratio.value * 30.0 * 30.0 / 100.0 / best.value - 1.0).abs() < 1e-9, "{ratio:?} {best:?}");
+    for i in 1..40 {
+        let other = friction_work(&Driven { friction: 30.0 * f64::from(i) / 40.0, ..driven });
+        assert!(other <= best.value * (1.0 + 1e-4) && other <= best.bound, "{i} {other} {best:?}");
+    }
+}
+
+/// The friction whose greatest amplitude over a band is least, beside amplitudes of the samples on a grid of frequencies
+/// and frictions.
+#[test]
+fn no_other_friction_has_a_lower_crest() {
+    for (excitation, aim, of, u0) in [
+        (Excitation::SurfaceMotion, Aim::AbsoluteDisplacement, Of::AbsoluteDisplacement, 0.05),
+        (Excitation::SurfaceAcceleration, Aim::TransmittedForce, Of::Transmitted, 2.0),
+        (Excitation::SurfaceAcceleration, Aim::Acceleration, Of::AbsoluteAcceleration, 2.0),
+    ] {
+        let mut driven = plain(2.0, 50.0, 1.0, 1.0, u0, 1.0);
+        driven.excitation = excitation;
+        let (low, high) = (2.5, 15.0);
+        let best = best_friction_over_band(&driven.oscillator(), &driven.drive(), low, high, aim).unwrap();
+        let amplitude = |friction: f64, frequency: f64| {
+            let driven = Driven { friction, frequency, ..driven };
+            match driven.harmonic().limit([0.0, 0.0], 0.0, 1500) {
+                Limit::Periodic(cycle) => Some(cycle.found.greatest(of).value),
+                // A body at rest moves with its base.
+                Limit::Rest(_) => Some(match of {
+                    Of::AbsoluteDisplacement => u0,
+                    Of::Transmitted => driven.mass * u0,
+                    _ => u0,
+                }),
+                Limit::Unsettled => None,
+            }
+        };
+        let crest = |friction: f64| {
+            let grid = (0..60).map(|i| low * (high / low).powf(f64::from(i) / 59.0));
+            grid.filter_map(|frequency| amplitude(friction, frequency)).fold(0.0, f64::max)
+        };
+        assert!(crest(best.friction) <= best.greatest * (1.0 + 1e-6), "{aim:?} {best:?}");
+        let at = best.at.iter().filter_map(|(from, to)| amplitude(best.friction, (from * to).sqrt()));
+        let at: Vec<f64> = at.collect();
+        assert!(!at.is_empty(), "{aim:?} {best:?}");
+        assert!(at.iter().all(|at| (at / best.greatest - 1.0).abs() < 1e-5), "{aim:?} {at:?} {best:?}");
+        for by in [0.4, 0.8, 1.2, 2.0] {
+            let other = crest(best.friction * by);
+            assert!(other >= best.greatest * (1.0 - 2e-3), "{aim:?} {by} {other} {best:?}");
+        }
+        // Beyond the friction of rest nothing moves.
+        let rest = [2.6, 6.0, 14.9].map(|w| {
+            let driven = Driven { friction: best.rest * 1.001, frequency: w, ..driven };
+            matches!(driven.harmonic().limit([0.0, 0.0], 0.0, 100), Limit::Rest(_))
+        });
+        assert_eq!(rest, [true; 3], "{aim:?} {best:?}");
+    }
+}
+
+/// A normal number.
+fn normal(random: &mut Random) -> f64 {
+    (0..12).map(|_| random.next()).sum::<f64>() - 6.0
+}
+
+/// Friction and damping from response curves of the samples: exactly without noise, and within twice the interval of
+/// nineteen in twenty with it.
+#[test]
+fn friction_and_damping_of_the_samples_are_identified() {
+    let mut random = Random(45);
+    let (mut covered, mut all) = (0, 0);
+    for _ in 0..12 {
+        let (mass, stiffness, force) = (5.0, 2000.0, 100.0);
+        let (friction, zeta) = (random.between(15.0, 55.0), random.between(0.01, 0.08));
+        let body = Oscillator::new(mass, stiffness, 1.0).unwrap();
+        let damping = 2.0 * zeta * f64::sqrt(mass * stiffness);
+        let curve: Vec<Measurement> = (0..16)
+            .filter_map(|i| {
+                let frequency = 20.0 * (0.5 + f64::from(i) * 0.09);
+                let cycle = cycle(&plain(mass, stiffness, damping, friction, force, frequency), 3000)?;
+                let amplitude = cycle.found.most(Of::Displacement).value;
+                Some(Measurement { angular_frequency: frequency, amplitude, phase: None })
+            })
+            .collect();
+        let exact = identify(&body, force, &curve).unwrap();
+        assert!((exact.friction_bound.value / friction - 1.0).abs() < 1e-4, "{friction} {exact:?}");
+        assert!((exact.damping_ratio.value / zeta - 1.0).abs() < 1e-3, "{zeta} {exact:?}");
+        let noisy: Vec<_> = curve
+            .iter()
+            .map(|m| Measurement { amplitude: m.amplitude * (1.0 + 0.01 * normal(&mut random)), ..*m })
+            .collect();
+        let found = identify(&body, force, &noisy).unwrap();
+        for (estimate, truth) in [(found.friction_bound, friction), (found.damping_ratio, zeta)] {
+            let (low, high) = estimate.interval();
+            all += 1;
+            covered += u32::from((low..=high).contains(&truth));
+            let room = 4.0 * estimate.standard_error;
+            assert!((estimate.value - truth).abs() < room, "{truth} {estimate:?} {found:?}");
+        }
+        assert!((0.003..0.02).contains(&found.noise), "{}", found.noise);
+    }
+    // Of intervals of 95 %, fewer than 18 of 24 have a probability below 1e-3.
+    assert!(covered >= 18, "{covered} of {all}");
+}
+
+/// Friction and damping from decays of the samples, by their turning points and by their samples.
+#[test]
+fn friction_and_damping_of_a_decay_are_identified() {
+    let mut random = Random(46);
+    let (mut covered, mut all) = (0, 0);
+    for _ in 0..15 {
+        // B = 1, ω_n = 1.
+        let zeta = random.between(0.005, 0.06);
+        let start = [random.between(14.0, 30.0), 0.0];
+        let machine = Machine::new([1.0, 1.0, 2.0 * zeta], [1.0, 0.0, 1.0], 0.0);
+        let found = record(machine, Load::Force, &[0.0, 0.1], &[0.0, 0.0], start, 64.0);
+        let mut turns = vec![[0.0, start[0]]];
+        turns.extend(&found.found.stops);
+        let (times, places): (Vec<f64>, Vec<f64>) = turns.iter().map(|[t, x]| (*t, *x)).unzip();
+        let exact = identify_turning_points(&places, Some(&times), TurningPoints::EveryHalfCycle).unwrap();
+        assert!((exact.friction_displacement.value - 1.0).abs() < 1e-6, "{zeta} {exact:?}");
+        assert!((exact.damping_ratio.value - zeta).abs() < 1e-7, "{zeta} {exact:?}");
+        assert!((exact.amplitude.value / start[0] - 1.0).abs() < 1e-7, "{zeta} {exact:?}");
+        assert!((exact.natural_frequency.unwrap().value - 1.0).abs() < 1e-6, "{zeta} {exact:?}");
+        let one: Vec<f64> = places.iter().step_by(2).copied().collect();
+        if one.len() >= 4 {
+            let exact = identify_turning_points(&one, None, TurningPoints::EveryCycle).unwrap();
+            assert!((exact.friction_displacement.value - 1.0).abs() < 1e-5, "{zeta} {exact:?}");
+        }
+        let noisy: Vec<f64> = places.iter().map(|x| x + 0.05 * normal(&mut random)).collect();
+        let found = identify_turning_points(&noisy, None, TurningPoints::EveryHalfCycle).unwrap();
+        for (estimate, truth) in [(found.friction_displacement, 1.0), (found.damping_ratio, zeta)] {
+            let (low, high) = estimate.interval();
+            all += 1;
+            covered += u32::from((low..=high).contains(&truth));
+        }
+        // The samples of the motion from the start to its last turning point.
+        let last = times[times.len() - 1];
+        let mut follower =
+            crate::sampled::Harmonic { machine, load: Load::Force, amplitude: 0.0, frequency: TAU / last }
+                .follower(start, 0.0);
+        follower.set_step(last / 600.0);
+        let (mut at, mut x) = (Vec::new(), Vec::new());
+        for _ in 0..600 {
+            at.push(follower.time);
+            x.push(follower.state[0]);
+            follower.advance(&mut None);
+        }
+        let exact = identify_decay(&at, &x).unwrap();
+        assert!((exact.friction_displacement.value - 1.0).abs() < 0.02, "{zeta} {exact:?}");
+        assert!((exact.damping_ratio.value - zeta).abs() < 0.002, "{zeta} {exact:?}");
+    }
+    assert!(covered * 10 >= all * 8, "{covered} of {all}");
+}
