@@ -108,6 +108,7 @@ pub(crate) use waves::{Circular, Waves};
 use crate::cycle::border::least_with_static_friction;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, fused};
+use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, written};
 use crate::machine::ratios::Ratios;
 use core::fmt;
@@ -296,7 +297,8 @@ impl<F: Float> Cycle<F> {
     }
 
     /// The energy that the damper dissipates in a cycle, in units of r_y B; 0 without a damper. Friction
-    /// dissipates 4Δ₀/B.
+    /// dissipates 4Δ₀/B. A damper on the moving foot ([`Ratios::excitation`]) dissipates by the velocity between body
+    /// and foot, `∮ 2ζ (x′ − u′)² dφ`.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of
     /// `docs/theory/damping.md`; the integral itself where these cancel, near Ω = 1 with little damping.
@@ -304,7 +306,9 @@ impl<F: Float> Cycle<F> {
     pub fn damper_work(&self) -> F {
         match &self.motion {
             Motion::Undamped(_) => F::int(0),
-            Motion::Damped(cycle) => cycle.damper_work(),
+            Motion::Damped(cycle) => {
+                cycle.damper_work(self.ratios.excitation() == Some(Excitation::DampedFootMotion))
+            }
         }
     }
 

@@ -62,6 +62,7 @@ use crate::cycle::damped::best_of;
 use crate::cycle::regime::sliding_bound;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
+use crate::machine::drive::{Excitation, Support};
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{valid_damping_ratio, valid_static_friction_ratio, within};
 use crate::named::named;
@@ -125,17 +126,18 @@ impl Response {
     }
 }
 
-/// [`response`] with the damping ratio for a single output, without the expensive parts of the others.
+/// [`response`] with the damping ratio under an excitation for a single output, without the expensive parts of the others.
 pub(crate) fn response_for(
     only: Output,
     omega: &Known,
     alpha: &Known,
     zeta: &Known,
+    excitation: Option<Excitation>,
     bits: u32,
 ) -> Result<Response, Error> {
     let eta = Known::rational(1.into());
     let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
-    AskedRatios { only: Some(only), ..AskedRatios::new(omega, alpha, zeta, &eta)? }.answered(bits)
+    AskedRatios { only: Some(only), excitation, ..AskedRatios::new(omega, alpha, zeta, &eta)? }.answered(bits)
 }
 
 /// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one,
@@ -183,6 +185,7 @@ struct AskedRatios<'a> {
     alpha: Option<&'a Known>,
     zeta: &'a Known,
     eta: &'a Known,
+    excitation: Option<Excitation>,
     /// The requested output; all outputs if there is none.
     only: Option<Output>,
 }
@@ -202,7 +205,7 @@ impl<'a> AskedRatios<'a> {
         for end in [eta.low(), eta.high()] {
             valid_static_friction_ratio(Mp::<2>::from_rational(end))?;
         }
-        Ok(Self { omega, alpha, zeta, eta, only: None })
+        Ok(Self { omega, alpha, zeta, eta, excitation: None, only: None })
     }
 
     fn answered(&self, bits: u32) -> Result<Response, Error> {
@@ -256,7 +259,13 @@ impl Question for AskedRatios<'_> {
         };
         if exists {
             let wanted = |output| self.only.is_none_or(|only| only == output);
-            let found = cycle::outputs(&angle, half, ball, wanted);
+            let support = Support {
+                excitation: self.excitation,
+                omega: half.omega,
+                alpha: ball,
+                damping_ratio: half.free.zeta,
+            };
+            let found = cycle::outputs(&angle, half, &support, wanted);
             // For exact ratios, more bits find every output; over intervals some may never be found.
             is_decided = found
                 .as_ref()

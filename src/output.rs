@@ -23,8 +23,8 @@ pub use definition::{Definition, Measure};
 /// Defines the outputs from one row each: the names in Rust and in the command, the measure, the meaning, the
 /// other columns of a [`Definition`], and the dimensionless value.
 ///
-/// The value is computed from the `cycle` and exists where the cycle does, from the `border`, or from the
-/// whole `response` as an `Option`.
+/// The value is computed from the `cycle` and exists where the cycle does, from its `motion` as an `Option`, from the
+/// `border`, or from the whole `response` as an `Option`.
 macro_rules! outputs {
     ($(
         $output:ident($name:literal, $measure:ident, $meaning:literal) $(.$column:ident($($fact:expr)?))*:
@@ -83,9 +83,13 @@ macro_rules! outputs {
         }
     };
     (@is_of_cycle cycle) => { true };
+    (@is_of_cycle motion) => { true };
     (@is_of_cycle $other:ident) => { false };
     (@of $response:ident, cycle $cycle:ident, $value:expr) => {
         $response.cycle.as_ref().map(|$cycle| $value)
+    };
+    (@of $response:ident, motion $cycle:ident, $value:expr) => {
+        $response.cycle.as_ref().and_then(|$cycle| $value)
     };
     (@of $response:ident, border $border:ident, $value:expr) => {{
         let $border = $response.border;
@@ -98,6 +102,10 @@ macro_rules! outputs {
     (@of_cycle $given:ident, cycle $cycle:ident, $value:expr) => {{
         let $cycle = $given;
         Some($value)
+    }};
+    (@of_cycle $given:ident, motion $cycle:ident, $value:expr) => {{
+        let $cycle = $given;
+        $value
     }};
     (@of_cycle $given:ident, $other:ident $same:ident, $value:expr) => { None };
 }
@@ -166,11 +174,11 @@ outputs! {
     Transmissibility("transmissibility", One,
             "that force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or base")
         .searched():
-        cycle => cycle.transmitted_force() / cycle.ratios.alpha();
+        cycle => cycle.transmissibility();
     MaxAbsoluteDisplacement("max_absolute_displacement", Length,
-            "maximum absolute displacement, with a base that carries the surface")
+            "maximum absolute displacement of the body, where its foot or a base that carries the surface moves")
         .searched().over_base("max_absolute_displacement"):
-        cycle => cycle.max_absolute_displacement();
+        motion => motion.absolute_displacement();
 }
 
 impl Output {

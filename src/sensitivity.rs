@@ -84,7 +84,8 @@ impl Sensitivities<2> {
         let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);
         let (zeta, eta) = (Dual::of(ratios.damping_ratio()), Dual::of(ratios.static_friction_ratio()));
         // The ratios were valid before.
-        Self::of_response(&Response::new(Ratios::of_valid(omega, alpha, zeta, eta)), |_| Dual::of(1.0))
+        let dual = Ratios::of_valid(omega, alpha, zeta, eta).under(ratios.excitation());
+        Self::of_response(&Response::new(dual), |_| Dual::of(1.0))
     }
 }
 
@@ -92,7 +93,7 @@ impl Sensitivities<5> {
     /// The outputs in physical units ([`Output::unit`]) and their derivatives with respect to m, k, r_y, the
     /// amplitude and ω_d, in this order.
     ///
-    /// All other parameters are constant, including the damping constant c. If the spring's foot moves, a
+    /// All other parameters are constant, including the damping constant c and the static friction ratio η. If the spring's foot moves, a
     /// change of stiffness also changes the force. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`,
     /// computed in two ways.
     ///

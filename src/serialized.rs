@@ -91,6 +91,7 @@ impl<F: Float + Serialize> Serialize for Response<F> {
             map.serialize_entry("alpha", &ratios.alpha())?;
             map.serialize_entry("damping_ratio", &ratios.damping_ratio())?;
             map.serialize_entry("static_friction_ratio", &ratios.static_friction_ratio())?;
+            map.serialize_entry("excitation", &ratios.excitation())?;
             map.serialize_entry("regime", self.regime.name())?;
             map.serialize_entry("motion_without_stop", &self.has_motion_without_stop())?;
             map.serialize_entry("moves_from_rest", &ratios.moves_from_rest())?;

@@ -37,7 +37,7 @@ pub(crate) fn response_at<F: Value>(
     peaks: bool,
 ) -> Result<(Response<F>, Record<F>), Failure> {
     let response = Response::guarded(point.ratios);
-    let found = ResponseAnswer { response: &response, excitation: point.excitation(), peaks };
+    let found = ResponseAnswer { response: &response, peaks };
     let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
     let record = record.in_units(given, point, Physical::of_machine)?;
     Ok((response, record))

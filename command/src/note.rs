@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Driven, Given, Input, Role};
 use stickslip::words;
-use stickslip::{Cycle, Excitation, Measure, PhaseFunction, Ratios, Regime, Response, Scales};
+use stickslip::{Cycle, Excitation, Measure, PhaseFunction, Regime, Response, Scales};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
@@ -61,12 +61,6 @@ impl<'a, F: Value, W: Write> Note<'a, F, W> {
 
     pub(crate) fn line(&mut self, name: &str, value: impl Display) -> io::Result<()> {
         line(self.out, name, value)
-    }
-
-    /// Whether the damper stands on the spring's moving foot. The heat of the damper is then not the work of
-    /// `c x′`, and the work of the foot is not that of p: neither is known here.
-    pub(crate) fn has_damped_foot(&self) -> bool {
-        self.is_driven(|excitation| excitation == Excitation::DampedFootMotion)
     }
 
     /// Whether the excitation is one of those.
@@ -178,21 +172,13 @@ pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut im
 }
 
 impl<F: Value, W: Write> Note<'_, F, W> {
-    /// The greatest force on the support, with the rules of its excitation, and that force over the one of the drive.
-    pub(crate) fn transmitted(
-        &mut self,
-        ratios: &Ratios<F>,
-        force: F,
-        acceleration: F,
-        name: &str,
-    ) -> io::Result<String> {
-        let excitation = self.machine.map_or(Excitation::Force, |machine| machine.drive.excitation());
-        let (force, ratio) = excitation.transmitted(ratios, force, acceleration);
+    /// The greatest force on the support.
+    pub(crate) fn transmitted(&mut self, name: &str, force: F) -> io::Result<()> {
         self.number(name, Measure::Force, force)?;
         if self.given.has(Input::MeanForce) {
             writeln!(self.out, "    (without the mean force p̄, which the support carries in addition)")?;
         }
-        Ok(digits(ratio))
+        Ok(())
     }
 }
 
@@ -227,7 +213,7 @@ fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io:
         let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
         note.line("energy 4 r_y Δ₀", with_unit(energy, &note.given.system.name(Kind::Energy)))?;
     }
-    if cycle.ratios.is_damped() && !note.has_damped_foot() {
+    if cycle.ratios.is_damped() {
         note.number("energy of the damper", Measure::Work, cycle.damper_work())?;
     }
     note.line("per static energy", format_args!("A₁ = {}", digits(cycle.loop_size_stiffness())))?;

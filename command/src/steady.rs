@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use stickslip::inputs::units::Reader;
 use stickslip::inputs::{Given, Point};
 use stickslip::motion::{LongRun, Peaks, State, SteadyAnswer, SteadyState};
-use stickslip::{Error, Excitation, Measure, Quantity, Ratios, words};
+use stickslip::{Error, Excitation, Measure, Quantity, words};
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
@@ -58,8 +58,7 @@ fn of_limit<F: Value>(
     limit: &LongRun<F>,
     peaks: bool,
 ) -> Result<Record<F>, Failure> {
-    let found =
-        SteadyAnswer::new(point.ratios, point.excitation(), limit, peaks).map_err(|e| given.at_fault(&e))?;
+    let found = SteadyAnswer::new(point.ratios, limit, peaks).map_err(|e| given.at_fault(&e))?;
     let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
     record.in_units(given, point, Physical::of_machine)
 }
@@ -90,7 +89,7 @@ fn write_note<F: Value>(
     match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
             writeln!(note.out, "{verdict} {}\n", words::origin(point.ratios, limit))?;
-            motion(steady, &point.ratios, &mut note)
+            motion(steady, &mut note)
         }
         LongRun::Irregular(found) => {
             writeln!(note.out, "{verdict}\n")?;
@@ -106,11 +105,7 @@ fn write_note<F: Value>(
     }
 }
 
-fn motion<F: Value>(
-    steady: &SteadyState<F>,
-    ratios: &Ratios<F>,
-    note: &mut Note<'_, F, impl Write>,
-) -> io::Result<()> {
+fn motion<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
     for (name, measure, extreme) in [
         ("maximum displacement", Measure::Length, steady.max_displacement),
         ("minimum displacement", Measure::Length, steady.min_displacement),
@@ -121,15 +116,12 @@ fn motion<F: Value>(
         note.number("  at ω_d t", Measure::Angle, extreme.phase.reduced())?;
     }
     if let Ok(found) = steady.peaks() {
-        peaks(&found, ratios, note)?;
+        peaks(&found, note)?;
     }
     note.line("velocity zeros in a cycle", steady.velocity_zeros_per_cycle)?;
-    let has_damped_foot = note.has_damped_foot();
-    if !has_damped_foot {
-        note.number("work of the drive", Measure::Work, steady.energy_in)?;
-    }
+    note.number("work of the drive", Measure::Work, steady.energy_in)?;
     note.number("work against friction", Measure::Work, steady.energy_out)?;
-    if steady.damper_work > F::int(0) && !has_damped_foot {
+    if steady.damper_work > F::int(0) {
         note.number("work against the damper", Measure::Work, steady.damper_work)?;
     }
     note.line("a disturbance", decay(steady.contraction(), "a cycle"))?;
@@ -140,16 +132,11 @@ fn motion<F: Value>(
 
 /// The loads on the machine: acceleration, transmitted force and, for a base that carries the surface, the
 /// absolute motion.
-fn peaks<F: Value>(
-    peaks: &Peaks<F>,
-    ratios: &Ratios<F>,
-    note: &mut Note<'_, F, impl Write>,
-) -> io::Result<()> {
+fn peaks<F: Value>(peaks: &Peaks<F>, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
     note.number("maximum acceleration", Measure::Acceleration, peaks.acceleration)?;
-    let (force, acceleration) = (peaks.transmitted_force, peaks.acceleration);
-    let ratio = note.transmitted(ratios, force, acceleration, "transmitted force")?;
+    note.transmitted("transmitted force", peaks.transmitted_force)?;
     let unit = if note.is_driven(Excitation::moves_foot) { "" } else { " p₀" };
-    note.line("transmissibility", format_args!("{ratio}{unit}"))?;
+    note.line("transmissibility", format_args!("{}{unit}", digits(peaks.transmissibility)))?;
     if note.is_driven(Excitation::carries_surface) {
         note.number("absolute displacement", Measure::Length, peaks.absolute_displacement)?;
     }

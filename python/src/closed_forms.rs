@@ -35,8 +35,8 @@ pub(crate) enum Column {
 }
 
 /// The answer of which a column is a value.
-fn answer(response: &Response<f64>, excitation: Excitation) -> ResponseAnswer<'_, f64> {
-    ResponseAnswer { response, excitation, peaks: true }
+const fn answer(response: &Response<f64>) -> ResponseAnswer<'_, f64> {
+    ResponseAnswer { response, peaks: true }
 }
 
 /// The value of the answer's column at a place.
@@ -50,22 +50,27 @@ fn place_of(name: &str) -> Option<usize> {
 }
 
 impl Column {
-    /// The same values under this excitation: where the foot moves, the loads on the support differ.
-    fn under(self, excitation: Excitation) -> Self {
+    /// The same values under an excitation: the loops of plain points know none, and searched values depend on it.
+    fn under(self, excitation: Option<Excitation>) -> Self {
         match self {
-            Self::Output(output) if excitation.moves_foot() && output.definition().is_searched => {
+            Self::Output(output) if excitation.is_some() && output.definition().is_searched => {
                 place_of(output.name()).map_or(self, Self::Other)
             }
             own => own,
         }
     }
 
-    fn value(self, response: &Response<f64>, excitation: Excitation) -> Option<Value<f64>> {
-        match self.under(excitation) {
+    fn value(self, response: &Response<f64>) -> Option<Value<f64>> {
+        match self {
             Self::Output(output) => Some(Value::Number(output.of(response))),
-            Self::Other(place) => at_place(&answer(response, excitation), place),
+            Self::Other(place) => at_place(&answer(response), place),
         }
     }
+}
+
+/// The ratios under an excitation, if there is one.
+pub(crate) fn under(ratios: Ratios<f64>, excitation: Option<Excitation>) -> Ratios<f64> {
+    excitation.map_or(ratios, |excitation| ratios.with_excitation(excitation))
 }
 
 /// Every output of a response: those that are not an [`Output`], and then these.
@@ -74,8 +79,7 @@ static ROWS: LazyLock<Vec<Row<Column>>> = LazyLock::new(|| {
     let example = Ratios::new(1.5, 2.5).map(Response::new).ok();
     for (place, column) in ResponseAnswer::<f64>::COLUMNS.iter().enumerate() {
         let is_output = Output::ALL.iter().any(|output| output.name() == column.definition.name);
-        let value =
-            example.as_ref().and_then(|response| at_place(&answer(response, Excitation::Force), place));
+        let value = example.as_ref().and_then(|response| at_place(&answer(response), place));
         if let Some(value) = value.filter(|_| !is_output) {
             let kind = Kind::of(&value, &REGIMES);
             rows.push(Row { definition: column.definition, kind, column: Column::Other(place) });
@@ -100,14 +104,14 @@ pub(crate) fn rows(names: &[String]) -> PyResult<Vec<Row<Column>>> {
 fn response_at<'py>(
     py: Python<'py>,
     point: Point,
-    kind: &str,
+    kind: Option<&str>,
     outputs: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (rows, kind) = (rows(&outputs)?, excitation(kind)?);
-    let response = Response::new(ratios(point).map_err(refused)?);
+    let (rows, kind) = (rows(&outputs)?, kind.map(excitation).transpose()?);
+    let response = Response::new(under(ratios(point).map_err(refused)?, kind));
     let dict = PyDict::new(py);
     for row in rows {
-        if let Some(value) = row.column.value(&response, kind) {
+        if let Some(value) = row.column.value(&response) {
             columns::set(&dict, row.definition.name, value)?;
         }
     }
@@ -120,11 +124,11 @@ fn response_into<'py>(
     py: Python<'py>,
     points: [Given<'py>; 4],
     n: usize,
-    kind: &str,
+    kind: Option<&str>,
     outputs: Vec<String>,
     mut arrays: Vec<Target<'py>>,
 ) -> PyResult<()> {
-    let kind = excitation(kind)?;
+    let kind = kind.map(excitation).transpose()?;
     let points = Points::of(&points, n)?;
     let places = Places::of(rows(&outputs)?, &mut arrays, n)?;
     // Work of less than about a millisecond is not worth handing to other threads.
@@ -140,7 +144,7 @@ fn response_into<'py>(
 /// The outputs at the given points, in memory of their own.
 pub(crate) fn stored(points: Points<'_>, rows: &[Row<Column>], stop: &Stop) -> Result<Store<Column>, Error> {
     let mut store = Store::new(rows.to_vec(), points.n);
-    fill(points, store.places(), Excitation::Force, stop)?;
+    fill(points, store.places(), None, stop)?;
     Ok(store)
 }
 
@@ -148,7 +152,7 @@ pub(crate) fn stored(points: Points<'_>, rows: &[Row<Column>], stop: &Stop) -> R
 fn fill(
     points: Points<'_>,
     mut places: Places<'_, Column>,
-    excitation: Excitation,
+    excitation: Option<Excitation>,
     stop: &Stop,
 ) -> Result<(), Error> {
     for (row, _) in &mut places.0 {
@@ -171,12 +175,12 @@ fn fill_task(
     points: Points<'_>,
     places: Places<'_, Column>,
     fixed: Option<&FixedOmega>,
-    excitation: Excitation,
+    excitation: Option<Excitation>,
 ) -> Result<(), Error> {
     let mut wanted = Columns::new();
     let mut regimes = Vec::new();
     let (mut codes, mut others) = (None, Vec::new());
-    let at = |i: usize| ratios(points.at(i)?).ok();
+    let at = |i: usize| ratios(points.at(i)?).ok().map(|ratios| under(ratios, excitation));
     for (row, slot) in places.0 {
         match (row.column, slot) {
             (Column::Output(output), Slot::Numbers(values)) => wanted = wanted.with(output, values),
@@ -202,7 +206,7 @@ fn fill_task(
         let mut others = Places(others);
         for i in 0..points.n {
             let response = at(i).map(Response::new);
-            others.put(i, |column| column.value(response.as_ref()?, excitation));
+            others.put(i, |column| column.value(response.as_ref()?));
         }
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! The exact motion: its limit, phases and samples, and free vibration.
 
-use crate::closed_forms::REGIMES;
+use crate::closed_forms::{REGIMES, under};
 use crate::columns::{self, Kind, Places, Row, Store, Target, halves, named};
 use crate::machine::excitation;
 use crate::points::{Given, Point, Points, ratios};
@@ -41,11 +41,12 @@ type KeepGoing<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
 fn follow(
     point: Point,
+    excitation: Option<Excitation>,
     (phase, x, v): Start,
     periods: u32,
     keep_going: KeepGoing<'_>,
 ) -> Result<FoundLimit, Error> {
-    let ratios = ratios(point)?;
+    let ratios = under(ratios(point)?, excitation);
     let limit = LongRun::within(ratios, State::new(phase, x, v)?, periods, keep_going)?;
     let seen = observed(ratios, &limit);
     Ok(FoundLimit { ratios, limit, seen })
@@ -55,16 +56,13 @@ impl FoundLimit {
     /// The answer, with the peaks and the measures of asymmetry where a column needs them.
     fn answer(
         &self,
-        excitation: Excitation,
         needs: Needs,
         keep_going: KeepGoing<'_>,
     ) -> Result<SteadyAnswer<'_, f64>, Error> {
-        let steady = self.limit.steady_state();
-        let peaks =
-            steady.filter(|_| needs.peaks).map(|steady| steady.peaks_while(keep_going)).transpose()?;
-        let errors = steady.filter(|_| needs.errors).map(SteadyState::errors).transpose()?;
+        let peaks = if needs.peaks { self.limit.peaks_while(&self.ratios, keep_going)? } else { None };
+        let errors = self.limit.steady_state().filter(|_| needs.errors).map(SteadyState::errors).transpose()?;
         let Self { ratios, limit, seen } = self;
-        Ok(SteadyAnswer { ratios: *ratios, excitation, limit, seen: *seen, errors, peaks })
+        Ok(SteadyAnswer { ratios: *ratios, limit, seen: *seen, errors, peaks })
     }
 }
 
@@ -107,9 +105,9 @@ impl Needs {
 static ROWS: LazyLock<Vec<Row<Column>>> = LazyLock::new(|| {
     let mut rows = Vec::new();
     let point = (1.5, 2.5, 0.0, 1.0);
-    let example = follow(point, (0.0, 0.0, 0.0), DEFAULT_BUDGET, &mut || ControlFlow::Continue(()));
+    let example = follow(point, None, (0.0, 0.0, 0.0), DEFAULT_BUDGET, &mut || ControlFlow::Continue(()));
     let Ok(example) = example else { return rows };
-    let answer = example.answer(Excitation::Force, Needs::default(), &mut || ControlFlow::Continue(()));
+    let answer = example.answer(Needs::default(), &mut || ControlFlow::Continue(()));
     let Ok(answer) = answer else { return rows };
     let places = SteadyAnswer::<f64>::COLUMNS.iter().enumerate();
     let places = places.map(|(place, column)| (column.definition, Column::Place(place)));
@@ -136,12 +134,12 @@ const STEPS: u32 = 1 << 13;
 fn steady_at<'py>(
     py: Python<'py>,
     point: Point,
-    kind: &str,
+    kind: Option<&str>,
     outputs: Vec<String>,
     start: Start,
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (rows, kind) = (rows(&outputs)?, excitation(kind)?);
+    let (rows, kind) = (rows(&outputs)?, kind.map(excitation).transpose()?);
     let mut signal = None;
     let mut steps = 0_u32;
     let mut keep_going = || {
@@ -153,8 +151,8 @@ fn steady_at<'py>(
     };
     let needs = Needs::of(rows.iter().map(|row| row.definition));
     let values = py.detach(|| {
-        let found = follow(point, start, max_periods, &mut keep_going)?;
-        let answer = found.answer(kind, needs, &mut keep_going)?;
+        let found = follow(point, kind, start, max_periods, &mut keep_going)?;
+        let answer = found.answer(needs, &mut keep_going)?;
         Ok::<_, Error>(rows.iter().map(|row| row.column.value(&answer)).collect::<Vec<_>>())
     });
     if let Some(signal) = signal {
@@ -176,13 +174,13 @@ fn steady_into<'py>(
     py: Python<'py>,
     points: [Given<'py>; 4],
     n: usize,
-    kind: &str,
+    kind: Option<&str>,
     outputs: Vec<String>,
     mut arrays: Vec<Target<'py>>,
     start: Start,
     max_periods: u32,
 ) -> PyResult<()> {
-    let kind = excitation(kind)?;
+    let kind = kind.map(excitation).transpose()?;
     let points = Points::of(&points, n)?;
     let places = Places::of(rows(&outputs)?, &mut arrays, n)?;
     // An invalid start is one error; it does not mark every point as invalid.
@@ -190,7 +188,7 @@ fn steady_into<'py>(
     interruptible(py, |stop| fill(points, places, kind, start, max_periods, stop))?.map_err(refused)
 }
 
-/// The outputs at the given points under a force, in memory of their own.
+/// The outputs at the given points, in memory of their own.
 pub(crate) fn stored(
     points: Points<'_>,
     rows: &[Row<Column>],
@@ -199,7 +197,7 @@ pub(crate) fn stored(
     stop: &Stop,
 ) -> Result<Store<Column>, Error> {
     let mut store = Store::new(rows.to_vec(), points.n);
-    fill(points, store.places(), Excitation::Force, start, max_periods, stop)?;
+    fill(points, store.places(), None, start, max_periods, stop)?;
     Ok(store)
 }
 
@@ -211,7 +209,7 @@ const TASK: usize = 32;
 fn fill(
     points: Points<'_>,
     places: Places<'_, Column>,
-    kind: Excitation,
+    kind: Option<Excitation>,
     start: Start,
     max_periods: u32,
     stop: &Stop,
@@ -220,7 +218,7 @@ fn fill(
     let keep_going = || stop.asked();
     halves(points, places, TASK, stop, &|points, mut places| {
         for (i, point) in (0..points.n).filter_map(|i| Some((i, points.at(i)?))) {
-            let found = match follow(point, start, max_periods, &mut { keep_going }) {
+            let found = match follow(point, kind, start, max_periods, &mut { keep_going }) {
                 Ok(found) => found,
                 Err(error) if error.quantity().is_some() => {
                     places.put(i, |_| None);
@@ -230,8 +228,8 @@ fn fill(
                 Err(error) => return Err(error),
             };
             // The peaks of a cycle that cannot be followed do not exist, but its other outputs do.
-            let answer = found.answer(kind, needs, &mut { keep_going });
-            match answer.or_else(|_| found.answer(kind, Needs::default(), &mut { keep_going })) {
+            let answer = found.answer(needs, &mut { keep_going });
+            match answer.or_else(|_| found.answer(Needs::default(), &mut { keep_going })) {
                 Ok(answer) => places.put(i, |column| column.value(&answer)),
                 Err(error) => return Err(error),
             }

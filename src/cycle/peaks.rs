@@ -22,6 +22,7 @@ use super::waveform::Motion;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, Real};
 use crate::greatest::{Bound, Jet, greatest};
+use crate::machine::drive::{Excitation, Support};
 use crate::root::enclosed;
 
 /// Dynamic amplification `k Δ₀/p₀ = (Δ₀/B)/α`.
@@ -46,10 +47,26 @@ pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
 }
 
 impl<F: Float> Cycle<F> {
-    /// Maximum transmitted force, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of
+    /// Maximum force on the support, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of
     /// `|x + 2ζx′ + sgn x′|`, which includes the damper's force.
+    ///
+    /// Where the foot moves ([`crate::Ratios::excitation`]), foot and surface together carry m x″: the maximum of `|x″|`.
     pub fn transmitted_force(&self) -> F {
+        let support = Support::from(&self.ratios);
+        support.force(self.carried(&support))
+    }
+
+    /// The transmissibility: [`Cycle::transmitted_force`] over p₀. Where the foot moves, the maximum acceleration of the
+    /// body over that of the foot.
+    pub fn transmissibility(&self) -> F {
+        let support = Support::from(&self.ratios);
+        support.transmissibility(self.carried(&support))
+    }
+
+    /// The maximum that decides the force on the support: an acceleration in B ω_d², or a force in r_y.
+    fn carried(&self, support: &Support<F>) -> F {
         match &self.motion {
+            _ if support.is_foot() => self.max_acceleration(),
             Motion::Undamped(_) => transmitted_force(self.max_displacement),
             Motion::Damped(cycle) => cycle.transmitted_force(),
         }
@@ -111,7 +128,12 @@ impl<F: Float> Cycle<F> {
     /// Without damping `y = x + u` has `y″ = −(x + 1)` on the half cycle with x′ > 0, where x increases.
     /// Hence y′ increases and then decreases, from −K/Ω² to K/Ω²; it has one zero, and y one extremum.
     /// Accuracy at f64: 1e-14 of Δ₀/B + α/Ω²; with damping 1e-13 of it.
+    ///
+    /// Where the foot moves, the surface is fixed, and this is Δ₀/B.
     pub fn max_absolute_displacement(&self) -> F {
+        if self.ratios.excitation().is_some_and(Excitation::moves_foot) {
+            return self.max_displacement.abs();
+        }
         let omega = self.ratios.omega();
         let half = match &self.motion {
             Motion::Damped(cycle) => return cycle.max_absolute_displacement(),
@@ -124,6 +146,12 @@ impl<F: Float> Cycle<F> {
         let (low, high) = enclosed(-beta, beta, speed);
         let at = |psi: F| (half.displacement(psi) + self.drive(psi, k).0 / square).abs();
         at(low).or_larger(at(high))
+    }
+
+    /// The maximum absolute displacement where the foot or the base moves, and of ratios without an excitation.
+    pub(crate) fn absolute_displacement(&self) -> Option<F> {
+        let moves = self.ratios.excitation().is_none_or(Excitation::moves_base);
+        moves.then(|| self.max_absolute_displacement())
     }
 
     /// (α sin θ, α cos θ) at the centred time ψ of the half cycle with x′ > 0.

@@ -20,21 +20,22 @@ use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::greatest::Jet;
+use crate::machine::drive::{Excitation, Support};
 use crate::output::Output;
 use core::cmp::Ordering;
 
 /// Outputs of a cycle by name; `None` where an output is not found.
 pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
 
-/// The outputs of the cycle for α certainly above the border, and without a damper Ω certainly not 1. Outputs that
+/// The outputs of the cycle under an excitation, for α certainly above the border, and without a damper Ω certainly not 1. Outputs that
 /// take a search are computed only if requested. `None` where the maximum velocity is not found.
 pub(crate) fn outputs<const W: usize>(
     angle: &Angle<W>,
     half: HalfPeriod<Ball<W>>,
-    alpha: Ball<W>,
+    support: &Support<Ball<W>>,
     wanted: impl Fn(Output) -> bool,
 ) -> Option<Outputs<W>> {
-    let omega = half.omega;
+    let Support { omega, alpha, excitation, .. } = *support;
     let amplitude = max_displacement(half.k, alpha, half.stiffness);
     let rising = Rising::new(half, amplitude);
     let delta = amplitude - half.shift;
@@ -70,29 +71,34 @@ pub(crate) fn outputs<const W: usize>(
     let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
         greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))
     };
-    if wanted(Output::TransmittedForce) || wanted(Output::Transmissibility) {
-        let force = if is_undamped {
-            Some(transmitted_force(delta))
-        } else {
-            of(&|at| rising.force(at, displacement(&rising, at)))
-        };
-        found.push((Output::TransmittedForce, force));
-        found.push((Output::Transmissibility, force.map(|force| force / alpha)));
-    }
-    if wanted(Output::MaxAcceleration) {
-        let most = if !is_undamped {
+    let is_force_wanted = wanted(Output::TransmittedForce) || wanted(Output::Transmissibility);
+    let acceleration = (wanted(Output::MaxAcceleration) || is_force_wanted && support.is_foot()).then(|| {
+        if !is_undamped {
             of(&|at| rising.acceleration(at)).map(|most| most / omega.square())
         } else if *angle.known.low() >= rug::Rational::from((1, 2)) {
             Some(arrival_acceleration(delta, omega))
         } else if *angle.known.high() < rug::Rational::from((1, 2)) {
-            acceleration(&rising).map(|most| most / omega.square())
+            max_acceleration(&rising).map(|most| most / omega.square())
         } else {
             None
+        }
+    });
+    found.extend(acceleration.map(|most| (Output::MaxAcceleration, most)));
+    if is_force_wanted {
+        let carried = if support.is_foot() {
+            acceleration.flatten()
+        } else if is_undamped {
+            Some(transmitted_force(delta))
+        } else {
+            of(&|at| rising.force(at, displacement(&rising, at)))
         };
-        found.push((Output::MaxAcceleration, most));
+        found.push((Output::TransmittedForce, carried.map(|most| support.force(most))));
+        found.push((Output::Transmissibility, carried.map(|most| support.transmissibility(most))));
     }
-    if wanted(Output::MaxAbsoluteDisplacement) {
-        let most = if is_undamped {
+    if wanted(Output::MaxAbsoluteDisplacement) && excitation.is_none_or(Excitation::moves_base) {
+        let most = if support.is_foot() {
+            Some(delta)
+        } else if is_undamped {
             farthest(angle, &rising)
         } else {
             of(&|at| rising.absolute(at, displacement(&rising, at)))
@@ -199,7 +205,7 @@ fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Optio
 
 /// Greatest |x″| without damping below Ω = 1/2: on arrival, or within a fast period of an end or of the maximum of
 /// the slow wave, as in `crate::cycle::peaks`.
-fn acceleration<const W: usize>(rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
+fn max_acceleration<const W: usize>(rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
     let half = &rising.half;
     let (end, turn) = (half.period.lower(), (Ball::<W>::pi() * Ball::int(2)).upper());
     // a Ω² cos Ωτ + H Ω² sin Ωτ, whose values at the ends have opposite signs.

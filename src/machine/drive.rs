@@ -1,7 +1,7 @@
 //! The excitation: a force, or a motion of the foot or the base.
 
 use super::oscillator::Oscillator;
-use crate::float::Float;
+use crate::float::{Field, Float};
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{Ratios, finite, positive};
 use crate::named::named;
@@ -71,28 +71,56 @@ impl Excitation {
         matches!(self, Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration)
     }
 
-    /// The transmitted force in r_y, and the transmissibility, of a body with this excitation, from the
-    /// maximum `force` of spring, damper and friction and the maximum `acceleration` in B ω_d².
-    ///
-    /// If the foot moves, foot and surface together carry the force m x″, which is `Ω²` times the
-    /// acceleration, because nothing else acts on the body. The transmissibility is then the ratio of the
-    /// accelerations of body and foot, where a damper on the foot leaves `√(1 + (2ζΩ)²) u₀ = p₀/k`. Otherwise
-    /// the two values are the force, and the force over p₀.
-    #[doc(hidden)]
-    pub fn transmitted<F: Float>(self, ratios: &Ratios<F>, force: F, acceleration: F) -> (F, F) {
-        let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        let damper = F::int(2) * ratios.damping_ratio() * omega;
-        match self {
-            Self::FootMotion => (acceleration * omega.square(), acceleration / alpha),
-            Self::DampedFootMotion => {
-                (acceleration * omega.square(), acceleration * F::int(1).hypot(damper) / alpha)
-            }
-            Self::Force
-            | Self::Unbalance
-            | Self::SurfaceMotion
-            | Self::SurfaceVelocity
-            | Self::SurfaceAcceleration => (force, force / alpha),
+    /// Whether the foot or the base moves, so that the body's absolute displacement and that of its support are two.
+    pub(crate) const fn moves_base(self) -> bool {
+        self.moves_foot() || self.carries_surface()
+    }
+}
+
+/// The force on the support under an excitation, if there is one.
+///
+/// If the foot moves, foot and surface together carry the force m x″, which is `Ω²` times the acceleration, because
+/// nothing else acts on the body. The transmissibility is then the ratio of the accelerations of body and foot, where a
+/// damper on the foot leaves `√(1 + (2ζΩ)²) u₀ = p₀/k`. Otherwise the two values are the force of spring, damper and
+/// friction, and that force over p₀.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Support<F> {
+    pub(crate) excitation: Option<Excitation>,
+    pub(crate) omega: F,
+    pub(crate) alpha: F,
+    pub(crate) damping_ratio: F,
+}
+
+impl<F: Float> From<&Ratios<F>> for Support<F> {
+    fn from(ratios: &Ratios<F>) -> Self {
+        Self {
+            excitation: ratios.excitation(),
+            omega: ratios.omega(),
+            alpha: ratios.alpha(),
+            damping_ratio: ratios.damping_ratio(),
         }
+    }
+}
+
+impl<F: Field> Support<F> {
+    /// Whether the support carries m x″, so that its force is that of the maximum acceleration.
+    pub(crate) fn is_foot(&self) -> bool {
+        self.excitation.is_some_and(Excitation::moves_foot)
+    }
+
+    /// The transmitted force in r_y: of the maximum acceleration in B ω_d² where the foot moves, otherwise the maximum
+    /// force of spring, damper and friction.
+    pub(crate) fn force(&self, carried: F) -> F {
+        if self.is_foot() { carried * self.omega.square() } else { carried }
+    }
+
+    /// The transmissibility, from the same maximum.
+    pub(crate) fn transmissibility(&self, carried: F) -> F {
+        if self.excitation == Some(Excitation::DampedFootMotion) {
+            let damper = F::int(2) * self.damping_ratio * self.omega;
+            return carried * F::int(1).hypot(damper) / self.alpha;
+        }
+        carried / self.alpha
     }
 }
 
@@ -226,7 +254,7 @@ impl<F: Float> Drive<F> {
         }
     }
 
-    /// The ratios of `oscillator` under this drive: `Ω = ω_d/ω_n` (eq. 9), `α = p₀/r_y` (eq. 8), ζ and η.
+    /// The ratios of `oscillator` under this drive: `Ω = ω_d/ω_n` (eq. 9), `α = p₀/r_y` (eq. 8), ζ, η and the excitation.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`Ratios`].
@@ -237,5 +265,6 @@ impl<F: Float> Drive<F> {
         )?
         .with_damping_ratio(oscillator.damping_ratio())?
         .with_static_friction_ratio(oscillator.static_friction_ratio())
+        .map(|ratios| ratios.with_excitation(self.excitation))
     }
 }

@@ -458,6 +458,7 @@ impl<F: Float + FromStr> Given<F> {
             Ratios::new(or(Input::Omega, found.omega()), or(Input::Alpha, found.alpha()))?
                 .with_damping_ratio(or(Input::DampingRatio, found.damping_ratio()))?
                 .with_static_friction_ratio(or(Input::StaticFrictionRatio, found.static_friction_ratio()))
+                .map(|ratios| ratios.under(found.excitation()))
         };
         let all = || {
             let (found, scales) = (drive.ratios(&oscillator)?, Scales::new(&oscillator, &drive)?);

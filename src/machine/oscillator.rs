@@ -40,6 +40,8 @@ pub struct Oscillator<F> {
     damping: F,
     friction_offset: F,
     static_friction_ratio: F,
+    /// r_s where it was given as a force, which stays as it is if the friction bound changes.
+    static_friction: Option<F>,
 }
 
 impl<F: Float> Oscillator<F> {
@@ -55,6 +57,7 @@ impl<F: Float> Oscillator<F> {
             damping: F::int(0),
             friction_offset: F::int(0),
             static_friction_ratio: F::int(1),
+            static_friction: None,
         })
     }
 
@@ -92,7 +95,7 @@ impl<F: Float> Oscillator<F> {
     /// Where r_s is not finite or not > 0, or is below r_y.
     pub fn with_static_friction(self, static_friction: F) -> Result<Self, Error> {
         let ratio = positive(Quantity::StaticFriction, static_friction)? / self.friction_bound;
-        self.with_static_friction_ratio(ratio)
+        Ok(Self { static_friction: Some(static_friction), ..self.with_static_friction_ratio(ratio)? })
     }
 
     /// This body with a static friction of η times the kinetic one, r_s = η r_y.
@@ -100,7 +103,8 @@ impl<F: Float> Oscillator<F> {
     /// # Errors
     /// Where η is not finite, < 1 or outside the domain of [`crate::Ratios`].
     pub fn with_static_friction_ratio(self, static_friction_ratio: F) -> Result<Self, Error> {
-        Ok(Self { static_friction_ratio: valid_static_friction_ratio(static_friction_ratio)?, ..self })
+        let static_friction_ratio = valid_static_friction_ratio(static_friction_ratio)?;
+        Ok(Self { static_friction_ratio, static_friction: None, ..self })
     }
 
     /// This body with friction that differs by direction: r₊ against motion with x′ > 0, r₋ against motion
@@ -108,16 +112,17 @@ impl<F: Float> Oscillator<F> {
     /// (r₊ − r₋)/2 forwards or η r_y − (r₊ − r₋)/2 backwards.
     ///
     /// # Errors
-    /// Where r₊ or r₋ is not finite or not > 0, or their sum overflows.
+    /// Where r₊ or r₋ is not finite or not > 0, their sum overflows, or r_s was given and is below their mean.
     pub fn with_directional_friction(self, forward: F, backward: F) -> Result<Self, Error> {
         let forward = positive(Quantity::ForwardFriction, forward)?;
         let backward = positive(Quantity::BackwardFriction, backward)?;
         let half = F::ratio(1, 2);
-        Ok(Self {
+        let own = Self {
             friction_bound: positive(Quantity::FrictionBound, forward * half + backward * half)?,
             friction_offset: (forward - backward) * half,
             ..self
-        })
+        };
+        self.static_friction.map_or(Ok(own), |static_friction| own.with_static_friction(static_friction))
     }
 
     /// This body with friction that differs by direction by twice this force, `(r₊ − r₋)/2`.
@@ -260,7 +265,8 @@ mod tests {
         assert_eq!((body.friction_bound(), body.friction_offset()), (4.0, 1.0));
         let scales = Scales::new(&body, &drive).unwrap();
         assert_eq!((scales.mean_displacement, scales.length), (1.0, 0.5));
-        assert_eq!(drive.ratios(&body), Ratios::new(2.0, 3.0));
+        let ratios = Ratios::new(2.0, 3.0).unwrap().with_excitation(Excitation::Force);
+        assert_eq!(drive.ratios(&body), Ok(ratios));
         assert!(body.with_directional_friction(5.0, 0.0).is_err());
         assert!(drive.with_mean_force(f64::NAN).is_err());
     }
@@ -282,15 +288,41 @@ mod tests {
         let body = Oscillator::new(2.0, 8.0, 4.0).unwrap();
         assert_eq!(body.static_friction_ratio(), 1.0);
         assert_eq!(body.with_static_friction(5.0).unwrap().static_friction_ratio(), 1.25);
-        assert_eq!(body.with_static_friction(5.0), body.with_static_friction_ratio(1.25));
         let ratios = Drive::force(12.0, 4.0).unwrap().ratios(&body.with_static_friction(5.0).unwrap());
-        assert_eq!(ratios, Ratios::new(2.0, 3.0).unwrap().with_static_friction_ratio(1.25));
+        let expected = Ratios::new(2.0, 3.0).unwrap().with_excitation(Excitation::Force);
+        assert_eq!(ratios, expected.with_static_friction_ratio(1.25));
         let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
         assert_eq!(
             text(body.with_static_friction(3.0)),
             "static friction ratio η = 0.75 must be ≥ 1: static friction is not below the kinetic one"
         );
         assert_eq!(text(body.with_static_friction(f64::NAN)), "static friction r_s = NaN must be finite");
+    }
+
+    /// A static friction given as a force, or as a ratio, is what was given, whatever is given after it.
+    #[test]
+    fn the_order_of_the_builders_does_not_matter() {
+        let body = Oscillator::new(50.0, 1000.0, 5.0).unwrap();
+        let directional = body.with_directional_friction(4.0, 7.0).unwrap();
+        let force = |body: Oscillator<f64>| body.static_friction_ratio() * body.friction_bound();
+        close(
+            force(body.with_static_friction(6.0).unwrap().with_directional_friction(4.0, 7.0).unwrap()),
+            6.0,
+        );
+        close(force(directional.with_static_friction(6.0).unwrap()), 6.0);
+        let by_ratio = body.with_static_friction_ratio(1.2).unwrap();
+        close(force(by_ratio.with_directional_friction(4.0, 7.0).unwrap()), 6.6);
+        assert_eq!(by_ratio.with_directional_friction(4.0, 7.0), directional.with_static_friction_ratio(1.2));
+        // The last of two static frictions counts.
+        let last = body.with_static_friction(9.0).unwrap().with_static_friction_ratio(1.2).unwrap();
+        assert_eq!(last.with_directional_friction(4.0, 7.0), directional.with_static_friction_ratio(1.2));
+        let text = body
+            .with_static_friction(5.2)
+            .unwrap()
+            .with_directional_friction(4.0, 7.0)
+            .unwrap_err()
+            .to_string();
+        assert!(text.starts_with("static friction ratio η = 0.94545"), "{text}");
     }
 
     #[test]

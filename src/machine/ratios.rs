@@ -2,6 +2,7 @@
 //! ratio η.
 
 use crate::float::Float;
+use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, Quantity, written};
 
 /// Frequency ratio Ω = ω_d/ω_n (eq. 9), force ratio α = p₀/r_y (eq. 8), damping ratio ζ = c/(2√(k m)) and
@@ -15,6 +16,9 @@ use crate::machine::error::{Error, Quantity, written};
 /// | η | `1 ≤ η ≤ 2ᵉ`; 1 unless it is given |
 ///
 /// Inside that domain no closed form overflows or underflows; outside it, construction is an error.
+///
+/// The ratios of a machine under a drive ([`crate::Drive::ratios`]) carry its [`Excitation`], which decides the force on
+/// the support and the absolute displacement. Ratios alone have none, until [`Ratios::with_excitation`] gives one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -29,6 +33,7 @@ pub struct Ratios<F> {
     alpha: F,
     damping_ratio: F,
     static_friction_ratio: F,
+    excitation: Option<Excitation>,
 }
 
 impl<F: Float> Ratios<F> {
@@ -43,6 +48,7 @@ impl<F: Float> Ratios<F> {
             alpha: force_ratio(alpha)?,
             damping_ratio: F::int(0),
             static_friction_ratio: F::int(1),
+            excitation: None,
         })
     }
 
@@ -73,9 +79,23 @@ impl<F: Float> Ratios<F> {
         Ok(Self { static_friction_ratio: valid_static_friction_ratio(static_friction_ratio)?, ..self })
     }
 
-    /// Ratios that are known to be in the domain.
+    /// These ratios under an excitation of this kind.
+    ///
+    /// The motion does not depend on it, as phases are those of the force. The transmitted force, the
+    /// transmissibility, the absolute displacement and the works of a damped foot do.
+    #[must_use]
+    pub const fn with_excitation(self, excitation: Excitation) -> Self {
+        self.under(Some(excitation))
+    }
+
+    /// These ratios under an excitation, if there is one.
+    pub(crate) const fn under(self, excitation: Option<Excitation>) -> Self {
+        Self { excitation, ..self }
+    }
+
+    /// Ratios that are known to be in the domain, without an excitation.
     pub(crate) const fn of_valid(omega: F, alpha: F, damping_ratio: F, static_friction_ratio: F) -> Self {
-        Self { omega, alpha, damping_ratio, static_friction_ratio }
+        Self { omega, alpha, damping_ratio, static_friction_ratio, excitation: None }
     }
 
     /// Frequency ratio Ω = ω_d/ω_n (eq. 9).
@@ -96,6 +116,11 @@ impl<F: Float> Ratios<F> {
     /// Static friction ratio η = r_s/r_y; 1 if static and kinetic friction are equal.
     pub const fn static_friction_ratio(&self) -> F {
         self.static_friction_ratio
+    }
+
+    /// The kind of excitation; `None` for ratios without a drive.
+    pub const fn excitation(&self) -> Option<Excitation> {
+        self.excitation
     }
 
     /// Whether there is a damper, ζ > 0.
@@ -136,6 +161,7 @@ impl<F: Float> Ratios<F> {
             alpha: to(self.alpha),
             damping_ratio: to(self.damping_ratio),
             static_friction_ratio: to(self.static_friction_ratio),
+            excitation: self.excitation,
         }
     }
 

@@ -23,6 +23,7 @@
 //! frequency as a slow and a fast wave.
 
 pub(crate) mod equation;
+mod foot;
 pub(crate) mod motion;
 pub(crate) mod short;
 pub(crate) mod stick;

@@ -7,7 +7,6 @@ use super::{Definition, Output};
 use crate::cycle::Cycle;
 use crate::cycle::response::Response;
 use crate::float::Float;
-use crate::machine::oscillator::Excitation;
 use Value::{Count, Flag, Number, Text};
 
 /// A value of an answer; `None` where it does not exist.
@@ -61,12 +60,11 @@ macro_rules! columns {
 }
 pub(crate) use columns;
 
-/// A response with the excitation of its machine.
+/// A response as the columns of the command.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct ResponseAnswer<'a, F> {
     pub response: &'a Response<F>,
-    pub excitation: Excitation,
     /// Whether outputs that need a search are requested.
     pub peaks: bool,
 }
@@ -101,29 +99,8 @@ impl<F: Float> ResponseAnswer<'_, F> {
         (DAMPER_WORK) if Damping => Number(answer.response.cycle.as_ref().map(Cycle::damper_work));
     }
 
-    /// The value of an output. Where the spring's foot moves, the loads on the support are those of
-    /// [`Excitation`].
     fn number(&self, output: Output) -> Option<F> {
-        let response = self.response;
-        if output.definition().is_searched && !self.peaks {
-            return None;
-        }
-        if !self.excitation.moves_foot() {
-            return output.of(response);
-        }
-        let felt = |cycle: &Cycle<F>| {
-            self.excitation.transmitted(&response.ratios, F::int(0), cycle.max_acceleration())
-        };
-        let cycle = response.cycle.as_ref();
-        if output == Output::TransmittedForce {
-            cycle.map(|cycle| felt(cycle).0)
-        } else if output == Output::Transmissibility {
-            cycle.map(|cycle| felt(cycle).1)
-        } else if output == Output::MaxAbsoluteDisplacement {
-            // The surface is fixed.
-            cycle.map(|cycle| cycle.max_displacement.abs())
-        } else {
-            output.of(response)
-        }
+        let is_left_out = output.definition().is_searched && !self.peaks;
+        if is_left_out { None } else { output.of(self.response) }
     }
 }

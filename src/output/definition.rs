@@ -95,11 +95,8 @@ enum PhysicalName {
     /// The output has no such name.
     Absent,
     Named(&'static str),
-    /// The name, which applies only under a base that carries the surface.
+    /// The name, which applies only where the foot or the base moves.
     OverBase(&'static str),
-    /// The name, which does not apply where the damper stands on the moving foot and dissipates by the
-    /// velocity between body and foot.
-    UnlessDampedFoot(&'static str),
 }
 
 /// The definition of an output.
@@ -169,7 +166,6 @@ impl Definition {
         physical(name: &'static str) => physical = PhysicalName::Named(name);
         without_physical() => physical = PhysicalName::Absent;
         over_base(name: &'static str) => physical = PhysicalName::OverBase(name);
-        unless_damped_foot(name: &'static str) => physical = PhysicalName::UnlessDampedFoot(name);
     }
 }
 
@@ -182,10 +178,7 @@ impl Definition {
         match self.physical {
             PhysicalName::Absent => None,
             PhysicalName::Named(name) => Some(name),
-            PhysicalName::OverBase(name) => excitation.carries_surface().then_some(name),
-            PhysicalName::UnlessDampedFoot(name) => {
-                (excitation != Excitation::DampedFootMotion).then_some(name)
-            }
+            PhysicalName::OverBase(name) => excitation.moves_base().then_some(name),
         }
     }
 

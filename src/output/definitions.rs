@@ -11,7 +11,7 @@ crate::define! {
     pub BEST_FORCE_RATIO_SLIDES("best_force_ratio_slides", Plain, "whether the body slides at α*")
         .title("sliding at the force ratio of the largest loop");
     pub DAMPER_WORK("damper_work", Work, "energy that the damper dissipates in a cycle, where damping was given")
-        .title("energy dissipated by the damper in a cycle").unless_damped_foot("damper_energy_per_cycle");
+        .title("energy dissipated by the damper in a cycle").physical("damper_energy_per_cycle");
     pub NO_STOP_FORCE_RATIOS("no_stop_force_ratios", ForceRatio,
         "force ratios without any stop, as intervals (border --no-stop)").physical("no_stop_forces");
     pub REVERSALS_PER_CYCLE("reversals_per_cycle", Plain, "reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, …")

@@ -62,7 +62,11 @@ fn each_quantity_has_a_physical_name() {
     assert_eq!(under(Output::MaxAbsoluteDisplacement, Excitation::Force), None);
     let work = |excitation| definitions::DAMPER_WORK.physical_name(excitation);
     assert_eq!(work(Excitation::FootMotion), Some("damper_energy_per_cycle"));
-    assert_eq!(work(Excitation::DampedFootMotion), None);
+    assert_eq!(work(Excitation::DampedFootMotion), Some("damper_energy_per_cycle"));
+    assert_eq!(
+        under(Output::MaxAbsoluteDisplacement, Excitation::FootMotion),
+        Some("max_absolute_displacement")
+    );
 }
 
 #[test]

@@ -50,19 +50,22 @@ macro_rules! fields {
 fields! {
     RatiosFields -> Ratios {
         omega: F, alpha: F, damping_ratio: F = "zero", static_friction_ratio: F = "one",
-    } by |omega, alpha, damping_ratio, static_friction_ratio| {
+        excitation: Option<Excitation> = "absent",
+    } by |omega, alpha, damping_ratio, static_friction_ratio, excitation| {
         Ok(Ratios::new(omega, alpha)?
             .with_damping_ratio(damping_ratio)?
-            .with_static_friction_ratio(static_friction_ratio)?)
+            .with_static_friction_ratio(static_friction_ratio)?
+            .under(excitation))
     };
     OscillatorFields -> Oscillator {
         mass: F, stiffness: F, friction_bound: F, damping: F = "zero", friction_offset: F = "zero",
-        static_friction_ratio: F = "one",
-    } by |mass, stiffness, friction_bound, damping, friction_offset, static_friction_ratio| {
-        Ok(Oscillator::new(mass, stiffness, friction_bound)?
+        static_friction_ratio: F = "one", static_friction: Option<F> = "absent",
+    } by |mass, stiffness, friction_bound, damping, friction_offset, static_friction_ratio, static_friction| {
+        let body = Oscillator::new(mass, stiffness, friction_bound)?
             .with_damping(damping)?
             .with_friction_offset(friction_offset)?
-            .with_static_friction_ratio(static_friction_ratio)?)
+            .with_static_friction_ratio(static_friction_ratio)?;
+        Ok(static_friction.map_or(Ok(body), |static_friction| body.with_static_friction(static_friction))?)
     };
     DriveFields -> Drive {
         excitation: Excitation, amplitude: F, angular_frequency: F, mean_force: F = "zero",

@@ -9,6 +9,7 @@ use super::{Interval, Known, Range, RatioBox};
 use crate::cycle::regime::{Regime as Decided, Verdict};
 use crate::enclosed::{self, Enclosure, Regime, Response};
 use crate::float::Float;
+use crate::machine::drive::Excitation;
 use crate::machine::error::Error;
 use crate::output::Output;
 use parts::{Ends, Over};
@@ -86,14 +87,14 @@ impl<F: Float> RatioBox<F> {
 /// The values of an output for Ω, α and ζ in these intervals.
 fn of_ratios(output: Output, part: &[Ends]) -> Result<Over, Error> {
     let [omega, alpha, zeta] = part else { return Ok(Over::Undecided) };
-    let found = response(output, [omega, alpha, zeta])?;
+    let found = response(output, [omega, alpha, zeta], None)?;
     Ok(over(output, &found, bounds))
 }
 
-/// The closed forms for Ω, α and ζ in these intervals.
-fn response(output: Output, ratios: [&Ends; 3]) -> Result<Response, Error> {
+/// The closed forms for Ω, α and ζ in these intervals, under an excitation.
+fn response(output: Output, ratios: [&Ends; 3], excitation: Option<Excitation>) -> Result<Response, Error> {
     let [omega, alpha, zeta] = ratios.map(|(low, high)| enclosed::Known::of_ends(low.clone(), high.clone()));
-    enclosed::response_for(output, &omega, &alpha, &zeta, BITS)
+    enclosed::response_for(output, &omega, &alpha, &zeta, excitation, BITS)
 }
 
 /// The values of an output from the closed forms over a part of a box; `to` bounds an enclosure.

@@ -6,7 +6,7 @@ use crate::cycle::regime::Verdict;
 use crate::cycle::response::Response;
 use crate::float::Float;
 use crate::machine::error::Error;
-use crate::machine::oscillator::{Drive, Oscillator, Scales};
+use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
 use crate::output::Output;
 
 /// Mass, stiffness, friction bound, amplitude and angular frequency in independent intervals, and a damper if
@@ -42,7 +42,7 @@ impl<F: Float> MachineBox<F> {
     }
 
     /// A machine whose spring stands on a moving foot, of amplitude u_g0: m, k, r_y, u_g0, ω_d. Its force
-    /// has the amplitude k u_g0 ([`Excitation::FootMotion`](crate::Excitation::FootMotion)).
+    /// has the amplitude k u_g0 ([`Excitation::FootMotion`]).
     ///
     /// # Errors
     /// As [`MachineBox::force`].
@@ -81,12 +81,12 @@ impl<F: Float> MachineBox<F> {
         let body = Oscillator::new(self.mass.at(m), self.stiffness.at(k), self.friction_bound.at(r))?
             .with_damping(self.damping.at(c))?;
         let (amplitude, frequency) = (self.amplitude.at(a), self.angular_frequency.at(w));
-        let drive = if self.is_foot_motion {
-            Drive::new(crate::Excitation::FootMotion, amplitude, frequency)
-        } else {
-            Drive::force(amplitude, frequency)
-        };
-        Ok((body, drive?))
+        Ok((body, Drive::new(self.excitation(), amplitude, frequency)?))
+    }
+
+    /// A force, or the motion of the foot.
+    pub(super) const fn excitation(&self) -> Excitation {
+        if self.is_foot_motion { Excitation::FootMotion } else { Excitation::Force }
     }
 
     /// m, k, r_y, the amplitude, ω_d and c.

@@ -15,6 +15,7 @@ mod attractors;
 #[cfg(feature = "mp")]
 mod damped;
 mod design_motion;
+mod drives;
 mod exact_motion;
 #[cfg(feature = "mp")]
 mod exact_precision;

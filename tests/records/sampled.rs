@@ -547,13 +547,17 @@ fn every_answer_is_that_of_dense_samples() {
         let other = Other::new(&machine).follow();
         if other.gave_up {
             left += 1;
-            if debug { println!("LEFT {index} {machine:?} {other:?}"); }
+            if debug {
+                println!("LEFT {index} {machine:?} {other:?}");
+            }
             continue;
         }
         if other.margin < 1e-9 {
             // A decision within rounding: it may be the other one.
             close += 1;
-            if debug { println!("CLOSE {index} {machine:?} {other:?}"); }
+            if debug {
+                println!("CLOSE {index} {machine:?} {other:?}");
+            }
             continue;
         }
         held += 1;

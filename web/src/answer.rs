@@ -14,13 +14,12 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
     let point = given.point()?;
     let named = |e: stickslip::Error| String::from(given.at_fault(&e));
     let response = Response::guarded(point.ratios);
-    let excitation = point.excitation();
-    let found = ResponseAnswer { response: &response, excitation, peaks: true };
+    let found = ResponseAnswer { response: &response, peaks: true };
     let values = Values { given: &given, point: &point, best: response.best_force_ratio };
     let limit = LongRun::from_start(point.ratios, State::default()).map_err(named);
     let steady = match &limit {
         Ok(limit) => {
-            let answer = SteadyAnswer::new(point.ratios, excitation, limit, true).map_err(named)?;
+            let answer = SteadyAnswer::new(point.ratios, limit, true).map_err(named)?;
             json!({
                 "verdict": words::limit(point.ratios, limit, |x| length(x, &point, &given.system), ""),
                 "origin": words::origin(point.ratios, limit),

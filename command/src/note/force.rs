@@ -13,10 +13,12 @@ pub(super) fn needed_force<F: Value>(
     let border = response.border;
     writeln!(note.out, "\nForce")?;
     if let Some(cycle) = response.cycle.as_ref() {
-        let (force, acceleration) = (cycle.transmitted_force(), cycle.max_acceleration());
-        let ratio = note.transmitted(&response.ratios, force, acceleration, "transmitted, maximum")?;
+        note.transmitted("transmitted, maximum", cycle.transmitted_force())?;
         let of_foot = note.is_driven(Excitation::moves_foot);
-        note.line(if of_foot { "  per foot acceleration" } else { "  per p₀" }, ratio)?;
+        note.line(
+            if of_foot { "  per foot acceleration" } else { "  per p₀" },
+            digits(cycle.transmissibility()),
+        )?;
     }
     match NoStop::of(&response.ratios).six_reversals {
         _ if response.ratios.has_higher_static_friction() => forces_of_static_friction(response, note)?,

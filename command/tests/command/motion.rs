@@ -67,7 +67,25 @@ fn steady_names_what_has_no_single_limit() {
     assert_eq!(limit("--omega 0.4 --alpha 6 --max-periods 1"), "not-converged");
     let resting = json("steady --omega 0.7 --alpha 0.8 --x0 4 --format json");
     let place = resting["rest_position"].as_f64().unwrap();
-    assert!(place.abs() <= 0.2 + 1e-12 && resting["max_displacement"].is_null());
+    assert!(place.abs() <= 0.2 + 1e-12);
+    // It stays where it is, and friction carries the force.
+    for (name, due) in [
+        ("max_displacement", place),
+        ("min_displacement", place),
+        ("max_velocity", 0.0),
+        ("min_velocity", 0.0),
+        ("stick_fraction", 1.0),
+        ("energy_in", 0.0),
+        ("energy_out", 0.0),
+        ("max_acceleration", 0.0),
+        ("transmitted_force", 0.8),
+        ("transmissibility", 1.0),
+    ] {
+        assert_eq!(resting[name].as_f64(), Some(due), "{name}");
+    }
+    for name in ["max_displacement_phase", "error_1", "multipliers", "contraction", "distance"] {
+        assert!(resting.get(name).is_none_or(Value::is_null), "{name}");
+    }
     assert!(stdout("steady --omega 0.4 --alpha 6").starts_with("Sticking: 2 stops in a cycle, 15.07 %"));
     assert!(stdout("steady --omega 1 --alpha 2").starts_with("Unbounded"));
 }

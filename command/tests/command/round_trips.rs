@@ -161,6 +161,13 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
         due.iter_mut()
             .filter(|(name, _)| *name == "transmitted_force")
             .for_each(|field| field.1 = Some(force * scales.force));
+        due.push(("max_absolute_displacement", Some(cycle.max_displacement * scales.length)));
+    } else if drive.excitation().moves_foot() {
+        due.push(("max_absolute_displacement", None));
+    } else {
+        // A force moves no base.
+        let absolute = of_ratios.iter_mut().filter(|(own, _)| own == "max_absolute_displacement");
+        absolute.for_each(|field| field.1 = Cell::Absent);
     }
     let line = format!(
         "response --mass={} --stiffness={:e} --friction={} --{}={} --frequency={:e} --format json",

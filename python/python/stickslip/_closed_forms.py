@@ -69,7 +69,7 @@ class _Source(NamedTuple):
     """The question, for outputs that are computed when they are read."""
 
     at: Points
-    excitation: str = "force"
+    excitation: Optional[str] = None
 
     def __call__(self, names: Iterable[str]) -> dict[str, Any]:
         if self.at.shape is None:
@@ -211,12 +211,12 @@ def response(
     if at.shape is None:
         raise Error("out: is for arrays, but omega, alpha and the other ratios are single numbers")
     flat = _flat(out, at.shape, given)
-    _native.response_into(at.columns, at.size, "force", list(out), flat)
+    _native.response_into(at.columns, at.size, None, list(out), flat)
     return Response({**at.in_shape(), **out}, _Source(at), chosen=(*RATIOS, *out))
 
 
-def of_points(at: Points, chosen: Optional[tuple[str, ...]], excitation: str = "force") -> Response[Any, Any]:
-    """The response at points, under an excitation."""
+def of_points(at: Points, chosen: Optional[tuple[str, ...]], excitation: Optional[str] = None) -> Response[Any, Any]:
+    """The response at points, under an excitation if there is one."""
     source = _Source(at, excitation)
     first = chosen if chosen is not None else _OF_POINT if at.shape is None else OF_ARRAYS
     names = None if chosen is None else (*RATIOS, *chosen)

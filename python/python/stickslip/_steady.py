@@ -49,7 +49,7 @@ class _Source(NamedTuple):
     at: Points
     start: Start
     max_periods: int
-    excitation: str = "force"
+    excitation: Optional[str] = None
 
     def __call__(self, names: Iterable[str]) -> dict[str, Any]:
         """The named outputs, with those that come with them."""
@@ -183,7 +183,7 @@ def steady(
 
 
 def of_points(
-    at: Points, chosen: Optional[tuple[str, ...]], start: Start, max_periods: int, excitation: str = "force"
+    at: Points, chosen: Optional[tuple[str, ...]], start: Start, max_periods: int, excitation: Optional[str] = None
 ) -> Steady[Any, Any]:
     """The steady state at points, under an excitation."""
     source = _Source(at, start, max_periods, excitation)

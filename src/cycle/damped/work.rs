@@ -1,42 +1,59 @@
 //! The work of the damper in a cycle without stops.
 
 use super::DampedCycle;
-use super::half_period::HalfPeriod;
-use super::rising::Rising;
+use super::rising::{Rising, Vibration};
 use super::squared::DrivenVelocity;
 use crate::float::Float;
 
 impl<F: Float> DampedCycle<F> {
-    /// The energy that the damper takes in a cycle, in units of r_y B.
+    /// The energy that the damper takes in a cycle, in units of r_y B: with the damper on the moving foot by the velocity
+    /// between body and foot.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near
     /// resonance these nearly cancel, and the power series of x′ is integrated.
-    pub(crate) fn damper_work(&self) -> F {
+    pub(crate) fn damper_work(&self, is_on_foot: bool) -> F {
         let (half, two) = (&self.rising.half, F::int(2));
+        let vibration = if is_on_foot { self.rising.seen_from_foot() } else { self.rising.vibration() };
+        let (a, h) = vibration.driven;
         let q2 = half.stiffness.square();
-        let mixed =
-            two * half.omega * (half.h * half.one_minus_square - half.damper() * self.rising.amplitude) / q2;
+        let mixed = two * half.omega * (h * half.one_minus_square - half.damper() * a) / q2;
         let zeta = half.free.zeta;
-        let driven = two * zeta * half.period * self.rising.swing().square();
+        let driven = two * zeta * half.period * (half.omega * a.hypot(h)).square();
         let work = driven + F::int(4) * half.shift + F::int(8) * zeta * mixed;
         let cancels = work * F::int(16) < driven;
-        if half.is_resonant && cancels { F::int(4) * zeta * self.square_of_velocity() } else { work }
+        if half.is_resonant && cancels { F::int(4) * zeta * square_of_velocity(&vibration) } else { work }
     }
+}
 
-    /// `∫ x′² dτ` over half a cycle: a sum of power series around the middles of two parts, Ω being near 1.
-    fn square_of_velocity(&self) -> F {
-        let Rising { half: HalfPeriod { omega, free, period, .. }, .. } = self.rising;
-        let damping = F::int(2) * free.zeta;
-        let quarter = period / F::int(4);
-        let part = |tau: F| {
-            let at = self.rising.at(tau);
-            let [v, slope, curvature] = self.rising.velocity(&at);
-            let third = at.free.snap - omega.square() * self.rising.driven(&at).1;
-            let force = (curvature + damping * slope + v, third + damping * curvature + slope);
-            DrivenVelocity { omega, damping, velocity: (v, slope), force }.square_around(quarter)
-        };
-        part(quarter) + part(F::int(3) * quarter)
+impl<F: Float> Rising<F> {
+    /// The body as seen from a foot with the damper, which moves by `u = c cos Ωτ + s sin Ωτ`, `u + 2ζu′` being the
+    /// drive: a vibration of the same free part, whose driven part `−(a + c) cos Ωτ − (H + s) sin Ωτ` is written
+    /// without a difference, `(a + c, H + s) = Ω²(a − dH, H + da)/(1 + d²)`, d = 2ζΩ.
+    fn seen_from_foot(&self) -> Vibration<F> {
+        let (vibration, d) = (self.vibration(), self.half.damper());
+        let size = F::int(1) + d.square();
+        let turned = |(a, h): (F, F)| ((a - d * h) / size, (h + d * a) / size);
+        let (square, (a, h)) = (self.half.omega.square(), turned(vibration.driven));
+        let (along, across) = turned(vibration.force());
+        // Where the parts nearly cancel, the whole begins with x + 1 − u and −u′.
+        let whole = vibration.whole.map(|(x, v)| (x - along, v - self.half.omega * across));
+        Vibration { driven: (square * a, square * h), whole, ..vibration }
     }
+}
+
+/// `∫ x′² dτ` over half a cycle: a sum of power series around the middles of two parts, Ω being near 1.
+fn square_of_velocity<F: Float>(vibration: &Vibration<F>) -> F {
+    let Vibration { omega, free, end, .. } = *vibration;
+    let damping = F::int(2) * free.zeta;
+    let quarter = end / F::int(4);
+    let part = |tau: F| {
+        let at = vibration.at(tau);
+        let [v, slope, curvature] = vibration.velocity(&at);
+        let third = at.free.snap - omega.square() * vibration.driven(&at).1;
+        let force = (curvature + damping * slope + v, third + damping * curvature + slope);
+        DrivenVelocity { omega, damping, velocity: (v, slope), force }.square_around(quarter)
+    };
+    part(quarter) + part(F::int(3) * quarter)
 }
 
 #[cfg(test)]
@@ -76,7 +93,7 @@ mod tests {
         {
             let cycle = at::<f64>(omega, zeta, alpha);
             let crate::cycle::waveform::Motion::Damped(damped) = &cycle.motion else { panic!("{cycle:?}") };
-            let integral = 4.0 * zeta * damped.square_of_velocity();
+            let integral = 4.0 * zeta * super::square_of_velocity(&damped.rising.vibration());
             assert!(
                 (cycle.damper_work() / integral - 1.0).abs() < 1e-12 / zeta.sqrt(),
                 "{omega} {zeta}: {integral}"

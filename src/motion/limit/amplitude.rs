@@ -2,9 +2,11 @@
 
 use super::long_run::LongRun;
 use super::observed::observed;
+use super::peaks::Peaks;
 use crate::cycle::regime::Regime;
 use crate::cycle::response::Response;
 use crate::float::{Float, Real};
+use crate::machine::drive::Support;
 use crate::machine::error::Error;
 use crate::machine::oscillator::{Excitation, Scales};
 use crate::machine::ratios::Ratios;
@@ -55,19 +57,15 @@ impl Amplitude {
     /// # Errors
     /// Those of [`LongRun::from_start`] and [`super::steady::SteadyState::peaks`].
     pub fn of<F: Float>(self, ratios: Ratios<F>, excitation: Excitation) -> Result<Reached<F>, Error> {
+        let ratios = ratios.with_excitation(excitation);
         let response = Response::new(ratios);
-        let felt = |force, acceleration| {
-            let (force, ratio) = excitation.transmitted(&ratios, force, acceleration);
-            if self == Self::TransmittedForce { force } else { ratio }
-        };
         if let Some(cycle) = &response.cycle {
             let value = match self {
                 Self::Displacement => cycle.max_displacement,
                 Self::Velocity => cycle.max_velocity,
                 Self::Acceleration => cycle.max_acceleration(),
-                Self::TransmittedForce | Self::Transmissibility => {
-                    felt(cycle.transmitted_force(), cycle.max_acceleration())
-                }
+                Self::TransmittedForce => cycle.transmitted_force(),
+                Self::Transmissibility => cycle.transmissibility(),
                 Self::AbsoluteDisplacement => cycle.max_absolute_displacement(),
             };
             return Ok(Reached { value: Some(value), regime: Some(Regime::NonSticking) });
@@ -78,10 +76,12 @@ impl Amplitude {
         let limit = LongRun::from_start(ratios, State::default())?;
         let Some(steady) = limit.steady_state() else {
             let LongRun::Rest(_) = limit else { return Ok(Reached { value: None, regime: None }) };
+            let peaks = Peaks::at_rest(&Support::from(&ratios), F::int(0));
             let value = match self {
                 Self::Displacement | Self::Velocity | Self::Acceleration => F::int(0),
-                Self::TransmittedForce | Self::Transmissibility => felt(ratios.alpha(), F::int(0)),
-                Self::AbsoluteDisplacement => ratios.alpha() / ratios.omega().square(),
+                Self::TransmittedForce => peaks.transmitted_force,
+                Self::Transmissibility => peaks.transmissibility,
+                Self::AbsoluteDisplacement => peaks.absolute_displacement,
             };
             return Ok(Reached { value: Some(value), regime: Some(Regime::Stuck) });
         };
@@ -91,10 +91,8 @@ impl Amplitude {
             }
             Self::Velocity => steady.max_velocity.value.abs().or_larger(steady.min_velocity.value.abs()),
             Self::Acceleration => steady.peaks()?.acceleration,
-            Self::TransmittedForce | Self::Transmissibility => {
-                let peaks = steady.peaks()?;
-                felt(peaks.transmitted_force, peaks.acceleration)
-            }
+            Self::TransmittedForce => steady.peaks()?.transmitted_force,
+            Self::Transmissibility => steady.peaks()?.transmissibility,
             Self::AbsoluteDisplacement => steady.peaks()?.absolute_displacement,
         };
         Ok(Reached { value: Some(value), regime: Some(observed(ratios, &limit).regime) })

@@ -50,11 +50,11 @@ pub(crate) struct CycleStatistics<F> {
     pub(crate) zeros: u32,
     /// Time at rest, as a phase.
     pub(crate) rest: F,
-    /// Work done by the drive, ∫ α sin θ dx, in r_y B.
+    /// Work done by the drive, in r_y B.
     pub(crate) work_in: F,
     /// Work done against friction, ∫ |dx|, in r_y B.
     pub(crate) work_out: F,
-    /// Work done against the damper, ∫ 2ζw dx, in r_y B.
+    /// Work done against the damper, in r_y B.
     pub(crate) damper: F,
 }
 
@@ -133,9 +133,12 @@ impl<F: Float> CycleStatistics<F> {
                 self.slide(slide, end.phi, end.phase, &slide.motion_at(end))
             }
             MotionPart::Onward(slide, phi, phase, end) => self.slide(slide, *phi, *phase, end),
-            MotionPart::Stick(_, length) => {
+            MotionPart::Stick(stick, length) => {
                 self.sticks = self.sticks.saturating_add(1);
                 self.rest = self.rest + *length;
+                let damper = stick.equation.damper_work_at_rest(stick.start.reduced(), *length);
+                self.work_in = self.work_in + damper;
+                self.damper = self.damper + damper;
                 Ok(())
             }
         }

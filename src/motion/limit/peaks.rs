@@ -1,9 +1,12 @@
 //! Acceleration, transmitted force and absolute motion of a steady state, stops included.
 
+use super::long_run::LongRun;
 use super::steady::SteadyState;
 use crate::float::Float;
 use crate::greatest::{Bound, Jet, greatest, is_unknown};
+use crate::machine::drive::Support;
 use crate::machine::error::Error;
+use crate::machine::ratios::Ratios;
 use crate::motion::slide::Slide;
 use crate::motion::slide::stick::Stick;
 use crate::motion::trajectory::{Body, Trajectory};
@@ -19,10 +22,13 @@ use core::ops::ControlFlow;
 pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².
     pub acceleration: F,
-    /// Force of spring, friction and damper on their support, `|k x + r + c x′|`, in r_y. At rest this is the
-    /// force of the drive.
+    /// Force on the support, in r_y: of spring, friction and damper, `|k x + r + c x′|`, which at rest is the force of the
+    /// drive. Where the foot moves ([`crate::Ratios::excitation`]), foot and surface together carry m x″.
     pub transmitted_force: F,
-    /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B.
+    /// The transmissibility: that force over p₀. Where the foot moves, the acceleration over that of the foot.
+    pub transmissibility: F,
+    /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B; |x| where the foot
+    /// moves over a fixed surface.
     pub absolute_displacement: F,
 }
 
@@ -48,7 +54,12 @@ impl<F: Float> SteadyState<F> {
         let reach = self.max_displacement.value.abs().or_larger(self.min_displacement.value.abs());
         let speed =
             self.equation.omega * self.max_velocity.value.abs().or_larger(self.min_velocity.value.abs());
-        let mut peaks = Peaks { acceleration: zero, transmitted_force: zero, absolute_displacement: zero };
+        let mut peaks = Peaks {
+            acceleration: zero,
+            transmitted_force: zero,
+            transmissibility: zero,
+            absolute_displacement: zero,
+        };
         let start = self.state;
         let phases = Trajectory::of(self.equation, start);
         let cycle = TAU * f64::from(self.turns_per_cycle);
@@ -80,8 +91,33 @@ impl<F: Float> SteadyState<F> {
             let search = "the greatest acceleration, force or absolute displacement";
             return Err(self.equation.lost(search, start.phase, "2¹⁸ parts of a slide").into());
         }
-        let square = self.equation.omega.square();
-        Ok(Peaks { acceleration: peaks.acceleration / square, ..peaks })
+        let acceleration = peaks.acceleration / self.equation.omega.square();
+        let support = self.equation.support();
+        let carried = if support.is_foot() { acceleration } else { peaks.transmitted_force };
+        Ok(Peaks {
+            acceleration,
+            transmitted_force: support.force(carried),
+            transmissibility: support.transmissibility(carried),
+            absolute_displacement: if support.is_foot() { reach } else { peaks.absolute_displacement },
+        })
+    }
+}
+
+impl<F: Float> LongRun<F> {
+    /// The peaks of the limit at these ratios: of a cycle, or at rest; `None` for all other limits.
+    ///
+    /// # Errors
+    /// As for [`SteadyState::peaks_while`].
+    #[doc(hidden)]
+    pub fn peaks_while(
+        &self,
+        ratios: &Ratios<F>,
+        keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Option<Peaks<F>>, Error> {
+        match (self.steady_state(), self.rest_position()) {
+            (Some(steady), _) => steady.peaks_while(keep_going).map(Some),
+            (None, x) => Ok(x.map(|x| Peaks::at_rest(&Support::from(ratios), x))),
+        }
     }
 }
 
@@ -89,6 +125,19 @@ impl<F: Float> SteadyState<F> {
 const LONG: i32 = 16;
 
 impl<F: Float> Peaks<F> {
+    /// The peaks of a body that rests at x: friction carries the force of the drive, and the body moves with its base.
+    pub(crate) fn at_rest(support: &Support<F>, x: F) -> Self {
+        let zero = F::int(0);
+        let carried = if support.is_foot() { zero } else { support.alpha };
+        let base = if support.is_foot() { zero } else { support.alpha / support.omega.square() };
+        Self {
+            acceleration: zero,
+            transmitted_force: support.force(carried),
+            transmissibility: support.transmissibility(carried),
+            absolute_displacement: x.abs() + base,
+        }
+    }
+
     /// The peaks of a slide, along which the displacement is at most `reach` and the speed w at most `speed`.
     ///
     /// With `w = w_f + h`, h the free vibration, `x″ = a_f + h′` and the force is `x + s + 2ζw = x_f + 2ζw_f

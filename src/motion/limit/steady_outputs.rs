@@ -1,11 +1,12 @@
 //! The outputs of a steady state as one table, and those of a limit.
 
 use crate::float::Float;
+use crate::machine::drive::Excitation;
 use crate::machine::error::Error;
-use crate::machine::oscillator::Excitation;
 use crate::machine::ratios::Ratios;
 use crate::motion::limit::observed::{Observed, observed};
-use crate::motion::{ErrorMeasures, Extreme, LongRun, Peaks, SteadyState};
+use crate::motion::slide::equation::Equation;
+use crate::motion::{ErrorMeasures, LongRun, Peaks, SteadyState};
 use crate::output::Value::{self, Count, Flag, Number, Pairs, Text};
 use crate::output::definitions::{
     DAMPER_WORK, ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR,
@@ -13,6 +14,7 @@ use crate::output::definitions::{
     TURNS_OBSERVED, TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
 };
 use crate::output::{Column, Definition, Measure, Output, When, columns};
+use core::ops::ControlFlow;
 
 /// Defines the outputs from one row each: the name in Rust, the definition, and the value.
 macro_rules! steady_outputs {
@@ -84,7 +86,7 @@ steady_outputs! {
     StickFraction: Definition::new("stick_fraction", Measure::One, "fraction of time at rest")
         .title("fraction of time at rest"), steady => steady.stick_fraction;
     EnergyIn: Definition::new("energy_in", Measure::Work, "work of the drive in a cycle")
-        .title("work of the drive in a cycle").unless_damped_foot("energy_in"), steady => steady.energy_in;
+        .title("work of the drive in a cycle"), steady => steady.energy_in;
     EnergyOut: Definition::new(
         "energy_out",
         Measure::Work,
@@ -97,12 +99,32 @@ steady_outputs! {
         .title("distance from the limit"), steady => steady.distance.0;
 }
 
+impl SteadyOutput {
+    /// The value of a body that rests at x for good; `None` for what a motion alone has.
+    fn at_rest<F: Float>(self, ratios: Ratios<F>, x: F) -> Option<F> {
+        match self {
+            Self::MaxDisplacement | Self::MinDisplacement => Some(x),
+            Self::MaxVelocity | Self::MinVelocity | Self::EnergyOut => Some(F::int(0)),
+            Self::StickFraction => Some(F::int(1)),
+            Self::EnergyIn | Self::DamperWork => {
+                let turn = F::int(2) * F::pi();
+                Some(Equation::new(ratios).damper_work_at_rest(F::int(0), turn))
+            }
+            Self::MaxDisplacementPhase
+            | Self::MinDisplacementPhase
+            | Self::MaxVelocityPhase
+            | Self::MinVelocityPhase
+            | Self::Contraction
+            | Self::Distance => None,
+        }
+    }
+}
+
 /// A limit with all its outputs.
 #[derive(Debug)]
 #[doc(hidden)]
 pub struct SteadyAnswer<'a, F> {
     pub ratios: Ratios<F>,
-    pub excitation: Excitation,
     pub limit: &'a LongRun<F>,
     pub seen: Observed,
     pub errors: Option<ErrorMeasures<F>>,
@@ -116,9 +138,10 @@ impl<'a, F: Float> SteadyAnswer<'a, F> {
         answer;
         (REGIME) => Text(answer.seen.regime.name());
         (LIMIT) => Text(answer.limit.name());
-        (SteadyOutput::MaxDisplacement.definition()) => Number(answer.limit.extrema().map(|(_, most)| most));
+        (SteadyOutput::MaxDisplacement.definition()) => Number(answer.max_displacement());
         [SteadyOutput::MaxDisplacementPhase];
-        (SteadyOutput::MinDisplacement.definition()) => Number(answer.limit.extrema().map(|(least, _)| least));
+        (SteadyOutput::MinDisplacement.definition()) => Number(
+            answer.limit.extrema().map(|(least, _)| least).or_else(|| answer.number(SteadyOutput::MinDisplacement)));
         [SteadyOutput::MinDisplacementPhase];
         [SteadyOutput::MaxVelocity];
         [SteadyOutput::MaxVelocityPhase];
@@ -139,14 +162,13 @@ impl<'a, F: Float> SteadyAnswer<'a, F> {
         (PERIODS) => Number(answer.limit.periods());
         (REVERSALS_PER_CYCLE) => Count(answer.seen.reversals.map(u64::from));
         (Output::DynamicAmplification.definition()) =>
-            Number(answer.amplitude().map(|most| most / answer.ratios.alpha()));
+            Number(answer.max_displacement().map(|most| most / answer.ratios.alpha()));
         (Output::MaxAcceleration.definition()) => Number(answer.peaks.map(|peaks| peaks.acceleration));
-        (Output::TransmittedForce.definition()) => Number(answer.transmitted().map(|(force, _)| force));
-        (Output::Transmissibility.definition()) => Number(answer.transmitted().map(|(_, ratio)| ratio));
+        (Output::TransmittedForce.definition()) => Number(answer.peaks.map(|peaks| peaks.transmitted_force));
+        (Output::Transmissibility.definition()) => Number(answer.peaks.map(|peaks| peaks.transmissibility));
         (Output::MaxAbsoluteDisplacement.definition()) => Number(answer.peaks.and_then(|peaks| {
-            // The surface is fixed if the foot moves.
-            let is_fixed = answer.excitation.moves_foot();
-            if is_fixed { answer.amplitude() } else { Some(peaks.absolute_displacement) }
+            let moves = answer.ratios.excitation().is_none_or(Excitation::moves_base);
+            moves.then_some(peaks.absolute_displacement)
         }));
         (DAMPER_WORK) if Damping => Number(answer.number(SteadyOutput::DamperWork));
         (TURNS_PER_CYCLE) if StaticFriction => answer.count(|steady| steady.turns_per_cycle);
@@ -162,35 +184,25 @@ impl<'a, F: Float> SteadyAnswer<'a, F> {
     ///
     /// # Errors
     /// As for [`SteadyState::errors`] and [`SteadyState::peaks`].
-    pub fn new(
-        ratios: Ratios<F>,
-        excitation: Excitation,
-        limit: &'a LongRun<F>,
-        with_peaks: bool,
-    ) -> Result<Self, Error> {
-        let steady = limit.steady_state();
-        let errors = steady.map(SteadyState::errors).transpose()?;
-        let peaks = steady.filter(|_| with_peaks).map(SteadyState::peaks).transpose()?;
-        Ok(Self { ratios, excitation, limit, seen: observed(ratios, limit), errors, peaks })
+    pub fn new(ratios: Ratios<F>, limit: &'a LongRun<F>, with_peaks: bool) -> Result<Self, Error> {
+        let errors = limit.steady_state().map(SteadyState::errors).transpose()?;
+        let peaks =
+            if with_peaks { limit.peaks_while(&ratios, &mut || ControlFlow::Continue(()))? } else { None };
+        Ok(Self { ratios, limit, seen: observed(ratios, limit), errors, peaks })
     }
 
     fn number(&self, output: SteadyOutput) -> Option<F> {
-        self.limit.steady_state().map(|steady| output.of(steady))
+        let at_rest = || self.limit.rest_position().and_then(|x| output.at_rest(self.ratios, x));
+        self.limit.steady_state().map(|steady| output.of(steady)).or_else(at_rest)
+    }
+
+    /// Over a cycle, over the observed turns of an irregular motion, or at rest.
+    fn max_displacement(&self) -> Option<F> {
+        let of_motion = self.limit.extrema().map(|(_, most)| most);
+        of_motion.or_else(|| self.number(SteadyOutput::MaxDisplacement))
     }
 
     fn count(&self, of: fn(&SteadyState<F>) -> u32) -> Value<F> {
         Count(self.limit.steady_state().map(|steady| u64::from(of(steady))))
-    }
-
-    /// The maximum absolute displacement relative to the surface.
-    fn amplitude(&self) -> Option<F> {
-        let size = |extreme: Extreme<F>| extreme.value.abs();
-        self.limit.steady_state().map(|s| size(s.max_displacement).or_larger(size(s.min_displacement)))
-    }
-
-    /// The force on the support and the transmissibility.
-    fn transmitted(&self) -> Option<(F, F)> {
-        let peaks = self.peaks?;
-        Some(self.excitation.transmitted(&self.ratios, peaks.transmitted_force, peaks.acceleration))
     }
 }

@@ -3,6 +3,7 @@
 mod damped;
 
 use crate::float::Float;
+use crate::machine::drive::{Excitation, Support};
 use crate::machine::error::{Error, written};
 use crate::motion::broken::Broken;
 use crate::motion::drive::DrivePhase;
@@ -19,6 +20,8 @@ pub(crate) struct Equation<F> {
     pub(crate) damping: F,
     /// η: the force, in units of r_y, that releases a body at rest.
     pub(crate) static_friction: F,
+    /// The kind of excitation, which no motion depends on: it decides forces on the support, and works.
+    pub(crate) excitation: Option<Excitation>,
     per_one_plus: F,
     /// `2/(1 − Ω)`, not used at Ω = 1.
     double_per_one_minus: F,
@@ -26,30 +29,35 @@ pub(crate) struct Equation<F> {
 
 impl<F: Float> Equation<F> {
     pub(crate) fn new(ratios: Ratios<F>) -> Self {
-        Self::with_constants(
-            ratios.omega(),
-            ratios.alpha(),
-            ratios.damping_ratio(),
-            ratios.static_friction_ratio(),
-        )
+        let equation =
+            Self::of(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), ratios.static_friction_ratio());
+        Self { excitation: ratios.excitation(), ..equation }
     }
 
     /// Free vibration with the damping ratio ζ and the static friction ratio η: no drive, and the unit of
     /// time 1/ω_n.
     pub(crate) fn free(zeta: F, eta: F) -> Self {
-        Self::with_constants(F::int(1), F::int(0), zeta, eta)
+        Self::of(F::int(1), F::int(0), zeta, eta)
     }
 
-    fn with_constants(omega: F, alpha: F, zeta: F, static_friction: F) -> Self {
+    /// The equation of these ratios, without an excitation.
+    pub(crate) fn of(omega: F, alpha: F, zeta: F, static_friction: F) -> Self {
         let (one, two) = (F::int(1), F::int(2));
         Self {
             omega,
             alpha,
             damping: two * zeta,
             static_friction,
+            excitation: None,
             per_one_plus: one / (one + omega),
             double_per_one_minus: two / (one - omega),
         }
+    }
+
+    /// The force on the support.
+    pub(crate) fn support(&self) -> Support<F> {
+        let Self { excitation, omega, alpha, damping, .. } = *self;
+        Support { excitation, omega, alpha, damping_ratio: damping / F::int(2) }
     }
 
     /// Whether there is a damper, ζ > 0.

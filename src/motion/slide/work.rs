@@ -21,9 +21,9 @@ use crate::float::Float;
 /// The works of one slide, in r_y B.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Works<F> {
-    /// The work of the drive, ∫ α sin θ dx.
+    /// The work of the drive, ∫ α sin θ dx; with a damper on the moving foot, of the foot.
     pub(crate) drive: F,
-    /// The work against the damper, ∫ 2ζw dx.
+    /// The work against the damper, ∫ 2ζw dx; of its own velocity where it stands on the moving foot (`foot`).
     pub(crate) damper: F,
 }
 
@@ -32,7 +32,8 @@ impl<F: Float> Slide<F> {
     #[inline]
     pub(crate) fn works(&self, phi: F, end: &Motion<F>) -> Works<F> {
         if self.equation.is_damped() {
-            return self.damped_works(phi, end);
+            let works = self.damped_works(phi, end);
+            return if self.equation.has_damped_foot() { self.works_of_foot(works, phi) } else { works };
         }
         Works { drive: self.work_of_drive(end), damper: F::int(0) }
     }
@@ -79,7 +80,7 @@ impl<F: Float> Slide<F> {
     /// drive's work.
     #[cold]
     #[inline(never)]
-    fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
+    pub(super) fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
         let (p, imaginary) = self.equation.stiffness();
         let square = self.equation.omega.square();
         let determinant = p.square() + imaginary.square();

@@ -101,7 +101,7 @@ impl<F: Float> MachineBox<F> {
     fn over_part(&self, output: Output, part: &[Ends]) -> Result<Over, Error> {
         let Some(machine) = MachineEnds::of(part, self.is_foot_motion()) else { return Ok(Over::Undecided) };
         let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
-        let found = response(output, [&omega, &alpha, &zeta])?;
+        let found = response(output, [&omega, &alpha, &zeta], Some(self.excitation()))?;
         let unit = output.unit(&machine.scales());
         Ok(over(output, &found, |value| physical(value, unit)))
     }

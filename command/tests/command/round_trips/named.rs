@@ -109,7 +109,7 @@ pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named 
         ("dynamic_amplification", Cell::or_absent(cycle.map(|c| c.max_displacement / c.ratios.alpha()))),
         ("max_acceleration", Cell::or_absent(cycle.map(|c| c.max_acceleration()))),
         ("transmitted_force", Cell::or_absent(cycle.map(|c| c.transmitted_force()))),
-        ("transmissibility", Cell::or_absent(cycle.map(|c| c.transmitted_force() / c.ratios.alpha()))),
+        ("transmissibility", Cell::or_absent(cycle.map(|c| c.transmissibility()))),
         ("max_absolute_displacement", Cell::or_absent(cycle.map(|c| c.max_absolute_displacement()))),
     ])
 }
@@ -175,6 +175,13 @@ fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, O
 pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
+    // At rest the body stays where it is, and friction carries the whole force.
+    let or_at_rest = |value: fn(&SteadyState<f64>) -> f64, known: f64| {
+        let at_rest = || limit.rest_position().map(|_| known);
+        Cell::or_absent(steady.map(value).or_else(at_rest))
+    };
+    let place = limit.rest_position().unwrap_or(f64::NAN);
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let (regime, sticks, reversals) = counted(ratios, limit);
     let multiplier = |i: usize| steady.map(|s| s.multipliers[i]);
     let (kind, periods, rest) = match limit {
@@ -190,23 +197,23 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("alpha", Cell::of(ratios.alpha())),
         ("regime", Cell::text(regime.name())),
         ("limit", Cell::text(kind)),
-        ("max_displacement", number(|s| s.max_displacement.value)),
+        ("max_displacement", or_at_rest(|s| s.max_displacement.value, place)),
         ("max_displacement_phase", number(|s| s.max_displacement.phase.reduced())),
-        ("min_displacement", number(|s| s.min_displacement.value)),
+        ("min_displacement", or_at_rest(|s| s.min_displacement.value, place)),
         ("min_displacement_phase", number(|s| s.min_displacement.phase.reduced())),
-        ("max_velocity", number(|s| s.max_velocity.value)),
+        ("max_velocity", or_at_rest(|s| s.max_velocity.value, 0.0)),
         ("max_velocity_phase", number(|s| s.max_velocity.phase.reduced())),
-        ("min_velocity", number(|s| s.min_velocity.value)),
+        ("min_velocity", or_at_rest(|s| s.min_velocity.value, 0.0)),
         ("min_velocity_phase", number(|s| s.min_velocity.phase.reduced())),
         ("sticks_per_cycle", Cell::or_absent(sticks)),
         ("velocity_zeros_per_cycle", Cell::or_absent(steady.map(|s| s.velocity_zeros_per_cycle))),
-        ("stick_fraction", number(|s| s.stick_fraction)),
+        ("stick_fraction", or_at_rest(|s| s.stick_fraction, 1.0)),
         ("error_1", number(|s| s.errors().unwrap().error_1)),
         ("error_2", number(|s| s.errors().unwrap().error_2)),
         ("error_3", number(|s| s.errors().unwrap().error_3)),
         ("error_4", number(|s| s.errors().unwrap().error_4)),
-        ("energy_in", number(|s| s.energy_in)),
-        ("energy_out", number(|s| s.energy_out)),
+        ("energy_in", or_at_rest(|s| s.energy_in, 0.0)),
+        ("energy_out", or_at_rest(|s| s.energy_out, 0.0)),
         ("multipliers_1_re", Cell::or_absent(multiplier(0).map(|(re, _)| re))),
         ("multipliers_1_im", Cell::or_absent(multiplier(0).map(|(_, im)| im))),
         ("multipliers_2_re", Cell::or_absent(multiplier(1).map(|(re, _)| re))),
@@ -217,17 +224,15 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("reversals_per_cycle", Cell::or_absent(reversals)),
         (
             "dynamic_amplification",
-            Cell::or_absent(steady.map(|s| {
-                s.max_displacement.value.abs().max(s.min_displacement.value.abs()) / ratios.alpha()
-            })),
+            Cell::or_absent(steady.map(|s| s.max_displacement.value).or(rest).map(|x| x / alpha)),
         ),
-        ("max_acceleration", number(|s| s.peaks().unwrap().acceleration)),
-        ("transmitted_force", number(|s| s.peaks().unwrap().transmitted_force)),
+        ("max_acceleration", or_at_rest(|s| s.peaks().unwrap().acceleration, 0.0)),
+        ("transmitted_force", or_at_rest(|s| s.peaks().unwrap().transmitted_force, alpha)),
+        ("transmissibility", or_at_rest(|s| s.peaks().unwrap().transmissibility, 1.0)),
         (
-            "transmissibility",
-            Cell::or_absent(steady.map(|s| s.peaks().unwrap().transmitted_force / ratios.alpha())),
+            "max_absolute_displacement",
+            or_at_rest(|s| s.peaks().unwrap().absolute_displacement, place.abs() + alpha / (omega * omega)),
         ),
-        ("max_absolute_displacement", number(|s| s.peaks().unwrap().absolute_displacement)),
     ])
 }
 
