@@ -180,8 +180,10 @@ impl<F: Float> Drive<F> {
     /// This drive with a constant force p̄ on the body, such as its weight along an inclined surface or a
     /// preload.
     ///
-    /// The constant force shifts the motion by p̄/k and changes nothing else
-    /// ([`super::oscillator::Scales::mean_displacement`]).
+    /// The constant force shifts the motion by p̄/k ([`super::oscillator::Scales::mean_displacement`]) and the force on
+    /// the support by p̄. Answers to a harmonic drive are about this mean: displacements are from the mean displacement,
+    /// and the transmitted force is without p̄, so that neither changes. Under a record every displacement and force is
+    /// the whole one ([`crate::motion::record::Body::with_mean_force`]).
     ///
     /// # Errors
     /// Where p̄ is not finite.

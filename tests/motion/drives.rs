@@ -6,8 +6,8 @@
 
 use crate::random::Random;
 use std::f64::consts::TAU;
-use stickslip::motion::{Amplitude, LongRun, State, SteadyOutput, SteadyState};
-use stickslip::{Drive, Error, Excitation, Oscillator, Output, Response, Scales};
+use stickslip::motion::{Amplitude, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory};
+use stickslip::{Drive, Error, Excitation, Oscillator, Output, Ratios, Response, Scales, Value};
 
 const DRIVES: [Excitation; 7] = [
     Excitation::Force,
@@ -30,6 +30,8 @@ struct Machine {
     excitation: Excitation,
     frequency: f64,
     amplitude: f64,
+    /// A constant force.
+    mean: f64,
 }
 
 /// What acts at one time: a force on the body, the displacement and the velocity of the spring's foot, the velocity of
@@ -48,7 +50,8 @@ impl Machine {
     }
 
     fn drive(&self) -> Drive<f64> {
-        Drive::new(self.excitation, self.amplitude, self.frequency).unwrap()
+        let drive = Drive::new(self.excitation, self.amplitude, self.frequency).unwrap();
+        drive.with_mean_force(self.mean).unwrap()
     }
 
     /// The amplitude of the motion of the foot or the base.
@@ -81,7 +84,7 @@ impl Machine {
     /// The force on the body but for friction.
     fn pull(&self, theta: f64, x: f64, v: f64) -> f64 {
         let load = self.load(theta);
-        load.force
+        load.force + self.mean
             - self.mass * load.base.1
             - self.stiffness * (x - load.foot.0)
             - self.damping * (v - load.damper)
@@ -151,7 +154,7 @@ impl Seen {
             let friction = if side == 0.0 { m.pull(theta, x, 0.0) } else { side * m.friction };
             let acceleration = (m.pull(theta, x, v) - friction) / m.mass;
             // By Newton's second law spring, damper and friction are what the force upon the body leaves.
-            let force = m.mass * (acceleration + load.base.1) - load.force;
+            let force = m.mass * (acceleration + load.base.1) - load.force - m.mean;
             self.displacement = self.displacement.max(x.abs());
             self.acceleration = self.acceleration.max(acceleration.abs());
             self.force = self.force.max(force.abs());
@@ -191,6 +194,19 @@ fn bisected(h: f64, beyond: impl Fn(f64) -> bool) -> f64 {
     high
 }
 
+/// A number of an answer by its name.
+fn of(answer: &SteadyAnswer<'_, f64>, name: &str) -> Option<f64> {
+    let column = SteadyAnswer::COLUMNS.into_iter().find(|column| column.definition.name == name).unwrap();
+    let Value::Number(value) = (column.of)(answer) else { panic!("{name}") };
+    value
+}
+
+/// The physical size of its unit.
+fn size_of(name: &str, scales: &Scales<f64>) -> f64 {
+    let mut columns = SteadyAnswer::<f64>::COLUMNS.into_iter();
+    columns.find(|column| column.definition.name == name).unwrap().definition.measure.size(scales)
+}
+
 /// A random machine under a drive, which slides, stops or rests.
 fn machine(random: &mut Random, excitation: Excitation) -> Machine {
     let (mass, stiffness, friction) =
@@ -205,6 +221,7 @@ fn machine(random: &mut Random, excitation: Excitation) -> Machine {
         excitation,
         frequency: natural * random.scale(0.3, 3.0),
         amplitude: 1.0,
+        mean: 0.0,
     };
     let unit = m.drive().force_amplitude(&m.body());
     m.amplitude = friction / unit * random.scale(0.7, 12.0);
@@ -259,14 +276,8 @@ fn forces_and_displacements_are_those_of_samples_under_every_drive() {
         };
         close("force", by(Amplitude::TransmittedForce), seen.force, size);
         close("ratio", by(Amplitude::Transmissibility), ratio, ratio + 1e-9);
-        let answer = stickslip::motion::SteadyAnswer::new(ratios, &limit, true).unwrap();
-        let of_answer = |name: &str| {
-            let columns = stickslip::motion::SteadyAnswer::COLUMNS;
-            let column = columns.into_iter().find(|column| column.definition.name == name).unwrap();
-            let size = column.definition.measure.size(&scales);
-            let stickslip::Value::Number(value) = (column.of)(&answer) else { panic!("{name}") };
-            value.map(|value| value * size)
-        };
+        let answer = SteadyAnswer::new(ratios, &limit, true).unwrap();
+        let of_answer = |name: &str| of(&answer, name).map(|value| value * size_of(name, &scales));
         close("force", of_answer("transmitted_force").unwrap(), seen.force, size);
         close("ratio", of_answer("transmissibility").unwrap(), ratio, ratio + 1e-9);
         let absolute = of_answer("max_absolute_displacement");
@@ -306,15 +317,8 @@ fn works_are_those_of_samples_under_every_drive() {
         let (body, drive) = (m.body(), m.drive());
         let (ratios, scales) = (drive.ratios(&body).unwrap(), Scales::new(&body, &drive).unwrap());
         let limit = LongRun::from_start(ratios, State::default()).unwrap();
-        let answer = stickslip::motion::SteadyAnswer::new(ratios, &limit, false).unwrap();
-        let work = |name: &str| {
-            let columns = stickslip::motion::SteadyAnswer::COLUMNS;
-            let column = columns.into_iter().find(|column| column.definition.name == name).unwrap();
-            let stickslip::Value::Number(Some(value)) = (column.of)(&answer) else {
-                panic!("{name} of {m:?}")
-            };
-            value * scales.force * scales.length
-        };
+        let answer = SteadyAnswer::new(ratios, &limit, false).unwrap();
+        let work = |name: &str| of(&answer, name).unwrap() * size_of(name, &scales);
         let seen = match (&limit, limit.steady_state()) {
             (_, Some(steady)) => sampled(&m, steady, &scales),
             (LongRun::Rest(rest), _) => Seen::of(&m, 1, 0.0, (rest.position * scales.length, 0.0)),
@@ -342,6 +346,56 @@ fn works_are_those_of_samples_under_every_drive() {
     assert!(counts[0] > 90 && counts[1] > 90 && counts[2] > 25, "{counts:?}");
 }
 
+/// A mean force shifts the motion and the force on the support, and the answers are about the mean.
+#[test]
+fn answers_are_about_the_mean() {
+    let mut random = Random(6);
+    let mut moving = 0;
+    for _ in 0..60 {
+        let mut m = machine(&mut random, Excitation::Force);
+        m.held = m.friction;
+        m.mean = m.friction * random.between(-20.0, 20.0);
+        let (body, drive) = (m.body(), m.drive());
+        let (ratios, scales) = (drive.ratios(&body).unwrap(), Scales::new(&body, &drive).unwrap());
+        let Some(steady) = LongRun::from_start(ratios, State::default()).unwrap().steady_state().copied()
+        else {
+            continue;
+        };
+        let State { phase, x, v, .. } = steady.state;
+        let start = (scales.mean_displacement + x * scales.length, v * scales.velocity);
+        let seen = Seen::of(&m, 1, phase.reduced(), start);
+        let size = seen.force + seen.displacement * m.stiffness;
+        let force =
+            Amplitude::TransmittedForce.of(ratios, m.excitation).unwrap().value.unwrap() * scales.force;
+        assert!(is_greatest(force + m.mean.abs(), seen.force, size), "{m:?}: {force} {}", seen.force);
+        let far = steady.max_displacement.value * scales.length + scales.mean_displacement.abs();
+        assert!(is_greatest(far, seen.displacement, seen.displacement), "{m:?}: {far} {}", seen.displacement);
+        moving += 1;
+    }
+    assert!(moving > 40, "{moving}");
+}
+
+/// The greatest displacement of a motion that is not symmetric lies on either side; its amplification is of the maximum.
+#[test]
+fn the_amplification_is_that_of_the_maximum_displacement() {
+    let ratios = Ratios::new(0.597, 3.315).unwrap().with_static_friction_ratio(2.293).unwrap();
+    let limit = LongRun::from_start(ratios, State::default()).unwrap();
+    let steady = limit.steady_state().unwrap();
+    assert!(!steady.is_symmetric && steady.min_displacement.value < -steady.max_displacement.value);
+    // The motion sampled in time, of a machine of unit stiffness, mass and friction.
+    let motion = Trajectory::new(ratios, steady.state).unwrap();
+    let count = 4000 * steady.turns_per_cycle as usize;
+    let most =
+        motion.samples(4000).unwrap().take(count).map(|at| at.unwrap().state.x).fold(f64::MIN, f64::max);
+    let answer = SteadyAnswer::new(ratios, &limit, false).unwrap();
+    let found = of(&answer, "dynamic_amplification").unwrap();
+    assert!(
+        (found - most / 3.315).abs() < 1e-5 && (found - 1.450_796).abs() < 1e-6,
+        "{found} {}",
+        most / 3.315
+    );
+}
+
 /// The machine of a report: a foot of 12 mm at 6 rad/s carries 26.846 N, 1.2429 times what its acceleration would.
 #[test]
 fn the_support_of_a_moving_foot_carries_the_mass_times_the_acceleration() -> Result<(), Error> {
@@ -352,4 +406,72 @@ fn the_support_of_a_moving_foot_carries_the_mass_times_the_acceleration() -> Res
     let due = [of(Output::TransmittedForce), of(Output::Transmissibility)];
     assert!((due[0] - 26.846).abs() < 1e-3 && (due[1] - 1.2429).abs() < 1e-4, "{due:?}");
     Ok(())
+}
+
+/// Derivatives, boxes and draws have the forces of the same excitation.
+#[cfg(all(feature = "dual", feature = "random", feature = "serde", feature = "mp"))]
+#[test]
+fn every_way_to_an_output_knows_the_excitation() {
+    use stickslip::Regime;
+    use stickslip::sensitivity::Sensitivities;
+    use stickslip::uncertainty::{Exactly, Independent, Interval, MachineBox, MonteCarlo};
+    let outputs = [Output::TransmittedForce, Output::Transmissibility, Output::MaxAbsoluteDisplacement];
+    let mut random = Random(4);
+    let mut moving = 0;
+    for n in 0..140 {
+        let mut m = machine(&mut random, DRIVES[n % 7]);
+        (m.held, m.damping) = (m.friction, if n % 2 == 0 { 0.0 } else { m.damping });
+        let (body, drive) = (m.body(), m.drive());
+        let (ratios, scales) = (drive.ratios(&body).unwrap(), Scales::new(&body, &drive).unwrap());
+        let response = Response::new(ratios);
+        if response.cycle.is_none() {
+            continue;
+        }
+        moving += 1;
+        let derived = Sensitivities::by_parameters(&body, &drive).unwrap();
+        let written = serde_json::to_value(response).unwrap();
+        let exactly = Interval::exactly;
+        let [mass, stiffness, friction] = [m.mass, m.stiffness, m.friction].map(exactly);
+        let [amplitude, frequency] = [m.amplitude, m.frequency].map(exactly);
+        let machine = match m.excitation {
+            Excitation::Force => Some(MachineBox::force(mass, stiffness, friction, amplitude, frequency)),
+            Excitation::FootMotion => {
+                Some(MachineBox::foot_motion(mass, stiffness, friction, amplitude, frequency))
+            }
+            _ => None,
+        };
+        let machine = machine.map(|machine| machine.unwrap().with_damping(exactly(m.damping)).unwrap());
+        let draws = Independent {
+            mass: Exactly(m.mass),
+            stiffness: Exactly(m.stiffness),
+            friction_bound: Exactly(m.friction),
+            amplitude: Exactly(m.amplitude),
+            angular_frequency: Exactly(m.frequency),
+        };
+        let drawn =
+            (m.damping == 0.0).then(|| MonteCarlo::new(&draws, m.excitation, &outputs, 1, 1).unwrap());
+        assert!(drawn.as_ref().is_none_or(|drawn| drawn.count(Regime::NonSticking) == 1));
+        for output in outputs {
+            let due = output.of(&response);
+            assert_eq!(written[output.name()].as_f64(), due, "{output} of {m:?}");
+            let due = due.map(|value| value * output.unit(&scales));
+            let same = |found: Option<f64>, what: &str| {
+                let close = found.zip(due).is_some_and(|(a, b)| (a / b - 1.0).abs() < 1e-9);
+                assert!(
+                    close || found.is_none() && due.is_none(),
+                    "{what} of {output}, {m:?}: {found:?} {due:?}"
+                );
+            };
+            same(derived.of(output).map(|found| found.value), "derivative");
+            if let Some(machine) = &machine {
+                same(machine.range(output, 1).unwrap().map(|range| range.low), "box");
+                let enclosed = machine.enclosed(output, 1).unwrap();
+                same(enclosed.map(|range| f64::midpoint(range.low, range.high)), "enclosure");
+            }
+            if let Some(drawn) = &drawn {
+                same(drawn.values(output).first().copied(), "draw");
+            }
+        }
+    }
+    assert!(moving > 40, "{moving}");
 }

@@ -117,6 +117,9 @@ impl<F: Float> Body<F> {
 
     /// This body with a constant force p̄ in the direction of x.
     ///
+    /// Displacements are from the unstretched spring, and the transmitted force includes p̄. Answers to a harmonic drive
+    /// are about the mean ([`crate::Drive::with_mean_force`]).
+    ///
     /// # Errors
     /// Where p̄ is not finite.
     pub fn with_mean_force(self, mean_force: F) -> Result<Self, Error> {
