@@ -7,6 +7,7 @@
 //! | `fixed_point`, `orbit` | the states that m half turns bring back, and Newton's method for them |
 //! | `shooting`, `section` | η = 1: the limit of every start, by Newton's method from one of them |
 //! | `stop_map`, `stops` | from stop to stop, one number on: the limit where it sticks |
+//! | `slight` | the same just above α = 1, where it hardly moves |
 //! | `validate` | the closed-form cycle, if there is one, shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed` | the limit of one start, where η > 1 |
@@ -28,6 +29,7 @@ pub(crate) mod propagation;
 pub(crate) mod rest;
 pub(crate) mod section;
 pub(crate) mod shooting;
+mod slight;
 pub(crate) mod steady;
 pub(crate) mod steady_outputs;
 pub(crate) mod stop_map;

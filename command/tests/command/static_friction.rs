@@ -339,3 +339,31 @@ fn a_map_of_limits() {
         assert!(first.ends_with(&format!(",{expected}")), "{ratios}: {first}");
     }
 }
+
+/// One float above the static friction, or above 1, every command finds the motion; at that number, rest.
+#[test]
+fn every_command_tells_rest_from_motion_at_the_same_float() {
+    for (eta, moving) in [(1.5f64, "periodic"), (1.0, "periodic")] {
+        for steps in [0u32, 1, 2, 5, 9, 20, 450] {
+            let alpha = (0..steps).fold(eta, |alpha, _| alpha.next_up());
+            let machine = format!("--omega 0.6 --alpha {alpha:?} --static-friction-ratio {eta}");
+            let moves = steps > 0;
+            let limit = if moves { moving } else { "rest" };
+            let steady = json(&format!("steady {machine} --format json"));
+            assert_eq!(steady["limit"], limit, "steady {machine}");
+            assert_eq!(steady["regime"], if moves { "sticking" } else { "stuck" }, "steady {machine}");
+            let response = json(&format!("response {machine} --format json"));
+            assert_eq!(response["moves_from_rest"], moves, "response {machine}");
+            let attractors = json(&format!("attractors {machine} --starts 1 --format json"));
+            assert_eq!(attractors["attractors"][0]["limit"], limit, "attractors {machine}");
+            let simulated = stdout(&format!("simulate {machine} --cycles 2 --format csv"));
+            assert_eq!(simulated.contains("slide-forward"), moves, "simulate {machine}: {simulated}");
+            let grid =
+                format!("--omega 0.6 --alpha {alpha:?}:{:?}:2 --static-friction-ratio {eta}", 2.0 * eta);
+            let map = stdout(&format!("map steady:max_displacement {grid} --quiet"));
+            let first: f64 = map.lines().nth(1).unwrap().rsplit(',').next().unwrap().parse().unwrap();
+            assert_eq!(first > 0.0, moves, "map {grid}: {map}");
+            assert_eq!(Some(first), steady["max_displacement"].as_f64(), "map {grid}: {map}");
+        }
+    }
+}

@@ -19,6 +19,7 @@ use super::fixed_point::{Residual, is_known};
 use super::long_run::LongRun;
 use super::measures::CycleStatistics;
 use super::propagation::MotionPart;
+use super::slight;
 use super::steady::{SteadyParts, SteadyState};
 use super::stop_map::{Expected, Passage, Station, passage};
 use crate::cycle::damped::border::is_far_below;
@@ -103,7 +104,10 @@ impl<F: Float> Sticking<F> {
     pub(crate) fn limit(&self, budget: &mut Budget<'_>) -> Result<Option<LongRun<F>>, Broken> {
         let equation = self.equation;
         let found = fixed_point(equation, self.guess(), self.other_guesses(), budget)?;
-        found.map_or(Ok(None), |passage| steady(equation, &passage, budget))
+        match found.map_or(Ok(None), |passage| steady(equation, &passage, budget))? {
+            Some(limit) => Ok(Some(limit)),
+            None => slight::limit(equation, STATION, budget),
+        }
     }
 
     /// The minimum displacement by the closed form, as if the motion did not stick; without a closed form,

@@ -67,14 +67,16 @@ pub(crate) fn force_rounding<F: Float>(equation: &Equation<F>, x: F) -> F {
 /// exceeds friction.
 ///
 /// It solves `α sin θ = y = η ± x`. A maximum of the force that exceeds the bound by no more than its
-/// rounding does not count: it moves the body by less than x can resolve.
+/// rounding does not count where it moves the body by less than x can resolve. It counts where the body leaves with an
+/// acceleration, η > 1, and next to x = 0: an excess e moves it by about `9e²/2Ω²`.
 pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: Direction) -> Option<F> {
     let Equation { alpha, static_friction, .. } = *equation;
     let sign = direction.sign::<F>();
     let y = static_friction + sign * x;
     // This form avoids the rounding of y, which matters where α is close to η.
     let above = (alpha - static_friction) - sign * x;
-    let exceeds = above > force_rounding(equation, x);
+    let is_felt = || equation.has_higher_static_friction() || above.square() >= F::epsilon() * x.abs();
+    let exceeds = above > force_rounding(equation, x) || above > F::int(0) && is_felt();
     if !exceeds {
         return None;
     }
