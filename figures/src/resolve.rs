@@ -10,7 +10,7 @@ use core::convert::Infallible;
 pub enum Origin {
     /// A given sample.
     Given,
-    /// The maximum between two samples.
+    /// A maximum: between two samples, or at one of them.
     Peak,
     /// A point beside a maximum.
     Flank,
@@ -33,7 +33,8 @@ const GOLDEN: f64 = 0.381_966_011_250_105;
 /// `at` computes the point at any x. Between the samples that enclose a maximum, points are added until the
 /// line through them is within half a pixel of the curve on a logarithmic y-axis, or half a pixel apart.
 /// A maximum narrower than the samples is found where a sample lies on it or the curve rises towards it from
-/// both sides: the natural frequency should therefore be among the samples.
+/// both sides: the natural frequency should therefore be among the samples. The gaps beside a sample that `bends` says
+/// is a corner of the curve are resolved, too.
 ///
 /// # Errors
 /// Errors of `at`.
@@ -41,6 +42,7 @@ pub fn resolved<T: Clone, E>(
     points: &[T],
     logarithmic: bool,
     place: impl Fn(&T) -> (f64, f64),
+    bends: impl Fn(&T) -> bool,
     at: impl Fn(f64) -> Result<T, E>,
 ) -> Result<Vec<(T, Origin)>, E> {
     let x = |point: Option<&T>| point.map_or(f64::NAN, |point| place(point).0);
@@ -51,9 +53,15 @@ pub fn resolved<T: Clone, E>(
         ends.map(|(a, b)| along(logarithmic, (curve.place)(a).0, (curve.place)(b).0)).collect();
     // For each gap between two samples: whether a maximum is next to it or in it, and the maxima in it.
     let mut gaps: Vec<(bool, Vec<T>)> = vec![(false, Vec::new()); points.len()];
+    let mut peaks = Vec::new();
     for (i, point) in points.iter().enumerate() {
         let before = i.checked_sub(1).and_then(|i| points.get(i));
         let after = points.get(i.saturating_add(1));
+        if bends(point) {
+            for gap in [i.checked_sub(1), Some(i)].into_iter().flatten() {
+                gaps.get_mut(gap).into_iter().for_each(|(beside, _)| *beside = true);
+            }
+        }
         if !curve.is_top(before, point, after) {
             continue;
         }
@@ -64,6 +72,7 @@ pub fn resolved<T: Clone, E>(
         if is_sample && own.is_finite() && (before.is_none() || after.is_none()) {
             continue;
         }
+        peaks.extend((is_sample && own.is_finite()).then_some(i));
         let is_before = (curve.place)(&top).0 < (curve.place)(point).0;
         for (gap, next, holds) in [
             (i.checked_sub(1), i.checked_sub(2), is_before),
@@ -85,7 +94,7 @@ pub fn resolved<T: Clone, E>(
     }
     let mut all = Vec::with_capacity(points.len());
     for (i, (point, (beside, tops))) in points.iter().zip(gaps).enumerate() {
-        all.push((point.clone(), Origin::Given));
+        all.push((point.clone(), if peaks.binary_search(&i).is_ok() { Origin::Peak } else { Origin::Given }));
         let Some(next) = points.get(i.saturating_add(1)).filter(|_| beside) else { continue };
         let mut from = point.clone();
         for top in tops {
@@ -107,7 +116,8 @@ pub(super) fn resonant(
     let mut omegas: Vec<f64> = omegas.chain(resonances.iter().copied()).collect();
     omegas.sort_by(f64::total_cmp);
     let points: Vec<(f64, f64)> = omegas.into_iter().map(|omega| (omega, of(omega))).collect();
-    let Ok::<_, Infallible>(all) = resolved(&points, false, |&point| point, |omega| Ok((omega, of(omega))));
+    let Ok::<_, Infallible>(all) =
+        resolved(&points, false, |&point| point, |_| false, |omega| Ok((omega, of(omega))));
     all.into_iter().map(|(point, _)| point).collect()
 }
 
@@ -246,10 +256,11 @@ mod tests {
         // A peak between the first two samples, on a logarithmic axis.
         let humped = |x: f64| Ok::<_, Infallible>((x, (-(x - 0.2f64).powi(2)).exp()));
         let samples: Vec<_> = [0.1, 0.4, 2.0].into_iter().map(|x| humped(x).unwrap()).collect();
-        let Ok(points) = resolved(&samples, true, |&point| point, humped);
+        let Ok(points) = resolved(&samples, true, |&point| point, |_| false, humped);
         let tops: Vec<_> = points.iter().filter(|point| point.1 == Origin::Peak).collect();
         assert!(tops.len() == 1 && (tops[0].0.1 - 1.0).abs() < 1e-9, "{tops:?}");
-        let single = resolved(&[(1.0, 2.0)], false, |&point| point, |x| Ok::<_, Infallible>((x, 2.0)));
+        let single =
+            resolved(&[(1.0, 2.0)], false, |&point| point, |_| false, |x| Ok::<_, Infallible>((x, 2.0)));
         assert_eq!(single, Ok(vec![((1.0, 2.0), Origin::Given)]));
     }
 }

@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
 use stickslip::inputs::units::{InputError, Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Naming};
-use stickslip::motion::SteadyOutput;
+use stickslip::inputs::{Given, Input, Naming, Role};
+use stickslip::motion::{SteadyOutput, record};
 use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales, definitions};
 
 /// Mass, stiffness, friction bound of forward motion, that of backward motion (NaN if equal), damping
@@ -64,11 +64,17 @@ fn machine(
     units: Option<&str>,
 ) -> PyResult<(Body, Option<f64>, Option<String>)> {
     let (given, system) = given(values, units)?;
-    let body = given.oscillator().map_err(refused)?;
     let forward = given.friction().map_err(refused)?.unwrap_or(f64::NAN);
     let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
-    let (damping, ratio) = (body.damping(), body.static_friction_ratio());
-    let body = (body.mass(), body.stiffness(), forward, backward, damping, ratio);
+    let body = if forward == 0.0 && given.has_role(Role::Spring) {
+        // The linear oscillator, for records: what needs friction refuses it.
+        let body = record::Body::given(&given, None).map_err(refused)?;
+        (body.mass(), body.stiffness(), forward, backward, body.damping(), body.static_friction_ratio())
+    } else {
+        let body = given.oscillator().map_err(refused)?;
+        let (damping, ratio) = (body.damping(), body.static_friction_ratio());
+        (body.mass(), body.stiffness(), forward, backward, damping, ratio)
+    };
     Ok((body, given.get(Input::DampingRatio), system))
 }
 

@@ -54,13 +54,10 @@ fn follow(
 
 impl FoundLimit {
     /// The answer, with the peaks and the measures of asymmetry where a column needs them.
-    fn answer(
-        &self,
-        needs: Needs,
-        keep_going: KeepGoing<'_>,
-    ) -> Result<SteadyAnswer<'_, f64>, Error> {
+    fn answer(&self, needs: Needs, keep_going: KeepGoing<'_>) -> Result<SteadyAnswer<'_, f64>, Error> {
         let peaks = if needs.peaks { self.limit.peaks_while(&self.ratios, keep_going)? } else { None };
-        let errors = self.limit.steady_state().filter(|_| needs.errors).map(SteadyState::errors).transpose()?;
+        let errors =
+            self.limit.steady_state().filter(|_| needs.errors).map(SteadyState::errors).transpose()?;
         let Self { ratios, limit, seen } = self;
         Ok(SteadyAnswer { ratios: *ratios, limit, seen: *seen, errors, peaks })
     }

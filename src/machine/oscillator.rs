@@ -24,7 +24,7 @@ use crate::machine::ratios::{
 /// force `−(r₊ − r₋)/2`. A constant force only shifts the motion, stops included, by
 /// [`Scales::mean_displacement`]; all else is as with r_y in both directions. Static friction then exceeds
 /// the kinetic one by (η − 1) r_y in each direction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
@@ -42,6 +42,18 @@ pub struct Oscillator<F> {
     static_friction_ratio: F,
     /// r_s where it was given as a force, which stays as it is if the friction bound changes.
     static_friction: Option<F>,
+}
+
+/// Equal where the machines are, whether the static friction was given as a force or as a ratio.
+impl<F: PartialEq> PartialEq for Oscillator<F> {
+    fn eq(&self, other: &Self) -> bool {
+        self.mass == other.mass
+            && self.stiffness == other.stiffness
+            && self.friction_bound == other.friction_bound
+            && self.damping == other.damping
+            && self.friction_offset == other.friction_offset
+            && self.static_friction_ratio == other.static_friction_ratio
+    }
 }
 
 impl<F: Float> Oscillator<F> {

@@ -6,7 +6,9 @@ mod rounded;
 
 use crate::drawn::cases;
 use arbitrary::{Arbitrary, Unstructured};
+use core::cell::Cell;
 use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
 use std::f64::consts::PI;
 use stickslip::float::Mp;
 use stickslip::generators::Point;
@@ -117,20 +119,32 @@ proptest! {
         prop_assert!(more.max_displacement > c.max_displacement);
         prop_assert!(more.max_velocity > c.max_velocity);
     }
-
-    #[test]
-    fn the_border_is_eq_61_from_one_half_on_and_above_it_elsewhere(
-        bytes in prop::collection::vec(any::<u8>(), 16),
-    ) {
-        eq_61_or_above(Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega);
-    }
 }
 
-fn eq_61_or_above(omega: f64) {
-    let Ok(border) = Border::new(omega) else { return };
+/// On both sides of 1/2, as far as the drawn Ω has a border.
+#[test]
+fn the_border_is_eq_61_from_one_half_on_and_above_it_elsewhere() {
+    let compared = Cell::new([0u32; 2]);
+    let is_one = |bytes: Vec<u8>| {
+        let omega = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega;
+        if eq_61_or_above(omega) {
+            let [below, above] = compared.get();
+            compared.set(if omega < 0.5 { [below + 1, above] } else { [below, above + 1] });
+        }
+        Ok(())
+    };
+    TestRunner::new(cases(2_000)).run(&prop::collection::vec(any::<u8>(), 16), is_one).unwrap();
+    let [below, above] = compared.get();
+    assert!(below > 300 && above > 300, "{below} {above}");
+}
+
+/// Whether there is a border.
+fn eq_61_or_above(omega: f64) -> bool {
+    let Ok(border) = Border::new(omega) else { return false };
     assert!(border.min_force_ratio >= border.turning_point);
     assert!(omega < 0.5 || border.min_force_ratio == border.turning_point);
     assert!(border.touching_phase == 0.0 || omega < 0.5);
+    true
 }
 
 /// An input that failed once.
@@ -139,7 +153,7 @@ fn a_border_that_broke_one() {
     let mut bytes = [0; 16];
     bytes[..2].copy_from_slice(&[75, 133]);
     let Point { omega, .. } = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
-    eq_61_or_above(omega);
+    assert!(eq_61_or_above(omega));
     rounded::borders(omega);
 }
 

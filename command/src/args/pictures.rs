@@ -143,9 +143,10 @@ The frequency is a grid FROM:TO:COUNT, or FROM:TO:COUNT:log. Any other quantity 
 values, with one curve for each. Where the body stops, the values are those of the exact motion from rest, and the
 line is dashed.
 
-Every peak is resolved, whatever the COUNT: rows are added at it and beside it, until a line through the rows is right
-to half a pixel of a picture. The column `point` tells grid, natural (Ω = 1), peak and flank apart. Without a damper the
-motion is unbounded at Ω = 1 from α = 4/π on: the value is empty, the regime `unbounded`, and a picture has an arrowhead.
+Every peak wider than a five-hundredth of the axis is resolved, whatever the COUNT, and so is the onset of sliding: rows
+are added there and beside, until a line through the rows is right to half a pixel of a picture. The column `point` tells
+grid, natural (Ω = 1), peak, onset and flank apart. Without a damper the motion is unbounded at Ω = 1 from α = 4/π on:
+the value is empty, the regime `unbounded`, and a picture has an arrowhead.
 
 Examples:
   stickslip response-curve --mass 800kg --period 2.2s --friction-coefficient 0.05,0.08 --base-acceleration 0.15g \\

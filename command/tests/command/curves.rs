@@ -380,3 +380,123 @@ fn a_column_in_ratios_has_the_unit_of_its_quantity() {
         assert_eq!(text.lines().next(), Some(due.as_str()));
     }
 }
+
+/// A machine on a moving foot or base as the command's options, and its amplitude by the library at a frequency in Hz.
+struct Moved {
+    machine: [f64; 4],
+    excitation: stickslip::Excitation,
+    option: &'static str,
+    amplitude: f64,
+}
+
+impl Moved {
+    fn at(&self, of: stickslip::motion::Amplitude, hertz: f64) -> f64 {
+        let [mass, stiffness, friction, damping] = self.machine;
+        let body =
+            stickslip::Oscillator::new(mass, stiffness, friction).unwrap().with_damping(damping).unwrap();
+        let drive =
+            stickslip::Drive::new(self.excitation, self.amplitude, std::f64::consts::TAU * hertz).unwrap();
+        of.of(drive.ratios(&body).unwrap(), self.excitation).unwrap().value.unwrap()
+    }
+
+    fn options(&self) -> String {
+        let [mass, stiffness, friction, damping] = self.machine;
+        format!(
+            "--mass {mass} --stiffness {stiffness} --friction {friction} --damping {damping} --{} {} --units N,m",
+            self.option, self.amplitude
+        )
+    }
+}
+
+/// Every maximum among 6,000 frequencies has a row, as high as the highest of them, however few rows are asked for.
+#[test]
+fn every_maximum_has_a_row() {
+    use stickslip::{Excitation, motion::Amplitude};
+    let mut maxima = 0;
+    for (machine, excitation, option, amplitude, from, to) in [
+        (
+            [53.27, 86.8, 1.263, 2.72],
+            Excitation::DampedFootMotion,
+            "damped-foot-displacement",
+            0.0873,
+            0.020_308,
+            0.1219,
+        ),
+        ([53.27, 86.8, 1.263, 2.72], Excitation::FootMotion, "foot-displacement", 0.0873, 0.020_308, 0.1219),
+        ([800.0, 6525.0, 392.0, 60.0], Excitation::FootMotion, "foot-displacement", 0.3, 0.04, 1.5),
+        ([1.0, 100.0, 1.0, 0.2], Excitation::SurfaceAcceleration, "base-acceleration", 1.3, 0.15, 4.0),
+    ] {
+        let moved = Moved { machine, excitation, option, amplitude };
+        for count in [5, 9, 40] {
+            let options = moved.options();
+            let found = rows(&format!(
+                "response-curve transmissibility {options} --frequency {from}Hz:{to}Hz:{count}"
+            ));
+            let step = (to - from) / 6000.0;
+            let dense: Vec<f64> = (0..=6000)
+                .map(|i| moved.at(Amplitude::Transmissibility, from + step * f64::from(i)))
+                .collect();
+            for (i, around) in dense.windows(3).enumerate() {
+                let [before, here, after] = [around[0], around[1], around[2]];
+                // A maximum of this height is more than the rounding of a search.
+                let is_top = here > before * (1.0 + 1e-7) && here > after * (1.0 + 1e-7);
+                if !is_top {
+                    continue;
+                }
+                let x = from + step * (i as f64 + 1.0);
+                let near = found.iter().filter(|row| (row.x - x).abs() <= 2.0 * step);
+                let most = near.map(|row| row.value.unwrap()).fold(0.0, f64::max);
+                assert!(
+                    most >= here * (1.0 - 1e-9) && most < here * 1.01,
+                    "{options} {count} at {x} Hz: {most} for {here}"
+                );
+                maxima += 1;
+            }
+        }
+    }
+    assert!(maxima > 20, "{maxima}");
+}
+
+/// Rows on both sides of the frequency where the body begins to move, and a line through the rows that is right to a
+/// pixel from there on: p₀ = √(k² + c²ω²) u₀, or m ω² u₀, is the friction.
+#[test]
+fn the_onset_of_sliding_is_refined() {
+    use stickslip::{Excitation, motion::Amplitude};
+    for (machine, excitation, option, amplitude, onset, to) in [
+        ([1.0, 100.0, 1.0, 0.4], Excitation::SurfaceMotion, "base-displacement", 0.02, 50f64.sqrt(), 4.0),
+        // √(100² + 40² ω²) 0.005 = 1 at ω = √3e4/40.
+        (
+            [1.0, 100.0, 1.0, 40.0],
+            Excitation::DampedFootMotion,
+            "damped-foot-displacement",
+            0.005,
+            3e4f64.sqrt() / 40.0,
+            4.0,
+        ),
+    ] {
+        let moved = Moved { machine, excitation, option, amplitude };
+        let onset = onset / std::f64::consts::TAU;
+        let options = moved.options();
+        let found = rows(&format!("response-curve force {options} --frequency 0.2Hz:{to}Hz:12"));
+        let pair: Vec<&Row> = found.iter().filter(|row| row.point == "onset").collect();
+        assert!(
+            pair.len() == 2 && pair[0].regime == "stuck" && pair[1].regime == "sticking",
+            "{options}: {pair:?}"
+        );
+        assert!(
+            pair.iter().all(|row| (row.x / onset - 1.0).abs() < 1e-12),
+            "{options}: {pair:?} for {onset}"
+        );
+        for i in 1..200 {
+            // To the next row that was asked for, at the latest.
+            let next = found.iter().find(|row| row.point == "grid" && row.x > onset).unwrap();
+            let x = onset + (next.x - onset) * f64::from(i) / 200.0;
+            let due = moved.at(Amplitude::TransmittedForce, x) * machine[2];
+            let after = found.iter().position(|row| row.x >= x).unwrap();
+            let (a, b) = (&found[after - 1], &found[after]);
+            let share = (x - a.x) / (b.x - a.x);
+            let drawn = a.value.unwrap() * (b.value.unwrap() / a.value.unwrap()).powf(share);
+            assert!((drawn / due).ln().abs() < 4.0 * PIXEL, "{options} at {x} Hz: {drawn} for {due}");
+        }
+    }
+}

@@ -94,10 +94,9 @@ fn the_growth_at_resonance_is_that_of_the_motion() {
 #[test]
 fn a_budget_is_one_of_periods() {
     for most in [100, 400] {
-        let limit = LongRun::within(ratios(0.7, 1.0 + 1e-10), State::default(), most, &mut || {
-            ControlFlow::Continue(())
-        })
-        .unwrap();
+        let limit =
+            LongRun::within(ratios(0.5, 1e12), State::default(), most, &mut || ControlFlow::Continue(()))
+                .unwrap();
         let LongRun::NotConverged { periods, .. } = limit else { panic!("{limit:?}") };
         let most = f64::from(most);
         assert!(periods > most && periods < most + 40.0, "{periods} of {most}");
