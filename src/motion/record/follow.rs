@@ -47,6 +47,8 @@ pub(super) trait Watch<F> {
     fn stopped(&mut self, time: F, x: F) -> Option<()>;
     /// The counts end here: the motion has no last stop.
     fn counted(&mut self);
+    /// The body stays at rest under a constant load.
+    fn stays(&mut self, load: F, time: F) -> Option<()>;
     /// The motion goes on without an end, and is at x at this time.
     fn goes_on(&mut self, x: F, time: F) -> Option<()>;
     /// The motion tends to x, the second of these places, under a constant load, over `swings` times the way there

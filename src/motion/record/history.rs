@@ -141,6 +141,10 @@ impl<F: Float> Watch<F> for History<F> {
         self.totals.counted();
     }
 
+    fn stays(&mut self, load: F, time: F) -> Option<()> {
+        self.totals.stays(load, time)
+    }
+
     fn goes_on(&mut self, x: F, time: F) -> Option<()> {
         self.totals.goes_on(x, time)
     }

@@ -65,17 +65,15 @@ impl<F: Number> Follower<F> {
                             return Ok(Rest::Never { time: time + from, x: self.x, v: self.v });
                         }
                         Creep::Slows => {
-                            let limit = if slow.positive().ok_or(Failure::Uncertain)? {
-                                limit
-                            } else {
-                                self.x + self.v / fast
-                            };
-                            if self.is_falling(sign) || creeps > F::MOST_TERMS {
+                            let has_spring = slow.positive().ok_or(Failure::Uncertain)?;
+                            let limit = if has_spring { limit } else { self.x + self.v / fast };
+                            // The load may have changed at once, so that one stretch is taken at least.
+                            if creeps > 0 && self.is_falling(sign) || creeps > F::MOST_TERMS {
                                 watch.tends_to([self.x, limit], load, F::int(1)).ok_or(Failure::Uncertain)?;
                                 return Ok(Rest::Limit(limit));
                             }
                             how.can_stop = false;
-                            F::int(1) / shortness
+                            F::int(1) / if has_spring { shortness } else { fast }
                         }
                     }
                 }
@@ -100,7 +98,11 @@ impl<F: Number> Follower<F> {
         match self.mode {
             Mode::Rest => {
                 let piece = Piece::constant(load, F::int(0));
-                self.release(&piece, time, watch).ok_or(Failure::Uncertain)
+                let sign = self.release(&piece, time, watch).ok_or(Failure::Uncertain)?;
+                if sign.is_none() {
+                    watch.stays(load, time).ok_or(Failure::Uncertain)?;
+                }
+                Ok(sign)
             }
             Mode::Slide(sign) => {
                 self.a = self.acceleration(load, sign);

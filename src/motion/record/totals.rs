@@ -286,6 +286,13 @@ impl<F: Number> Watch<F> for Totals<F> {
         self.is_counted = true;
     }
 
+    fn stays(&mut self, load: F, time: F) -> Option<()> {
+        let zero = F::int(0);
+        self.velocity.include(zero, time)?;
+        self.acceleration.include(zero, time)?;
+        self.free_acceleration.include(-load, time)
+    }
+
     fn goes_on(&mut self, x: F, time: F) -> Option<()> {
         self.path = self.path + (x - self.from).abs();
         self.displacement.include(x, time)
