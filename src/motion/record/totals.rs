@@ -209,7 +209,11 @@ impl<F: Number> Totals<F> {
             (g, next(g))
         });
         let times = [time, length];
-        Self::include(&mut self.velocity, times, ends.map(|(g, _)| g), |t| Some(at(t)?.0))?;
+        // Where it touches zero, the velocity is none of the other direction, but for rounding.
+        let of_velocity = |([v, a, jerk, bend, third], _): ([F; 5], F)| {
+            [slide.sign * (slide.sign * v).larger(F::int(0)), a, jerk, bend, third]
+        };
+        Self::include(&mut self.velocity, times, ends.map(of_velocity), |t| at(t).map(of_velocity))?;
         let of_acceleration =
             |([_, a, jerk, bend, third], fourth): ([F; 5], F)| [a, jerk, bend, third, fourth];
         let of = ends.map(of_acceleration);
