@@ -13,7 +13,8 @@
 //! | step | file |
 //! |---|---|
 //! | the best minima of a trimmed sum, the 7 smallest of 10 squares, over a grid of starts | `search` |
-//! | the least squares over the values that this fit predicts to within their noise | `outliers` |
+//! | the least squares over all values, or over those that this fit predicts where chance does not explain the others | `outliers` |
+//! | the same with each reading of the phases, of which the one that explains most is taken | here |
 //! | the fit with other readings of amplitudes and phases, which may be better | here |
 
 mod model;
@@ -88,8 +89,8 @@ named! {
 pub struct Reading {
     /// The kind of the amplitudes.
     pub amplitude: AmplitudeKind,
-    /// The kind of the phases; `None` chooses the one that fits best, [`PhaseKind::Peak`] unless another one
-    /// fits better by more than chance.
+    /// The kind of the phases; `None` tries each and chooses the one that explains the curve best,
+    /// [`PhaseKind::Peak`] unless another one does better by more than chance.
     pub phase: Option<PhaseKind>,
 }
 
@@ -147,6 +148,8 @@ pub struct Identified {
     pub residuals: Vec<Residual>,
     /// The kind of phase that the curve was read with, if it has phases.
     pub phase: Option<PhaseKind>,
+    /// Another kind of phase that explains the curve better by more than chance than the one asked for.
+    pub better_phase: Option<PhaseKind>,
     /// Another kind of amplitude that fits better than expected by chance: the amplitudes were probably of
     /// that kind.
     pub better: Option<BetterReading>,
@@ -168,9 +171,9 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
 /// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation unless
 /// the residuals of the two differ by more than chance.
 ///
-/// Values that the others contradict are left out: in a curve without wrong values this happens once in a
-/// hundred curves, and up to three of ten wrong amplitudes, and as many phases, do not move the answer. Fewer
-/// than seven values of a kind are all used.
+/// Values that the others contradict are left out: up to three of ten amplitudes, and as many phases. A model that
+/// explains all values to within their noise keeps them all, so that in a curve without wrong values one is left out
+/// once in 10⁵ curves. Fewer than seven values of a kind are all used.
 ///
 /// The answer is the least sum of squares found from several starts. It is not proved to be the global
 /// minimum. Below Ω = 0.002 the amplitude of a body that stops is that under a slow force, to within 20Ω² p₀/k.
@@ -196,9 +199,9 @@ pub fn identify_as(
         return Err(Error::TooFewMeasurements { count: points.len() });
     }
     let some = sample(&points);
-    let ChosenReading { phase, start, better, grid } = chosen(&some, reading)?;
+    let ChosenReading { phase, better_phase, judged, better } = chosen(&some, reading)?;
     let curve = ResponseCurve { points: &points, ..ResponseCurve::of(&some, reading.amplitude, phase) };
-    let found = judge(&curve, start, (some.len() == points.len()).then_some(&grid))?;
+    let found = if some.len() == points.len() { judged } else { judge(&curve, judged.at, None)? };
     let [kappa, zeta] = found.at;
     for (x, (_, end), quantity) in
         [(kappa, RANGE[0], Quantity::FrictionBound), (zeta, RANGE[1], Quantity::DampingRatio)]
@@ -224,6 +227,7 @@ pub fn identify_as(
         phase_noise: has_phases.then_some(phase_noise),
         residuals: residuals(&curve, &found)?,
         phase: has_phases.then_some(phase),
+        better_phase,
         better,
     })
 }
@@ -266,13 +270,19 @@ impl<'a> ResponseCurve<'a> {
     }
 }
 
-/// The kind of the phases, the best trimmed fit, and another kind of amplitude if that fits better.
+/// The kind of the phases with its fit, and other kinds of phase and of amplitude if they fit better.
 struct ChosenReading {
     phase: PhaseKind,
-    start: model::Parameters,
+    better_phase: Option<PhaseKind>,
+    judged: Judged,
     better: Option<BetterReading>,
-    /// The starts, with the motions that the reading needs.
-    grid: StartGrid,
+}
+
+/// One reading of the phases with its fits.
+struct Read<'a> {
+    curve: ResponseCurve<'a>,
+    trimmed: Fit,
+    judged: Judged,
 }
 
 /// The root mean square of the residuals of a trimmed fit below which no other kind of amplitude is tried.
@@ -281,25 +291,43 @@ const EXPLAINED: f64 = 0.01;
 /// The numbers of starts of the reading asked for, and of the others.
 const STARTS: [usize; 2] = [4, 2];
 
+/// By how much a reading must explain a curve better, as a logarithm of likelihoods: 1 in 1,000.
+const BETTER: f64 = 7.0;
+
 fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, Error> {
     let [many, few] = STARTS;
     let curve = |phase| ResponseCurve::of(points, reading.amplitude, phase);
-    let mut best = curve(reading.phase.unwrap_or(PhaseKind::Peak));
-    let mut grid = StartGrid::of(&best);
-    let mut fit = grid.best(&best, Rule::Trimmed, many)?;
-    if reading.phase.is_none() && phases_fit_badly(&fit, points.len()) {
-        let of_whole = StartGrid::of(&curve(PhaseKind::Lag));
-        let mut others = Vec::new();
-        for phase in [PhaseKind::Lag, PhaseKind::TransferFunction] {
-            others.extend(
-                of_whole.best(&curve(phase), Rule::Trimmed, many).ok().map(|fit| (curve(phase), fit)),
-            );
-        }
-        let other = others.into_iter().min_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
-        if let Some((other, better)) = other.filter(|(_, other)| is_better(&best, &fit, other)) {
-            (best, fit, grid) = (other, better, of_whole);
+    let read = |grid: &StartGrid, phase| -> Result<Read<'_>, Error> {
+        let curve = curve(phase);
+        let trimmed = grid.best(&curve, Rule::Trimmed, many)?;
+        let judged = judge(&curve, trimmed.at, Some(grid))?;
+        Ok(Read { curve, trimmed, judged })
+    };
+    let asked = reading.phase.unwrap_or(PhaseKind::Peak);
+    let mut grid = StartGrid::of(&curve(asked));
+    let first = read(&grid, asked);
+    let counts = curve(asked).counts();
+    let mut better_phase = None;
+    let mut best = first;
+    if counts[1] > 0 {
+        // The quantities of the whole cycle serve both kinds of lag, and the peaks.
+        let whole = StartGrid::of(&curve(PhaseKind::Lag));
+        let kinds = [PhaseKind::Peak, PhaseKind::Lag, PhaseKind::TransferFunction];
+        let misfit = |read: &Read<'_>| read.judged.misfit(counts);
+        let others = kinds.into_iter().filter(|kind| *kind != asked);
+        let other = others.filter_map(|kind| Some((kind, read(&whole, kind).ok()?)));
+        let other = other.min_by(|a, b| misfit(&a.1).total_cmp(&misfit(&b.1)));
+        let is_better =
+            |other: &Read<'_>| best.as_ref().map_or(true, |best| misfit(other) < misfit(best) - BETTER);
+        if let Some((kind, other)) = other.filter(|(_, other)| is_better(other)) {
+            if reading.phase.is_some() {
+                better_phase = Some(kind);
+            } else {
+                (best, grid) = (Ok(other), whole);
+            }
         }
     }
+    let Read { curve: best, trimmed: fit, judged } = best?;
     // A curve that the model explains gives no cause for suspicion. The factors are those of harmonic motions.
     let is_explained = |fit: &Fit| fit.sum < EXPLAINED.powi(2) * fit.weights.iter().sum::<f64>();
     let (rms, half) = (AmplitudeKind::RootMeanSquare, 0.5);
@@ -320,14 +348,7 @@ fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, E
         let noise = judge(&other, found.at, None).ok()?.noise[0];
         Some(BetterReading { amplitude, noise })
     });
-    Ok(ChosenReading { phase: best.phase, start: fit.at, better, grid })
-}
-
-/// Whether the phases that a trimmed fit keeps are off by more than a tenth of a radian on average.
-fn phases_fit_badly(fit: &Fit, amplitudes: usize) -> bool {
-    let phases = zip(&fit.residuals, &fit.weights).skip(amplitudes).filter(|(_, w)| **w > 0.0);
-    let (count, sum) = phases.fold((0.0, 0.0), |(n, sum), (r, _)| (n + 1.0, sum + r * r));
-    sum > 0.01 * count
+    Ok(ChosenReading { phase: best.phase, better_phase, judged, better })
 }
 
 /// Whether another trimmed fit of the same curve is better by more than chance.

@@ -102,36 +102,52 @@ fn suspects(found: &Identified) -> usize {
     found.residuals.iter().filter(|r| r.is_suspect()).count()
 }
 
-/// Of 1 000 such curves none is refused and none is further than 5 standard errors from the truth; see
+/// The number of curves of a test: more by the environment variable `CURVES`.
+fn curves(few: u32) -> u32 {
+    std::env::var("CURVES").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
+}
+
+fn within(estimate: stickslip::uncertainty::Estimate, truth: f64) -> u32 {
+    let (low, high) = estimate.interval();
+    u32::from(low <= truth && truth <= high)
+}
+
+/// No value is left out, none of the curves is refused, and the truth lies in the intervals as often as they say; see
 /// docs/robustness.md.
 #[test]
 fn curves_with_stops_are_fitted() {
     let mut random = Random(11);
-    let mut false_alarms = 0;
-    for i in 0..60 {
+    let (count, mut left_out, mut inside) = (curves(60), 0, [0; 2]);
+    for i in 0..count {
         let (kappa, zeta, curve) = drawn(&mut random, 12 + i % 20);
         let found = identify(&unit(), 1.0, &curve).unwrap();
         let off = |estimate: stickslip::uncertainty::Estimate, truth: f64| {
             (estimate.value - truth).abs() / estimate.standard_error
         };
         let (friction, damping) = (off(found.friction_bound, kappa), off(found.damping_ratio, zeta));
-        assert!(friction < 5.0 && damping < 5.0, "{i}: {kappa} {zeta} {found:?}");
+        assert!(friction < 6.0 && damping < 6.0, "{i}: {kappa} {zeta} {found:?}");
         assert!(found.friction_bound.interval().0 >= 0.0 && found.damping_ratio.interval().0 >= 0.0);
         assert_eq!((found.better, found.noise < 0.04), (None, true), "{i}: {found:?}");
-        false_alarms += u32::from(suspects(&found) > 0);
+        left_out += usize::from(suspects(&found) > 0);
+        inside[0] += within(found.friction_bound, kappa);
+        inside[1] += within(found.damping_ratio, zeta);
     }
-    assert!(false_alarms <= 3, "{false_alarms}");
+    println!("of {count}: {left_out} left out, {inside:?} within");
+    assert_eq!(left_out, 0);
+    // Of 60, at least 53 with a probability of 99 %.
+    assert!(inside.iter().all(|&n| n >= (0.93 * f64::from(count)) as u32 - count / 20), "{inside:?}");
 }
 
-/// Three wrong amplitudes of 25: the truth is in the interval in 9 of 10 curves.
+/// One to three wrong amplitudes of 25.
 #[test]
 fn wrong_amplitudes_do_not_move_the_answer() {
     let mut random = Random(7);
-    let (mut friction_within, mut damping_within, mut named) = (0, 0, 0);
-    for _ in 0..40 {
+    let (count, mut inside, mut named, mut wrongs, mut others) = (curves(40), [0; 2], 0, 0, 0);
+    for _ in 0..count {
         let (kappa, zeta, mut curve) = drawn(&mut random, 25);
         let mut wrong: Vec<usize> = Vec::new();
-        while wrong.len() < 3 {
+        let number = random.between(1.0, 4.0) as usize;
+        while wrong.len() < number {
             let i = random.between(0.0, 25.0) as usize;
             if !wrong.contains(&i) {
                 curve[i].amplitude *=
@@ -140,13 +156,20 @@ fn wrong_amplitudes_do_not_move_the_answer() {
             }
         }
         let found = identify(&unit(), 1.0, &curve).unwrap();
-        let within = |(low, high): (f64, f64), x: f64| u32::from(low <= x && x <= high);
-        friction_within += within(found.friction_bound.interval(), kappa);
-        damping_within += within(found.damping_ratio.interval(), zeta);
-        named += wrong.iter().filter(|&&i| found.residuals[i].amplitude_is_suspect).count();
+        inside[0] += within(found.friction_bound, kappa);
+        inside[1] += within(found.damping_ratio, zeta);
+        if std::env::var("SHOW").is_ok() && within(found.friction_bound, kappa) + within(found.damping_ratio, zeta) < 2 {
+            let named: Vec<_> = (0..25).filter(|&i| found.residuals[i].is_suspect()).collect();
+            println!("{kappa} {zeta} wrong {wrong:?} named {named:?} {:?} {:?} noise {}", found.friction_bound.interval(), found.damping_ratio.interval(), found.noise);
+        }
+        let is_named = |i: usize| found.residuals[i].amplitude_is_suspect;
+        named += wrong.iter().filter(|&&i| is_named(i)).count();
+        others += (0..25).filter(|i| !wrong.contains(i) && found.residuals[*i].is_suspect()).count();
+        wrongs += wrong.len();
     }
-    assert!(friction_within >= 36 && damping_within >= 36, "{friction_within} {damping_within}");
-    assert!(named >= 114, "{named} of 120");
+    println!("of {count}: {inside:?} within, {named} of {wrongs} named, {others} others");
+    assert!(inside.iter().all(|&n| n >= count * 9 / 10), "{inside:?} of {count}");
+    assert!(named * 100 >= wrongs * 95, "{named} of {wrongs}");
 }
 
 /// The exact curve of r_y = 0.2 without a damper, to five digits, three of whose motions stop.

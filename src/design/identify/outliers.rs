@@ -25,10 +25,31 @@ pub(super) struct Judged {
     pub(super) degrees_of_freedom: f64,
 }
 
+impl Judged {
+    /// The sum of squares of the values that count, in units of their noise.
+    fn sum(&self, counts: [usize; 2]) -> f64 {
+        let counted =
+            zip(&self.residuals, &self.suspect).enumerate().filter(|(_, (_, is_suspect))| !**is_suspect);
+        counted.map(|(i, (r, _))| (r / of_kind(i, counts, self.noise)).powi(2)).sum()
+    }
+
+    /// The logarithm of how well this explains all values, in units of which twice the difference is chance by itself: less
+    /// is better. A value that is left out costs as much as its deviation as a parameter chosen among n.
+    pub(super) fn misfit(&self, counts: [usize; 2]) -> f64 {
+        let n = self.residuals.len() as f64;
+        let kinds = [(counts[0], self.noise[0]), (counts[1], self.noise[1])];
+        let noise: f64 = kinds.iter().map(|(count, noise)| *count as f64 * noise.max(LEAST_NOISE).ln()).sum();
+        let left_out = self.suspect.iter().filter(|is_suspect| **is_suspect).count() as f64;
+        noise + left_out * (n.ln() - FALSE_ALARM.ln())
+    }
+}
+
+/// The number of times that the noise of the two kinds of values is weighed.
+const WEIGHINGS: usize = 6;
 /// The residual below which nothing is suspect, because the exact motion is no more accurate.
 const LEAST_NOISE: f64 = 1e-9;
 /// The chance that a curve without a wrong value has a suspect one.
-const FALSE_ALARM: f64 = 0.01;
+const FALSE_ALARM: f64 = 1e-5;
 /// The least number of values of a kind from which single values are judged and the noise of the kind is
 /// estimated.
 const FEW: usize = 7;
@@ -61,6 +82,112 @@ pub(super) fn is_larger(ratio: f64, degrees: [f64; 2]) -> bool {
     ratio.ln() > 3.09 * (2.0 / m + 2.0 / n).sqrt()
 }
 
+/// The least squares over all values, unless leaving some out explains the others better than chance would.
+///
+/// The values that the others contradict are those of [`selected`], k of n. They are left out where their k deviations, as
+/// parameters of their own, lessen the sum of squares by more than the best of all choices of k values would by chance:
+/// with the ratio x of the two sums, `C(n, k) I_x((n − k − 2)/2, k/2) < 10⁻⁵` by the F distribution. So a model that
+/// explains all values keeps all values, however far a single one pulls.
+///
+/// # Errors
+/// As for [`selected`], where there is no fit of all values either.
+pub(super) fn judge(
+    curve: &ResponseCurve<'_>,
+    start: Parameters,
+    grid: Option<&StartGrid>,
+) -> Result<Judged, Error> {
+    let all = whole(curve, start, grid);
+    let some = selected(curve, start, grid);
+    let (all, some) = match (all, some) {
+        (Ok(all), Ok(some)) => (all, some),
+        (all, some) => return all.or(some),
+    };
+    let counts = curve.counts();
+    let left_out = some.suspect.iter().filter(|is_suspect| **is_suspect).count();
+    if left_out == 0 {
+        return Ok(if some.misfit(counts) < all.misfit(counts) { some } else { all });
+    }
+    // Both sums in units of the noise of the selection.
+    let of_all: f64 =
+        all.residuals.iter().enumerate().map(|(i, r)| (r / of_kind(i, counts, some.noise)).powi(2)).sum();
+    let ratio = some.sum(counts) / of_all;
+    Ok(if is_no_chance(ratio, some.residuals.len(), left_out) { some } else { all })
+}
+
+/// The least squares over all values, each kind with its own noise if the two differ by more than chance.
+fn whole(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGrid>) -> Result<Judged, Error> {
+    let counts = curve.counts();
+    let (mut ratio, mut at) = (1.0, start);
+    let mut found = None;
+    for _ in 0..WEIGHINGS {
+        let weights: Vec<f64> =
+            (0..counts[0] + counts[1]).map(|i| of_kind(i, counts, [1.0, ratio])).collect();
+        let rule = Rule::Weighted(&weights);
+        let near = descend(curve, rule, at);
+        let others = grid.map_or(Err(Error::NotIdentified), |grid| grid.best(curve, rule, STARTS));
+        let fit = match (near, others) {
+            (Ok(near), Ok(other)) => {
+                if other.sum < near.sum {
+                    other
+                } else {
+                    near
+                }
+            }
+            (near, other) => near.or(other)?,
+        };
+        at = fit.at;
+        let next = own_noise(of_each(&fit, &weights, counts), numbers(&weights, counts));
+        let is_same = (next / ratio).ln().abs() <= 0.05;
+        found = Some((fit, weights, ratio));
+        ratio = next;
+        if is_same {
+            break;
+        }
+    }
+    let (fit, weights, ratio) = found.ok_or(Error::NotIdentified)?;
+    let slopes = curve.slopes(at, &fit.residuals).ok_or(Error::NotIdentified)?;
+    let degrees_of_freedom = weights.len().saturating_sub(2).max(1) as f64;
+    let variance = (fit.sum / degrees_of_freedom).max(LEAST_NOISE.powi(2) / 100.0);
+    let covariance = fit.normal(&slopes).inverse().map(|inverse| inverse.map(|x| x * variance));
+    let noise = [variance.sqrt(), (variance / ratio).sqrt()];
+    let suspect = fit.residuals.iter().map(|_| false).collect();
+    Ok(Judged { at, residuals: fit.residuals, suspect, noise, covariance, degrees_of_freedom })
+}
+
+/// Whether the ratio of the sum of squares without k of n values to that with them is below what chance would make of the
+/// best choice of them.
+fn is_no_chance(ratio: f64, n: usize, k: usize) -> bool {
+    let (n, k) = (n as f64, k as f64);
+    let (a, b) = ((n - k - 2.0) / 2.0, k / 2.0);
+    if a < 0.5 || ratio > 0.99 {
+        return false;
+    }
+    let choices = ln_gamma(n + 1.0) - ln_gamma(k + 1.0) - ln_gamma(n - k + 1.0);
+    // I_x(a, b) = xᵃ (1 − x)ᵇ/(a B(a, b)) Σ (a + b)ᵢ/(a + 1)ᵢ xⁱ, whose terms fall at least as xⁱ (1 + b/i).
+    let (mut term, mut sum, mut i) = (1.0, 1.0, 0.0);
+    while term > 1e-6 * sum && i < 1e5 {
+        term *= ratio * (a + b + i) / (a + 1.0 + i);
+        sum += term;
+        i += 1.0;
+    }
+    let beta = ln_gamma(a) + ln_gamma(b) - ln_gamma(a + b);
+    let chance =
+        a * ratio.max(f64::MIN_POSITIVE).ln() + b * (1.0 - ratio).ln() - a.ln() - beta + f64::ln(sum);
+    choices + chance < FALSE_ALARM.ln()
+}
+
+/// ln Γ(x) for x ≥ 1/2 by Stirling's series from 8 on, to 1e-10.
+fn ln_gamma(x: f64) -> f64 {
+    let (mut x, mut product) = (x, 1.0);
+    while x < 8.0 {
+        product *= x;
+        x += 1.0;
+    }
+    let square = x * x;
+    let series = (1.0 / 12.0 - (1.0 / 360.0 - 1.0 / (1260.0 * square)) / square) / x;
+    (x - 0.5) * x.ln() - x + 0.5 * TAU.ln() + series - f64::ln(product)
+}
+
 /// The least squares over the values that a trimmed fit explains, to which all others are added that lie
 /// within the errors of a prediction; values that turn out to lie beyond are removed one by one. A value
 /// changes its place at most three times, so that the selection ends. With a grid of starts for this curve, the sum
@@ -68,11 +195,7 @@ pub(super) fn is_larger(ratio: f64, degrees: [f64; 2]) -> bool {
 ///
 /// # Errors
 /// [`Error::NotIdentified`] where the selection or a descent does not end.
-pub(super) fn judge(
-    curve: &ResponseCurve<'_>,
-    start: Parameters,
-    grid: Option<&StartGrid>,
-) -> Result<Judged, Error> {
+fn selected(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGrid>) -> Result<Judged, Error> {
     let counts = curve.counts();
     let trimmed = descend(curve, Rule::Trimmed, start)?;
     let spread = spread(&trimmed.residuals, counts);
