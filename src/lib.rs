@@ -102,6 +102,7 @@
 //!   threads;
 //! * `generators`: adversarial inputs for property tests and fuzzing of code that uses this library
 //!   (`generators`);
+//! * `system`: several bodies with several contacts, laws of speed, elastic contacts and stops (`system`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra
 //!   (`cycle::matching::newton`), over `Mp` too with `mp`.
 
@@ -179,6 +180,15 @@ mod root;
 pub mod sensitivity;
 #[cfg(feature = "serde")]
 mod serialized;
+#[cfg(feature = "system")]
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "places within a state and degrees of polynomials, both small"
+    )
+)]
+pub mod system;
 pub mod uncertainty;
 #[doc(hidden)]
 pub mod words;

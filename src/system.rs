@@ -1,0 +1,141 @@
+//! Systems of several bodies with dry friction, laws of speed, elastic contacts and stops: their exact motion.
+//!
+//! `M q″ + C q′ + K q = f(t) − Σ b T`, where each element acts along a direction b with a force T that is linear as
+//! long as the element does not change its mode. Between two events the motion is that of a linear equation, and each
+//! event is found with a certificate that none came before: there is neither a step size nor a tolerance.
+//!
+//! ```
+//! use stickslip::system::{Element, EventKind, Kind, Law, Model, Signal, State, System};
+//! // Two masses of 1 on springs of 1; the second slides on the ground with the friction 0.5.
+//! let contact = Element {
+//!     name: "ground".into(),
+//!     direction: vec![0.0, 1.0],
+//!     moves: Signal::constant(0.0),
+//!     kind: Kind::Contact { law: Law::constant(0.5), peak: 1.0, normal: None },
+//! };
+//! let system = System::new(&Model {
+//!     mass: vec![vec![1.0, 0.0], vec![0.0, 1.0]],
+//!     damping: vec![vec![0.0, 0.0], vec![0.0, 0.0]],
+//!     stiffness: vec![vec![2.0, -1.0], vec![-1.0, 1.0]],
+//!     elements: vec![contact],
+//!     ..Model::default()
+//! })?;
+//! let start = State { displacement: vec![1.0, 0.0], ..State::rest(2) };
+//! let motion = system.simulate(&start, 3.0)?;
+//! assert_eq!(motion.events.first().map(|e| e.kind), Some(EventKind::Stick));
+//! # Ok::<(), stickslip::system::Error>(())
+//! ```
+//!
+//! # Where is what
+//!
+//! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
+//! `branch.rs` has the linear equation between two events and the proof of the certificate, `zero.rs` the search for a
+//! guard's first zero, `next.rs` the choice of the next branch, `follow.rs` the motion from event to event,
+//! `motion.rs` its answers.
+
+mod assembly;
+mod branch;
+mod error;
+mod follow;
+mod matrix;
+mod model;
+mod motion;
+mod next;
+mod steady;
+mod zero;
+
+use crate::float::Float;
+use alloc::vec::Vec;
+use assembly::{Assembly, finite, vector};
+use follow::Follower;
+use motion::{Observer, state};
+
+pub use error::Error;
+pub use follow::{Event, EventKind};
+pub use model::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+pub use motion::{ElementMotion, Motion};
+pub use steady::{Steady, SteadyKind};
+
+/// A checked system, ready to move.
+#[derive(Debug, Clone)]
+pub struct System<F> {
+    assembly: Assembly<F>,
+}
+
+impl<F: Float> System<F> {
+    /// Checks a model.
+    ///
+    /// # Errors
+    /// [`Error`], which names the part and the condition: numbers are finite, matrices square, M symmetric and positive
+    /// definite, laws begin at 0 and increase, frictions are ≥ 0, stiffnesses > 0, peaks ≥ 1.
+    pub fn new(model: &Model<F>) -> Result<Self, Error> {
+        Assembly::new(model).map(|assembly| Self { assembly })
+    }
+
+    /// The number of coordinates.
+    #[must_use]
+    pub const fn coordinates(&self) -> usize {
+        self.assembly.n
+    }
+
+    /// The exact motion from a start at time 0 until a time.
+    ///
+    /// # Errors
+    /// [`Error`] where the start or the time is not valid, or the motion cannot be followed.
+    pub fn simulate(&self, start: &State<F>, until: F) -> Result<Motion<F>, Error> {
+        let mut follower = self.follower(start, until)?;
+        let first = follower.z.clone();
+        let mut observer = Observer::new(&self.assembly, &first);
+        follower.run(until, &mut observer)?;
+        Ok(observer.finish(&self.assembly, &first, &follower))
+    }
+
+    /// The motion that a start leads to in the long run, at phase 0 of the harmonic loads.
+    ///
+    /// It is found by Newton's method from some followed periods, and accepted where the period map closes to rounding
+    /// with the events of the motion that was followed, and where small disturbances do not grow.
+    ///
+    /// # Errors
+    /// As [`System::simulate`]; also where the loads have no common period, or there is a record.
+    pub fn steady(&self, start: &State<F>) -> Result<Steady<F>, Error> {
+        if !self.assembly.records.is_empty() {
+            let condition = "must be absent: a steady motion has the period of a load";
+            return Err(Error::Unsupported { name: "records".into(), condition });
+        }
+        let period = steady::common_period(&self.assembly.frequencies)?;
+        steady::steady(&self.assembly, period, self.follower(start, period)?)
+    }
+
+    /// The states of the exact motion at times that increase, with the forces of all elements.
+    ///
+    /// # Errors
+    /// As [`System::simulate`]; also where a time is below the one before it.
+    pub fn states(&self, start: &State<F>, times: &[F]) -> Result<Vec<State<F>>, Error> {
+        let last = times.last().copied().unwrap_or(F::int(0));
+        let mut follower = self.follower(start, last)?;
+        let mut before = F::int(0);
+        times
+            .iter()
+            .map(|&time| {
+                assembly::at_least("time", time, before)?;
+                before = time;
+                follower.run(time, &mut ())?;
+                Ok(state(&self.assembly, &follower))
+            })
+            .collect()
+    }
+
+    /// The motion at its start, which is checked.
+    fn follower(&self, start: &State<F>, until: F) -> Result<Follower<'_, F>, Error> {
+        let n = self.assembly.n;
+        vector("start: displacement", &start.displacement, n)?;
+        vector("start: velocity", &start.velocity, n)?;
+        if start.force.len() > self.assembly.parts.len() {
+            let (found, expected) = (start.force.len(), self.assembly.parts.len());
+            return Err(Error::Length { name: "start: force".into(), found, expected });
+        }
+        start.force.iter().try_for_each(|&x| finite("start: force", x).map(|_| ()))?;
+        assembly::at_least("time", until, F::int(0))?;
+        Follower::new(&self.assembly, start, until)
+    }
+}

@@ -1,0 +1,403 @@
+//! A checked system: its state, and rows over the state for forces, stretches and velocities.
+//!
+//! The state z has the displacements q, the velocities q′, the forces of the elastic contacts, (sin ωt, cos ωt)
+//! of each harmonic, (p, p′) of each record, and 1.
+
+use super::error::Error;
+use super::matrix::{Matrix, add_times};
+use super::model::{Element, Harmonic, Kind, Law, Model, Record, Signal};
+use crate::float::Float;
+use crate::machine::error::written;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// A straight piece of a law: `r = force + slope (w − from)` from the speed `from` on.
+#[derive(Debug, Clone)]
+pub(crate) struct Piece<F> {
+    pub(crate) from: F,
+    pub(crate) force: F,
+    pub(crate) slope: F,
+}
+
+/// The law of an element, ready for use.
+#[derive(Debug, Clone)]
+pub(crate) enum Rule<F> {
+    /// `normal` is the row of N; without it N = 1.
+    Contact { pieces: Vec<Piece<F>>, peak: F, normal: Option<Vec<F>> },
+    /// `place` is the force's place in the state.
+    Elastic { stiffness: F, friction: F, place: usize },
+    /// `depth` is the row of y − gap.
+    Stop { depth: Vec<F>, stiffness: F, damping: F },
+}
+
+/// An element, ready for use.
+#[derive(Debug, Clone)]
+pub(crate) struct Part<F> {
+    pub(crate) name: String,
+    /// b.
+    pub(crate) direction: Vec<F>,
+    /// M⁻¹b.
+    pub(crate) response: Vec<F>,
+    /// The row of v.
+    pub(crate) velocity: Vec<F>,
+    /// The row of V′.
+    pub(crate) moves: Vec<F>,
+    pub(crate) rule: Rule<F>,
+}
+
+/// A checked system.
+#[derive(Debug, Clone)]
+pub(crate) struct Assembly<F> {
+    /// The number of coordinates.
+    pub(crate) n: usize,
+    /// The size of the state.
+    pub(crate) size: usize,
+    /// The number of states that are not given functions of time: q, q′ and elastic forces.
+    pub(crate) free: usize,
+    pub(crate) mass: Matrix<F>,
+    pub(crate) damping: Matrix<F>,
+    pub(crate) stiffness: Matrix<F>,
+    pub(crate) inverse_mass: Matrix<F>,
+    /// The rows of f − C q′ − K q, without elements.
+    pub(crate) force: Matrix<F>,
+    /// The rows of f alone.
+    pub(crate) load: Matrix<F>,
+    pub(crate) parts: Vec<Part<F>>,
+    /// bᵢ·M⁻¹bⱼ.
+    pub(crate) coupling: Matrix<F>,
+    pub(crate) frequencies: Vec<F>,
+    pub(crate) records: Vec<Record<F>>,
+    /// All instants at which a record has a sample, in order.
+    pub(crate) instants: Vec<F>,
+}
+
+impl<F: Float> Assembly<F> {
+    /// Checks a model, and builds its rows.
+    pub(crate) fn new(model: &Model<F>) -> Result<Self, Error> {
+        let n = model.mass.len();
+        if n == 0 {
+            return Err(Error::Length { name: "mass".to_string(), found: 0, expected: 1 });
+        }
+        let mass = square("mass", &model.mass, n, true)?;
+        let damping = square("damping", &model.damping, n, false)?;
+        let stiffness = square("stiffness", &model.stiffness, n, false)?;
+        let inverse_mass = mass
+            .inverse_of_definite()
+            .map_err(|(row, value)| Error::NotDefinite { row: row + 1, value: written(value) })?;
+        let elastic = model.elements.iter().filter(|e| matches!(e.kind, Kind::Elastic { .. })).count();
+        let free = 2 * n + elastic;
+        let inputs = free + 2 * model.harmonics.len();
+        let size = inputs + 2 * model.records.len() + 1;
+        let mut load = Matrix::zero(n, size);
+        column(&mut load, size - 1, "constant", &model.constant)?;
+        for (i, harmonic) in model.harmonics.iter().enumerate() {
+            check_harmonic(harmonic, i)?;
+            column(&mut load, free + 2 * i, &format!("harmonics[{i}].sin"), &harmonic.sin)?;
+            column(&mut load, free + 2 * i + 1, &format!("harmonics[{i}].cos"), &harmonic.cos)?;
+        }
+        for (i, record) in model.records.iter().enumerate() {
+            check_record(record, i)?;
+            column(&mut load, inputs + 2 * i, &format!("records[{i}].force"), &record.force)?;
+        }
+        let mut force = load.clone();
+        for i in 0..n {
+            add_times(force.row_mut(i), F::int(-1), stiffness.row(i));
+            let velocities = force.row_mut(i).get_mut(n..2 * n).unwrap_or(&mut []);
+            add_times(velocities, F::int(-1), damping.row(i));
+        }
+        let mut instants: Vec<F> = model.records.iter().flat_map(|r| r.times.iter().copied()).collect();
+        instants.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
+        instants.dedup_by(|a, b| a == b);
+        let mut assembly = Self {
+            n,
+            size,
+            free,
+            mass,
+            damping,
+            stiffness,
+            inverse_mass,
+            force,
+            load,
+            parts: Vec::new(),
+            coupling: Matrix::zero(0, 0),
+            frequencies: model.harmonics.iter().map(|h| h.frequency).collect(),
+            records: model.records.clone(),
+            instants,
+        };
+        let mut place = 2 * n;
+        for (i, element) in model.elements.iter().enumerate() {
+            let part = assembly.part(element, i, place)?;
+            place += usize::from(matches!(part.rule, Rule::Elastic { .. }));
+            assembly.parts.push(part);
+        }
+        let count = assembly.parts.len();
+        let mut coupling = Matrix::zero(count, count);
+        for (i, a) in assembly.parts.iter().enumerate() {
+            for (j, b) in assembly.parts.iter().enumerate() {
+                coupling.set(i, j, super::matrix::dot(&a.direction, &b.response));
+            }
+        }
+        assembly.coupling = coupling;
+        Ok(assembly)
+    }
+
+    /// The place of sin ωt of a harmonic; that of cos ωt is the next.
+    pub(crate) const fn harmonic(&self, i: usize) -> usize {
+        self.free + 2 * i
+    }
+
+    /// The place of a record's value; that of its slope is the next.
+    pub(crate) const fn record(&self, i: usize) -> usize {
+        self.free + 2 * self.frequencies.len() + 2 * i
+    }
+
+    /// The row of a signal.
+    fn signal(&self, name: &str, signal: &Signal<F>) -> Result<Vec<F>, Error> {
+        let mut row = vec![F::int(0); self.size];
+        if let Some(last) = row.last_mut() {
+            *last = finite(&format!("{name}.constant"), signal.constant)?;
+        }
+        for (list, word, offset) in [(&signal.sin, "sin", 0), (&signal.cos, "cos", 1)] {
+            let expected = self.frequencies.len();
+            if list.len() > expected {
+                return Err(Error::Length { name: format!("{name}.{word}"), found: list.len(), expected });
+            }
+            for (i, &x) in list.iter().enumerate() {
+                let x = finite(&format!("{name}.{word}[{i}]"), x)?;
+                if let Some(place) = row.get_mut(self.harmonic(i) + offset) {
+                    *place = x;
+                }
+            }
+        }
+        Ok(row)
+    }
+
+    /// The row of a signal's derivative.
+    fn derivative(&self, row: &[F]) -> Vec<F> {
+        let mut result = vec![F::int(0); self.size];
+        for (i, &frequency) in self.frequencies.iter().enumerate() {
+            let place = self.harmonic(i);
+            let [sin, cos] = [place, place + 1].map(|k| row.get(k).copied().unwrap_or(F::int(0)));
+            for (k, x) in [(place, -frequency * cos), (place + 1, frequency * sin)] {
+                if let Some(result) = result.get_mut(k) {
+                    *result = x;
+                }
+            }
+        }
+        result
+    }
+
+    /// An element with its rows.
+    fn part(&self, element: &Element<F>, i: usize, place: usize) -> Result<Part<F>, Error> {
+        let name = if element.name.is_empty() { format!("elements[{i}]") } else { element.name.clone() };
+        let (n, zero) = (self.n, F::int(0));
+        let direction = vector(&format!("{name}: direction"), &element.direction, n)?;
+        if direction.iter().all(|&x| x == zero) {
+            return Err(Error::Unsupported {
+                name: format!("{name}: direction"),
+                condition: "must have an entry other than 0",
+            });
+        }
+        let moving = self.signal(&format!("{name}: moves"), &element.moves)?;
+        let mut velocity: Vec<F> = moving.iter().map(|&x| -x).collect();
+        add_times(velocity.get_mut(n..).unwrap_or(&mut []), F::int(1), &direction);
+        let rule = match &element.kind {
+            Kind::Contact { law, peak, normal } => {
+                let pieces = pieces(&name, law)?;
+                let peak = at_least(&format!("{name}: peak"), *peak, F::int(1))?;
+                let normal = normal
+                    .as_ref()
+                    .map(|normal| {
+                        if law.points.len() > 1 {
+                            return Err(Error::Unsupported {
+                                name: format!("{name}: law"),
+                                condition: "must have one point where the normal load varies",
+                            });
+                        }
+                        let mut row = self.signal(&format!("{name}: normal"), &normal.signal)?;
+                        let by = padded(&format!("{name}: normal.displacement"), &normal.displacement, n)?;
+                        add_times(&mut row, F::int(1), &by);
+                        Ok(row)
+                    })
+                    .transpose()?;
+                Rule::Contact { pieces, peak, normal }
+            }
+            Kind::Elastic { stiffness, friction } => Rule::Elastic {
+                stiffness: positive(&format!("{name}: stiffness"), *stiffness)?,
+                friction: positive(&format!("{name}: friction"), *friction)?,
+                place,
+            },
+            Kind::Stop { gap, stiffness, damping } => {
+                if element.moves.constant != zero {
+                    return Err(Error::Unsupported {
+                        name: format!("{name}: moves.constant"),
+                        condition: "must be 0: a stop does not travel without end",
+                    });
+                }
+                let mut depth = vec![zero; self.size];
+                add_times(&mut depth, F::int(1), &direction);
+                // Y = ∫V: −(s/ω) cos ωt + (c/ω) sin ωt.
+                for (k, &frequency) in self.frequencies.iter().enumerate() {
+                    let at = self.harmonic(k);
+                    let [sin, cos] = [at, at + 1].map(|j| moving.get(j).copied().unwrap_or(zero));
+                    for (j, x) in [(at, -cos / frequency), (at + 1, sin / frequency)] {
+                        if let Some(depth) = depth.get_mut(j) {
+                            *depth = x;
+                        }
+                    }
+                }
+                if let Some(last) = depth.last_mut() {
+                    *last = -finite(&format!("{name}: gap"), *gap)?;
+                }
+                Rule::Stop {
+                    depth,
+                    stiffness: positive(&format!("{name}: stiffness"), *stiffness)?,
+                    damping: at_least(&format!("{name}: damping"), *damping, zero)?,
+                }
+            }
+        };
+        let response = self.inverse_mass.of(&direction);
+        Ok(Part { name, direction, response, velocity, moves: self.derivative(&moving), rule })
+    }
+}
+
+/// The straight pieces of a law.
+fn pieces<F: Float>(name: &str, law: &Law<F>) -> Result<Vec<Piece<F>>, Error> {
+    let zero = F::int(0);
+    let Some(&(first, _)) = law.points.first() else {
+        return Err(Error::Length { name: format!("{name}: law"), found: 0, expected: 1 });
+    };
+    if first != zero {
+        return Err(Error::Unsupported {
+            name: format!("{name}: law"),
+            condition: "must begin at the speed 0",
+        });
+    }
+    for &(speed, force) in &law.points {
+        finite(&format!("{name}: speed of the law"), speed)?;
+        at_least(&format!("{name}: friction"), force, zero)?;
+    }
+    let mut pieces = Vec::new();
+    for (&(from, force), &(to, next)) in law.points.iter().zip(law.points.iter().skip(1)) {
+        if to <= from {
+            return Err(Error::NotIncreasing {
+                name: format!("{name}: speeds of the law"),
+                value: written(from),
+                next: written(to),
+            });
+        }
+        let slope = finite(&format!("{name}: slope of the law"), (next - force) / (to - from))?;
+        pieces.push(Piece { from, force, slope });
+    }
+    match pieces.last() {
+        None => {
+            let force = law.points.first().map_or(zero, |p| p.1);
+            pieces.push(Piece { from: zero, force, slope: zero });
+        }
+        Some(last) if last.slope < zero => {
+            let from = last.from - last.force / last.slope;
+            pieces.push(Piece { from, force: zero, slope: zero });
+        }
+        Some(_) => {}
+    }
+    Ok(pieces)
+}
+
+fn check_harmonic<F: Float>(harmonic: &Harmonic<F>, i: usize) -> Result<(), Error> {
+    positive(&format!("harmonics[{i}].frequency"), harmonic.frequency).map(|_| ())
+}
+
+fn check_record<F: Float>(record: &Record<F>, i: usize) -> Result<(), Error> {
+    let (found, expected) = (record.values.len(), record.times.len());
+    if found != expected {
+        return Err(Error::Length { name: format!("records[{i}].values"), found, expected });
+    }
+    if expected < 2 {
+        return Err(Error::Length { name: format!("records[{i}].times"), found: expected, expected: 2 });
+    }
+    for &x in record.times.iter().chain(&record.values) {
+        finite(&format!("records[{i}]"), x)?;
+    }
+    for (&a, &b) in record.times.iter().zip(record.times.iter().skip(1)) {
+        if b <= a {
+            return Err(Error::NotIncreasing {
+                name: format!("records[{i}].times"),
+                value: written(a),
+                next: written(b),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// A square matrix of finite numbers.
+fn square<F: Float>(name: &str, rows: &[Vec<F>], n: usize, symmetric: bool) -> Result<Matrix<F>, Error> {
+    if rows.len() != n {
+        return Err(Error::Length { name: name.to_string(), found: rows.len(), expected: n });
+    }
+    for (i, row) in rows.iter().enumerate() {
+        vector(&format!("{name}[{i}]"), row, n)?;
+    }
+    let matrix = Matrix::from_rows(rows);
+    if symmetric {
+        for i in 0..n {
+            for j in 0..i {
+                let (value, mirrored) = (matrix.at(i, j), matrix.at(j, i));
+                if value != mirrored {
+                    let name = name.to_string();
+                    let (value, mirrored) = (written(value), written(mirrored));
+                    return Err(Error::NotSymmetric { name, row: i + 1, column: j + 1, value, mirrored });
+                }
+            }
+        }
+    }
+    Ok(matrix)
+}
+
+/// A list of `n` finite numbers.
+pub(crate) fn vector<F: Float>(name: &str, list: &[F], n: usize) -> Result<Vec<F>, Error> {
+    if list.len() != n {
+        return Err(Error::Length { name: name.to_string(), found: list.len(), expected: n });
+    }
+    list.iter().enumerate().map(|(i, &x)| finite(&format!("{name}[{i}]"), x)).collect()
+}
+
+/// A list of `n` finite numbers, or an empty one for zeros.
+fn padded<F: Float>(name: &str, list: &[F], n: usize) -> Result<Vec<F>, Error> {
+    if list.is_empty() { Ok(vec![F::int(0); n]) } else { vector(name, list, n) }
+}
+
+/// Puts a list into a column.
+fn column<F: Float>(matrix: &mut Matrix<F>, j: usize, name: &str, list: &[F]) -> Result<(), Error> {
+    let n = matrix.rows().count();
+    for (i, x) in padded(name, list, n)?.into_iter().enumerate() {
+        matrix.set(i, j, x);
+    }
+    Ok(())
+}
+
+pub(crate) fn finite<F: Float>(name: &str, value: F) -> Result<F, Error> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { name: name.to_string(), value: written(value) })
+    }
+}
+
+fn positive<F: Float>(name: &str, value: F) -> Result<F, Error> {
+    if finite(name, value)? > F::int(0) {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { name: name.to_string(), value: written(value) })
+    }
+}
+
+pub(crate) fn at_least<F: Float>(name: &str, value: F, least: F) -> Result<F, Error> {
+    if finite(name, value)? >= least {
+        Ok(value)
+    } else {
+        Err(Error::Below { name: name.to_string(), value: written(value), least: written(least) })
+    }
+}

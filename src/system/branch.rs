@@ -1,0 +1,506 @@
+//! A branch: the state's linear equation `z′ = A z` while no element changes its mode, and the guards that end it.
+//!
+//! **Certificate.** Let g be a guard's row and `0 ≤ s ≤ h`. By Taylor's formula with the integral remainder
+//!
+//! `g e^{As} z = Σ_{k≤N} (g Aᵏ z) sᵏ/k! + ∫₀ˢ (s − σ)ᴺ/N! g A^{N+1} e^{Aσ} z dσ`,
+//!
+//! and as `|e^{Aσ} z| ≤ e^{|A|h} |z|` entry by entry, the remainder is at most
+//! `h^{N+1}/(N+1)! |g A^{N+1}| e^{|A|h} |z|`: one row, known once per branch, times |z|. No norm occurs, so that
+//! units do not matter. h is at most 1/ρ, where ρ is (an estimate of) the spectral radius of |A|; the bound holds for
+//! every h.
+//!
+//! **Rounding.** A coefficient `g Aᵏ z hᵏ/k!` that is computed by k + 1 products with rows of length d has an error of
+//! at most (k + 1)(d + 2) half units of `|g| |A|ᵏ |z| hᵏ/k!`. Summed, and with the K + 1 additions of the Bernstein
+//! form, whose weights are between 0 and 1, this is at most `ε (K + 1)(d + 3) |g| e^{|A|h} |z|`: a second row.
+
+use super::assembly::{Assembly, Part, Piece, Rule};
+use super::matrix::{Matrix, add_times, dot};
+use super::zero::{bernstein, integer};
+use crate::float::Float;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// What an element does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// A contact that sticks.
+    Stuck,
+    /// A contact that slides, in the piece of its law with this number.
+    Slides { forward: bool, piece: usize },
+    /// A contact without normal load.
+    Apart,
+    /// An elastic contact that holds.
+    Holds,
+    /// An elastic contact whose slider slides.
+    Yields { forward: bool },
+    /// A stop that does not touch.
+    Away,
+    /// A stop in touch.
+    Pressed,
+    /// A stop beyond its gap, which would have to pull.
+    Lifted,
+}
+
+/// What a guard's zero means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Trigger {
+    /// The sliding velocity is zero.
+    Stops,
+    /// The speed leaves its piece of the law.
+    Piece(usize),
+    /// The force reaches its bound in this direction.
+    Releases { forward: bool },
+    /// The normal load is zero.
+    Parts,
+    /// The normal load comes back.
+    Meets,
+    /// The stretch reaches the gap.
+    Closes,
+    /// The force of a stop is zero.
+    Opens,
+    /// A lifted stop is back within its gap.
+    Clears,
+    /// A lifted stop presses again.
+    Presses,
+}
+
+/// A guard: positive as long as its branch lasts.
+#[derive(Debug, Clone)]
+pub(crate) struct Guard<F> {
+    pub(crate) element: usize,
+    pub(crate) trigger: Trigger,
+    pub(crate) row: Vec<F>,
+    /// The row whose product with |z| bounds the error of the Taylor polynomial of full degree.
+    pub(crate) error: Vec<F>,
+}
+
+/// Polynomials of rows over a whole step in Bernstein form, with the rows of their error bounds.
+#[derive(Debug, Clone)]
+pub(crate) struct Hull<F> {
+    /// Column by column: for each state the coefficients of all rows.
+    coefficients: Matrix<F>,
+    errors: Matrix<F>,
+    pub(crate) each: usize,
+}
+
+/// The degree of the polynomials that show most steps to be free of events.
+const LOW_DEGREE: usize = 9;
+
+/// A branch.
+#[derive(Debug, Clone)]
+pub(crate) struct Branch<F> {
+    pub(crate) modes: Vec<Mode>,
+    pub(crate) a: Matrix<F>,
+    /// Aᵀ, for products along columns.
+    transposed: Matrix<F>,
+    /// The step.
+    pub(crate) step: F,
+    /// (e^{Ah})ᵀ.
+    pub(crate) whole: Matrix<F>,
+    /// e^{|A|h}.
+    pub(crate) bound: Matrix<F>,
+    /// The degree of full accuracy.
+    pub(crate) degree: usize,
+    pub(crate) guards: Vec<Guard<F>>,
+    pub(crate) hull: Hull<F>,
+    /// The row of each element's force.
+    pub(crate) tension: Vec<Vec<F>>,
+}
+
+impl<F: Float> Hull<F> {
+    /// The polynomials of `rows` over the step.
+    pub(crate) fn new(branch: &Powers<'_, F>, rows: &[Vec<F>]) -> Self {
+        let (size, each) = (branch.a.columns(), LOW_DEGREE + 1);
+        let mut all = Vec::with_capacity(rows.len() * each);
+        let mut errors = Vec::with_capacity(rows.len());
+        for row in rows {
+            let terms = branch.terms(row, LOW_DEGREE + 1);
+            // Bernstein's coefficients, state by state.
+            let mut coefficients = vec![vec![F::int(0); size]; each];
+            for j in 0..size {
+                let c: Vec<F> =
+                    terms.iter().take(each).map(|t| t.get(j).copied().unwrap_or(F::int(0))).collect();
+                for (b, row) in bernstein(&c).into_iter().zip(&mut coefficients) {
+                    if let Some(place) = row.get_mut(j) {
+                        *place = b;
+                    }
+                }
+            }
+            let mut error = branch.rounding(row);
+            if let Some(rest) = terms.last() {
+                add_times(&mut error, F::int(1), &branch.bounded(rest));
+            }
+            all.extend(coefficients);
+            errors.push(error);
+        }
+        let of = |rows: &[Vec<F>]| {
+            if rows.is_empty() { Matrix::zero(size, 0) } else { Matrix::from_rows(rows).transposed() }
+        };
+        Self { coefficients: of(&all), errors: of(&errors), each }
+    }
+
+    /// The Bernstein coefficients of all rows at z, and their error bounds.
+    #[inline]
+    pub(crate) fn at(&self, z: &[F], values: &mut Vec<F>, errors: &mut Vec<F>) {
+        values.resize(self.coefficients.columns(), F::int(0));
+        errors.resize(self.errors.columns(), F::int(0));
+        self.coefficients.transposed_of(z, values);
+        errors.fill(F::int(0));
+        for (row, &z) in self.errors.rows().zip(z) {
+            add_times(errors, z.abs(), row);
+        }
+    }
+}
+
+/// What the rows of a branch need.
+pub(crate) struct Powers<'a, F> {
+    pub(crate) a: &'a Matrix<F>,
+    pub(crate) step: F,
+    pub(crate) bound: &'a Matrix<F>,
+    pub(crate) degree: usize,
+}
+
+impl<F: Float> Powers<'_, F> {
+    /// The rows `g Aᵏ hᵏ/k!` for k = 0 … `last`.
+    fn terms(&self, row: &[F], last: usize) -> Vec<Vec<F>> {
+        let mut terms = vec![row.to_vec()];
+        for k in 1..=last {
+            let before = terms.last().map_or(&[][..], Vec::as_slice);
+            let factor = self.step / integer(k);
+            let next = self.a.combined(before).into_iter().map(|x| x * factor).collect();
+            terms.push(next);
+        }
+        terms
+    }
+
+    /// `|row| e^{|A|h}`.
+    fn bounded(&self, row: &[F]) -> Vec<F> {
+        let sizes: Vec<F> = row.iter().map(|x| x.abs()).collect();
+        self.bound.combined(&sizes)
+    }
+
+    /// The row of the rounding.
+    fn rounding(&self, row: &[F]) -> Vec<F> {
+        let count = integer::<F>((self.degree + 1) * (self.a.columns() + 3)) * F::epsilon();
+        self.bounded(row).into_iter().map(|x| x * count).collect()
+    }
+
+    /// The error bound of a row's polynomial of full degree.
+    pub(crate) fn error(&self, row: &[F]) -> Vec<F> {
+        let mut error = self.rounding(row);
+        if let Some(rest) = self.terms(row, self.degree + 1).last() {
+            add_times(&mut error, F::int(1), &self.bounded(rest));
+        }
+        error
+    }
+}
+
+impl<F: Float> Branch<F> {
+    /// The branch with these modes. `longest` bounds its step.
+    pub(crate) fn new(system: &Assembly<F>, modes: &[Mode], longest: F) -> Self {
+        let (n, size, zero) = (system.n, system.size, F::int(0));
+        let mut force = system.force.clone();
+        let mut tension = vec![vec![zero; size]; modes.len()];
+        let mut stuck = Vec::new();
+        for (i, ((part, mode), tension)) in system.parts.iter().zip(modes).zip(&mut tension).enumerate() {
+            match given_tension(part, *mode) {
+                Some(row) => *tension = row,
+                None if *mode == Mode::Stuck => stuck.push(i),
+                None => {}
+            }
+            apply(&mut force, &part.direction, tension);
+        }
+        if !stuck.is_empty() {
+            let free: Vec<Vec<F>> = stuck
+                .iter()
+                .filter_map(|&i| system.parts.get(i))
+                .map(|part| {
+                    let mut row = force.combined(&part.response);
+                    add_times(&mut row, F::int(-1), &part.moves);
+                    row
+                })
+                .collect();
+            let mut coupling = Matrix::zero(stuck.len(), stuck.len());
+            for (a, &i) in stuck.iter().enumerate() {
+                for (b, &j) in stuck.iter().enumerate() {
+                    coupling.set(a, b, system.coupling.at(i, j));
+                }
+            }
+            let held = coupling.pseudo_inverse().times(&Matrix::from_rows(&free));
+            for (&i, row) in stuck.iter().zip(held.rows()) {
+                if let (Some(part), Some(tension)) = (system.parts.get(i), tension.get_mut(i)) {
+                    *tension = row.to_vec();
+                    apply(&mut force, &part.direction, tension);
+                }
+            }
+        }
+        let mut a = Matrix::zero(size, size);
+        for i in 0..n {
+            a.set(i, n + i, F::int(1));
+            let row = force.combined(system.inverse_mass.row(i));
+            a.row_mut(n + i).copy_from_slice(&row);
+        }
+        for (part, mode) in system.parts.iter().zip(modes) {
+            if let (Rule::Elastic { stiffness, place, .. }, Mode::Holds) = (&part.rule, mode) {
+                add_times(a.row_mut(*place), *stiffness, &part.velocity);
+            }
+        }
+        for (i, &frequency) in system.frequencies.iter().enumerate() {
+            let place = system.harmonic(i);
+            a.set(place, place + 1, frequency);
+            a.set(place + 1, place, -frequency);
+        }
+        for i in 0..system.records.len() {
+            let place = system.record(i);
+            a.set(place, place + 1, F::int(1));
+        }
+        let sizes = a.map(|x| x.abs());
+        let radius = F::from_f64(spectral_radius(&sizes, system.free));
+        let fastest = system.frequencies.iter().fold(radius, |a, &b| a.or_larger(b));
+        let most = F::int(1) / fastest;
+        let step = if most < longest { most } else { longest };
+        let (degree, _) = degree_of_full_accuracy::<F>();
+        let (whole, bound) = (exponential(&a, step, degree), exponential(&sizes, step, degree));
+        // The series of e^{|A|h} is cut: what is left out is below a unit of its terms.
+        let bound = bound.map(|x| x + x * F::ratio(1, 64));
+        let guards = {
+            let powers = Powers { a: &a, step, bound: &bound, degree };
+            guards(system, modes, &tension)
+                .into_iter()
+                .map(|(element, trigger, row)| {
+                    let error = powers.error(&row);
+                    Guard { element, trigger, row, error }
+                })
+                .collect::<Vec<_>>()
+        };
+        let rows: Vec<Vec<F>> = guards.iter().map(|g| g.row.clone()).collect();
+        let hull = Hull::new(&Powers { a: &a, step, bound: &bound, degree }, &rows);
+        let (whole, transposed) = (whole.transposed(), a.transposed());
+        Self { modes: modes.to_vec(), a, transposed, step, whole, bound, degree, guards, hull, tension }
+    }
+
+    /// The hull of further rows.
+    pub(crate) fn hull_of(&self, rows: &[Vec<F>]) -> Hull<F> {
+        Hull::new(&self.powers(), rows)
+    }
+
+    pub(crate) const fn powers(&self) -> Powers<'_, F> {
+        Powers { a: &self.a, step: self.step, bound: &self.bound, degree: self.degree }
+    }
+
+    /// `A z`.
+    pub(crate) fn derivative(&self, z: &[F]) -> Vec<F> {
+        let mut result = vec![F::int(0); z.len()];
+        self.transposed.transposed_of(z, &mut result);
+        result
+    }
+
+    /// The Taylor coefficients `Aᵏ z tᵏ/k!` over a time t ≤ h, one after the other in one list.
+    pub(crate) fn taylor(&self, z: &[F], time: F, terms: &mut Vec<F>) {
+        let size = z.len();
+        terms.clear();
+        terms.resize((self.degree + 1) * size, F::int(0));
+        if let Some(first) = terms.get_mut(..size) {
+            first.copy_from_slice(z);
+        }
+        for k in 1..=self.degree {
+            let (before, after) = terms.split_at_mut(k * size);
+            let from = before.get((k - 1) * size..).unwrap_or(&[]);
+            let to = after.get_mut(..size).unwrap_or(&mut []);
+            self.transposed.transposed_of(from, to);
+            let factor = time / integer(k);
+            to.iter_mut().for_each(|x| *x = *x * factor);
+        }
+    }
+
+    /// z after a time t ≤ h.
+    pub(crate) fn after(&self, z: &[F], time: F, terms: &mut Vec<F>) -> Vec<F> {
+        self.taylor(z, time, terms);
+        sum_of_terms(terms, z.len(), F::int(1))
+    }
+}
+
+/// `Σ (term k) sᵏ`.
+pub(crate) fn sum_of_terms<F: Float>(terms: &[F], size: usize, s: F) -> Vec<F> {
+    let mut sum = vec![F::int(0); size];
+    for term in terms.chunks_exact(size.max(1)).rev() {
+        sum.iter_mut().zip(term).for_each(|(sum, &x)| *sum = *sum * s + x);
+    }
+    sum
+}
+
+/// The coefficients of a row's polynomial.
+pub(crate) fn polynomial<F: Float>(row: &[F], terms: &[F]) -> Vec<F> {
+    terms.chunks_exact(row.len().max(1)).map(|term| dot(row, term)).collect()
+}
+
+/// The row of the force of an element that neither sticks nor is open.
+pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<F>> {
+    match (mode, &part.rule) {
+        (Mode::Slides { forward, piece }, _) => Some(sliding(part, forward, piece)),
+        (Mode::Holds | Mode::Yields { .. }, Rule::Elastic { place, .. }) => {
+            let mut row = vec![F::int(0); part.velocity.len()];
+            if let Some(entry) = row.get_mut(*place) {
+                *entry = F::int(1);
+            }
+            Some(row)
+        }
+        (Mode::Pressed, _) => Some(pressing(part)),
+        _ => None,
+    }
+}
+
+/// The row of the force of a sliding contact: `s N (force + slope (w − from))`, w = s v.
+fn sliding<F: Float>(part: &Part<F>, forward: bool, piece: usize) -> Vec<F> {
+    let mut row = vec![F::int(0); part.velocity.len()];
+    if let Rule::Contact { pieces, normal, .. } = &part.rule
+        && let Some(piece) = pieces.get(piece)
+    {
+        let sign: F = sign(forward);
+        if let Some(normal) = normal {
+            add_times(&mut row, sign * piece.force, normal);
+        } else {
+            if let Some(last) = row.last_mut() {
+                *last = sign * (piece.force - piece.slope * piece.from);
+            }
+            add_times(&mut row, piece.slope, &part.velocity);
+        }
+    }
+    row
+}
+
+/// The row of the force of a stop in touch.
+fn pressing<F: Float>(part: &Part<F>) -> Vec<F> {
+    let mut row = vec![F::int(0); part.velocity.len()];
+    if let Rule::Stop { depth, stiffness, damping } = &part.rule {
+        add_times(&mut row, *stiffness, depth);
+        add_times(&mut row, *damping, &part.velocity);
+    }
+    row
+}
+
+/// 1 forward, −1 backward.
+pub(crate) fn sign<F: Float>(forward: bool) -> F {
+    if forward { F::int(1) } else { F::int(-1) }
+}
+
+/// `force −= b Tᵀ`.
+fn apply<F: Float>(force: &mut Matrix<F>, direction: &[F], tension: &[F]) {
+    for (i, &b) in direction.iter().enumerate() {
+        if b != F::int(0) {
+            add_times(force.row_mut(i), -b, tension);
+        }
+    }
+}
+
+/// The guards of a branch: rows that are positive as long as it lasts.
+fn guards<F: Float>(
+    system: &Assembly<F>,
+    modes: &[Mode],
+    tension: &[Vec<F>],
+) -> Vec<(usize, Trigger, Vec<F>)> {
+    let mut guards = Vec::new();
+    let times = |row: &[F], factor: F| -> Vec<F> { row.iter().map(|&x| x * factor).collect() };
+    let plus = |mut row: Vec<F>, constant: F| {
+        if let Some(last) = row.last_mut() {
+            *last = *last + constant;
+        }
+        row
+    };
+    let one = F::int(1);
+    for (i, ((part, mode), tension)) in system.parts.iter().zip(modes).zip(tension).enumerate() {
+        match (*mode, &part.rule) {
+            (Mode::Stuck, Rule::Contact { peak, normal, pieces }) => {
+                let force = pieces.first().map_or(F::int(0), |p| p.force) * *peak;
+                for forward in [true, false] {
+                    let mut row = times(tension, -sign::<F>(forward));
+                    match normal {
+                        Some(normal) => add_times(&mut row, force, normal),
+                        None => row = plus(row, force),
+                    }
+                    guards.push((i, Trigger::Releases { forward }, row));
+                }
+            }
+            (Mode::Slides { forward, piece }, Rule::Contact { pieces, .. }) => {
+                let speed = times(&part.velocity, sign(forward));
+                let from = |k: usize| pieces.get(k).map(|p: &Piece<F>| p.from);
+                match piece.checked_sub(1) {
+                    None => guards.push((i, Trigger::Stops, speed.clone())),
+                    Some(below) => {
+                        let low = from(piece).unwrap_or(F::int(0));
+                        guards.push((i, Trigger::Piece(below), plus(speed.clone(), -low)));
+                    }
+                }
+                if let Some(high) = from(piece + 1) {
+                    guards.push((i, Trigger::Piece(piece + 1), plus(times(&speed, -one), high)));
+                }
+            }
+            (Mode::Yields { forward }, Rule::Elastic { .. }) => {
+                guards.push((i, Trigger::Stops, times(&part.velocity, sign(forward))));
+            }
+            (Mode::Holds, Rule::Elastic { friction, .. }) => {
+                for forward in [true, false] {
+                    let row = plus(times(tension, -sign::<F>(forward)), *friction);
+                    guards.push((i, Trigger::Releases { forward }, row));
+                }
+            }
+            (Mode::Away, Rule::Stop { depth, .. }) => guards.push((i, Trigger::Closes, times(depth, -one))),
+            (Mode::Pressed, Rule::Stop { .. }) => guards.push((i, Trigger::Opens, tension.clone())),
+            (Mode::Lifted, Rule::Stop { depth, .. }) => {
+                guards.push((i, Trigger::Clears, depth.clone()));
+                guards.push((i, Trigger::Presses, times(&pressing(part), -one)));
+            }
+            _ => {}
+        }
+        if let Rule::Contact { normal: Some(normal), .. } = &part.rule
+            && normal.iter().rev().skip(1).any(|&x| x != F::int(0))
+        {
+            let apart = *mode == Mode::Apart;
+            let trigger = if apart { Trigger::Meets } else { Trigger::Parts };
+            guards.push((i, trigger, times(normal, if apart { -one } else { one })));
+        }
+    }
+    guards
+}
+
+/// The degree from which on the terms of eˣ, x ≤ 1, are below rounding, with the size of the next.
+fn degree_of_full_accuracy<F: Float>() -> (usize, F) {
+    let (mut degree, mut term) = (1, F::int(1));
+    let least = F::epsilon() / F::int(64);
+    while term > least {
+        degree += 1;
+        term = term / integer(degree + 1);
+    }
+    (degree, term)
+}
+
+/// `e^{A t}` by its series, for a matrix whose absolute values have a spectral radius of at most 1/t.
+fn exponential<F: Float>(a: &Matrix<F>, time: F, degree: usize) -> Matrix<F> {
+    let mut sum = Matrix::identity(a.columns());
+    let mut term = sum.clone();
+    for k in 1..=degree {
+        let factor = time / integer(k);
+        term = a.times(&term).map(|x| x * factor);
+        sum.plus(&term);
+    }
+    sum
+}
+
+/// The spectral radius of the leading part of a matrix of numbers ≥ 0, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64.
+fn spectral_radius<F: Float>(sizes: &Matrix<F>, free: usize) -> f64 {
+    let rows: Vec<Vec<f64>> =
+        sizes.rows().take(free).map(|r| r.iter().take(free).map(|x| x.to_f64()).collect()).collect();
+    let mut power = Matrix::<f64>::from_rows(&rows);
+    let (mut exponent, mut log) = (1.0_f64, 0.0_f64);
+    for _ in 0..=10 {
+        let largest = power.rows().map(|r| r.iter().sum::<f64>()).fold(0.0, f64::max);
+        if largest <= 0.0 {
+            return 0.0;
+        }
+        log += num_traits::Float::ln(largest) / exponent;
+        let scaled = power.map(|x| x / largest);
+        power = scaled.times(&scaled);
+        exponent *= 2.0;
+    }
+    num_traits::Float::exp(log)
+}

@@ -1,0 +1,584 @@
+//! The motion, from event to event.
+
+use super::assembly::{Assembly, Rule};
+use super::branch::{Branch, Mode, Trigger, polynomial, sign, sum_of_terms};
+use super::error::Error;
+use super::matrix::{add_times, dot, size_of_dot};
+use super::model::State;
+use super::next::{AtRest, at_rest, decide};
+use super::zero::first_passage;
+use crate::float::Float;
+use crate::machine::error::written;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// The kind of an event.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EventKind {
+    /// A contact comes to rest.
+    Stick,
+    /// A contact begins to slide.
+    Slip,
+    /// A contact turns without a rest.
+    Reverse,
+    /// The velocity of a contact, or the force of a stop, touches zero and goes on.
+    Touch,
+    /// The slider of an elastic contact begins to slide.
+    Yield,
+    /// The slider of an elastic contact stops.
+    Lock,
+    /// A stop, or a contact's normal load, ends.
+    Open,
+    /// A stop, or a contact's normal load, begins.
+    Close,
+}
+
+impl EventKind {
+    /// The name: `stick`, `slip`, …
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stick => "stick",
+            Self::Slip => "slip",
+            Self::Reverse => "reverse",
+            Self::Touch => "touch",
+            Self::Yield => "yield",
+            Self::Lock => "lock",
+            Self::Open => "open",
+            Self::Close => "close",
+        }
+    }
+}
+
+impl core::fmt::Display for EventKind {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// An event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event<F> {
+    /// Its time.
+    pub time: F,
+    /// The element's place in the model.
+    pub element: usize,
+    /// Its kind.
+    pub kind: EventKind,
+}
+
+/// What watches a motion.
+pub(crate) trait Watch<F> {
+    /// A stretch of the branch from the state z over a time; the branch's place is its number.
+    fn stretch(&mut self, system: &Assembly<F>, number: usize, branch: &Branch<F>, z: &[F], time: F);
+    /// An event.
+    fn event(&mut self, event: Event<F>);
+    /// The branch changes where the guard's row is zero, from `before` with derivative `from` to `to`.
+    fn changes(&mut self, _guard: &[F], _from: &[F], _to: &[F]) {}
+}
+
+/// Watches nothing.
+impl<F> Watch<F> for () {
+    fn stretch(&mut self, _: &Assembly<F>, _: usize, _: &Branch<F>, _: &[F], _: F) {}
+    fn event(&mut self, _: Event<F>) {}
+}
+
+/// The largest number of steps.
+const MOST_STEPS: u64 = 50_000_000;
+
+/// The motion at one instant.
+pub(crate) struct Follower<'a, F> {
+    system: &'a Assembly<F>,
+    pub(crate) branches: Vec<Branch<F>>,
+    current: usize,
+    pub(crate) z: Vec<F>,
+    pub(crate) time: F,
+    /// The number of the next sample.
+    sample: usize,
+    /// Contacts that were released at this instant, with the direction.
+    released: Vec<Option<bool>>,
+    /// Events without a step between them.
+    instant: usize,
+    longest: F,
+    steps: u64,
+    values: Vec<F>,
+    errors: Vec<F>,
+    terms: Vec<F>,
+}
+
+/// A guard that has reached zero.
+struct Fired {
+    element: usize,
+    trigger: Trigger,
+}
+
+impl<'a, F: Float> Follower<'a, F> {
+    /// The motion at time 0. `longest` bounds every step.
+    pub(crate) fn new(system: &'a Assembly<F>, start: &State<F>, longest: F) -> Result<Self, Error> {
+        let mut z = vec![F::int(0); system.size];
+        let n = system.n;
+        for (place, &x) in z.iter_mut().zip(start.displacement.iter().chain(&start.velocity)) {
+            *place = x;
+        }
+        let forces = start.force.iter().copied().chain(core::iter::repeat(F::int(0)));
+        for (part, force) in system.parts.iter().zip(forces) {
+            if let Rule::Elastic { place, friction, .. } = part.rule
+                && let Some(place) = z.get_mut(place)
+            {
+                if force.abs() > friction {
+                    return Err(Error::Unsupported {
+                        name: alloc::format!("{}: force of the start {}", part.name, written(force)),
+                        condition: "must not exceed its friction",
+                    });
+                }
+                *place = force;
+            }
+        }
+        if let Some(last) = z.last_mut() {
+            *last = F::int(1);
+        }
+        let mut follower = Self {
+            system,
+            branches: Vec::new(),
+            current: 0,
+            z,
+            time: F::int(0),
+            sample: 0,
+            released: vec![None; system.parts.len()],
+            instant: 0,
+            longest,
+            steps: 0,
+            values: Vec::new(),
+            errors: Vec::new(),
+            terms: Vec::new(),
+        };
+        debug_assert_eq!(start.displacement.len(), n, "the state has been checked");
+        follower.set_phase();
+        follower.set_sample();
+        follower.begin()?;
+        Ok(follower)
+    }
+
+    /// The branch.
+    pub(crate) fn branch(&self) -> Option<&Branch<F>> {
+        self.branches.get(self.current)
+    }
+
+    /// Sets the time, for loads that repeat themselves, to 0.
+    pub(crate) fn rewind(&mut self) {
+        self.time = F::int(0);
+        self.set_phase();
+    }
+
+    /// Begins anew at time 0, from these displacements, velocities and elastic forces.
+    pub(crate) fn restart(&mut self, free: &[F]) -> Result<(), Error> {
+        for (z, &x) in self.z.iter_mut().zip(free) {
+            *z = x;
+        }
+        self.released.fill(None);
+        self.instant = 0;
+        self.rewind();
+        self.begin()
+    }
+
+    /// The harmonics at the present time.
+    pub(crate) fn set_phase(&mut self) {
+        for (i, &frequency) in self.system.frequencies.iter().enumerate() {
+            let (sin, cos) = (frequency * self.time).sin_cos();
+            let place = self.system.harmonic(i);
+            for (k, x) in [(place, sin), (place + 1, cos)] {
+                if let Some(z) = self.z.get_mut(k) {
+                    *z = x;
+                }
+            }
+        }
+    }
+
+    /// The records after the present time, which may be that of a sample.
+    fn set_sample(&mut self) {
+        let instants = &self.system.instants;
+        self.sample = instants.partition_point(|&t| t <= self.time);
+        for (i, record) in self.system.records.iter().enumerate() {
+            let next = record.times.partition_point(|&t| t <= self.time);
+            let pair = next.checked_sub(1).and_then(|k| {
+                let (a, b) = (record.times.get(k)?, record.times.get(next)?);
+                let (p, q) = (record.values.get(k)?, record.values.get(next)?);
+                let slope = (*q - *p) / (*b - *a);
+                Some((*p + slope * (self.time - *a), slope))
+            });
+            let (value, slope) = pair.unwrap_or((F::int(0), F::int(0)));
+            let place = self.system.record(i);
+            for (k, x) in [(place, value), (place + 1, slope)] {
+                if let Some(z) = self.z.get_mut(k) {
+                    *z = x;
+                }
+            }
+        }
+    }
+
+    /// The natural size of a row's value: what it could be within a step.
+    fn noise(&self, row: &[F]) -> F {
+        let bound = self.branch().map_or_else(
+            || size_of_dot(row, &self.z),
+            |branch| dot(&branch.powers().error(row), &absolute(&self.z)),
+        );
+        bound * F::int(4)
+    }
+
+    /// Chooses the first branch.
+    fn begin(&mut self) -> Result<(), Error> {
+        let mut modes = Vec::with_capacity(self.system.parts.len());
+        let mut resting = Vec::new();
+        for (i, part) in self.system.parts.iter().enumerate() {
+            let v = dot(&part.velocity, &self.z);
+            let still = v.abs() <= size_of_dot(&part.velocity, &self.z) * F::epsilon() * F::int(64);
+            modes.push(match &part.rule {
+                Rule::Contact { normal, .. } => {
+                    let load = normal.as_ref().map_or(F::int(1), |row| dot(row, &self.z));
+                    if load < F::int(0) {
+                        Mode::Apart
+                    } else if still {
+                        resting.push(i);
+                        Mode::Stuck
+                    } else {
+                        slides(&part.rule, v)
+                    }
+                }
+                Rule::Elastic { friction, place, .. } => {
+                    let force = self.z.get(*place).copied().unwrap_or(F::int(0));
+                    let forward = force > F::int(0);
+                    // Within rounding of its friction it is there.
+                    let full = *friction * (F::int(1) - F::epsilon() * F::int(64));
+                    if force.abs() >= full && sign::<F>(forward) * v > F::int(0) {
+                        if let Some(force) = self.z.get_mut(*place) {
+                            *force = sign::<F>(forward) * *friction;
+                        }
+                        Mode::Yields { forward }
+                    } else {
+                        Mode::Holds
+                    }
+                }
+                Rule::Stop { depth, stiffness, damping } => {
+                    let deep = dot(depth, &self.z);
+                    let force = *stiffness * deep + *damping * v;
+                    if deep <= F::int(0) {
+                        Mode::Away
+                    } else if force > F::int(0) {
+                        Mode::Pressed
+                    } else {
+                        Mode::Lifted
+                    }
+                }
+            });
+        }
+        self.settle(&mut modes, &resting)?;
+        self.enter(&modes);
+        // A velocity that is zero but for rounding is told by the size that it could have within a step.
+        let mut still = Vec::new();
+        for (i, (part, mode)) in self.system.parts.iter().zip(&modes).enumerate() {
+            let slow = matches!(mode, Mode::Slides { piece: 0, .. })
+                && !resting.contains(&i)
+                && dot(&part.velocity, &self.z).abs() <= self.noise(&part.velocity);
+            if slow {
+                still.push(i);
+            }
+        }
+        if !still.is_empty() {
+            for &i in &still {
+                if let Some(mode) = modes.get_mut(i) {
+                    *mode = Mode::Stuck;
+                }
+            }
+            resting.extend(still);
+            resting.sort_unstable();
+            self.settle(&mut modes, &resting)?;
+            self.enter(&modes);
+        }
+        Ok(())
+    }
+
+    /// Decides the contacts at rest, and takes their velocities out.
+    fn settle(&mut self, modes: &mut [Mode], resting: &[usize]) -> Result<(), Error> {
+        if resting.is_empty() {
+            return Ok(());
+        }
+        at_rest(self.system, &mut self.z, resting);
+        let system = self.system;
+        let mut force = system.force.of(&self.z);
+        let mut size: Vec<F> = system.force.rows().map(|row| size_of_dot(row, &self.z)).collect();
+        for (i, (part, mode)) in system.parts.iter().zip(modes.iter()).enumerate() {
+            if !resting.contains(&i) {
+                let tension = force_of(part, *mode, &self.z);
+                add_times(&mut force, -tension, &part.direction);
+                size.iter_mut().zip(&part.direction).for_each(|(s, &b)| *s = *s + (b * tension).abs());
+            }
+        }
+        let contacts: Vec<AtRest> = resting
+            .iter()
+            .map(|&element| AtRest { element, released: self.released.get(element).copied().flatten() })
+            .collect();
+        let choices =
+            decide(system, &self.z, &contacts, &force, &size).map_err(|element| self.undecided(element))?;
+        for (contact, choice) in contacts.iter().zip(choices) {
+            if let Some(mode) = modes.get_mut(contact.element) {
+                *mode = choice.map_or(Mode::Stuck, |forward| Mode::Slides { forward, piece: 0 });
+            }
+            if let Some(released) = self.released.get_mut(contact.element) {
+                *released = choice;
+            }
+        }
+        Ok(())
+    }
+
+    fn undecided(&self, element: usize) -> Error {
+        let name = self.system.parts.get(element).map_or_else(Default::default, |p| p.name.clone());
+        Error::Undecided { name, time: written(self.time) }
+    }
+
+    /// Makes the branch with these modes the present one.
+    fn enter(&mut self, modes: &[Mode]) {
+        let known = self.branches.iter().position(|b| b.modes == modes);
+        self.current = known.unwrap_or_else(|| {
+            self.branches.push(Branch::new(self.system, modes, self.longest));
+            self.branches.len() - 1
+        });
+    }
+
+    /// Follows the motion until a time.
+    pub(crate) fn run(&mut self, until: F, watch: &mut impl Watch<F>) -> Result<(), Error> {
+        let zero = F::int(0);
+        loop {
+            let sample = self.system.instants.get(self.sample).copied().filter(|&t| t < until);
+            let end = sample.unwrap_or(until);
+            let rest = end - self.time;
+            if rest <= zero {
+                if sample.is_none() {
+                    return Ok(());
+                }
+                self.time = end;
+                self.set_sample();
+                continue;
+            }
+            self.steps += 1;
+            if self.steps > MOST_STEPS {
+                return Err(Error::TooLong { time: written(self.time), limit: MOST_STEPS });
+            }
+            let fired = self.step(rest, end, watch)?;
+            if !fired.is_empty() {
+                self.pass(&fired, watch)?;
+            } else if self.time >= end {
+                if sample.is_some() {
+                    self.set_sample();
+                } else {
+                    return Ok(());
+                }
+            }
+        }
+    }
+
+    /// One step, to the end of the branch's step, to the end given or to an event.
+    fn step(&mut self, rest: F, end: F, watch: &mut impl Watch<F>) -> Result<Vec<Fired>, Error> {
+        let system = self.system;
+        let Some(branch) = self.branches.get(self.current) else { return Ok(Vec::new()) };
+        branch.hull.at(&self.z, &mut self.values, &mut self.errors);
+        let whole = rest >= branch.step;
+        let time = if whole { branch.step } else { rest };
+        let each = branch.hull.each;
+        let certain = |(values, &error): (&[F], &F)| values.iter().all(|&value| value > error);
+        let clear = self.values.chunks_exact(each).zip(&self.errors).all(certain);
+        let mut event: Option<(F, usize)> = None;
+        if !clear || !whole {
+            branch.taylor(&self.z, time, &mut self.terms);
+        }
+        if !clear {
+            let open = self.values.chunks_exact(each).zip(&self.errors).map(certain);
+            let sizes = absolute(&self.z);
+            for ((number, guard), is_certain) in branch.guards.iter().enumerate().zip(open) {
+                if is_certain {
+                    continue;
+                }
+                let mut c = polynomial(&guard.row, &self.terms);
+                let error = dot(&guard.error, &sizes);
+                shorten(&mut c, error);
+                if let Some(at) = first_passage(&c, error)
+                    && event.is_none_or(|(first, _)| at < first)
+                {
+                    event = Some((at, number));
+                }
+            }
+        }
+        let part = event.map_or(F::int(1), |(at, _)| at);
+        let after = if event.is_none() && whole {
+            let mut after = vec![F::int(0); self.z.len()];
+            branch.whole.transposed_of(&self.z, &mut after);
+            after
+        } else {
+            sum_of_terms(&self.terms, self.z.len(), part)
+        };
+        let lasted = time * part;
+        if lasted > F::int(0) {
+            watch.stretch(system, self.current, branch, &self.z, lasted);
+        }
+        if !after.iter().all(|x| x.is_finite()) {
+            return Err(Error::Unbounded { time: written(self.time) });
+        }
+        if lasted > branch.step * F::exp2i(-24) {
+            self.instant = 0;
+            self.released.fill(None);
+        }
+        self.z = after;
+        self.time = if event.is_none() && !whole { end } else { self.time + lasted };
+        let Some((_, number)) = event else { return Ok(Vec::new()) };
+        Ok(self.fired(number))
+    }
+
+    /// The guards that are zero now: the one found, and those that rounding cannot tell from it.
+    fn fired(&self, number: usize) -> Vec<Fired> {
+        let Some(branch) = self.branch() else { return Vec::new() };
+        let (sizes, slopes) = (absolute(&self.z), branch.derivative(&self.z));
+        let mut fired = Vec::new();
+        // The one that was found is the first.
+        let order = [number].into_iter().chain((0..branch.guards.len()).filter(|&i| i != number));
+        for (k, guard) in order.filter_map(|i| branch.guards.get(i)).enumerate() {
+            let doubt = dot(&guard.error, &sizes) * F::int(4);
+            let (value, slope) = (dot(&guard.row, &self.z), dot(&guard.row, &slopes));
+            let begins = guard.trigger == Trigger::Stops
+                && self.released.get(guard.element).is_some_and(Option::is_some);
+            if k == 0 || (value <= doubt && slope < F::int(0) && !begins) {
+                fired.push(Fired { element: guard.element, trigger: guard.trigger });
+            }
+        }
+        fired
+    }
+
+    /// Passes the events that have fired, and enters the next branch.
+    fn pass(&mut self, fired: &[Fired], watch: &mut impl Watch<F>) -> Result<(), Error> {
+        let system = self.system;
+        let Some(branch) = self.branch() else { return Ok(()) };
+        let before = branch.modes.clone();
+        let from = branch.derivative(&self.z);
+        let row = fired
+            .first()
+            .and_then(|f| branch.guards.iter().find(|g| g.element == f.element && g.trigger == f.trigger))
+            .map(|g| g.row.clone())
+            .unwrap_or_default();
+        self.instant += 1;
+        if self.instant > 16 + 8 * system.parts.len() {
+            return Err(self.undecided(fired.first().map_or(0, |f| f.element)));
+        }
+        let mut modes = before.clone();
+        let mut touched = Vec::new();
+        for Fired { element, trigger } in fired {
+            let (Some(part), Some(mode)) = (system.parts.get(*element), modes.get_mut(*element)) else {
+                continue;
+            };
+            let velocity = dot(&part.velocity, &self.z);
+            match (*trigger, &part.rule) {
+                (Trigger::Stops, Rule::Contact { .. }) => {
+                    touched.push(*element);
+                    *mode = Mode::Stuck;
+                    if let Some(released) = self.released.get_mut(*element) {
+                        *released = None;
+                    }
+                }
+                (Trigger::Stops, _) => *mode = Mode::Holds,
+                (Trigger::Piece(piece), _) => {
+                    if let Mode::Slides { forward, .. } = *mode {
+                        *mode = Mode::Slides { forward, piece };
+                    }
+                }
+                (Trigger::Releases { forward }, Rule::Elastic { friction, place, .. }) => {
+                    if let Some(force) = self.z.get_mut(*place) {
+                        *force = sign::<F>(forward) * *friction;
+                    }
+                    *mode = Mode::Yields { forward };
+                }
+                (Trigger::Releases { forward }, _) => {
+                    if let Some(released) = self.released.get_mut(*element) {
+                        *released = Some(forward);
+                    }
+                }
+                (Trigger::Parts, _) => *mode = Mode::Apart,
+                (Trigger::Meets, rule) => {
+                    let doubt = self.noise(&part.velocity);
+                    *mode = if velocity.abs() <= doubt { Mode::Stuck } else { slides(rule, velocity) };
+                }
+                (Trigger::Closes | Trigger::Presses, _) => *mode = Mode::Pressed,
+                (Trigger::Opens, Rule::Stop { depth, .. }) => {
+                    let deep = dot(depth, &self.z) > self.noise(depth);
+                    *mode = if deep { Mode::Lifted } else { Mode::Away };
+                }
+                (Trigger::Opens | Trigger::Clears, _) => *mode = Mode::Away,
+            }
+        }
+        let mut resting = Vec::new();
+        for (i, (part, mode)) in system.parts.iter().zip(&modes).enumerate() {
+            let slow = || dot(&part.velocity, &self.z).abs() <= self.noise(&part.velocity);
+            let rests = *mode == Mode::Stuck || (matches!(mode, Mode::Slides { piece: 0, .. }) && slow());
+            if rests {
+                resting.push(i);
+            }
+        }
+        self.settle(&mut modes, &resting)?;
+        for (i, (old, new)) in before.iter().zip(&modes).enumerate() {
+            if let Some(kind) = kind_of(*old, *new, touched.contains(&i)) {
+                watch.event(Event { time: self.time, element: i, kind });
+            }
+        }
+        self.enter(&modes);
+        if let Some(branch) = self.branch() {
+            watch.changes(&row, &from, &branch.derivative(&self.z));
+        }
+        Ok(())
+    }
+}
+
+/// |z|.
+pub(crate) fn absolute<F: Float>(z: &[F]) -> Vec<F> {
+    z.iter().map(|x| x.abs()).collect()
+}
+
+/// Leaves out the last coefficients, as long as their sum is far below the error.
+pub(crate) fn shorten<F: Float>(c: &mut Vec<F>, error: F) {
+    let mut left = error / F::int(16);
+    while let Some(last) = c.last() {
+        left = left - last.abs();
+        if left < F::int(0) || c.len() <= 1 {
+            return;
+        }
+        c.pop();
+    }
+}
+
+/// The mode of a contact that slides with the velocity v.
+fn slides<F: Float>(rule: &Rule<F>, v: F) -> Mode {
+    let piece = match rule {
+        Rule::Contact { pieces, .. } => pieces.partition_point(|p| p.from <= v.abs()).saturating_sub(1),
+        Rule::Elastic { .. } | Rule::Stop { .. } => 0,
+    };
+    Mode::Slides { forward: v > F::int(0), piece }
+}
+
+/// The force of an element that does not stick.
+fn force_of<F: Float>(part: &super::assembly::Part<F>, mode: Mode, z: &[F]) -> F {
+    super::branch::given_tension(part, mode).map_or(F::int(0), |row| dot(&row, z))
+}
+
+/// The kind of the event that leads from one mode to another.
+fn kind_of(old: Mode, new: Mode, touched: bool) -> Option<EventKind> {
+    match (old, new) {
+        (Mode::Stuck, Mode::Slides { .. }) => Some(EventKind::Slip),
+        (Mode::Slides { .. }, Mode::Stuck) => Some(EventKind::Stick),
+        (Mode::Slides { forward: a, .. }, Mode::Slides { forward: b, .. }) if a != b => {
+            Some(EventKind::Reverse)
+        }
+        (Mode::Slides { .. }, Mode::Slides { .. }) if touched => Some(EventKind::Touch),
+        (Mode::Apart, Mode::Stuck | Mode::Slides { .. }) => Some(EventKind::Close),
+        (Mode::Stuck | Mode::Slides { .. }, Mode::Apart) => Some(EventKind::Open),
+        (Mode::Holds, Mode::Yields { .. }) => Some(EventKind::Yield),
+        (Mode::Yields { .. }, Mode::Holds) => Some(EventKind::Lock),
+        (Mode::Away | Mode::Lifted, Mode::Pressed) => Some(EventKind::Close),
+        (Mode::Pressed, Mode::Away | Mode::Lifted) => Some(EventKind::Open),
+        _ => None,
+    }
+}

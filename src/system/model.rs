@@ -1,0 +1,162 @@
+//! The description of a system: matrices, loads and elements, as they are given.
+
+use crate::float::Float;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// A structure with its loads and its elements: `M q″ + C q′ + K q = f(t) − Σ b T`.
+///
+/// All numbers are in one consistent system of units, with frequencies in radians per unit of time. Nothing is
+/// checked before [`System::new`](super::System::new).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Model<F> {
+    /// M by rows: symmetric and positive definite.
+    pub mass: Vec<Vec<F>>,
+    /// C by rows.
+    pub damping: Vec<Vec<F>>,
+    /// K by rows.
+    pub stiffness: Vec<Vec<F>>,
+    /// The elements.
+    pub elements: Vec<Element<F>>,
+    /// The constant force on each coordinate; none where it is empty.
+    pub constant: Vec<F>,
+    /// The harmonic loads. Moving sides and normal loads use their frequencies.
+    pub harmonics: Vec<Harmonic<F>>,
+    /// The loads given by samples.
+    pub records: Vec<Record<F>>,
+}
+
+/// The load `sin · sin ωt + cos · cos ωt`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Harmonic<F> {
+    /// ω > 0.
+    pub frequency: F,
+    /// The force on each coordinate in phase with sin ωt; none where it is empty.
+    pub sin: Vec<F>,
+    /// The force on each coordinate in phase with cos ωt; none where it is empty.
+    pub cos: Vec<F>,
+}
+
+/// The load `force · p(t)`, where p is straight between its samples and zero before the first and after the last.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record<F> {
+    /// The times of the samples, which increase.
+    pub times: Vec<F>,
+    /// p at these times.
+    pub values: Vec<F>,
+    /// The force on each coordinate where p = 1: for a base that moves with the acceleration p, −M ι.
+    pub force: Vec<F>,
+}
+
+/// `constant + Σ (sin sin ωt + cos cos ωt)` over the harmonics of the model, in their order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Signal<F> {
+    /// The constant part.
+    pub constant: F,
+    /// The factors of sin ωt; zero where the list ends early.
+    pub sin: Vec<F>,
+    /// The factors of cos ωt; zero where the list ends early.
+    pub cos: Vec<F>,
+}
+
+impl<F: Float> Signal<F> {
+    /// A constant.
+    #[must_use]
+    pub const fn constant(constant: F) -> Self {
+        Self { constant, sin: Vec::new(), cos: Vec::new() }
+    }
+}
+
+/// An element between bodies, or between a body and the ground.
+///
+/// Its force acts along a direction b: `y = b·q − Y(t)` is its stretch and `v = b·q′ − V(t)` its velocity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Element<F> {
+    /// The name that errors and answers use.
+    pub name: String,
+    /// b: 1 at a body and −1 at the one that it slides on, for example.
+    pub direction: Vec<F>,
+    /// V(t): the prescribed velocity of the other side, such as that of a belt.
+    pub moves: Signal<F>,
+    /// Its law.
+    pub kind: Kind<F>,
+}
+
+/// The law of an element.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kind<F> {
+    /// Dry friction: it sticks while `|T| ≤ peak r(0) N`, and slides with `T = r(|v|) N sgn v`.
+    Contact {
+        /// r over the speed.
+        law: Law<F>,
+        /// The static friction over the kinetic one, ≥ 1.
+        peak: F,
+        /// N, by which the law is multiplied. Without it, N = 1.
+        normal: Option<Normal<F>>,
+    },
+    /// A spring with a slider (Jenkins): `T′ = stiffness · v` while `|T| < friction`.
+    Elastic {
+        /// The stiffness of the spring.
+        stiffness: F,
+        /// The force at which the slider slides.
+        friction: F,
+    },
+    /// An elastic stop: `T = stiffness (y − gap) + damping v` where `y > gap` and T > 0. For the other side
+    /// reverse its direction.
+    Stop {
+        /// The gap.
+        gap: F,
+        /// The stiffness.
+        stiffness: F,
+        /// The damping constant.
+        damping: F,
+    },
+}
+
+/// The normal load of a contact, `signal + displacement·q`; the contact is open while it is below 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Normal<F> {
+    /// The part that depends on time.
+    pub signal: Signal<F>,
+    /// The part for each coordinate; none where it is empty.
+    pub displacement: Vec<F>,
+}
+
+/// A friction force over the speed: straight between its points.
+///
+/// Beyond the last point the last straight line goes on, if it falls down to zero, and stays there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Law<F> {
+    /// Speeds, which increase from 0, with the friction force at each.
+    pub points: Vec<(F, F)>,
+}
+
+impl<F: Float> Law<F> {
+    /// Coulomb's law: one force at every speed.
+    #[must_use]
+    pub fn constant(force: F) -> Self {
+        Self { points: vec![(F::int(0), force)] }
+    }
+}
+
+/// Displacements, velocities and the forces of the elastic contacts at one instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State<F> {
+    /// q.
+    pub displacement: Vec<F>,
+    /// q′.
+    pub velocity: Vec<F>,
+    /// The force T of each element; a start needs those of the elastic contacts only, and takes 0 where the list
+    /// ends early.
+    pub force: Vec<F>,
+}
+
+impl<F: Float> State<F> {
+    /// At rest in the origin, with unloaded elastic contacts.
+    #[must_use]
+    pub fn rest(coordinates: usize) -> Self {
+        let zero = vec![F::int(0); coordinates];
+        Self { displacement: zero.clone(), velocity: zero, force: Vec::new() }
+    }
+}

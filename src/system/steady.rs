@@ -1,0 +1,404 @@
+//! Steady motions: the period map, its exact derivative, and Newton's method.
+//!
+//! In a branch a disturbance δ of the state moves by `δ′ = A δ`. At an event, where the row g of a guard is zero and
+//! the derivative of the state goes from f₋ to f₊, a disturbed motion is early or late by `g δ/(g f₋)`, so that
+//! `δ₊ = δ₋ + (f₊ − f₋) g δ₋/(g f₋)`. The product of these over a period is the map's derivative J.
+//!
+//! Newton's step solves `(I − J) x = P(x₀) − x₀`. Where a rest keeps part of the state, or an elastic contact never
+//! yields, I − J is singular; the limit of `Σ Jᵏ (P(x₀) − x₀)` lies in the range of I − J, and is `(I − J) y` with
+//! `(I − J)² y = P(x₀) − x₀`.
+
+use super::assembly::{Assembly, Rule};
+use super::branch::{Branch, Mode};
+use super::error::Error;
+use super::follow::{Event, EventKind, Follower, Watch};
+use super::matrix::{Matrix, add_times, dot};
+use super::model::State;
+use super::motion::{Motion, Observer, state};
+use super::zero::integer;
+use crate::float::Float;
+use alloc::string::ToString;
+use alloc::vec;
+use alloc::vec::Vec;
+use nalgebra::{DMatrix, Schur};
+
+/// The kind of a motion after a long time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SteadyKind {
+    /// It repeats itself.
+    Periodic,
+    /// Nothing moves.
+    Rest,
+    /// It grows without bound.
+    Growing,
+    /// It has not settled within the periods that were followed.
+    Unsettled,
+}
+
+impl SteadyKind {
+    /// The name: `periodic`, `rest`, `growing`, `unsettled`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Periodic => "periodic",
+            Self::Rest => "rest",
+            Self::Growing => "growing",
+            Self::Unsettled => "unsettled",
+        }
+    }
+}
+
+/// The motion that a start leads to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steady<F> {
+    /// Its kind.
+    pub kind: SteadyKind,
+    /// The period of the motion: that of the loads times [`Steady::periods`].
+    pub period: F,
+    /// After how many periods of the loads it repeats itself; 1 where it does not.
+    pub periods: usize,
+    /// The state at the phase 0 of the loads.
+    pub start: State<F>,
+    /// One period of it; the last one followed, where it does not repeat itself.
+    pub motion: Motion<F>,
+    /// The multipliers of a small disturbance over the period, (real, imaginary), by size. They are computed at f64, and
+    /// empty where the motion does not repeat itself.
+    pub multipliers: Vec<(f64, f64)>,
+    /// The change of the state over the period, relative to the motion's size.
+    pub change: F,
+    /// The number of periods that were followed.
+    pub followed: usize,
+}
+
+/// The most periods that are followed.
+const MOST_PERIODS: usize = 2048;
+/// The greatest multiple of the loads' period.
+const MOST_MULTIPLE: usize = 8;
+
+/// What a period shows: its events, and the greatest values of the three parts of the state at the ends of steps.
+struct Seen<F> {
+    events: Vec<(usize, EventKind)>,
+    sizes: [F; 3],
+    tangent: Option<Vec<Vec<F>>>,
+    buffer: Vec<F>,
+}
+
+impl<F: Float> Seen<F> {
+    fn new(tangent: Option<Vec<Vec<F>>>) -> Self {
+        Self { events: Vec::new(), sizes: [F::int(0); 3], tangent, buffer: Vec::new() }
+    }
+}
+
+/// The parts of the state with one unit each: q, q′ and forces.
+fn blocks<'a, F: Float>(system: &Assembly<F>, z: &'a [F]) -> [&'a [F]; 3] {
+    let n = system.n;
+    [0..n, n..2 * n, 2 * n..system.free].map(|r| z.get(r).unwrap_or(&[]))
+}
+
+fn largest<F: Float>(list: &[F]) -> F {
+    list.iter().fold(F::int(0), |m, x| m.or_larger(x.abs()))
+}
+
+impl<F: Float> Watch<F> for Seen<F> {
+    fn stretch(&mut self, system: &Assembly<F>, _: usize, branch: &Branch<F>, z: &[F], time: F) {
+        for (size, block) in self.sizes.iter_mut().zip(blocks(system, z)) {
+            *size = size.or_larger(largest(block));
+        }
+        for column in self.tangent.iter_mut().flatten() {
+            if time == branch.step {
+                self.buffer.resize(column.len(), F::int(0));
+                branch.whole.transposed_of(column, &mut self.buffer);
+                column.copy_from_slice(&self.buffer);
+            } else {
+                *column = branch.after(column, time, &mut self.buffer);
+            }
+        }
+    }
+
+    fn event(&mut self, event: Event<F>) {
+        self.events.push((event.element, event.kind));
+    }
+
+    fn changes(&mut self, guard: &[F], from: &[F], to: &[F]) {
+        let speed = dot(guard, from);
+        for column in self.tangent.iter_mut().flatten() {
+            let late = dot(guard, column) / speed;
+            let size = column.len();
+            for ((x, &a), &b) in column.iter_mut().zip(to).zip(from).take(size) {
+                *x = *x + (a - b) * late;
+            }
+        }
+    }
+}
+
+/// The search for a steady motion.
+struct Search<'a, F> {
+    system: &'a Assembly<F>,
+    follower: Follower<'a, F>,
+    period: F,
+}
+
+/// A fixed point of the period map, with the map there.
+type Fixed<F> = (Vec<F>, Mapped<F>);
+
+/// A step of the period map.
+struct Mapped<F> {
+    to: Vec<F>,
+    events: Vec<(usize, EventKind)>,
+    sizes: [F; 3],
+    /// The columns of J.
+    tangent: Vec<Vec<F>>,
+}
+
+impl<F: Float> Search<'_, F> {
+    fn free(&self) -> Vec<F> {
+        self.follower.z.get(..self.system.free).unwrap_or(&[]).to_vec()
+    }
+
+    /// One period on, from where the motion is.
+    fn advance(&mut self, tangent: Option<Vec<Vec<F>>>) -> Result<Mapped<F>, Error> {
+        self.follower.rewind();
+        let mut seen = Seen::new(tangent);
+        self.follower.run(self.period, &mut seen)?;
+        let tangent = seen.tangent.unwrap_or_default();
+        Ok(Mapped { to: self.free(), events: seen.events, sizes: seen.sizes, tangent })
+    }
+
+    /// `multiple` periods from a state, with the derivative.
+    fn map(&mut self, from: &[F], multiple: usize) -> Result<Mapped<F>, Error> {
+        self.follower.restart(from)?;
+        let mut tangent = Some(self.directions());
+        let mut all =
+            Mapped { to: Vec::new(), events: Vec::new(), sizes: [F::int(0); 3], tangent: Vec::new() };
+        for _ in 0..multiple {
+            let mapped = self.advance(tangent.take())?;
+            tangent = Some(mapped.tangent);
+            all.to = mapped.to;
+            all.events.extend(mapped.events);
+            for (size, new) in all.sizes.iter_mut().zip(mapped.sizes) {
+                *size = size.or_larger(new);
+            }
+        }
+        all.tangent = tangent.unwrap_or_default();
+        Ok(all)
+    }
+
+    /// The unit vectors, without what the present branch does not admit.
+    fn directions(&self) -> Vec<Vec<F>> {
+        let (system, free) = (self.system, self.system.free);
+        let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
+        let stuck: Vec<usize> =
+            modes.iter().enumerate().filter(|(_, m)| **m == Mode::Stuck).map(|(i, _)| i).collect();
+        let mut columns = Vec::with_capacity(free);
+        for i in 0..free {
+            let mut column = vec![F::int(0); system.size];
+            if let Some(one) = column.get_mut(i) {
+                *one = F::int(1);
+            }
+            super::next::at_rest(system, &mut column, &stuck);
+            for (part, mode) in system.parts.iter().zip(modes) {
+                if let (Rule::Elastic { place, .. }, Mode::Yields { .. }) = (&part.rule, mode)
+                    && let Some(force) = column.get_mut(*place)
+                {
+                    *force = F::int(0);
+                }
+            }
+            columns.push(column);
+        }
+        columns
+    }
+
+    /// The difference of two states relative to the motion's size.
+    fn distance(&self, a: &[F], b: &[F], sizes: &[F; 3]) -> F {
+        let difference: Vec<F> = a.iter().zip(b).map(|(&a, &b)| a - b).collect();
+        let mut most = F::int(0);
+        for (block, &size) in blocks(self.system, &difference).into_iter().zip(sizes) {
+            let by = largest(block);
+            if by > F::int(0) {
+                most = most.or_larger(if size > F::int(0) { by / size } else { F::int(1) });
+            }
+        }
+        most
+    }
+
+    /// Newton's method from a state: the fixed point with its derivative and its events, where it is one.
+    fn newton(&mut self, from: &[F], multiple: usize) -> Result<Option<Fixed<F>>, Error> {
+        let free = self.system.free;
+        let enough = F::epsilon() * F::int(16);
+        let closed = F::epsilon() * F::int(4096);
+        let mut x = from.to_vec();
+        let mut best: Option<(F, Vec<F>, Mapped<F>)> = None;
+        for _ in 0..12 {
+            let Ok(mapped) = self.map(&x, multiple) else { return Ok(None) };
+            let by = self.distance(&mapped.to, &x, &mapped.sizes);
+            let mut matrix: Matrix<F> = Matrix::identity(free);
+            for (j, column) in mapped.tangent.iter().enumerate() {
+                for (i, &value) in column.iter().take(free).enumerate() {
+                    let one = matrix.at(i, j);
+                    matrix.set(i, j, one - value);
+                }
+            }
+            let right: Vec<F> = mapped.to.iter().zip(&x).map(|(&a, &b)| a - b).collect();
+            if !by.is_finite() || !matrix.rows().all(|r| r.iter().all(|x: &F| x.is_finite())) {
+                return Ok(None);
+            }
+            let better = best.as_ref().is_none_or(|(least, ..)| by < *least);
+            let stalled =
+                best.as_ref().is_some_and(|(least, ..)| by * F::int(2) > *least && *least <= closed);
+            if better {
+                best = Some((by, x.clone(), mapped));
+            }
+            if by <= enough || stalled {
+                break;
+            }
+            let (mut step, missing) = matrix.solved(&right);
+            if missing > 0 {
+                let (y, _) = matrix.times(&matrix).solved(&right);
+                step = matrix.of(&y);
+            }
+            add_times(&mut x, F::int(1), &step);
+            self.keep_bounds(&mut x);
+        }
+        Ok(best.filter(|(by, ..)| *by <= closed).map(|(_, x, mapped)| (x, mapped)))
+    }
+
+    /// Elastic forces do not exceed their frictions.
+    fn keep_bounds(&self, x: &mut [F]) {
+        for part in &self.system.parts {
+            if let Rule::Elastic { place, friction, .. } = part.rule
+                && let Some(force) = x.get_mut(place)
+                && force.abs() > friction
+            {
+                *force = friction.with_sign_of(*force);
+            }
+        }
+    }
+
+    /// The answers over `multiple` periods from a state.
+    fn observed(&mut self, from: Option<&[F]>, multiple: usize) -> Result<(State<F>, Motion<F>), Error> {
+        match from {
+            Some(from) => self.follower.restart(from)?,
+            None => self.follower.rewind(),
+        }
+        let first = self.follower.z.clone();
+        let start = state(self.system, &self.follower);
+        let mut observer = Observer::new(self.system, &first);
+        let until = self.period * integer(multiple);
+        self.follower.run(until, &mut observer)?;
+        Ok((start, observer.finish(self.system, &first, &self.follower)))
+    }
+}
+
+/// The motion that a start leads to.
+pub(crate) fn steady<'a, F: Float>(
+    system: &'a Assembly<F>,
+    period: F,
+    follower: Follower<'a, F>,
+) -> Result<Steady<F>, Error> {
+    let mut search = Search { system, follower, period };
+    let mut states = vec![search.free()];
+    let mut events: Vec<Vec<(usize, EventKind)>> = Vec::new();
+    let mut sizes = [F::int(0); 3];
+    let mut next = 4;
+    let mut growth = [F::int(0); 2];
+    while events.len() < MOST_PERIODS {
+        let mapped = match search.advance(None) {
+            Ok(mapped) => mapped,
+            Err(Error::Unbounded { .. }) => break,
+            Err(error) => return Err(error),
+        };
+        let before = states.last().cloned().unwrap_or_default();
+        let change = search.distance(&mapped.to, &before, &mapped.sizes);
+        sizes = mapped.sizes;
+        states.push(mapped.to);
+        events.push(mapped.events);
+        let followed = events.len();
+        if followed == MOST_PERIODS / 4 || followed == MOST_PERIODS / 2 {
+            growth =
+                [growth.last().copied().unwrap_or(F::int(0)), sizes.first().copied().unwrap_or(F::int(0))];
+        }
+        let settled = change <= F::epsilon() * F::int(2);
+        if followed < next && !settled {
+            continue;
+        }
+        if !settled {
+            next *= 2;
+        }
+        let from = states.last().cloned().unwrap_or_default();
+        for multiple in 1..=MOST_MULTIPLE.min(if settled { 1 } else { followed / 4 }) {
+            let Some((x, mapped)) = search.newton(&from, multiple)? else { continue };
+            let lasts = events.get(followed - multiple..).unwrap_or(&[]).concat();
+            let multipliers = multipliers(&mapped.tangent, system.free);
+            let unstable = multipliers.first().is_some_and(|&(re, im)| re.hypot(im) > 1.0 + 1e-6);
+            if !settled && (lasts != mapped.events || unstable) {
+                continue;
+            }
+            let change = search.distance(&mapped.to, &x, &mapped.sizes);
+            let x = if settled { from } else { x };
+            let (start, motion) = search.observed(Some(&x), multiple)?;
+            let rests = motion.max_displacement == motion.min_displacement;
+            let kind = if rests { SteadyKind::Rest } else { SteadyKind::Periodic };
+            let period = period * integer(multiple);
+            return Ok(Steady {
+                kind,
+                period,
+                periods: multiple,
+                start,
+                motion,
+                multipliers,
+                change,
+                followed,
+            });
+        }
+        // The search has moved it.
+        search.follower.restart(&from)?;
+    }
+    let followed = events.len();
+    let size = sizes.first().copied().unwrap_or(F::int(0));
+    let [early, middle] = growth;
+    let grows = followed < MOST_PERIODS
+        || (early > F::int(0)
+            && middle * F::int(2) > early * F::int(3)
+            && size * F::int(2) > middle * F::int(3));
+    let before = states.iter().rev().nth(1).cloned().unwrap_or_default();
+    let change = search.distance(states.last().map_or(&[][..], Vec::as_slice), &before, &sizes);
+    let from = states.last().cloned().unwrap_or_default();
+    let (start, motion) = search.observed(Some(&from), 1)?;
+    let kind = if grows { SteadyKind::Growing } else { SteadyKind::Unsettled };
+    Ok(Steady { kind, period, periods: 1, start, motion, multipliers: Vec::new(), change, followed })
+}
+
+/// The eigenvalues of the leading part of a matrix of columns, the largest first.
+fn multipliers<F: Float>(columns: &[Vec<F>], free: usize) -> Vec<(f64, f64)> {
+    let entry = |i: usize, j: usize| columns.get(j).and_then(|c| c.get(i)).map_or(0.0, |x| x.to_f64());
+    let matrix = DMatrix::<f64>::from_fn(free, free, entry);
+    if !matrix.iter().all(|x| x.is_finite()) {
+        return Vec::new();
+    }
+    let Some(schur) = Schur::try_new(matrix, f64::EPSILON, 10_000) else { return Vec::new() };
+    let mut values: Vec<(f64, f64)> = schur.complex_eigenvalues().iter().map(|c| (c.re, c.im)).collect();
+    values.sort_by(|a, b| b.0.hypot(b.1).total_cmp(&a.0.hypot(a.1)));
+    values
+}
+
+/// The common period of the harmonics.
+pub(crate) fn common_period<F: Float>(frequencies: &[F]) -> Result<F, Error> {
+    let unsupported = |condition| Error::Unsupported { name: "harmonics".to_string(), condition };
+    let least = frequencies
+        .iter()
+        .copied()
+        .reduce(|a, b| if b < a { b } else { a })
+        .ok_or_else(|| unsupported("must have an entry: a steady motion has the period of a load"))?;
+    // Rounded multiples of a common frequency differ from it by a few units.
+    let doubt = F::epsilon() * F::int(64);
+    for multiple in 1..=1000 {
+        let whole = |f: &F| {
+            let ratio = *f / least * F::int(multiple);
+            (ratio - ratio.round()).abs() <= doubt * ratio
+        };
+        if frequencies.iter().all(whole) {
+            return Ok(F::int(2) * F::pi() * F::int(multiple) / least);
+        }
+    }
+    Err(unsupported("must have a common period of at most 1000 periods of the slowest"))
+}

@@ -1,0 +1,139 @@
+//! The first place at which a guard, known as a polynomial with an error bound, is certainly negative.
+//!
+//! `p(s) = Σ cₖ sᵏ` on [0, 1]; its Bernstein coefficients `bᵢ = Σ_{k≤i} [C(i,k)/C(K,k)] cₖ` bound it from both
+//! sides, and the number of their changes of sign is not below that of its zeros. A guard within its error bound
+//! of zero counts as not yet passed: such a touch cannot be told from a passage. Where all coefficients are above
+//! −error there is no passage; where they change sign once there is one zero, which a bracketed Newton's method
+//! finds; else the interval is halved.
+
+use crate::float::Float;
+use crate::root::newton_within;
+use alloc::vec::Vec;
+
+/// The Bernstein coefficients on [0, 1] of a polynomial.
+pub(crate) fn bernstein<F: Float>(c: &[F]) -> Vec<F> {
+    let mut b = c.to_vec();
+    let degree = b.len().saturating_sub(1);
+    let mut binomial = F::int(1);
+    for (k, b) in b.iter_mut().enumerate() {
+        *b = *b / binomial;
+        // C(K, k+1) = C(K, k) (K − k)/(k + 1)
+        binomial = binomial * integer::<F>(degree.saturating_sub(k)) / integer(k + 1);
+    }
+    for j in 1..=degree {
+        let mut before = b.get(j - 1).copied().unwrap_or(F::int(0));
+        for b in b.get_mut(j..).unwrap_or(&mut []) {
+            let old = *b;
+            *b = *b + before;
+            before = old;
+        }
+    }
+    b
+}
+
+/// A small integer.
+pub(crate) fn integer<F: Float>(k: usize) -> F {
+    F::int(i32::try_from(k).unwrap_or(i32::MAX))
+}
+
+/// `p(s)` and `p′(s)`.
+pub(crate) fn value_and_slope<F: Float>(c: &[F], s: F) -> (F, F) {
+    c.iter().rev().fold((F::int(0), F::int(0)), |(p, d), &c| (p * s + c, d * s + p))
+}
+
+/// The Bernstein coefficients on both halves.
+pub(crate) fn halves<F: Float>(b: &[F]) -> (Vec<F>, Vec<F>) {
+    let (mut left, mut right) = (Vec::with_capacity(b.len()), b.to_vec());
+    let half = F::ratio(1, 2);
+    for end in (0..b.len()).rev() {
+        left.push(right.first().copied().unwrap_or(F::int(0)));
+        // One row of de Casteljau's triangle; what it drops at the end is a coefficient of the right half.
+        let mut next = right.get(1).copied();
+        for i in 0..end {
+            let following = right.get(i + 2).copied();
+            if let (Some(place), Some(value)) = (right.get_mut(i), next) {
+                *place = (*place + value) * half;
+            }
+            next = following;
+        }
+    }
+    (left, right)
+}
+
+/// The first s in [0, 1] from which on p is certainly negative: the zero before it. `error` bounds the error of
+/// p.
+pub(crate) fn first_passage<F: Float>(c: &[F], error: F) -> Option<F> {
+    let b = bernstein(c);
+    let depth = F::PRECISION + 8;
+    search(c, &b, F::int(0), F::int(1), error, depth)
+}
+
+fn search<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32) -> Option<F> {
+    if b.iter().all(|&b| b >= -error) {
+        return None;
+    }
+    let (first, last) = (b.first().copied()?, b.last().copied()?);
+    if first < -error || (first <= error && b.iter().skip(1).all(|&b| b <= F::int(0))) {
+        return Some(low);
+    }
+    let changes =
+        b.iter().zip(b.iter().skip(1)).filter(|(a, b)| (**a > F::int(0)) != (**b > F::int(0))).count();
+    if first > error && last < -error && changes == 1 {
+        return Some(newton_within(low, high, |s| value_and_slope(c, s)));
+    }
+    if depth == 0 {
+        return (last < -error).then_some(low);
+    }
+    let middle = low + (high - low) / F::int(2);
+    let (left, right) = halves(b);
+    search(c, &left, low, middle, error, depth - 1)
+        .or_else(|| search(c, &right, middle, high, error, depth - 1))
+}
+
+/// The greatest value of p on [0, `end`], `end` ≤ 1, where it is above `known` by more than `error`.
+pub(crate) fn greatest_above<F: Float>(c: &[F], end: F, known: F, error: F) -> F {
+    let mut power = F::int(1);
+    let scaled: Vec<F> = c
+        .iter()
+        .map(|&c| {
+            let c = c * power;
+            power = power * end;
+            c
+        })
+        .collect();
+    let mut best = known;
+    climb(&scaled, &bernstein(&scaled), F::int(0), F::int(1), error, F::PRECISION, &mut best);
+    best
+}
+
+fn climb<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32, best: &mut F) {
+    for value in [b.first(), b.last()].into_iter().flatten() {
+        *best = best.or_larger(*value);
+    }
+    if b.iter().all(|&b| b <= *best + error) {
+        return;
+    }
+    let rising = |(a, b): (&F, &F)| *b > *a;
+    let changes = b
+        .iter()
+        .zip(b.iter().skip(1))
+        .map(rising)
+        .zip(b.iter().skip(1).zip(b.iter().skip(2)).map(rising))
+        .filter(|(a, b)| a != b)
+        .count();
+    let starts_up = b.first().zip(b.get(1)).is_some_and(rising);
+    if changes == 1 && starts_up {
+        // One zero of p′: the only maximum inside.
+        let slope: Vec<F> = c.iter().enumerate().skip(1).map(|(k, &c)| c * integer(k)).collect();
+        let at = newton_within(low, high, |s| value_and_slope(&slope, s));
+        *best = best.or_larger(value_and_slope(c, at).0);
+        return;
+    }
+    if depth == 0 || changes == 0 {
+        return;
+    }
+    let middle = low + (high - low) / F::int(2);
+    let (left, right) = halves(b);
+    climb(c, &left, low, middle, error, depth - 1, best);
+    climb(c, &right, middle, high, error, depth - 1, best);
+}

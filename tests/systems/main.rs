@@ -1,0 +1,4 @@
+//! Systems of several bodies, by the public interface.
+
+mod cases;
+mod references;
