@@ -40,6 +40,8 @@ as_text!(Error, InputError, Quantity, UnknownOutput);
 as_text!(crate::float::ParseError, crate::float::PrecisionError, crate::float::Inexact);
 #[cfg(feature = "matching")]
 as_text!(crate::cycle::MatchingError);
+#[cfg(feature = "system")]
+as_text!(crate::system::Error);
 
 /// Serialises as the name in the command's JSON.
 macro_rules! as_name {

@@ -31,9 +31,10 @@
 //! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `zero.rs` the search for a
 //! guard's first zero, `next.rs` the choice of the next branch, `follow.rs` the motion from event to event,
-//! `motion.rs` its answers.
+//! `motion.rs` its answers, `steady.rs` the long run, and `border.rs` the closed form for one contact.
 
 mod assembly;
+mod border;
 mod branch;
 mod error;
 mod follow;
@@ -50,6 +51,7 @@ use assembly::{Assembly, finite, vector};
 use follow::Follower;
 use motion::{Observer, state};
 
+pub use border::{Border, Cycle};
 pub use error::Error;
 pub use follow::{Event, EventKind};
 pub use model::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
@@ -104,6 +106,23 @@ impl<F: Float> System<F> {
         }
         let period = steady::common_period(&self.assembly.frequencies)?;
         steady::steady(&self.assembly, period, self.follower(start, period)?)
+    }
+
+    /// The least load at which the only contact never sticks, for a system with one contact and one harmonic load.
+    ///
+    /// # Errors
+    /// [`Error`] where the system has other elements or loads, or is undamped at a resonance.
+    pub fn border(&self) -> Result<Border<F>, Error> {
+        border::border(&self.assembly)
+    }
+
+    /// The cycle of two reversals a period in closed form, for a system with one contact and one harmonic load; none where
+    /// the load is too weak for such a cycle to exist at all.
+    ///
+    /// # Errors
+    /// As [`System::border`].
+    pub fn cycle(&self) -> Result<Option<Cycle<F>>, Error> {
+        border::cycle(&self.assembly)
     }
 
     /// The states of the exact motion at times that increase, with the forces of all elements.

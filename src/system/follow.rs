@@ -14,6 +14,7 @@ use alloc::vec::Vec;
 
 /// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
 pub enum EventKind {
     /// A contact comes to rest.
     Stick,
@@ -58,6 +59,7 @@ impl core::fmt::Display for EventKind {
 
 /// An event.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Event<F> {
     /// Its time.
     pub time: F,

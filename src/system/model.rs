@@ -142,6 +142,7 @@ impl<F: Float> Law<F> {
 
 /// Displacements, velocities and the forces of the elastic contacts at one instant.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct State<F> {
     /// q.
     pub displacement: Vec<F>,

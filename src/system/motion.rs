@@ -13,6 +13,7 @@ use alloc::vec::Vec;
 
 /// A motion, with its answers.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Motion<F> {
     /// Its length in time.
     pub duration: F,
@@ -41,6 +42,7 @@ pub struct Motion<F> {
 
 /// The answers of an element.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ElementMotion<F> {
     /// Its name.
     pub name: String,
@@ -164,11 +166,11 @@ impl<F: Float> Observer<F> {
             let rounding = size * F::epsilon();
             shorten(&mut c, rounding);
             if above {
-                *greatest = greatest_above(&c, F::int(1), *greatest, rounding);
+                *greatest = greatest_above(&c, *greatest, rounding);
             }
             if below {
                 let turned: Vec<F> = c.iter().map(|&c| -c).collect();
-                *least = -greatest_above(&turned, F::int(1), -*least, rounding);
+                *least = -greatest_above(&turned, -*least, rounding);
             }
         }
     }

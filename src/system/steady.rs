@@ -24,6 +24,7 @@ use nalgebra::{DMatrix, Schur};
 
 /// The kind of a motion after a long time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
 pub enum SteadyKind {
     /// It repeats itself.
     Periodic,
@@ -50,6 +51,7 @@ impl SteadyKind {
 
 /// The motion that a start leads to.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Steady<F> {
     /// Its kind.
     pub kind: SteadyKind,
@@ -228,7 +230,7 @@ impl<F: Float> Search<'_, F> {
         let closed = F::epsilon() * F::int(4096);
         let mut x = from.to_vec();
         let mut best: Option<(F, Vec<F>, Mapped<F>)> = None;
-        for _ in 0..12 {
+        for round in 0..12 {
             let Ok(mapped) = self.map(&x, multiple) else { return Ok(None) };
             let by = self.distance(&mapped.to, &x, &mapped.sizes);
             let mut matrix: Matrix<F> = Matrix::identity(free);
@@ -248,7 +250,9 @@ impl<F: Float> Search<'_, F> {
             if better {
                 best = Some((by, x.clone(), mapped));
             }
-            if by <= enough || stalled {
+            let diverges = round > 3
+                && best.as_ref().is_some_and(|(least, ..)| by * F::int(2) > *least && *least > closed);
+            if by <= enough || stalled || diverges {
                 break;
             }
             let (mut step, missing) = matrix.solved(&right);
@@ -326,7 +330,22 @@ pub(crate) fn steady<'a, F: Float>(
         }
         let from = states.last().cloned().unwrap_or_default();
         for multiple in 1..=MOST_MULTIPLE.min(if settled { 1 } else { followed / 4 }) {
+            // A motion of several periods comes back to its state, and not after one.
+            let back = |k: usize| {
+                let then = states.get((followed - k)..).and_then(|s| s.first());
+                then.map_or(F::int(0), |then| search.distance(&from, then, &sizes))
+            };
+            if multiple > 1 && back(multiple) * F::int(2) > back(1) {
+                continue;
+            }
             let Some((x, mapped)) = search.newton(&from, multiple)? else { continue };
+            if multiple > 1 {
+                // It may be one of fewer.
+                let once = search.map(&x, 1)?;
+                if search.distance(&once.to, &x, &once.sizes) <= F::epsilon() * F::int(65_536) {
+                    continue;
+                }
+            }
             let lasts = events.get(followed - multiple..).unwrap_or(&[]).concat();
             let multipliers = multipliers(&mapped.tangent, system.free);
             let unstable = multipliers.first().is_some_and(|&(re, im)| re.hypot(im) > 1.0 + 1e-6);

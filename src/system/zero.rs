@@ -90,43 +90,39 @@ fn search<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32) -> 
         .or_else(|| search(c, &right, middle, high, error, depth - 1))
 }
 
-/// The greatest value of p on [0, `end`], `end` ≤ 1, where it is above `known` by more than `error`.
-pub(crate) fn greatest_above<F: Float>(c: &[F], end: F, known: F, error: F) -> F {
-    let mut power = F::int(1);
-    let scaled: Vec<F> = c
-        .iter()
-        .map(|&c| {
-            let c = c * power;
-            power = power * end;
-            c
-        })
-        .collect();
-    let mut best = known;
-    climb(&scaled, &bernstein(&scaled), F::int(0), F::int(1), error, F::PRECISION, &mut best);
+/// The greatest value of p on [0, 1], where it is above `known` by more than `error`.
+pub(crate) fn greatest_above<F: Float>(c: &[F], known: F, error: F) -> F {
+    greatest_place(c, known, error).0
+}
+
+/// The greatest value of p on [0, 1] and its place, where it is above `known` by more than `error`.
+pub(crate) fn greatest_place<F: Float>(c: &[F], known: F, error: F) -> (F, Option<F>) {
+    let mut best = (known, None);
+    climb(c, &bernstein(c), (F::int(0), F::int(1)), error, F::PRECISION, &mut best);
     best
 }
 
-fn climb<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32, best: &mut F) {
-    for value in [b.first(), b.last()].into_iter().flatten() {
-        *best = best.or_larger(*value);
+fn climb<F: Float>(c: &[F], b: &[F], ends: (F, F), error: F, depth: u32, best: &mut (F, Option<F>)) {
+    let (low, high) = ends;
+    for (value, at) in [(b.first(), low), (b.last(), high)] {
+        if let Some(&value) = value.filter(|v| **v > best.0) {
+            *best = (value, Some(at));
+        }
     }
-    if b.iter().all(|&b| b <= *best + error) {
+    if b.iter().all(|&b| b <= best.0 + error) {
         return;
     }
     let rising = |(a, b): (&F, &F)| *b > *a;
-    let changes = b
-        .iter()
-        .zip(b.iter().skip(1))
-        .map(rising)
-        .zip(b.iter().skip(1).zip(b.iter().skip(2)).map(rising))
-        .filter(|(a, b)| a != b)
-        .count();
-    let starts_up = b.first().zip(b.get(1)).is_some_and(rising);
-    if changes == 1 && starts_up {
+    let rises = || b.iter().zip(b.iter().skip(1)).map(rising);
+    let changes = rises().zip(rises().skip(1)).filter(|(a, b)| a != b).count();
+    if changes == 1 && rises().next() == Some(true) {
         // One zero of p′: the only maximum inside.
         let slope: Vec<F> = c.iter().enumerate().skip(1).map(|(k, &c)| c * integer(k)).collect();
         let at = newton_within(low, high, |s| value_and_slope(&slope, s));
-        *best = best.or_larger(value_and_slope(c, at).0);
+        let value = value_and_slope(c, at).0;
+        if value > best.0 {
+            *best = (value, Some(at));
+        }
         return;
     }
     if depth == 0 || changes == 0 {
@@ -134,6 +130,6 @@ fn climb<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32, best
     }
     let middle = low + (high - low) / F::int(2);
     let (left, right) = halves(b);
-    climb(c, &left, low, middle, error, depth - 1, best);
-    climb(c, &right, middle, high, error, depth - 1, best);
+    climb(c, &left, (low, middle), error, depth - 1, best);
+    climb(c, &right, (middle, high), error, depth - 1, best);
 }

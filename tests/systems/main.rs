@@ -1,4 +1,5 @@
 //! Systems of several bodies, by the public interface.
 
 mod cases;
+mod closed_form;
 mod references;

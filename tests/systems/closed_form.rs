@@ -1,0 +1,142 @@
+//! One contact and one harmonic load: the closed form and its border, against the paper's and the motion.
+
+use stickslip::system::{Element, Harmonic, Kind, Law, Model, Signal, State, System};
+use stickslip::{Ratios, Response};
+
+/// A number in [0, 1), by a linear congruence.
+pub(crate) struct Draw(pub(crate) u64);
+
+impl Draw {
+    pub(crate) fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(self.0 >> 33).expect("31 bits")) / f64::from(1_u32 << 31)
+    }
+
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+}
+
+pub(crate) fn contact(direction: Vec<f64>, friction: f64, peak: f64) -> Element<f64> {
+    let kind = Kind::Contact { law: Law::constant(friction), peak, normal: None };
+    Element { name: "contact".into(), direction, moves: Signal::constant(0.0), kind }
+}
+
+/// The machine of the ratios Ω, α, ζ, η in natural time and units of B.
+pub(crate) fn one_body(omega: f64, alpha: f64, damping: f64, peak: f64) -> Model<f64> {
+    Model {
+        mass: vec![vec![1.0]],
+        damping: vec![vec![2.0 * damping]],
+        stiffness: vec![vec![1.0]],
+        elements: vec![contact(vec![1.0], 1.0, peak)],
+        harmonics: vec![Harmonic { frequency: omega, sin: vec![alpha], cos: vec![] }],
+        ..Model::default()
+    }
+}
+
+#[test]
+fn one_body_is_the_papers() {
+    let mut draw = Draw(1);
+    let mut interior = 0;
+    for _ in 0..400 {
+        let omega = (draw.within(0.15_f64.ln(), 6.0_f64.ln())).exp();
+        // Interior borders need a light damper.
+        let damping = if draw.unit() < 0.5 { draw.within(0.0, 0.6) } else { draw.within(0.0, 0.02) };
+        let (damping, peak) = (damping, 1.0 + draw.unit() * draw.within(0.0, 1.0));
+        let ratios = Ratios::new(omega, 1.0)
+            .and_then(|r| r.with_damping_ratio(damping))
+            .and_then(|r| r.with_static_friction_ratio(peak))
+            .expect("valid ratios");
+        let least = Response::new(ratios).border.min_force_ratio;
+        let system = System::new(&one_body(omega, 1.0, damping, peak)).expect("valid");
+        let border = system.border().expect("one contact");
+        interior += usize::from(border.touching_time > 0.0);
+        let by = (border.least_load_factor / least - 1.0).abs();
+        assert!(by < 1e-11, "Ω = {omega}, ζ = {damping}, η = {peak}: border by {by:e}");
+        let alpha = least * draw.within(1.01, 4.0);
+        let ratios =
+            Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(damping)).expect("valid ratios");
+        let Some(cycle) = Response::new(ratios).cycle else { continue };
+        let found =
+            System::new(&one_body(omega, alpha, damping, peak)).expect("valid").cycle().expect("one contact");
+        let found = found.expect("a cycle above the border");
+        for (name, seen, expected) in [
+            ("Δ₀", found.max_displacement, cycle.max_displacement),
+            ("t₂", found.displacement_time * omega, cycle.displacement_phase),
+            ("V₀", found.max_velocity, cycle.max_velocity * omega),
+        ] {
+            let by = (seen / expected - 1.0).abs();
+            assert!(by < 1e-10, "Ω = {omega}, α = {alpha}, ζ = {damping}: {name} {seen} for {expected}");
+        }
+    }
+    assert!(interior > 20, "{interior} borders within the half cycle");
+}
+
+/// A chain of bodies with springs and dampers, all of them different, and a contact somewhere.
+fn structure(draw: &mut Draw) -> Model<f64> {
+    let n = 2 + usize::from(draw.unit() < 0.5) + usize::from(draw.unit() < 0.3);
+    let mut zero = vec![vec![0.0; n]; n];
+    let (mut mass, mut damping) = (zero.clone(), zero.clone());
+    for i in 0..n {
+        mass[i][i] = draw.within(0.5, 3.0);
+        let (k, c) = (draw.within(1.0, 9.0), draw.within(0.05, 0.4));
+        for (matrix, x) in [(&mut zero, k), (&mut damping, c)] {
+            matrix[i][i] += x;
+            if i > 0 {
+                matrix[i - 1][i - 1] += x;
+                matrix[i - 1][i] -= x;
+                matrix[i][i - 1] -= x;
+            }
+        }
+    }
+    // Springs and dampers lead from each body to the one before; the first is held by the ground.
+    let at = (draw.unit() * n as f64) as usize;
+    let mut direction = vec![0.0; n];
+    direction[at] = 1.0;
+    if at > 0 && draw.unit() < 0.5 {
+        direction[at - 1] = -1.0;
+    }
+    let sin = (0..n).map(|_| draw.within(-1.0, 1.0)).collect();
+    let cos = (0..n).map(|_| draw.within(-1.0, 1.0)).collect();
+    Model {
+        mass,
+        damping,
+        stiffness: zero,
+        elements: vec![contact(direction, draw.within(0.2, 1.0), 1.0)],
+        harmonics: vec![Harmonic { frequency: draw.within(0.3, 4.0), sin, cos }],
+        ..Model::default()
+    }
+}
+
+/// Three hundred structures: a little above the border nothing sticks, a little below it does.
+#[test]
+fn the_border_divides() {
+    let mut draw = Draw(2);
+    for number in 0..300 {
+        let model = structure(&mut draw);
+        let border = System::new(&model).and_then(|s| s.border()).expect("one contact");
+        for (factor, sticks) in [(1.001, false), (0.999, true)] {
+            let mut model = model.clone();
+            for harmonic in &mut model.harmonics {
+                for force in harmonic.sin.iter_mut().chain(&mut harmonic.cos) {
+                    *force *= factor * border.least_load_factor;
+                }
+            }
+            let system = System::new(&model).expect("valid");
+            let steady = system.steady(&State::rest(system.coordinates())).expect("it settles");
+            let element = &steady.motion.elements[0];
+            // Below the border the contact sticks, or turns more than twice.
+            let two = element.stops == 0 && steady.motion.events.len() == 2;
+            assert_eq!(
+                two, !sticks,
+                "structure {number}, {factor}: {:?} {:?}",
+                steady.kind, steady.motion.events
+            );
+            if !sticks {
+                let cycle = system.cycle().expect("one contact").expect("a cycle");
+                let by = element.work / cycle.work - 1.0;
+                assert!(by.abs() < 1e-10, "structure {number}: work by {by:e}");
+            }
+        }
+    }
+}
