@@ -210,8 +210,14 @@ impl<F: Float> Branch<F> {
             }
             apply(&mut force, &part.direction, tension);
         }
-        if !stuck.is_empty() {
-            let free: Vec<Vec<F>> = stuck
+        let mut coupling = Matrix::zero(stuck.len(), stuck.len());
+        for (a, &i) in stuck.iter().enumerate() {
+            stuck.iter().enumerate().for_each(|(b, &j)| coupling.set(a, b, system.coupling.at(i, j)));
+        }
+        let inverse = coupling.pseudo_inverse();
+        // The second round takes out the rounding of the first, which would set what is stuck in motion after a long time.
+        for _ in 0..if stuck.is_empty() { 0 } else { 3 } {
+            let left: Vec<Vec<F>> = stuck
                 .iter()
                 .filter_map(|&i| system.parts.get(i))
                 .map(|part| {
@@ -220,17 +226,11 @@ impl<F: Float> Branch<F> {
                     row
                 })
                 .collect();
-            let mut coupling = Matrix::zero(stuck.len(), stuck.len());
-            for (a, &i) in stuck.iter().enumerate() {
-                for (b, &j) in stuck.iter().enumerate() {
-                    coupling.set(a, b, system.coupling.at(i, j));
-                }
-            }
-            let held = coupling.pseudo_inverse().times(&Matrix::from_rows(&free));
+            let held = inverse.times(&Matrix::from_rows(&left));
             for (&i, row) in stuck.iter().zip(held.rows()) {
                 if let (Some(part), Some(tension)) = (system.parts.get(i), tension.get_mut(i)) {
-                    *tension = row.to_vec();
-                    apply(&mut force, &part.direction, tension);
+                    add_times(tension, F::int(1), row);
+                    apply(&mut force, &part.direction, row);
                 }
             }
         }

@@ -2,4 +2,5 @@
 
 mod cases;
 mod closed_form;
+mod one_body;
 mod references;
