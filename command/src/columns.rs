@@ -56,22 +56,3 @@ pub(crate) fn unreadable(name: &str, error: &csv::Error) -> String {
     };
     format!("{name}{line}: {text}")
 }
-
-/// The name of a column and its unit, from a header such as `frequency[Hz]`.
-pub(crate) fn name_and_unit(header: &str) -> (&str, Option<&str>) {
-    let text = header.trim_start_matches('\u{feff}').trim();
-    match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
-        Some((own, unit)) => (own.trim(), Some(unit.trim())),
-        None => (text, None),
-    }
-}
-
-/// Whether `text` looks like a misspelling of `column`: one edit in ten letters, two in more.
-pub(crate) fn is_misspelt(text: &str, column: &str) -> bool {
-    let allowed = match column.len() {
-        0..5 => 0,
-        5..10 => 1,
-        _ => 2,
-    };
-    text.len() <= column.len() + 2 && strsim::osa_distance(&text.to_lowercase(), column) <= allowed
-}

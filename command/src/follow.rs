@@ -6,7 +6,7 @@ use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::input;
-use crate::measured;
+use crate::measured::{self, Described};
 use crate::motion_plot;
 use crate::output::{self, PendingFile};
 use crate::physical::Physical;
@@ -17,6 +17,7 @@ use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordMotion, RecordState};
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_front::record::Summary;
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
@@ -34,7 +35,7 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if args.interval.is_some() && args.out.is_none() {
         return Err("--interval: needs a file for the motion, --out FILE.csv".into());
     }
-    let Shaken { given, body, record, start: [x0, v0], interval } = Shaken::read(args)?;
+    let Shaken { given, body, record, summary, start: [x0, v0], interval } = Shaken::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
     let answer = body.follow_from(&record, x0, v0).map_err(named)?;
     let motion = |interval: F| body.motion(&record, x0, v0, interval).map_err(named);
@@ -54,9 +55,9 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         cell.finite(name)?;
     }
     if args.answer.format.is_json("record")? {
-        return output::json(&physical, out);
+        return output::json(&Described::new(&physical, &summary), out);
     }
-    text(&answer, &physical, &given.system, out)
+    text(&answer, &physical, &given.system, &summary, out)
 }
 
 /// The body, the record and the start of a motion.
@@ -64,6 +65,7 @@ pub(crate) struct Shaken<F> {
     pub(crate) given: Given<F>,
     pub(crate) body: Body<F>,
     pub(crate) record: Record<F>,
+    pub(crate) summary: Summary,
     pub(crate) start: [F; 2],
     /// The greatest distance of the states of a motion, if it was given.
     interval: Option<F>,
@@ -88,8 +90,8 @@ impl<F: Value> Shaken<F> {
             Err(Failure::Input(format!("--interval {text}: must be > 0 and finite")))
         });
         let interval = interval.transpose()?;
-        let record = measured::read::<F>(&args.file, &args.load, &reader)?;
-        Ok(Self { given, body, record, start, interval })
+        let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
+        Ok(Self { given, body, record, summary, start, interval })
     }
 }
 
@@ -155,27 +157,29 @@ fn text<F: Value>(
     answer: &RecordAnswer<F>,
     physical: &Physical<F>,
     system: &System,
+    summary: &Summary,
     out: &mut impl Write,
 ) -> Outcome {
     let unit = |kind: Kind| system.name(kind);
     let times = |n: u64| if n == 1 { "once".to_owned() } else { format!("{n} times") };
     let slides = times(answer.slides);
     match (answer.residual_displacement, answer.cut_time) {
-        _ if answer.slides == 0 => writeln!(out, "The body rests throughout.\n")?,
+        _ if answer.slides == 0 => writeln!(out, "The body rests throughout.")?,
         (Some(rest), _) => writeln!(
             out,
-            "The body slides {slides}, and comes to rest at {} {}.\n",
+            "The body slides {slides}, and comes to rest at {} {}.",
             digits(rest),
             unit(Kind::Length)
         )?,
         (None, Some(cut)) => writeln!(
             out,
-            "The body slides {slides}, and never comes to rest. Its motion is cut at {} {}.\n",
+            "The body slides {slides}, and never comes to rest. Its motion is cut at {} {}.",
             digits(cut),
             unit(Kind::Time)
         )?,
-        (None, None) => writeln!(out, "The body slides {slides}, and does not come to rest.\n")?,
+        (None, None) => writeln!(out, "The body slides {slides}, and does not come to rest.")?,
     }
+    writeln!(out, "{}\n", measured::sentence(summary))?;
     for (name, kind, cell) in &physical.values {
         let unit = if *kind == Kind::Ratio { String::new() } else { format!(" {}", unit(*kind)) };
         writeln!(out, "  {:<26} {}{unit}", name.replace('_', " "), cell.text())?;

@@ -4,7 +4,7 @@ mod decay;
 
 use crate::args::IdentifyArgs;
 use crate::bits::digits;
-use crate::columns::{Column, is_misspelt, name_and_unit};
+use crate::columns::Column;
 use crate::failure::{Failure, Outcome};
 use crate::input;
 use crate::output;
@@ -20,6 +20,7 @@ use stickslip::inputs::units::{Kind, Reader};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::uncertainty::Estimate;
 use stickslip::{Error, Oscillator};
+use stickslip_front::names::{is_misspelt, name_and_unit};
 
 /// The greatest number of measurements.
 const MOST_ROWS: usize = 10_000;

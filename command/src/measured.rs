@@ -1,33 +1,39 @@
-//! A record from a file: of the PEER database, or CSV with units in its header.
-
-mod text;
+//! A record from a file, of an agency or of columns, scaled and cut.
 
 use crate::args::LoadArgs;
-use crate::bits::Value;
+use crate::bits::{Value, digits};
 use crate::failure::Failure;
 use crate::progress;
 use crate::rows;
-use std::io::Read;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::io::BufReader;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::motion::record::Record;
+use stickslip_front::record::{self, Options, Summary, Words};
 
-/// The greatest length of a file in bytes.
-const LONGEST: u64 = 1 << 32;
-
-/// Reads a record in the units of the reader, and scales and cuts it.
-pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> Result<Record<F>, Failure> {
+/// Reads a record in the units of the reader, and scales and cuts it. The summary is of the file, before that.
+pub(crate) fn read<F: Value>(
+    file: &Path,
+    args: &LoadArgs,
+    reader: &Reader,
+) -> Result<(Record<F>, Summary), Failure> {
     let name = file.display().to_string();
-    let mut text = String::new();
-    rows::open(file, &name)?.take(LONGEST).read_to_string(&mut text).map_err(|e| format!("{name}: {e}"))?;
     let time = |option: &str, text: &Option<String>| {
         text.as_ref().map(|text| reader.value::<F>(option, text, Kind::Time)).transpose()
     };
-    let step = args.time_step.as_ref().map(|text| format!("--time-step {text}"));
-    let step = time("--time-step", &args.time_step)?.zip(step.as_deref());
-    let (mut record, unused) = text::read(&text, &name, reader, step, "by --time-step")?;
-    if !unused.is_empty() {
-        progress::note(&format!("{name}: columns not used: {}", unused.join(", ")));
+    let time_step = time("--time-step", &args.time_step)?;
+    let options = Options {
+        time_step,
+        column: args.column.as_deref(),
+        skip: args.skip,
+        units: args.record_units.as_deref(),
+        ..Options::new(&name, reader, Words::COMMAND)
+    };
+    let found = record::read::<F>(BufReader::new(rows::open(file, &name)?), &options)?;
+    let (mut record, summary) = (found.record, found.summary);
+    if !found.unused.is_empty() {
+        progress::note(&format!("{name}: columns not used: {}", found.unused.join(", ")));
     }
     if let Some(text) = &args.scale {
         let factor = crate::input::number::<F>("--scale", text)?;
@@ -44,5 +50,47 @@ pub(crate) fn read<F: Value>(file: &Path, args: &LoadArgs, reader: &Reader) -> R
             .between(from.unwrap_or(first), to.unwrap_or(last))
             .map_err(|e| format!("{}: {e}", typed.join(" ")))?;
     }
-    Ok(record)
+    Ok((record, summary))
+}
+
+/// What was read of a file, in one sentence.
+pub(crate) fn sentence(summary: &Summary) -> String {
+    summary.sentence(digits)
+}
+
+/// An answer in JSON, and what was read of its file under the key `record`.
+#[derive(Debug, serde::Serialize)]
+pub(crate) struct Described<'a, A: Serialize> {
+    #[serde(flatten)]
+    answer: &'a A,
+    record: Fields<'a>,
+}
+
+impl<'a, A: Serialize> Described<'a, A> {
+    pub(crate) fn new(answer: &'a A, summary: &'a Summary) -> Self {
+        Self { answer, record: Fields(summary) }
+    }
+}
+
+/// The fields of a summary.
+#[derive(Debug)]
+struct Fields<'a>(&'a Summary);
+
+impl Serialize for Fields<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Summary { kind, channel, quantity, samples, time_step, duration, peak, peak_at, mean, unit } =
+            self.0;
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("kind", kind)?;
+        map.serialize_entry("channel", channel)?;
+        map.serialize_entry("quantity", quantity)?;
+        map.serialize_entry("samples", samples)?;
+        map.serialize_entry("time_step", time_step)?;
+        map.serialize_entry("duration", duration)?;
+        map.serialize_entry("peak", peak)?;
+        map.serialize_entry("peak_at", peak_at)?;
+        map.serialize_entry("mean", mean)?;
+        map.serialize_entry("unit", unit)?;
+        map.end()
+    }
 }

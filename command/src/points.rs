@@ -2,7 +2,7 @@
 
 use crate::args::{Format, Header, OutputArgs, StartArgs, StreamFormat, Swept, used};
 use crate::bits::Value;
-use crate::columns::{Column, is_misspelt, name_and_unit};
+use crate::columns::Column;
 use crate::failure::{Failure, Outcome};
 use crate::input;
 use crate::interrupt;
@@ -19,6 +19,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::inputs::{Given, Input, Point, Role};
+use stickslip_front::names::{is_misspelt, name_and_unit};
 
 /// The time after which answers are written, even if more are coming.
 const UNSEEN: Duration = Duration::from_millis(10);

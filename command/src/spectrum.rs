@@ -11,6 +11,7 @@ use crate::interrupt;
 use crate::measured;
 use crate::outputs::key;
 use crate::physical::Physical;
+use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sweep::{self, Table};
 use std::io::Write;
@@ -61,7 +62,9 @@ impl<'a> Spectra<'a> {
             if loads.iter().any(|(earlier, _)| *earlier == name) {
                 return Err(format!("{name}: must be given only once").into());
             }
-            loads.push((name, measured::read(file, &args.load, &reader)?));
+            let (load, summary) = measured::read(file, &args.load, &reader)?;
+            progress::note(&format!("{name}: {}", measured::sentence(&summary)));
+            loads.push((name, load));
         }
         let inputs = Input::ALL.into_iter().filter(|input| axes.has(*input));
         let inputs = inputs.map(|input| (input, &*input.column().leak())).collect();
@@ -169,6 +172,9 @@ impl Table for Spectra<'_> {
             ("one_way", args.surface.one_way.then(String::new)),
             ("slope", args.surface.slope.clone()),
             ("time_step", args.load.time_step.clone()),
+            ("column", args.load.column.clone()),
+            ("skip", (args.load.skip > 0).then(|| args.load.skip.to_string())),
+            ("record_units", args.load.record_units.clone()),
             ("scale", args.load.scale.clone()),
             ("from", args.load.from.clone()),
             ("to", args.load.to.clone()),

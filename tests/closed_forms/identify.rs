@@ -158,9 +158,16 @@ fn wrong_amplitudes_do_not_move_the_answer() {
         let found = identify(&unit(), 1.0, &curve).unwrap();
         inside[0] += within(found.friction_bound, kappa);
         inside[1] += within(found.damping_ratio, zeta);
-        if std::env::var("SHOW").is_ok() && within(found.friction_bound, kappa) + within(found.damping_ratio, zeta) < 2 {
+        if std::env::var("SHOW").is_ok()
+            && within(found.friction_bound, kappa) + within(found.damping_ratio, zeta) < 2
+        {
             let named: Vec<_> = (0..25).filter(|&i| found.residuals[i].is_suspect()).collect();
-            println!("{kappa} {zeta} wrong {wrong:?} named {named:?} {:?} {:?} noise {}", found.friction_bound.interval(), found.damping_ratio.interval(), found.noise);
+            println!(
+                "{kappa} {zeta} wrong {wrong:?} named {named:?} {:?} {:?} noise {}",
+                found.friction_bound.interval(),
+                found.damping_ratio.interval(),
+                found.noise
+            );
         }
         let is_named = |i: usize| found.residuals[i].amplitude_is_suspect;
         named += wrong.iter().filter(|&&i| is_named(i)).count();

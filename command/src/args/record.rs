@@ -7,9 +7,19 @@ use std::path::PathBuf;
 /// How the file of a record is read.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct LoadArgs {
-    /// Time between samples in a file without a column of times, such as 0.005s
+    /// Time between samples in a file that does not state it, such as 0.005s
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub(crate) time_step: Option<String>,
+    /// Column by its name or its number from 1, or the channel of an agency's file; all reads columns without names row
+    /// by row
+    #[arg(long, value_name = "NAME|N")]
+    pub(crate) column: Option<String>,
+    /// Lines before the columns to leave out
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub(crate) skip: u64,
+    /// Unit of the samples in a file that does not state it, such as g, cm/s^2 or kN
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) record_units: Option<String>,
     /// Factor by which the record is multiplied
     #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
     pub(crate) scale: Option<String>,
@@ -37,20 +47,22 @@ pub(crate) struct SurfaceArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-FILE is a record of the PEER database (.at2, in g), or CSV whose first line names its columns with their units:
-time[s],acceleration[g]. The load is the column acceleration (of the surface that the body slides on), force, or
-foot-displacement (of the spring's foot, with damped-foot-displacement if the damper stands on it, too). Without a
-column time the samples are --time-step apart. Between samples the load is a straight line, and after the last one it
-is zero: the body slides to its rest. No stop is missed.
+FILE is a record of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose units are obeyed, or columns of text with
+commas, semicolons, tabs or blanks between them, such as time[s],acceleration[g]. The load is the column acceleration
+(acc; of the surface that the body slides on), force, or foot-displacement (of the spring's foot, with
+damped-foot-displacement if the damper stands on it, too). Columns without names need --record-units, and --column if
+there are several; samples without times --time-step. The answer says what was read. Between samples the load is a
+straight line, and after the last one it is zero: the body slides to its rest. No stop is missed.
 
 Examples:
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
   stickslip record quake.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --scale 1.5 --units kN,mm \\
     --out motion.csv --picture motion.svg
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --enclose
+  stickslip record samples.txt --time-step 0.02s --record-units g --mass 800kg --period 2.5s --friction-coefficient 0.06
   stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json")]
 pub(crate) struct RecordArgs {
-    /// The record: .at2, or CSV, - for standard input
+    /// The record: of an agency, or columns; - for standard input
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     #[command(flatten)]
@@ -99,7 +111,7 @@ Examples:
   stickslip spectrum *.at2 --no-spring --friction-coefficient 0.05:0.5:50 --slope 10deg --one-way --out newmark.parquet
   stickslip spectrum *.at2 --period 0.1s:4s:500:log --friction-coefficient 0.05 --out part2.csv --shard 2/8 --resume")]
 pub(crate) struct SpectrumArgs {
-    /// The records: .at2, or CSV
+    /// The records: of agencies, or columns
     #[arg(value_name = "FILE", required = true)]
     pub(crate) files: Vec<PathBuf>,
     #[command(flatten)]

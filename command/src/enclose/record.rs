@@ -4,6 +4,7 @@ use super::found::BITS;
 use crate::args::RecordArgs;
 use crate::failure::{Failure, Outcome};
 use crate::follow::Shaken;
+use crate::measured::{self, Described};
 use crate::output;
 use crate::physical::Units;
 use crate::style;
@@ -13,6 +14,7 @@ use stickslip::enclosed::{self, Enclosure};
 use stickslip::float::Mp;
 use stickslip::inputs::units::System;
 use stickslip::motion::record::{Entry, RecordAnswer};
+use stickslip_front::record::Summary;
 
 /// The precision at which inputs are read, in words of 64 bits: that of the widest computation.
 const WORDS: usize = 65;
@@ -24,15 +26,19 @@ struct EnclosedRecord {
 }
 
 pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    let Shaken { given, body, record, start: [x, v] } = Shaken::<Mp<WORDS>>::read(args)?;
+    let Shaken { given, body, record, summary, start: [x, v] } = Shaken::<Mp<WORDS>>::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = enclosed::follow(&body, &record, x, v, args.answer.bits.unwrap_or(BITS)).map_err(named)?;
     let answer = EnclosedRecord { found, system: given.system };
-    if args.answer.format.is_json("record")? { output::json(&answer, out) } else { answer.text(out) }
+    if args.answer.format.is_json("record")? {
+        output::json(&Described::new(&answer, &summary), out)
+    } else {
+        answer.text(&summary, out)
+    }
 }
 
 impl EnclosedRecord {
-    fn text(&self, out: &mut impl Write) -> Outcome {
+    fn text(&self, summary: &Summary, out: &mut impl Write) -> Outcome {
         let found = &self.found;
         let ends = if found.residual_displacement.is_some() { "comes" } else { "does not come" };
         let verdict = match found.slides {
@@ -40,7 +46,7 @@ impl EnclosedRecord {
             1 => format!("The body slides once, and {ends} to rest. This is certain."),
             n => format!("The body slides {n} times, and {ends} to rest. This is certain."),
         };
-        writeln!(out, "{}\n", style::verdict(&verdict))?;
+        writeln!(out, "{}\n{}\n", style::verdict(&verdict), measured::sentence(summary))?;
         for (name, kind, entry) in found.entries() {
             let name = name.replace('_', " ");
             match entry {

@@ -1,0 +1,21 @@
+//! What the command, the Python package and the page in the browser share.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`record`] | the file of a record, of an agency or of columns, as a [`Record`](stickslip::motion::record::Record) |
+//! | [`names`] | the names of columns with their units |
+
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing,
+        clippy::arithmetic_side_effects,
+        clippy::unreachable
+    )
+)]
+
+pub mod names;
+pub mod record;
