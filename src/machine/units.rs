@@ -265,6 +265,7 @@ mod tests {
             ("2m/s^2", Kind::Acceleration, 2.0),
             ("2 mm/s²", Kind::Acceleration, 0.002),
             ("4in/s2", Kind::Acceleration, 0.1016),
+            ("150gal", Kind::Acceleration, 1.5),
             ("3kN/mm", Kind::Stiffness, 3e6),
             ("1 lbf/in", Kind::Stiffness, 175.126_835_246_476_4),
             ("2.2s", Kind::Time, 2.2),

@@ -13,12 +13,6 @@ mod map;
 mod motion;
 mod record;
 
-/// The readers of the command for the text of a record.
-#[path = "../../command/src/columns.rs"]
-mod columns;
-#[path = "../../command/src/measured/text.rs"]
-mod text;
-
 use asked::Asked;
 use serde_json::{Value, json};
 use std::cell::RefCell;

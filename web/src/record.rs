@@ -1,12 +1,12 @@
 //! A record dropped on the page: the motion under it, and its spectrum.
 
 use crate::asked::Asked;
-use crate::text;
 use serde_json::{Map, Value, json};
 use stickslip::Excitation;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
-use stickslip::motion::record::{Body, Entry, Record, RecordAnswer};
+use stickslip::motion::record::{Body, Entry, RecordAnswer};
+use stickslip_front::record::{Options, Reading, Words, read};
 
 /// The most points of a curve that is drawn.
 const DRAWN: f64 = 4000.0;
@@ -23,13 +23,18 @@ fn body_inputs(asked: &Asked<'_>, reader: &Reader) -> Result<Given<f64>, String>
     Ok(given)
 }
 
-/// The record of the question, and the names of columns that are not used.
-fn load(asked: &Asked<'_>, reader: &Reader) -> Result<(Record<f64>, Vec<String>), String> {
+/// The record of the question, and what was read of its file.
+fn load(asked: &Asked<'_>, reader: &Reader) -> Result<Reading<f64>, String> {
     let (text, name) = (asked.text("text").unwrap_or_default(), asked.text("name").unwrap_or("record"));
-    let typed = asked.text("time_step").map(|text| format!("time step {text}"));
     let step =
         asked.text("time_step").map(|text| reader.value::<f64>("time step", text, Kind::Time)).transpose()?;
-    text::read(text, name, reader, step.zip(typed.as_deref()), "in the field Time step")
+    let options = Options {
+        time_step: step,
+        column: asked.text("column"),
+        units: asked.text("record_units"),
+        ..Options::new(name, reader, Words::PAGE)
+    };
+    read(text.as_bytes(), &options)
 }
 
 fn answers(answer: &RecordAnswer<f64>, system: &System) -> Value {
@@ -43,7 +48,7 @@ fn answers(answer: &RecordAnswer<f64>, system: &System) -> Value {
 /// The motion of the machine's body under the record, and the answers of `stickslip record`.
 pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
     let reader = asked.reader()?;
-    let (record, unused) = load(asked, &reader)?;
+    let Reading { record, summary, unused } = load(asked, &reader)?;
     let given = body_inputs(asked, &reader)?;
     let body = Body::given(&given, None)?;
     let named = |e: stickslip::Error| format!("{}: {e}", asked.text("name").unwrap_or("record"));
@@ -81,13 +86,14 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
         "load": { "time": times, "value": samples, "unit": load_unit },
         "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity) },
         "unused": unused,
+        "read": summary.sentence(|value| stickslip::words::digits(value)),
     }))
 }
 
 /// The answers of bodies like the machine's with the natural periods `periods` in s, as `stickslip spectrum` gives them.
 pub(crate) fn spectrum(asked: &Asked<'_>) -> Result<Value, String> {
     let reader = asked.reader()?;
-    let (record, _) = load(asked, &reader)?;
+    let record = load(asked, &reader)?.record;
     let mut given = body_inputs(asked, &reader)?;
     for input in Input::of_role(Role::Spring) {
         given.take(input);

@@ -111,17 +111,23 @@ fn parts_of_spectra_are_the_whole_and_rows_are_those_of_a_body_alone() {
 fn broken_records_are_refused_by_line() {
     let folder = folder();
     for (name, text, said) in [
-        ("empty.csv", "", "a column of the load is missing"),
+        ("empty.csv", "", "empty.csv: has no samples"),
         ("one.csv", "time[s],acceleration[g]\n0,1\n", "the number of samples = 1 must be ≥ 2"),
         ("gap.csv", "time[s],acceleration[g]\n0,1\n1,\n", "gap.csv line 3: acceleration: is missing"),
         ("nan.csv", "time[s],acceleration[g]\n0,1\n1,NaN\n", "nan.csv line 3"),
         ("back.csv", "time[s],acceleration[g]\n0,1\n2,1\n1,1\n", "back.csv line 4: time step"),
-        ("same.csv", "time[s],acceleration[g]\n0,1\n1,1\n1,1\n", "same.csv line 4: time step"),
+        ("thrice.csv", "time[s],acceleration[g]\n0,1\n1,1\n1,2\n1,1\n", "thrice.csv line 5: time step"),
         ("unit.csv", "time[s],acceleration[kg]\n0,1\n", "must be an acceleration"),
         ("word.csv", "time[s],acceleration[g]\n0,1\n1,x\n", "word.csv line 3"),
         ("misspelt.csv", "time[s],accelaration[g]\n0,1\n", "Spell it acceleration"),
         ("steps.csv", "acceleration[g]\n0\n1\n", "Give the time between samples by --time-step"),
         ("short.at2", &peer(20).replace("NPTS=  20", "NPTS=  21"), "NPTS = 21, but the file has 20 samples"),
+        ("more.at2", &peer(20).replace("NPTS=  20", "NPTS=  19"), "NPTS = 19, but more samples follow"),
+        ("glued.at2", &peer(20).replace("E-2 ", "E-2"), "must be a number: NPTS = 20"),
+        ("gap.at2", &peer(20).replace("DT=   .0100", "DT=   ,0100"), "gap.at2 line 4: DT"),
+        ("velocity.vt2", &peer(20).replace("ACCELERATION", "VELOCITY"), "VELOCITY: must be an acceleration"),
+        ("counts.at2", &peer(20).replace("UNITS OF G", "UNITS OF COUNTS"), "“COUNTS” is not a known unit"),
+        ("binary.dat", "\u{0}\u{1}", "binary.dat line 1: must be text"),
         ("odd.at2", &peer(20).replace("NPTS=  20, DT=   .0100 SEC", "?"), "odd.at2 line 4"),
     ] {
         let path = file(&folder, name, text);
@@ -145,6 +151,54 @@ fn broken_records_are_refused_by_line() {
         ("--mass 1kg --period 1s --friction-coefficient 0.1 --frequency 2Hz", "--frequency"),
     ] {
         refused(&format!("record {good} {args}"), &[said]);
+    }
+}
+
+/// The unit of a file is obeyed, the answer says what was read, and a text without a header takes the rest from options.
+#[test]
+fn what_was_read_stands_in_the_answer() {
+    let folder = folder();
+    let text = peer(100);
+    let g = file(&folder, "g.at2", &text);
+    let gal = file(&folder, "gal.at2", &text.replace("UNITS OF G", "UNITS OF GAL"));
+    let found = json(&format!("record {g} {ISOLATOR} --format json"));
+    let record = &found["record"];
+    let peak = text.split_whitespace().skip(12).map(|word| word.parse::<f64>().unwrap_or(0.0));
+    let peak = peak.fold(0.0f64, |peak, value| if value.abs() > peak.abs() { value } else { peak });
+    assert_eq!(record["kind"], "PEER");
+    assert_eq!(record["samples"], 100);
+    assert_eq!(record["time_step"], 0.01);
+    assert_eq!(record["peak"], peak);
+    assert_eq!(record["unit"], "g");
+    let sentence = format!("Record (PEER): 100 samples of acceleration 0.01 s apart, 0.99 s; peak {peak:.6}");
+    let answer = stdout(&format!("record {g} {ISOLATOR}"));
+    assert!(answer.lines().nth(1).unwrap().starts_with(&sentence[..sentence.len() - 2]), "{answer}");
+    // 1 gal is 1/980.665 g.
+    let scaled = json(&format!("record {gal} {ISOLATOR} --scale 980.665 --format json"));
+    let (one, other) = (found["path"].as_f64().unwrap(), scaled["path"].as_f64().unwrap());
+    assert!((one / other - 1.0).abs() < 1e-12 && one > 0.0, "{one} {other}");
+    let samples: Vec<&str> = text.lines().skip(4).flat_map(str::split_whitespace).collect();
+    let plain = file(&folder, "plain.txt", &samples.join("\n"));
+    let rows = file(
+        &folder,
+        "rows.txt",
+        &format!("a title\n2 lines\n{}", text.lines().skip(4).collect::<Vec<_>>().join("\n")),
+    );
+    for args in [
+        format!("record {plain} --time-step 0.01s --record-units g"),
+        format!("record {rows} --time-step 0.01s --record-units g --skip 2 --column all"),
+    ] {
+        let own = json(&format!("{args} {ISOLATOR} --format json"));
+        assert_eq!(own["path"], found["path"], "{args}");
+    }
+    for (args, said) in [
+        (format!("record {plain}"), "plain.txt: states no unit. Give it by --record-units, such as g"),
+        (format!("record {plain} --record-units g"), "Give the time between samples by --time-step"),
+        (format!("record {plain} --record-units bushel --time-step 1s"), "“bushel” is not a known unit"),
+        (format!("record {rows} --skip 2 --record-units g --time-step 1s"), "Choose one by --column"),
+        (format!("record {g} --record-units g"), "--record-units g: must be left out"),
+    ] {
+        refused(&format!("{args} {ISOLATOR}"), &[said]);
     }
 }
 

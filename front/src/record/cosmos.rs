@@ -27,16 +27,15 @@ fn width(format: &str) -> Option<usize> {
 }
 
 /// The step of `count` samples: header 34, in ms or in s, whichever agrees with the duration that the line of the
-/// samples states in whole seconds.
+/// samples states in whole seconds. Where both do, it is in s below 1/2.
 fn step<F: Float>(stated: F, count: usize, seconds: Option<f64>) -> Option<F> {
-    let positive = stated > F::int(0);
     let [s, ms] = [stated, stated / F::int(1000)];
-    let off = |step: F| seconds.map_or(0.0, |seconds| (step.to_f64() * count as f64 - seconds).abs());
-    let allowed = 1.5 + 0.02 * seconds.unwrap_or(0.0);
-    [ms, s]
-        .into_iter()
-        .filter(|step| positive && off(*step) <= allowed)
-        .min_by(|a, b| off(*a).total_cmp(&off(*b)))
+    let agrees = |step: &F| {
+        let off = seconds.map_or(0.0, |seconds| (step.to_f64() * count as f64 - seconds).abs());
+        *step > F::int(0) && off <= 1.5 + 0.02 * seconds.unwrap_or(0.0)
+    };
+    let likely = if stated < F::ratio(1, 2) { [s, ms] } else { [ms, s] };
+    likely.into_iter().find(agrees)
 }
 
 pub(super) fn read<F: Float + FromStr>(

@@ -90,7 +90,7 @@ pub(super) fn unit(stated: &str) -> String {
     }
     let small = stated.to_lowercase().replace(' ', "");
     let known = match small.as_str() {
-        "gals" | "gal" => "cm/s^2",
+        "gals" => "gal",
         "g's" | "gs" | "gravity" => "g",
         "sec." | "second" | "seconds" => "s",
         "inch/sec/sec" | "in/sec/sec" => "in/s^2",
@@ -132,7 +132,7 @@ mod tests {
     fn units_of_headers_are_those_of_the_table() {
         for (stated, spelt, seen) in [
             ("G.", "g", "g"),
-            ("GAL", "cm/s^2", "cm/s²"),
+            ("GAL", "gal", "cm/s²"),
             ("cm/sec2", "cm/sec2", "cm/s²"),
             ("CM/SEC/SEC", "cm/sec/sec", "cm/s²"),
             ("m/s**2", "m/s^2", "m/s²"),

@@ -38,7 +38,7 @@ const TABLE: &[Row] = &[
     ("hz", Frequency, 2, 1, 1), ("khz", Frequency, 2000, 1, 1),
     ("rpm", Frequency, 1, 30, 1), ("RPM", Frequency, 1, 30, 1), ("cpm", Frequency, 1, 30, 1),
     ("g", Acceleration, 980_665, 100_000, 0), ("gn", Acceleration, 980_665, 100_000, 0),
-    ("mg", Acceleration, 980_665, 100_000_000, 0),
+    ("mg", Acceleration, 980_665, 100_000_000, 0), ("gal", Acceleration, 1, 100, 0), ("Gal", Acceleration, 1, 100, 0),
     ("N", Force, 1, 1, 0), ("mN", Force, 1, 1000, 0), ("kN", Force, 1000, 1, 0), ("MN", Force, 1_000_000, 1, 0),
     ("lbf", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
     ("lb", Force, 44_482_216_152_605, 10_000_000_000_000, 0),

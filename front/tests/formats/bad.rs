@@ -1,0 +1,80 @@
+//! Bad files: one line each, with the file, the line and the value.
+
+use super::read_text;
+
+fn error(text: &[u8]) -> String {
+    let error = read_text(text, |_| {}).unwrap_err();
+    assert!(!error.contains('\n'), "{error}");
+    error
+}
+
+const PEER: &str = "A\nB\nACCELERATION TIME SERIES IN UNITS OF G\n";
+
+#[test]
+fn bad_files_are_refused_by_line_and_value() {
+    let due = "must state the number of samples and the step: NPTS= 4000, DT= .005 SEC";
+    for (text, said) in [
+        (format!("{PEER}NPTS= 3, DT= .01 SEC\n1 2\n"), "file: NPTS = 3, but the file has 2 samples".to_owned()),
+        (
+            format!("{PEER}NPTS= 3, DT= .01 SEC\n1 2 3\n4\n"),
+            "file line 6: NPTS = 3, but more samples follow".to_owned(),
+        ),
+        (
+            format!("{PEER}NPTS= 3, DT= .01 SEC\n1 0.1234560.234567\n"),
+            "file line 5: 0.1234560.234567: must be a number: NPTS = 3, and 0 samples were read".to_owned(),
+        ),
+        (
+            format!("{PEER}NPTS= 3, DT= .01 SEC\n1\nNaN 2\n"),
+            "file line 6: NaN: must be a number: NPTS = 3, and 1 samples were read".to_owned(),
+        ),
+        (format!("{PEER}NPTS= 3\n1 2 3\n"), format!("file line 4: {due}")),
+        (format!("{PEER}1 2 3\n"), format!("file line 4: {due}")),
+        (
+            format!("{PEER}NPTS= 3, DT= ,01 SEC\n1 2 3\n"),
+            format!("file line 4: DT = : must be a number > 0, of seconds: {due}"),
+        ),
+        (
+            format!("{PEER}NPTS= 3, DT= 10 FEET\n1 2 3\n"),
+            "file line 4: DT [feet]: must be a time (s, ms), but “feet” is not a known unit".to_owned(),
+        ),
+        (
+            "A\nB\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 2, DT= .01\n1 2\n".to_owned(),
+            "file line 3: VELOCITY: must be an acceleration".to_owned(),
+        ),
+        (
+            "A\nB\nACCELERATION TIME SERIES IN UNITS OF COUNTS\nNPTS= 2, DT= .01\n1 2\n".to_owned(),
+            "file line 3: unit [COUNTS]: must be an acceleration (g, m/s^2, mm/s^2), but “COUNTS” is not a known unit"
+                .to_owned(),
+        ),
+        ("time[s],acc[g]\n0,1\n2,1\n1,1\n".to_owned(), "file line 4: time step = -1 s: must be ≥ 0 s".to_owned()),
+        ("time[s],acc[g]\n0,1\n1,NaN\n".to_owned(), "file line 3: acceleration: NaN: must be a number".to_owned()),
+        ("time[s],acc[g]\n0,1\n1,1,2\n".to_owned(), "file line 3: 3 fields, must be 2 as above. A decimal needs a point, because commas separate fields".to_owned()),
+        (
+            "time[s],acc[furlong]\n0,1\n".to_owned(),
+            "file: column acc [furlong]: must be an acceleration (g, m/s^2, mm/s^2), but “furlong” is not a known unit"
+                .to_owned(),
+        ),
+        ("time[s],acc[g]\n".to_owned(), "file: record: the number of samples = 0 must be ≥ 2".to_owned()),
+        ("0 1\n1 2\n".to_owned(), "file: states no unit. Give it by --record-units, such as g".to_owned()),
+        (
+            "0 1 2\n1 2 3\n".to_owned(),
+            "file: has 3 columns without names. Choose one by --column, such as 3, or all, row by row".to_owned(),
+        ),
+        ("".to_owned(), "file: has no samples".to_owned()),
+        ("acc[g]\n0\u{0}\n".to_owned(), "file line 2: must be text, but has a zero byte".to_owned()),
+        (
+            "time[s],vel[m/s]\n0,1\n1,1\n".to_owned(),
+            "file: a column of the load is missing in the header “time[s],vel[m/s]”. Name one of acceleration, force, \
+             foot-displacement, damped-foot-displacement, such as acceleration[g], or choose one by --column"
+                .to_owned(),
+        ),
+        (
+            "time[s],acc x[g],acc y[g]\n0,1,2\n1,1,2\n".to_owned(),
+            "file: has the columns acc x, acc y. Choose one by --column".to_owned(),
+        ),
+    ] {
+        assert_eq!(error(text.as_bytes()), said, "{text}");
+    }
+    let long = vec![b'1'; (1 << 24) + 2];
+    assert_eq!(error(&long), "file line 1: must be shorter than 16 MiB");
+}
