@@ -7,10 +7,13 @@ use interrupt::{interruptible, left_behind};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::fs::File;
+use std::io::BufReader;
+use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Input, Role};
-use stickslip::inputs::units::Kind;
 use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
+use stickslip_front::record::{self as front, Options, Words};
 
 /// Mass, stiffness, damping constant, friction against forward and against backward motion, static friction ratio,
 /// constant force, and whether the body moves one way.
@@ -52,6 +55,64 @@ fn load(of: &str, times: &[f64], samples: &[f64]) -> PyResult<Record<f64>> {
         times => Record::at_times(excitation, times.to_vec(), samples.to_vec()),
     };
     record.map_err(refused)
+}
+
+/// What was read of a file: of what, its times or its step, its samples in SI units, and their unit; then the fields of
+/// the summary.
+type FileRead<'py> = ((&'static str, Vec<f64>, Vec<f64>, &'static str), Bound<'py, PyDict>);
+
+/// Reads a record from a file of this name, or from bytes.
+#[pyfunction]
+fn record_read<'py>(
+    py: Python<'py>,
+    name: &str,
+    bytes: Option<Vec<u8>>,
+    time_step: Option<f64>,
+    column: Option<&str>,
+    skip: u64,
+    record_units: Option<&str>,
+) -> PyResult<FileRead<'py>> {
+    let found = py.detach(|| {
+        let reader = Reader::new(Some(&System::default()), "units");
+        let options = Options {
+            time_step,
+            column,
+            skip,
+            units: record_units,
+            ..Options::new(name, &reader, Words::PYTHON)
+        };
+        match bytes {
+            Some(bytes) => front::read(bytes.as_slice(), &options),
+            None => {
+                let file = File::open(name).map_err(|error| format!("{name}: {error}"))?;
+                front::read(BufReader::new(file), &options)
+            }
+        }
+    });
+    let found = found.map_err(refused)?;
+    let (record, summary) = (&found.record, &found.summary);
+    let (of, unit) = match record.excitation() {
+        Excitation::Force => ("force", "N"),
+        Excitation::FootMotion => ("foot_displacement", "m"),
+        Excitation::DampedFootMotion => ("damped_foot_displacement", "m"),
+        _ => ("base_acceleration", "m/s^2"),
+    };
+    let times = match record.step() {
+        Some(step) if record.time(0) == 0.0 => vec![step],
+        _ => (0..record.samples().len()).map(|index| record.time(index)).collect(),
+    };
+    let fields = PyDict::new(py);
+    fields.set_item("kind", summary.kind)?;
+    fields.set_item("channel", summary.channel.as_deref())?;
+    fields.set_item("quantity", summary.quantity)?;
+    fields.set_item("samples", summary.samples)?;
+    fields.set_item("time_step", summary.time_step)?;
+    fields.set_item("duration", summary.duration)?;
+    fields.set_item("peak", summary.peak)?;
+    fields.set_item("peak_at", summary.peak_at)?;
+    fields.set_item("mean", summary.mean)?;
+    fields.set_item("unit", &summary.unit)?;
+    Ok(((of, times, record.samples().to_vec(), unit), fields))
 }
 
 /// Fails where the samples make no record.
@@ -216,6 +277,7 @@ fn record_spectrum<'py>(
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(block, module)?)?;
     module.add_function(wrap_pyfunction!(record_check, module)?)?;
+    module.add_function(wrap_pyfunction!(record_read, module)?)?;
     module.add_function(wrap_pyfunction!(record_follow, module)?)?;
     module.add_function(wrap_pyfunction!(record_motion, module)?)?;
     module.add_function(wrap_pyfunction!(record_spectrum, module)?)

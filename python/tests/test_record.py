@@ -89,3 +89,27 @@ def test_a_record_can_be_scaled():
     assert machine.follow(record.scaled(0.0)).path == 0.0
     assert machine.follow(record.scaled(2.0)).path > machine.follow(record).path > 0.0
     assert len(record) == 1200
+
+
+def test_a_record_is_read_from_a_file_or_from_bytes(tmp_path):
+    samples = quake()
+    words = "\n".join(f"{value:.7E}" for value in samples)
+    text = f"A\nB\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= {len(samples)}, DT= .01 SEC\n{words}\n"
+    path = tmp_path / "quake.at2"
+    path.write_text(text)
+    one, other = ss.Record.read(path), ss.Record.read(text.encode())
+    assert one == other
+    assert one.summary == other.summary
+    assert (one.summary["kind"], one.summary["samples"], one.summary["time_step"]) == ("PEER", len(samples), 0.01)
+    np.testing.assert_allclose(one.samples, samples * 9.80665, rtol=1e-7, atol=1e-9)
+    # Columns without names take the rest from arguments.
+    plain = ss.Record.read(words.encode(), time_step="10 ms", record_units="g")
+    np.testing.assert_array_equal(plain.samples, one.samples)
+    for make, said in (
+        (lambda: ss.Record.read(words.encode(), record_units="g"), "time_step"),
+        (lambda: ss.Record.read(words.encode(), time_step=1.0), "record_units, such as g"),
+        (lambda: ss.Record.read(tmp_path / "none.at2"), "none.at2"),
+        (lambda: ss.Record.read(text.replace("NPTS= ", "NPTS= 1").encode()), "NPTS = 1"),
+    ):
+        with pytest.raises(ss.Error, match=said):
+            make()

@@ -843,10 +843,11 @@ function askRecord() {
     $("record-shown").hidden = true;
     return;
   }
-  const more = { text: record.text, name: record.name, time_step: $("step").value };
+  const more = { text: record.text, name: record.name, time_step: $("step").value, column: $("column").value, record_units: $("record-units").value };
   slow.ask("record", question("record", more), ({ ok, error }) => {
     $("record-error").textContent = error === undefined ? (ok.unused.length ? `Columns not used: ${ok.unused.join(", ")}.` : "") : error;
     $("record-shown").hidden = error !== undefined;
+    $("record-read").textContent = ok ? ok.read : "";
     if (ok) {
       shown.record = { ...ok, most: largest(ok.displacement) };
       showRecord(shown.record);
@@ -913,7 +914,9 @@ $("file").onchange = async () => {
   // So that the same file can be chosen again after a change.
   $("file").value = "";
 };
-$("step").oninput = () => record && askRecord();
+for (const id of ["step", "column", "record-units"]) {
+  $(id).oninput = () => record && askRecord();
+}
 document.body.addEventListener("dragover", (event) => {
   event.preventDefault();
   $("drop").classList.add("over");

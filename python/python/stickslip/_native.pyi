@@ -57,6 +57,14 @@ def read_values(values: list[tuple[str, str, str]], units: Optional[str]) -> tup
 def block(
     values: list[tuple[str, str]], units: Optional[str], slope: Optional[str], one_way: bool
 ) -> tuple[_Sliding, Optional[str]]: ...
+def record_read(
+    name: str,
+    bytes: Optional[bytes],
+    time_step: Optional[float],
+    column: Optional[str],
+    skip: int,
+    record_units: Optional[str],
+) -> tuple[tuple[str, list[float], list[float], str], dict[str, Any]]: ...
 def record_check(of: str, times: _Column, samples: _Column) -> None: ...
 def record_follow(
     of: _Sliding, kind: str, times: _Column, samples: _Column, start: tuple[float, float]

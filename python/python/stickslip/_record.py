@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any, Generic, Optional, overload
+from dataclasses import dataclass, field
+from typing import Any, Generic, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -77,6 +78,54 @@ class Record:
     times: Floats
     of: str
     unit: Optional[str]
+    summary: Optional[dict[str, Any]] = field(default=None, compare=False)
+
+    @classmethod
+    def read(
+        cls,
+        file: Union[str, os.PathLike[str], bytes],
+        *,
+        time_step: Optional[Quantity] = None,
+        column: Union[str, int, None] = None,
+        skip: int = 0,
+        record_units: Optional[str] = None,
+    ) -> "Record":
+        """The record of a file, as ``stickslip record`` reads it: of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose
+        units are obeyed, or columns of text. Samples are then in SI units; ``summary`` says what was read.
+
+        Parameters
+        ----------
+        file : path or bytes
+        time_step : float or str, optional
+            Time between samples in a file that does not state it.
+        column : str or int, optional
+            Column by its name or its number from 1, or the channel of an agency's file; ``"all"`` reads columns without
+            names row by row.
+        skip : int
+            Lines before the columns to leave out.
+        record_units : str, optional
+            Unit of the samples in a file that does not state it, such as ``"g"``.
+
+        Examples
+        --------
+        >>> import stickslip as ss
+        >>> record = ss.Record.read(b"time[s],acc[gal]\\n0,0\\n0.5,-200\\n1,100\\n")
+        >>> record
+        Record(3 samples of base_acceleration in m/s^2, 1 s)
+        >>> record.summary["peak"], record.summary["unit"]
+        (-200.0, 'cm/s²')
+        """
+        step = None if time_step is None else read({"time_step": (time_step, "time")}, None)[0]["time_step"]
+        data = bytes(file) if isinstance(file, (bytes, bytearray, memoryview)) else None
+        name = "record" if data is not None else os.fspath(file)  # type: ignore[arg-type]
+        named = None if column is None else str(column)
+        found, summary = _native.record_read(str(name), data, step, named, skip, record_units)
+        of, times, samples, unit = found
+        new = object.__new__(cls)
+        values = {"samples": np.array(samples), "times": np.array(times), "of": of, "unit": unit, "summary": summary}
+        for name, value in values.items():
+            object.__setattr__(new, name, value)
+        return new
 
     def __init__(
         self,
@@ -99,7 +148,7 @@ class Record:
         _native.record_check(of, at, values)
         if unit is not None:
             _factor(of, unit, None)
-        for name, value in (("samples", values), ("times", at), ("of", of), ("unit", unit)):
+        for name, value in (("samples", values), ("times", at), ("of", of), ("unit", unit), ("summary", None)):
             object.__setattr__(self, name, value)
 
     def __repr__(self) -> str:
@@ -118,7 +167,7 @@ class Record:
     def scaled(self, factor: float) -> "Record":
         """This record with every sample multiplied by a factor."""
         new = object.__new__(Record)
-        for name in ("times", "of", "unit"):
+        for name in ("times", "of", "unit", "summary"):
             object.__setattr__(new, name, getattr(self, name))
         object.__setattr__(new, "samples", self.samples * one("factor", factor))
         _native.record_check(new.of, new.times, new.samples)
