@@ -3,6 +3,7 @@
 #[path = "../random/mod.rs"]
 mod random;
 
+mod borders;
 mod closed_forms;
 mod designs;
 mod drawn;

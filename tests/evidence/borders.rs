@@ -1,0 +1,195 @@
+//! The border, its touching phase, cycles as functions of the phase and families, beside dense samples: in ratios.
+
+use crate::random::Random;
+use crate::sampled::{Cycle as Sampled, Harmonic, Limit, Load, Machine, Of};
+use std::f64::consts::TAU;
+use stickslip::cycle::SixReversals;
+use stickslip::{Border, Cycle, PhaseFunction, Ratios, Verdict};
+
+fn harmonic([omega, alpha, zeta, eta]: [f64; 4]) -> Harmonic {
+    let machine = Machine::new([1.0, 1.0, 2.0 * zeta], [1.0, 0.0, eta], 0.0);
+    Harmonic { machine, load: Load::Force, amplitude: alpha, frequency: omega }
+}
+
+fn ratios([omega, alpha, zeta, eta]: [f64; 4]) -> Ratios<f64> {
+    let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+    ratios.with_static_friction_ratio(eta).unwrap()
+}
+
+fn sampled(at: [f64; 4], start: [f64; 2]) -> Option<Sampled> {
+    match harmonic(at).limit(start, 0.0, 4000) {
+        Limit::Periodic(cycle) => Some(*cycle),
+        Limit::Rest(_) | Limit::Unsettled => None,
+    }
+}
+
+/// On the border: the displacement, and the phase after its maximum at which the velocity touches zero; with static
+/// friction the force at the turning point is what holds the body.
+#[test]
+fn the_motion_on_the_border_touches_zero_where_it_is_said() {
+    let mut random = Random(51);
+    let (mut touched, mut turned) = (0, 0);
+    for i in 0..60 {
+        let zeta = if i % 2 == 0 { 0.0 } else { random.scale(1e-2, 0.5) };
+        let eta = if i % 4 == 3 { random.between(1.1, 2.0) } else { 1.0 };
+        let omega = random.scale(0.15, 2.0);
+        let border = Border::of(&ratios([omega, 1.0, zeta, eta]));
+        let alpha = border.min_force_ratio * (1.0 + 1e-7);
+        // With static friction the cycle is the limit of its neighbourhood: the samples start on it.
+        let Ok(cycle) = Cycle::new(ratios([omega, alpha, zeta, eta])) else { panic!("{omega} {zeta} {eta}") };
+        let phase = cycle.displacement_phase;
+        let at = [omega, alpha, zeta, eta];
+        let start = [cycle.max_displacement, 0.0];
+        let Limit::Periodic(found) = harmonic(at).limit(start, phase, 3000) else { continue };
+        let most = found.found.most(Of::Displacement);
+        // The displacement changes with the force as 1/|1 − Ω²|.
+        let close = (most.value / border.min_displacement - 1.0).abs();
+        assert!(close < 1e-5 / (1.0 - omega * omega).abs().min(1.0), "{at:?}: {} {border:?}", most.value);
+        let tau = border.touching_phase;
+        if tau == 0.0 {
+            // The force left over at the turning point is that of the static bound.
+            turned += 1;
+            let left = (alpha * (omega * most.time).sin() - most.value).abs();
+            assert!((left - eta).abs() < 1e-4 * (1.0 + alpha), "{at:?}: {left}");
+        } else {
+            touched += 1;
+            let speeds = harmonic(at).states(&found, omega * most.time + tau);
+            let fastest = found.found.most(Of::Velocity).value;
+            assert!(speeds[0][1].abs() < 1e-3 * fastest, "{at:?} {tau}: {speeds:?} {fastest}");
+        }
+    }
+    assert!(touched > 8 && turned > 12, "{touched} {turned}");
+}
+
+/// The border's minima and the bands in which eq. 61 falls short, beside other frequencies by the samples; its slope
+/// beside differences.
+#[test]
+fn minima_slopes_and_shortfalls_of_the_border_are_those_of_the_samples() {
+    let is_free = |omega: f64, alpha: f64| {
+        let cycle = sampled([omega, alpha, 0.0, 1.0], [0.0, 0.0]);
+        cycle.is_some_and(|cycle| cycle.found.rests == 0 && cycle.found.ends == 2)
+    };
+    for lobe in 0..2 {
+        let minimum = Border::<f64>::minimum(lobe);
+        assert!(is_free(minimum.omega, minimum.force_ratio * (1.0 + 1e-5)), "{minimum:?}");
+        for by in [0.97, 0.99, 1.01, 1.03] {
+            assert!(!is_free(minimum.omega * by, minimum.force_ratio * (1.0 - 1e-9)), "{minimum:?} {by}");
+        }
+        assert!(!minimum.is_corner);
+    }
+    let short = Border::<f64>::shortfall(1).unwrap();
+    assert!((short.pole - 1.0 / 3.0).abs() < 1e-15 && (short.high - 0.5).abs() < 1e-15);
+    for omega in [0.97 * short.low, 1.02 * short.low, 0.45, 0.52] {
+        let printed = Border::new(omega).unwrap().turning_point;
+        let is_short = omega > short.low && omega < short.high;
+        assert_eq!(is_free(omega, printed * (1.0 + 1e-6)), !is_short, "{omega} {short:?}");
+    }
+    for omega in [0.27, 0.41, 0.7, 0.9, 1.4, 2.3] {
+        let slope = Border::slope(&PhaseFunction::new(omega).unwrap());
+        let at = |by: f64| Border::new(omega * (1.0 + by)).unwrap().min_force_ratio;
+        let difference = (at(1e-5) - at(-1e-5)) / (2e-5 * omega);
+        assert!((slope - difference).abs() < 1e-6 * (1.0 + slope.abs()), "{omega}: {slope} {difference}");
+    }
+}
+
+/// Displacement and velocity over the phase, of cycles of two and of six reversals; and K, which is the cosine of the
+/// phase of the maximum displacement times α.
+#[test]
+fn cycles_over_the_phase_are_those_of_the_samples() {
+    let mut random = Random(52);
+    let mut compared = 0;
+    for i in 0..30 {
+        let zeta = if i % 2 == 0 { 0.0 } else { random.scale(1e-2, 1.5) };
+        let omega = random.scale(0.3, 2.5);
+        let least = Border::of(&ratios([omega, 1.0, zeta, 1.0])).min_force_ratio;
+        let at = [omega, least * random.scale(1.01, 6.0), zeta, 1.0];
+        let Some(found) = sampled(at, [0.0, 0.0]) else { continue };
+        let cycle = Cycle::new(ratios(at)).unwrap();
+        compared += 1;
+        for j in 0..8 {
+            let phase = TAU * (f64::from(j) + 0.37) / 8.0;
+            let [x, v] = harmonic(at).states(&found, phase)[0];
+            let size = cycle.max_displacement;
+            assert!((cycle.displacement_at(phase) - x).abs() < 1e-9 * size, "{at:?} {phase}");
+            assert!(
+                (cycle.velocity_at(phase) - v / omega).abs() < 1e-8 * cycle.max_velocity,
+                "{at:?} {phase}"
+            );
+        }
+        if zeta == 0.0 {
+            let k = PhaseFunction::new(omega).unwrap().value();
+            let of_samples = at[1] * (omega * found.found.most(Of::Displacement).time).cos();
+            assert!((k - of_samples).abs() < 1e-6 * at[1], "{at:?}: {k} {of_samples}");
+        }
+        let multipliers = cycle.multipliers().cycle();
+        let [(a, b), (c, d)] = multipliers;
+        let [sum, product] = found.multipliers;
+        assert!((a + c - sum).abs() < 2e-6 && (a * c - b * d - product).abs() < 2e-6, "{at:?}");
+        // After this many cycles of the samples a disturbance is below the tolerance.
+        let cycles = cycle.multipliers().cycles_to_settle(1e-3).unwrap();
+        let after = harmonic(at).after([0.0, 0.0], 0.0, 2 * cycles as u32 + 2);
+        let there = harmonic(at).states(&found, 0.0)[0];
+        let off = (after[0] - there[0]).hypot(after[1] - there[1]);
+        let size = 2.0 * (there[0].hypot(there[1]) + cycle.max_displacement);
+        assert!(off < 1e-3 * size, "{at:?}: {cycles} {off}");
+    }
+    assert!(compared > 20, "{compared}");
+    let at = [0.331, 61.6, 0.0, 1.0];
+    let found = sampled(at, [0.0, 0.0]).unwrap();
+    let cycle = SixReversals::new(ratios(at)).unwrap();
+    assert_eq!((found.found.rests, found.found.ends), (0, 6));
+    for phase in [0.2, 1.3, 2.9, 4.4] {
+        let [x, v] = harmonic(at).states(&found, phase)[0];
+        assert!((cycle.displacement_at(phase) - x).abs() < 1e-8 * x.abs().max(1.0), "{phase} {x}");
+        assert!((cycle.velocity_at(phase) - v / at[0]).abs() < 1e-7 * v.abs().max(1.0), "{phase} {v}");
+    }
+    for (phase, force) in cycle.reversal_phases().into_iter().zip(cycle.forces()) {
+        let [x, _] = harmonic(at).states(&found, phase)[0];
+        let near = found.found.stops.iter().map(|[t, _]| (t * at[0] - phase).rem_euclid(TAU));
+        let near = near.map(|off| off.min(TAU - off)).fold(f64::INFINITY, f64::min);
+        assert!(near < 1e-6, "{phase}: {near}");
+        assert!((force - (at[1] * phase.sin() - x).abs()).abs() < 1e-6, "{phase} {force}");
+    }
+}
+
+/// At Ω = 1/2n the samples of each start are a member of the family, shifted by no more than its bound.
+#[test]
+fn members_of_a_family_are_those_of_the_samples() {
+    for (omega, alpha) in [(0.5, 4.0), (0.25, 17.0)] {
+        let Verdict::Degenerate(family) = Verdict::new(ratios([omega, alpha, 0.0, 1.0])) else { panic!() };
+        for start in [[0.0, 0.0], [1.5, 0.3], [-2.0, 1.0]] {
+            // A member attracts no start: its shift settles as slowly as the friction of its loops is asymmetric.
+            let harmonic = harmonic([omega, alpha, 0.0, 1.0]);
+            let mut follower = harmonic.follower(start, 0.0);
+            for _ in 0..200 * harmonic.steps() {
+                follower.advance(&mut None);
+            }
+            let mut found = follower.watched();
+            for _ in 0..harmonic.steps() {
+                follower.advance(&mut found);
+            }
+            let found = found.unwrap();
+            assert_eq!(found.ends, 2, "{omega} {start:?}");
+            let (most, least) = (found.most(Of::Displacement).value, found.least(Of::Displacement).value);
+            let shift = (most + least) / 2.0;
+            assert!(shift.abs() <= family.max_shift + 1e-6, "{omega} {start:?}: {shift} {family:?}");
+            let (high, low) = family.extremes(shift.clamp(-family.max_shift, family.max_shift)).unwrap();
+            assert!((high - most).abs() < 1e-6 && (low - least).abs() < 1e-6, "{most} {least} {family:?}");
+        }
+    }
+}
+
+/// With static friction: from the force ratio on that suffices for every start, starts of the samples do not stop.
+#[test]
+fn above_the_bound_no_start_stops() {
+    let mut random = Random(53);
+    for _ in 0..6 {
+        let [omega, zeta, eta] = [random.scale(0.7, 2.0), random.scale(0.1, 0.5), random.between(1.1, 2.0)];
+        let forces = stickslip::NoStop::of(&ratios([omega, 1.0, zeta, eta]));
+        let bound = forces.every_start.unwrap();
+        for start in [[0.0, 0.0], [5.0, 0.0], [-9.0, 4.0]] {
+            let found = sampled([omega, bound, zeta, eta], start).unwrap().found;
+            assert_eq!((found.rests, found.ends), (0, 2), "{omega} {zeta} {eta} {bound} {start:?}");
+        }
+    }
+}
