@@ -158,7 +158,7 @@ fn members_of_a_family_are_those_of_the_samples() {
     for (omega, alpha) in [(0.5, 4.0), (0.25, 17.0)] {
         let Verdict::Degenerate(family) = Verdict::new(ratios([omega, alpha, 0.0, 1.0])) else { panic!() };
         for start in [[0.0, 0.0], [1.5, 0.3], [-2.0, 1.0]] {
-            // At the edge of the family the shift settles as 1/turns: within 2/200 after 200 of them.
+            // At the edge of the family the shift settles as 1/turns: within 3/200 after 200 of them.
             let harmonic = harmonic([omega, alpha, 0.0, 1.0]);
             let mut follower = harmonic.follower(start, 0.0);
             for _ in 0..200 * harmonic.steps() {
@@ -172,9 +172,9 @@ fn members_of_a_family_are_those_of_the_samples() {
             assert_eq!(found.ends, 2, "{omega} {start:?}");
             let (most, least) = (found.most(Of::Displacement).value, found.least(Of::Displacement).value);
             let shift = (most + least) / 2.0;
-            assert!(shift.abs() <= family.max_shift + 0.01, "{omega} {start:?}: {shift} {family:?}");
+            assert!(shift.abs() <= family.max_shift + 0.015, "{omega} {start:?}: {shift} {family:?}");
             let (high, low) = family.extremes(shift.clamp(-family.max_shift, family.max_shift)).unwrap();
-            assert!((high - most).abs() < 0.01 && (low - least).abs() < 0.01, "{most} {least} {family:?}");
+            assert!((high - most).abs() < 0.015 && (low - least).abs() < 0.015, "{most} {least} {family:?}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The closed forms, every column of them and the border, beside dense samples of the motion.
 
-use crate::drawn::{DRIVES, Driven};
+use crate::machines::{DRIVES, Driven};
 use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Of};
 use crate::steady::{Expected, Units, hold, transmitted};

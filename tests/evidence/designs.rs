@@ -1,6 +1,6 @@
 //! Inverse problems beside dense samples: the motion of each answer, and of others.
 
-use crate::drawn::{DRIVES, Driven};
+use crate::machines::{DRIVES, Driven};
 use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Machine, Of, record};
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! The steady motion of machines under every drive, every column of it, beside dense samples.
 
-use crate::drawn::{DRIVES, Driven};
+use crate::machines::{DRIVES, Driven};
 use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Of};
 use std::collections::BTreeMap;
