@@ -122,7 +122,7 @@ fn every_column_of_the_closed_forms_is_that_of_the_samples() {
             // With static friction a body may stop from rest, and not from the motion without stops.
             let is_of_start = driven.eta > 1.0 && cycle.found.rests > 0;
             let response = Response::new(driven.ratios());
-            let answer = ResponseAnswer { response: &response, excitation, peaks: true };
+            let answer = ResponseAnswer { response: &response, peaks: true };
             for column in ResponseAnswer::<f64>::COLUMNS {
                 let name = column.definition.name;
                 let value = (column.of)(&answer);

@@ -248,9 +248,11 @@ pub(crate) struct Found {
     /// Path forwards and backwards.
     pub(crate) path: [f64; 2],
     pub(crate) rest: f64,
-    /// Rests that last, ends of slides, and beginnings of slides.
+    /// Rests that last, ends of slides, those that a slide in the other direction follows at once, and beginnings of
+    /// slides.
     pub(crate) rests: u64,
     pub(crate) ends: u64,
+    pub(crate) reversals: u64,
     pub(crate) slides: u64,
     /// Work of the load's force on the body, and of a moving foot on spring and damper.
     pub(crate) load_work: f64,
@@ -290,6 +292,7 @@ impl Found {
             rest: 0.0,
             rests: 0,
             ends: 0,
+            reversals: 0,
             slides: 0,
             load_work: 0.0,
             foot_work: 0.0,
@@ -398,6 +401,8 @@ pub(crate) struct Follower {
     /// The greatest speed so far: smaller parts of it are rounding.
     speed: f64,
     rested: f64,
+    /// The direction of the last slide that ended.
+    last: i32,
 }
 
 const ROUNDING: f64 = 1e-14;
@@ -421,6 +426,7 @@ impl Follower {
             },
             speed: v.abs(),
             rested: 0.0,
+            last: 0,
         };
         if follower.sign == 0 {
             follower.sign = follower.direction(0.0);
@@ -545,7 +551,7 @@ impl Follower {
                     found.ends += 1;
                     found.stops.push([self.time, self.state[0]]);
                 }
-                (self.sign, self.rested) = (0, 0.0);
+                (self.last, self.sign, self.rested) = (self.sign, 0, 0.0);
             } else {
                 self.release(next, found);
             }
@@ -558,8 +564,18 @@ impl Follower {
 
     fn release(&mut self, sign: i32, found: &mut Option<Found>) {
         if let Some(found) = found {
-            found.slides += 1;
-            found.rests += u64::from(self.rested > 1e-9 * self.step);
+            let lasts = self.rested > 1e-9 * self.step;
+            found.rests += u64::from(lasts);
+            if lasts || self.last == 0 {
+                found.slides += 1;
+            } else if self.last == sign {
+                // A touch: the slide goes on.
+                found.ends -= 1;
+                found.stops.pop();
+            } else {
+                found.slides += 1;
+                found.reversals += 1;
+            }
         }
         self.sign = sign;
     }
@@ -809,9 +825,14 @@ pub(crate) struct Recorded {
     pub(crate) end: [f64; 2],
     /// Time at rest in the record.
     pub(crate) rest: f64,
+    /// Slides, stops that a rest follows, and reversals; of a body without friction, which vibrates for ever, those in
+    /// the record.
+    pub(crate) counts: [u64; 3],
     /// Displacement at the end of the motion, and whether it rests there.
     pub(crate) last: f64,
     pub(crate) is_over: bool,
+    /// Whether it tends to its end without a last stop.
+    pub(crate) creeps: bool,
 }
 
 /// Follows a body from a start through samples at these times and until it rests, or for so many steps more.
@@ -840,13 +861,17 @@ pub(crate) fn record(
     }
     let end = [follower.state[0], follower.state[1]];
     let rest = found.as_ref().map_or(0.0, |found| found.rest);
+    let counted = |found: &Option<Found>| {
+        found.as_ref().map_or([0; 3], |found| [found.slides, found.ends - found.reversals, found.reversals])
+    };
+    let in_record = counted(&found);
     // A foot stays where it is; a force and an acceleration end.
     let held = if load.is_foot() { samples[samples.len() - 1] } else { 0.0 };
     follower.set_load([held, 0.0]);
     follower.time = times[samples.len() - 1];
     let longest = (times[samples.len() - 1] - times[0]) / 8.0;
     follower.set_step(part.min(longest));
-    let (mut is_over, mut quiet) = (false, 0);
+    let (mut is_over, mut creeps, mut quiet) = (false, false, 0);
     for _ in 0..400_000 {
         if follower.sign == 0 && follower.direction(0.0) == 0 {
             is_over = true;
@@ -855,11 +880,12 @@ pub(crate) fn record(
         // A creep, or a vibration without friction, ends in rounding.
         quiet = if follower.state[1].abs() < 1e-13 * follower.speed { quiet + 1 } else { 0 };
         if quiet > 200 {
-            is_over = true;
+            (is_over, creeps) = (true, true);
             break;
         }
         follower.advance(&mut found);
     }
+    let counts = if machine.friction == [0.0; 2] { in_record } else { counted(&found) };
     let found = found.unwrap_or_else(Found::new);
-    Recorded { found, end, rest, last: follower.state[0], is_over }
+    Recorded { found, end, rest, counts, last: follower.state[0], is_over, creeps }
 }
