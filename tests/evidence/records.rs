@@ -115,6 +115,24 @@ impl Shaken {
         record(machine, self.load(), &self.times, &self.samples, self.start, parts)
     }
 
+    /// Whether the extreme of this name is the same at two times of the record.
+    fn has_again(&self, name: &str, one: f64, two: f64) -> bool {
+        let index = usize::from(name.contains("velocity"));
+        let at = |time: f64| {
+            let place = self.times.iter().position(|t| *t > time)?;
+            let (first, second) = (place.checked_sub(1)?, place);
+            let part = (time - self.times[first]) / (self.times[second] - self.times[first]);
+            let mut cut = self.clone();
+            cut.times.truncate(second);
+            cut.samples.truncate(second);
+            cut.times.push(time);
+            cut.samples.push(self.samples[first] + part * (self.samples[second] - self.samples[first]));
+            Some(cut.sampled(64.0).end[index])
+        };
+        let (one, two) = (at(one), at(two));
+        one.zip(two).is_some_and(|(one, two)| (one - two).abs() <= 1e-9 * one.abs())
+    }
+
     pub(crate) fn followed(&self) -> RecordAnswer<f64> {
         self.body().follow_from(&self.record(), self.start[0], self.start[1]).unwrap()
     }
@@ -240,7 +258,14 @@ fn every_answer_under_a_record_is_that_of_the_samples() {
             compared += 1;
             let answer = shaken.followed();
             for (name, _, value) in answer.entries() {
-                if let Some(text) = off(&value, &expected(name, &shaken, &found)) {
+                let reference = expected(name, &shaken, &found);
+                if let Some(text) = off(&value, &reference) {
+                    // Of several times with one extreme rounding chooses one.
+                    if let (Entry::Value(Some(time)), Expected::Time(first, _)) = (&value, &reference)
+                        && shaken.has_again(name, **time, *first)
+                    {
+                        continue;
+                    }
                     let entry =
                         failures.entry(format!("{name} {excitation:?}")).or_insert((0, String::new()));
                     entry.0 += 1;
