@@ -80,7 +80,7 @@ impl<F: Float> Eq for Piece<F> {}
 const PIECES: i32 = 16;
 
 /// The greatest number of pieces. A smooth function that has few oscillations in the interval takes some hundred.
-const MOST: u32 = 1 << 18;
+const MOST: u32 = 1 << 20;
 
 /// Whether a greatest value is that of a search that stopped at its bound.
 pub(crate) fn is_unknown<F: Float>(greatest: F) -> bool {
@@ -93,7 +93,7 @@ pub(crate) fn is_unknown<F: Float>(greatest: F) -> bool {
 /// at most `|f(c)| + |f′(c)| d + curvature d²/2`; the piece is discarded where that does not exceed the best
 /// value so far. On a sufficiently narrow piece, Newton's method on f′ starts from its middle.
 ///
-/// NaN where 2¹⁸ pieces do not suffice: for a function with very many oscillations of nearly one height.
+/// NaN where 2²⁰ pieces do not suffice: for a function with very many oscillations of nearly one height.
 pub(crate) fn greatest<F: Float>(
     low: F,
     high: F,

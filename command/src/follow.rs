@@ -40,6 +40,9 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     let answer = body.follow_from(&record, x0, v0).map_err(named)?;
     let motion = |interval: F| body.motion(&record, x0, v0, interval).map_err(named);
     if let Some(file) = &args.out {
+        if let (Some(interval), Some(text)) = (interval, &args.interval) {
+            refuse_many(&record, interval, text)?;
+        }
         let motion = motion(interval.unwrap_or_else(|| record.longest_step()))?;
         let argument = format!("--out {}", file.display());
         PendingFile::create(file, &argument, args.overwrite)?
@@ -58,6 +61,16 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         return output::json(&Described::new(&physical, &summary), out);
     }
     text(&answer, &physical, &given.system, &summary, out)
+}
+
+/// Refuses an interval with which the states, until the record has passed and as long again, take too much memory.
+fn refuse_many<F: Value>(record: &Record<F>, interval: F, text: &str) -> Outcome {
+    const MOST: f64 = 2e6;
+    let count = 2.0 * ((record.end() - record.time(0)) / interval).to_f64();
+    if count <= MOST {
+        return Ok(());
+    }
+    Err(format!("--interval {text}: about {count:.1e} states, must be ≤ {MOST:.0e}").into())
 }
 
 /// The body, the record and the start of a motion.
@@ -218,6 +231,8 @@ fn drawing<F: Value>(
     let time = |index: usize| record.time(index).to_f64();
     let samples = record.samples().iter().enumerate();
     let load: Vec<_> = samples.map(|(index, sample)| (time(index), sample.to_f64())).collect();
+    let places = motion_plot::drawn(&load.iter().map(|point| point.1).collect::<Vec<_>>());
+    let load: Vec<_> = places.iter().filter_map(|place| load.get(*place)).copied().collect();
     let (name, kind) = match record.excitation() {
         stickslip::Excitation::Force => ("force", Kind::Force),
         stickslip::Excitation::SurfaceAcceleration => ("acceleration of the surface", Kind::Acceleration),

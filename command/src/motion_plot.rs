@@ -80,10 +80,33 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     target.draw(out, || Ok(figure))
 }
 
+/// The places of the values that a picture needs: of so many in a row, the first, the least, the greatest and the last.
+pub(crate) fn drawn(values: &[f64]) -> Vec<usize> {
+    /// The most rows of values, several for each pixel.
+    const ROWS: usize = 4000;
+    let length = values.len().div_ceil(ROWS).max(1);
+    if length <= 4 {
+        return (0..values.len()).collect();
+    }
+    let mut places = Vec::new();
+    for (row, some) in values.chunks(length).enumerate() {
+        let by_value = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1);
+        let least = some.iter().enumerate().min_by(by_value).map_or(0, |(place, _)| place);
+        let greatest = some.iter().enumerate().max_by(by_value).map_or(0, |(place, _)| place);
+        let mut kept = [0, least.min(greatest), least.max(greatest), some.len() - 1].to_vec();
+        kept.dedup();
+        places.extend(kept.into_iter().map(|place| row * length + place));
+    }
+    places
+}
+
 /// A panel of a motion, whose rests have the colour that means rest in all pictures.
 pub(crate) fn panel(title: &str, x: Axis, y: &str, points: Vec<(f64, f64)>, rests: &[bool]) -> Panel {
+    let places = drawn(&points.iter().map(|point| point.1).collect::<Vec<_>>());
+    let of = |place: &usize| Some((*points.get(*place)?, *rests.get(*place)?));
+    let (points, rests): (Vec<_>, Vec<_>) = places.iter().filter_map(of).unzip();
     let y = axis(y, points.iter().map(|(_, y)| *y), 0.08);
-    let at_rest = points.iter().zip(rests).map(|(&(x, y), rests)| (x, if *rests { y } else { f64::NAN }));
+    let at_rest = points.iter().zip(&rests).map(|(&(x, y), rests)| (x, if *rests { y } else { f64::NAN }));
     let at_rest = Series::new("at rest", Style::Thick, 3, at_rest);
     let mut series = vec![Series::new("sliding", Style::Line, 2, points)];
     series.extend(rests.contains(&true).then_some(at_rest));
@@ -104,4 +127,39 @@ pub(crate) fn axis(label: &str, values: impl Iterator<Item = f64>, room: f64) ->
         _ => 1.0,
     };
     Axis::linear(label, low - room, high + room)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{axis, drawn};
+
+    #[test]
+    fn a_picture_of_many_values_has_their_extremes() {
+        let values: Vec<f64> =
+            (0..5_000_000u32).map(|i| f64::from(i.wrapping_mul(2_654_435_761) >> 8)).collect();
+        let places = drawn(&values);
+        assert!(
+            places.len() <= 16_000 && places.windows(2).all(|pair| pair[0] < pair[1]),
+            "{}",
+            places.len()
+        );
+        let extremes = |values: &mut dyn Iterator<Item = f64>| {
+            values.fold((f64::INFINITY, 0.0f64), |(low, high), value| (low.min(value), high.max(value)))
+        };
+        let kept = extremes(&mut places.iter().map(|&place| values[place]));
+        assert_eq!(kept, extremes(&mut values.iter().copied()));
+        assert_eq!((places[0], *places.last().unwrap()), (0, values.len() - 1));
+        assert_eq!(drawn(&values[..9000]), (0..9000).collect::<Vec<_>>());
+        assert_eq!(drawn(&[]), [0usize; 0]);
+    }
+
+    #[test]
+    fn an_axis_has_room_around_constant_values() {
+        for value in [0.0, 5e-324, -3.0, 1e300, f64::MAX] {
+            let axis = axis("", [value, value].into_iter(), 0.0);
+            assert!(axis.low < value && value < axis.high, "{value:e}: {axis:?}");
+        }
+        let axis = axis("", [f64::NAN].into_iter(), 0.0);
+        assert_eq!((axis.low, axis.high), (-1.0, 1.0));
+    }
 }

@@ -16,6 +16,7 @@ use crate::record::{Cell, Record};
 use crate::sweep::{self, Table};
 use std::io::Write;
 use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
 use stickslip::Error;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input, Role};
@@ -35,8 +36,11 @@ pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
     target.draw(out, || spectra.figure())
 }
 
-/// Answers, each with the place of its body in the grids.
-type Answers = Vec<Result<(u64, RecordAnswer<f64>), Failure>>;
+/// Answers, each with the place of its body in the grids; `None` for a body that has none.
+type Answers = Vec<Result<(u64, Option<RecordAnswer<f64>>), Failure>>;
+
+/// The most bodies without an answer whose reasons are said.
+const SAID: u64 = 20;
 
 /// One row for each body under each record.
 struct Spectra<'a> {
@@ -48,6 +52,10 @@ struct Spectra<'a> {
     system: System,
     has_mass: bool,
     form: Record<f64>,
+    /// The answers of a body that has none.
+    blank: [(&'static str, Kind, Cell<f64>); 20],
+    /// The number of bodies without an answer so far.
+    failed: AtomicU64,
     args: &'a SpectrumArgs,
 }
 
@@ -71,12 +79,25 @@ impl<'a> Spectra<'a> {
         let (surface, system) = (Surface::read(&args.surface, &reader)?, reader.system());
         let has_mass = Input::of_role(Role::Mass).into_iter().any(|input| axes.has(input));
         let form = Record::of(Vec::new());
-        let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, args };
-        spectra.axes.at_ends(|given| spectra.body(given.clone()).map(|_| ()))?;
-        let first = spectra.loads.first().map_or("", |(name, _)| name);
         let rest = Load::new(stickslip::Excitation::Force, 1.0, vec![0.0; 2])?;
         let answer = Body::new(1.0, 1.0).and_then(|body| body.follow(&rest))?;
-        spectra.form = spectra.row(first, &spectra.axes.given_at(0), Some(&answer));
+        let blank = follow::columns(&answer).map(|(name, kind, cell)| (name, kind, cell.absent()));
+        let failed = AtomicU64::new(0);
+        let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, blank, failed, args };
+        // A single bad body is a row without answers; where each is bad, an argument is.
+        let (mut first_bad, mut is_any_good) = (None, false);
+        spectra.axes.at_ends(|given| {
+            match spectra.body(given.clone()) {
+                Ok(_) => is_any_good = true,
+                Err(failure) => first_bad = first_bad.take().or(Some(failure)),
+            }
+            Ok(())
+        })?;
+        if let Some(failure) = first_bad.filter(|_| !is_any_good) {
+            return Err(failure);
+        }
+        let first = spectra.loads.first().map_or("", |(name, _)| name);
+        spectra.form = spectra.row(first, &spectra.axes.given_at(0), Some(&Some(answer)));
         Ok(spectra)
     }
 
@@ -87,12 +108,18 @@ impl<'a> Spectra<'a> {
         self.surface.body(&given)
     }
 
-    /// A row: the record, the inputs, and the answers.
-    fn row(&self, name: &'static str, given: &Given<f64>, answer: Option<&RecordAnswer<f64>>) -> Record<f64> {
+    /// A row: the record, the inputs, and the answers, empty for a body that has none.
+    fn row(
+        &self,
+        name: &'static str,
+        given: &Given<f64>,
+        answer: Option<&Option<RecordAnswer<f64>>>,
+    ) -> Record<f64> {
         let value = |input: Input| Cell::Number(given.get(input));
         let mut values: Vec<_> =
             self.inputs.iter().map(|&(input, column)| (column, input.kind(), value(input))).collect();
-        let answers = answer.into_iter().flat_map(|answer| follow::columns(answer));
+        let answers = answer.map(|answer| answer.as_ref().map_or(self.blank, follow::columns));
+        let answers = answers.into_iter().flatten();
         // Forces and works are those of a mass.
         values.extend(
             answers.filter(|(_, kind, _)| self.has_mass || !matches!(kind, Kind::Force | Kind::Energy)),
@@ -120,13 +147,35 @@ impl<'a> Spectra<'a> {
         interrupt::check()?;
         let (name, load, first) = self.place(points.start)?;
         let count = SIDE_BY_SIDE.min(points.end - points.start).min(self.axes.len() - first);
-        let bodies = (first..first + count).map(|body| self.body(self.axes.given_at(body)));
-        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-        let named = |(place, answer): (u64, Result<RecordAnswer<f64>, Error>)| {
-            let about = |e| format!("{} {name}: {e}", self.axes.named_at(place).all_typed());
-            Ok((place, answer.map_err(about)?))
+        let bodies: Vec<_> = (first..first + count).map(|body| self.body(self.axes.given_at(body))).collect();
+        let good: Vec<_> = bodies.iter().flatten().copied().collect();
+        let mut answers = follow_each(&good, load).into_iter();
+        let answer = |(place, body): (u64, Result<Body<f64>, Failure>)| {
+            let given = || self.axes.named_at(place);
+            let found = match body.map(|_| answers.next()) {
+                // The body again, with its values in the message.
+                Err(failure) => Err(self.body(given()).err().unwrap_or(failure)),
+                Ok(None | Some(Err(Error::Interrupted))) => return Err(Failure::Interrupted),
+                Ok(Some(Err(error))) => {
+                    Err(Failure::Input(format!("{} {name}: {error}", given().all_typed())))
+                }
+                Ok(Some(Ok(answer))) => Ok(answer),
+            };
+            found.map(|answer| (place, Some(answer))).or_else(|failure| {
+                self.say(&failure);
+                Ok((place, None))
+            })
         };
-        Ok((first..).zip(follow_each(&bodies, load)).map(named).collect())
+        Ok((first..).zip(bodies).map(answer).collect())
+    }
+
+    /// Says why a body has no answer.
+    fn say(&self, failure: &Failure) {
+        match self.failed.fetch_add(1, Ordering::Relaxed) {
+            said if said < SAID => progress::note(&format!("no answer: {}", failure.message())),
+            SAID => progress::note("further bodies have no answer, either"),
+            _ => {}
+        }
     }
 }
 

@@ -39,7 +39,8 @@ pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<Strin
         let layout = Layout::of(figure, legend);
         let fitted = size.map_or(Some(layout), |size| layout.fitted(size));
         fitted.ok_or_else(|| {
-            let (width, height) = layout.least();
+            // With the legend beside the plots, where it has room in any case.
+            let (width, height) = Layout::of(figure, legend::width(figure)).least();
             let text = format!("must be from {width}x{height}, for this picture, to {MOST}x{MOST}");
             io::Error::new(io::ErrorKind::InvalidInput, text)
         })

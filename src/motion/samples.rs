@@ -78,15 +78,28 @@ impl<F: Float> Trajectory<F> {
     /// The phase of sample k has the rounding of `turns` k times, and no other.
     ///
     /// # Errors
-    /// Where `turns` is not finite or not > 0, and as for the first item of the trajectory.
+    /// Where `turns` is not finite or not > 0, or so small that the number of a sample at the start is above 2⁵³, and as
+    /// for the first item of the trajectory.
     pub fn samples_every(mut self, turns: F) -> Result<Samples<F>, Error> {
         let turns = crate::machine::ratios::positive(Quantity::SamplesPerCycle, turns)?;
         let current = self.next().transpose()?;
         let mut place = Place::Every(0, turns);
         if let Some(phase) = &current {
             let start = phase.start().phase;
-            let passed = F::from_f64(start.cycles() as f64) / turns - F::int(2);
-            // The cast of a float to an integer saturates.
+            let begin = F::from_f64(start.cycles() as f64) + start.reduced() / (F::int(2) * F::pi());
+            let (count, most) = (begin / turns, F::exp2i(53));
+            if count > most {
+                let (value, least) = (written(turns), written(begin / most));
+                let greatest = written(F::int(1) / F::least_ratio());
+                return Err(Error::OutOfRange {
+                    quantity: Quantity::SamplesPerCycle,
+                    value,
+                    least,
+                    greatest,
+                });
+            }
+            // Less the rounding of the quotient, so that few samples are skipped. The cast to an integer saturates.
+            let passed = count * (F::int(1) - F::int(16) * F::epsilon()) - F::int(2);
             place = Place::Every(passed.to_f64() as u64, turns);
             while place.phase().since(start) < F::int(0) {
                 place = place.after();
@@ -260,6 +273,16 @@ mod tests {
         for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(motion.samples_every(wrong).is_err());
         }
+        // A start far on, whose samples before it are not counted through, or not countable.
+        for (turns, start) in [(1e-9, 3.0), (1e-12, 6.2), (1e-3, 1e9)] {
+            let start = State::new(start, 0.3, -0.4).unwrap();
+            let first = Trajectory::new(Ratios::new(0.6, 1.7).unwrap(), start).unwrap();
+            let first = first.samples_every(turns).unwrap().next().unwrap().unwrap();
+            let after = first.state.phase.since(start.phase);
+            assert!((0.0..=turns * TAU * (1.0 + 1e-3)).contains(&after), "{turns}: {after:e}");
+        }
+        assert!(later.samples_every(1e-26).is_err());
+        assert!(motion.samples_every(1e-26).is_ok());
     }
 
     #[test]

@@ -28,8 +28,8 @@ The starts are at ω_d t = 0 and always the same: the first at rest at x = 0, th
 |x| ≤ R, |v| ≤ R. A limit that no start leads to is not found.
 
 --resume continues a run that was interrupted, by Ctrl-C, kill -9 or a full disk. It must be the same run: machine
-and start of every row are compared, and as many whole rows, evenly spaced, as a second allows. A run with more
---starts continues one with fewer.")]
+and start of every row are compared, and as many whole rows, evenly spaced, as a second allows. FILE.check has a
+checksum of the rows: rows without one are computed again. A run with more --starts continues one with fewer.")]
 pub(crate) struct AttractorsArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,

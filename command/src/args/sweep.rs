@@ -67,9 +67,9 @@ The parts 1/n … n/n together are the whole sweep. Parts as rows are joined by 
 --no-header. Parquet files are read together by any query engine.
 
 --resume continues a sweep that was interrupted, by Ctrl-C, kill -9 or a full disk. It must be the same sweep: Ω and
-α of every existing row are compared, and as many whole rows, evenly spaced, as a second allows. Without the columns
-omega and alpha all rows are computed again to compare them. Rows of CSV and JSON lines are written to FILE as they
-are computed. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
+α of every existing row are compared, and as many whole rows, evenly spaced, as a second allows. FILE.check has a
+checksum of the rows. Rows without one, and all rows without the columns omega and alpha, are computed again to compare
+them. Rows of CSV and JSON lines are written to FILE as they are computed. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
 loses at most the last second of rows.
 
 Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, and phases are ω_d t in rad. For a machine there

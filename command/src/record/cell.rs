@@ -33,6 +33,16 @@ impl<F> From<stickslip::Value<F>> for Cell<F> {
 }
 
 impl<F: Value> Cell<F> {
+    /// This cell without its value.
+    pub(crate) const fn absent(self) -> Self {
+        match self {
+            Self::Number(_) => Self::Number(None),
+            Self::Count(_) => Self::Count(None),
+            Self::Flag(_) => Self::Flag(None),
+            Self::Text(_) | Self::Pairs(_) | Self::Intervals(_) => self,
+        }
+    }
+
     /// An error with that name if a number is infinite.
     pub(crate) fn finite(&self, name: &str) -> Outcome {
         let one = |x: F| {

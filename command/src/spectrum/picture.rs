@@ -75,7 +75,7 @@ impl Spectra<'_> {
         let panels = SHOWN.map(|(title, kind, value)| {
             let at = |load: u64, line: u64, place: u64| {
                 let index = usize::try_from(load * bodies + body(place, line)).unwrap_or(usize::MAX);
-                answers.get(index).map_or(f64::NAN, value)
+                answers.get(index).and_then(Option::as_ref).map_or(f64::NAN, value)
             };
             let mut series = Vec::new();
             let mut heights = vec![0.0];

@@ -85,7 +85,7 @@ fn a_map_holds_every_point_of_the_grid() {
 fn a_map_is_drawn_with_a_key_and_the_border() {
     for (quantity, words) in [
         ("regime", vec!["stuck", "sticking", "non-sticking"]),
-        ("stops", vec!["stops in a cycle", "white: no periodic motion"]),
+        ("stops", vec!["stops in a cycle", "white: the body never moves"]),
         ("margin", vec!["margin", "exact border"]),
         ("steady:stick_fraction", vec!["fraction of time at rest"]),
         ("max_velocity", vec!["maximum velocity (B ω", ">d</tspan>"]),
@@ -113,7 +113,7 @@ fn a_map_can_be_read_at_low_frequencies_and_at_a_pole() {
     assert!(
         stops.contains("\n7 or more\n")
             && !stops.contains("\n8\n")
-            && stops.contains("white: no periodic motion"),
+            && stops.contains("white: the body never moves"),
         "{stops}"
     );
     let margin = draw("margin --omega 0.2:2:37 --alpha 0.5:8:16");

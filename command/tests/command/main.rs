@@ -10,6 +10,7 @@ mod kept;
 mod place;
 
 mod answers;
+mod bounds;
 mod curves;
 mod design;
 #[cfg(feature = "mp")]

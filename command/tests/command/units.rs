@@ -131,7 +131,7 @@ fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
         ),
         (
             "response --mass 1kg --period 2s --friction-coefficient -1 --frequency 2Hz --force 1N".to_owned(),
-            vec!["--friction-coefficient -1", "must be > 0"],
+            vec!["--friction-coefficient -1", "must be ≥ 0"],
         ),
         (
             "response --mass 1kg --period 2s --friction 1N --gravity 3m/s2 --frequency 2Hz --force 1N".to_owned(),

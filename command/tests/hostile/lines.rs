@@ -274,8 +274,16 @@ impl Lines {
     fn alike(&mut self, old: &str) -> String {
         let unit = old.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.e:,".contains(c));
         let plain = self.of(NUMBERS);
-        match self.below(3) {
+        match self.below(6) {
             0 => self.value(),
+            // The same value, by a factor of up to a thousand.
+            1..=3 => match old[..old.len() - unit.len()].parse::<f64>() {
+                Ok(number) => {
+                    let factor = 10f64.powf(self.below(61) as f64 / 10.0 - 3.0);
+                    format!("{:e}{unit}", number * factor)
+                }
+                Err(_) => self.value(),
+            },
             _ if old.contains(':') && self.below(2) == 0 => {
                 let low = self.of(NUMBERS);
                 format!("{low}{unit}:{plain}{unit}:{}", self.of(&["2", "7", "12"]))
@@ -290,13 +298,13 @@ impl Lines {
         let mut words: Vec<String> = ORDINARY[place].split(' ').map(str::to_owned).collect();
         let values: Vec<usize> = (1..words.len()).filter(|&i| words[i - 1].starts_with("--")).collect();
         if !values.is_empty() {
-            for _ in 0..self.below(3) + 1 {
+            for _ in 0..self.below(2) + 1 {
                 let at = values[self.below(values.len())];
                 words[at] = self.alike(&words[at].clone());
             }
         }
         let options = &OPTIONS[place];
-        for _ in 0..self.below(3) {
+        for _ in 0..self.below(4).saturating_sub(1) {
             let (option, has_value) = options[self.below(options.len())].clone();
             if words.contains(&option) {
                 continue;

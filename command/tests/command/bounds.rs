@@ -1,0 +1,179 @@
+//! What has a bound, and what is said of unusual values: files, pictures of a body at rest, units, searches.
+
+use crate::command_line::{refused, stdout, stickslip};
+use crate::place::place;
+
+/// The standard output and the notes of an answered command.
+fn said(arguments: &str) -> (String, String) {
+    let output = stickslip(arguments).assert().success().get_output().clone();
+    (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// A record with two pulses.
+const PULSES: &str = "time[s],acceleration[g]\n0,0\n0.1,0.3\n0.2,-0.3\n0.3,0\n";
+
+#[test]
+fn a_body_at_rest_has_a_picture() {
+    let still = place("still.csv");
+    std::fs::write(&still, "time[s],force[N]\n0,0\n1,0\n2,0\n").unwrap();
+    for (n, arguments) in [
+        "decay --x0 0.5 --out".to_owned(),
+        "decay --mass 2kg --stiffness 4kN/m --friction 3N --x0 0.1mm --out".to_owned(),
+        format!("record {} --mass 1kg --stiffness 1N/m --friction 1N --picture", still.display()),
+        format!("spectrum {} --period 1s:2s:3 --friction-coefficient 1 --picture", still.display()),
+        "response-curve --omega 0.5:0.9:5 --alpha 2 --y-range=0:5e-324 --linear --out".to_owned(),
+        "response-curve --omega 0.5:0.9:5 --alpha 2 --x-range=0.5:0.5000000000000001 --out".to_owned(),
+        "map margin --omega 0.5:0.9:5 --alpha 2:3:4 --range=0:5e-324 --out".to_owned(),
+        "motion-plot --mass 2kg --stiffness 4kN/m --friction 0.3N --frequency 200Hz --force 1.2N --out"
+            .to_owned(),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let picture = place(&format!("{n}.svg"));
+        stdout(&format!("{arguments} {}", picture.display()));
+        let drawing = std::fs::read_to_string(&picture).unwrap();
+        // A label beside an axis has a few letters.
+        let texts = drawing.split("</text>").filter_map(|part| Some(part.rsplit_once(">\n")?.1.trim()));
+        let numbers = texts.filter(|text| text.starts_with(|c: char| c.is_ascii_digit() || c == '−'));
+        let longest = numbers.map(|text| text.chars().count()).max().unwrap_or(0);
+        assert!(longest <= 24, "{arguments}: {longest}");
+    }
+}
+
+#[test]
+fn bare_numbers_mean_one_thing_or_are_said() {
+    let record = place("pulses.csv");
+    std::fs::write(&record, PULSES).unwrap();
+    let run = format!("record {} --mass 800kg --period 2.2s --friction-coefficient 0.05", record.display());
+    refused(&format!("{run} --slope 0.1"), &["--slope 0.1: must have a unit", "0.1deg or 0.1rad"]);
+    assert_eq!(stdout(&format!("{run} --slope 0")), stdout(&format!("{run} --slope 0deg")));
+    let file = place("motion.csv");
+    let out = format!("--out {}", file.display());
+    refused(&format!("{run} {out} --interval 0.01"), &["--interval 0.01: has no unit beside"]);
+    refused(&format!("{run} {out} --interval 0s"), &["--interval 0s: must be > 0"]);
+    refused(&format!("{run} {out} --interval 1e-9s"), &["--interval 1e-9s: about 6.0e8 states, must be ≤"]);
+    let machine =
+        "steady --mass 1kg --stiffness 400N/m --friction-coefficient 0.4 --force 20N --frequency 1rad/s";
+    let (_, notes) = said(&format!("{machine} --gravity 9.8 --units N,mm"));
+    assert!(notes.contains("--gravity 9.8 is 9.8 mm/s^2") && notes.contains("9.8m/s^2"), "{notes}");
+    for gravity in ["9.8m/s^2", "9810", "1622", "1g"] {
+        let (_, notes) = said(&format!("{machine} --gravity {gravity} --units N,mm"));
+        assert!(!notes.contains("--gravity"), "{gravity}: {notes}");
+    }
+}
+
+#[test]
+fn answers_are_in_the_units_typed_and_in_their_words() {
+    let bands = "design bands --mass 50kg --stiffness 1000N/m --friction 5N --force 12N";
+    assert!(stdout(&format!("{bands} --from 10rpm --to 100rpm")).contains("10.47198 rad/s = 100 rpm"));
+    assert!(stdout(&format!("{bands} --from 0.2Hz --to 1Hz")).contains("6.283185 rad/s = 1 Hz"));
+    let map = "map margin --mass 50kg --stiffness 1000N/m --friction 5N --force 10N:20N:2 --frequency";
+    assert!(
+        stdout(&format!("{map} 60rpm:120rpm:2")).starts_with("frequency[rpm],force[N],margin\n60.0,10.0,")
+    );
+    assert!(stdout(&format!("{map} 1Hz:2Hz:2")).starts_with("frequency[Hz],"));
+    assert!(stdout("decay --x0 1.5").starts_with("At rest after 1 half cycle.\n"));
+    assert!(stdout("decay --x0 0.5").starts_with("At rest from the start.\n"));
+    assert_eq!(stdout("decay --v0 7"), stdout("decay --x0 0 --v0 7"));
+    refused("decay --damping-ratio 0.1", &["--x0"]);
+    let record = place("pulses.csv");
+    std::fs::write(&record, PULSES).unwrap();
+    let run = format!("record {} --mass 800kg --period 2.2s", record.display());
+    assert_eq!(stdout(&format!("{run} --friction-coefficient 0")), stdout(&format!("{run} --friction 0N")));
+    refused(&format!("{run} --friction-coefficient=-0.1"), &["--friction-coefficient -0.1", "must be ≥ 0"]);
+}
+
+#[test]
+fn messages_name_the_argument_and_its_limits() {
+    let file = place("small.svg");
+    let out = format!("--out {}", file.display());
+    refused("steady --omega 0.5 --alpha 3 --max-periods 1.5", &["--max-periods 1.5: must be a whole number"]);
+    refused(
+        "steady --omega 0.5 --alpha 3 --max-periods 99999999999999999999",
+        &["must be a smaller whole number"],
+    );
+    refused("motion-plot --omega 0.5 --alpha 0.5", &["Stuck: the body never moves."]);
+    refused("map foo", &["limits", "an output of response"]);
+    let plot = "motion-plot --omega 0.15 --alpha 3";
+    refused(&format!("{plot} {out} --size 50x50"), &["--size 50x50: must be from 542x466", "to 10000x10000"]);
+    let due = "must be from ";
+    let refusal = stickslip(&format!("{plot} {out} --size 50x50")).output().unwrap();
+    let message = String::from_utf8(refusal.stderr).unwrap();
+    let least = message.split(due).nth(1).unwrap().split(',').next().unwrap();
+    stdout(&format!("{plot} {out} --size {least}"));
+}
+
+/// White on a map of machines is a body that never moves, and its key says so.
+#[test]
+fn white_is_what_the_key_says() {
+    let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 1Hz:3Hz:4";
+    let key = |quantity: &str, accelerations: &str| {
+        let file = place("key.svg");
+        stdout(&format!(
+            "map {quantity} {machine} --base-acceleration {accelerations} --out {}",
+            file.display()
+        ));
+        let drawing = std::fs::read_to_string(&file).unwrap();
+        drawing.lines().find(|line| line.starts_with("white: ")).map(str::to_owned)
+    };
+    let stroke = "steady:max_displacement";
+    assert_eq!(key(stroke, "0.02g:0.4g:5").as_deref(), Some("white: the body never moves"));
+    assert_eq!(key(stroke, "0.1g:0.4g:5"), None);
+}
+
+/// A body without an answer is a row without numbers, and its reason is said; the others have theirs.
+#[test]
+fn one_bad_body_is_one_row() {
+    let record = place("pulses.csv");
+    std::fs::write(&record, PULSES).unwrap();
+    let spectrum = format!("spectrum {} --friction-coefficient 0.05 --period", record.display());
+    let (rows, notes) = said(&format!("{spectrum} 1s,1e-300s,2s"));
+    let rows: Vec<&str> = rows.lines().collect();
+    let good = stdout(&format!("{spectrum} 1s,2s"));
+    let good: Vec<&str> = good.lines().collect();
+    assert_eq!((rows[0], rows[1], rows[3]), (good[0], good[1], good[2]));
+    assert!(rows[2].trim_end_matches(',').ends_with("1e-300,0.05") || rows[2].contains("1e-300"), "{rows:?}");
+    assert!(rows[2].ends_with(",,,,"), "{}", rows[2]);
+    assert!(notes.contains("no answer") && notes.contains("--period 1e-300"), "{notes}");
+    refused(&format!("{spectrum}=-1s,-2s"), &["--period"]);
+}
+
+/// A file that is replaced keeps its modes; what a killed command left is removed, and other files are not.
+#[cfg(unix)]
+#[test]
+fn files_keep_their_modes_and_no_parts_are_left() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let file = place("figure.svg");
+    let figure = format!("figure 8 --out {}", file.display());
+    stdout(&figure);
+    std::fs::set_permissions(&*file, std::fs::Permissions::from_mode(0o600)).unwrap();
+    let beside = |suffix: &str| file.with_extension(format!("svg.{suffix}"));
+    // A process of this number cannot exist.
+    let left = [beside("4194399-0.part"), beside("4194399-17.part")];
+    let others = [beside("part"), beside("notes-0.part"), beside(&format!("{}-0.part", std::process::id()))];
+    left.iter().chain(&others).for_each(|path| std::fs::write(path, "").unwrap());
+    stdout(&format!("{figure} --overwrite"));
+    assert_eq!(std::fs::metadata(&*file).unwrap().permissions().mode() & 0o777, 0o600);
+    assert!(left.iter().all(|path| !path.exists()) && others.iter().all(|path| path.exists()));
+}
+
+/// A file without an end is refused.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_without_an_end_is_refused() {
+    for command in ["record", "spectrum"] {
+        let machine = "--period 2s --friction-coefficient 0.05";
+        let mass = if command == "record" { "--mass 1kg" } else { "" };
+        refused(&format!("{command} /dev/zero {machine} {mass}"), &["/dev/zero", "must be ≤ 64 MB"]);
+    }
+}
+
+/// Searches among very many oscillations end, and much damping is no obstacle.
+#[test]
+fn searches_of_peaks_end() {
+    let begin = std::time::Instant::now();
+    stdout("steady --omega 1e-3 --alpha 100 --damping-ratio 400000%");
+    stdout("steady --omega 1e-4 --alpha 3");
+    assert!(begin.elapsed().as_secs() < 20, "{:?}", begin.elapsed());
+}
