@@ -155,8 +155,11 @@ pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Ph
     physical
 }
 
+/// The name, the kind and the cell of each answer.
+pub(crate) type Columns<F> = [(&'static str, Kind, Cell<F>); 22];
+
 /// The answers as cells.
-pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> [(&'static str, Kind, Cell<F>); 22] {
+pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> Columns<F> {
     answer.entries().map(|(name, kind, entry)| {
         let cell = match entry {
             Entry::Value(value) => Cell::Number(value.copied()),

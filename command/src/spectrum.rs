@@ -53,7 +53,7 @@ struct Spectra<'a> {
     has_mass: bool,
     form: Record<f64>,
     /// The answers of a body that has none.
-    blank: [(&'static str, Kind, Cell<f64>); 20],
+    blank: follow::Columns<f64>,
     /// The number of bodies without an answer so far.
     failed: AtomicU64,
     args: &'a SpectrumArgs,
