@@ -87,9 +87,13 @@ impl<F: Float> SteadyState<F> {
             return Err(Error::Interrupted);
         }
         let found = [peaks.acceleration, peaks.transmitted_force, peaks.absolute_displacement];
+        let search = "the greatest acceleration, force or absolute displacement";
+        let lost = |bound| Err(self.equation.lost(search, start.phase, bound).into());
         if found.into_iter().any(is_unknown) {
-            let search = "the greatest acceleration, force or absolute displacement";
-            return Err(self.equation.lost(search, start.phase, "2²⁰ parts of a slide").into());
+            return lost("2²⁰ parts of a slide");
+        }
+        if found.into_iter().any(|peak| !peak.is_finite()) {
+            return lost("the range of this number type");
         }
         let acceleration = peaks.acceleration / self.equation.omega.square();
         let support = self.equation.support();
@@ -282,6 +286,32 @@ mod tests {
                 assert!(close, "{omega} {alpha}: {found} {sampled}");
             }
         }
+    }
+
+    /// Peaks that leave the range of their type are an error, and no infinite answer.
+    #[test]
+    fn peaks_beyond_the_range_are_refused() {
+        let (mut refused, mut answered) = (0, 0);
+        for i in 0..280u32 {
+            let omega = 10f32.powf(i as f32 * 0.03 - 2.4);
+            for alpha in [1.1f32, 13.0, 3e4] {
+                let Ok(ratios) = Ratios::new(omega, alpha) else { continue };
+                let Ok(found) = LongRun::from_start(ratios, State::default()) else { continue };
+                let Some(steady) = found.steady_state() else { continue };
+                match steady.peaks() {
+                    Ok(peaks) => {
+                        let all = [peaks.acceleration, peaks.transmitted_force, peaks.absolute_displacement];
+                        assert!(all.into_iter().all(f32::is_finite), "{omega} {alpha}: {peaks:?}");
+                        answered += 1;
+                    }
+                    Err(error) => {
+                        assert!(error.to_string().contains("range of this number type"), "{error}");
+                        refused += 1;
+                    }
+                }
+            }
+        }
+        assert!(answered > 100, "{answered} answered, {refused} refused");
     }
 
     /// Hundreds of fast waves in a slide take no more time than a few.
