@@ -38,7 +38,9 @@ def test_an_isolator_under_a_base_that_carries_the_surface():
     foot = ss.Drive(foot_displacement=0.15 * 9.80665 / (2 * HERTZ) ** 2, angular_frequency=2 * HERTZ)
     assert isolator().response(foot).regime == "stuck"
     forced = isolator().response(ss.Drive(force=1200.0, angular_frequency=2 * HERTZ))
-    assert math.isnan(forced.physical.max_absolute_displacement) and forced.max_absolute_displacement > 0
+    assert math.isnan(forced.physical.max_absolute_displacement) and math.isnan(forced.max_absolute_displacement)
+    # Ratios alone name no drive.
+    assert ss.response(4.4, 3.0).max_absolute_displacement > 0
 
 
 def test_the_physical_values_have_their_units():
@@ -298,3 +300,77 @@ def test_results_are_values():
     assert len(repr(many)) < 1500 and "(100,)" in repr(many)
     with pytest.raises(KeyError, match="stroke"):
         one["stroke"]
+
+
+#: The amplitude of each drive, and what it is multiplied by for a displacement of the foot or the base.
+DRIVES = {
+    "force": 12.0,
+    "unbalance": 0.4,
+    "foot_displacement": 0.012,
+    "damped_foot_displacement": 0.012,
+    "base_displacement": 0.007,
+    "base_velocity": 0.04,
+    "base_acceleration": 0.25,
+}
+
+
+def sampled(drive: str, amplitude: float, periods: int = 60, steps: int = 20_000) -> tuple[float, float, float]:
+    """Force on the support, transmissibility and work of the damper in the last period, by small steps in time."""
+    m, k, c, r, w = 50.0, 1000.0, 30.0, 5.0, 6.0
+    moved = amplitude / {"base_velocity": w, "base_acceleration": w * w}.get(drive, 1.0)
+    dt = 2 * math.pi / w / steps
+    x = v = force = acceleration = heat = 0.0
+    for i in range(periods * steps):
+        t = (i + 0.5) * dt
+        sine, cosine = math.sin(w * t), math.cos(w * t)
+        load = {"force": amplitude * sine, "unbalance": amplitude * w * w * sine}.get(drive, 0.0)
+        foot = moved * sine if "foot" in drive else 0.0
+        other = moved * w * cosine if "damped" in drive else 0.0
+        base = -moved * w * w * sine if "base" in drive else 0.0
+        free = v + dt * (load - k * (x - foot) - c * (v - other) - m * base) / m
+        lost = r * dt / m
+        after = free - max(-lost, min(lost, free))
+        if i >= (periods - 1) * steps:
+            rate = (after - v) / dt
+            force = max(force, abs(m * (rate + base) - load))
+            acceleration = max(acceleration, abs(rate))
+            heat += c * ((v + after) / 2 - other) ** 2 * dt
+        v = after
+        x += dt * v
+    p0 = m * moved * w * w if "base" in drive else amplitude * (w * w if drive == "unbalance" else 1.0)
+    return force, acceleration / (moved * w * w) if "foot" in drive else force / p0, heat
+
+
+@pytest.mark.parametrize("drive", DRIVES)
+def test_forces_on_the_support_and_heat_are_those_of_small_steps(drive: str) -> None:
+    machine = ss.Machine(mass=50.0, stiffness=1000.0, friction=5.0, damping=30.0)
+    at = ss.Drive(angular_frequency=6.0, **{drive: DRIVES[drive]})
+    force, ratio, heat = sampled(drive, DRIVES[drive], periods=25, steps=4000)
+    for answer in (machine.response(at), machine.steady(at)):
+        assert answer.physical.transmitted_force == pytest.approx(force, rel=4e-3)
+        assert answer.transmissibility == pytest.approx(ratio, rel=4e-3)
+        assert answer.physical.damper_energy_per_cycle == pytest.approx(heat, rel=4e-3)
+        moves = "foot" in drive or "base" in drive
+        assert math.isnan(answer.max_absolute_displacement) != moves
+        assert math.isnan(answer.physical.max_absolute_displacement) != moves
+
+
+def test_a_body_at_rest_has_its_known_values() -> None:
+    machine = ss.Machine(mass=50.0, stiffness=1000.0, friction=5.0)
+    stuck = machine.steady(ss.Drive(base_acceleration=0.05, angular_frequency=6.0))
+    assert (stuck.regime, stuck.max_velocity, stuck.stick_fraction, stuck.transmissibility) == ("stuck", 0.0, 1.0, 1.0)
+    assert stuck.physical.transmitted_force == pytest.approx(50.0 * 0.05)
+    assert stuck.physical.max_absolute_displacement == pytest.approx(0.05 / 36.0)
+    assert (stuck.max_displacement, stuck.energy_out) == (0.0, 0.0)
+    assert math.isnan(stuck.max_displacement_phase)
+
+
+def test_a_body_without_friction_follows_records() -> None:
+    machine = ss.Machine(mass=1.0, stiffness=100.0, friction=0.0, damping_ratio=0.05)
+    assert (machine.friction, machine.damping) == (0.0, 1.0)
+    # A step of the force of 1 N: x = (1 − e^{−ζωt}(cos ω't + ζ/√(1 − ζ²) sin ω't))/100, greatest at ω't = π.
+    record = ss.Record([1.0] * 2001, time_step=0.001, of="force")
+    greatest = (1 + math.exp(-0.05 * math.pi / math.sqrt(1 - 0.05**2))) / 100
+    assert machine.follow(record).max_displacement == pytest.approx(greatest, rel=1e-9)
+    with pytest.raises(ss.Error, match="friction bound r_y = 0 must be > 0"):
+        machine.steady(ss.Drive(force=1.0, angular_frequency=5.0))

@@ -79,7 +79,7 @@ class ResponseOutputs(Result, Generic[V, W]):
     """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
     base."""
     max_absolute_displacement: V
-    """Maximum absolute displacement, with a base that carries the surface (B)."""
+    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
 
 
 class BorderOutputs(Result, Generic[V]):
@@ -175,7 +175,7 @@ class SteadyOutputs(Result, Generic[V, W]):
     """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
     base."""
     max_absolute_displacement: V
-    """Maximum absolute displacement, with a base that carries the surface (B)."""
+    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
     damper_work: V
     """Energy that the damper dissipates in a cycle, where damping was given (r_y B)."""
     turns_per_cycle: V
@@ -227,7 +227,8 @@ class PhysicalResponse(Physical[V]):
     transmitted_force: V
     """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, as a force."""
     max_absolute_displacement: V
-    """Maximum absolute displacement, with a base that carries the surface, as a length."""
+    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves, as a
+    length."""
 
 
 class PhysicalSteady(Physical[V]):
@@ -266,4 +267,5 @@ class PhysicalSteady(Physical[V]):
     damper_energy_per_cycle: V
     """Energy that the damper dissipates in a cycle, where damping was given, as an energy."""
     max_absolute_displacement: V
-    """Maximum absolute displacement, with a base that carries the surface, as a length."""
+    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves, as a
+    length."""
