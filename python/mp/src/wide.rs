@@ -9,8 +9,7 @@ use pyo3::types::PyDict;
 use stickslip::float::{Mp, ParseError};
 use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput, SteadyState};
 use stickslip::{
-    Definition, Excitation, Float, Output, Ratios, Response, ResponseAnswer, Value, no_stop_force_ratios,
-    observed,
+    Definition, Float, Output, Ratios, Response, ResponseAnswer, Value, no_stop_force_ratios, observed,
 };
 
 /// A value on its way to Python.
@@ -97,7 +96,7 @@ fn digits<F: Display>(value: Option<F>) -> Cell {
 
 fn response<F: Float + Display>(ratios: Ratios<F>) -> Cells {
     let response = Response::guarded(ratios);
-    let answer = ResponseAnswer { response: &response, excitation: Excitation::Force, peaks: true };
+    let answer = ResponseAnswer { response: &response, peaks: true };
     let is_output =
         |definition: &Definition| Output::ALL.iter().any(|output| output.definition() == definition);
     let others = ResponseAnswer::COLUMNS.iter().filter(|column| !is_output(column.definition));
@@ -119,11 +118,9 @@ fn steady<F: Float>(
     stop: &Stop,
 ) -> Result<Cells, stickslip::Error> {
     let limit = LongRun::within(ratios, start, periods, &mut || stop.asked())?;
-    let steady = limit.steady_state();
-    let peaks = steady.map(|steady| steady.peaks_while(&mut || stop.asked())).transpose()?;
-    let errors = steady.map(SteadyState::errors).transpose()?;
-    let (excitation, seen) = (Excitation::Force, observed(ratios, &limit));
-    let answer = SteadyAnswer { ratios, excitation, limit: &limit, seen, errors, peaks };
+    let peaks = limit.peaks_while(&ratios, &mut || stop.asked())?;
+    let errors = limit.steady_state().map(SteadyState::errors).transpose()?;
+    let answer = SteadyAnswer { ratios, limit: &limit, seen: observed(ratios, &limit), errors, peaks };
     let columns = SteadyAnswer::COLUMNS.iter();
     let mut cells: Cells = columns.map(|c| (c.definition.name, (c.of)(&answer).into())).collect();
     let contraction = SteadyOutput::Contraction;
