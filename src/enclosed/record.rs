@@ -90,5 +90,6 @@ fn answer<const W: usize>(
 ) -> Result<RecordAnswer<Enclosure>, Error> {
     let of = |ball: &Ball<W>| Enclosure::of(ball).map(|found| found.rounded(bits));
     let answer = found.map(of);
-    answer.ok_or_else(|| Error::UncertainEvent { time: written(found.max_displacement_time.mid()) })
+    let time = found.max_displacement_time.or(found.max_velocity_time);
+    answer.ok_or_else(|| Error::UncertainEvent { time: written(time.map_or(Mp::ZERO, |time| time.mid())) })
 }

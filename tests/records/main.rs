@@ -9,6 +9,7 @@ mod invariants;
 
 #[cfg(feature = "generators")]
 mod any;
+mod ends;
 mod laws;
 mod references;
 mod sampled;

@@ -1,4 +1,5 @@
-//! Sixteen machines under records, with answers to 25 digits from an independent program.
+//! Sixteen machines under records, with answers to 25 digits from an independent program, and twenty-four with accelerations
+//! and forces from one that steps in time.
 
 use serde_json::Value;
 use stickslip::motion::record::{Body, Record};
@@ -142,4 +143,47 @@ fn every_answer_of_the_references_is_enclosed() {
         let greatest = exact.max_transmitted_force;
         hold("max_force", &found.max_transmitted_force, greatest, greatest);
     }
+}
+
+/// Accelerations in space, forces on the support, motions and counts of rests, of bodies with and without a spring.
+#[test]
+fn forces_and_accelerations_are_those_of_stepping_in_time() {
+    let text = include_str!("../data/forces.csv");
+    let mut rows = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = rows.next().unwrap();
+    let mut count = 0;
+    for (index, row) in rows.enumerate() {
+        count += 1;
+        let field = |name: &str| row[names.iter().position(|other| *other == name).unwrap()];
+        let of = |name: &str| field(name).parse::<f64>().unwrap();
+        let body = Body::new(of("mass"), of("friction"))
+            .and_then(|body| body.with_stiffness(of("stiffness")))
+            .and_then(|body| body.with_damping(of("damping")))
+            .and_then(|body| body.with_static_friction_ratio(of("static_friction_ratio")))
+            .unwrap();
+        let excitation = match field("excitation") {
+            "force" => Excitation::Force,
+            _ => Excitation::SurfaceAcceleration,
+        };
+        let samples = field("samples").split(' ').map(|sample| sample.parse().unwrap()).collect();
+        let found = body.follow(&Record::new(excitation, of("time_step"), samples).unwrap()).unwrap();
+        assert_eq!(found.stops.to_string(), field("stops"), "{index}");
+        let length = of("max_displacement").max(-of("min_displacement"));
+        let speed = of("max_velocity").max(-of("min_velocity"));
+        let (acceleration, force) = (of("max_absolute_acceleration"), of("max_transmitted_force"));
+        for (name, value, size) in [
+            ("max_absolute_acceleration", found.max_absolute_acceleration, acceleration),
+            ("max_transmitted_force", found.max_transmitted_force, force),
+            ("max_displacement", found.max_displacement, length),
+            ("min_displacement", found.min_displacement, length),
+            ("max_velocity", found.max_velocity, speed),
+            ("min_velocity", found.min_velocity, speed),
+            ("path", found.path, of("path")),
+            ("residual_displacement", found.residual_displacement.unwrap(), length),
+        ] {
+            let error = (value - of(name)).abs();
+            assert!(error <= 1e-10 * size, "{index} {name}: {value} against {}", of(name));
+        }
+    }
+    assert_eq!(count, 24);
 }

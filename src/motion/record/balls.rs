@@ -184,12 +184,12 @@ pub(crate) fn follow<const N: usize, const W: usize>(
     let (begin, start) = (record.time(0), [x, v].map(known::<N, W>));
     let excitation = record.excitation();
     let factors = Factors::new(excitation, weights.mass, &constants);
-    let mut pieces = pieces::<N, W>(record, factors).peekable();
-    let begun = pieces
+    let mut steps = pieces::<N, W>(record, factors).peekable();
+    let begun = steps
         .peek()
         .and_then(|(time, first)| begun(constants, start, known(record.longest_step()), *time, first));
     let (mut follower, mut totals) = begun.ok_or_else(|| uncertain(begin))?;
-    for (index, (time, piece)) in pieces.enumerate() {
+    for (index, (time, piece)) in steps.enumerate() {
         follower.step(&piece, time, &mut totals).map_err(|failure| failed((failure, record.time(index))))?;
     }
     let end = record.end();

@@ -1,0 +1,173 @@
+//! What the body does at an instant, at a touch, and after the record: cases with answers from integration in time and from
+//! closed forms.
+
+use std::f64::consts::{PI, TAU};
+use stickslip::motion::record::{Body, Record, RecordAnswer};
+use stickslip::{Error, Excitation};
+
+fn body(mass: f64, stiffness: f64, damping: f64, friction: f64) -> Body<f64> {
+    let body = Body::new(mass, friction).unwrap();
+    body.with_stiffness(stiffness).unwrap().with_damping(damping).unwrap()
+}
+
+fn force(times: &[f64], samples: &[f64]) -> Record<f64> {
+    Record::at_times(Excitation::Force, times.to_vec(), samples.to_vec()).unwrap()
+}
+
+fn close(name: &str, found: f64, expected: f64, digits: f64) {
+    assert!(
+        (found - expected).abs() <= digits * expected.abs().max(1e-3),
+        "{name}: {found} against {expected}"
+    );
+}
+
+/// A force that turns within the step in which it leaves one bound and passes the other: the body slides at once, back and
+/// forth, and transmits no more than friction.
+#[test]
+fn a_force_through_both_bounds_moves_the_body_both_ways() {
+    for sign in [1.0, -1.0] {
+        let record = force(&[0.0, 1.0], &[-3.0 * sign, 3.0 * sign]);
+        let found = body(1.0, 0.0, 0.0, 1.0).follow(&record).unwrap();
+        // By integration of ∓3 ± 6t ± 1 from 0 to 2/3 s, back from there, and braked by friction alone.
+        let (most, least) = (found.max_displacement * sign, found.min_displacement * sign);
+        close("extreme", most.min(least), -4.0 / 27.0, 1e-14);
+        close("residual", found.residual_displacement.unwrap() * sign, -1.0 / 18.0, 1e-14);
+        close("path", found.path, 13.0 / 54.0, 1e-14);
+        close("force", found.max_transmitted_force, 1.0, 1e-14);
+        close("acceleration", found.max_absolute_acceleration, 2.0, 1e-14);
+        assert_eq!((found.slides, found.stops, found.reversals, found.stick_time), (2, 1, 1, 0.0));
+    }
+}
+
+/// At an instant between two slides the force on the support is that of neither a rest.
+#[test]
+fn a_reversal_transmits_no_more_than_friction() {
+    let samples = vec![0.0, 3.0, 0.0, -3.0, 0.0];
+    let record = Record::new(Excitation::SurfaceAcceleration, 1.0, samples).unwrap();
+    let found = body(1.0, 0.0, 0.0, 1.0).follow(&record).unwrap();
+    close("force", found.max_transmitted_force, 1.0, 1e-14);
+    close("acceleration", found.max_absolute_acceleration, 1.0, 1e-14);
+    assert_eq!((found.slides, found.stops, found.reversals), (2, 1, 1));
+}
+
+/// A body without friction and a damper under a load is nowhere at rest, and its force is that of the spring.
+#[test]
+fn without_friction_the_body_does_not_rest() {
+    let samples: Vec<f64> =
+        (0..200).map(|i| (0.37 * f64::from(i)).sin() - (1.9 * f64::from(i)).cos()).collect();
+    let record = Record::new(Excitation::Force, 0.1, samples).unwrap();
+    let found = body(2.0, 7.0, 0.0, 0.0).follow(&record).unwrap();
+    assert_eq!((found.stick_time, found.stops), (0.0, 0), "{found:?}");
+    let spring = 7.0 * found.max_displacement.max(-found.min_displacement);
+    close("force", found.max_transmitted_force, spring, 1e-12);
+}
+
+/// Released by a straight ramp without a damper, v = (ṗ/k)(1 − cos ωt) touches zero once a period and goes on, however
+/// the ramp is sampled and in all units: x = (ṗ/k)(t − sin ωt/ω).
+#[test]
+fn a_velocity_that_touches_zero_goes_on() {
+    let (k, rate): (f64, f64) = (99.0, 10.0);
+    let omega = k.sqrt();
+    let (t, start) = (10.0 - 1.0 / rate, 1.0 / rate);
+    let x = rate / k * (t - (omega * t).sin() / omega);
+    let v = rate / k * (1.0 - (omega * t).cos());
+    for parts in [1u32, 2, 7, 100, 1000] {
+        for (length, mass) in
+            [(1.0, 1.0), (1000.0, 0.001), (1000.0, 1.0), (39.370_078_740_157_48, 0.005_710_147_154_733)]
+        {
+            let samples = (0..=parts).map(|i| 100.0 * f64::from(i) / f64::from(parts) * length * mass);
+            let record = Record::new(Excitation::Force, 10.0 / f64::from(parts), samples.collect()).unwrap();
+            let found = body(mass, k * mass, 0.0, length * mass).follow(&record).unwrap();
+            let case = format!("{parts} {length}: {found:?}");
+            close(&case, found.end_displacement / length, x, 1e-12);
+            close(&case, found.end_velocity / length, v, 1e-11);
+            close(&case, found.stick_time, start, 1e-12);
+            // One slide through the ramp, and fifty half turns of the decay after it.
+            assert_eq!((found.slides, found.stops, found.reversals), (51, 1, 50), "{case}");
+            assert!(found.min_velocity / length > -10.2, "{case}");
+        }
+    }
+}
+
+/// Overdamped slides after the record, which never stop, by integration in time.
+#[test]
+fn a_slide_that_creeps_for_ever_is_followed() {
+    let of = body(1.0, 4.0, 5.0, 1.0);
+    let found = of.follow(&force(&[0.0, 1.0, 1.25], &[0.0, 8.0, 8.0])).unwrap();
+    close("velocity", found.min_velocity, -0.264_849_748_333_786_7, 1e-12);
+    close("its time", found.min_velocity_time.unwrap(), 1.882_759_5, 1e-7);
+    let still = force(&[0.0, 0.0625], &[0.0, 0.0]);
+    let found = of.follow_from(&still, -2.0, 0.0).unwrap();
+    close("velocity", found.max_velocity, 1.102_430_918_66, 1e-10);
+    close("residual", found.residual_displacement.unwrap(), -0.25, 1e-14);
+    assert_eq!((found.max_displacement, found.max_displacement_time), (-0.25, None));
+    let found = of.follow(&force(&[0.0, 0.0625], &[-5.0, -5.0])).unwrap();
+    close("force", found.max_absolute_acceleration, 4.0, 3.0);
+}
+
+/// Without friction a damped body swings for ever; its path is that of all swings.
+#[test]
+fn a_decay_without_friction_has_its_whole_path() {
+    let of = body(1.0, 1.0, 0.04, 0.0);
+    let found = of.follow_from(&force(&[0.0, 0.0625], &[0.0, 0.0]), 1.0, 0.1).unwrap();
+    let least = found.min_velocity.min(-found.max_velocity);
+    assert!(least < -0.9, "{found:?}");
+    close("velocity", found.max_velocity, 0.914_932_946_75, 1e-10);
+    // The turning points are a geometric series with the ratio q, and the first is at tan dt = v₀d/(βv₀ + ω²x₀).
+    let (beta, d) = (0.02f64, (1.0 - 0.0004f64).sqrt());
+    let t = (0.1 * d / (beta * 0.1 + 1.0)).atan() / d;
+    let x = (-beta * t).exp() * ((d * t).cos() + (0.1 + beta) / d * (d * t).sin());
+    let q = (-PI * beta / d).exp();
+    close("path", found.path, x - 1.0 + x * (1.0 + q) / (1.0 - q), 1e-11);
+    assert_eq!((found.residual_displacement, found.cut_time), (Some(0.0), None));
+    assert_eq!((found.slides, found.stops, found.reversals), (1, 0, 0));
+}
+
+/// Without friction and a damper the motion is cut after a period, which has all its extremes.
+#[test]
+fn an_endless_vibration_is_followed_for_a_period() {
+    let found = body(2.0, 8.0, 0.0, 0.0).follow_from(&force(&[0.0, 0.1], &[0.0, 0.0]), 0.3, 0.8).unwrap();
+    let amplitude = 0.3f64.hypot(0.4);
+    close("displacement", found.max_displacement, amplitude, 1e-14);
+    close("displacement", found.min_displacement, -amplitude, 1e-14);
+    close("velocity", found.max_velocity, 2.0 * amplitude, 1e-14);
+    close("velocity", found.min_velocity, -2.0 * amplitude, 1e-14);
+    close("acceleration", found.max_absolute_acceleration, 4.0 * amplitude, 1e-14);
+    close("cut", found.cut_time.unwrap(), 0.1 + PI, 1e-14);
+    assert_eq!(found.residual_displacement, None);
+    // On a slope steeper than friction the slide after the record has no end, and the answers are those of the record.
+    let block = body(1.0, 0.0, 0.5, 1.0).with_mean_force(2.0).unwrap();
+    let found = block.follow(&force(&[0.0, 1.0], &[0.0, 0.0])).unwrap();
+    close("cut", found.cut_time.unwrap(), 1.0, 1e-14);
+    close("velocity", found.max_velocity, 2.0 * (1.0 - (-0.5f64).exp()), 1e-13);
+    assert_eq!(found.residual_displacement, None);
+}
+
+/// A foot stays where its record ends, so that the body comes to rest beside it; and the damper on it takes ∫ c(v − u′)².
+#[test]
+fn a_foot_stays_where_it_ends() {
+    for excitation in [Excitation::FootMotion, Excitation::DampedFootMotion] {
+        let record = Record::new(excitation, 1.0, vec![0.0, 1.0]).unwrap();
+        let found = body(1.0, 100.0, 3.0, 1.0).follow(&record).unwrap();
+        let rest = found.residual_displacement.unwrap();
+        assert!((rest - 1.0).abs() <= 0.01 + 1e-12, "{found:?}");
+    }
+    let times = vec![0.0, 1.0, 2.0];
+    let record = Record::at_times(Excitation::DampedFootMotion, times, vec![0.0, 1.0, 0.0]).unwrap();
+    let found = body(1.0, 4.0, 1.5, 1.0).follow(&record).unwrap();
+    close("work", found.damper_work, 2.760_650_658_077_4, 1e-12);
+}
+
+/// Many periods in a step cost no more than a few, and many stops are refused.
+#[test]
+fn a_step_of_many_periods_is_followed_or_refused() {
+    // A ramp of 1e7 periods: the body follows it.
+    let omega = TAU;
+    let record = Record::new(Excitation::SurfaceAcceleration, 1e7, vec![0.0, -9.8]).unwrap();
+    let found = body(1.0, omega * omega, 0.1 * omega, 0.5).follow(&record).unwrap();
+    close("end", found.end_displacement, (9.8 - 0.5) / (omega * omega), 1e-6);
+    assert_eq!((found.slides, found.stops > 0), (found.stops + found.reversals, true));
+    let record = Record::new(Excitation::Force, 1.0, (0..4000).map(|i| f64::from(i % 7)).collect()).unwrap();
+    let found: Result<RecordAnswer<f64>, Error> = body(1.0, 1.8e19, 0.0, 0.0).follow(&record);
+    assert!(matches!(found, Err(Error::TooManyEvents { .. })), "{found:?}");
+}
