@@ -876,7 +876,7 @@ function showRecord(found) {
   const [slides, rest] = [value("slides"), value("residual_displacement")];
   const times = slides === 1 ? "once" : `${slides} times`;
   $("record-verdict").textContent = slides === 0 ? "The body rests throughout."
-    : `The body slides ${times}, and ${rest === null ? "does not come to rest" : `comes to rest at ${digits(rest)} ${found.units.displacement}`}.`;
+    : `The body slides ${times}, and ${rest === null ? `never comes to rest; its motion is cut at ${digits(value("cut_time"))} s` : `comes to rest at ${digits(rest)} ${found.units.displacement}`}.`;
   for (const { name, value, unit } of found.values) entry(list, label(name), `${digits(value)} ${value === null ? "" : unit}`);
 }
 
