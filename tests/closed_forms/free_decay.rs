@@ -66,7 +66,6 @@ fn off(estimate: Estimate, truth: f64) -> f64 {
 
 #[derive(Debug, Default)]
 struct Count {
-    decays: usize,
     with_peaks: usize,
     answered: usize,
     within: [usize; 2],
@@ -76,7 +75,7 @@ struct Count {
 
 fn count(decays: usize, seed: u64) -> Count {
     let mut random = Random(seed);
-    let mut count = Count { decays, ..Count::default() };
+    let mut count = Count::default();
     let (mut all, mut worst) = (0, 0.0f64);
     for i in 0..decays {
         let decay = decay(&mut random);
@@ -135,35 +134,14 @@ fn count(decays: usize, seed: u64) -> Count {
     count
 }
 
+/// No answer is wrong and certain, nearly all decays with three peaks above the noise are answered, and the truth lies in
+/// the intervals as often as they say; more decays by the environment variable `DECAYS`.
 #[test]
-fn campaign() {
-    let n = std::env::var("DECAYS").ok().and_then(|n| n.parse().ok()).unwrap_or(100);
-    let found = count(n, 5);
-    assert_eq!(found.wrong, 0);
-}
-
-#[test]
-fn dump() {
-    let Some(which) = std::env::var("DUMP").ok().and_then(|n| n.parse::<usize>().ok()) else { return };
-    let mut random = Random(5);
-    let mut d = decay(&mut random);
-    for _ in 0..which {
-        d = decay(&mut random);
-    }
-    let text: String = d.times.iter().zip(&d.values).map(|(t, x)| format!("{t},{x}\n")).collect();
-    std::fs::write("/tmp/ident_dump.csv", format!("time[s],displacement[m]\n{text}")).unwrap();
-}
-#[test]
-fn dumped() {
-    let Ok(text) = std::fs::read_to_string("/tmp/ident_dump.csv") else { return };
-    let rows: Vec<(f64, f64)> = text
-        .lines()
-        .skip(1)
-        .map(|l| l.split_once(',').map(|(a, b)| (a.parse().unwrap(), b.parse().unwrap())).unwrap())
-        .collect();
-    let (t, x): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
-    println!(
-        "{:?}",
-        identify_decay(&t, &x).map(|f| (f.friction_displacement, f.damping_ratio, f.half_cycles))
-    );
+fn decays_that_are_cut_or_go_on_at_rest_are_fitted() {
+    let decays = std::env::var("DECAYS").ok().and_then(|n| n.parse().ok()).unwrap_or(100);
+    let found = count(decays, 5);
+    assert_eq!(found.wrong, 0, "{found:?}");
+    assert!(found.answered * 100 >= found.with_peaks * 95, "{found:?}");
+    // Of 80 and more, at least 90 % with a probability of 95 %.
+    assert!(found.within.iter().all(|&n| n * 100 >= found.answered * 90), "{found:?}");
 }

@@ -30,6 +30,9 @@ struct DecayAnswer {
     noise: f64,
     noise_unit: String,
     measurements: usize,
+    read_as: Option<TurningPoints>,
+    half_cycles: Option<usize>,
+    static_friction_displacement: Option<(f64, f64)>,
     turning_points: Vec<(Option<f64>, f64)>,
     residuals: Vec<f64>,
     ignored_columns: Vec<String>,
@@ -139,6 +142,9 @@ impl DecayAnswer {
             noise: found.noise,
             noise_unit: unit(Kind::Length),
             measurements: found.residuals.len(),
+            read_as: found.read_as,
+            half_cycles: found.half_cycles,
+            static_friction_displacement: found.static_friction_displacement,
             turning_points: found.turning_points,
             residuals: found.residuals,
             ignored_columns: file.others.clone(),
@@ -161,6 +167,25 @@ impl DecayAnswer {
             found.map_or(Ok(()), |found| estimate_line(name, found, out))?;
         }
         writeln!(out, "  noise               {} {length}, error of one measurement", digits(self.noise))?;
+        match self.read_as {
+            Some(TurningPoints::EveryHalfCycle) => {
+                writeln!(out, "\nThe peaks are read as those of both sides, one in every half cycle.")?;
+            }
+            Some(_) => writeln!(
+                out,
+                "\nThe peaks are read as those of one side, one in every cycle. Peaks of both sides without signs need \
+                 --half-cycles."
+            )?,
+            None => {}
+        }
+        if let Some((least, most)) = self.static_friction_displacement {
+            writeln!(
+                out,
+                "\nThe body comes to rest: static friction r_s/k is between {} and {} {length}.",
+                digits(least),
+                digits(most)
+            )?;
+        }
         if self.friction.is_none() {
             writeln!(out, "\nWith --stiffness, or --mass and the frequency, the friction is a force, too.")?;
         }
