@@ -92,9 +92,11 @@ const FRICTION: usize = 2;
 /// than chance.
 fn identified(fits: &Alike) -> Result<DecayIdentified, Error> {
     let best = fits.best();
-    for (i, quantity) in [(FRICTION, Quantity::FrictionDisplacement), (ZETA, Quantity::DampingRatio)] {
+    let kinds =
+        [(FRICTION, Quantity::FrictionDisplacement, best.at[AMPLITUDE]), (ZETA, Quantity::DampingRatio, 1.0)];
+    for (i, quantity, scale) in kinds {
         let (value, error) = (best.at[i], fits.error(i));
-        if value + student(CERTAIN, best.degrees_of_freedom()) * error < 0.0 {
+        if value + student(CERTAIN, best.degrees_of_freedom()) * error < -ROUNDING * scale {
             // By how much both change an amplitude in half a cycle.
             let falls = (1.0 - ratio(best.at[ZETA])) * best.at[AMPLITUDE] + 2.0 * best.at[FRICTION];
             let value = written(value);
@@ -120,6 +122,8 @@ fn identified(fits: &Alike) -> Result<DecayIdentified, Error> {
     })
 }
 
+/// The part of the first amplitude, and the damping ratio, that a fit without noise does not resolve.
+const ROUNDING: f64 = 1e-7;
 /// The quantile of the normal distribution beyond which a sign is no chance: 1 in 10⁵.
 const CERTAIN: f64 = 4.4;
 
