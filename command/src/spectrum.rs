@@ -11,7 +11,6 @@ use crate::interrupt;
 use crate::measured;
 use crate::outputs::key;
 use crate::physical::Physical;
-use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sweep::{self, Table};
 use std::io::Write;
@@ -70,9 +69,7 @@ impl<'a> Spectra<'a> {
             if loads.iter().any(|(earlier, _)| *earlier == name) {
                 return Err(format!("{name}: must be given only once").into());
             }
-            let (load, summary) = measured::read(file, &args.load, &reader)?;
-            progress::note(&format!("{name}: {}", measured::sentence(&summary)));
-            loads.push((name, load));
+            loads.push((name, measured::read(file, &args.load, &reader)?.0));
         }
         let inputs = Input::ALL.into_iter().filter(|input| axes.has(*input));
         let inputs = inputs.map(|input| (input, &*input.column().leak())).collect();

@@ -64,7 +64,7 @@ impl Delimiter {
         sign.map_or(Self::Blanks, Self::Sign)
     }
 
-    /// Splits a row into its cells. An empty last cell is none.
+    /// Splits a row into its cells.
     fn cells<'a>(self, row: &'a str, cells: &mut Vec<&'a str>) {
         cells.clear();
         match self {
@@ -81,7 +81,11 @@ impl Delimiter {
         for cell in cells.iter_mut() {
             *cell = cell.trim().trim_matches('"').trim();
         }
-        if self != Self::Blanks && cells.len() > 1 && cells.last() == Some(&"") {
+    }
+
+    /// Leaves out the empty cell behind a sign at the end of a row.
+    fn without_last(cells: &mut Vec<&str>) {
+        if cells.len() > 1 && cells.last() == Some(&"") {
             cells.pop();
         }
     }
@@ -91,6 +95,7 @@ impl Delimiter {
         let own = |delimiter: Self| {
             let mut cells = Vec::new();
             delimiter.cells(header, &mut cells);
+            Self::without_last(&mut cells);
             cells.into_iter().map(str::to_owned).collect::<Vec<_>>()
         };
         let delimiter = Self::of(header);
@@ -249,6 +254,7 @@ pub(super) fn read<F: Float + FromStr>(
     let mut cells = Vec::new();
     if let Some((_, row)) = &first {
         delimiter.cells(row, &mut cells);
+        Delimiter::without_last(&mut cells);
     }
     let width = cells.len();
     let names = if known.names.is_empty() {
@@ -511,6 +517,9 @@ fn rows<F: Float + FromStr>(
         let at = |what: &str| options.at(number_of_line, what);
         let mut cells = Vec::with_capacity(width);
         delimiter.cells(&row, &mut cells);
+        if cells.len() > width || columns.all {
+            Delimiter::without_last(&mut cells);
+        }
         if columns.all {
             for cell in &cells {
                 let value =

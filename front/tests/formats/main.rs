@@ -116,6 +116,22 @@ fn what_is_read_is_said_in_one_sentence() {
     assert_eq!(found.record.time(0), 1.0);
 }
 
+/// Rows that end with a comma, quoted names, and a decimal comma.
+#[test]
+fn rows_of_spreadsheets() {
+    for text in [
+        "time[s],acc[gal],\n0,0,\n1.5,-200,\n2,100,\n",
+        "\"Time, s\",\"Acc, gal\"\n0,0\n1.5,-200\n2,100\n",
+        "t;a\n[s];[gal]\n0;0\n1,5;-2,0e2\n2;100\n",
+        "time  acc\n(s)  (gal)\n0 0\n1.5 -200\n2 100\n",
+        "x,Time s,acc_gal\nq,0,0\nr,1.5,-200\ns,2,100\n",
+    ] {
+        let record =
+            read_text(text.as_bytes(), |_| {}).unwrap_or_else(|error| panic!("{error}\n{text}")).record;
+        assert_eq!((record.samples(), record.time(1)), (&[0.0, -2.0, 1.0][..], 1.5), "{text}");
+    }
+}
+
 /// Of several channels one is chosen by its name or its place; the others are named.
 #[test]
 fn of_several_channels_one_is_chosen() {
