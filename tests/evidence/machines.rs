@@ -1,5 +1,7 @@
 //! Machines drawn at random, for the library and for the samples.
 
+#![allow(dead_code, reason = "each test takes what it needs")]
+
 use crate::random::Random;
 use crate::sampled::{Harmonic, Load, Machine};
 use std::f64::consts::TAU;

@@ -6,6 +6,8 @@ mod random;
 mod borders;
 mod closed_forms;
 mod designs;
+#[cfg(feature = "mp")]
+mod enclosed;
 mod machines;
 mod motions;
 mod records;

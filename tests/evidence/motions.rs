@@ -418,3 +418,74 @@ fn neighbours_of_an_irregular_motion_part_as_the_exponent_says() {
     let error = motion.lyapunov_exponent_error.max(0.02);
     assert!((mean - motion.lyapunov_exponent).abs() < 5.0 * error, "{mean} {motion:?}");
 }
+
+/// A body pulled through its spring at a constant speed: its slips and sticks, and the speed of smooth sliding.
+#[test]
+fn a_pulled_body_slips_and_sticks_as_the_samples_do() {
+    use crate::sampled::{Equation, Follower};
+    let mut random = Random(36);
+    let mut smooth = 0;
+    for _ in 0..40 {
+        let (mass, natural) = (random.scale(0.1, 10.0), random.scale(1.0, 30.0));
+        let (zeta, eta) = (random.scale(0.01, 0.4), random.between(1.05, 2.0));
+        let (stiffness, friction) = (mass * natural * natural, random.scale(0.5, 20.0));
+        let damping = 2.0 * zeta * mass * natural;
+        let body = stickslip::Oscillator::new(mass, stiffness, friction).unwrap();
+        let body = body.with_damping(damping).unwrap().with_static_friction_ratio(eta).unwrap();
+        let machine = Machine::new([mass, stiffness, damping], [friction, 0.0, eta], 0.0);
+        // The motion from rest over so many natural periods, watched over the last ones from a release on.
+        let follow = |speed: f64| {
+            let law = [[0.0, 1.0], [0.0, 0.0]];
+            let equation = Equation { machine, load: Load::Foot, law, surface: 0.0 };
+            let step = TAU / natural / 256.0;
+            let begin = friction * eta / stiffness;
+            let mut follower = Follower::new(equation, [0.0, 0.0], [begin * 0.999, speed], 0.0, step);
+            let mut releases: Vec<[f64; 2]> = Vec::new();
+            let mut found = follower.watched();
+            let mut last = follower.sign;
+            let mut slips: Vec<(f64, f64, f64)> = Vec::new();
+            for _ in 0..200_000 {
+                let count = found.as_ref().unwrap().stops.len();
+                follower.advance(&mut found);
+                let stops = &found.as_ref().unwrap().stops;
+                if stops.len() > count {
+                    let [time, x] = stops[stops.len() - 1];
+                    let [from, at] = releases[releases.len() - 1];
+                    slips.push((from, time - from, x - at));
+                    if slips.len() == 4 {
+                        break;
+                    }
+                }
+                if last == 0 && follower.sign != 0 {
+                    // Within the step: at rest the spring stretches until it overcomes static friction.
+                    let x = releases
+                        .last()
+                        .map_or(0.0, |_| slips[slips.len() - 1].2 + releases[releases.len() - 1][1]);
+                    let stretch = eta * friction / stiffness;
+                    releases.push([(x + stretch - begin * 0.999) / speed, x]);
+                }
+                last = follower.sign;
+            }
+            (slips, found.unwrap().most(Of::Velocity).value)
+        };
+        let least = stickslip::motion::Pull::new(&body, 1e-3).unwrap().smooth_above.unwrap();
+        let case = (zeta, eta, least);
+        assert_eq!(follow(0.99 * least).0.len(), 4, "{case:?}");
+        // From rest the first slip is the steady one, or there is none.
+        assert_eq!(follow(1.01 * least).0.len(), 0, "{case:?}");
+        let speed = least * random.scale(0.02, 0.95);
+        let pull = stickslip::motion::Pull::new(&body, speed).unwrap();
+        let (slips, fastest) = follow(speed);
+        let (first, last) = (slips[slips.len() - 2], slips[slips.len() - 1]);
+        let period = last.0 - first.0;
+        close(pull.period.unwrap(), period, 1e-8 * period, &case);
+        close(pull.slip_time.unwrap(), last.1, 1e-8 * period, &case);
+        close(pull.stick_time.unwrap(), period - last.1, 1e-8 * period, &case);
+        close(pull.slip_distance.unwrap(), last.2, 1e-8 * last.2, &case);
+        close(pull.max_velocity, fastest, 1e-9 * fastest, &case);
+        let above = stickslip::motion::Pull::new(&body, 1.5 * least).unwrap();
+        smooth += u32::from(above.period.is_none());
+        close(above.max_velocity, 1.5 * least, 1e-15 * least, &case);
+    }
+    assert_eq!(smooth, 40);
+}

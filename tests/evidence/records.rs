@@ -281,3 +281,52 @@ fn every_answer_under_a_record_is_that_of_the_samples() {
     assert!(texts.is_empty(), "{}", texts.join("\n"));
     assert!(compared > 200, "{compared}");
 }
+
+/// The states of a motion and its events: displacement, velocity and acceleration at their times, and the times of
+/// stops.
+#[test]
+fn states_and_events_are_those_of_the_samples() {
+    let mut random = Random(22);
+    let (mut states, mut stops) = (0, 0);
+    for excitation in RECORDS {
+        for _ in 0..12 {
+            let shaken = Shaken::any(&mut random, excitation);
+            let span = shaken.times[shaken.times.len() - 1] - shaken.times[0];
+            let [x, v] = shaken.start;
+            let motion = shaken.body().motion(&shaken.record(), x, v, span / 40.0).unwrap();
+            let found = shaken.sampled(128.0);
+            let (x, v) =
+                (found.found.greatest(Of::Displacement).value, found.found.greatest(Of::Velocity).value);
+            for state in motion.states.iter().step_by(5) {
+                let Some(place) = shaken.times.iter().position(|t| *t >= state.time) else { continue };
+                if place == 0 {
+                    continue;
+                }
+                // The record up to this state: its end is the state.
+                let mut cut = shaken.clone();
+                let part =
+                    (state.time - shaken.times[place - 1]) / (shaken.times[place] - shaken.times[place - 1]);
+                let load =
+                    shaken.samples[place - 1] + part * (shaken.samples[place] - shaken.samples[place - 1]);
+                cut.times.truncate(place);
+                cut.samples.truncate(place);
+                if cut.times[place - 1] >= state.time - 1e-9 * span {
+                    continue;
+                }
+                cut.times.push(state.time);
+                cut.samples.push(load);
+                let end = cut.sampled(64.0).end;
+                assert!((state.displacement - end[0]).abs() <= 1e-9 * x, "{state:?} {end:?} {shaken:?}");
+                assert!((state.velocity - end[1]).abs() <= 1e-9 * v, "{state:?} {end:?} {shaken:?}");
+                states += 1;
+            }
+            let of_library = motion.events.iter().filter(|event| event.direction == 0);
+            for (event, [time, place]) in of_library.zip(&found.found.stops) {
+                assert!((event.time - time).abs() <= 1e-6 * span, "{event:?} {time} {shaken:?}");
+                assert!((event.displacement - place).abs() <= 1e-9 * x, "{event:?} {place} {shaken:?}");
+                stops += 1;
+            }
+        }
+    }
+    assert!(states > 250 && stops > 100, "{states} {stops}");
+}

@@ -429,7 +429,7 @@ impl Follower {
             last: 0,
         };
         if follower.sign == 0 {
-            follower.sign = follower.direction(0.0);
+            follower.sign = follower.direction();
         }
         follower
     }
@@ -438,13 +438,14 @@ impl Follower {
         &self.matrices[(self.sign + 1) as usize]
     }
 
-    /// The direction in which a body at v = 0 moves now; 0 where friction holds it.
-    fn direction(&self, room: f64) -> i32 {
+    /// The direction in which a body at v = 0 moves now; 0 where friction holds it, or nearly does: a force on the bound
+    /// that grows releases the body in the step, and one that falls does not.
+    fn direction(&self) -> i32 {
         let Machine { held, is_one_way, .. } = self.equation.machine;
         let pull = dot(&self.equation.pull(), &self.state);
-        if pull > held[0] * (1.0 + room) {
+        if pull > held[0] * (1.0 + 1e-12) {
             1
-        } else if -pull > held[1] * (1.0 + room) && !is_one_way {
+        } else if -pull > held[1] * (1.0 + 1e-12) && !is_one_way {
             -1
         } else {
             0
@@ -507,7 +508,7 @@ impl Follower {
         let mut left = self.step;
         for _ in 0..1000 {
             if self.sign == 0 {
-                let sign = self.direction(0.0);
+                let sign = self.direction();
                 if sign != 0 {
                     self.release(sign, found);
                 }
@@ -564,7 +565,8 @@ impl Follower {
 
     fn release(&mut self, sign: i32, found: &mut Option<Found>) {
         if let Some(found) = found {
-            let lasts = self.rested > 1e-9 * self.step;
+            // A velocity that touches zero is found to the root of its rounding, and rests for as long.
+            let lasts = self.rested > 1e-5 * self.step;
             found.rests += u64::from(lasts);
             if lasts || self.last == 0 {
                 found.slides += 1;
@@ -873,7 +875,7 @@ pub(crate) fn record(
     follower.set_step(part.min(longest));
     let (mut is_over, mut creeps, mut quiet) = (false, false, 0);
     for _ in 0..400_000 {
-        if follower.sign == 0 && follower.direction(0.0) == 0 {
+        if follower.sign == 0 && follower.direction() == 0 {
             is_over = true;
             break;
         }

@@ -288,3 +288,48 @@ fn every_column_of_the_steady_state_is_that_of_the_samples() {
     assert!(texts.is_empty(), "{}", texts.join("\n"));
     assert!(counts.values().all(|&count| count == 40 * 7), "{counts:?}");
 }
+
+/// Every amplitude of the steady motion under every drive, of machines with two reversals and with stops, and its unit.
+#[test]
+fn every_amplitude_is_that_of_the_samples() {
+    use stickslip::motion::Amplitude;
+    let mut random = Random(15);
+    for excitation in DRIVES {
+        let mut compared = 0;
+        while compared < 12 {
+            let driven = Driven::any(&mut random, excitation);
+            let harmonic = driven.harmonic();
+            let start = [harmonic.mean(), 0.0];
+            let Limit::Periodic(cycle) = harmonic.limit(start, -driven.lead(), 400) else { continue };
+            // Beside a cycle without stops a start from rest may stop, where static friction is higher.
+            if driven.eta > 1.0 && cycle.found.rests > 0 {
+                continue;
+            }
+            compared += 1;
+            let found = &cycle.found;
+            let mean = harmonic.mean();
+            let about =
+                |of: Of, by: f64| (found.most(of).value - by).abs().max((found.least(of).value - by).abs());
+            let (force, ratio) = transmitted(&driven, &cycle);
+            let scales = stickslip::Scales::new(&driven.oscillator(), &driven.drive()).unwrap();
+            for (amplitude, expected) in [
+                (Amplitude::Displacement, about(Of::Displacement, mean)),
+                (Amplitude::Velocity, about(Of::Velocity, 0.0)),
+                (Amplitude::Acceleration, about(Of::Acceleration, 0.0)),
+                (Amplitude::TransmittedForce, force.value),
+                (Amplitude::Transmissibility, ratio.value),
+                (Amplitude::AbsoluteDisplacement, about(Of::AbsoluteDisplacement, mean)),
+            ] {
+                if amplitude == Amplitude::AbsoluteDisplacement && !driven.is_surface() {
+                    continue;
+                }
+                let reached = amplitude.of(driven.ratios(), excitation).unwrap();
+                let value = reached.value.unwrap() * amplitude.unit(&scales);
+                assert!(
+                    (value / expected - 1.0).abs() < 1e-8,
+                    "{amplitude:?}: {value} {expected} {driven:?}"
+                );
+            }
+        }
+    }
+}

@@ -6,8 +6,14 @@ mod command_line;
 mod drawn;
 #[path = "../../../tests/kept/mod.rs"]
 mod kept;
+#[path = "../../../tests/evidence/machines.rs"]
+mod machines;
 #[path = "../../../tests/place/mod.rs"]
 mod place;
+#[path = "../../../tests/random/mod.rs"]
+mod random;
+#[path = "../../../tests/evidence/sampled.rs"]
+mod sampled;
 
 mod answers;
 mod bounds;
@@ -15,6 +21,7 @@ mod curves;
 mod design;
 #[cfg(feature = "mp")]
 mod enclose;
+mod evidence;
 mod figures;
 mod files;
 mod identify;
