@@ -11,6 +11,7 @@ mod record;
 mod shared;
 mod shell;
 mod sweep;
+mod system;
 pub(crate) mod used;
 
 use crate::failure::Failure;
@@ -30,6 +31,7 @@ pub(crate) use shared::{AnswerArgs, Format, Header, OutputArgs, UnitArgs};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 use std::ffi::OsString;
 pub(crate) use sweep::{SweepArgs, SweepFormat, Swept, TableArgs};
+pub(crate) use system::{SystemArgs, SystemQuestion};
 
 const AFTER_HELP: &str = "\
 Examples:
@@ -88,6 +90,8 @@ pub(crate) enum Command {
     Basins(BasinsArgs),
     /// The exact motion from a start, segment by segment or sampled.
     Simulate(SimulateArgs),
+    /// Several bodies with contacts, elastic contacts and stops, from a file: the exact motion.
+    System(Box<SystemArgs>),
     /// Inverse problems: the force, friction, frequencies or stiffness for a desired motion.
     #[command(subcommand)]
     Design(Question),

@@ -56,6 +56,7 @@ mod starts;
 mod steady;
 mod style;
 mod sweep;
+mod system;
 mod verify;
 
 use args::Command;
@@ -102,6 +103,7 @@ fn run_command(command: &Command) -> Outcome {
         Command::Attractors(args) => attractors::run(args, &mut out)?,
         Command::Basins(args) => basins::run(args, &mut out)?,
         Command::Simulate(args) => simulate::run(args, &mut out)?,
+        Command::System(args) => system::run(args, &mut out)?,
         Command::Design(question) => design::run(question, &mut out)?,
         Command::Identify(args) => identify::run(args, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,

@@ -5,7 +5,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// How the file of a record is read.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(crate) struct LoadArgs {
     /// Time between samples in a file that does not state it, such as 0.005s
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]

@@ -1,0 +1,222 @@
+//! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
+
+use super::named;
+use super::node::{Fields, Node, nearest};
+use crate::failure::Failure;
+use crate::rows;
+use serde_json::Value;
+use std::io::Read;
+use std::path::Path;
+use stickslip::inputs::units::{Reader, System as Units};
+use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+
+/// The greatest length of a file in bytes.
+const LONGEST: u64 = 1 << 26;
+/// The greatest number of coordinates: the matrices are dense.
+pub(super) const MOST_COORDINATES: usize = 200;
+/// The greatest number of elements.
+pub(super) const MOST_ELEMENTS: usize = 200;
+
+/// A system as its file describes it.
+#[derive(Debug, Clone)]
+pub(crate) struct Described {
+    pub(crate) model: Model<f64>,
+    /// The names of the coordinates: those of the bodies, or q1, q2, …
+    pub(crate) coordinates: Vec<String>,
+    /// The system of units; `None` for matrices, whose units are any consistent ones.
+    pub(crate) units: Option<Units>,
+    pub(crate) start: State<f64>,
+    /// The force on each coordinate under a unit acceleration of the base, −M ι, where every coordinate is a
+    /// displacement over the base.
+    pub(crate) inertia: Vec<f64>,
+}
+
+/// Reads the text of a file as a value: JSON where it begins with a brace, otherwise TOML.
+pub(crate) fn parsed(file: &Path) -> Result<Value, Failure> {
+    let name = file.display().to_string();
+    let mut text = String::new();
+    let read = rows::open(file, &name)?.take(LONGEST + 1).read_to_string(&mut text);
+    read.map_err(|e| Failure::Input(format!("{name}: {e}")))?;
+    if text.len() as u64 > LONGEST {
+        return Err(format!("{name}: must be ≤ {LONGEST} bytes").into());
+    }
+    if text.trim_start().starts_with('{') {
+        return serde_json::from_str(&text).map_err(|e| format!("{name}: {e}").into());
+    }
+    toml::from_str(&text).map_err(|e: toml::de::Error| {
+        let line = e.span().map_or(0, |span| text.get(..span.start).unwrap_or("").lines().count().max(1));
+        format!("{name}, line {line}: {}", e.message().replace('\n', " ")).into()
+    })
+}
+
+/// The system of a value, with records beside the file in `folder`.
+pub(crate) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> Result<Described, Failure> {
+    let own: Option<Units> = match value.get("units") {
+        None | Some(Value::Null) => None,
+        Some(Value::String(text)) => {
+            Some(text.parse().map_err(|e| Failure::Input(format!("units {text}: {e}")))?)
+        }
+        Some(other) => return Err(format!("units {other}: must be a text such as \"N,mm\"").into()),
+    };
+    let asked = units.copied().or(own);
+    let reader = Reader::new(own.as_ref().or(units), "units = \"N,mm\"");
+    let root = Node::root(value, &reader);
+    let fields = root.fields()?;
+    if fields.get("masses").is_some() {
+        // Answers in other units than those of the file: bare numbers are then refused by the reader.
+        let reader = Reader::new(asked.as_ref(), "units = \"N,mm\"");
+        if own.is_some() && units.is_some() && own != asked {
+            return Err("--units: must be left out, because the file names its units".into());
+        }
+        return named::described(&Node::root(value, &reader), folder, asked.unwrap_or_default());
+    }
+    by_matrices(&fields)
+}
+
+/// A system of matrices, in any consistent units.
+fn by_matrices(fields: &Fields<'_>) -> Result<Described, Failure> {
+    if fields.get("mass").is_none() {
+        return Err(
+            "masses is missing: bodies by name, such as [masses] block = \"1 t\", or the matrix mass".into(),
+        );
+    }
+    let mass = fields.required("mass")?.matrix()?;
+    let n = mass.len();
+    if n == 0 || n > MOST_COORDINATES {
+        return Err(format!("mass: has {n} rows, must be ≥ 1 and ≤ {MOST_COORDINATES}").into());
+    }
+    let zeros = || vec![vec![0.0; n]; n];
+    let matrix = |name| fields.get(name).map_or_else(|| Ok(zeros()), |node| node.matrix());
+    let mut model =
+        Model { damping: matrix("damping")?, stiffness: matrix("stiffness")?, mass, ..Model::default() };
+    if let Some(constant) = fields.get("constant") {
+        model.constant = constant.numbers()?;
+    }
+    for node in fields.get("harmonics").map_or_else(|| Ok(Vec::new()), |node| node.list())? {
+        let harmonic = node.fields()?;
+        let part = |name| harmonic.get(name).map_or_else(|| Ok(Vec::new()), |node| node.numbers());
+        model.harmonics.push(Harmonic {
+            frequency: harmonic.required("frequency")?.number()?,
+            sin: part("sin")?,
+            cos: part("cos")?,
+        });
+        harmonic.end()?;
+    }
+    if let Some(node) = fields.get("record") {
+        let record = node.fields()?;
+        model.records.push(Record {
+            times: record.required("times")?.numbers()?,
+            values: record.required("values")?.numbers()?,
+            force: record.required("force")?.numbers()?,
+        });
+        record.end()?;
+    }
+    let elements = fields.get("elements").map_or_else(|| Ok(Vec::new()), |node| node.list())?;
+    if elements.len() > MOST_ELEMENTS {
+        return Err(format!("elements: {} of them, must be ≤ {MOST_ELEMENTS}", elements.len()).into());
+    }
+    for (i, node) in elements.iter().enumerate() {
+        model.elements.push(element(node, i)?);
+    }
+    let mut start = State::rest(n);
+    if let Some(node) = fields.get("start") {
+        let state = node.fields()?;
+        for (name, place) in [("displacement", &mut start.displacement), ("velocity", &mut start.velocity)] {
+            if let Some(node) = state.get(name) {
+                *place = node.numbers()?;
+                if place.len() != n {
+                    return Err(node.wrong(&format!("has {} numbers, must have {n}", place.len())));
+                }
+            }
+        }
+        state.end()?;
+    }
+    for name in ["name", "source", "run", "about", "units"] {
+        // A case may say where it comes from, and what is to be computed.
+        let _ = fields.get(name);
+    }
+    fields.end()?;
+    let inertia = model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect();
+    let coordinates = (1..=n).map(|i| format!("q{i}")).collect();
+    Ok(Described { model, coordinates, units: None, start, inertia })
+}
+
+/// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.
+fn signal(node: &Node<'_>) -> Result<Signal<f64>, Failure> {
+    if node.value().is_number() {
+        return Ok(Signal::constant(node.number()?));
+    }
+    let fields = node.fields()?;
+    let part = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.numbers());
+    let constant = fields.get("const").map_or(Ok(0.0), |node| node.number())?;
+    let found = Signal { constant, sin: part("sin")?, cos: part("cos")? };
+    // The part of a normal load that depends on the displacements is read beside it.
+    let _ = fields.get("displacement");
+    fields.end()?;
+    Ok(found)
+}
+
+/// The static friction over the kinetic one, under either name.
+pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, Failure> {
+    match (fields.get("peak"), fields.get("static_ratio")) {
+        (Some(_), Some(node)) => Err(node.wrong("must be left out beside peak, which is the same")),
+        (Some(node), None) | (None, Some(node)) => node.number(),
+        (None, None) => Ok(1.0),
+    }
+}
+
+/// A law from pairs of a speed and a force.
+pub(super) fn law(
+    node: &Node<'_>,
+    of: impl Fn(&Node<'_>, usize) -> Result<f64, Failure>,
+) -> Result<Law<f64>, Failure> {
+    let pair = |node: &Node<'_>| match node.list()?.as_slice() {
+        [speed, force] => Ok((of(speed, 0)?, of(force, 1)?)),
+        _ => Err(node.wrong("must be a pair of a speed and a force")),
+    };
+    Ok(Law { points: node.list()?.iter().map(pair).collect::<Result<_, Failure>>()? })
+}
+
+fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, Failure> {
+    let fields = node.fields()?;
+    let number = |name: &'static str| fields.required(name).and_then(|node| node.number());
+    let mut direction = fields.required("direction")?.numbers()?;
+    let kind = fields.required("type")?;
+    let kind = match kind.text()? {
+        "contact" => {
+            let law = match (fields.get("law"), fields.get("friction")) {
+                (Some(_), Some(node)) => return Err(node.wrong("must be left out beside a law")),
+                (Some(node), None) => law(&node, |node, _| node.number())?,
+                (None, _) => Law::constant(number("friction")?),
+            };
+            let normal = fields.get("normal").map(|node| {
+                let displacement = match node.value().get("displacement") {
+                    Some(_) => node.fields()?.required("displacement")?.numbers()?,
+                    None => Vec::new(),
+                };
+                Ok::<_, Failure>(Normal { signal: signal(&node)?, displacement })
+            });
+            Kind::Contact { law, peak: peak(&fields)?, normal: normal.transpose()? }
+        }
+        "elastic" => Kind::Elastic { stiffness: number("stiffness")?, friction: number("friction")? },
+        "stop" => {
+            let side = fields.get("side").map_or(Ok(1.0), |node| node.number())?;
+            if side.abs() != 1.0 {
+                return Err(fields.required("side")?.wrong("must be 1 or -1"));
+            }
+            direction.iter_mut().for_each(|b| *b *= side);
+            let damping = fields.get("damping").map_or(Ok(0.0), |node| node.number())?;
+            Kind::Stop { gap: number("gap")?, stiffness: number("stiffness")?, damping }
+        }
+        other => {
+            let kinds = ["contact", "elastic", "stop"];
+            return Err(kind.wrong(&format!("is unknown. {}", nearest(other, kinds.into_iter()))));
+        }
+    };
+    let name = fields
+        .get("name")
+        .map_or_else(|| Ok(format!("element {}", i + 1)), |node| node.text().map(str::to_owned))?;
+    let moves = fields.get("belt").map_or_else(|| Ok(Signal::constant(0.0)), |node| signal(&node))?;
+    fields.end()?;
+    Ok(Element { name, direction, moves, kind })
+}

@@ -1,0 +1,457 @@
+//! Bodies by name, and springs, contacts, stops and loads between them and the ground.
+
+use super::file::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
+use super::node::{Fields, Node, nearest};
+use crate::args::LoadArgs;
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
+use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+
+/// The name of the ground.
+const GROUND: &str = "ground";
+
+/// The bodies, and the system as far as it is read.
+struct Builder<'p> {
+    names: Vec<String>,
+    model: Model<f64>,
+    folder: &'p Path,
+}
+
+/// The system of a file of named bodies.
+pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<Described, Failure> {
+    let fields = root.fields()?;
+    let bodies = fields.required("masses")?.entries()?;
+    let n = bodies.len();
+    if n == 0 || n > MOST_COORDINATES {
+        return Err(format!("masses: {n} of them, must be ≥ 1 and ≤ {MOST_COORDINATES}").into());
+    }
+    let zeros = || vec![vec![0.0; n]; n];
+    let mut builder = Builder {
+        names: bodies.iter().map(|(name, _)| (*name).to_owned()).collect(),
+        model: Model {
+            mass: zeros(),
+            damping: zeros(),
+            stiffness: zeros(),
+            constant: vec![0.0; n],
+            ..Model::default()
+        },
+        folder,
+    };
+    let mut start = State::rest(n);
+    for (i, (name, node)) in bodies.iter().enumerate() {
+        if *name == GROUND {
+            return Err(node.wrong("must have another name: the ground does not move"));
+        }
+        let mass = if node.value().is_object() {
+            let body = node.fields()?;
+            let mass = body.required("mass")?;
+            for (field, kind, place) in [
+                ("start", Of::Length, &mut start.displacement),
+                ("velocity", Of::Velocity, &mut start.velocity),
+            ] {
+                if let (Some(node), Some(place)) = (body.get(field), place.get_mut(i)) {
+                    *place = node.quantity(kind)?;
+                }
+            }
+            body.end()?;
+            mass
+        } else {
+            node.clone()
+        };
+        let value = mass.quantity(Of::Mass)?;
+        if value <= 0.0 {
+            return Err(mass.wrong("must be > 0"));
+        }
+        add(&mut builder.model.mass, i, i, value);
+    }
+    let lists = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.list());
+    for node in lists("springs")? {
+        builder.spring(&node.fields()?)?;
+    }
+    for node in lists("contacts")? {
+        builder.contact(&node.fields()?)?;
+    }
+    for node in lists("stops")? {
+        builder.stop(&node.fields()?)?;
+    }
+    for node in lists("forces")? {
+        builder.force(&node.fields()?)?;
+    }
+    if let Some(base) = fields.get("base") {
+        builder.base(&base)?;
+    }
+    let _ = fields.get("units");
+    let _ = fields.get("about");
+    fields.end()?;
+    let count = builder.model.elements.len();
+    if count > MOST_ELEMENTS {
+        return Err(format!("contacts and stops: {count} of them, must be ≤ {MOST_ELEMENTS}").into());
+    }
+    let inertia = builder.inertia();
+    Ok(Described { model: builder.model, coordinates: builder.names, units: Some(units), start, inertia })
+}
+
+fn add(matrix: &mut [Vec<f64>], i: usize, j: usize, value: f64) {
+    if let Some(place) = matrix.get_mut(i).and_then(|row| row.get_mut(j)) {
+        *place += value;
+    }
+}
+
+impl Builder<'_> {
+    /// −M ι: the force of a unit acceleration of the base on each body.
+    fn inertia(&self) -> Vec<f64> {
+        self.model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect()
+    }
+
+    /// A body by its name; `None` for the ground.
+    fn body(&self, node: &Node<'_>) -> Result<Option<usize>, Failure> {
+        let name = node.text()?;
+        if name == GROUND {
+            return Ok(None);
+        }
+        self.names.iter().position(|own| own == name).map(Some).ok_or_else(|| {
+            let names = [GROUND].into_iter().chain(self.names.iter().map(String::as_str));
+            node.wrong(&format!("is no body. {}", nearest(name, names)))
+        })
+    }
+
+    /// The direction of `between = [first, second]`: of the second body in relation to the first.
+    fn direction(&self, fields: &Fields<'_>) -> Result<(Vec<f64>, [Option<usize>; 2]), Failure> {
+        let node = fields.required("between")?;
+        let list = node.list()?;
+        let [first, second] = list.as_slice() else {
+            return Err(node.wrong("must be two names, such as [\"ground\", \"block\"]"));
+        };
+        let ends = [self.body(first)?, self.body(second)?];
+        if ends[0] == ends[1] {
+            return Err(second.wrong("must be another body than the first"));
+        }
+        let mut direction = vec![0.0; self.names.len()];
+        for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
+            if let Some(place) = end.and_then(|end| direction.get_mut(end)) {
+                *place = sign;
+            }
+        }
+        Ok((direction, ends))
+    }
+
+    /// The name of an element: as given, or its kind and its place in the list.
+    fn name(&self, fields: &Fields<'_>) -> Result<String, Failure> {
+        let name = match fields.get("name") {
+            Some(node) => node.text()?.to_owned(),
+            None => fields.node.place().to_owned(),
+        };
+        if self.model.elements.iter().any(|element| element.name == name) {
+            return Err(fields.node.wrong(&format!("the name {name} is used twice")));
+        }
+        Ok(name)
+    }
+
+    fn spring(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+        let (_, ends) = self.direction(fields)?;
+        let stiffness = fields.quantity_or("stiffness", Of::Stiffness, 0.0)?;
+        let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
+        let _ = fields.get("name");
+        fields.end()?;
+        for (matrix, value) in [(&mut self.model.stiffness, stiffness), (&mut self.model.damping, damping)] {
+            match ends {
+                [Some(a), Some(b)] => {
+                    add(matrix, a, a, value);
+                    add(matrix, b, b, value);
+                    add(matrix, a, b, -value);
+                    add(matrix, b, a, -value);
+                }
+                [Some(a), None] | [None, Some(a)] => add(matrix, a, a, value),
+                [None, None] => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn contact(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+        let (direction, _) = self.direction(fields)?;
+        let name = self.name(fields)?;
+        let friction = self.friction(fields)?;
+        let moves = match fields.get("moves") {
+            Some(node) => self.motion(&node)?,
+            None => Signal::constant(0.0),
+        };
+        let kind = match fields.get("stiffness") {
+            Some(node) => match friction {
+                Friction { law: Law { points }, normal: None } if points.len() == 1 => Kind::Elastic {
+                    stiffness: node.quantity(Of::Stiffness)?,
+                    friction: points.first().map_or(0.0, |point| point.1),
+                },
+                Friction { .. } => {
+                    return Err(node.wrong(
+                        "an elastic contact has one friction force, without a law or a variable load",
+                    ));
+                }
+            },
+            None => Kind::Contact { law: friction.law, peak: peak(fields)?, normal: friction.normal },
+        };
+        fields.end()?;
+        self.model.elements.push(Element { name, direction, moves, kind });
+        Ok(())
+    }
+
+    /// The friction of a contact: a force, a coefficient with its normal load, or a law.
+    fn friction(&mut self, fields: &Fields<'_>) -> Result<Friction, Failure> {
+        let coefficient = fields.get("coefficient");
+        let (force, table) = (fields.get("friction"), fields.get("law"));
+        let load = fields.get("normal_load");
+        let given = [&force, &coefficient, &table].into_iter().flatten().count();
+        if given != 1 {
+            return Err(fields.node.wrong("needs one of friction, coefficient with normal_load, and law"));
+        }
+        if let Some(node) = coefficient {
+            let Some(load) = load else {
+                return Err(node.wrong("needs normal_load, the force that presses the surfaces together"));
+            };
+            let coefficient = node.quantity(Of::Ratio)?;
+            if load.value().is_object() {
+                let signal = self.signal(&load, Of::Force)?;
+                let normal = Some(Normal { signal, displacement: Vec::new() });
+                return Ok(Friction { law: Law::constant(coefficient), normal });
+            }
+            let friction = coefficient * load.quantity(Of::Force)?;
+            return Ok(Friction { law: Law::constant(friction), normal: None });
+        }
+        if let Some(load) = load {
+            return Err(load.wrong("must be left out without a coefficient"));
+        }
+        let law = match (force, table) {
+            (Some(node), _) => Law::constant(node.quantity(Of::Force)?),
+            (None, Some(node)) if node.value().is_string() => self.law_of_file(&node)?,
+            (None, Some(node)) => law(&node, |node, i| node.quantity([Of::Velocity, Of::Force][i.min(1)]))?,
+            (None, None) => Law::constant(0.0),
+        };
+        Ok(Friction { law, normal: None })
+    }
+
+    /// A law from a CSV file of two columns: speed and force.
+    fn law_of_file(&self, node: &Node<'_>) -> Result<Law<f64>, Failure> {
+        let file = self.folder.join(node.text()?);
+        let name = file.display().to_string();
+        let bad = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: {name}: {e}", node.place()));
+        let mut reader =
+            csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(&file).map_err(|e| bad(&e))?;
+        let header = reader.headers().map_err(|e| bad(&e))?.clone();
+        let mut kinds = [Of::Velocity, Of::Force].into_iter().zip(&header).map(|(kind, text)| {
+            let (_, unit) = crate::columns::name_and_unit(text);
+            (kind, unit.map(str::to_owned))
+        });
+        let (Some(speed), Some(force)) = (kinds.next(), kinds.next()) else {
+            return Err(bad(&"must have the columns speed and force"));
+        };
+        let mut points = Vec::new();
+        for (line, row) in reader.records().enumerate() {
+            let row = row.map_err(|e| bad(&e))?;
+            let value = |i: usize, (kind, unit): &(Of, Option<String>)| {
+                let text = format!("{}{}", row.get(i).unwrap_or(""), unit.as_deref().unwrap_or(""));
+                let place = format!("{}: {name}, line {}", node.place(), line + 2);
+                node.reader().value::<f64>(&place, &text, *kind).map_err(Failure::from)
+            };
+            points.push((value(0, &speed)?, value(1, &force)?));
+        }
+        Ok(Law { points })
+    }
+
+    fn stop(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+        let (direction, _) = self.direction(fields)?;
+        let name = self.name(fields)?;
+        let kind = Kind::Stop {
+            gap: fields.required("gap")?.quantity(Of::Length)?,
+            stiffness: fields.required("stiffness")?.quantity(Of::Stiffness)?,
+            damping: fields.quantity_or("damping", Of::Damping, 0.0)?,
+        };
+        fields.end()?;
+        self.model.elements.push(Element { name, direction, moves: Signal::constant(0.0), kind });
+        Ok(())
+    }
+
+    /// The place of a frequency among the harmonics, which is added where it is new.
+    fn harmonic(&mut self, frequency: f64) -> usize {
+        let n = self.names.len();
+        let found = self.model.harmonics.iter().position(|harmonic| harmonic.frequency == frequency);
+        found.unwrap_or_else(|| {
+            self.model.harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
+            self.model.harmonics.len() - 1
+        })
+    }
+
+    /// A harmonic `{ amplitude, frequency, phase }`: the place of its frequency, and its parts in phase with the sine and
+    /// with the cosine.
+    fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<(usize, [f64; 2]), Failure> {
+        let amplitude = fields.required("amplitude")?.quantity(kind)?;
+        let node = fields.required("frequency")?;
+        let frequency = node.quantity(Of::Frequency)?;
+        if frequency <= 0.0 {
+            return Err(node.wrong("must be > 0"));
+        }
+        let (sine, cosine) = fields.quantity_or("phase", Of::Angle, 0.0)?.sin_cos();
+        Ok((self.harmonic(frequency), [amplitude * cosine, amplitude * sine]))
+    }
+
+    /// A constant, or a constant with a harmonic: `{ constant, amplitude, frequency, phase }`.
+    fn signal(&mut self, node: &Node<'_>, kind: Of) -> Result<Signal<f64>, Failure> {
+        if !node.value().is_object() {
+            return Ok(Signal::constant(node.quantity(kind)?));
+        }
+        let fields = node.fields()?;
+        let mut signal = Signal::constant(fields.quantity_or("constant", kind, 0.0)?);
+        if fields.get("amplitude").is_some() {
+            let (place, [sin, cos]) = self.wave(&fields, kind)?;
+            signal.sin = vec![0.0; place + 1];
+            signal.cos = vec![0.0; place + 1];
+            if let (Some(to), Some(into)) = (signal.sin.last_mut(), signal.cos.last_mut()) {
+                (*to, *into) = (sin, cos);
+            }
+        }
+        fields.end()?;
+        Ok(signal)
+    }
+
+    /// The velocity of a contact's other side: of a belt, or of a harmonic motion of the surface.
+    fn motion(&mut self, node: &Node<'_>) -> Result<Signal<f64>, Failure> {
+        self.signal(node, Of::Velocity)
+    }
+
+    fn force(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+        let body = fields.required("on")?;
+        let Some(i) = self.body(&body)? else {
+            return Err(body.wrong("must be a body: the ground does not move"));
+        };
+        if let Some(node) = fields.get("record") {
+            let force = unit(self.names.len(), i);
+            self.record(&node, stickslip::Excitation::Force, force)?;
+        } else if let Some(node) = fields.get("constant") {
+            if let Some(place) = self.model.constant.get_mut(i) {
+                *place += node.quantity(Of::Force)?;
+            }
+        } else {
+            let (place, parts) = self.wave(fields, Of::Force)?;
+            self.load(place, parts, &unit(self.names.len(), i));
+        }
+        fields.end()
+    }
+
+    /// Adds a load at a frequency.
+    fn load(&mut self, place: usize, [sin, cos]: [f64; 2], force: &[f64]) {
+        if let Some(harmonic) = self.model.harmonics.get_mut(place) {
+            for (i, share) in force.iter().enumerate() {
+                for (part, size) in [(&mut harmonic.sin, sin), (&mut harmonic.cos, cos)] {
+                    if let Some(place) = part.get_mut(i) {
+                        *place += size * share;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The motion of the base, over which all displacements are measured.
+    fn base(&mut self, node: &Node<'_>) -> Result<(), Failure> {
+        let fields = node.fields()?;
+        let acceleration = fields.required("acceleration")?;
+        let force = self.inertia();
+        if acceleration.value().is_object() {
+            let wave = acceleration.fields()?;
+            let (place, parts) = self.wave(&wave, Of::Acceleration)?;
+            wave.end()?;
+            self.load(place, parts, &force);
+        } else {
+            self.record(&acceleration, stickslip::Excitation::SurfaceAcceleration, force)?;
+        }
+        fields.end()
+    }
+
+    /// A record from a file beside this one.
+    fn record(&mut self, node: &Node<'_>, of: stickslip::Excitation, force: Vec<f64>) -> Result<(), Failure> {
+        let file = self.folder.join(node.text()?);
+        let about = |e: Failure| e.about(node.place());
+        let record =
+            crate::measured::read::<f64>(&file, &LoadArgs::default(), node.reader()).map_err(about)?;
+        if record.excitation() != of {
+            return Err(node.wrong(&format!("must be a record of {}", of.name())));
+        }
+        let values = record.samples().to_vec();
+        let times = (0..values.len()).map(|i| record.time(i)).collect();
+        self.model.records.push(Record { times, values, force });
+        Ok(())
+    }
+}
+
+/// Adds a record of the base's acceleration to a system.
+pub(super) fn add_record(described: &mut Described, file: &Path, reader: &Reader) -> Result<(), Failure> {
+    let record = crate::measured::read::<f64>(file, &LoadArgs::default(), reader)?;
+    let name = file.display();
+    if record.excitation() != stickslip::Excitation::SurfaceAcceleration {
+        return Err(format!("{name}: must be a record of an acceleration").into());
+    }
+    let values = record.samples().to_vec();
+    let times = (0..values.len()).map(|i| record.time(i)).collect();
+    described.model.records.push(Record { times, values, force: described.inertia.clone() });
+    Ok(())
+}
+
+/// The friction of a contact, and its normal load where it varies.
+struct Friction {
+    law: Law<f64>,
+    normal: Option<Normal<f64>>,
+}
+
+/// 1 at a place, and 0 elsewhere.
+fn unit(n: usize, place: usize) -> Vec<f64> {
+    (0..n).map(|i| if i == place { 1.0 } else { 0.0 }).collect()
+}
+
+/// Sets a value of the file, by `name.field` of a named contact, spring, stop or body, or by its place.
+pub(crate) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), Failure> {
+    let about = |what: &str| Failure::Input(format!("--set {path}={text}: {what}"));
+    let value = text.parse::<f64>().ok().and_then(serde_json::Number::from_f64);
+    let value = value.map_or_else(|| Value::String(text.to_owned()), Value::Number);
+    let steps: Vec<&str> = path.split('.').collect();
+    let Some((last, steps)) = steps.split_last() else { return Err(about("needs a name")) };
+    let by_name = |file: &Value| -> Option<Vec<String>> {
+        let (first, rest) = steps.split_first()?;
+        let lists = ["contacts", "springs", "stops", "forces", "elements"];
+        let found = lists.into_iter().find_map(|list| {
+            let items = file.get(list)?.as_array()?;
+            let at = items.iter().position(|item| item.get("name").and_then(Value::as_str) == Some(first))?;
+            Some(vec![list.to_owned(), at.to_string()])
+        });
+        let body = || file.get("masses")?.get(first).map(|_| vec!["masses".to_owned(), (*first).to_owned()]);
+        let mut place = found.or_else(body)?;
+        place.extend(rest.iter().map(|step| (*step).to_owned()));
+        Some(place)
+    };
+    let place = by_name(file).unwrap_or_else(|| steps.iter().map(|step| (*step).to_owned()).collect());
+    let mut at = file;
+    for step in &place {
+        let next = match at {
+            Value::Array(items) => step.parse::<usize>().ok().and_then(|i| items.get_mut(i)),
+            Value::Object(map) => map.get_mut(step),
+            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => None,
+        };
+        at = next.ok_or_else(|| about(&format!("{step} is neither a name nor a place in the file")))?;
+    }
+    match at {
+        Value::Object(map) => {
+            map.insert((*last).to_owned(), value);
+            Ok(())
+        }
+        // The mass of a body that is one number.
+        Value::String(_) | Value::Number(_) if *last == "mass" => {
+            *at = value;
+            Ok(())
+        }
+        Value::Array(items) => {
+            let place = last.parse::<usize>().ok().and_then(|i| items.get_mut(i));
+            *place.ok_or_else(|| about("is no place of the list"))? = value;
+            Ok(())
+        }
+        _ => Err(about("is no table")),
+    }
+}

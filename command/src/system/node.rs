@@ -1,0 +1,158 @@
+//! A value of a file with its place, such as `springs[2].stiffness`, so that each mistake is one line that names both.
+
+use crate::failure::Failure;
+use serde_json::{Map, Value};
+use std::cell::RefCell;
+use stickslip::inputs::units::{Kind, Reader};
+
+/// A value and its place in the file.
+#[derive(Debug, Clone)]
+pub(super) struct Node<'a> {
+    place: String,
+    value: &'a Value,
+    reader: &'a Reader,
+}
+
+/// The fields of a table, each of which must be read, so that a misspelt one is not ignored.
+pub(super) struct Fields<'a> {
+    pub(super) node: Node<'a>,
+    map: &'a Map<String, Value>,
+    known: RefCell<Vec<&'static str>>,
+}
+
+impl<'a> Node<'a> {
+    /// The whole file.
+    pub(super) fn root(value: &'a Value, reader: &'a Reader) -> Self {
+        Self { place: String::new(), value, reader }
+    }
+
+    pub(super) const fn value(&self) -> &'a Value {
+        self.value
+    }
+
+    pub(super) const fn reader(&self) -> &'a Reader {
+        self.reader
+    }
+
+    pub(super) fn place(&self) -> &str {
+        if self.place.is_empty() { "the file" } else { &self.place }
+    }
+
+    /// The error that a value is not as it must be.
+    pub(super) fn wrong(&self, must: &str) -> Failure {
+        Failure::Input(match self.value {
+            Value::Object(_) | Value::Array(_) => format!("{}: {must}", self.place()),
+            Value::String(text) => format!("{} {text}: {must}", self.place()),
+            value => format!("{} {value}: {must}", self.place()),
+        })
+    }
+
+    fn inner(&self, name: &str, value: &'a Value) -> Self {
+        let place = if self.place.is_empty() { name.to_owned() } else { format!("{}.{name}", self.place) };
+        Self { place, value, reader: self.reader }
+    }
+
+    /// A table.
+    pub(super) fn fields(&self) -> Result<Fields<'a>, Failure> {
+        let map = self.value.as_object().ok_or_else(|| self.wrong("must be a table"))?;
+        Ok(Fields { node: self.clone(), map, known: RefCell::default() })
+    }
+
+    /// The entries of a table whose keys are names.
+    pub(super) fn entries(&self) -> Result<Vec<(&'a str, Self)>, Failure> {
+        let map = self.value.as_object().ok_or_else(|| self.wrong("must be a table"))?;
+        Ok(map.iter().map(|(name, value)| (name.as_str(), self.inner(name, value))).collect())
+    }
+
+    /// A list.
+    pub(super) fn list(&self) -> Result<Vec<Self>, Failure> {
+        let list = self.value.as_array().ok_or_else(|| self.wrong("must be a list"))?;
+        let place = |i: usize| format!("{}[{}]", self.place, i + 1);
+        let items = list.iter().enumerate();
+        Ok(items.map(|(i, value)| Self { place: place(i), value, reader: self.reader }).collect())
+    }
+
+    pub(super) fn text(&self) -> Result<&'a str, Failure> {
+        self.value.as_str().ok_or_else(|| self.wrong("must be a text in quotation marks"))
+    }
+
+    /// A quantity: a number, or a text with a unit.
+    pub(super) fn quantity(&self, kind: Kind) -> Result<f64, Failure> {
+        let text = match self.value {
+            Value::String(text) => text.clone(),
+            Value::Number(number) => number.to_string(),
+            Value::Null | Value::Bool(_) | Value::Array(_) | Value::Object(_) => {
+                return Err(self.wrong("must be a number, or a text with a unit"));
+            }
+        };
+        let value: f64 = self.reader.value(self.place(), &text, kind)?;
+        if value.is_finite() { Ok(value) } else { Err(self.wrong("must be finite")) }
+    }
+
+    /// A number without a unit.
+    pub(super) fn number(&self) -> Result<f64, Failure> {
+        let found = match self.value {
+            Value::Number(number) => number.as_f64(),
+            Value::String(text) => text.trim().parse().ok(),
+            Value::Null | Value::Bool(_) | Value::Array(_) | Value::Object(_) => None,
+        };
+        found.filter(|x: &f64| x.is_finite()).ok_or_else(|| self.wrong("must be a finite number"))
+    }
+
+    pub(super) fn numbers(&self) -> Result<Vec<f64>, Failure> {
+        self.list()?.iter().map(Self::number).collect()
+    }
+
+    /// A matrix by rows.
+    pub(super) fn matrix(&self) -> Result<Vec<Vec<f64>>, Failure> {
+        self.list()?.iter().map(Self::numbers).collect()
+    }
+}
+
+impl<'a> Fields<'a> {
+    /// A field, if it is there.
+    pub(super) fn get(&self, name: &'static str) -> Option<Node<'a>> {
+        self.known.borrow_mut().push(name);
+        self.map.get(name).filter(|value| !value.is_null()).map(|value| self.node.inner(name, value))
+    }
+
+    /// A field that must be there.
+    pub(super) fn required(&self, name: &'static str) -> Result<Node<'a>, Failure> {
+        self.get(name).ok_or_else(|| {
+            let place = &self.node.place;
+            let whole = if place.is_empty() { name.to_owned() } else { format!("{place}.{name}") };
+            Failure::Input(format!("{whole} is missing"))
+        })
+    }
+
+    /// A quantity, or a number where it is missing.
+    pub(super) fn quantity_or(&self, name: &'static str, kind: Kind, other: f64) -> Result<f64, Failure> {
+        self.get(name).map_or(Ok(other), |node| node.quantity(kind))
+    }
+
+    /// Fails at a field that has not been read, with the known name that is nearest to it.
+    pub(super) fn end(&self) -> Result<(), Failure> {
+        let known = self.known.borrow();
+        let Some(unknown) = self.map.keys().find(|name| !known.contains(&name.as_str())) else {
+            return Ok(());
+        };
+        let place = if self.node.place.is_empty() { String::new() } else { format!("{}.", self.node.place) };
+        Err(Failure::Input(format!(
+            "{place}{unknown} is unknown. {}",
+            nearest(unknown, known.iter().copied())
+        )))
+    }
+}
+
+/// The nearest of several names, or all of them.
+pub(super) fn nearest<'n>(wrong: &str, names: impl Iterator<Item = &'n str> + Clone) -> String {
+    let near =
+        names.clone().min_by_key(|name| strsim::osa_distance(&wrong.to_lowercase(), &name.to_lowercase()));
+    match near {
+        Some(near) if strsim::osa_distance(wrong, near) * 3 <= near.len().max(3) => {
+            format!("Did you mean {near}?")
+        }
+        Some(_) => format!("Expected one of {}", names.collect::<Vec<_>>().join(", ")),
+        None => "None is expected here".to_owned(),
+    }
+}

@@ -1,0 +1,204 @@
+//! A system and its steady motion in words.
+
+use super::Asked;
+use super::answer::kind_of;
+use super::file::Described;
+use crate::args::SystemArgs;
+use crate::bits::digits;
+use crate::failure::Outcome;
+use crate::note::line;
+use crate::output;
+use serde::Serialize;
+use std::f64::consts::TAU;
+use std::io::Write;
+use stickslip::inputs::units::{Kind as Of, System as Units};
+use stickslip::system::{Element, Kind, Law, Steady, SteadyKind};
+
+/// The system in words and numbers.
+#[derive(Serialize)]
+struct Description<'a> {
+    coordinates: &'a [String],
+    elements: Vec<OfElement<'a>>,
+    /// In rad/s, or in radians per unit of time for matrices.
+    natural_frequencies: Vec<f64>,
+    natural_frequencies_stuck: Vec<f64>,
+    rigid_modes: usize,
+    harmonics: Vec<f64>,
+    records: usize,
+}
+
+#[derive(Serialize)]
+struct OfElement<'a> {
+    name: &'a str,
+    kind: &'static str,
+    /// With this element alone at rest.
+    natural_frequencies_stuck: Vec<f64>,
+}
+
+fn plural(count: usize, one: &str, several: &str) -> String {
+    if count == 1 { format!("one {one}") } else { format!("{count} {several}") }
+}
+
+/// A frequency in words: in hertz where the units are known.
+fn frequency(units: Option<&Units>, omega: f64) -> String {
+    if units.is_some() { format!("{} Hz", digits(omega / TAU)) } else { digits(omega) }
+}
+
+/// What the file describes, with natural frequencies free and with contacts at rest.
+pub(super) fn describe(asked: &Asked, args: &SystemArgs, out: &mut impl Write) -> Outcome {
+    let (described, system) = (&asked.described, &asked.system);
+    let elements = &described.model.elements;
+    let held: Vec<usize> = (0..elements.len()).collect();
+    let free = system.natural_frequencies(&[]);
+    let stuck = system.natural_frequencies(&held);
+    let rigid = free.iter().filter(|omega| **omega == 0.0).count();
+    if super::is_json(args)? {
+        let harmonics = described.model.harmonics.iter().map(|h| h.frequency).collect();
+        let elements = elements.iter().enumerate().map(|(i, element)| OfElement {
+            name: &element.name,
+            kind: kind_of(element),
+            natural_frequencies_stuck: system.natural_frequencies(&[i]),
+        });
+        let description = Description {
+            coordinates: &described.coordinates,
+            elements: elements.collect(),
+            natural_frequencies: free,
+            natural_frequencies_stuck: stuck,
+            rigid_modes: rigid,
+            harmonics,
+            records: described.model.records.len(),
+        };
+        return output::json(&description, out);
+    }
+    let units = described.units.as_ref();
+    let count = |kind: &str| elements.iter().filter(|element| kind_of(element) == kind).count();
+    let mut parts = vec![plural(described.coordinates.len(), "coordinate", "coordinates")];
+    for (kind, one, several) in [
+        ("contact", "contact", "contacts"),
+        ("elastic", "elastic contact", "elastic contacts"),
+        ("stop", "stop", "stops"),
+    ] {
+        if count(kind) > 0 {
+            parts.push(plural(count(kind), one, several));
+        }
+    }
+    writeln!(out, "A system of {}.\n", parts.join(", "))?;
+    for (i, name) in described.coordinates.iter().enumerate() {
+        let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
+        line(out, name, with_unit(mass, units, Of::Mass))?;
+    }
+    for element in elements {
+        line(out, &element.name, of_element(element, described, units))?;
+    }
+    for harmonic in &described.model.harmonics {
+        let on = |place: usize| {
+            let part = |list: &[f64]| list.get(place).copied().unwrap_or(0.0);
+            let amplitude = part(&harmonic.sin).hypot(part(&harmonic.cos));
+            let name = described.coordinates.get(place)?;
+            (amplitude > 0.0).then(|| format!("{} on {name}", with_unit(amplitude, units, Of::Force)))
+        };
+        let loads: Vec<_> = (0..described.coordinates.len()).filter_map(on).collect();
+        let at = frequency(units, harmonic.frequency);
+        line(
+            out,
+            "load",
+            format!("{} at {at}", if loads.is_empty() { "none".into() } else { loads.join(", ") }),
+        )?;
+    }
+    let list = |frequencies: &[f64]| {
+        frequencies.iter().map(|omega| frequency(units, *omega)).collect::<Vec<_>>().join(", ")
+    };
+    writeln!(out, "\nNatural frequencies, without dampers")?;
+    line(out, "all contacts sliding", list(&free))?;
+    if elements.len() > 1 {
+        for (i, element) in elements.iter().enumerate().filter(|(_, e)| kind_of(e) != "stop") {
+            line(out, &format!("{} at rest", element.name), list(&system.natural_frequencies(&[i])))?;
+        }
+    }
+    if elements.iter().any(|element| kind_of(element) != "stop") {
+        line(out, "all contacts at rest", list(&stuck))?;
+    }
+    if rigid > 0 {
+        writeln!(
+            out,
+            "\n{} without a restoring force.",
+            capital(&plural(rigid, "rigid motion", "rigid motions"))
+        )?;
+    }
+    Ok(())
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+fn with_unit(x: f64, units: Option<&Units>, kind: Of) -> String {
+    units.map_or_else(|| digits(x), |system| format!("{} {}", digits(x), system.name(kind)))
+}
+
+fn of_element(element: &Element<f64>, described: &Described, units: Option<&Units>) -> String {
+    let ends = |sign: f64| {
+        let place = element.direction.iter().position(|b| *b == sign);
+        place.and_then(|i| described.coordinates.get(i)).map_or("ground", String::as_str)
+    };
+    let between = if element.direction.iter().all(|b| [0.0, 1.0, -1.0].contains(b)) {
+        format!(" between {} and {}", ends(-1.0), ends(1.0))
+    } else {
+        String::new()
+    };
+    let force = |x: f64| with_unit(x, units, Of::Force);
+    match &element.kind {
+        Kind::Contact { law: Law { points }, peak, normal } => {
+            let friction = match points.as_slice() {
+                [(_, one)] if normal.is_none() => force(*one),
+                [(_, one)] => format!("a coefficient of {}", digits(*one)),
+                several => format!("a law of {} points", several.len()),
+            };
+            let peak =
+                if *peak > 1.0 { format!(", static {} times that", digits(*peak)) } else { String::new() };
+            format!("contact{between}, friction {friction}{peak}")
+        }
+        Kind::Elastic { stiffness, friction } => format!(
+            "elastic contact{between}, {} up to {}",
+            with_unit(*stiffness, units, Of::Stiffness),
+            force(*friction)
+        ),
+        Kind::Stop { gap, stiffness, .. } => format!(
+            "stop{between} beyond {}, {}",
+            with_unit(*gap, units, Of::Length),
+            with_unit(*stiffness, units, Of::Stiffness)
+        ),
+    }
+}
+
+/// The verdict on a steady motion.
+pub(super) fn steady(described: &Described, found: &Steady<f64>, out: &mut impl Write) -> Outcome {
+    let units = described.units.as_ref();
+    let period = with_unit(found.period, units, Of::Time);
+    let stops: usize = found.motion.elements.iter().map(|element| element.stops).sum();
+    match found.kind {
+        SteadyKind::Periodic => {
+            let multiple = if found.periods == 1 {
+                String::new()
+            } else {
+                format!(", {} periods of the loads", found.periods)
+            };
+            writeln!(
+                out,
+                "Periodic: it repeats itself after {period}{multiple}, with {stops} rests in it.\n"
+            )?;
+            let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
+            line(out, "a disturbance", format!("is multiplied by at most {} in this time", digits(largest)))?;
+        }
+        SteadyKind::Rest => writeln!(out, "Rest: nothing moves in the end.\n")?,
+        SteadyKind::Growing => writeln!(out, "Growing: the motion grows without bound.\n")?,
+        SteadyKind::Unsettled => writeln!(
+            out,
+            "Not settled after {} periods: the last of them changed the motion by {} of its size.\n",
+            found.followed,
+            digits(found.change)
+        )?,
+    }
+    Ok(())
+}
