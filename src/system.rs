@@ -40,6 +40,7 @@ mod error;
 mod follow;
 mod matrix;
 mod model;
+mod modes;
 mod motion;
 mod next;
 mod steady;

@@ -33,7 +33,8 @@ pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
         SystemQuestion::Steady => steady(&asked, args, out),
         SystemQuestion::Simulate => simulate(&asked, args, &asked.time(args)?, out),
         SystemQuestion::Record => simulate(&asked, args, &asked.end_of_record(args)?, out),
-        SystemQuestion::Border | SystemQuestion::Curve => Ok(()),
+        SystemQuestion::Border => border(&asked, args, out),
+        SystemQuestion::Curve => Ok(()),
     }
 }
 
@@ -190,6 +191,16 @@ fn sampled(
         Some(Format::Csv) | None => samples.csv(out),
         Some(Format::Text | Format::Jsonl) => Err("--format: must be csv or json with --samples".into()),
     }
+}
+
+fn border(asked: &Asked, args: &SystemArgs, out: &mut impl Write) -> Outcome {
+    let found = asked.system.border()?;
+    // Below the border the cycle is no motion.
+    let cycle = asked.system.cycle()?.filter(|cycle| cycle.margin >= 1.0);
+    if is_json(args)? {
+        return output::json(&answer::OfBorder::new(&found, cycle.as_ref()), out);
+    }
+    words::border(&asked.described, &found, cycle.as_ref(), out)
 }
 
 impl From<stickslip::system::Error> for Failure {

@@ -7,7 +7,7 @@ use crate::note::line;
 use serde::Serialize;
 use std::io::Write;
 use stickslip::inputs::units::Kind as Of;
-use stickslip::system::{Element, Event, Kind, Motion, State, Steady};
+use stickslip::system::{Border, Cycle, Element, Event, Kind, Motion, State, Steady};
 
 /// Displacements and velocities.
 #[derive(Debug, Clone, Serialize)]
@@ -254,5 +254,38 @@ impl<'a> Samples<'a> {
             writer.write_record(numbers.map(|x| x.to_string()))?;
         }
         Ok(writer.flush()?)
+    }
+}
+
+/// The least load without sticking, and the cycle of two reversals at the load of the file.
+#[derive(Debug, Serialize)]
+pub(super) struct OfBorder<'a> {
+    least_load_factor: f64,
+    touching_time: f64,
+    cycle: Option<OfCycle<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct OfCycle<'a> {
+    max_displacement: &'a f64,
+    displacement_time: &'a f64,
+    max_velocity: &'a f64,
+    velocity_time: &'a f64,
+    work: &'a f64,
+}
+
+impl<'a> OfBorder<'a> {
+    pub(super) fn new(found: &Border<f64>, cycle: Option<&'a Cycle<f64>>) -> Self {
+        Self {
+            least_load_factor: found.least_load_factor,
+            touching_time: found.touching_time,
+            cycle: cycle.map(|cycle| OfCycle {
+                max_displacement: &cycle.max_displacement,
+                displacement_time: &cycle.displacement_time,
+                max_velocity: &cycle.max_velocity,
+                velocity_time: &cycle.velocity_time,
+                work: &cycle.work,
+            }),
+        }
     }
 }

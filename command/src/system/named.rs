@@ -240,7 +240,7 @@ impl Builder<'_> {
             csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(&file).map_err(|e| bad(&e))?;
         let header = reader.headers().map_err(|e| bad(&e))?.clone();
         let mut kinds = [Of::Velocity, Of::Force].into_iter().zip(&header).map(|(kind, text)| {
-            let (_, unit) = crate::columns::name_and_unit(text);
+            let (_, unit) = stickslip_front::names::name_and_unit(text);
             (kind, unit.map(str::to_owned))
         });
         let (Some(speed), Some(force)) = (kinds.next(), kinds.next()) else {
@@ -371,7 +371,7 @@ impl Builder<'_> {
     fn record(&mut self, node: &Node<'_>, of: stickslip::Excitation, force: Vec<f64>) -> Result<(), Failure> {
         let file = self.folder.join(node.text()?);
         let about = |e: Failure| e.about(node.place());
-        let record =
+        let (record, _) =
             crate::measured::read::<f64>(&file, &LoadArgs::default(), node.reader()).map_err(about)?;
         if record.excitation() != of {
             return Err(node.wrong(&format!("must be a record of {}", of.name())));
@@ -385,7 +385,7 @@ impl Builder<'_> {
 
 /// Adds a record of the base's acceleration to a system.
 pub(super) fn add_record(described: &mut Described, file: &Path, reader: &Reader) -> Result<(), Failure> {
-    let record = crate::measured::read::<f64>(file, &LoadArgs::default(), reader)?;
+    let (record, _) = crate::measured::read::<f64>(file, &LoadArgs::default(), reader)?;
     let name = file.display();
     if record.excitation() != stickslip::Excitation::SurfaceAcceleration {
         return Err(format!("{name}: must be a record of an acceleration").into());

@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::inputs::units::{Kind as Of, System as Units};
-use stickslip::system::{Element, Kind, Law, Steady, SteadyKind};
+use stickslip::system::{Border, Cycle, Element, Kind, Law, Steady, SteadyKind};
 
 /// The system in words and numbers.
 #[derive(Serialize)]
@@ -199,6 +199,40 @@ pub(super) fn steady(described: &Described, found: &Steady<f64>, out: &mut impl 
             found.followed,
             digits(found.change)
         )?,
+    }
+    Ok(())
+}
+
+/// The least load that keeps the contact from sticking, and the motion at the load of the file.
+pub(super) fn border(
+    described: &Described,
+    found: &Border<f64>,
+    cycle: Option<&Cycle<f64>>,
+    out: &mut impl Write,
+) -> Outcome {
+    let units = described.units.as_ref();
+    let factor = digits(found.least_load_factor);
+    writeln!(out, "The contact does not stick under {factor} times the load of the file, or more.\n")?;
+    for harmonic in &described.model.harmonics {
+        for (i, name) in described.coordinates.iter().enumerate() {
+            let part = |list: &[f64]| list.get(i).copied().unwrap_or(0.0);
+            let amplitude = part(&harmonic.sin).hypot(part(&harmonic.cos));
+            if amplitude > 0.0 {
+                let least = with_unit(amplitude * found.least_load_factor, units, Of::Force);
+                line(out, &format!("least load on {name}"), least)?;
+            }
+        }
+    }
+    let touching = with_unit(found.touching_time, units, Of::Time);
+    line(out, "velocity touches zero", format!("{touching} after the reversal"))?;
+    match cycle {
+        Some(cycle) => {
+            writeln!(out, "\nAt the load of the file it slides with two reversals a period")?;
+            line(out, "amplitude of the contact", with_unit(cycle.max_displacement, units, Of::Length))?;
+            line(out, "maximum velocity", with_unit(cycle.max_velocity, units, Of::Velocity))?;
+            line(out, "friction work", with_unit(cycle.work, units, Of::Energy))?;
+        }
+        None => writeln!(out, "\nAt the load of the file it sticks, or does not slide.")?,
     }
     Ok(())
 }
