@@ -18,6 +18,8 @@ use std::path::Path;
 use stickslip::inputs::units::{Kind as Of, Reader};
 use stickslip::system::System;
 
+/// The longest motion, in radians of its fastest vibration.
+const MOST_RADIANS: f64 = 1e6;
 /// The most samples of a motion.
 const MOST_SAMPLES: u64 = 10_000_000;
 
@@ -113,11 +115,23 @@ impl Asked {
     fn time(&self, args: &SystemArgs) -> Result<f64, Failure> {
         let text = args.until.as_deref().unwrap_or_default();
         let value: f64 = self.reader().value("--until", text, Of::Time)?;
-        if value > 0.0 && value.is_finite() {
-            Ok(value)
-        } else {
-            Err(format!("--until {text}: must be > 0").into())
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(format!("--until {text}: must be > 0").into());
         }
+        // The steps of the motion are a part of the shortest period.
+        let held: Vec<usize> = (0..self.described.model.elements.len()).collect();
+        let own = [self.system.natural_frequencies(&held), self.system.natural_frequencies(&[])].concat();
+        let loads = self.described.model.harmonics.iter().map(|harmonic| harmonic.frequency);
+        let fastest = own.into_iter().chain(loads).fold(0.0, |most: f64, omega| most.max(omega.abs()));
+        if value * fastest > MOST_RADIANS {
+            let unit = if self.described.units.is_some() { " s" } else { "" };
+            let most = crate::bits::digits(MOST_RADIANS / fastest);
+            return Err(format!(
+                "--until {text}: must be ≤ {most}{unit}, 10⁶ radians of the fastest vibration"
+            )
+            .into());
+        }
+        Ok(value)
     }
 
     /// The end of the record, or a later time.

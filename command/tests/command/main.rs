@@ -39,5 +39,6 @@ mod shell;
 mod starts;
 mod static_friction;
 mod sweep;
+mod systems;
 mod tasks;
 mod units;

@@ -1,0 +1,195 @@
+//! `stickslip system` from the user's side: cases of other projects, a file of named bodies, and what is wrong with files.
+
+use crate::command_line::{json, refused, stdout};
+use crate::place::place;
+use serde_json::{Value, json as value};
+
+const CASES: &str = include_str!("../../../tests/data/systems.json");
+
+const MACHINE: &str = r#"
+units = "N,mm"
+[masses]
+block = "1 t"
+roof = { mass = "500 kg", start = "3 mm" }
+[[springs]]
+between = ["ground", "block"]
+stiffness = "200 N/mm"
+damping = "0.3 N*s/mm"
+[[springs]]
+between = ["block", "roof"]
+stiffness = "300 N/mm"
+[[contacts]]
+name = "bearing"
+between = ["ground", "block"]
+friction = "450 N"
+[[forces]]
+on = "roof"
+amplitude = "1.5 kN"
+frequency = "3 Hz"
+"#;
+
+fn numbers(list: &Value) -> Vec<f64> {
+    let number = |x: &Value| x.as_f64().unwrap_or_else(|| x.as_str().unwrap().parse().unwrap());
+    list.as_array().unwrap().iter().map(number).collect()
+}
+
+/// The greatest distance of two lists, over the greatest number of the second.
+fn distance(found: &[f64], due: &[f64]) -> f64 {
+    assert_eq!(found.len(), due.len());
+    let size = due.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    let far = found.iter().zip(due).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
+    if size > 0.0 { far / size } else { far }
+}
+
+/// Thirty-nine cases by an independent program with 25 and more digits: states, extremes, times at rest, events.
+#[test]
+fn the_cases_of_others_have_their_answers() {
+    let cases: Value = serde_json::from_str(CASES).unwrap();
+    let mut compared = 0;
+    for case in cases.as_array().unwrap() {
+        let (name, run, due) = (case["name"].as_str().unwrap(), &case["run"], &case["answer"]);
+        let mut system = case["system"].clone();
+        if run.get("displacement").is_some() {
+            system["start"] = value!({"displacement": run["displacement"], "velocity": run["velocity"]});
+        }
+        let file = place("case.json");
+        std::fs::write(&file, system.to_string()).unwrap();
+        let question = match run["until"].as_f64() {
+            Some(until) => format!("simulate --until {until}"),
+            None => "steady".to_owned(),
+        };
+        let found = json(&format!("system {} {question} --format json", file.display()));
+        let (state, of) = if run["until"].is_null() { ("start", "start") } else { ("end", "displacement") };
+        let place = [numbers(&found[state]["displacement"]), numbers(&found[state]["velocity"])].concat();
+        let mut expected = numbers(&due[of]);
+        if state == "end" {
+            expected.extend(numbers(&due["velocity"]));
+        }
+        assert!(distance(&place, &expected) < 1e-10, "{name}: {place:?} {expected:?}");
+        if let Some(most) = due.get("max") {
+            for (part, due) in [("max", most), ("min", &due["min"])] {
+                let [x, v] =
+                    ["displacement", "velocity"].map(|what| numbers(&found[format!("{part}_{what}")]));
+                assert!(distance(&[x, v].concat(), &numbers(due)) < 1e-9, "{name}: {part}");
+            }
+        }
+        let events = found["events"].as_array().unwrap();
+        assert_eq!(events.len(), due["event_count"].as_u64().unwrap() as usize, "{name}");
+        for (event, due) in events.iter().zip(due["events"].as_array().unwrap()) {
+            let time: f64 = due[0].as_str().unwrap().parse().unwrap();
+            assert!((event["time"].as_f64().unwrap() - time).abs() < 1e-9, "{name}: {event} {due}");
+            assert_eq!((&event["element"], &event["kind"]), (&due[1], &due[2]), "{name}");
+        }
+        compared += 1;
+    }
+    assert_eq!(compared, 39);
+}
+
+#[test]
+fn a_machine_by_names_is_the_same_as_by_matrices() {
+    let (named, matrices) = (place("machine.toml"), place("machine.json"));
+    std::fs::write(&named, MACHINE).unwrap();
+    // In t, N and mm, with ω = 6π.
+    let by_matrices = value!({
+        "mass": [[1.0, 0.0], [0.0, 0.5]], "damping": [[0.3, 0.0], [0.0, 0.0]],
+        "stiffness": [[500.0, -300.0], [-300.0, 300.0]],
+        "elements": [{"type": "contact", "direction": [1, 0], "friction": 450}],
+        "harmonics": [{"frequency": 6.0 * std::f64::consts::PI, "sin": [0, 1500]}],
+        "start": {"displacement": [0, 3], "velocity": [0, 0]},
+    });
+    std::fs::write(&matrices, by_matrices.to_string()).unwrap();
+    for question in ["steady", "simulate --until 2", "border"] {
+        let unit = if question.ends_with('2') { "s" } else { "" };
+        let one = json(&format!("system {} {question}{unit} --format json", named.display()));
+        let two = json(&format!("system {} {question} --format json", matrices.display()));
+        for key in ["max_displacement", "min_velocity", "least_load_factor", "load_work"] {
+            let list = |answer: &Value| match answer.get(key) {
+                Some(Value::Array(_)) => numbers(&answer[key]),
+                Some(number) => vec![number.as_f64().unwrap()],
+                None => Vec::new(),
+            };
+            assert!(distance(&list(&one), &list(&two)) < 1e-12, "{question} {key}");
+        }
+    }
+    let text = stdout(&format!("system {}", named.display()));
+    assert!(text.starts_with("A system of 2 coordinates, one contact."), "{text}");
+    // ω² of [[500, −300], [−300, 300]] and diag(1, ½) are (1100 ± √(1100² − 240000))/2.
+    assert!(text.contains("all contacts sliding     1.763677 Hz, 4.975216 Hz"), "{text}");
+    assert!(text.contains("all contacts at rest     3.898484 Hz"), "{text}");
+}
+
+/// Just below the least load the contact rests in each period, just above it never.
+#[test]
+fn the_border_is_between_sticking_and_not() {
+    let file = place("machine.toml");
+    std::fs::write(&file, MACHINE).unwrap();
+    let border = json(&format!("system {} border --format json", file.display()));
+    let least = 1500.0 * border["least_load_factor"].as_f64().unwrap();
+    for (factor, rests) in [(0.999, 2), (1.001, 0)] {
+        let set = format!("--set forces.0.amplitude={}N", least * factor);
+        let found = json(&format!("system {} steady --format json {set}", file.display()));
+        assert_eq!(found["elements"][0]["stops"], rests, "{factor}");
+    }
+    let cycle = &border["cycle"];
+    let steady = json(&format!("system {} steady --format json", file.display()));
+    assert!(
+        distance(&[cycle["max_displacement"].as_f64().unwrap()], &numbers(&steady["max_displacement"])[..1])
+            < 1e-12
+    );
+}
+
+#[test]
+fn a_grid_has_a_row_for_each_place() {
+    let file = place("machine.toml");
+    std::fs::write(&file, MACHINE).unwrap();
+    let curve = stdout(&format!(
+        "system {} curve --frequency 1Hz:5Hz:3 --set bearing.friction=400N:600N:2",
+        file.display()
+    ));
+    let rows: Vec<Vec<&str>> = curve.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 7);
+    assert_eq!(rows[0][..3], ["bearing.friction", "frequency[Hz]", "kind"]);
+    let place = rows[0].iter().position(|name| *name == "roof.max_displacement[mm]").unwrap();
+    let one = json(&format!("system {} steady --format json --set bearing.friction=600N", file.display()));
+    assert_eq!(rows[5][..2], ["600N", "3.0"]);
+    assert_eq!(rows[5][place].parse::<f64>().unwrap(), numbers(&one["max_displacement"])[1]);
+}
+
+#[test]
+fn each_mistake_is_one_line_with_its_place() {
+    let file = place("machine.toml");
+    for (old, new, parts) in [
+        ("friction = \"450 N\"", "frictoin = \"450 N\"", vec!["contacts[1]", "needs one of friction"]),
+        (
+            "stiffness = \"200 N/mm\"",
+            "stifness = \"200 N/mm\"",
+            vec!["springs[1].stifness is unknown", "stiffness?"],
+        ),
+        ("\"500 kg\"", "\"500 N\"", vec!["masses.roof.mass 500 N", "must be a mass", "unit of force"]),
+        ("block = \"1 t\"", "block = \"-1 t\"", vec!["masses.block -1 t: must be > 0"]),
+        (
+            "[\"block\", \"roof\"]",
+            "[\"block\", \"rof\"]",
+            vec!["springs[2].between[2] rof: is no body. Did you mean roof?"],
+        ),
+        ("[masses]", "[masses", vec!["line 3"]),
+        ("frequency = \"3 Hz\"", "frequency = \"0 Hz\"", vec!["forces[1].frequency 0 Hz: must be > 0"]),
+        ("units = \"N,mm\"", "units = \"N,furlong\"", vec!["units N,furlong"]),
+        ("on = \"roof\"", "on = \"ground\"", vec!["forces[1].on ground", "does not move"]),
+        ("friction = \"450 N\"", "friction = \"-450 N\"", vec!["bearing", "must be ≥ 0"]),
+        ("friction = \"450 N\"", "friction = \"450 N\"\npeak = 0.5", vec!["bearing", "must be ≥ 1"]),
+    ] {
+        std::fs::write(&file, MACHINE.replacen(old, new, 1)).unwrap();
+        refused(&format!("system {} steady", file.display()), &parts);
+    }
+    std::fs::write(&file, MACHINE).unwrap();
+    let line = format!("system {}", file.display());
+    refused(&format!("{line} simulate"), &["--until is missing"]);
+    refused(&format!("{line} simulate --until 0s"), &["--until 0s: must be > 0"]);
+    refused(&format!("{line} simulate --until 1e300s"), &["--until 1e300s: must be ≤"]);
+    refused(&format!("{line} steady --until 1s"), &["--until: this question does not use it"]);
+    refused(&format!("{line} steady --set bearin.friction=5N"), &["bearin is neither a name nor a place"]);
+    refused(&format!("{line} curve --frequency 1Hz:2kHz:5"), &["both ends must have the same unit"]);
+    refused(&format!("{line} record none.at2"), &["none.at2"]);
+    refused("system none.toml", &["none.toml"]);
+}
