@@ -87,7 +87,9 @@ impl Asked {
         let about = |failure: Failure| failure.about(&name);
         let mut described = file::described(&value, folder, args.units.units.as_ref()).map_err(about)?;
         if let Some(record) = &args.record {
-            named::add_record(&mut described, record, &args.units.reader())?;
+            // The record is read in the units of the file.
+            let reader = Reader::new(described.units.as_ref(), "units in the file");
+            named::add_record(&mut described, record, &reader)?;
         }
         let system = System::new(&described.model).map_err(|e| about(named_by_body(&described, e)))?;
         Ok(Self { described, system })
