@@ -11,6 +11,7 @@ use crate::interrupt;
 use crate::measured;
 use crate::outputs::key;
 use crate::physical::Physical;
+use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sweep::{self, Table};
 use std::io::Write;
