@@ -24,11 +24,13 @@
 
 pub(crate) mod drive;
 pub(crate) mod error;
+pub(crate) mod excitation;
 mod given;
 mod input;
 pub(crate) mod oscillator;
 pub(crate) mod ratios;
 pub(crate) mod scales;
+pub(crate) mod support;
 #[cfg(test)]
 mod tests;
 #[cfg_attr(

@@ -1,6 +1,7 @@
 //! `stickslip system`: several bodies with contacts, elastic contacts and stops.
 
 mod answer;
+mod described;
 mod file;
 mod named;
 mod node;
@@ -11,7 +12,7 @@ use crate::args::{Format, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
 use crate::output;
 use answer::{Answer, Samples};
-use file::Described;
+use described::Described;
 use serde_json::Value;
 use std::io::Write;
 use std::path::Path;

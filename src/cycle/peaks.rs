@@ -22,7 +22,8 @@ use super::waveform::Motion;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, Real};
 use crate::greatest::{Bound, Jet, greatest};
-use crate::machine::drive::{Excitation, Support};
+use crate::machine::excitation::Excitation;
+use crate::machine::support::Support;
 use crate::root::enclosed;
 
 /// Dynamic amplification `k Δ₀/p₀ = (Δ₀/B)/α`.

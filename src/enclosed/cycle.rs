@@ -20,7 +20,8 @@ use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::greatest::Jet;
-use crate::machine::drive::{Excitation, Support};
+use crate::machine::excitation::Excitation;
+use crate::machine::support::Support;
 use crate::output::Output;
 use core::cmp::Ordering;
 

@@ -1,7 +1,8 @@
 //! The machine in physical units: the body on its spring, damper and friction surface (eq. 1), its drive, and
 //! the scales of the answers.
 
-pub use crate::machine::drive::{Drive, Excitation};
+pub use crate::machine::drive::Drive;
+pub use crate::machine::excitation::Excitation;
 pub use crate::machine::scales::Scales;
 
 use crate::float::Float;

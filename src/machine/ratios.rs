@@ -2,8 +2,8 @@
 //! ratio η.
 
 use crate::float::Float;
-use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, Quantity, written};
+use crate::machine::excitation::Excitation;
 
 /// Frequency ratio Ω = ω_d/ω_n (eq. 9), force ratio α = p₀/r_y (eq. 8), damping ratio ζ = c/(2√(k m)) and
 /// static friction ratio η = r_s/r_y, validated.

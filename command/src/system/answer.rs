@@ -1,6 +1,6 @@
 //! The answers about a system, as JSON and as text.
 
-use super::file::Described;
+use super::described::Described;
 use crate::bits::digits;
 use crate::failure::Outcome;
 use crate::note::line;

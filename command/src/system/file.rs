@@ -1,5 +1,6 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
 use super::named;
 use super::node::{Fields, Node, nearest};
 use crate::failure::Failure;
@@ -12,25 +13,6 @@ use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Sig
 
 /// The greatest length of a file in bytes.
 const LONGEST: u64 = 1 << 26;
-/// The greatest number of coordinates: the matrices are dense.
-pub(super) const MOST_COORDINATES: usize = 200;
-/// The greatest number of elements.
-pub(super) const MOST_ELEMENTS: usize = 200;
-
-/// A system as its file describes it.
-#[derive(Debug, Clone)]
-pub(crate) struct Described {
-    pub(crate) model: Model<f64>,
-    /// The names of the coordinates: those of the bodies, or q1, q2, …
-    pub(crate) coordinates: Vec<String>,
-    /// The system of units; `None` for matrices, whose units are any consistent ones.
-    pub(crate) units: Option<Units>,
-    pub(crate) start: State<f64>,
-    /// The force on each coordinate under a unit acceleration of the base, −M ι, where every coordinate is a
-    /// displacement over the base.
-    pub(crate) inertia: Vec<f64>,
-}
-
 /// Reads the text of a file as a value: JSON where it begins with a brace, otherwise TOML.
 pub(crate) fn parsed(file: &Path) -> Result<Value, Failure> {
     let name = file.display().to_string();
@@ -154,27 +136,6 @@ fn signal(node: &Node<'_>) -> Result<Signal<f64>, Failure> {
     let _ = fields.get("displacement");
     fields.end()?;
     Ok(found)
-}
-
-/// The static friction over the kinetic one, under either name.
-pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, Failure> {
-    match (fields.get("peak"), fields.get("static_ratio")) {
-        (Some(_), Some(node)) => Err(node.wrong("must be left out beside peak, which is the same")),
-        (Some(node), None) | (None, Some(node)) => node.number(),
-        (None, None) => Ok(1.0),
-    }
-}
-
-/// A law from pairs of a speed and a force.
-pub(super) fn law(
-    node: &Node<'_>,
-    of: impl Fn(&Node<'_>, usize) -> Result<f64, Failure>,
-) -> Result<Law<f64>, Failure> {
-    let pair = |node: &Node<'_>| match node.list()?.as_slice() {
-        [speed, force] => Ok((of(speed, 0)?, of(force, 1)?)),
-        _ => Err(node.wrong("must be a pair of a speed and a force")),
-    };
-    Ok(Law { points: node.list()?.iter().map(pair).collect::<Result<_, Failure>>()? })
 }
 
 fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, Failure> {

@@ -1,6 +1,6 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
-use super::file::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
 use super::node::{Fields, Node, nearest};
 use crate::args::LoadArgs;
 use crate::failure::Failure;

@@ -2,7 +2,7 @@
 
 use super::Asked;
 use super::answer::kind_of;
-use super::file::Described;
+use super::described::Described;
 use crate::args::SystemArgs;
 use crate::bits::digits;
 use crate::failure::Outcome;

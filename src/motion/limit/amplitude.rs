@@ -6,10 +6,10 @@ use super::peaks::Peaks;
 use crate::cycle::regime::Regime;
 use crate::cycle::response::Response;
 use crate::float::{Float, Real};
-use crate::machine::drive::Support;
 use crate::machine::error::Error;
 use crate::machine::oscillator::{Excitation, Scales};
 use crate::machine::ratios::Ratios;
+use crate::machine::support::Support;
 use crate::motion::State;
 
 /// An amplitude of the steady motion.

@@ -1,8 +1,8 @@
 //! The outputs of a steady state as one table, and those of a limit.
 
 use crate::float::Float;
-use crate::machine::drive::Excitation;
 use crate::machine::error::Error;
+use crate::machine::excitation::Excitation;
 use crate::machine::ratios::Ratios;
 use crate::motion::limit::observed::{Observed, observed};
 use crate::motion::slide::equation::Equation;

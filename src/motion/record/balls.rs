@@ -12,8 +12,8 @@ use super::number::Number;
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::float::{Field, Float};
-use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, written};
+use crate::machine::excitation::Excitation;
 use core::cmp::Ordering;
 
 impl<const W: usize> Number for Ball<W> {

@@ -3,8 +3,8 @@
 use super::body::Constants;
 use super::number::Number;
 use crate::float::Float;
-use crate::machine::drive::Excitation;
 use crate::machine::error::{Error, Quantity};
+use crate::machine::excitation::Excitation;
 use crate::machine::ratios::{finite, positive};
 use alloc::boxed::Box;
 use alloc::vec::Vec;

@@ -82,7 +82,7 @@ impl Loops for Lanes<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::drive::Excitation;
+    use crate::machine::excitation::Excitation;
     use core::sync::atomic::{AtomicU32, Ordering};
 
     #[test]

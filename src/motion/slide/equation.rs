@@ -3,8 +3,9 @@
 mod damped;
 
 use crate::float::Float;
-use crate::machine::drive::{Excitation, Support};
 use crate::machine::error::{Error, written};
+use crate::machine::excitation::Excitation;
+use crate::machine::support::Support;
 use crate::motion::broken::Broken;
 use crate::motion::drive::DrivePhase;
 // The functions of natural time in the formulas of a slide, with or without damping.

@@ -15,7 +15,7 @@ use super::Slide;
 use super::equation::Equation;
 use super::work::Works;
 use crate::float::Float;
-use crate::machine::drive::Excitation;
+use crate::machine::excitation::Excitation;
 
 impl<F: Float> Equation<F> {
     /// Whether the damper stands on the moving foot.

@@ -1,0 +1,46 @@
+//! A system as its file describes it, and the parts that bodies by name and matrices share.
+
+use super::node::{Fields, Node};
+use crate::failure::Failure;
+use stickslip::inputs::units::System as Units;
+use stickslip::system::{Law, Model, State};
+
+/// The greatest number of coordinates: the matrices are dense.
+pub(super) const MOST_COORDINATES: usize = 200;
+/// The greatest number of elements.
+pub(super) const MOST_ELEMENTS: usize = 200;
+
+/// A system as its file describes it.
+#[derive(Debug, Clone)]
+pub(crate) struct Described {
+    pub(crate) model: Model<f64>,
+    /// The names of the coordinates: those of the bodies, or q1, q2, …
+    pub(crate) coordinates: Vec<String>,
+    /// The system of units; `None` for matrices, whose units are any consistent ones.
+    pub(crate) units: Option<Units>,
+    pub(crate) start: State<f64>,
+    /// The force on each coordinate under a unit acceleration of the base, −M ι, where every coordinate is a
+    /// displacement over the base.
+    pub(crate) inertia: Vec<f64>,
+}
+
+/// The static friction over the kinetic one, under either name.
+pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, Failure> {
+    match (fields.get("peak"), fields.get("static_ratio")) {
+        (Some(_), Some(node)) => Err(node.wrong("must be left out beside peak, which is the same")),
+        (Some(node), None) | (None, Some(node)) => node.number(),
+        (None, None) => Ok(1.0),
+    }
+}
+
+/// A law from pairs of a speed and a force.
+pub(super) fn law(
+    node: &Node<'_>,
+    of: impl Fn(&Node<'_>, usize) -> Result<f64, Failure>,
+) -> Result<Law<f64>, Failure> {
+    let pair = |node: &Node<'_>| match node.list()?.as_slice() {
+        [speed, force] => Ok((of(speed, 0)?, of(force, 1)?)),
+        _ => Err(node.wrong("must be a pair of a speed and a force")),
+    };
+    Ok(Law { points: node.list()?.iter().map(pair).collect::<Result<_, Failure>>()? })
+}
