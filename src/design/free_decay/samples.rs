@@ -62,12 +62,12 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
     }
     increasing(times)?;
     let every = times.len().div_ceil(FEW).max(1);
-    let mut best: Option<(Samples<'_>, Vec<(Option<usize>, Fit)>)> = None;
+    let mut best: Option<(Samples<'_>, Vec<Ending>)> = None;
     for guess in guesses(times, displacements) {
         let samples =
             Samples { times, values: displacements, start: times[guess.first], guess, tolerance: EXACT };
         let fits = samples.thinned(every, |samples| samples.explored());
-        let sum = |fits: &[(Option<usize>, Fit)]| {
+        let sum = |fits: &[Ending]| {
             let mean = |fit: &Fit| fit.sum / fit.residuals.len() as f64;
             fits.iter().map(|(_, fit)| mean(fit)).fold(f64::INFINITY, f64::min)
         };
@@ -76,7 +76,7 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
         }
     }
     let Some((samples, fits)) = best else { return Err(Error::DecayTooShort { count: 0, least: LEAST }) };
-    let samples = samples.from_first_turn(&fits);
+    let samples = samples.beginning_at_first_turn(&fits);
     let fits = fits.into_iter().filter_map(|(end, fit)| {
         let again = samples.fit(end, &[fit.at])?;
         Some((end, again))
@@ -84,6 +84,9 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
     let fits = Alike::of(fits.collect()).ok_or(Error::NotADecay)?;
     samples.answer(&fits)
 }
+
+/// The half cycles until rest, if there is one within the samples, and the fit with them.
+type Ending = (Option<usize>, Fit);
 
 /// The samples from the first turning point of a guess on.
 struct Samples<'a> {
@@ -117,7 +120,7 @@ impl Samples<'_> {
     }
 
     /// The same without the samples before the first turning point that fits have found.
-    fn from_first_turn(mut self, fits: &[(Option<usize>, Fit)]) -> Self {
+    fn beginning_at_first_turn(mut self, fits: &[Ending]) -> Self {
         let Some((_, fit)) = fits.iter().min_by(|a, b| a.1.sum.total_cmp(&b.1.sum)) else { return self };
         let turn = self.start + self.guess.half * fit.at[START];
         let before = self.window().0.iter().take_while(|&&t| t < turn).count();
@@ -207,7 +210,7 @@ impl Samples<'_> {
     }
 
     /// The fits with the numbers of half cycles near the best one.
-    fn explored(&self) -> Vec<(Option<usize>, Fit)> {
+    fn explored(&self) -> Vec<Ending> {
         let Guess { rest, amplitudes: [first, last], half_cycles, .. } = self.guess;
         let (amplitude, steps) = (first.abs(), half_cycles as f64);
         let decrement = ((amplitude / last).ln() / steps / PI).clamp(0.0, 0.9);
@@ -215,14 +218,13 @@ impl Samples<'_> {
             vec![amplitude, 0.0, (amplitude - last) / steps / 2.0, rest, 0.0, 1.0],
             vec![amplitude, decrement, 0.0, rest, 0.0, 1.0],
         ];
-        let mut fits: Vec<(Option<usize>, Fit)> = Vec::new();
+        let mut fits: Vec<Ending> = Vec::new();
         fits.extend(self.fit(None, &going_on).map(|fit| (None, fit)));
         let starts = self.starts();
         for (end, start) in starts.iter().take(STARTS) {
             fits.extend(self.fit(Some(*end), core::slice::from_ref(start)).map(|fit| (Some(*end), fit)));
         }
-        let least =
-            |fits: &[(Option<usize>, Fit)]| fits.iter().map(|f| f.1.sum).fold(f64::INFINITY, f64::min);
+        let least = |fits: &[Ending]| fits.iter().map(|f| f.1.sum).fold(f64::INFINITY, f64::min);
         // Upwards and downwards from the best, each from the fit before and from its own start.
         let at_rest = fits.iter().filter(|(end, _)| end.is_some());
         let best =

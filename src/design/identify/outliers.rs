@@ -121,7 +121,7 @@ fn whole(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGrid>)
     let mut found = None;
     for _ in 0..WEIGHINGS {
         let weights: Vec<f64> =
-            (0..counts[0] + counts[1]).map(|i| of_kind(i, counts, [1.0, ratio])).collect();
+            (0..counts[0].saturating_add(counts[1])).map(|i| of_kind(i, counts, [1.0, ratio])).collect();
         let rule = Rule::Weighted(&weights);
         let near = descend(curve, rule, at);
         let others = grid.map_or(Err(Error::NotIdentified), |grid| grid.best(curve, rule, STARTS));
