@@ -5,7 +5,7 @@ use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::note::{Note, decay, measured_from};
 use crate::outputs::{ATTRACTOR, FIRST_V, FIRST_X, MIRROR, REST_FROM, REST_TO, SHARE, STARTS};
-use crate::record::{Cell, Record};
+use crate::record::{Cell, Number, Record, Row};
 use crate::sink::Sink;
 use crate::starts::Starts;
 use crate::{input, interrupt, output, progress, style};
@@ -37,7 +37,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
     let at = |number| start(number, reach);
     let all = Starts { ratios: point.ratios, count, at, periods }.limits(&given, &args.rows)?;
     let others = args.unstable.map(|turns| others(&all, point.ratios, count, at, turns)).transpose()?;
-    let rows: Vec<Record<F>> = (0..all.limits.len()).map(|place| row(&all, Some(place), reach)).collect();
+    let rows: Vec<Row> = (0..all.limits.len()).map(|place| row(&all, Some(place), reach)).collect();
     let more = others.as_ref().map(|others| others.iter().map(Other::record).collect::<Vec<_>>());
     match args.format {
         Format::Text => {
@@ -49,9 +49,9 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
         }
         Format::Json => {
             let answer = AttractorsAnswer {
-                ratios: Record::of_ratios(&given, &point.ratios, true),
+                ratios: Record::of_ratios(&given, &point.ratios, true).shown(),
                 starts: all.of_start.len(),
-                reach: Cell::Number(Some(reach)),
+                reach: Number::of(reach),
                 unsettled: all.unsettled(),
                 attractors: &rows,
                 other_motions: more.as_deref(),
@@ -93,7 +93,7 @@ fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
 }
 
 /// A limit as a record, or an empty one for its names.
-fn row<F: Value>(all: &Attractors<F>, place: Option<usize>, reach: F) -> Record<F> {
+fn row<F: Value>(all: &Attractors<F>, place: Option<usize>, reach: F) -> Row {
     let found = place.and_then(|place| all.limits.get(place));
     LimitData {
         number: place.map_or(0, |place| place + 1),
@@ -127,7 +127,7 @@ pub(crate) struct LimitData<F> {
 }
 
 impl<F: Value> LimitData<F> {
-    pub(crate) fn record(&self) -> Record<F> {
+    pub(crate) fn record(&self) -> Row {
         let limit = self.limit.as_ref();
         let steady = limit.and_then(LongRun::steady_state);
         let (least, most) = limit.and_then(LongRun::extrema).unzip();
@@ -154,21 +154,21 @@ impl<F: Value> LimitData<F> {
             (REST_FROM, Cell::Number(self.range.map(|(low, _)| low))),
             (REST_TO, Cell::Number(self.range.map(|(_, high)| high))),
         ])
+        .shown()
     }
 }
 
 /// The answer as JSON.
 #[derive(Serialize)]
-#[serde(bound = "")]
-struct AttractorsAnswer<'a, F: Value> {
+struct AttractorsAnswer<'a> {
     #[serde(flatten)]
-    ratios: Record<F>,
+    ratios: Row,
     starts: usize,
-    reach: Cell<F>,
+    reach: Number,
     unsettled: usize,
-    attractors: &'a [Record<F>],
+    attractors: &'a [Row],
     #[serde(skip_serializing_if = "Option::is_none")]
-    other_motions: Option<&'a [Record<F>]>,
+    other_motions: Option<&'a [Row]>,
 }
 
 fn text<F: Value>(all: &Attractors<F>, reach: F, note: &mut Note<'_, F, impl Write>) -> Outcome {
@@ -255,7 +255,7 @@ fn others<F: Value>(
 }
 
 impl<F: Value> Other<F> {
-    fn record(&self) -> Record<F> {
+    fn record(&self) -> Row {
         LimitData {
             number: self.number,
             name: if self.steady.is_stable() { "periodic" } else { "unstable" },

@@ -7,7 +7,7 @@ use crate::failure::{Failure, Outcome};
 use crate::note::{self, Note};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
-use crate::record::Record;
+use crate::record::{Record, Row};
 use std::io::Write;
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
 use stickslip::inputs::{Given, Point};
@@ -35,7 +35,7 @@ pub(crate) fn response_at<F: Value>(
     given: &Given<F>,
     point: &Point<F>,
     peaks: bool,
-) -> Result<(Response<F>, Record<F>), Failure> {
+) -> Result<(Response<F>, Row), Failure> {
     let response = Response::guarded(point.ratios);
     let found = ResponseAnswer { response: &response, peaks };
     let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
@@ -51,7 +51,7 @@ pub(crate) fn border(args: &BorderArgs, out: &mut impl Write) -> Outcome {
 }
 
 /// The answer at a point, with the forces without a stop if requested, and its record.
-type BorderAnswer<F> = ((Response<F>, Option<NoStop<F>>), Record<F>);
+type BorderAnswer<F> = ((Response<F>, Option<NoStop<F>>), Row);
 
 /// The forces without any stop; they are unknown for a static friction above the kinetic one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {

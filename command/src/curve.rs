@@ -284,7 +284,7 @@ impl AskedCurve {
         let point = self.point(given, x)?;
         let margin = margin(point.ratios);
         let (value, regime, sticks) = self.value(&point)?;
-        Cell::Number(value).finite(shown(self.what).words).map_err(|e| behind_all(given, e))?;
+        Cell::Number(value).shown().finite(shown(self.what).words).map_err(|e| behind_all(given, e))?;
         Ok(CurvePoint { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
     }
 

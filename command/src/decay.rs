@@ -63,7 +63,7 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
             Failure::Input(format!("{option} {text}: {e}"))
         }
     })?;
-    let record = record(&decay, scales.as_ref(), frictions).finite()?;
+    let record = record(&decay, scales.as_ref(), frictions).shown().finite()?;
     args.look.needs("--out", args.out.as_deref())?;
     if let Some(file) = &args.out {
         write_file(args, &decay, scales.as_ref(), file)?;

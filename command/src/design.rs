@@ -9,7 +9,7 @@ use crate::args::{Question, QuestionArgs};
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::physical::Units;
-use crate::record::{Cell, Record};
+use crate::record::{Cell, Number, Record};
 use crate::{input, note, output};
 use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -37,6 +37,11 @@ const fn arguments(question: &Question) -> &QuestionArgs {
 
 /// A row of an answer: name, kind and value of each number.
 pub(crate) type AnswerRow<F> = Vec<(&'static str, Kind, Cell<F>)>;
+
+/// The row as it is written.
+pub(crate) fn shown<F: Value>(row: &AnswerRow<F>) -> AnswerRow<Number> {
+    row.iter().map(|(name, kind, cell)| (*name, *kind, cell.shown())).collect()
+}
 
 /// An answer: a sentence and its numbers.
 struct DesignAnswer<F> {
@@ -77,7 +82,7 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
         Question::Dissipation(_) => asked.dissipation(),
         Question::Stiffness(_) => asked.stiffness(),
     }?;
-    answer.rows.iter().flatten().try_for_each(|(name, _, cell)| cell.finite(name))?;
+    answer.rows.iter().flatten().try_for_each(|(name, _, cell)| cell.shown().finite(name))?;
     if !args.answer.format.is_json("design")? {
         return asked.text(&answer, out);
     }
@@ -89,16 +94,16 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
 }
 
 /// A row as JSON; in physical units it includes the kind of base motion and the unit of each value.
-pub(crate) struct NamedRow<'a, F> {
-    pub(crate) row: &'a AnswerRow<F>,
+pub(crate) struct NamedRow {
+    pub(crate) row: AnswerRow<Number>,
     pub(crate) system: Option<System>,
     pub(crate) base_motion: Option<&'static str>,
 }
 
-impl<F: Value> Serialize for NamedRow<'_, F> {
+impl Serialize for NamedRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        for (name, _, cell) in self.row {
+        for (name, _, cell) in &self.row {
             map.serialize_entry(name, cell)?;
         }
         if let Some(base) = self.base_motion {
@@ -132,8 +137,9 @@ impl<F: Value> AskedDesign<'_, F> {
         let unbalance = self.system().name(Kind::Unbalance);
         let mut fields = force_and_equals(&body, frequency, force);
         fields.extend(self.shift(&body)?);
-        let of =
-            |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
+        let of = |name: &str| {
+            fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.shown().text())
+        };
         let sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, a \
              motion of {} {length} of the spring's foot over a fixed surface, or of {} {length} of a base that \

@@ -10,7 +10,7 @@ use crate::measured::{self, Described};
 use crate::motion_plot;
 use crate::output::{self, PendingFile};
 use crate::physical::Physical;
-use crate::record::Cell;
+use crate::record::{Cell, Number};
 use std::io::Write;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader, System};
@@ -149,10 +149,10 @@ impl<F: Value> Surface<F> {
 }
 
 /// The answers with their units.
-pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Physical<F> {
+pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Physical<Number> {
     let mut physical = Physical::of(system);
     physical.values = columns(answer).into();
-    physical
+    physical.shown()
 }
 
 /// The name, the kind and the cell of each answer.
@@ -171,7 +171,7 @@ pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> Columns<F> {
 
 fn text<F: Value>(
     answer: &RecordAnswer<F>,
-    physical: &Physical<F>,
+    physical: &Physical<Number>,
     system: &System,
     summary: &Summary,
     out: &mut impl Write,

@@ -12,7 +12,7 @@ use crate::input;
 use crate::interrupt;
 use crate::outputs::{self, plain};
 use crate::progress;
-use crate::record::Cell;
+use crate::record::{Cell, Number};
 use crate::sweep::loops::Looped;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
@@ -24,7 +24,7 @@ use stickslip::{Output, Ratios};
 pub(crate) use picture::{capital, ends};
 
 /// A value, with its kind if it is in the machine's units.
-type MapValue = (Option<Kind>, Cell<f64>);
+type MapValue = (Option<Kind>, Cell<Number>);
 
 /// What is mapped.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -70,7 +70,7 @@ impl<'a> Quantity<'a> {
     fn value_at(&self, given: &Given<f64>) -> Result<Option<MapValue>, Failure> {
         if self.mapped == Mapped::Margin {
             let margin = margin(input::point(given)?.ratios);
-            return Ok(Some((None, Cell::Number(Some(margin)))));
+            return Ok(Some((None, Cell::Number(Some(Number::Double(margin))))));
         }
         if self.mapped == Mapped::Limits {
             return Ok(Some((None, Cell::Text(limits::described(input::point(given)?.ratios)?))));
@@ -79,10 +79,12 @@ impl<'a> Quantity<'a> {
         let record = rows::answer(self.question, given, peaks)?;
         let physical = record.physical.values.iter().find(|(name, ..)| *name == self.name);
         let found = match physical {
-            Some((_, kind, cell)) => Some((Some(*kind), *cell)),
-            None => {
-                record.fields.iter().find(|(key, _)| key.name == self.name).map(|(_, cell)| (None, *cell))
-            }
+            Some((_, kind, cell)) => Some((Some(*kind), cell.clone())),
+            None => record
+                .fields
+                .iter()
+                .find(|(key, _)| key.name == self.name)
+                .map(|(_, cell)| (None, cell.clone())),
         };
         Ok(found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_))))
     }
@@ -167,7 +169,7 @@ impl<'a> Map<'a> {
     }
 
     /// Computes the points in order, row by row.
-    fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, Cell<f64>) -> Outcome) -> Outcome {
+    fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, Cell<Number>) -> Outcome) -> Outcome {
         let looped = self.quantity.looped().filter(|_| !axes.is_physical());
         let one = |given: Given<f64>| {
             let found = self.quantity.value_at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
@@ -182,10 +184,9 @@ impl<'a> Map<'a> {
                 let Some(looped) = &looped else { return vec![one(axes.given_at(points.start))] };
                 let given: Vec<_> = points.map(|point| axes.given_at(point)).collect();
                 let ratios: Vec<_> = given.iter().map(Looped::ratios).collect();
-                let cells = looped
-                    .records(&ratios)
-                    .into_iter()
-                    .map(|record| record.and_then(|record| record.fields.first().map(|(_, cell)| *cell)));
+                let cells = looped.records(&ratios).into_iter().map(|record| {
+                    record.and_then(|record| record.fields.into_iter().next().map(|(_, cell)| cell))
+                });
                 // Alone, a point without ratios has its error.
                 let answer = |(given, cell)| match cell {
                     Some(cell) => Ok((given, cell)),
@@ -225,7 +226,7 @@ impl<'a> Map<'a> {
         let mut writer = csv::Writer::from_writer(out);
         writer.write_record([column(x), column(y), quantity])?;
         let value = |given: &Given<f64>, parameter| {
-            Cell::Number(given.get(parameter).map(|v| v * self.on_axis(parameter).1))
+            Cell::Number(given.get(parameter).map(|v| v * self.on_axis(parameter).1)).shown()
         };
         let outcome = self.cells(&self.axes, |given, cell| {
             Ok(writer.serialize((value(&given, x), value(&given, y), cell))?)

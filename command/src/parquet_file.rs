@@ -3,9 +3,8 @@
 mod column;
 
 use crate::args::Header;
-use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::record::Record;
+use crate::record::Row;
 use column::ParquetColumn;
 pub(crate) use column::{ends, equals};
 use parquet::basic::Compression;
@@ -51,9 +50,12 @@ pub(crate) struct Group {
 
 impl Group {
     /// No rows, with the columns of this one.
-    pub(crate) fn of<F: Value>(row: &Record<F>) -> Self {
+    pub(crate) fn of(row: &Row) -> Self {
         let columns = row.names(Header::Names).into_iter().zip(row.cells());
-        Self { columns: columns.map(|(name, cell)| ParquetColumn::of(name, &cell)).collect(), rows: 0 }
+        Self {
+            columns: columns.map(|(name, cell)| ParquetColumn::of(name, &cell, row.is_wide())).collect(),
+            rows: 0,
+        }
     }
 
     /// The schema of a file with these columns.
@@ -64,7 +66,7 @@ impl Group {
         Ok(Arc::new(Type::group_type_builder("sweep").with_fields(fields).build()?))
     }
 
-    pub(crate) fn push<F: Value>(&mut self, row: &Record<F>) {
+    pub(crate) fn push(&mut self, row: &Row) {
         self.columns.iter_mut().zip(row.cells()).for_each(|(column, cell)| column.push(&cell));
         self.rows += 1;
     }
@@ -107,13 +109,13 @@ pub(crate) struct ParquetStream {
 
 impl ParquetStream {
     /// A stream of rows like this one.
-    pub(crate) fn new<F: Value>(row: &Record<F>) -> Result<Self, Failure> {
+    pub(crate) fn new(row: &Row) -> Result<Self, Failure> {
         let group = Group::of(row);
         Ok(Self { writer: writer(Vec::new(), group.schema()?, vec![units_note()])?, group })
     }
 
     /// Adds a row, and writes the bytes that are complete.
-    pub(crate) fn write<F: Value>(&mut self, row: &Record<F>, out: &mut impl Write) -> Outcome {
+    pub(crate) fn write(&mut self, row: &Row, out: &mut impl Write) -> Outcome {
         self.group.push(row);
         if !self.group.is_full() {
             return Ok(());

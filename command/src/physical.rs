@@ -2,7 +2,7 @@
 
 use crate::bits::Value;
 use crate::outputs::{Key, plain};
-use crate::record::Cell;
+use crate::record::{Cell, Number};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Driven, Given, Input, Role};
@@ -25,7 +25,7 @@ impl<F> Default for Physical<F> {
     }
 }
 
-impl<F: Value> Physical<F> {
+impl<F> Physical<F> {
     /// A system of units without values.
     pub(crate) const fn of(system: System) -> Self {
         Self { system, drive: None, is_beside: false, values: Vec::new() }
@@ -39,6 +39,19 @@ impl<F: Value> Physical<F> {
     /// The values that stand beside those in ratios, in JSON and in a table.
     pub(crate) fn values_beside(&self) -> &[(&'static str, Kind, Cell<F>)] {
         if self.is_beside { &self.values } else { &[] }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+}
+
+impl<F: Value> Physical<F> {
+    /// The values as they are written.
+    pub(crate) fn shown(self) -> Physical<Number> {
+        let Self { system, drive, is_beside, values } = self;
+        let values = values.into_iter().map(|(name, kind, cell)| (name, kind, cell.shown())).collect();
+        Physical { system, drive, is_beside, values }
     }
 
     /// The machine and its drive: the given quantities and those that follow from them.
@@ -127,7 +140,9 @@ impl<F: Value> Physical<F> {
         }
         self
     }
+}
 
+impl Physical<Number> {
     pub(crate) fn has(&self, wanted: &str) -> bool {
         self.values.iter().any(|(name, kind, _)| self.is_called(name, *kind, wanted))
     }
@@ -146,14 +161,10 @@ impl<F: Value> Physical<F> {
     /// Only the values with these names, in this order.
     pub(crate) fn only<'a>(self, wanted: impl Iterator<Item = &'a str>) -> Self {
         let found = |wanted: &str| {
-            self.values.iter().find(|(name, kind, _)| self.is_called(name, *kind, wanted)).copied()
+            self.values.iter().find(|(name, kind, _)| self.is_called(name, *kind, wanted)).cloned()
         };
         let values = wanted.filter_map(found).collect();
         Self { values, ..self }
-    }
-
-    pub(crate) fn is_empty(&self) -> bool {
-        self.values.is_empty()
     }
 
     /// Each name with its unit in brackets, as for a column of a table.
@@ -165,7 +176,7 @@ impl<F: Value> Physical<F> {
     }
 }
 
-impl<F: Value> Serialize for Physical<F> {
+impl Serialize for Physical<Number> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         if let Some(drive) = self.drive {

@@ -9,7 +9,7 @@ use crate::interrupt;
 use crate::output;
 use crate::outputs;
 use crate::progress;
-use crate::record::Record;
+use crate::record::Row;
 use crate::rows::{self, Ahead, Bounded};
 use crate::sink::Sink;
 use csv::StringRecord;
@@ -38,7 +38,7 @@ impl AskedPoints<'_> {
         &self,
         machine: &[(Input, String)],
         out: &mut W,
-        answer: impl Fn(&Given<F>, &Point<F>, &Reader) -> Result<(A, Record<F>), Failure>,
+        answer: impl Fn(&Given<F>, &Point<F>, &Reader) -> Result<(A, Row), Failure>,
         note: impl FnOnce(&Point<F>, &A, &Given<F>, &mut W) -> io::Result<()>,
     ) -> Outcome {
         let reader = self.output.units.reader();
@@ -69,7 +69,7 @@ fn rows_of<F: Value>(
     asked: &AskedPoints<'_>,
     given: (Given<F>, &Reader),
     out: &mut impl Write,
-    answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
+    answer: impl Fn(&Given<F>) -> Result<Row, Failure>,
 ) -> Outcome {
     let output = asked.output;
     let name = file.display().to_string();
@@ -93,7 +93,7 @@ fn answer_all<F: Value, W: Write>(
     asked: &AskedPoints<'_>,
     (mut given, units): (Given<F>, &Reader),
     sink: &RefCell<Sink<W>>,
-    answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
+    answer: impl Fn(&Given<F>) -> Result<Row, Failure>,
 ) -> Outcome {
     let (mut table, header) = rows::table(source, name)?;
     let used = used::columns(asked.question.command());

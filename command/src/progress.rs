@@ -4,7 +4,7 @@ use crate::failure::{Failure, Outcome, on_one_line};
 use crate::interrupt;
 use crate::style;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -72,7 +72,59 @@ pub(crate) fn in_order<T: Send>(
 pub(crate) fn in_order_kept<T: Send>(
     points: Range<u64>,
     answers: impl Fn(Range<u64>) -> Vec<Result<T, Failure>> + Sync,
-    take: impl FnMut(Option<T>) -> Outcome,
+    mut take: impl FnMut(Option<T>) -> Outcome,
+) -> Outcome {
+    // Only this function and `Stretch::answers` are compiled for each type of answer: threads and order need the places of the
+    // stretches alone.
+    let found: Mutex<Vec<Answered<T>>> = Mutex::new(Vec::new());
+    let found = || found.lock().unwrap_or_else(PoisonError::into_inner);
+    let answer = |mut stretch: Stretch<'_>| {
+        let start = stretch.points.start;
+        let answers = stretch.answers(&answers);
+        found().push(Answered { start, answers });
+        start
+    };
+    let pass_on = |stretch: Option<u64>| {
+        let Some(start) = stretch else { return take(None).map(|()| Passed::default()) };
+        let taken = {
+            let mut found = found();
+            let place = found.iter().position(|stretch| stretch.start == start);
+            place.map(|place| found.swap_remove(place).answers)
+        };
+        let mut passed = Passed::default();
+        for one in taken.into_iter().flatten() {
+            match one {
+                // The thread noticed the interrupt first.
+                Err(Failure::Interrupted) => return Ok(Passed { is_interrupted: true, ..passed }),
+                one => take(Some(one?))?,
+            }
+            passed.count += 1;
+        }
+        Ok(passed)
+    };
+    stretches_in_order(points, &answer, &mut { pass_on })
+}
+
+/// The answers of a stretch.
+struct Answered<T> {
+    start: u64,
+    answers: Vec<Result<T, Failure>>,
+}
+
+/// The part of a stretch's answers that was passed on.
+#[derive(Default)]
+struct Passed {
+    count: u64,
+    /// Whether the next one ended by an interrupt.
+    is_interrupted: bool,
+}
+
+/// Answers the points in stretches, each by `answer`, which returns its first point, and has the stretches passed on in order;
+/// with `None` those so far are to be kept.
+fn stretches_in_order(
+    points: Range<u64>,
+    answer: &(dyn Fn(Stretch<'_>) -> u64 + Sync),
+    pass_on: &mut dyn FnMut(Option<u64>) -> Result<Passed, Failure>,
 ) -> Outcome {
     let bar = bar(points.end - points.start, "points");
     let work = OpenPoints::new(&points);
@@ -80,18 +132,18 @@ pub(crate) fn in_order_kept<T: Send>(
     let mut taking = Taking {
         work: &work,
         receiver,
-        take,
+        pass_on,
         next: points.start,
-        waiting: BTreeMap::new(),
+        waiting: BTreeSet::new(),
         kept: Instant::now(),
         is_kept: true,
     };
     let outcome = rayon::in_place_scope(|scope| {
         for _ in 0..work.threads {
-            let (work, answers, sender) = (&work, &answers, sender.clone());
+            let (work, sender) = (&work, sender.clone());
             scope.spawn(move |_| {
-                while let Some(mut stretch) = work.claim() {
-                    if sender.send((stretch.points.start, stretch.answers(answers))).is_err() {
+                while let Some(stretch) = work.claim() {
+                    if sender.send(answer(stretch)).is_err() {
                         break;
                     }
                 }
@@ -218,19 +270,19 @@ impl Drop for Stretch<'_> {
     }
 }
 
-/// The receiver of the answers, which passes them on in order.
-struct Taking<'a, T, K> {
+/// The receiver of the stretches, which has them passed on in order.
+struct Taking<'a> {
     work: &'a OpenPoints,
-    receiver: Receiver<(u64, Vec<Result<T, Failure>>)>,
-    take: K,
+    receiver: Receiver<u64>,
+    pass_on: &'a mut dyn FnMut(Option<u64>) -> Result<Passed, Failure>,
     next: u64,
-    /// Answers that came before earlier ones, by their first point.
-    waiting: BTreeMap<u64, Vec<Result<T, Failure>>>,
+    /// The first points of stretches that were answered before earlier ones.
+    waiting: BTreeSet<u64>,
     kept: Instant,
     is_kept: bool,
 }
 
-impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
+impl Taking<'_> {
     /// Passes the answers on until there are no more.
     fn all(&mut self, mut show: impl FnMut(u64)) -> Outcome {
         while self.wait(LOOK)? {
@@ -248,19 +300,16 @@ impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
     /// Passes on the answers that come within `time`; `false` if no more can come.
     fn wait(&mut self, time: Duration) -> Result<bool, Failure> {
         match self.receiver.recv_timeout(time) {
-            Ok((start, found)) => self.waiting.insert(start, found),
+            Ok(start) => self.waiting.insert(start),
             Err(RecvTimeoutError::Timeout) => return Ok(true),
             Err(RecvTimeoutError::Disconnected) => return Ok(false),
         };
-        while let Some(found) = self.waiting.remove(&self.next) {
-            for one in found {
-                match one {
-                    // The thread noticed the interrupt first.
-                    Err(Failure::Interrupted) => return Ok(true),
-                    one => (self.take)(Some(one?))?,
-                }
-                self.next += 1;
-                self.is_kept = false;
+        while self.waiting.remove(&self.next) {
+            let passed = (self.pass_on)(Some(self.next))?;
+            self.next += passed.count;
+            self.is_kept &= passed.count == 0;
+            if passed.is_interrupted {
+                break;
             }
             self.work.passed_on(self.next);
         }
@@ -269,7 +318,7 @@ impl<T, K: FnMut(Option<T>) -> Outcome> Taking<'_, T, K> {
 
     fn keep(&mut self) -> Outcome {
         if !self.is_kept {
-            (self.take)(None)?;
+            (self.pass_on)(None)?;
         }
         (self.kept, self.is_kept) = (Instant::now(), true);
         Ok(())

@@ -2,7 +2,7 @@
 
 use crate::args::PullArgs;
 use crate::bits::{Value, at_bits, digits};
-use crate::design::{AnswerRow, NamedRow};
+use crate::design::{AnswerRow, NamedRow, shown};
 use crate::failure::{Failure, Outcome};
 use crate::note::line;
 use crate::record::Cell;
@@ -35,10 +35,11 @@ fn respond<F: Value>(args: &PullArgs, out: &mut impl Write) -> Outcome {
         ("max_velocity", Kind::Velocity, Cell::Number(Some(pull.max_velocity))),
         ("smooth_above", Kind::Velocity, Cell::Number(pull.smooth_above)),
     ];
+    let row = shown(&row);
     row.iter().try_for_each(|(name, _, cell)| cell.finite(name))?;
     if args.answer.format.is_json("pull")? {
         let system = Some(given.system);
-        return output::json(&NamedRow { row: &row, system, base_motion: None }, out);
+        return output::json(&NamedRow { row, system, base_motion: None }, out);
     }
     let velocity = given.system.name(Kind::Velocity);
     match (pull.period, pull.smooth_above) {

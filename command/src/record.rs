@@ -13,7 +13,7 @@ use std::io::{self, Write};
 use stickslip::inputs::{Driven, Given, Point, Role};
 use stickslip::{Column, Measure, NoStop, Output, Ratios, Response, When};
 
-pub(crate) use cell::Cell;
+pub(crate) use cell::{Cell, Number};
 
 /// The text of some rows of CSV.
 pub(crate) fn csv_text(
@@ -33,14 +33,20 @@ fn physical_name(wanted: &str) -> &str {
     wanted.strip_prefix("physical.").unwrap_or(wanted)
 }
 
-/// Named values in order, and those in physical units.
+/// Named values in order, and those in physical units: of a number type while they are computed, as a [`Row`] where they are
+/// written.
 #[derive(Debug)]
 pub(crate) struct Record<F> {
     pub(crate) fields: Vec<(Key, Cell<F>)>,
     pub(crate) physical: Physical<F>,
+    /// In a [`Row`], whether its numbers are wider than a double, even those that do not exist.
+    is_wide: bool,
 }
 
-impl<F: Value> Serialize for Record<F> {
+/// A record as it is written.
+pub(crate) type Row = Record<Number>;
+
+impl Serialize for Row {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         for (key, cell) in &self.fields {
@@ -57,10 +63,24 @@ impl<F: Value> Serialize for Record<F> {
     }
 }
 
-impl<F: Value> Record<F> {
+impl<F> Record<F> {
     /// A record without physical units.
     pub(crate) fn of(fields: Vec<(Key, Cell<F>)>) -> Self {
-        Self { fields, physical: Physical::default() }
+        Self { fields, physical: Physical::default(), is_wide: false }
+    }
+}
+
+impl<F: Value> Record<F> {
+    /// The record with these values in physical units.
+    pub(crate) fn with_physical(self, physical: Physical<F>) -> Self {
+        Self { physical, ..self }
+    }
+
+    /// The record as it is written.
+    pub(crate) fn shown(self) -> Row {
+        let fields = self.fields.into_iter().map(|(key, cell)| (key, cell.shown()));
+        let is_wide = F::PRECISION > f64::MANTISSA_DIGITS;
+        Record { fields: fields.collect(), physical: self.physical.shown(), is_wide }
     }
 
     /// Ω, α if `has_alpha`, and ζ and η where they were given.
@@ -93,29 +113,6 @@ impl<F: Value> Record<F> {
         record
     }
 
-    /// Whether the record has an output of this name: a field, or in the machine's units `physical.NAME`,
-    /// `NAME[unit]`, or NAME where no field has that name.
-    pub(crate) fn has(&self, wanted: &str) -> bool {
-        self.fields.iter().any(|(key, _)| key.name == wanted) || self.physical.has(physical_name(wanted))
-    }
-
-    /// The names of all outputs.
-    pub(crate) fn output_names(&self) -> Vec<String> {
-        let own = self.fields.iter().map(|(key, _)| key.name.to_owned());
-        own.chain(self.physical.values.iter().map(|(name, ..)| format!("physical.{name}"))).collect()
-    }
-
-    /// The record with these outputs only, in this order, with those in the machine's units last.
-    pub(crate) fn only(mut self, wanted: &[String]) -> Self {
-        let field = |wanted: &String| self.fields.iter().find(|(key, _)| key.name == wanted).copied();
-        let fields: Vec<_> = wanted.iter().filter_map(field).collect();
-        let is_field = |wanted: &String| fields.iter().any(|(key, _)| key.name == wanted);
-        let physical = wanted.iter().filter(|w| !is_field(w)).map(|w| physical_name(w));
-        self.physical = self.physical.only(physical);
-        self.fields = fields;
-        self
-    }
-
     /// The border at Ω and the best force ratio, from a response at any α.
     pub(crate) fn of_border(given: &Given<F>, response: &Response<F>) -> Self {
         let mut record = Self::of_ratios(given, &response.ratios, false);
@@ -143,8 +140,8 @@ impl<F: Value> Record<F> {
         given: &Given<F>,
         point: &Point<F>,
         physical: fn(&Given<F>, &Driven<F>) -> Physical<F>,
-    ) -> Result<Self, Failure> {
-        let Some(machine) = &point.machine else { return Ok(self) };
+    ) -> Result<Row, Failure> {
+        let Some(machine) = &point.machine else { return Ok(self.shown()) };
         let best = self.fields.iter().find(|(key, _)| *key == Output::BestForceRatio.definition());
         let best = match best {
             Some((_, Cell::Number(Some(ratio)))) => *ratio,
@@ -153,23 +150,55 @@ impl<F: Value> Record<F> {
         let stiffness = machine.oscillator.stiffness();
         let size = |measure| Measure::size_with(measure, &machine.scales, best, stiffness);
         self.physical = physical(given, machine).with(&self.fields, machine.drive.excitation(), size);
-        self.finite().map_err(|e| behind_all(given, e))
+        self.shown().finite().map_err(|e| behind_all(given, e))
+    }
+}
+
+impl Row {
+    /// Whether the record has an output of this name: a field, or in the machine's units `physical.NAME`,
+    /// `NAME[unit]`, or NAME where no field has that name.
+    pub(crate) fn has(&self, wanted: &str) -> bool {
+        self.fields.iter().any(|(key, _)| key.name == wanted) || self.physical.has(physical_name(wanted))
+    }
+
+    /// The names of all outputs.
+    pub(crate) fn output_names(&self) -> Vec<String> {
+        let own = self.fields.iter().map(|(key, _)| key.name.to_owned());
+        own.chain(self.physical.values.iter().map(|(name, ..)| format!("physical.{name}"))).collect()
+    }
+
+    /// The record with these outputs only, in this order, with those in the machine's units last.
+    pub(crate) fn only(mut self, wanted: &[String]) -> Self {
+        let field = |wanted: &String| self.fields.iter().find(|(key, _)| key.name == wanted).cloned();
+        let fields: Vec<_> = wanted.iter().filter_map(field).collect();
+        let is_field = |wanted: &String| fields.iter().any(|(key, _)| key.name == wanted);
+        let physical = wanted.iter().filter(|w| !is_field(w)).map(|w| physical_name(w));
+        self.physical = self.physical.only(physical);
+        self.fields = fields;
+        self
     }
 
     /// The record, if all its numbers are finite. In units that are too small a motion overflows to infinity,
     /// which JSON does not have.
     pub(crate) fn finite(self) -> Result<Self, Failure> {
-        let physical = self.physical.values.iter().map(|&(name, _, cell)| (name, cell));
+        let physical = self.physical.values.iter().map(|(name, _, cell)| (*name, cell));
         self.fields
             .iter()
-            .map(|(key, cell)| (key.name, *cell))
+            .map(|(key, cell)| (key.name, cell))
             .chain(physical)
             .try_for_each(|(name, cell)| cell.finite(name))?;
         Ok(self)
     }
-}
 
-impl<F: Value> Record<F> {
+    /// Whether the numbers have more digits than a double, even those that do not exist.
+    #[cfg_attr(
+        not(feature = "parquet"),
+        allow(dead_code, reason = "only the columns of Parquet have a type")
+    )]
+    pub(crate) const fn is_wide(&self) -> bool {
+        self.is_wide
+    }
+
     /// One line of JSON.
     pub(crate) fn write_line(&self, out: &mut impl Write) -> Outcome {
         serde_json::to_writer(&mut *out, self)?;
@@ -197,9 +226,10 @@ impl<F: Value> Record<F> {
     }
 
     /// The cells of a row, each with one value, those in physical units last.
-    pub(crate) fn cells(&self) -> impl Iterator<Item = Cell<F>> + '_ {
-        let physical = self.physical.values.iter().map(|(_, _, cell)| *cell);
-        self.fields.iter().map(|(_, cell)| *cell).chain(physical).flat_map(|cell| cell.parts()).flatten()
+    pub(crate) fn cells(&self) -> impl Iterator<Item = Cell<Number>> + '_ {
+        let physical = self.physical.values.iter().map(|(_, _, cell)| cell);
+        let cells = self.fields.iter().map(|(_, cell)| cell).chain(physical);
+        cells.flat_map(|cell| cell.clone().parts()).flatten()
     }
 
     /// The names of the cells of a row, with units if they are asked for in brackets after each dimensionless name that

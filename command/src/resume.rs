@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 /// Rows that are each computed from their number alone.
 pub(crate) trait Rows: Sync {
     /// The source of the rows, for error messages.
-    const OF: &'static str;
+    fn of(&self) -> &'static str;
 
     /// The header line; empty if there is none.
     fn header(&self) -> Result<Vec<u8>, Failure>;
@@ -59,13 +59,13 @@ fn create(file: &Path, option: &str) -> Result<File, Failure> {
 
 /// Writes the rows of a part to a new file, or after the complete rows of one that is continued, from a point on that
 /// `fill` receives. After any interruption the file can be resumed.
-pub(crate) fn to_file<R: Rows>(
+pub(crate) fn to_file(
     (option, name): (&str, &Path),
     is_continued: bool,
-    rows: &R,
+    rows: &dyn Rows,
     part: &Range<u64>,
     has_header: bool,
-    fill: impl FnOnce(u64, &mut Lines<Checked<'_>>) -> Outcome,
+    fill: &mut dyn FnMut(u64, &mut Lines<Checked<'_>>) -> Outcome,
 ) -> Outcome {
     let (file, done) = if is_continued && name.exists() {
         reopen(name, rows, part, has_header)?
@@ -115,7 +115,7 @@ const MOST_COMPARED: usize = 1 << 13;
 const COMPARING: Duration = Duration::from_secs(1);
 
 /// Opens the file after its last complete row and truncates the rest.
-fn reopen<R: Rows>(name: &Path, rows: &R, part: &Range<u64>, header: bool) -> Result<(File, Done), Failure> {
+fn reopen(name: &Path, rows: &dyn Rows, part: &Range<u64>, header: bool) -> Result<(File, Done), Failure> {
     let argument = format!("--resume: {}", name.display());
     let bad = |what: String| Failure::Input(what).about(&argument);
     if !fs::metadata(name).map_err(|e| bad(e.to_string()))?.is_file() {
@@ -156,9 +156,9 @@ struct KeptRows {
 
 impl KeptRows {
     /// Reads the whole file, and compares the parts that cost little.
-    fn read<R: Rows>(
+    fn read(
         file: &File,
-        rows: &R,
+        rows: &dyn Rows,
         part: &Range<u64>,
         header: &[u8],
         sums: &BTreeMap<u64, String>,
@@ -174,14 +174,14 @@ impl KeptRows {
             if line.ends_with(b"\n") {
                 if kept.end == 0 && !header.is_empty() {
                     if line != header {
-                        return Err(format!("the header is not of {}", R::OF).into());
+                        return Err(format!("the header is not of {}", rows.of()).into());
                     }
                     kept.begin = count;
                 } else {
                     let point = part.start.saturating_add(kept.rows);
                     kept.rows += 1;
                     if kept.rows <= length && !rows.is_on_grid(&line, point)? {
-                        return Err(not_this::<R>(kept.rows));
+                        return Err(not_this(rows.of(), kept.rows));
                     }
                     kept.some.push((kept.rows - 1, kept.end, count));
                 }
@@ -196,7 +196,7 @@ impl KeptRows {
                 continue;
             }
             if kept.rows > length {
-                return Err(format!("{} rows, must be ≤ {length}, those of {}", kept.rows, R::OF).into());
+                return Err(format!("{} rows, must be ≤ {length}, those of {}", kept.rows, rows.of()).into());
             }
             kept.is_beginning(&line, rows, part, header)?;
             return Ok(kept);
@@ -204,7 +204,7 @@ impl KeptRows {
     }
 
     /// Fails unless the text after the last complete line is the beginning of the next row.
-    fn is_beginning<R: Rows>(&self, rest: &[u8], rows: &R, part: &Range<u64>, header: &[u8]) -> Outcome {
+    fn is_beginning(&self, rest: &[u8], rows: &dyn Rows, part: &Range<u64>, header: &[u8]) -> Outcome {
         let next = part.start + self.rows;
         let due = match rest {
             [] => Vec::new(),
@@ -216,14 +216,14 @@ impl KeptRows {
             return Ok(());
         }
         Err(match self.rows {
-            0 => format!("it does not begin as {} does", R::OF),
-            n => format!("the text after row {n} is not of {}", R::OF),
+            0 => format!("it does not begin as {} does", rows.of()),
+            n => format!("the text after row {n} is not of {}", rows.of()),
         }
         .into())
     }
 
     /// Compares evenly spaced rows, for one second.
-    fn compare_some<R: Rows>(&self, file: &File, rows: &R, part: &Range<u64>) -> Outcome {
+    fn compare_some(&self, file: &File, rows: &dyn Rows, part: &Range<u64>) -> Outcome {
         let begin = Instant::now();
         let order = self.some.in_order();
         let (mut left, mut count) = (order.as_slice(), rayon::current_num_threads());
@@ -242,7 +242,7 @@ impl KeptRows {
             }
             found.par_iter().try_for_each(|(row, line)| {
                 let point = part.start + row;
-                if rows.text(point)? == *line { Ok(()) } else { Err(not_this::<R>(row + 1)) }
+                if rows.text(point)? == *line { Ok(()) } else { Err(not_this(rows.of(), row + 1)) }
             })?;
             interrupt::check()?;
         }
@@ -250,11 +250,11 @@ impl KeptRows {
     }
 
     /// Compares every row after a number of them that end at a position.
-    fn compare_from<R: Rows>(
+    fn compare_from(
         &self,
         (first, position): (u64, u64),
         file: &File,
-        rows: &R,
+        rows: &dyn Rows,
         part: &Range<u64>,
     ) -> Outcome {
         let mut file = file;
@@ -268,7 +268,7 @@ impl KeptRows {
                 let mut line = vec![0; due.len()];
                 row += 1;
                 if found.read_exact(&mut line).is_err() || line != due {
-                    return Err(not_this::<R>(row));
+                    return Err(not_this(rows.of(), row));
                 }
                 Ok(())
             },
@@ -276,8 +276,8 @@ impl KeptRows {
     }
 }
 
-pub(crate) fn not_this<R: Rows>(row: u64) -> Failure {
-    Failure::Input(format!("row {row} is not of {}", R::OF))
+pub(crate) fn not_this(of: &str, row: u64) -> Failure {
+    Failure::Input(format!("row {row} is not of {of}"))
 }
 
 /// Rows by number, position and length, evenly thinned as their number grows, and the last one.

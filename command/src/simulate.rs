@@ -9,7 +9,7 @@ use crate::output::PendingFile;
 use crate::outputs::{DURATION, ENDS_BY, FRICTION, KIND, R, START_CYCLE, START_PHASE, START_V, START_X, key};
 use crate::physical::Physical;
 use crate::progress;
-use crate::record::{Cell, Record};
+use crate::record::{Cell, Record, Row};
 use crate::sink::Sink;
 use crate::steady::of_motion;
 use core::ops::ControlFlow;
@@ -108,10 +108,10 @@ fn with_no_force<F: Value>(mut given: Given<F>) -> Result<Given<F>, Failure> {
 }
 
 /// Writes the records until there are no more.
-fn stream<F: Value, T>(
+fn stream<T>(
     sink: &mut Sink<impl Write>,
     items: impl Iterator<Item = Result<T, Error>>,
-    mut record: impl FnMut(T) -> Option<Record<F>>,
+    mut record: impl FnMut(T) -> Option<Row>,
 ) -> Outcome {
     for item in items {
         let Some(record) = record(item?) else { break };
@@ -225,7 +225,7 @@ fn time<F: Value>(phase: DrivePhase<F>, machine: &Driven<F>) -> F {
     (F::int(2) * F::pi() * cycles + phase.reduced()) * machine.scales.time
 }
 
-fn of_phase<F: Value>(phase: &Segment<F>, system: System, machine: Option<&Driven<F>>) -> Record<F> {
+fn of_phase<F: Value>(phase: &Segment<F>, system: System, machine: Option<&Driven<F>>) -> Row {
     let kind = match phase.kind {
         Kind::SlideForward => "slide-forward",
         Kind::SlideBackward => "slide-backward",
@@ -267,10 +267,10 @@ fn of_phase<F: Value>(phase: &Segment<F>, system: System, machine: Option<&Drive
             ],
         )
     });
-    Record { fields, physical }
+    Record::of(fields).with_physical(physical).shown()
 }
 
-fn of_instant<F: Value>(instant: &Instant<F>, system: System, machine: Option<&Driven<F>>) -> Record<F> {
+fn of_instant<F: Value>(instant: &Instant<F>, system: System, machine: Option<&Driven<F>>) -> Row {
     let state = instant.state;
     let (cycle, phase) = when(state.phase);
     let number = |x: F| Cell::Number(Some(x));
@@ -297,7 +297,7 @@ fn of_instant<F: Value>(instant: &Instant<F>, system: System, machine: Option<&D
             ],
         )
     });
-    Record { fields, physical }
+    Record::of(fields).with_physical(physical).shown()
 }
 
 #[cfg(test)]

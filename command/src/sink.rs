@@ -1,11 +1,10 @@
 //! The destination of a stream of records.
 
 use crate::args::{Header, StreamFormat};
-use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 #[cfg(feature = "parquet")]
 use crate::parquet_file::ParquetStream;
-use crate::record::Record;
+use crate::record::Row;
 use std::io::{self, Write};
 
 /// JSON lines, rows under one header of CSV or of a table for reading, or a Parquet file.
@@ -44,7 +43,7 @@ impl<W: Write> Sink<W> {
 
     /// Writes one record. Except for Parquet, every record is complete whenever the program ends between
     /// two calls.
-    pub(crate) fn write<F: Value>(&mut self, record: &Record<F>) -> Outcome {
+    pub(crate) fn write(&mut self, record: &Row) -> Outcome {
         self.write_header(record)?;
         match self {
             Self::Lines(out) => record.write_line(out),
@@ -59,7 +58,7 @@ impl<W: Write> Sink<W> {
     }
 
     /// Writes the header alone, if rows have one.
-    pub(crate) fn write_header<F: Value>(&mut self, record: &Record<F>) -> Outcome {
+    pub(crate) fn write_header(&mut self, record: &Row) -> Outcome {
         match self {
             Self::Lines(_) | Self::Rows { header: true, .. } | Self::Table { header: true, .. } => Ok(()),
             Self::Rows { writer, header, names } => {

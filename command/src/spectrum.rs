@@ -12,7 +12,7 @@ use crate::measured;
 use crate::outputs::key;
 use crate::physical::Physical;
 use crate::progress;
-use crate::record::{Cell, Record};
+use crate::record::{Cell, Record, Row};
 use crate::sweep::{self, Table};
 use std::io::Write;
 use std::ops::Range;
@@ -51,7 +51,7 @@ struct Spectra<'a> {
     surface: Surface<f64>,
     system: System,
     has_mass: bool,
-    form: Record<f64>,
+    form: Row,
     /// The answers of a body that has none.
     blank: follow::Columns<f64>,
     /// The number of bodies without an answer so far.
@@ -107,12 +107,7 @@ impl<'a> Spectra<'a> {
     }
 
     /// A row: the record, the inputs, and the answers, empty for a body that has none.
-    fn row(
-        &self,
-        name: &'static str,
-        given: &Given<f64>,
-        answer: Option<&Option<RecordAnswer<f64>>>,
-    ) -> Record<f64> {
+    fn row(&self, name: &'static str, given: &Given<f64>, answer: Option<&Option<RecordAnswer<f64>>>) -> Row {
         let value = |input: Input| Cell::Number(given.get(input));
         let mut values: Vec<_> =
             self.inputs.iter().map(|&(input, column)| (column, input.kind(), value(input))).collect();
@@ -122,10 +117,8 @@ impl<'a> Spectra<'a> {
         values.extend(
             answers.filter(|(_, kind, _)| self.has_mass || !matches!(kind, Kind::Force | Kind::Energy)),
         );
-        Record {
-            fields: vec![(key!("record"), Cell::Text(name))],
-            physical: Physical::beside(self.system, values),
-        }
+        let record = vec![(key!("record"), Cell::Text(name))];
+        Record::of(record).with_physical(Physical::beside(self.system, values)).shown()
     }
 
     /// The record of a row, its name, and the place of its body.
@@ -178,19 +171,19 @@ impl<'a> Spectra<'a> {
 }
 
 impl Table for Spectra<'_> {
-    type Number = f64;
-
-    const OF: &'static str = "these spectra";
+    fn of(&self) -> &'static str {
+        "these spectra"
+    }
 
     fn len(&self) -> u64 {
         self.axes.len().saturating_mul(self.loads.len() as u64)
     }
 
-    fn form(&self) -> &Record<f64> {
+    fn form(&self) -> &Row {
         &self.form
     }
 
-    fn records(&self, points: Range<u64>) -> Vec<Result<Record<f64>, Failure>> {
+    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
         let name = self.place(points.start).map_or("", |(name, ..)| name);
         let row = |(body, answer)| self.row(name, &self.axes.given_at(body), Some(&answer));
         self.answers(points).into_iter().map(|found| found.map(row)).collect()

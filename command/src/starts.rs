@@ -5,7 +5,7 @@ use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO, key};
-use crate::record::{Cell, Record, csv_text};
+use crate::record::{Cell, Record, Row, csv_text};
 use crate::resume::{self, not_this};
 use crate::steady::of_motion;
 use std::fs::File;
@@ -15,6 +15,9 @@ use stickslip::Ratios;
 use stickslip::definitions::LIMIT;
 use stickslip::inputs::Given;
 use stickslip::motion::{Attractors, LongRun, Signature, State, SteadyOutput, Trajectory};
+
+/// The source of the rows, for error messages.
+const OF: &str = "these starts";
 
 /// A number of starts of one machine, each computed from its number.
 pub(crate) struct Starts<F, S> {
@@ -34,7 +37,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
             self.follow_on(0, &mut all, &mut io::sink())?;
             return Ok(all);
         };
-        resume::to_file(("--rows", name), rows.resume, self, &(0..self.count), true, |from, out| {
+        resume::to_file(("--rows", name), rows.resume, self, &(0..self.count), true, &mut |from, out| {
             self.read(name, from, &mut all).map_err(|e| e.about(&format!("--resume: {}", name.display())))?;
             self.follow_on(from, &mut all, out)
         })?;
@@ -67,7 +70,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         let mut lines = BufReader::new(File::open(name)?).lines().skip(1);
         for number in 0..rows {
             let line = lines.next().transpose()?.unwrap_or_default();
-            let bad = || not_this::<Self>(number + 1);
+            let bad = || not_this(OF, number + 1);
             let signature = signature(&line).ok_or_else(bad)?;
             if all.count(&signature) {
                 continue;
@@ -98,12 +101,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         ])
     }
 
-    fn record(
-        &self,
-        number: u64,
-        kind: &'static str,
-        signature: &Signature<F>,
-    ) -> Result<Record<F>, Failure> {
+    fn record(&self, number: u64, kind: &'static str, signature: &Signature<F>) -> Result<Row, Failure> {
         let (half_turns, [x, v, off_x, off_v, most, least]) = match *signature {
             Signature::Periodic { half_turns, x, v, distance: (off_x, off_v) } => {
                 (Some(half_turns.into()), [Some(x), Some(v), Some(off_x), Some(off_v), None, None])
@@ -127,12 +125,14 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
             (SteadyOutput::MaxDisplacement.definition(), Cell::Number(most)),
             (SteadyOutput::MinDisplacement.definition(), Cell::Number(least)),
         ]);
-        Ok(Record::of(fields))
+        Ok(Record::of(fields).shown())
     }
 }
 
 impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for Starts<F, S> {
-    const OF: &'static str = "these starts";
+    fn of(&self) -> &'static str {
+        OF
+    }
 
     fn header(&self) -> Result<Vec<u8>, Failure> {
         let record = self.record(0, "", &Signature::NotConverged)?;
@@ -148,7 +148,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for 
     }
 
     fn is_on_grid(&self, line: &[u8], number: u64) -> Result<bool, Failure> {
-        let record = Record::of(self.of_start(number)?);
+        let record = Record::of(self.of_start(number)?).shown();
         let due = record.line(true)?;
         let rest = line.strip_prefix(due.trim_ascii_end());
         Ok(rest.is_some_and(|rest| rest.starts_with(b",")))

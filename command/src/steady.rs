@@ -6,7 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::note::{Note, decay, measured_from};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
-use crate::record::Record;
+use crate::record::{Record, Row};
 use crate::{enclose, input, interrupt, style};
 use std::io::{self, Write};
 use stickslip::inputs::units::Reader;
@@ -39,7 +39,7 @@ pub(crate) fn answer<F: Value>(
     start: State<F>,
     max_periods: u32,
     peaks: bool,
-) -> Result<(LongRun<F>, Record<F>), Failure> {
+) -> Result<(LongRun<F>, Row), Failure> {
     let limit = LongRun::within(point.ratios, start, max_periods, &mut interrupt::keep_going)
         .map_err(|e| of_motion(given, e))?;
     let record = of_limit(given, point, &limit, peaks)?;
@@ -47,7 +47,7 @@ pub(crate) fn answer<F: Value>(
 }
 
 /// A record of no motion, for the names of its values.
-pub(crate) fn form<F: Value>(given: &Given<F>, point: &Point<F>, peaks: bool) -> Result<Record<F>, Failure> {
+pub(crate) fn form<F: Value>(given: &Given<F>, point: &Point<F>, peaks: bool) -> Result<Row, Failure> {
     of_limit(given, point, &LongRun::Unbounded { growth: F::int(0) }, peaks)
 }
 
@@ -57,7 +57,7 @@ fn of_limit<F: Value>(
     point: &Point<F>,
     limit: &LongRun<F>,
     peaks: bool,
-) -> Result<Record<F>, Failure> {
+) -> Result<Row, Failure> {
     let found = SteadyAnswer::new(point.ratios, limit, peaks).map_err(|e| given.at_fault(&e))?;
     let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
     record.in_units(given, point, Physical::of_machine)

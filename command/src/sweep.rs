@@ -10,7 +10,7 @@ use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::grid::Axes;
 use crate::output::Lines;
-use crate::record::{Record, csv_text};
+use crate::record::{Row, csv_text};
 use crate::resume;
 use rows::SweepRows;
 use std::io::Write;
@@ -30,22 +30,20 @@ fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
 
 /// Rows of many columns, each computed from its number alone.
 pub(crate) trait Table: Sync {
-    type Number: Value;
-
     /// The source of the rows, for error messages.
-    const OF: &'static str;
+    fn of(&self) -> &'static str;
 
     /// The number of rows.
     fn len(&self) -> u64;
 
     /// A row without its answers, with the names of all rows.
-    fn form(&self) -> &Record<Self::Number>;
+    fn form(&self) -> &Row;
 
     /// The first rows of a range, at least one.
-    fn records(&self, points: Range<u64>) -> Vec<Result<Record<Self::Number>, Failure>>;
+    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>>;
 
     /// A row.
-    fn record(&self, point: u64) -> Result<Record<Self::Number>, Failure> {
+    fn record(&self, point: u64) -> Result<Row, Failure> {
         self.records(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
     }
 
@@ -71,14 +69,16 @@ pub(crate) fn notes<const N: usize>(
 }
 
 /// The rows of a table as text.
-struct TextRows<'a, T> {
-    table: &'a T,
+struct TextRows<'a> {
+    table: &'a dyn Table,
     is_csv: bool,
     header: Header,
 }
 
-impl<T: Table> resume::Rows for TextRows<'_, T> {
-    const OF: &'static str = T::OF;
+impl resume::Rows for TextRows<'_> {
+    fn of(&self) -> &'static str {
+        self.table.of()
+    }
 
     fn header(&self) -> Result<Vec<u8>, Failure> {
         let form = self.table.form();
@@ -106,7 +106,7 @@ impl<T: Table> resume::Rows for TextRows<'_, T> {
 pub(crate) fn write_table(
     args: &TableArgs,
     format: SweepFormat,
-    table: &impl Table,
+    table: &dyn Table,
     out: &mut impl Write,
 ) -> Outcome {
     let part = part(args.shard.as_deref(), table.len())?;
@@ -124,12 +124,12 @@ pub(crate) fn write_table(
     to_text(args, &TextRows { table, is_csv, header: args.header }, part, out)
 }
 
-fn to_text(args: &TableArgs, rows: &impl resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
+fn to_text(args: &TableArgs, rows: &dyn resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
     let header = !args.no_header;
     if let Some(name) = &args.out {
         let (place, end) = (("--out", name.as_path()), part.end);
-        let fill = |start, out: &mut Lines<resume::Checked<'_>>| write(rows, start..end, out);
-        return resume::to_file(place, args.resume, rows, &part, header, fill);
+        let mut fill = |start, out: &mut Lines<resume::Checked<'_>>| write(rows, start..end, out);
+        return resume::to_file(place, args.resume, rows, &part, header, &mut fill);
     }
     if header {
         out.write_all(&rows.header()?)?;
@@ -137,7 +137,7 @@ fn to_text(args: &TableArgs, rows: &impl resume::Rows, part: Range<u64>, out: &m
     write(rows, part, out)
 }
 
-fn write(rows: &impl resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
+fn write(rows: &dyn resume::Rows, part: Range<u64>, out: &mut impl Write) -> Outcome {
     resume::write(part, out, |points| rows.texts(points), |text, out| Ok(out.write_all(&text)?))
 }
 

@@ -1,6 +1,6 @@
 //! The arguments of a question.
 
-use super::{AnswerRow, DesignAnswer, NamedRow};
+use super::{AnswerRow, DesignAnswer, NamedRow, shown};
 use crate::args::QuestionArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
@@ -54,16 +54,16 @@ impl<'a, F: Value> AskedDesign<'a, F> {
                 let unit = self.system().name(*kind);
                 let text = match (cell, kind) {
                     (Cell::Number(Some(value)), Kind::Frequency) => {
-                        format!("{} {unit} = {} {other}", cell.text(), in_other(*value))
+                        format!("{} {unit} = {} {other}", cell.shown().text(), in_other(*value))
                     }
                     (Cell::Intervals(intervals), Kind::Frequency) => {
                         let ranges: Vec<_> = intervals.iter().flatten().map(range).collect();
                         format!("{} {other}", ranges.join(" and "))
                     }
                     (Cell::Number(_) | Cell::Intervals(_), kind) if *kind != Kind::Ratio => {
-                        format!("{} {unit}", cell.text())
+                        format!("{} {unit}", cell.shown().text())
                     }
-                    _ => cell.text(),
+                    _ => cell.shown().text(),
                 };
                 writeln!(out, "  {:<22} {text}", name.replace('_', " "))?;
             }
@@ -71,8 +71,12 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         Ok(())
     }
 
-    pub(super) fn named<'r>(&self, row: &'r AnswerRow<F>) -> NamedRow<'r, F> {
-        NamedRow { row, system: self.physical.then(|| *self.system()), base_motion: self.base_motion() }
+    pub(super) fn named(&self, row: &AnswerRow<F>) -> NamedRow {
+        NamedRow {
+            row: shown(row),
+            system: self.physical.then(|| *self.system()),
+            base_motion: self.base_motion(),
+        }
     }
 
     /// The kind of base motion of the question, if any.

@@ -4,7 +4,7 @@ use super::{AnswerRow, AskedDesign, NamedRow, searched_field, some};
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::output;
-use crate::record::Cell;
+use crate::record::{Cell, Number};
 use serde::Serialize;
 use std::io::Write;
 use stickslip::Regime;
@@ -13,10 +13,9 @@ use stickslip::inputs::units::Kind;
 
 /// The answer as JSON.
 #[derive(Serialize)]
-#[serde(bound = "")]
-struct Solutions<'a, F: Value> {
-    target_amplitude: Cell<F>,
-    solutions: Vec<NamedRow<'a, F>>,
+struct Solutions {
+    target_amplitude: Number,
+    solutions: Vec<NamedRow>,
 }
 
 impl<F: Value> AskedDesign<'_, F> {
@@ -49,7 +48,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let rows: Vec<_> = found.iter().map(row).collect();
         if self.args.answer.format.is_json("design")? {
             let solutions = rows.iter().map(|row| self.named(row)).collect();
-            return output::json(&Solutions { target_amplitude: some(amplitude), solutions }, out);
+            return output::json(&Solutions { target_amplitude: Number::of(amplitude), solutions }, out);
         }
         let (length, force) = (self.system().length(), self.system().force());
         match found.as_slice() {

@@ -143,7 +143,7 @@ impl Map<'_> {
                 Cell::Count(count) => count.map_or(f64::NAN, |n| n as f64),
                 Cell::Number(number) => {
                     whole = false;
-                    number.unwrap_or(f64::NAN)
+                    number.and_then(|number| number.double()).unwrap_or(f64::NAN)
                 }
                 Cell::Flag(Some(flag)) => {
                     named = true;

@@ -1,7 +1,6 @@
 //! The values of an output, gathered until they are written.
 
-use crate::bits::Value;
-use crate::record::{Cell, Record};
+use crate::record::{self, Cell, Number};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::ColumnReader;
 use parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
@@ -30,11 +29,9 @@ enum Values {
 
 impl ParquetColumn {
     /// A column for cells of the same kind as `cell`.
-    pub(crate) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
+    pub(crate) fn of(name: String, cell: &Cell<Number>, is_wide: bool) -> Self {
         let values = match cell {
-            Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) if F::PRECISION <= f64::MANTISSA_DIGITS => {
-                Values::Doubles(Vec::new())
-            }
+            Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) if !is_wide => Values::Doubles(Vec::new()),
             Cell::Count(_) => Values::Counts(Vec::new()),
             Cell::Flag(_) => Values::Flags(Vec::new()),
             Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) | Cell::Text(_) => {
@@ -58,10 +55,12 @@ impl ParquetColumn {
             .build()
     }
 
-    pub(crate) fn push<F: Value>(&mut self, cell: &Cell<F>) {
+    pub(crate) fn push(&mut self, cell: &Cell<Number>) {
         let before = self.len();
         match (&mut self.values, cell) {
-            (Values::Doubles(values), Cell::Number(number)) => values.extend(number.map(F::to_f64)),
+            (Values::Doubles(values), Cell::Number(number)) => {
+                values.extend(number.as_ref().and_then(Number::double))
+            }
             (Values::Counts(values), Cell::Count(count)) => {
                 values.extend(count.and_then(|n| i64::try_from(n).ok()));
             }
@@ -161,9 +160,9 @@ pub(crate) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, R
 }
 
 /// Whether a row that was read equals the record.
-pub(crate) fn equals<F: Value>(row: &Row, record: &Record<F>) -> bool {
-    let field = |cell: Cell<F>| match cell {
-        Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),
+pub(crate) fn equals(row: &Row, record: &record::Row) -> bool {
+    let field = |cell: Cell<Number>| match cell {
+        Cell::Number(Some(Number::Double(number))) => Field::Double(number),
         Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),
         Cell::Flag(Some(flag)) => Field::Bool(flag),
         Cell::Number(Some(_)) | Cell::Text(_) => Field::Str(cell.text()),

@@ -3,8 +3,69 @@
 use crate::bits::{self, Value};
 use crate::failure::Outcome;
 use serde::ser::{Serialize, Serializer};
+use std::fmt::{self, Display, Formatter};
 
-/// A value of a record.
+/// A number as it is written. Rows of it are compiled once, and not for each width.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Number {
+    Double(f64),
+    /// All digits of a wider number, and whether it is finite.
+    Wide(Box<str>, bool),
+}
+
+impl Number {
+    pub(crate) fn of<F: Value>(x: F) -> Self {
+        if F::PRECISION > f64::MANTISSA_DIGITS {
+            Self::Wide(x.to_string().into(), x.is_finite())
+        } else {
+            Self::Double(x.to_f64())
+        }
+    }
+
+    const fn is_finite(&self) -> bool {
+        match self {
+            Self::Double(x) => x.is_finite(),
+            Self::Wide(_, is_finite) => *is_finite,
+        }
+    }
+
+    /// The number, if it is a double.
+    pub(crate) const fn double(&self) -> Option<f64> {
+        match self {
+            Self::Double(x) => Some(*x),
+            Self::Wide(..) => None,
+        }
+    }
+
+    /// Seven digits of a double, all of a wider number.
+    fn digits(&self) -> String {
+        match self {
+            Self::Double(x) => bits::digits(*x),
+            Self::Wide(text, _) => text.to_string(),
+        }
+    }
+}
+
+impl Display for Number {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Double(x) => x.fmt(f),
+            Self::Wide(text, _) => text.fmt(f),
+        }
+    }
+}
+
+/// A number at f64; for a wider type a string with all digits, because a JSON reader would round the number.
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Double(x) => serializer.serialize_f64(*x),
+            Self::Wide(text, _) => serializer.serialize_str(text),
+        }
+    }
+}
+
+/// A value of a record: of a number type while it is computed, of [`Number`] where it is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Cell<F> {
     Text(&'static str),
@@ -34,7 +95,7 @@ impl<F> From<stickslip::Value<F>> for Cell<F> {
 
 impl<F: Value> Cell<F> {
     /// This cell without its value.
-    pub(crate) const fn absent(self) -> Self {
+    pub(crate) fn absent(self) -> Self {
         match self {
             Self::Number(_) => Self::Number(None),
             Self::Count(_) => Self::Count(None),
@@ -43,22 +104,39 @@ impl<F: Value> Cell<F> {
         }
     }
 
+    /// The value as it is written.
+    pub(crate) fn shown(self) -> Cell<Number> {
+        let pair = |(re, im)| (Number::of(re), Number::of(im));
+        match self {
+            Self::Text(text) => Cell::Text(text),
+            Self::Number(number) => Cell::Number(number.map(Number::of)),
+            Self::Count(count) => Cell::Count(count),
+            Self::Flag(flag) => Cell::Flag(flag),
+            Self::Intervals(intervals) => Cell::Intervals(intervals.map(|interval| {
+                interval.map(|(low, high): (F, Option<F>)| (Number::of(low), high.map(Number::of)))
+            })),
+            Self::Pairs(pairs) => Cell::Pairs(pairs.map(|pairs| pairs.map(pair))),
+        }
+    }
+}
+
+impl Cell<Number> {
     /// An error with that name if a number is infinite.
     pub(crate) fn finite(&self, name: &str) -> Outcome {
-        let one = |x: F| {
+        let one = |x: &Number| {
             let text =
                 || format!("{name} = {x} must be finite: it is beyond the largest number in these units");
             if x.is_finite() { Ok(()) } else { Err(text().into()) }
         };
         match self {
-            Self::Number(number) => number.map_or(Ok(()), one),
+            Self::Number(number) => number.iter().try_for_each(one),
             Self::Pairs(pairs) => {
-                pairs.iter().flatten().try_for_each(|&(re, im)| one(re).and_then(|()| one(im)))
+                pairs.iter().flatten().try_for_each(|(re, im)| one(re).and_then(|()| one(im)))
             }
             Self::Intervals(intervals) => intervals
                 .iter()
                 .flatten()
-                .try_for_each(|&(low, high)| one(low).and_then(|()| high.map_or(Ok(()), one))),
+                .try_for_each(|(low, high)| one(low).and_then(|()| high.iter().try_for_each(one))),
             Self::Text(_) | Self::Count(_) | Self::Flag(_) => Ok(()),
         }
     }
@@ -68,38 +146,34 @@ impl<F: Value> Cell<F> {
         let dash = || "–".to_owned();
         match self {
             Self::Text(text) => (*text).to_owned(),
-            Self::Number(number) => number.map_or_else(dash, bits::digits),
+            Self::Number(number) => number.as_ref().map_or_else(dash, Number::digits),
             Self::Count(count) => count.map_or_else(dash, |n| n.to_string()),
             Self::Flag(flag) => flag.map_or_else(dash, |flag| flag.to_string()),
             Self::Intervals(intervals) => {
-                let text = |&(low, high): &(F, Option<F>)| match high {
-                    Some(high) => format!("{} to {}", bits::digits(low), bits::digits(high)),
-                    None => format!("{} and more", bits::digits(low)),
+                let text = |(low, high): &(Number, Option<Number>)| match high {
+                    Some(high) => format!("{} to {}", low.digits(), high.digits()),
+                    None => format!("{} and more", low.digits()),
                 };
                 intervals.iter().flatten().map(text).collect::<Vec<_>>().join(", ")
             }
-            Self::Pairs(pairs) => pairs.map_or_else(dash, |pairs| {
-                pairs.map(|(re, im)| format!("{} {} i", bits::digits(re), bits::digits(im))).join(", ")
+            Self::Pairs(pairs) => pairs.as_ref().map_or_else(dash, |pairs| {
+                let text = |(re, im): &(Number, Number)| format!("{} {} i", re.digits(), im.digits());
+                pairs.each_ref().map(text).join(", ")
             }),
         }
     }
 }
 
-impl<F: Value> Cell<F> {
+impl Cell<Number> {
     /// The cells of one value each: four for a pair of complex numbers or two intervals.
     pub(super) fn parts(self) -> [Option<Self>; 4] {
         match self {
             Self::Pairs(pairs) => {
-                let number = |part: fn([(F, F); 2]) -> F| Some(Self::Number(pairs.map(part)));
-                [
-                    number(|[(re, _), _]| re),
-                    number(|[(_, im), _]| im),
-                    number(|[_, (re, _)]| re),
-                    number(|[_, (_, im)]| im),
-                ]
+                let parts = pairs.map_or([const { None }; 4], |[(a, b), (c, d)]| [a, b, c, d].map(Some));
+                parts.map(|part| Some(Self::Number(part)))
             }
             Self::Intervals([first, second]) => {
-                let ends = |interval: Option<(F, Option<F>)>| {
+                let ends = |interval: Option<(Number, Option<Number>)>| {
                     let (low, high) = interval.map_or((None, None), |(low, high)| (Some(low), high));
                     (Some(Self::Number(low)), Some(Self::Number(high)))
                 };
@@ -123,24 +197,16 @@ impl<F: Value> Cell<F> {
     }
 }
 
-/// A number at f64; for a wider type a string with all digits, because a JSON reader would round the number.
-impl<F: Value> Serialize for Cell<F> {
+impl Serialize for Cell<Number> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Text(text) => text.serialize(serializer),
-            Self::Number(Some(number)) if F::PRECISION > f64::MANTISSA_DIGITS => {
-                serializer.collect_str(number)
-            }
-            Self::Number(number) => number.map(F::to_f64).serialize(serializer),
+            Self::Number(number) => number.serialize(serializer),
             Self::Count(count) => count.serialize(serializer),
             Self::Flag(flag) => flag.serialize(serializer),
-            Self::Intervals(intervals) => serializer.collect_seq(
-                intervals.iter().flatten().map(|&(low, high)| [Some(low), high].map(Self::Number)),
-            ),
-            Self::Pairs(None) => serializer.serialize_none(),
-            Self::Pairs(Some(pairs)) => {
-                serializer.collect_seq(pairs.map(|(re, im)| [re, im].map(|x| Self::Number(Some(x)))))
-            }
+            Self::Intervals(intervals) => serializer
+                .collect_seq(intervals.iter().flatten().map(|(low, high)| [Some(low), high.as_ref()])),
+            Self::Pairs(pairs) => pairs.serialize(serializer),
         }
     }
 }

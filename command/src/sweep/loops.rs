@@ -4,7 +4,7 @@
 use crate::bits::Value;
 use crate::input;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
-use crate::record::{Cell, Record};
+use crate::record::{Cell, Record, Row};
 use stickslip::batch::{Batch, Columns, is_looped_with_damper};
 use stickslip::definitions::REGIME;
 use stickslip::inputs::Given;
@@ -53,7 +53,7 @@ impl Looped {
     }
 
     /// The rows at some points; `None` for those without ratios.
-    pub(crate) fn records<F: Value>(&self, points: &[Option<Ratios<f64>>]) -> Vec<Option<Record<F>>> {
+    pub(crate) fn records(&self, points: &[Option<Ratios<f64>>]) -> Vec<Option<Row>> {
         let (n, mut regimes) = (points.len(), vec![None; points.len()]);
         let outputs = self.0.iter().filter_map(|(_, source)| match source {
             Source::Output(_, output) => Some(*output),
@@ -84,14 +84,14 @@ impl Looped {
         let row = |(i, (at, regime)): (usize, (&Option<Ratios<f64>>, &Option<Regime>))| {
             let at = at.as_ref()?;
             let cell = |source: Source| match source {
-                Source::Ratio(of) => Cell::Number(Some(F::from_f64(of(at)))),
+                Source::Ratio(of) => Cell::Number(Some(of(at))),
                 Source::Regime => Cell::Text(regime.map_or("", Regime::name)),
                 Source::Output(place, _) => {
                     let value = numbers.get(place).and_then(|(_, values)| values.get(i));
-                    Cell::Number(value.filter(|value| !value.is_nan()).map(|value| F::from_f64(*value)))
+                    Cell::Number(value.filter(|value| !value.is_nan()).copied())
                 }
             };
-            Some(Record::of(self.0.iter().map(|&(key, source)| (key, cell(source))).collect()))
+            Some(Record::of(self.0.iter().map(|&(key, source)| (key, cell(source))).collect()).shown())
         };
         points.iter().zip(&regimes).enumerate().map(row).collect()
     }

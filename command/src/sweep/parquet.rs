@@ -14,7 +14,7 @@ use crate::failure::{Failure, Outcome};
 use crate::output::PendingFile;
 use crate::parquet_file::{self, Group};
 use crate::progress;
-use crate::record::Record;
+use crate::record::Row;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -27,7 +27,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-pub(super) fn run<T: Table>(args: &TableArgs, rows: &T, part: Range<u64>) -> Outcome {
+pub(super) fn run(args: &TableArgs, rows: &dyn Table, part: Range<u64>) -> Outcome {
     let Some(file) = &args.out else {
         return Err("--format parquet: give its file by --out FILE".into());
     };
@@ -69,14 +69,14 @@ fn error_at(file: &Path, what: &str) -> Failure {
 }
 
 /// A sweep, with the metadata that identify it.
-struct Sweep<'a, T> {
-    rows: &'a T,
+struct Sweep<'a> {
+    rows: &'a dyn Table,
     part: Range<u64>,
     notes: Vec<KeyValue>,
     schema: Arc<Type>,
 }
 
-impl<T: Table> Sweep<'_, T> {
+impl Sweep<'_> {
     /// Fails unless the file contains the rows of these points, according to its metadata, its columns, their
     /// number, and its first and last rows.
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
@@ -135,7 +135,7 @@ fn open(file: &Path) -> Result<SerializedFileReader<File>, Failure> {
     Ok(SerializedFileReader::new(File::open(file)?)?)
 }
 
-fn notes(rows: &impl Table) -> Vec<KeyValue> {
+fn notes(rows: &dyn Table) -> Vec<KeyValue> {
     let notes = rows.notes().into_iter().map(|(key, value)| KeyValue::new(key, value));
     core::iter::once(parquet_file::units_note()).chain(notes).collect()
 }
@@ -147,18 +147,13 @@ struct PendingRows {
 }
 
 impl PendingRows {
-    fn push<T: Table>(
-        &mut self,
-        record: &Record<T::Number>,
-        parts: &mut Parts,
-        sweep: &Sweep<'_, T>,
-    ) -> Outcome {
+    fn push(&mut self, record: &Row, parts: &mut Parts, sweep: &Sweep<'_>) -> Outcome {
         self.group.push(record);
         if self.group.is_full() { self.commit(parts, sweep) } else { Ok(()) }
     }
 
     /// Writes the rows in memory as a part.
-    fn commit<T: Table>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, T>) -> Outcome {
+    fn commit(&mut self, parts: &mut Parts, sweep: &Sweep<'_>) -> Outcome {
         let points = self.start..self.start + self.group.rows as u64;
         if points.is_empty() {
             return Ok(());

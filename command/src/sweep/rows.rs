@@ -8,7 +8,7 @@ use crate::failure::{Failure, Outcome};
 use crate::grid::Axes;
 use crate::interrupt;
 use crate::outputs::{self, ALPHA, Key, OMEGA};
-use crate::record::{Cell, Record};
+use crate::record::{Cell, Record, Row};
 use crate::{closed, input, steady};
 use std::ops::Range;
 use stickslip::inputs::{Given, Input, Role};
@@ -20,7 +20,7 @@ pub(crate) struct SweepRows<F> {
     axes: Axes<F>,
     outputs: Option<Vec<String>>,
     /// A row without its motion, for the names of its values.
-    form: Record<F>,
+    form: Row,
     columns: Vec<String>,
     /// Whether the requested outputs need the search for peaks.
     peaks: bool,
@@ -88,7 +88,7 @@ impl<F: Value> SweepRows<F> {
     }
 
     /// The requested columns of a row, in the given order.
-    fn alone(&self, point: u64) -> Result<Record<F>, Failure> {
+    fn alone(&self, point: u64) -> Result<Row, Failure> {
         let record = self.full_record(point)?;
         Ok(match &self.outputs {
             Some(outputs) => record.only(outputs),
@@ -96,7 +96,7 @@ impl<F: Value> SweepRows<F> {
         })
     }
 
-    fn full_record(&self, point: u64) -> Result<Record<F>, Failure> {
+    fn full_record(&self, point: u64) -> Result<Row, Failure> {
         if interrupt::asked() {
             return Err(Failure::Interrupted);
         }
@@ -107,19 +107,19 @@ impl<F: Value> SweepRows<F> {
 }
 
 impl<F: Value> Table for SweepRows<F> {
-    type Number = F;
-
-    const OF: &'static str = "this sweep";
+    fn of(&self) -> &'static str {
+        "this sweep"
+    }
 
     fn len(&self) -> u64 {
         self.axes.len()
     }
 
-    fn form(&self) -> &Record<F> {
+    fn form(&self) -> &Row {
         &self.form
     }
 
-    fn records(&self, points: Range<u64>) -> Vec<Result<Record<F>, Failure>> {
+    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
         let Some(looped) = self.looped.as_ref().filter(|_| !interrupt::asked()) else {
             return vec![self.alone(points.start)];
         };
@@ -152,7 +152,7 @@ impl<F: Value> Table for SweepRows<F> {
         let line = line.trim_ascii_end();
         for (key, value) in due.into_iter().flatten() {
             let Some(place) = self.columns.iter().position(|name| name == key.name) else { continue };
-            let due = Record::of(vec![(key, Cell::Number(Some(value)))]).line(is_csv)?;
+            let due = Record::of(vec![(key, Cell::Number(Some(value)))]).shown().line(is_csv)?;
             let due = due.trim_ascii_end();
             let is_same = if is_csv {
                 line.split(|byte| *byte == b',').nth(place) == Some(due)
@@ -169,7 +169,7 @@ impl<F: Value> Table for SweepRows<F> {
 }
 
 /// The answer of the command with this name for the given quantities.
-pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Record<F>, Failure> {
+pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Row, Failure> {
     let point = input::problem(question, given)?;
     Ok(match question {
         Swept::Response => closed::response_at(given, &point, peaks)?.1,
@@ -179,7 +179,7 @@ pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -
 }
 
 /// The names of the values of all rows, in a record without a motion, which can take long to compute.
-fn form<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Record<F>, Failure> {
+fn form<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Row, Failure> {
     match question {
         Swept::Steady => steady::form(given, &input::point(given)?, peaks),
         Swept::Response | Swept::Border => answer(question, given, peaks),

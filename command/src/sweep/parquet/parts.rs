@@ -1,6 +1,5 @@
 //! The parts of an incomplete Parquet file: `FILE.parts/START-END.parquet`.
 
-use super::super::Table;
 use super::{PendingFile, Sweep, error_at, open, sealed};
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -61,7 +60,7 @@ impl Parts {
     }
 
     /// The point after the last part, if each part belongs to this sweep.
-    pub(super) fn check<T: Table>(&self, sweep: &Sweep<'_, T>) -> Result<u64, Failure> {
+    pub(super) fn check(&self, sweep: &Sweep<'_>) -> Result<u64, Failure> {
         let mut next = sweep.part.start;
         for range in &self.parts {
             let path = self.path(range);
@@ -92,7 +91,7 @@ impl Parts {
     }
 
     /// Merges the parts into the file, which appears complete or not at all, and removes them.
-    pub(super) fn become_file<T: Table>(self, file: &Path, sweep: &Sweep<'_, T>) -> Outcome {
+    pub(super) fn become_file(self, file: &Path, sweep: &Sweep<'_>) -> Outcome {
         if let [whole] = self.parts.as_slice() {
             put_new(&self.path(whole), file).map_err(|e| named(&file.display().to_string(), e))?;
             return self.remove(&[]);
