@@ -26,7 +26,7 @@ struct EnclosedRecord {
 }
 
 pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    let Shaken { given, body, record, summary, start: [x, v] } = Shaken::<Mp<WORDS>>::read(args)?;
+    let Shaken { given, body, record, summary, start: [x, v], .. } = Shaken::<Mp<WORDS>>::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = enclosed::follow(&body, &record, x, v, args.answer.bits.unwrap_or(BITS)).map_err(named)?;
     let answer = EnclosedRecord { found, system: given.system };
