@@ -25,6 +25,8 @@ use alloc::vec::Vec;
 pub(crate) enum Mode {
     /// A contact that sticks.
     Stuck,
+    /// A contact that others keep at rest, with its force at the bound: forces of dependent directions are not unique.
+    Loaded { forward: bool },
     /// A contact that slides, in the piece of its law with this number.
     Slides { forward: bool, piece: usize },
     /// A contact without normal load.
@@ -338,6 +340,7 @@ pub(crate) fn polynomial<F: Float>(row: &[F], terms: &[F]) -> Vec<F> {
 pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<F>> {
     match (mode, &part.rule) {
         (Mode::Slides { forward, piece }, _) => Some(sliding(part, forward, piece)),
+        (Mode::Loaded { forward }, _) => Some(sliding(part, forward, 0)),
         (Mode::Holds | Mode::Yields { .. }, Rule::Elastic { place, .. }) => {
             let mut row = vec![F::int(0); part.velocity.len()];
             if let Some(entry) = row.get_mut(*place) {

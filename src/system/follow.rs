@@ -5,7 +5,7 @@ use super::branch::{Branch, Mode, Trigger, polynomial, sign, sum_of_terms};
 use super::error::Error;
 use super::matrix::{add_times, dot, size_of_dot};
 use super::model::State;
-use super::next::{AtRest, at_rest, decide};
+use super::next::{AtRest, at_rest, decide, depends};
 use super::zero::first_passage;
 use crate::float::Float;
 use crate::machine::error::written;
@@ -315,18 +315,28 @@ impl<'a, F: Float> Follower<'a, F> {
                 size.iter_mut().zip(&part.direction).for_each(|(s, &b)| *s = *s + (b * tension).abs());
             }
         }
-        let contacts: Vec<AtRest> = resting
-            .iter()
-            .map(|&element| AtRest { element, released: self.released.get(element).copied().flatten() })
-            .collect();
+        // A contact at its bound stays there until its acceleration says otherwise.
+        let at_bound = |element: usize| match modes.get(element) {
+            Some(Mode::Loaded { forward }) => Some(*forward),
+            _ => self.released.get(element).copied().flatten(),
+        };
+        let contacts: Vec<AtRest> =
+            resting.iter().map(|&element| AtRest { element, released: at_bound(element) }).collect();
         let choices =
             decide(system, &self.z, &contacts, &force, &size).map_err(|element| self.undecided(element))?;
+        let stuck: Vec<usize> =
+            contacts.iter().zip(&choices).filter(|(_, c)| c.is_none()).map(|(c, _)| c.element).collect();
         for (contact, choice) in contacts.iter().zip(choices) {
+            let held = choice.is_some() && depends(system, contact.element, &stuck);
             if let Some(mode) = modes.get_mut(contact.element) {
-                *mode = choice.map_or(Mode::Stuck, |forward| Mode::Slides { forward, piece: 0 });
+                *mode = match choice {
+                    None => Mode::Stuck,
+                    Some(forward) if held => Mode::Loaded { forward },
+                    Some(forward) => Mode::Slides { forward, piece: 0 },
+                };
             }
             if let Some(released) = self.released.get_mut(contact.element) {
-                *released = choice;
+                *released = choice.filter(|_| !held);
             }
         }
         Ok(())
@@ -516,7 +526,8 @@ impl<'a, F: Float> Follower<'a, F> {
         let mut resting = Vec::new();
         for (i, (part, mode)) in system.parts.iter().zip(&modes).enumerate() {
             let slow = || dot(&part.velocity, &self.z).abs() <= self.noise(&part.velocity);
-            let rests = *mode == Mode::Stuck || (matches!(mode, Mode::Slides { piece: 0, .. }) && slow());
+            let rests = matches!(mode, Mode::Stuck | Mode::Loaded { .. })
+                || (matches!(mode, Mode::Slides { piece: 0, .. }) && slow());
             if rests {
                 resting.push(i);
             }
@@ -568,7 +579,9 @@ fn force_of<F: Float>(part: &super::assembly::Part<F>, mode: Mode, z: &[F]) -> F
 
 /// The kind of the event that leads from one mode to another.
 fn kind_of(old: Mode, new: Mode, touched: bool) -> Option<EventKind> {
-    match (old, new) {
+    // Who of several holds is no event.
+    let held = |mode| if matches!(mode, Mode::Loaded { .. }) { Mode::Stuck } else { mode };
+    match (held(old), held(new)) {
         (Mode::Stuck, Mode::Slides { .. }) => Some(EventKind::Slip),
         (Mode::Slides { .. }, Mode::Stuck) => Some(EventKind::Stick),
         (Mode::Slides { forward: a, .. }, Mode::Slides { forward: b, .. }) if a != b => {

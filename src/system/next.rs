@@ -188,6 +188,18 @@ fn exhaustive<F: Float>(system: &Assembly<F>, contacts: &[Contact<F>]) -> Option
     best
 }
 
+/// Whether an element cannot move while others stick: its direction is a combination of theirs.
+pub(crate) fn depends<F: Float>(system: &Assembly<F>, element: usize, stuck: &[usize]) -> bool {
+    let mut matrix = Matrix::zero(stuck.len(), stuck.len());
+    for (a, &i) in stuck.iter().enumerate() {
+        stuck.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, system.coupling.at(i, j)));
+    }
+    let row: Vec<F> = stuck.iter().map(|&i| system.coupling.at(element, i)).collect();
+    let own = system.coupling.at(element, element);
+    !stuck.is_empty()
+        && own - dot(&row, &matrix.pseudo_inverse().of(&row)) <= own * F::epsilon() * F::int(4096)
+}
+
 /// Takes the velocities of these elements out of the state, by the impulse of least energy.
 pub(crate) fn at_rest<F: Float>(system: &Assembly<F>, z: &mut [F], elements: &[usize]) {
     if elements.is_empty() {

@@ -22,6 +22,12 @@ pub(crate) fn number(value: &Value) -> f64 {
     value.as_str().map_or_else(|| value.as_f64().expect("a number"), |s| s.parse().expect("a number"))
 }
 
+/// The digits of a number.
+#[cfg(feature = "mp")]
+pub(crate) fn text(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+}
+
 /// A list of numbers; empty where there is none.
 pub(crate) fn list(value: &Value) -> Vec<f64> {
     value.as_array().map_or_else(Vec::new, |list| list.iter().map(number).collect())

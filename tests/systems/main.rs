@@ -3,4 +3,7 @@
 mod cases;
 mod closed_form;
 mod one_body;
+#[cfg(feature = "mp")]
+mod precise;
+mod random;
 mod references;
