@@ -200,10 +200,11 @@ impl Name {
         if name.unit.is_none()
             && name.role == Role::Other
             && let Some((stem, last)) = own.rsplit_once([' ', '_', ','])
+            && let stem = stem.trim_end_matches([' ', ','])
             && role(stem) != Role::Other
             && Reader::is_unit(&text::unit(last))
         {
-            name = Self { own: stem.trim().to_owned(), unit: Some(last.to_owned()), role: role(stem) };
+            name = Self { own: stem.to_owned(), unit: Some(last.to_owned()), role: role(stem) };
         }
         name
     }
