@@ -10,6 +10,7 @@ use layouts::{Drawn, Written};
 use proptest::prelude::*;
 use std::io::{BufReader, Read};
 use stickslip::inputs::units::Reader;
+use stickslip::motion::record::{Body, Entry};
 use stickslip_front::record::{Options, Reading, Words, read};
 
 /// The record of a text, in SI units.
@@ -130,6 +131,41 @@ fn rows_of_spreadsheets() {
             read_text(text.as_bytes(), |_| {}).unwrap_or_else(|error| panic!("{error}\n{text}")).record;
         assert_eq!((record.samples(), record.time(1)), (&[0.0, -2.0, 1.0][..], 1.5), "{text}");
     }
+}
+
+/// Two values at one time are a step of the load: its answers are the limit of those of a steep ramp. Three are refused,
+/// and so is a step of a foot on which a damper stands.
+#[test]
+fn two_values_at_one_time_are_a_step() {
+    let record = |gap: f64, unit: &str| {
+        let text = format!("time[s],{unit}\n0,0\n0.5,2\n{},-3\n2,-3\n{},1\n3,4\n", 0.5 + gap, 2.0 + gap);
+        read_text(text.as_bytes(), |_| {}).map(|found| found.record)
+    };
+    for friction in [0.1, 0.7, 1.5, 2.5] {
+        for (stiffness, damping) in [(0.0, 0.0), (4.0, 0.3), (90.0, 0.0), (400.0, 60.0)] {
+            let body = Body::new(1.0, friction).unwrap();
+            let body = body.with_stiffness(stiffness).unwrap().with_damping(damping).unwrap();
+            let [step, ramp] = [0.0, 1e-9].map(|gap| body.follow(&record(gap, "force[N]").unwrap()).unwrap());
+            for ((name, _, one), (.., other)) in step.entries().into_iter().zip(ramp.entries()) {
+                match (one, other) {
+                    (Entry::Value(one), Entry::Value(other)) => {
+                        let (one, other) = (one.copied().unwrap_or(0.0), other.copied().unwrap_or(0.0));
+                        // The ramp moves the body by its gap times the greatest velocity and its slope.
+                        let is_near = (one - other).abs() < 1e-6 * (1.0 + other.abs());
+                        assert!(is_near, "{name} {friction} {stiffness}: {one} {other}");
+                    }
+                    (Entry::Count(one), Entry::Count(other)) => {
+                        assert_eq!(one, other, "{name} {friction} {stiffness}")
+                    }
+                    _ => panic!("{name}"),
+                }
+            }
+        }
+    }
+    record(0.0, "foot-displacement[m]").unwrap();
+    record(0.0, "damped-foot-displacement[m]").unwrap_err();
+    let error = read_text(b"time[s],force[N]\n0,1\n1,1\n1,2\n1,3\n2,0\n", |_| {}).unwrap_err();
+    assert!(error.contains("sample 4") && error.contains("time step = 0"), "{error}");
 }
 
 /// Of several channels one is chosen by its name or its place; the others are named.

@@ -148,7 +148,10 @@ fn pieces<const N: usize, const W: usize>(
         Some(step) => known(record.time(0)) + Ball::count(index) * step,
         None => known(record.time(index)),
     };
-    samples.iter().zip(samples.iter().skip(1)).enumerate().map(move |(index, (&first, &second))| {
+    samples.iter().zip(samples.iter().skip(1)).enumerate().filter_map(move |(index, (&first, &second))| {
+        if step.is_none() && record.time(index) == record.time(index.saturating_add(1)) {
+            return None;
+        }
         let start = time(index);
         let length = step.unwrap_or_else(|| time(index.saturating_add(1)) - start);
         let from = known(first);
@@ -164,7 +167,7 @@ fn pieces<const N: usize, const W: usize>(
                 ..piece
             };
         }
-        (start, piece)
+        Some((start, piece))
     })
 }
 

@@ -322,6 +322,10 @@ pub(super) fn follow<F: Float, const L: usize>(
             break;
         }
         let length = record.step_after(index);
+        if length == F::int(0) {
+            // Two samples at one time: the next step begins with the second.
+            continue;
+        }
         if length != step.length {
             step = Step { length, inverse: F::int(1) / length, eighth: length.square() * F::ratio(1, 8) };
             lanes.set_step(bodies, length);

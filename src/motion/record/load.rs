@@ -58,7 +58,8 @@ impl<F: Float> Record<F> {
         Self { excitation, times: Times::Equal(F::int(0), step), samples }.checked()
     }
 
-    /// A record with samples at these times, which increase.
+    /// A record with samples at these times, which increase. Two samples at one time are a step of the load, unless a
+    /// damper stands on the foot, whose velocity would be infinite.
     ///
     /// # Errors
     /// As [`Record::new`], and where the times are not as many as the samples, or do not increase.
@@ -67,8 +68,15 @@ impl<F: Float> Record<F> {
             return Err(Error::LengthMismatch { name: "times", found: times.len(), expected: samples.len() });
         }
         for (index, &time) in times.iter().enumerate() {
-            let before = index.checked_sub(1).and_then(|before| times.get(before));
-            let step = before.map_or(Ok(time), |&before| positive(Quantity::TimeStep, time - before));
+            let earlier = |by: usize| index.checked_sub(by).and_then(|before| times.get(before));
+            let is_jump = excitation != Excitation::DampedFootMotion
+                && earlier(1) == Some(&time)
+                && earlier(2) != Some(&time)
+                && times.first() != times.last();
+            let step = match earlier(1) {
+                Some(&before) if !is_jump => positive(Quantity::TimeStep, time - before),
+                _ => Ok(time),
+            };
             finite(Quantity::Time, time).and(step).map_err(|error| in_sample(index, error))?;
         }
         Self { excitation, times: Times::Each(times), samples }.checked()
@@ -163,10 +171,12 @@ impl<F: Float> Record<F> {
         self.samples.last().copied().unwrap_or_else(|| F::int(0))
     }
 
-    /// The steps between the samples: the time at which each begins, its length, and both samples.
+    /// The steps between the samples: the time at which each begins, its length > 0, and both samples.
     pub(super) fn steps(&self) -> impl Iterator<Item = (F, F, [F; 2])> + '_ {
         let pairs = self.samples.iter().zip(self.samples.iter().skip(1)).enumerate();
-        pairs.map(|(index, (&first, &second))| (self.time(index), self.step_after(index), [first, second]))
+        let steps = pairs
+            .map(|(index, (&first, &second))| (self.time(index), self.step_after(index), [first, second]));
+        steps.filter(|(_, length, _)| *length > F::int(0))
     }
 
     /// The samples.
