@@ -192,17 +192,25 @@ fn role(name: &str) -> Role {
     }
 }
 
+/// Whether a word behind the name of a column is its unit: “acc N” is a direction.
+fn fits(role: Role, unit: &str) -> bool {
+    Reader::is_unit(unit)
+        && match role {
+            Role::Other => false,
+            Role::Load(0) => unit.contains('/') || matches!(unit, "g" | "mg" | "gal" | "Gal"),
+            Role::Time | Role::Load(_) => true,
+        }
+}
+
 impl Name {
     fn new(header: &str) -> Self {
         let (own, unit) = name_and_unit(header);
         let mut name = Self { own: own.to_owned(), unit: unit.map(str::to_owned), role: role(own) };
         // “Time s”, “acc_g”.
         if name.unit.is_none()
-            && name.role == Role::Other
             && let Some((stem, last)) = own.rsplit_once([' ', '_', ','])
             && let stem = stem.trim_end_matches([' ', ','])
-            && role(stem) != Role::Other
-            && Reader::is_unit(&text::unit(last))
+            && fits(role(stem), &text::unit(last))
         {
             name = Self { own: stem.to_owned(), unit: Some(last.to_owned()), role: role(stem) };
         }
