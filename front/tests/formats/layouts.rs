@@ -79,7 +79,7 @@ impl Drawn {
             .iter()
             .map(|digits| {
                 let sign = if *digits < 0 { "-" } else { "" };
-                let letter = if self.form % 3 == 0 { "D" } else { "E" };
+                let letter = if self.form.is_multiple_of(3) { "D" } else { "E" };
                 format!("{sign}.{:07}{letter}-0{}", digits.unsigned_abs(), digits.unsigned_abs() % 4)
             })
             .collect()
@@ -140,7 +140,7 @@ pub(crate) fn peer(drawn: &Drawn) -> Written {
         &format!("NPTS= {count}, DT= {} MSEC", drawn.step),
         &format!("NPTS= {count}, DT (SEC)= {step}"),
     ]);
-    let series = if drawn.form % 2 == 0 { "SERIES" } else { "HISTORY" };
+    let series = if drawn.form.is_multiple_of(2) { "SERIES" } else { "HISTORY" };
     let more = drawn.one_of(&["", ". FILTER POINTS: HP=0.1 Hz LP=33.0 Hz", " "]);
     let head = lines(&format!(
         "PEER STRONG MOTION DATABASE RECORD\nEXAMPLE 1/1/00, STATION ONE, 090\nACCELERATION TIME {series} IN UNITS OF {unit}{more}\n{counted}"
@@ -208,9 +208,9 @@ pub(crate) fn cwb(drawn: &Drawn) -> Written {
 }
 
 pub(crate) fn cosmos(drawn: &Drawn) -> Written {
-    let words = if drawn.form % 2 == 0 { drawn.fortran() } else { drawn.decimals() };
+    let words = if drawn.form.is_multiple_of(2) { drawn.fortran() } else { drawn.decimals() };
     let (unit, factor) = drawn.unit();
-    let is_second = drawn.form / 5 % 2 == 0;
+    let is_second = (drawn.form / 5).is_multiple_of(2);
     let step = drawn.seconds();
     let mut header = vec!["-999.000000".to_owned(); 100];
     header[33] = if is_second { step.to_string() } else { drawn.step.to_string() };
@@ -244,7 +244,7 @@ pub(crate) fn geonet(drawn: &Drawn) -> Written {
     let words: Vec<String> =
         drawn.digits.iter().map(|digits| format!("{:.1}", f64::from(digits % 20_000) / 10.0)).collect();
     let (count, step) = (words.len(), drawn.seconds());
-    let others = if drawn.form % 2 == 0 { 0 } else { count };
+    let others = if drawn.form.is_multiple_of(2) { 0 } else { count };
     let mut quiet = drawn.clone();
     quiet.trailing_text = false;
     let component = |name: &str, sign: &str| {
