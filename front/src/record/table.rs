@@ -571,6 +571,9 @@ fn rows<F: Float + FromStr>(
             if let Some(step) = step {
                 return Err(at(&format!("time step = {step} s: must be ≥ 0 s")));
             }
+            if times.iter().rev().take_while(|before| **before == time).count() > 1 {
+                return Err(at("time step = 0 s: must be > 0 s after two values at one time"));
+            }
             times.push(time);
         }
     }
