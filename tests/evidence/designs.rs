@@ -353,6 +353,11 @@ fn friction_and_damping_of_a_decay_are_identified() {
         let found = record(machine, Load::Force, &[0.0, 0.1], &[0.0, 0.0], start, 64.0);
         let mut turns = vec![[0.0, start[0]]];
         turns.extend(&found.found.stops);
+        // A last half cycle too short to pass zero ends on the side on which it began; turning points of both sides are
+        // taken by their magnitudes.
+        while turns.len() > 1 && turns[turns.len() - 1][1] * turns[turns.len() - 2][1] > 0.0 {
+            turns.pop();
+        }
         let (times, places): (Vec<f64>, Vec<f64>) = turns.iter().map(|[t, x]| (*t, *x)).unzip();
         let exact = identify_turning_points(&places, Some(&times), TurningPoints::EveryHalfCycle).unwrap();
         assert!((exact.friction_displacement.value - 1.0).abs() < 1e-6, "{zeta} {exact:?}");
