@@ -51,6 +51,7 @@ fn every_output_of_every_command_has_its_row() {
     let curve = file(&folder, "curve.csv", &curve_of_samples(&mut Random(1), 0.0));
     let peaks = file(&folder, "peaks.csv", "peak[mm]\n40\n33.1\n26.5\n20.2\n14.1\n");
     let turns = folder.path().join("turns.csv").display().to_string();
+    let system = file(&folder, "system.toml", crate::systems::MACHINE);
     let machine =
         "--mass 800kg --period 2.2s --friction-coefficient 0.05 --damping-ratio 2% --static-ratio 1.2";
     let quake = "--frequency 2Hz --base-acceleration 0.15g --format json";
@@ -100,6 +101,10 @@ fn every_output_of_every_command_has_its_row() {
             "design friction --target-amplitude",
             &["design friction --mass 50kg --stiffness 1000N/m --frequency 6rad/s --force 12N --target-amplitude 10mm --format json".to_owned()],
         ),
+        ("system", &[format!("system {system} --format json")]),
+        ("system steady", &[format!("system {system} steady --format json")]),
+        ("system simulate", &[format!("system {system} simulate --until 2s --format json")]),
+        ("system border", &[format!("system {system} border --format json")]),
         (
             "pull",
             &["pull --mass 2kg --stiffness 450N/m --friction 3N --static-friction 4N --speed 20mm/s --format json".to_owned()],

@@ -6,7 +6,7 @@ use serde_json::{Value, json as value};
 
 const CASES: &str = include_str!("../../../tests/data/systems.json");
 
-const MACHINE: &str = r#"
+pub(crate) const MACHINE: &str = r#"
 units = "N,mm"
 [masses]
 block = "1 t"
