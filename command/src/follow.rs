@@ -197,7 +197,11 @@ fn text<F: Value>(
     }
     writeln!(out, "{}\n", measured::sentence(summary))?;
     for (name, kind, cell) in &physical.values {
-        let unit = if *kind == Kind::Ratio { String::new() } else { format!(" {}", unit(*kind)) };
+        let is_none = matches!(cell, Cell::Number(None));
+        if is_none && *name == "cut_time" {
+            continue;
+        }
+        let unit = if *kind == Kind::Ratio || is_none { String::new() } else { format!(" {}", unit(*kind)) };
         writeln!(out, "  {:<26} {}{unit}", name.replace('_', " "), cell.text())?;
     }
     Ok(())
