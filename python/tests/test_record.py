@@ -56,6 +56,7 @@ def test_states_and_events_are_those_of_the_answer():
     assert motion.displacement[0] == 0.001
     assert motion.displacement.max() == pytest.approx(answer.max_displacement, rel=1e-9)
     assert np.count_nonzero(motion.event_direction) == answer.slides == motion.answer.slides
+    assert np.count_nonzero(motion.event_direction == 0) == answer.stops + answer.reversals
     assert np.all(motion.velocity[motion.direction == 0] == 0)
     assert np.all(motion.velocity * motion.direction >= -1e-12)
     assert np.all(np.diff(motion.time) >= -1e-12)
@@ -113,3 +114,22 @@ def test_a_record_is_read_from_a_file_or_from_bytes(tmp_path):
     ):
         with pytest.raises(ss.Error, match=said):
             make()
+
+
+def test_a_mirrored_record_has_the_mirrored_answer():
+    samples = np.random.default_rng(3).normal(size=(20, 60))
+    machine = ss.Machine(mass=2.0, stiffness=80.0, friction=1.5, damping=0.6, units="N,m")
+    for row in samples:
+        one = machine.follow(ss.Record(3 * row, time_step=0.05, of="force"))
+        two = machine.follow(ss.Record(-3 * row, time_step=0.05, of="force"))
+        assert (one.max_displacement, one.residual_displacement) == (-two.min_displacement, -two.residual_displacement)
+        assert (one.path, one.slides, one.stops, one.reversals) == (two.path, two.slides, two.stops, two.reversals)
+        assert one.max_transmitted_force == two.max_transmitted_force
+
+
+def test_a_block_that_turns_transmits_no_more_than_friction():
+    found = ss.Block(mass=1.0, friction=1.0, units="N,m").follow(ss.Record([-3.0, 3.0], time_step=1.0, of="force"))
+    assert found.max_transmitted_force == pytest.approx(1.0, rel=1e-14)
+    assert found.residual_displacement == pytest.approx(-1 / 18, rel=1e-13)
+    assert (found.slides, found.stops, found.reversals, found.stick_time) == (2, 1, 1, 0.0)
+    assert np.isnan(found.cut_time)

@@ -325,6 +325,7 @@ class Machine:
 
         No stop is missed: between samples the load is a straight line, under which slides and stops are closed forms.
         With a record of a base acceleration, displacements and velocities are those in relation to the base.
+        Displacements are from the position of the relaxed spring, also with a mean force.
 
         >>> import numpy as np, stickslip as ss
         >>> t = np.arange(0, 12, 0.01)
