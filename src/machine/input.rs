@@ -208,7 +208,7 @@ inputs! {
     /// Static friction r_s, such as 6.5kN, in place of the ratio
     StaticFriction "--static-friction" "RS": Force, StaticFriction, StaticFriction [StaticFrictionRatio];
     /// Constant force on the body, such as a preload of 2kN. It shifts the motion by P/k, and displacements are
-    /// measured from the mean displacement; under a record from the relaxed spring
+    /// measured from the mean displacement. Under a record they are measured from the relaxed spring
     MeanForce "--mean-force" "P": Force, MeanForce, MeanForce [MeanDisplacement];
     /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s, where a bare number is ω_d in rad/s
     Frequency "--frequency" "WD": Frequency, Frequency, AngularFrequency

@@ -199,6 +199,7 @@ fn forces_and_accelerations_are_those_of_stepping_in_time() {
 #[cfg(feature = "mp")]
 #[test]
 fn answers_of_random_bodies_are_enclosed() {
+    use stickslip::Field;
     use stickslip::enclosed::{self, Enclosure};
     use stickslip::float::Mp;
     let text = include_str!("../data/record_answers.csv");
