@@ -84,7 +84,6 @@ fn a_velocity_that_touches_zero_goes_on() {
             close(&case, found.stick_time, start, 1e-12);
             // One slide through the ramp, and fifty half turns of the decay after it.
             assert_eq!((found.slides, found.stops, found.reversals), (51, 1, 50), "{case}");
-            assert!(found.min_velocity / length > -10.2, "{case}");
         }
     }
 }
@@ -102,7 +101,8 @@ fn a_slide_that_creeps_for_ever_is_followed() {
     close("residual", found.residual_displacement.unwrap(), -0.25, 1e-14);
     assert_eq!((found.max_displacement, found.max_displacement_time), (-0.25, None));
     let found = of.follow(&force(&[0.0, 0.0625], &[-5.0, -5.0])).unwrap();
-    close("force", found.max_absolute_acceleration, 4.0, 3.0);
+    // The load begins with 5 against the friction of 1.
+    close("acceleration", found.max_absolute_acceleration, 4.0, 1e-14);
 }
 
 /// Without friction a damped body swings for ever; its path is that of all swings.
