@@ -1,6 +1,8 @@
 //! Friction and damping from free decays that are cut before rest, or go on at rest: how often the stated interval
 //! contains the true values, and what is refused. The decays are those of the exact motion under a record without load.
 
+#![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
+
 use crate::random::Random;
 use std::f64::consts::TAU;
 use stickslip::Excitation;
@@ -77,7 +79,7 @@ fn count(decays: usize, seed: u64) -> Count {
     let mut random = Random(seed);
     let mut count = Count::default();
     let (mut all, mut worst) = (0, 0.0f64);
-    for i in 0..decays {
+    for _ in 0..decays {
         let decay = decay(&mut random);
         let found = identify_decay(&decay.times, &decay.values);
         let enough = decay.peaks >= 3;
@@ -99,30 +101,10 @@ fn count(decays: usize, seed: u64) -> Count {
                 worst = worst.max(most);
                 if most > 2.0 {
                     count.wrong += 1;
-                    if std::env::var("SHOW").is_ok() {
-                        println!(
-                            "{i}: {off:?} zeta {} peaks {} n {} {:?} {:?} {:?} {:?}",
-                            decay.zeta,
-                            decay.peaks,
-                            decay.times.len(),
-                            friction_displacement.interval(),
-                            damping_ratio.interval(),
-                            natural_frequency.unwrap().interval(),
-                            found.half_cycles
-                        );
-                    }
                 }
             }
             Err(error) => {
                 let words = error.to_string();
-                if std::env::var("SHOW").is_ok() && enough {
-                    println!(
-                        "{i}: zeta {} peaks {} n {} {words}",
-                        decay.zeta,
-                        decay.peaks,
-                        decay.times.len()
-                    );
-                }
                 *count
                     .refused
                     .entry(words.chars().take(48).collect::<String>() + &enough.to_string())

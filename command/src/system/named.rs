@@ -225,7 +225,9 @@ impl Builder<'_> {
         let law = match (force, table) {
             (Some(node), _) => Law::constant(node.quantity(Of::Force)?),
             (None, Some(node)) if node.value().is_string() => self.law_of_file(&node)?,
-            (None, Some(node)) => law(&node, |node, i| node.quantity([Of::Velocity, Of::Force][i.min(1)]))?,
+            (None, Some(node)) => {
+                law(&node, |node, i| node.quantity(if i == 0 { Of::Velocity } else { Of::Force }))?
+            }
             (None, None) => Law::constant(0.0),
         };
         Ok(Friction { law, normal: None })
@@ -452,6 +454,6 @@ pub(crate) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), Failur
             *place.ok_or_else(|| about("is no place of the list"))? = value;
             Ok(())
         }
-        _ => Err(about("is no table")),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => Err(about("is no table")),
     }
 }

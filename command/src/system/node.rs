@@ -43,7 +43,9 @@ impl<'a> Node<'a> {
         Failure::Input(match self.value {
             Value::Object(_) | Value::Array(_) => format!("{}: {must}", self.place()),
             Value::String(text) => format!("{} {text}: {must}", self.place()),
-            value => format!("{} {value}: {must}", self.place()),
+            value @ (Value::Null | Value::Bool(_) | Value::Number(_)) => {
+                format!("{} {value}: {must}", self.place())
+            }
         })
     }
 

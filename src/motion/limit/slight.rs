@@ -48,7 +48,7 @@ pub(super) fn limit<F: Float>(
             return Ok(None);
         };
         let half = (found.stop.x - x) / two;
-        if found.parts.len() != 1 || !(half > zero) {
+        if found.parts.len() != 1 || half.partial_cmp(&zero) != Some(core::cmp::Ordering::Greater) {
             return Ok(None);
         }
         if (half + x).abs() <= share * half {
