@@ -74,13 +74,6 @@ fn steady_motions() {
         let by = difference(&start, &list(&case.answer["start"]));
         let at_rest: Vec<f64> = motion.elements.iter().map(|e| e.time_at_rest).collect();
         let rests = difference(&at_rest, &list(&case.answer["at_rest"]));
-        println!(
-            "{}: {:?} after {} start by {by:e}, events by {times:e}, rests by {rests:e}, {:?}",
-            case.name,
-            steady.kind,
-            steady.followed,
-            steady.multipliers.first()
-        );
         let allowed = if case.answer["periods_from_rest"].as_u64() > Some(250) { 1e-8 } else { 1e-10 };
         assert!(
             by < allowed && times < allowed && rests < allowed,
