@@ -708,6 +708,9 @@ fn a_decay_of_the_samples_is_identified() {
             < 1e-6
     );
     assert_eq!(answer["measurements"].as_u64(), Some(8), "{answer}");
+    // Peaks of both sides with signs; they end before the rest, which alone shows static friction.
+    assert_eq!(answer["read_as"], "every-half-cycle", "{answer}");
+    assert!(answer["half_cycles"].is_null() && answer["static_friction_displacement"].is_null(), "{answer}");
 }
 
 /// Designs by the command: the samples stop on one side of each answer only.
