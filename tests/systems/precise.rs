@@ -2,7 +2,7 @@
 
 use crate::cases::{cases, text};
 use stickslip::Float;
-use stickslip::float::Mp;
+use stickslip::float::{Field, Mp};
 use stickslip::system::{Element, Harmonic, Kind, Law, Model, Record, Signal, State, System};
 
 type Wide = Mp<2>;
@@ -80,7 +80,7 @@ fn transient_motions() {
             .iter()
             .map(|e| text(&e[0]).parse().expect("digits"))
             .collect();
-        let close = |seen: Wide, value: Wide, size: Wide| ((seen - value).abs() / size).to_f64();
+        let close = |seen: Wide, value: Wide, size: Wide| (Field::abs(seen - value) / size).to_f64();
         assert_eq!(motion.events.len(), expected.len(), "{}", case.name);
         for (event, &time) in motion.events.iter().zip(&expected) {
             let by = close(event.time, time, until);
