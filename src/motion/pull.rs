@@ -22,8 +22,6 @@ use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::positive;
 use crate::root;
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 
 /// The motion of a body that is pulled through its spring at a constant speed, or stands on a belt of that speed, from
 /// rest: stick-slip, or smooth sliding.

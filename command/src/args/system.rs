@@ -45,9 +45,9 @@ FILE describes bodies by name, in TOML or JSON:
   amplitude = \"1.5 kN\"
   frequency = \"3 Hz\"
 
-A contact has friction, or coefficient and normal_load, or law = [[speed, force], …] or a CSV file; static_ratio (or peak);
-stiffness, which makes it elastic; moves, the velocity of its other side, such as a belt. [[stops]] have between, gap,
-stiffness and damping. [base] has acceleration, a file or { amplitude, frequency }. A file may have matrices instead: mass,
+A contact has friction, or coefficient and normal_load, or law = [[speed, force], …] or a CSV file. It may have static_ratio
+(or peak), stiffness, which makes it elastic, and moves, the velocity of its other side, such as a belt. [[stops]] have
+between, gap, stiffness and damping. [base] has acceleration, a file or { amplitude, frequency }. A file may have matrices instead: mass,
 damping, stiffness, elements, harmonics.
 
 Examples:
