@@ -10,7 +10,7 @@ pub(crate) struct LoadArgs {
     /// Time between samples in a file that does not state it, such as 0.005s
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub(crate) time_step: Option<String>,
-    /// Column by its name or its number from 1, or the channel of an agency's file; all reads columns without names row
+    /// Column by its name or its number from 1, or the channel of an agency's file. The word all reads columns without names row
     /// by row
     #[arg(long, value_name = "NAME|N")]
     pub(crate) column: Option<String>,
@@ -49,10 +49,11 @@ pub(crate) struct SurfaceArgs {
 #[command(after_help = "\
 FILE is a record of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose units are obeyed, or columns of text with
 commas, semicolons, tabs or blanks between them, such as time[s],acceleration[g]. The load is the column acceleration
-(acc; of the surface that the body slides on), force, or foot-displacement (of the spring's foot, with
+(acc, of the surface that the body slides on), force, or foot-displacement (of the spring's foot, with
 damped-foot-displacement if the damper stands on it, too). Columns without names need --record-units, and --column if
-there are several; samples without times --time-step. The answer says what was read. Between samples the load is a
-straight line, and after the last one it is zero: the body slides to its rest. No stop is missed.
+there are several. Samples without times need --time-step. The answer says what was read. Between samples the load is a
+straight line. After the last one a force or an acceleration is zero, a foot stays, and the body slides to its rest. No
+stop is missed.
 
 Examples:
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
@@ -62,7 +63,7 @@ Examples:
   stickslip record samples.txt --time-step 0.02s --record-units g --mass 800kg --period 2.5s --friction-coefficient 0.06
   stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json")]
 pub(crate) struct RecordArgs {
-    /// The record: of an agency, or columns; - for standard input
+    /// The record: of an agency, or columns, - for standard input
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     #[command(flatten)]
