@@ -35,8 +35,8 @@ use crate::root;
 /// // 1 kg, 100 N/m, 1 N kinetic and 1.5 N static friction, pulled at 1 cm/s
 /// let body = Oscillator::new(1.0f64, 100.0, 1.0)?.with_static_friction(1.5)?.with_damping_ratio(0.01)?;
 /// let pull = Pull::new(&body, 0.01)?;
-/// assert!(pull.period.is_some_and(|t| (t - 1.294_9).abs() < 1e-3));
-/// assert!(pull.smooth_above.is_some_and(|v| v > 0.14 && v < 0.15));
+/// assert!(pull.period.is_some_and(|t| (t - 1.334_366).abs() < 1e-6));
+/// assert!(pull.smooth_above.is_some_and(|v| (v - 0.136_962).abs() < 1e-6));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,6 +2,7 @@
 
 use crate::kept::Kept;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use stickslip::float::Mp;
 use stickslip::motion::{LongRun, State, SteadyOutput, SteadyState};
 use stickslip::{Float, Ratios, enclosed};
@@ -102,7 +103,20 @@ fn text() -> String {
                  from rest at x = 0: displacements in r_y/k, velocities in r_y/k · ω_d, energy_out in r_y²/k for a \
                  cycle, stick_fraction of the time. 30 digits, the same at 256 and 512 bits; `proved`: enclosed in balls.";
     let file = json!({ "schema": "cases.schema.json", "about": about, "cases": cases.to_vec() });
-    serde_json::to_string_pretty(&file).unwrap() + "\n"
+    serde_json::to_string_pretty(&in_order(file)).unwrap() + "\n"
+}
+
+/// The value with the keys of its objects in alphabetical order, whatever order the crate keeps.
+fn in_order(value: Value) -> Value {
+    match value {
+        Value::Object(map) => {
+            let sorted: BTreeMap<String, Value> =
+                map.into_iter().map(|(key, value)| (key, in_order(value))).collect();
+            Value::Object(sorted.into_iter().collect())
+        }
+        Value::Array(items) => Value::Array(items.into_iter().map(in_order).collect()),
+        single => single,
+    }
 }
 
 #[test]

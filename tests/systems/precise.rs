@@ -80,18 +80,21 @@ fn transient_motions() {
             .iter()
             .map(|e| text(&e[0]).parse().expect("digits"))
             .collect();
+        // The reference of this case has π/2 and e^−2v with all their digits, the file has doubles of them. The falling law
+        // multiplies their rounding by e^(15 t) while the speed is low, some 10⁶.
+        let allowed = if case.name == "modelica-friction-table" { 1e-10 } else { 1e-20 };
         let close = |seen: Wide, value: Wide, size: Wide| (Field::abs(seen - value) / size).to_f64();
         assert_eq!(motion.events.len(), expected.len(), "{}", case.name);
         for (event, &time) in motion.events.iter().zip(&expected) {
             let by = close(event.time, time, until);
-            assert!(by < 1e-20, "{}: {event:?} by {by:e}", case.name);
+            assert!(by < allowed, "{}: {event:?} by {by:e}", case.name);
         }
         for (name, seen) in [("displacement", &motion.end.displacement), ("velocity", &motion.end.velocity)] {
             let values = case.answer[name].as_array().expect("a list");
             for (&seen, value) in seen.iter().zip(values) {
                 let value: Wide = text(value).parse().expect("digits");
                 let by = close(seen, value, Wide::from_f64(1.0));
-                assert!(by < 1e-20, "{}: {name} by {by:e}", case.name);
+                assert!(by < allowed, "{}: {name} by {by:e}", case.name);
             }
         }
         count += 1;

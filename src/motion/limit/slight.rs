@@ -126,7 +126,12 @@ mod tests {
                     // The body is followed from the state without falling into rest.
                     let slides = Trajectory::new(ratios, steady.state).unwrap().take(8).map(Result::unwrap);
                     assert_eq!(slides.count(), 8, "{ratios:?}");
-                    assert!(steady.errors().unwrap().error_1 < 1e-6 && steady.periods < 100.0, "{ratios:?}");
+                    // From the middle of a slide on, the acceleration α sin θ − 1, of the order of δ, has a rounding of ε.
+                    let rounding = 1e-6 + 8.0 * f64::EPSILON / excess;
+                    assert!(
+                        steady.errors().unwrap().error_1 < rounding && steady.periods < 100.0,
+                        "{ratios:?}"
+                    );
                 }
             }
         }
