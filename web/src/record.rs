@@ -86,7 +86,7 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
         "load": { "time": times, "value": samples, "unit": load_unit },
         "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity) },
         "unused": unused,
-        "read": summary.sentence(|value| stickslip::words::digits(value)),
+        "read": summary.sentence(stickslip::words::digits),
     }))
 }
 
