@@ -76,7 +76,8 @@ test("sentences and numbers are written as the command writes them", () => {
       const { verdict, values } = ask({ ask: "answer", inputs }).steady;
       assert.ok(ran.stdout.includes(verdict), `${verdict}\n${ran.stdout}`);
       const velocity = values.find(({ name }) => name === "max_velocity");
-      if (velocity.value === null) continue;
+      // The text of a body at rest has no velocity.
+      if (!velocity.value) continue;
       const written = /maximum velocity +(\S+)[^=\n]*(?:= (\S+))?/.exec(ran.stdout);
       assert.equal(glue.digits(velocity.value), written[1], ran.stdout);
       if (velocity.physical) assert.equal(glue.digits(velocity.physical.value), written[2], ran.stdout);
@@ -180,7 +181,8 @@ test("a record is followed as the command follows it", () => {
     assert.equal(value, own[name], name);
     if (unit) assert.equal(unit, own.units[name], name);
   }
-  assert.ok(found.values.find(({ name }) => name === "stops").value > 3);
+  const count = (wanted) => found.values.find(({ name }) => name === wanted).value;
+  assert.ok(count("stops") + count("reversals") > 3);
   // A body of the spectrum is the same as one alone.
   const alone = ask({ ask: "record", inputs: { ...inputs, period: "0.5 s" }, text });
   const spectrum = ask({ ask: "spectrum", inputs, text, periods: [0.25, 0.5] });
