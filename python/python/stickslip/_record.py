@@ -117,7 +117,7 @@ class Record:
         """
         step = None if time_step is None else read({"time_step": (time_step, "time")}, None)[0]["time_step"]
         data = bytes(file) if isinstance(file, (bytes, bytearray, memoryview)) else None
-        name = "record" if data is not None else os.fspath(file)  # type: ignore[arg-type]
+        name = "record" if data is not None else os.fspath(file)
         named = None if column is None else str(column)
         found, summary = _native.record_read(str(name), data, step, named, skip, record_units)
         of, times, samples, unit = found
