@@ -112,6 +112,8 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         | Command::Figure(_)
         | Command::Figures(_)
         | Command::Completions(_)
+        | Command::System(_)
+        | Command::Pull(_)
         | Command::Man(_) => return None,
     })
 }

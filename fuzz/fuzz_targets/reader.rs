@@ -1,32 +1,22 @@
 //! Arbitrary bytes as the file of a record: a record of finite samples in order, or one line that says what is wrong.
 #![no_main]
 
-use arbitrary::Arbitrary;
 use stickslip::inputs::units::Reader;
 use stickslip_front::record::{Options, Words, read};
 
-#[derive(Debug, Arbitrary)]
-struct File<'a> {
-    has_step: bool,
-    skip: u8,
-    column: Option<u8>,
-    units: Option<u8>,
-    text: &'a [u8],
-}
-
-libfuzzer_sys::fuzz_target!(|file: File<'_>| {
+libfuzzer_sys::fuzz_target!(|file: &[u8]| {
+    // The first four bytes choose the options.
+    let Some(([step, skip, column, units], text)) = file.split_first_chunk::<4>() else { return };
     let reader = Reader::new(None, "--units N,m");
-    let pick = |from: &[&'static str], index: Option<u8>| {
-        index.and_then(|index| from.get(usize::from(index) % from.len().max(1)).copied())
-    };
+    let pick = |from: &[&'static str], index: u8| from.get(usize::from(index) % (from.len() + 1)).copied();
     let options = Options {
-        time_step: file.has_step.then_some(0.01),
-        column: pick(&["1", "2", "all", "N", "acc", "chan 1"], file.column),
-        skip: u64::from(file.skip % 4),
-        units: pick(&["g", "gal", "N", "mm", "furlong"], file.units),
+        time_step: (step % 2 == 1).then_some(0.01),
+        column: pick(&["1", "2", "all", "N", "acc", "chan 1"], *column),
+        skip: u64::from(skip % 4),
+        units: pick(&["g", "gal", "N", "mm", "furlong"], *units),
         ..Options::new("file", &reader, Words::COMMAND)
     };
-    match read::<f64>(file.text, &options) {
+    match read::<f64>(text, &options) {
         Ok(found) => {
             let record = &found.record;
             let (count, last) = (record.samples().len(), record.end());
