@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::inputs::units::{Kind as Of, Reader, split};
+use stickslip::inputs::units::{Kind as Of, split};
 
 /// The most rows.
 const MOST: u64 = 1_000_000;
@@ -149,7 +149,7 @@ fn row(file: &Value, args: &SystemArgs, axes: &[Axis], place: u64) -> Result<Map
                 row.insert(path.clone(), text.parse::<f64>().map_or_else(|_| json!(text), |x| json!(x)));
             }
             None => {
-                let reader = Reader::new(asked.described.units.as_ref(), "units in the file");
+                let reader = asked.reader();
                 let frequency: f64 = reader.value("--frequency", text, Of::Frequency)?;
                 asked.at_frequency(frequency)?;
                 let (name, value) = match asked.described.units {
