@@ -1,44 +1,90 @@
 //! `stickslip system`: several bodies with contacts, elastic contacts and stops.
 
-mod answer;
-mod described;
-mod file;
-mod named;
-mod node;
+mod picture;
+mod sketch;
 mod table;
 mod words;
 
-use crate::args::{Format, SystemArgs, SystemQuestion};
+use crate::args::{Format, LoadArgs, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
-use crate::output;
-use answer::{Answer, Samples};
-use described::Described;
+use crate::figure::Target;
+use crate::output::{self, PendingFile};
+use crate::rows;
 use serde_json::Value;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, Reader};
-use stickslip::system::System;
+use stickslip::inputs::units::{Kind as Of, System as Units};
+use stickslip::system::State;
+use stickslip_figures::Figure;
+use stickslip_front::record::Summary;
+use stickslip_front::system::{Answer, NamedSystem, OfBorder, Samples, parsed};
 
-/// The longest motion, in radians of its fastest vibration.
-const MOST_RADIANS: f64 = 1e6;
+/// The longest file.
+const LONGEST: u64 = 1 << 26;
 /// The most samples of a motion.
 const MOST_SAMPLES: u64 = 10_000_000;
 
 pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let question = args.question;
     check_options(args)?;
-    if question == SystemQuestion::Curve || args.set.iter().any(|text| text.contains(':')) {
-        return table::run(args, out);
+    let value = read(&args.file)?;
+    if is_table(args) {
+        return table::run(&value, args, out);
     }
-    let asked = Asked::new(args, &args.set)?;
-    match question {
-        SystemQuestion::Describe => words::describe(&asked, args, out),
+    let (asked, summary) = named(&value, args)?;
+    match args.question {
+        SystemQuestion::Describe => describe(&asked, args, out),
         SystemQuestion::Steady => steady(&asked, args, out),
-        SystemQuestion::Simulate => simulate(&asked, args, &asked.time(args)?, out),
-        SystemQuestion::Record => simulate(&asked, args, &asked.end_of_record(args)?, out),
+        SystemQuestion::Simulate | SystemQuestion::Record => simulate(&asked, summary.as_ref(), args, out),
         SystemQuestion::Border => border(&asked, args, out),
         SystemQuestion::Curve => Ok(()),
     }
+}
+
+/// Whether the answer is a row for each place of a grid.
+fn is_table(args: &SystemArgs) -> bool {
+    let is_grid = args.set.iter().any(|text| text.contains([':', ',']));
+    args.question == SystemQuestion::Curve || is_grid || args.records.len() > 1
+}
+
+/// The value of the file.
+fn read(file: &Path) -> Result<Value, Failure> {
+    let name = file.display().to_string();
+    let mut text = String::new();
+    let read = rows::open(file, &name)?.take(LONGEST + 1).read_to_string(&mut text);
+    read.map_err(|e| Failure::Input(format!("{name}: {e}")))?;
+    Ok(parsed(&text, &name)?)
+}
+
+/// The folder that names of files in the file are relative to.
+fn folder(args: &SystemArgs) -> &Path {
+    args.file.parent().unwrap_or(Path::new(""))
+}
+
+/// The system of a value with the values of `--set`, and with a record, of which the summary says what was read.
+fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Summary>), Failure> {
+    let set = args.set.iter().map(|text| path_and_value(text)).collect::<Result<Vec<_>, _>>()?;
+    let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
+    let found = NamedSystem::new(value, set, folder(args), args.units.units.as_ref()).map_err(about)?;
+    match args.records.first() {
+        Some(file) => {
+            let (record, summary) =
+                crate::measured::read::<f64>(file, &LoadArgs::default(), &found.reader())?;
+            Ok((found.with_record(&record, &file.display().to_string())?, Some(summary)))
+        }
+        None => Ok((found, None)),
+    }
+}
+
+/// The system of units of the answers: of the option, or else of the file.
+fn units_of(value: &Value, args: &SystemArgs) -> Result<Option<Units>, Failure> {
+    let own = value.get("units").and_then(Value::as_str);
+    let own = own.map(|text| text.parse().map_err(|e| Failure::Input(format!("units {text}: {e}"))));
+    Ok(args.units.units.or(own.transpose()?))
+}
+
+/// The two parts of `PATH=VALUE`.
+fn path_and_value(text: &str) -> Result<(&str, &str), Failure> {
+    Ok(text.split_once('=').ok_or_else(|| format!("--set {text}: must be PATH=VALUE"))?)
 }
 
 /// Refuses an option that the question does not use.
@@ -53,169 +99,160 @@ fn check_options(args: &SystemArgs) -> Outcome {
     uses("--until", args.until.is_some(), &[Q::Simulate, Q::Record])?;
     uses("--samples", args.samples.is_some(), &[Q::Steady, Q::Simulate, Q::Record])?;
     uses("--frequency", args.frequency.is_some(), &[Q::Curve])?;
-    uses("RECORD", args.record.is_some(), &[Q::Record])?;
+    uses("RECORD", !args.records.is_empty(), &[Q::Record])?;
     let is_missing = |name: &str| Err(Failure::Input(format!("{name} is missing")));
     match args.question {
-        Q::Simulate if args.until.is_none() => is_missing("--until"),
-        Q::Curve if args.frequency.is_none() => is_missing("--frequency"),
-        Q::Record if args.record.is_none() => is_missing("RECORD"),
-        Q::Describe | Q::Steady | Q::Simulate | Q::Record | Q::Curve | Q::Border => Ok(()),
+        Q::Simulate if args.until.is_none() => return is_missing("--until"),
+        Q::Curve if args.frequency.is_none() => return is_missing("--frequency"),
+        Q::Record if args.records.is_empty() => return is_missing("RECORD"),
+        Q::Describe | Q::Steady | Q::Simulate | Q::Record | Q::Curve | Q::Border => {}
+    }
+    args.look.needs("--picture", args.picture.as_deref())?;
+    uses("--picture", args.picture.is_some(), &[Q::Describe, Q::Steady, Q::Simulate, Q::Record, Q::Curve])?;
+    let (is_rows, is_table) = (args.samples.is_some(), is_table(args));
+    if args.out.is_some() && !is_rows && !is_table {
+        return Err("--out: holds rows, of a curve, a grid or --samples".into());
+    }
+    if is_rows && is_table {
+        return Err("--samples: must be left out for a curve or a grid".into());
+    }
+    let of_grids =
+        [("--resume", args.resume), ("--shard", args.shard.is_some()), ("--no-header", args.no_header)];
+    if is_rows && args.picture.is_some() {
+        return Err("--picture: must be left out beside --samples".into());
+    }
+    match of_grids.into_iter().find(|(_, is_given)| *is_given && !is_table) {
+        Some((name, _)) => Err(format!("{name}: needs a curve or a grid").into()),
+        None => Ok(()),
     }
 }
 
-/// A system that is asked about.
-pub(crate) struct Asked {
-    pub(crate) described: Described,
-    pub(crate) system: System<f64>,
+/// Draws the picture, if there is to be one.
+fn drawn(args: &SystemArgs, figure: impl FnOnce() -> Result<Figure, Failure>) -> Outcome {
+    let Some(file) = &args.picture else { return Ok(()) };
+    let target = Target::new("--picture", Some(file), args.overwrite, &args.look)?;
+    target.draw(&mut std::io::sink(), figure)
 }
 
-impl Asked {
-    /// The system of the file with other values.
-    fn new(args: &SystemArgs, set: &[String]) -> Result<Self, Failure> {
-        Self::of(&file::parsed(&args.file)?, args, set)
-    }
-
-    /// The system of a file that is read, with other values.
-    fn of(value: &Value, args: &SystemArgs, set: &[String]) -> Result<Self, Failure> {
-        let mut value = value.clone();
-        for text in set {
-            let (path, new) =
-                text.split_once('=').ok_or_else(|| format!("--set {text}: must be PATH=VALUE"))?;
-            named::set(&mut value, path.trim(), new.trim())?;
+/// The system in words, and as a drawing.
+fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
+    if let Some(file) = &args.picture {
+        let name = file.display();
+        if file.extension().and_then(|end| end.to_str()) != Some("svg") {
+            return Err(format!("--picture {name}: the drawing of a system must end in .svg").into());
         }
-        let folder = args.file.parent().unwrap_or(Path::new(""));
-        let name = args.file.display().to_string();
-        let about = |failure: Failure| failure.about(&name);
-        let mut described = file::described(&value, folder, args.units.units.as_ref()).map_err(about)?;
-        if let Some(record) = &args.record {
-            // The record is read in the units of the file.
-            let reader = Reader::new(described.units.as_ref(), "units in the file");
-            named::add_record(&mut described, record, &reader)?;
-        }
-        let system = System::new(&described.model).map_err(|e| about(named_by_body(&described, e)))?;
-        Ok(Self { described, system })
+        let drawing = sketch::svg(&asked.described)
+            .ok_or_else(|| format!("--picture {name}: shows at most {} bodies", sketch::MOST))?;
+        let pending = PendingFile::create(file, &format!("--picture {name}"), args.overwrite)?;
+        pending.fill(|out| Ok(out.write_all(drawing.as_bytes())?))?;
     }
-
-    /// The loads at another frequency: all frequencies by the factor that takes the lowest one there.
-    pub(crate) fn at_frequency(&mut self, frequency: f64) -> Outcome {
-        let model = &mut self.described.model;
-        let lowest = model.harmonics.iter().map(|h| h.frequency).fold(f64::INFINITY, f64::min);
-        if !lowest.is_finite() {
-            return Err("--frequency: the file has no harmonic load".into());
-        }
-        for harmonic in &mut model.harmonics {
-            let is_lowest = harmonic.frequency == lowest;
-            harmonic.frequency = if is_lowest { frequency } else { harmonic.frequency / lowest * frequency };
-        }
-        self.system = System::new(&self.described.model)?;
-        Ok(())
-    }
-
-    pub(crate) fn reader(&self) -> Reader {
-        Reader::new(self.described.units.as_ref(), "units in the file")
-    }
-
-    fn time(&self, args: &SystemArgs) -> Result<f64, Failure> {
-        let text = args.until.as_deref().unwrap_or_default();
-        let value: f64 = self.reader().value("--until", text, Of::Time)?;
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(format!("--until {text}: must be > 0").into());
-        }
-        // The steps of the motion are a part of the shortest period.
-        let held: Vec<usize> = (0..self.described.model.elements.len()).collect();
-        let own = [self.system.natural_frequencies(&held), self.system.natural_frequencies(&[])].concat();
-        let loads = self.described.model.harmonics.iter().map(|harmonic| harmonic.frequency);
-        let fastest = own.into_iter().chain(loads).fold(0.0, |most: f64, omega| most.max(omega.abs()));
-        if value * fastest > MOST_RADIANS {
-            let unit = if self.described.units.is_some() { " s" } else { "" };
-            let most = crate::bits::digits(MOST_RADIANS / fastest);
-            return Err(format!(
-                "--until {text}: must be ≤ {most}{unit}, 10⁶ radians of the fastest vibration"
-            )
-            .into());
-        }
-        Ok(value)
-    }
-
-    /// The end of the record, or a later time.
-    fn end_of_record(&self, args: &SystemArgs) -> Result<f64, Failure> {
-        let ends = self.described.model.records.iter().filter_map(|record| record.times.last());
-        let end = ends.fold(0.0, |last: f64, &end| last.max(end));
-        if args.until.is_some() { self.time(args) } else { Ok(end) }
-    }
-
-    /// The samples that are asked for, over a time.
-    fn samples(&self, args: &SystemArgs, until: f64) -> Result<Option<Vec<f64>>, Failure> {
-        let Some(text) = &args.samples else { return Ok(None) };
-        let count = crate::input::count(&format!("--samples {text}"), text, MOST_SAMPLES)?;
-        Ok(Some((0..=count).map(|i| until * (i as f64 / count as f64)).collect()))
-    }
-}
-
-/// The error of the engine, whose coordinates and elements have the names of the file.
-fn named_by_body(described: &Described, error: stickslip::system::Error) -> Failure {
-    use stickslip::system::Error as E;
-    if let E::NotDefinite { row, .. } = &error
-        && let Some(name) = described.coordinates.get(row.saturating_sub(1))
-    {
-        return Failure::Input(format!("{name}: {error}"));
-    }
-    error.into()
+    words::describe(asked, args, out)
 }
 
 fn is_json(args: &SystemArgs) -> Result<bool, Failure> {
     args.format.unwrap_or(Format::Text).is_json("system")
 }
 
-fn simulate(asked: &Asked, args: &SystemArgs, &until: &f64, out: &mut impl Write) -> Outcome {
-    let start = &asked.described.start;
-    if let Some(times) = asked.samples(args, until)? {
+/// The end of the motion: `--until`, or the end of the records.
+fn until(asked: &NamedSystem, args: &SystemArgs) -> Result<f64, Failure> {
+    let Some(text) = &args.until else { return Ok(asked.end_of_records()) };
+    let until: f64 = asked.reader().value("--until", text, Of::Time)?;
+    asked.check_until(until, &format!("--until {text}"))?;
+    Ok(until)
+}
+
+/// The times of the samples that are asked for, from 0 on.
+fn samples(args: &SystemArgs, until: f64) -> Result<Option<Vec<f64>>, Failure> {
+    let Some(text) = &args.samples else { return Ok(None) };
+    let count = crate::input::count("--samples", text, MOST_SAMPLES)?;
+    Ok(Some((0..=count).map(|i| until * (i as f64 / count as f64)).collect()))
+}
+
+fn simulate(
+    asked: &NamedSystem,
+    summary: Option<&Summary>,
+    args: &SystemArgs,
+    out: &mut impl Write,
+) -> Outcome {
+    let (start, until) = (&asked.described.start, until(asked, args)?);
+    if let Some(times) = samples(args, until)? {
         return sampled(asked, args, start, &times, out);
     }
     let motion = asked.system.simulate(start, until)?;
+    drawn(args, || picture::motion(asked, start, &motion, &picture::title(&asked.described, "Motion")))?;
     if is_json(args)? {
-        return output::json(&Answer::transient(&asked.described, &motion), out);
+        let answer = Answer::transient(&asked.described, &motion);
+        return match summary {
+            Some(summary) => output::json(&crate::measured::Described::new(&answer, summary), out),
+            None => output::json(&answer, out),
+        };
+    }
+    if let Some(summary) = summary {
+        writeln!(out, "{}", crate::measured::sentence(summary))?;
     }
     let seconds = if asked.described.units.is_some() { " s" } else { "" };
     writeln!(out, "The motion from the start to {}{seconds}.\n", crate::bits::digits(until))?;
-    answer::text(&asked.described, &motion, out)
+    words::motion(&asked.described, &motion, out)
 }
 
-fn steady(asked: &Asked, args: &SystemArgs, out: &mut impl Write) -> Outcome {
+fn steady(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let found = asked.system.steady(&asked.described.start)?;
-    if let Some(times) = asked.samples(args, found.period)? {
+    if let Some(times) = samples(args, found.period)? {
         return sampled(asked, args, &found.start, &times, out);
     }
+    let title = || picture::title(&asked.described, &format!("Steady motion ({})", found.kind.name()));
+    drawn(args, || picture::motion(asked, &found.start, &found.motion, &title()))?;
     if is_json(args)? {
         return output::json(&Answer::steady(&asked.described, &found), out);
     }
     words::steady(&asked.described, &found, out)?;
-    answer::text(&asked.described, &found.motion, out)
+    words::motion(&asked.described, &found.motion, out)
 }
 
 /// States at times, as CSV or JSON.
 fn sampled(
-    asked: &Asked,
+    asked: &NamedSystem,
     args: &SystemArgs,
-    start: &stickslip::system::State<f64>,
+    start: &State<f64>,
     times: &[f64],
     out: &mut impl Write,
 ) -> Outcome {
+    let is_json = match args.format {
+        Some(Format::Json) => true,
+        Some(Format::Csv) | None => false,
+        Some(Format::Text | Format::Jsonl) => {
+            return Err("--format: must be csv or json with --samples".into());
+        }
+    };
     let states = asked.system.states(start, times)?;
     let samples = Samples::new(&asked.described, times, &states);
-    match args.format {
-        Some(Format::Json) => output::json(&samples, out),
-        Some(Format::Csv) | None => samples.csv(out),
-        Some(Format::Text | Format::Jsonl) => Err("--format: must be csv or json with --samples".into()),
+    let write = |out: &mut dyn Write| -> Outcome {
+        if is_json {
+            serde_json::to_writer_pretty(&mut *out, &samples)?;
+            return Ok(out.write_all(b"\n")?);
+        }
+        let mut writer = csv::Writer::from_writer(out);
+        writer.write_record(samples.names())?;
+        for row in samples.rows() {
+            writer.write_record(row.iter().map(f64::to_string))?;
+        }
+        Ok(writer.flush()?)
+    };
+    match &args.out {
+        Some(file) => {
+            let argument = format!("--out {}", file.display());
+            PendingFile::create(file, &argument, false)?.fill(|out| write(out))
+        }
+        None => write(out),
     }
 }
 
-fn border(asked: &Asked, args: &SystemArgs, out: &mut impl Write) -> Outcome {
+fn border(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let found = asked.system.border()?;
     // Below the border the cycle is no motion.
     let cycle = asked.system.cycle()?.filter(|cycle| cycle.margin >= 1.0);
     if is_json(args)? {
-        return output::json(&answer::OfBorder::new(&found, cycle.as_ref()), out);
+        return output::json(&OfBorder::new(&found, cycle.as_ref()), out);
     }
     words::border(&asked.described, &found, cycle.as_ref(), out)
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`record`] | the file of a record, of an agency or of columns, as a [`Record`](stickslip::motion::record::Record) |
 //! | [`names`] | the names of columns with their units |
+//! | `system` (a feature) | the file of several bodies, and the answers about them |
 
 #![cfg_attr(
     not(test),
@@ -19,3 +20,5 @@
 
 pub mod names;
 pub mod record;
+#[cfg(feature = "system")]
+pub mod system;

@@ -10,6 +10,7 @@ mod machine;
 mod motion;
 mod points;
 mod record;
+mod system;
 mod table;
 
 use pyo3::exceptions::PyValueError;
@@ -38,5 +39,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     attractors::register(module)?;
     machine::register(module)?;
     record::register(module)?;
+    system::register(module)?;
     design::register(module)
 }

@@ -9,8 +9,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::fs::File;
 use std::io::BufReader;
+use stickslip::inputs::Role;
 use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Input, Role};
 use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
 use stickslip_front::record::{self as front, Options, Words};
@@ -38,7 +38,7 @@ fn body(
 const SHORT: usize = 1 << 14;
 
 /// The record of these samples, at these times, or at equal steps from 0 if there is one time, the step.
-fn load(of: &str, times: &[f64], samples: &[f64]) -> PyResult<Record<f64>> {
+pub(crate) fn load(of: &str, times: &[f64], samples: &[f64]) -> PyResult<Record<f64>> {
     let excitation = match of {
         "force" => Excitation::Force,
         "base_acceleration" => Excitation::SurfaceAcceleration,

@@ -31,6 +31,10 @@ pub(crate) fn bernstein<F: Float>(c: &[F]) -> Vec<F> {
     b
 }
 
+fn is_finite<F: Float>(b: &[F]) -> bool {
+    b.iter().all(|b| b.is_finite())
+}
+
 /// A small integer.
 pub(crate) fn integer<F: Float>(k: usize) -> F {
     F::int(i32::try_from(k).unwrap_or(i32::MAX))
@@ -65,6 +69,10 @@ pub(crate) fn halves<F: Float>(b: &[F]) -> (Vec<F>, Vec<F>) {
 pub(crate) fn first_passage<F: Float>(c: &[F], error: F) -> Option<F> {
     let b = bernstein(c);
     let depth = F::PRECISION + 8;
+    if !is_finite(&b) {
+        // A motion beyond the range of numbers, which the next step reports: halving it would not end.
+        return None;
+    }
     search(c, &b, F::int(0), F::int(1), error, depth)
 }
 
@@ -97,8 +105,10 @@ pub(crate) fn greatest_above<F: Float>(c: &[F], known: F, error: F) -> F {
 
 /// The greatest value of p on [0, 1] and its place, where it is above `known` by more than `error`.
 pub(crate) fn greatest_place<F: Float>(c: &[F], known: F, error: F) -> (F, Option<F>) {
-    let mut best = (known, None);
-    climb(c, &bernstein(c), (F::int(0), F::int(1)), error, F::PRECISION, &mut best);
+    let (mut best, b) = ((known, None), bernstein(c));
+    if is_finite(&b) {
+        climb(c, &b, (F::int(0), F::int(1)), error, F::PRECISION, &mut best);
+    }
     best
 }
 

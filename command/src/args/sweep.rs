@@ -117,6 +117,16 @@ pub(crate) struct TableArgs {
 }
 
 impl TableArgs {
+    /// A table with a header of names, whose format is that of the file's name.
+    pub(super) fn of_names(
+        out: Option<PathBuf>,
+        resume: bool,
+        shard: Option<String>,
+        no_header: bool,
+    ) -> Self {
+        Self { format: None, out, resume, shard, header: Header::Names, no_header }
+    }
+
     /// The format of `--format`, or that of the end of the file's name; CSV for a name without an end.
     pub(crate) fn format(&self) -> Result<SweepFormat, Failure> {
         match (self.format, self.out.as_deref()) {

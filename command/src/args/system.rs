@@ -1,6 +1,6 @@
 //! The arguments of systems of several bodies.
 
-use super::{Format, UnitArgs};
+use super::{Format, LookArgs, TableArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -56,6 +56,8 @@ Examples:
   stickslip system machine.toml simulate --until 5s --format json
   stickslip system machine.toml record quake.at2
   stickslip system machine.toml curve --frequency 1Hz:10Hz:100 --set bearing.friction=600N
+  stickslip system machine.toml record quake1.at2 quake2.at2 --set bearing.friction=300N:600N:7 --out grid.csv
+  stickslip system machine.toml --picture machine.svg
   stickslip system machine.toml border")]
 pub(crate) struct SystemArgs {
     /// The file of the system, TOML or JSON, - for standard input
@@ -70,9 +72,9 @@ pub(crate) struct SystemArgs {
         hide_default_value = true
     )]
     pub(crate) question: SystemQuestion,
-    /// The record, with the question record
+    /// The records, with the question record: a row for each if there are several
     #[arg(value_name = "RECORD")]
-    pub(crate) record: Option<PathBuf>,
+    pub(crate) records: Vec<PathBuf>,
     /// Time at which the motion ends, with simulate
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) until: Option<String>,
@@ -82,12 +84,41 @@ pub(crate) struct SystemArgs {
     /// Frequencies of the load with the lowest frequency, such as 1Hz:10Hz:100, with curve
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,
-    /// Another value of the file: NAME.FIELD=VALUE, such as bearing.friction=600N. May be given several times
+    /// Another value of the file: NAME.FIELD=VALUE, such as bearing.friction=600N, or a grid of them, such as
+    /// bearing.friction=100N:1kN:20. May be given several times
     #[arg(long, value_name = "PATH=VALUE")]
     pub(crate) set: Vec<String>,
-    /// text, json or csv [default: text, and csv for a curve]
+    /// Output file of rows: .csv, .jsonl or .parquet [default: standard output]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Continue a grid after the last complete row of --out FILE
+    #[arg(long)]
+    pub(crate) resume: bool,
+    /// Part I of N parts of the rows of a grid
+    #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
+    pub(crate) shard: Option<String>,
+    /// Omit the line of column names of a grid
+    #[arg(long)]
+    pub(crate) no_header: bool,
+    /// Picture of the system, of its motion with the loop of each element, or of a curve, in place of its
+    /// rows on standard output: FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) look: LookArgs,
+    /// Replace the picture if it exists
+    #[arg(long, requires = "picture")]
+    pub(crate) overwrite: bool,
+    /// text or json, csv or json for --samples, csv, jsonl or json for a grid [default: text, and csv for rows]
     #[arg(long, value_enum, hide_possible_values = true)]
     pub(crate) format: Option<Format>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
+}
+
+impl SystemArgs {
+    /// How the rows of a grid are written.
+    pub(crate) fn table(&self) -> TableArgs {
+        TableArgs::of_names(self.out.clone(), self.resume, self.shard.clone(), self.no_header)
+    }
 }

@@ -1,187 +1,200 @@
-//! Steady motions over a frequency and over grids of values in the file, a row each.
+//! A row for each place of a grid: of values in the file, of the loads' frequency, and of records.
 
-use super::Asked;
-use super::file::parsed;
-use crate::args::{Format, SystemArgs, SystemQuestion};
+use super::picture;
+use super::{folder, path_and_value, units_of};
+use crate::args::{Format, SweepFormat, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
+use crate::figure::Target;
 use crate::interrupt;
 use crate::output;
+use crate::progress;
+use crate::record::{Cell, Record, Row};
+use crate::sweep::{Table, write_table};
 use rayon::prelude::*;
-use serde_json::{Map, Value, json};
-use std::f64::consts::TAU;
+use serde_json::Value;
 use std::io::Write;
-use stickslip::inputs::units::{Kind as Of, split};
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use stickslip::inputs::units::{Kind as Of, Reader};
+use stickslip::motion::record::Record as Load;
+use stickslip::{Definition, Measure};
+use stickslip_front::system::{Asked, Axis, Cell as Found, Grid};
 
-/// The most rows.
-const MOST: u64 = 1_000_000;
-/// Rows that are computed before they are written.
-const BATCH: u64 = 256;
+/// The most rows without an answer whose reasons are said.
+const SAID: usize = 5;
 
-/// One value that changes from row to row.
-struct Axis {
-    /// The path in the file; `None` for the frequency of the loads.
-    path: Option<String>,
-    values: Vec<String>,
+/// The rows of a grid.
+struct Rows {
+    grid: &'static Grid<'static>,
+    keys: Vec<&'static Definition>,
+    /// The names and the kinds of all rows.
+    form: Row,
+    failed: AtomicUsize,
+    #[cfg(feature = "parquet")]
+    notes: Vec<(String, String)>,
 }
 
-/// `FROM:TO:COUNT` or `FROM:TO:COUNT:log` with one unit, as the text of each value.
-fn values(name: &str, text: &str) -> Result<Vec<String>, Failure> {
-    let bad = |what: &str| Failure::Input(format!("{name} {text}: {what}"));
-    let parts: Vec<&str> = text.split(':').collect();
-    let (from, to, count, is_logarithmic) = match parts.as_slice() {
-        [one] => return Ok(vec![(*one).to_owned()]),
-        [from, to, count] => (*from, *to, *count, false),
-        [from, to, count, "log"] => (*from, *to, *count, true),
-        _ => return Err(bad("must be one value, FROM:TO:COUNT or FROM:TO:COUNT:log")),
-    };
-    let count = crate::input::count(&format!("{name} {text}: count"), count, MOST)?;
-    let ((first, unit), (last, other)) = (split(from), split(to));
-    if unit != other {
-        return Err(bad("both ends must have the same unit"));
+/// Keeps a value until the command ends: rows hold texts of the grid.
+fn kept<T>(value: T) -> &'static T {
+    Box::leak(Box::new(value))
+}
+
+/// The grid of the arguments.
+fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
+    let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
+    let units = units_of(value, args)?;
+    let reader = Reader::new(units.as_ref(), "units in the file");
+    let records = args.records.iter().map(|file| {
+        let (record, _) = crate::measured::read::<f64>(file, &Default::default(), &reader)?;
+        Ok((file.display().to_string(), record))
+    });
+    let records = records.collect::<Result<Vec<(String, Load<f64>)>, Failure>>()?;
+    let axes = args.set.iter().map(|text| {
+        let (path, values) = path_and_value(text)?;
+        Axis::of(path.trim(), values.trim()).map_err(|e| Failure::Input(format!("--set {e}")))
+    });
+    let mut axes = axes.collect::<Result<Vec<_>, Failure>>()?;
+    if let Some(text) = &args.frequency {
+        axes.push(Axis::of_frequency("--frequency", text)?);
     }
-    let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
-    let (Some(first), Some(last)) = (number(first), number(last)) else {
-        return Err(bad("both ends must be finite numbers"));
-    };
-    if is_logarithmic && !(first > 0.0 && last > 0.0) {
-        return Err(bad("both ends must be > 0 for equal ratios"));
-    }
-    if count == 1 && first != last {
-        return Err(bad("the count must be ≥ 2 where the ends differ"));
-    }
-    let value = |i: u64| {
-        let share = if count > 1 { i as f64 / (count - 1) as f64 } else { 0.0 };
-        match i {
-            0 => first,
-            _ if i + 1 == count => last,
-            _ if is_logarithmic => first * (last / first).powf(share),
-            // A decimal step gives decimal values.
-            _ => decimal(first + (last - first) * share, last.abs().max(first.abs())),
+    let asked = match args.question {
+        SystemQuestion::Curve | SystemQuestion::Steady => Asked::Steady,
+        SystemQuestion::Border => Asked::Border,
+        SystemQuestion::Simulate | SystemQuestion::Record => {
+            let until = args.until.as_ref().map(|text| reader.value::<f64>("--until", text, Of::Time));
+            Asked::Transient(until.transpose()?)
+        }
+        SystemQuestion::Describe => {
+            return Err("--set: a grid belongs to steady, simulate, record, curve and border".into());
         }
     };
-    Ok((0..count).map(|i| format!("{}{unit}", value(i))).collect())
+    let units = args.units.units.map(|units| &*kept(units));
+    Grid::new(kept(value.clone()), kept(folder(args).to_owned()), units, axes, kept(records), asked)
+        .map_err(about)
 }
 
-/// The number without the digits that rounding has left, at the size of the ends.
-fn decimal(x: f64, size: f64) -> f64 {
-    let short: f64 = format!("{x:.*e}", 13).parse().unwrap_or(x);
-    if (short - x).abs() <= 4.0 * f64::EPSILON * size { short } else { x }
-}
-
-/// The rows of a table: one steady motion for each place of the grid, the first axis slowest.
-pub(super) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    if !matches!(args.question, SystemQuestion::Curve | SystemQuestion::Steady) {
-        let text = "a grid of values belongs to the questions steady and curve";
-        return Err(format!("--set: {text}").into());
+pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Outcome {
+    let rows = Rows::new(value, args)?;
+    if let Some(file) = &args.picture {
+        let target = Target::new("--picture", Some(file), args.overwrite, &args.look)?;
+        let first = rows.grid.first()?.described;
+        let title = picture::heading(&first, "Greatest displacement");
+        target.draw(out, || picture::curve(rows.grid, &first, &title))?;
+        if args.out.is_none() {
+            return Ok(());
+        }
     }
-    let file = parsed(&args.file)?;
-    let mut axes = Vec::new();
-    for text in &args.set {
-        let (path, new) = text.split_once('=').ok_or_else(|| format!("--set {text}: must be PATH=VALUE"))?;
-        axes.push(Axis { path: Some(path.to_owned()), values: values(&format!("--set {path}="), new)? });
-    }
-    if let Some(text) = &args.frequency {
-        axes.push(Axis { path: None, values: values("--frequency", text)? });
-    }
-    let count = axes.iter().try_fold(1u64, |n, axis| n.checked_mul(axis.values.len() as u64));
-    let count = count.filter(|n| *n <= MOST).ok_or_else(|| format!("the grid must have ≤ {MOST} rows"))?;
-    let row = |i: u64| row(&file, args, &axes, i);
-    // The first row says what the columns are, and what is wrong with the file.
-    let first = row(0)?;
-    let is_json = match args.format {
-        None | Some(Format::Csv) => false,
-        Some(Format::Json | Format::Jsonl) => true,
+    let format = match args.format {
+        None if args.out.is_some() => args.table().format()?,
+        None | Some(Format::Csv) => SweepFormat::Csv,
+        Some(Format::Jsonl) => SweepFormat::Jsonl,
+        Some(Format::Json) if args.out.is_none() => {
+            let found = (0..rows.len()).map(|i| rows.record(i)).collect::<Result<Vec<_>, _>>()?;
+            return output::json(&found, out);
+        }
+        Some(Format::Json) => return Err("--format json: with --out choose csv, jsonl or parquet".into()),
         Some(Format::Text) => return Err("--format text: a table is csv, json or jsonl".into()),
     };
-    let mut csv = csv::Writer::from_writer(Vec::new());
-    if !is_json {
-        csv.write_record(first.keys())?;
-    }
-    let mut all = Vec::new();
-    let mut begin = 0;
-    while begin < count {
-        let end = (begin + BATCH).min(count);
-        let rows: Vec<_> = (begin..end).into_par_iter().map(row).collect();
-        interrupt::check()?;
-        for (i, row) in (begin..end).zip(rows) {
-            let row = row.map_err(|e| e.about(&format!("row {}", i + 1)))?;
-            if !is_json {
-                csv.write_record(row.values().map(plain))?;
-            } else if args.format == Some(Format::Jsonl) {
-                writeln!(out, "{}", Value::Object(row))?;
-            } else {
-                all.push(Value::Object(row));
-            }
-        }
-        begin = end;
-    }
-    if args.format == Some(Format::Json) {
-        return output::json(&all, out);
-    }
-    Ok(out.write_all(&csv.into_inner().map_err(|e| Failure::Input(e.to_string()))?)?)
+    write_table(&args.table(), format, &rows, out)
 }
 
-/// A value as a cell of CSV.
-fn plain(value: &Value) -> String {
-    match value {
-        Value::Null => String::new(),
-        Value::String(text) => text.clone(),
-        Value::Bool(_) | Value::Number(_) | Value::Array(_) | Value::Object(_) => value.to_string(),
-    }
-}
-
-fn row(file: &Value, args: &SystemArgs, axes: &[Axis], place: u64) -> Result<Map<String, Value>, Failure> {
-    let mut left = place as usize;
-    let mut chosen: Vec<(&Axis, &str)> = Vec::new();
-    for axis in axes.iter().rev() {
-        let at = left % axis.values.len().max(1);
-        left /= axis.values.len().max(1);
-        chosen.push((axis, axis.values.get(at).map_or("", String::as_str)));
-    }
-    chosen.reverse();
-    let set: Vec<String> =
-        chosen.iter().filter_map(|(axis, text)| Some(format!("{}={text}", axis.path.as_ref()?))).collect();
-    let mut asked = Asked::of(file, args, &set)?;
-    let mut row = Map::new();
-    for (axis, text) in &chosen {
-        match &axis.path {
-            Some(path) => {
-                row.insert(path.clone(), text.parse::<f64>().map_or_else(|_| json!(text), |x| json!(x)));
-            }
-            None => {
-                let reader = asked.reader();
-                let frequency: f64 = reader.value("--frequency", text, Of::Frequency)?;
-                asked.at_frequency(frequency)?;
-                let (name, value) = match asked.described.units {
-                    Some(_) => ("frequency[Hz]", frequency / TAU),
-                    None => ("frequency", frequency),
-                };
-                row.insert(name.to_owned(), json!(value));
-            }
+/// The answers of all rows of a grid, in parallel.
+pub(super) fn answers(grid: &Grid<'_>) -> Result<Vec<Vec<Found<'static>>>, Failure> {
+    let answer = |row: u64| {
+        if interrupt::asked() {
+            return Err(Failure::Interrupted);
         }
-    }
-    let found = asked.system.steady(&asked.described.start)?;
-    row.insert("kind".to_owned(), json!(found.kind.name()));
-    row.insert("periods".to_owned(), json!(found.periods));
-    let unit = |kind: Of| {
-        asked.described.units.map_or_else(String::new, |system| format!("[{}]", system.name(kind)))
+        Ok(grid.answer(row).unwrap_or_else(|_| grid.blank().to_vec()))
     };
-    let motion = &found.motion;
-    for (i, name) in asked.described.coordinates.iter().enumerate() {
-        for (quantity, list, kind) in [
-            ("max_displacement", &motion.max_displacement, Of::Length),
-            ("min_displacement", &motion.min_displacement, Of::Length),
-            ("max_velocity", &motion.max_velocity, Of::Velocity),
-            ("min_velocity", &motion.min_velocity, Of::Velocity),
-        ] {
-            row.insert(format!("{name}.{quantity}{}", unit(kind)), json!(list.get(i)));
+    (0..grid.len()).into_par_iter().map(answer).collect()
+}
+
+impl Rows {
+    fn new(value: &Value, args: &SystemArgs) -> Result<Self, Failure> {
+        let grid = kept(grid(value, args)?);
+        let key = |name: &String| &*kept(Definition::new(name.clone().leak(), Measure::Plain, ""));
+        let mut rows = Self {
+            grid,
+            keys: grid.names().iter().map(key).collect(),
+            form: Record::of(Vec::<(_, Cell<f64>)>::new()).shown(),
+            failed: AtomicUsize::new(0),
+            #[cfg(feature = "parquet")]
+            notes: vec![
+                ("file".to_owned(), value.to_string()),
+                ("question".to_owned(), format!("{:?}", args.question)),
+                ("names".to_owned(), grid.names().join(",")),
+                ("grid".to_owned(), format!("{:?} {:?} {:?}", args.set, args.frequency, args.records)),
+                ("until".to_owned(), args.until.clone().unwrap_or_default()),
+                ("shard".to_owned(), args.shard.clone().unwrap_or_default()),
+            ],
+        };
+        rows.form = rows.row(0, grid.blank());
+        Ok(rows)
+    }
+
+    fn row(&self, point: u64, answer: &[Found<'static>]) -> Row {
+        let cell = |found: &Found<'static>| match *found {
+            Found::Text(text) => Cell::Text(text),
+            Found::Number(number) => Cell::Number(number),
+            Found::Count(count) => Cell::Count(count),
+        };
+        let given = self.grid.given(point);
+        let cells = given.iter().chain(answer).map(cell);
+        Record::of(self.keys.iter().copied().zip(cells).collect::<Vec<(_, Cell<f64>)>>()).shown()
+    }
+
+    /// Says why a row has no answer.
+    fn say(&self, point: u64, why: &str) {
+        match self.failed.fetch_add(1, Ordering::Relaxed) {
+            said if said < SAID => progress::note(&format!("no answer in row {}: {why}", point + 1)),
+            SAID => progress::note("further rows have no answer, either"),
+            _ => {}
         }
     }
-    for element in &motion.elements {
-        let name = &element.name;
-        row.insert(format!("{name}.rest_fraction"), json!(element.time_at_rest / motion.duration));
-        row.insert(format!("{name}.stops"), json!(element.stops));
-        row.insert(format!("{name}.work{}", unit(Of::Energy)), json!(element.work));
+}
+
+impl Table for Rows {
+    fn of(&self) -> &'static str {
+        "this grid"
     }
-    Ok(row)
+
+    fn len(&self) -> u64 {
+        self.grid.len()
+    }
+
+    fn form(&self) -> &Row {
+        &self.form
+    }
+
+    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
+        let point = points.start;
+        if interrupt::asked() {
+            return vec![Err(Failure::Interrupted)];
+        }
+        let row = match self.grid.answer(point) {
+            Ok(answer) => self.row(point, &answer),
+            Err(why) => {
+                self.say(point, &why);
+                self.row(point, self.grid.blank())
+            }
+        };
+        vec![Ok(row)]
+    }
+
+    /// A row begins with its place on the axes.
+    fn hold_their_grid(&self) -> bool {
+        true
+    }
+
+    fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure> {
+        let due = self.row(point, &[]).line(is_csv)?;
+        let due = due.trim_ascii_end();
+        let due = due.strip_suffix(b"}").unwrap_or(due);
+        Ok(line.strip_prefix(due).is_some_and(|rest| rest.first() == Some(&b',')))
+    }
+
+    #[cfg(feature = "parquet")]
+    fn notes(&self) -> Vec<(String, String)> {
+        self.notes.clone()
+    }
 }

@@ -1,39 +1,15 @@
 //! A system and its steady motion in words.
 
-use super::Asked;
-use super::answer::kind_of;
-use super::described::Described;
 use crate::args::SystemArgs;
 use crate::bits::digits;
 use crate::failure::Outcome;
 use crate::note::line;
 use crate::output;
-use serde::Serialize;
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::inputs::units::{Kind as Of, System as Units};
-use stickslip::system::{Border, Cycle, Element, Kind, Law, Steady, SteadyKind};
-
-/// The system in words and numbers.
-#[derive(Serialize)]
-struct Description<'a> {
-    coordinates: &'a [String],
-    elements: Vec<OfElement<'a>>,
-    /// In rad/s, or in radians per unit of time for matrices.
-    natural_frequencies: Vec<f64>,
-    natural_frequencies_stuck: Vec<f64>,
-    rigid_modes: usize,
-    harmonics: Vec<f64>,
-    records: usize,
-}
-
-#[derive(Serialize)]
-struct OfElement<'a> {
-    name: &'a str,
-    kind: &'static str,
-    /// With this element alone at rest.
-    natural_frequencies_stuck: Vec<f64>,
-}
+use stickslip::system::{Border, Cycle, Element, Kind, Law, Motion, Steady, SteadyKind};
+use stickslip_front::system::{Described, Description, NamedSystem, kind_of};
 
 fn plural(count: usize, one: &str, several: &str) -> String {
     if count == 1 { format!("one {one}") } else { format!("{count} {several}") }
@@ -45,31 +21,16 @@ fn frequency(units: Option<&Units>, omega: f64) -> String {
 }
 
 /// What the file describes, with natural frequencies free and with contacts at rest.
-pub(super) fn describe(asked: &Asked, args: &SystemArgs, out: &mut impl Write) -> Outcome {
+pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let (described, system) = (&asked.described, &asked.system);
-    let elements = &described.model.elements;
-    let held: Vec<usize> = (0..elements.len()).collect();
-    let free = system.natural_frequencies(&[]);
-    let stuck = system.natural_frequencies(&held);
-    let rigid = free.iter().filter(|omega| **omega == 0.0).count();
+    let description = Description::new(asked);
     if super::is_json(args)? {
-        let harmonics = described.model.harmonics.iter().map(|h| h.frequency).collect();
-        let elements = elements.iter().enumerate().map(|(i, element)| OfElement {
-            name: &element.name,
-            kind: kind_of(element),
-            natural_frequencies_stuck: system.natural_frequencies(&[i]),
-        });
-        let description = Description {
-            coordinates: &described.coordinates,
-            elements: elements.collect(),
-            natural_frequencies: free,
-            natural_frequencies_stuck: stuck,
-            rigid_modes: rigid,
-            harmonics,
-            records: described.model.records.len(),
-        };
         return output::json(&description, out);
     }
+    let elements = &described.model.elements;
+    let Description {
+        natural_frequencies: free, natural_frequencies_stuck: stuck, rigid_modes: rigid, ..
+    } = &description;
     let units = described.units.as_ref();
     let count = |kind: &str| elements.iter().filter(|element| kind_of(element) == kind).count();
     let mut parts = vec![plural(described.coordinates.len(), "coordinate", "coordinates")];
@@ -109,20 +70,20 @@ pub(super) fn describe(asked: &Asked, args: &SystemArgs, out: &mut impl Write) -
         frequencies.iter().map(|omega| frequency(units, *omega)).collect::<Vec<_>>().join(", ")
     };
     writeln!(out, "\nNatural frequencies, without dampers")?;
-    line(out, "all contacts sliding", list(&free))?;
+    line(out, "all contacts sliding", list(free))?;
     if elements.len() > 1 {
         for (i, element) in elements.iter().enumerate().filter(|(_, e)| kind_of(e) != "stop") {
             line(out, &format!("{} at rest", element.name), list(&system.natural_frequencies(&[i])))?;
         }
     }
     if elements.iter().any(|element| kind_of(element) != "stop") {
-        line(out, "all contacts at rest", list(&stuck))?;
+        line(out, "all contacts at rest", list(stuck))?;
     }
-    if rigid > 0 {
+    if *rigid > 0 {
         writeln!(
             out,
             "\n{} without a restoring force.",
-            capital(&plural(rigid, "rigid motion", "rigid motions"))
+            capital(&plural(*rigid, "rigid motion", "rigid motions"))
         )?;
     }
     Ok(())
@@ -233,6 +194,52 @@ pub(super) fn border(
             line(out, "friction work", with_unit(cycle.work, units, Of::Energy))?;
         }
         None => writeln!(out, "\nAt the load of the file it sticks, or does not slide.")?,
+    }
+    Ok(())
+}
+
+/// The most events that a text lists.
+const LISTED: usize = 24;
+
+/// A motion as text: its extremes, its elements and its events.
+pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl Write) -> Outcome {
+    let unit =
+        |kind: Of| described.units.map_or_else(String::new, |system| format!(" {}", system.name(kind)));
+    let (length, velocity) = (unit(Of::Length), unit(Of::Velocity));
+    for (i, name) in described.coordinates.iter().enumerate() {
+        let at = |list: &[f64]| list.get(i).copied().map_or_else(String::new, digits);
+        writeln!(out, "{name}")?;
+        let range = |least: &[f64], most: &[f64], unit: &str| format!("{} to {}{unit}", at(least), at(most));
+        line(out, "displacement", range(&motion.min_displacement, &motion.max_displacement, &length))?;
+        line(out, "velocity", range(&motion.min_velocity, &motion.max_velocity, &velocity))?;
+    }
+    for (element, found) in described.model.elements.iter().zip(&motion.elements) {
+        writeln!(out, "{} ({})", element.name, kind_of(element))?;
+        let rest = match element.kind {
+            Kind::Stop { .. } => "open",
+            Kind::Elastic { .. } => "holds",
+            _ => "sticks",
+        };
+        let seconds = if described.units.is_some() { " s" } else { "" };
+        line(out, rest, format!("{}{seconds}, {} times", digits(found.time_at_rest), found.stops))?;
+        line(out, "work", format!("{}{}", digits(found.work), unit(Of::Energy)))?;
+    }
+    writeln!(out, "energy")?;
+    line(out, "work of the loads", format!("{}{}", digits(motion.load_work), unit(Of::Energy)))?;
+    line(out, "work on the dampers", format!("{}{}", digits(motion.damper_work), unit(Of::Energy)))?;
+    line(out, "stored", format!("{}{}", digits(motion.stored), unit(Of::Energy)))?;
+    if motion.events.is_empty() {
+        return Ok(writeln!(out, "no events")?);
+    }
+    writeln!(out, "events")?;
+    for event in motion.events.iter().take(LISTED) {
+        let name = described.model.elements.get(event.element).map_or("", |element| element.name.as_str());
+        let seconds = if described.units.is_some() { " s" } else { "" };
+        writeln!(out, "  {:>14}{seconds}  {name}: {}", digits(event.time), event.kind)?;
+    }
+    if motion.events.len() > LISTED {
+        let more = motion.events.len() - LISTED;
+        writeln!(out, "  and {more} more: all of them are in --format json")?;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! `stickslip system` from the user's side: cases of other projects, a file of named bodies, and what is wrong with files.
 
-use crate::command_line::{json, refused, stdout};
+use crate::command_line::{json, refused, stdout, stickslip};
 use crate::place::place;
 use serde_json::{Value, json as value};
 
@@ -113,7 +113,7 @@ fn a_machine_by_names_is_the_same_as_by_matrices() {
     }
     let text = stdout(&format!("system {}", named.display()));
     assert!(text.starts_with("A system of 2 coordinates, one contact."), "{text}");
-    // ω² of [[500, −300], [−300, 300]] and diag(1, ½) are (1100 ± √(1100² − 240000))/2.
+    // ω² of [[500, −300], [−300, 300]] and diag(1, ½) are (1100 ± √(1100² − 480000))/2.
     assert!(text.contains("all contacts sliding     1.763677 Hz, 4.975216 Hz"), "{text}");
     assert!(text.contains("all contacts at rest     3.898484 Hz"), "{text}");
 }
@@ -148,11 +148,73 @@ fn a_grid_has_a_row_for_each_place() {
     ));
     let rows: Vec<Vec<&str>> = curve.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 7);
-    assert_eq!(rows[0][..3], ["bearing.friction", "frequency[Hz]", "kind"]);
+    assert_eq!(rows[0][..3], ["bearing.friction[N]", "frequency[Hz]", "kind"]);
     let place = rows[0].iter().position(|name| *name == "roof.max_displacement[mm]").unwrap();
     let one = json(&format!("system {} steady --format json --set bearing.friction=600N", file.display()));
-    assert_eq!(rows[5][..2], ["600N", "3.0"]);
+    assert_eq!(rows[5][..2], ["600.0", "3.0"]);
     assert_eq!(rows[5][place].parse::<f64>().unwrap(), numbers(&one["max_displacement"])[1]);
+    // A list in another order, as JSON lines, one row of which is wrong.
+    let line =
+        format!("system {} border --set bearing.friction=600N,-1N,400N --format jsonl", file.display());
+    let answer = stickslip(&line).output().unwrap();
+    let rows: Vec<Value> = String::from_utf8(answer.stdout)
+        .unwrap()
+        .lines()
+        .map(|row| serde_json::from_str(row).unwrap())
+        .collect();
+    let least = json(&format!("system {} border --format json --set bearing.friction=400N", file.display()));
+    assert_eq!(rows[2]["least_load_factor"], least["least_load_factor"]);
+    assert_eq!(
+        (&rows[1]["bearing.friction[N]"], &rows[1]["least_load_factor"]),
+        (&value!(-1.0), &Value::Null)
+    );
+    let said = String::from_utf8(answer.stderr).unwrap();
+    assert!(said.contains("no answer in row 2: bearing") && said.contains("≥ 0"), "{said}");
+}
+
+/// A grid over two records, whole, in two parts, and continued after an interruption, is the same; each row is the
+/// motion of the one system under the one record.
+#[test]
+fn a_grid_over_records_is_whole_in_parts_and_continued() {
+    let folder = place("records-of-a-system");
+    std::fs::create_dir(&*folder).unwrap();
+    let of = |name: &str| folder.join(name);
+    std::fs::write(of("machine.toml"), MACHINE).unwrap();
+    for (name, sign) in [("a.csv", 1.0), ("b.csv", -2.0)] {
+        let rows = (0..400).map(|i| {
+            let t = f64::from(i) * 0.01;
+            format!("{t},{}", sign * 0.1 * (9.0 * t).sin())
+        });
+        let text = ["time[s],acceleration[g]".to_owned()].into_iter().chain(rows).collect::<Vec<_>>();
+        std::fs::write(of(name), text.join("\n")).unwrap();
+    }
+    let [machine, a, b] = ["machine.toml", "a.csv", "b.csv"].map(|name| of(name).display().to_string());
+    let grid = format!("system {machine} record {a} {b} --set bearing.friction=300N:900N:4");
+    let whole = stdout(&grid);
+    let rows: Vec<Vec<&str>> = whole.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!((rows.len(), &rows[0][..3]), (9, &["record", "bearing.friction[N]", "duration[s]"][..]));
+    assert_eq!(rows[7][..2], [&*b, "700.0"]);
+    let one = json(&format!("system {machine} record {b} --set bearing.friction=700N --format json"));
+    let place = |name: &str| rows[0].iter().position(|own| *own == name).unwrap();
+    let at = |name: &str| rows[7][place(name)].parse::<f64>().unwrap();
+    assert_eq!(at("block.max_displacement[mm]"), numbers(&one["max_displacement"])[0]);
+    assert_eq!(at("roof.end_displacement[mm]"), numbers(&one["end"]["displacement"])[1]);
+    assert_eq!(at("bearing.work[N·mm]"), one["elements"][0]["work"].as_f64().unwrap());
+    let parts = ["1/2", "2/2 --no-header"].map(|shard| stdout(&format!("{grid} --shard {shard}")));
+    assert_eq!(parts.concat(), whole);
+    let file = of("grid.csv");
+    let cut = whole.lines().take(4).collect::<Vec<_>>().join("\n") + "\nb.csv,70";
+    std::fs::write(&file, whole[..cut.len().min(whole.len())].as_bytes()).unwrap();
+    stdout(&format!("{grid} --out {} --resume", file.display()));
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), whole);
+    // Of another grid.
+    refused(
+        &format!(
+            "system {machine} record {b} {a} --set bearing.friction=300N:900N:4 --out {} --resume",
+            file.display()
+        ),
+        &["--resume", "grid.csv"],
+    );
 }
 
 #[test]

@@ -47,6 +47,15 @@ from ._motion import Decay, Phases, Samples, decay, simulate
 from ._native import Error, __version__
 from ._record import Block, Followed, Motion, Record, Spectrum, spectrum
 from ._steady import STEADY_OUTPUTS, Steady, steady
+from ._system import (
+    ElementMotion,
+    System,
+    SystemBorder,
+    SystemGrid,
+    SystemMotion,
+    SystemStates,
+    SystemSteady,
+)
 
 if hasattr(_os, "register_at_fork"):
     # A forked child inherits the memory of the worker threads, but not the threads themselves.
@@ -66,6 +75,7 @@ __all__ = [
     "Decay",
     "DecayIdentified",
     "Drive",
+    "ElementMotion",
     "Error",
     "Estimate",
     "Figure",
@@ -79,6 +89,12 @@ __all__ = [
     "Samples",
     "Spectrum",
     "Steady",
+    "System",
+    "SystemBorder",
+    "SystemGrid",
+    "SystemMotion",
+    "SystemStates",
+    "SystemSteady",
     "__version__",
     "attractors",
     "border",

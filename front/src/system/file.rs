@@ -3,42 +3,37 @@
 use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
 use super::named;
 use super::node::{Fields, Node, nearest};
-use crate::failure::Failure;
-use crate::rows;
 use serde_json::Value;
-use std::io::Read;
 use std::path::Path;
 use stickslip::inputs::units::{Reader, System as Units};
 use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The greatest length of a file in bytes.
-const LONGEST: u64 = 1 << 26;
-/// Reads the text of a file as a value: JSON where it begins with a brace, otherwise TOML.
-pub(crate) fn parsed(file: &Path) -> Result<Value, Failure> {
-    let name = file.display().to_string();
-    let mut text = String::new();
-    let read = rows::open(file, &name)?.take(LONGEST + 1).read_to_string(&mut text);
-    read.map_err(|e| Failure::Input(format!("{name}: {e}")))?;
-    if text.len() as u64 > LONGEST {
-        return Err(format!("{name}: must be ≤ {LONGEST} bytes").into());
+pub(super) const LONGEST: usize = 1 << 26;
+
+/// The value of a file's text: JSON where it begins with a brace, otherwise TOML.
+///
+/// # Errors
+/// One line with the name of the file and the line of the mistake.
+pub fn parsed(text: &str, name: &str) -> Result<Value, String> {
+    if text.len() > LONGEST {
+        return Err(format!("{name}: must be ≤ {LONGEST} bytes"));
     }
     if text.trim_start().starts_with('{') {
-        return serde_json::from_str(&text).map_err(|e| format!("{name}: {e}").into());
+        return serde_json::from_str(text).map_err(|e| format!("{name}: {e}"));
     }
-    toml::from_str(&text).map_err(|e: toml::de::Error| {
+    toml::from_str(text).map_err(|e: toml::de::Error| {
         let line = e.span().map_or(0, |span| text.get(..span.start).unwrap_or("").lines().count().max(1));
-        format!("{name}, line {line}: {}", e.message().replace('\n', " ")).into()
+        format!("{name}, line {line}: {}", e.message().replace('\n', " "))
     })
 }
 
 /// The system of a value, with records beside the file in `folder`.
-pub(crate) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> Result<Described, Failure> {
+pub(super) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> Result<Described, String> {
     let own: Option<Units> = match value.get("units") {
         None | Some(Value::Null) => None,
-        Some(Value::String(text)) => {
-            Some(text.parse().map_err(|e| Failure::Input(format!("units {text}: {e}")))?)
-        }
-        Some(other) => return Err(format!("units {other}: must be a text such as \"N,mm\"").into()),
+        Some(Value::String(text)) => Some(text.parse().map_err(|e| format!("units {text}: {e}"))?),
+        Some(other) => return Err(format!("units {other}: must be a text such as \"N,mm\"")),
     };
     let asked = units.copied().or(own);
     let reader = Reader::new(own.as_ref().or(units), "units = \"N,mm\"");
@@ -48,7 +43,8 @@ pub(crate) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> 
         // Answers in other units than those of the file: bare numbers are then refused by the reader.
         let reader = Reader::new(asked.as_ref(), "units = \"N,mm\"");
         if own.is_some() && units.is_some() && own != asked {
-            return Err("--units: must be left out, because the file names its units".into());
+            let typed = units.map_or_else(String::new, ToString::to_string);
+            return Err(format!("units {typed}: must be left out, because the file names its own"));
         }
         return named::described(&Node::root(value, &reader), folder, asked.unwrap_or_default());
     }
@@ -56,16 +52,17 @@ pub(crate) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> 
 }
 
 /// A system of matrices, in any consistent units.
-fn by_matrices(fields: &Fields<'_>) -> Result<Described, Failure> {
+fn by_matrices(fields: &Fields<'_>) -> Result<Described, String> {
     if fields.get("mass").is_none() {
         return Err(
-            "masses is missing: bodies by name, such as [masses] block = \"1 t\", or the matrix mass".into(),
+            "masses is missing: bodies by name, such as [masses] block = \"1 t\", or the matrix mass"
+                .to_owned(),
         );
     }
     let mass = fields.required("mass")?.matrix()?;
     let n = mass.len();
     if n == 0 || n > MOST_COORDINATES {
-        return Err(format!("mass: has {n} rows, must be ≥ 1 and ≤ {MOST_COORDINATES}").into());
+        return Err(format!("mass: has {n} rows, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
     }
     let zeros = || vec![vec![0.0; n]; n];
     let matrix = |name| fields.get(name).map_or_else(|| Ok(zeros()), |node| node.matrix());
@@ -95,7 +92,7 @@ fn by_matrices(fields: &Fields<'_>) -> Result<Described, Failure> {
     }
     let elements = fields.get("elements").map_or_else(|| Ok(Vec::new()), |node| node.list())?;
     if elements.len() > MOST_ELEMENTS {
-        return Err(format!("elements: {} of them, must be ≤ {MOST_ELEMENTS}", elements.len()).into());
+        return Err(format!("elements: {} of them, must be ≤ {MOST_ELEMENTS}", elements.len()));
     }
     for (i, node) in elements.iter().enumerate() {
         model.elements.push(element(node, i)?);
@@ -124,7 +121,7 @@ fn by_matrices(fields: &Fields<'_>) -> Result<Described, Failure> {
 }
 
 /// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.
-fn signal(node: &Node<'_>) -> Result<Signal<f64>, Failure> {
+fn signal(node: &Node<'_>) -> Result<Signal<f64>, String> {
     if node.value().is_number() {
         return Ok(Signal::constant(node.number()?));
     }
@@ -138,7 +135,7 @@ fn signal(node: &Node<'_>) -> Result<Signal<f64>, Failure> {
     Ok(found)
 }
 
-fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, Failure> {
+fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, String> {
     let fields = node.fields()?;
     let number = |name: &'static str| fields.required(name).and_then(|node| node.number());
     let mut direction = fields.required("direction")?.numbers()?;
@@ -155,7 +152,7 @@ fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, Failure> {
                     Some(_) => node.fields()?.required("displacement")?.numbers()?,
                     None => Vec::new(),
                 };
-                Ok::<_, Failure>(Normal { signal: signal(&node)?, displacement })
+                Ok::<_, String>(Normal { signal: signal(&node)?, displacement })
             });
             Kind::Contact { law, peak: peak(&fields)?, normal: normal.transpose()? }
         }
@@ -174,9 +171,10 @@ fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, Failure> {
             return Err(kind.wrong(&format!("is unknown. {}", nearest(other, kinds.into_iter()))));
         }
     };
-    let name = fields
-        .get("name")
-        .map_or_else(|| Ok(format!("element {}", i + 1)), |node| node.text().map(str::to_owned))?;
+    let name = fields.get("name").map_or_else(
+        || Ok(format!("element {}", i.saturating_add(1))),
+        |node| node.text().map(str::to_owned),
+    )?;
     let moves = fields.get("belt").map_or_else(|| Ok(Signal::constant(0.0)), |node| signal(&node))?;
     fields.end()?;
     Ok(Element { name, direction, moves, kind })

@@ -1,6 +1,5 @@
 //! A value of a file with its place, such as `springs[2].stiffness`, so that each mistake is one line that names both.
 
-use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::cell::RefCell;
 use stickslip::inputs::units::{Kind, Reader};
@@ -39,14 +38,14 @@ impl<'a> Node<'a> {
     }
 
     /// The error that a value is not as it must be.
-    pub(super) fn wrong(&self, must: &str) -> Failure {
-        Failure::Input(match self.value {
+    pub(super) fn wrong(&self, must: &str) -> String {
+        match self.value {
             Value::Object(_) | Value::Array(_) => format!("{}: {must}", self.place()),
             Value::String(text) => format!("{} {text}: {must}", self.place()),
             value @ (Value::Null | Value::Bool(_) | Value::Number(_)) => {
                 format!("{} {value}: {must}", self.place())
             }
-        })
+        }
     }
 
     fn inner(&self, name: &str, value: &'a Value) -> Self {
@@ -55,31 +54,31 @@ impl<'a> Node<'a> {
     }
 
     /// A table.
-    pub(super) fn fields(&self) -> Result<Fields<'a>, Failure> {
+    pub(super) fn fields(&self) -> Result<Fields<'a>, String> {
         let map = self.value.as_object().ok_or_else(|| self.wrong("must be a table"))?;
         Ok(Fields { node: self.clone(), map, known: RefCell::default() })
     }
 
     /// The entries of a table whose keys are names.
-    pub(super) fn entries(&self) -> Result<Vec<(&'a str, Self)>, Failure> {
+    pub(super) fn entries(&self) -> Result<Vec<(&'a str, Self)>, String> {
         let map = self.value.as_object().ok_or_else(|| self.wrong("must be a table"))?;
         Ok(map.iter().map(|(name, value)| (name.as_str(), self.inner(name, value))).collect())
     }
 
     /// A list.
-    pub(super) fn list(&self) -> Result<Vec<Self>, Failure> {
+    pub(super) fn list(&self) -> Result<Vec<Self>, String> {
         let list = self.value.as_array().ok_or_else(|| self.wrong("must be a list"))?;
-        let place = |i: usize| format!("{}[{}]", self.place, i + 1);
+        let place = |i: usize| format!("{}[{}]", self.place, i.saturating_add(1));
         let items = list.iter().enumerate();
         Ok(items.map(|(i, value)| Self { place: place(i), value, reader: self.reader }).collect())
     }
 
-    pub(super) fn text(&self) -> Result<&'a str, Failure> {
+    pub(super) fn text(&self) -> Result<&'a str, String> {
         self.value.as_str().ok_or_else(|| self.wrong("must be a text in quotation marks"))
     }
 
     /// A quantity: a number, or a text with a unit.
-    pub(super) fn quantity(&self, kind: Kind) -> Result<f64, Failure> {
+    pub(super) fn quantity(&self, kind: Kind) -> Result<f64, String> {
         let text = match self.value {
             Value::String(text) => text.clone(),
             Value::Number(number) => number.to_string(),
@@ -87,12 +86,12 @@ impl<'a> Node<'a> {
                 return Err(self.wrong("must be a number, or a text with a unit"));
             }
         };
-        let value: f64 = self.reader.value(self.place(), &text, kind)?;
+        let value: f64 = self.reader.value(self.place(), &text, kind).map_err(|e| e.to_string())?;
         if value.is_finite() { Ok(value) } else { Err(self.wrong("must be finite")) }
     }
 
     /// A number without a unit.
-    pub(super) fn number(&self) -> Result<f64, Failure> {
+    pub(super) fn number(&self) -> Result<f64, String> {
         let found = match self.value {
             Value::Number(number) => number.as_f64(),
             Value::String(text) => text.trim().parse().ok(),
@@ -101,12 +100,12 @@ impl<'a> Node<'a> {
         found.filter(|x: &f64| x.is_finite()).ok_or_else(|| self.wrong("must be a finite number"))
     }
 
-    pub(super) fn numbers(&self) -> Result<Vec<f64>, Failure> {
+    pub(super) fn numbers(&self) -> Result<Vec<f64>, String> {
         self.list()?.iter().map(Self::number).collect()
     }
 
     /// A matrix by rows.
-    pub(super) fn matrix(&self) -> Result<Vec<Vec<f64>>, Failure> {
+    pub(super) fn matrix(&self) -> Result<Vec<Vec<f64>>, String> {
         self.list()?.iter().map(Self::numbers).collect()
     }
 }
@@ -119,30 +118,27 @@ impl<'a> Fields<'a> {
     }
 
     /// A field that must be there.
-    pub(super) fn required(&self, name: &'static str) -> Result<Node<'a>, Failure> {
+    pub(super) fn required(&self, name: &'static str) -> Result<Node<'a>, String> {
         self.get(name).ok_or_else(|| {
             let place = &self.node.place;
             let whole = if place.is_empty() { name.to_owned() } else { format!("{place}.{name}") };
-            Failure::Input(format!("{whole} is missing"))
+            format!("{whole} is missing")
         })
     }
 
     /// A quantity, or a number where it is missing.
-    pub(super) fn quantity_or(&self, name: &'static str, kind: Kind, other: f64) -> Result<f64, Failure> {
+    pub(super) fn quantity_or(&self, name: &'static str, kind: Kind, other: f64) -> Result<f64, String> {
         self.get(name).map_or(Ok(other), |node| node.quantity(kind))
     }
 
     /// Fails at a field that has not been read, with the known name that is nearest to it.
-    pub(super) fn end(&self) -> Result<(), Failure> {
+    pub(super) fn end(&self) -> Result<(), String> {
         let known = self.known.borrow();
         let Some(unknown) = self.map.keys().find(|name| !known.contains(&name.as_str())) else {
             return Ok(());
         };
         let place = if self.node.place.is_empty() { String::new() } else { format!("{}.", self.node.place) };
-        Err(Failure::Input(format!(
-            "{place}{unknown} is unknown. {}",
-            nearest(unknown, known.iter().copied())
-        )))
+        Err(format!("{place}{unknown} is unknown. {}", nearest(unknown, known.iter().copied())))
     }
 }
 
@@ -151,7 +147,7 @@ pub(super) fn nearest<'n>(wrong: &str, names: impl Iterator<Item = &'n str> + Cl
     let near =
         names.clone().min_by_key(|name| strsim::osa_distance(&wrong.to_lowercase(), &name.to_lowercase()));
     match near {
-        Some(near) if strsim::osa_distance(wrong, near) * 3 <= near.len().max(3) => {
+        Some(near) if strsim::osa_distance(wrong, near) <= near.len().max(3) / 3 => {
             format!("Did you mean {near}?")
         }
         Some(_) => format!("Expected one of {}", names.collect::<Vec<_>>().join(", ")),

@@ -2,11 +2,14 @@
 
 use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
 use super::node::{Fields, Node, nearest};
-use crate::args::LoadArgs;
-use crate::failure::Failure;
+use crate::record::{self, Options, Summary, Words};
 use serde_json::Value;
+use std::fs::File;
+use std::io::BufReader;
 use std::path::Path;
+use stickslip::Excitation;
 use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
+use stickslip::motion::record::Record as Measured;
 use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The name of the ground.
@@ -20,12 +23,12 @@ struct Builder<'p> {
 }
 
 /// The system of a file of named bodies.
-pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<Described, Failure> {
+pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<Described, String> {
     let fields = root.fields()?;
     let bodies = fields.required("masses")?.entries()?;
     let n = bodies.len();
     if n == 0 || n > MOST_COORDINATES {
-        return Err(format!("masses: {n} of them, must be ≥ 1 and ≤ {MOST_COORDINATES}").into());
+        return Err(format!("masses: {n} of them, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
     }
     let zeros = || vec![vec![0.0; n]; n];
     let mut builder = Builder {
@@ -87,7 +90,7 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     fields.end()?;
     let count = builder.model.elements.len();
     if count > MOST_ELEMENTS {
-        return Err(format!("contacts and stops: {count} of them, must be ≤ {MOST_ELEMENTS}").into());
+        return Err(format!("contacts and stops: {count} of them, must be ≤ {MOST_ELEMENTS}"));
     }
     let inertia = builder.inertia();
     Ok(Described { model: builder.model, coordinates: builder.names, units: Some(units), start, inertia })
@@ -106,7 +109,7 @@ impl Builder<'_> {
     }
 
     /// A body by its name; `None` for the ground.
-    fn body(&self, node: &Node<'_>) -> Result<Option<usize>, Failure> {
+    fn body(&self, node: &Node<'_>) -> Result<Option<usize>, String> {
         let name = node.text()?;
         if name == GROUND {
             return Ok(None);
@@ -118,7 +121,7 @@ impl Builder<'_> {
     }
 
     /// The direction of `between = [first, second]`: of the second body in relation to the first.
-    fn direction(&self, fields: &Fields<'_>) -> Result<(Vec<f64>, [Option<usize>; 2]), Failure> {
+    fn direction(&self, fields: &Fields<'_>) -> Result<(Vec<f64>, [Option<usize>; 2]), String> {
         let node = fields.required("between")?;
         let list = node.list()?;
         let [first, second] = list.as_slice() else {
@@ -138,7 +141,7 @@ impl Builder<'_> {
     }
 
     /// The name of an element: as given, or its kind and its place in the list.
-    fn name(&self, fields: &Fields<'_>) -> Result<String, Failure> {
+    fn name(&self, fields: &Fields<'_>) -> Result<String, String> {
         let name = match fields.get("name") {
             Some(node) => node.text()?.to_owned(),
             None => fields.node.place().to_owned(),
@@ -149,7 +152,7 @@ impl Builder<'_> {
         Ok(name)
     }
 
-    fn spring(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+    fn spring(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (_, ends) = self.direction(fields)?;
         let stiffness = fields.quantity_or("stiffness", Of::Stiffness, 0.0)?;
         let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
@@ -170,7 +173,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    fn contact(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+    fn contact(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let friction = self.friction(fields)?;
@@ -198,7 +201,7 @@ impl Builder<'_> {
     }
 
     /// The friction of a contact: a force, a coefficient with its normal load, or a law.
-    fn friction(&mut self, fields: &Fields<'_>) -> Result<Friction, Failure> {
+    fn friction(&mut self, fields: &Fields<'_>) -> Result<Friction, String> {
         let coefficient = fields.get("coefficient");
         let (force, table) = (fields.get("friction"), fields.get("law"));
         let load = fields.get("normal_load");
@@ -234,15 +237,15 @@ impl Builder<'_> {
     }
 
     /// A law from a CSV file of two columns: speed and force.
-    fn law_of_file(&self, node: &Node<'_>) -> Result<Law<f64>, Failure> {
+    fn law_of_file(&self, node: &Node<'_>) -> Result<Law<f64>, String> {
         let file = self.folder.join(node.text()?);
         let name = file.display().to_string();
-        let bad = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: {name}: {e}", node.place()));
+        let bad = |e: &dyn std::fmt::Display| format!("{}: {name}: {e}", node.place());
         let mut reader =
             csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(&file).map_err(|e| bad(&e))?;
         let header = reader.headers().map_err(|e| bad(&e))?.clone();
         let mut kinds = [Of::Velocity, Of::Force].into_iter().zip(&header).map(|(kind, text)| {
-            let (_, unit) = stickslip_front::names::name_and_unit(text);
+            let (_, unit) = crate::names::name_and_unit(text);
             (kind, unit.map(str::to_owned))
         });
         let (Some(speed), Some(force)) = (kinds.next(), kinds.next()) else {
@@ -253,15 +256,15 @@ impl Builder<'_> {
             let row = row.map_err(|e| bad(&e))?;
             let value = |i: usize, (kind, unit): &(Of, Option<String>)| {
                 let text = format!("{}{}", row.get(i).unwrap_or(""), unit.as_deref().unwrap_or(""));
-                let place = format!("{}: {name}, line {}", node.place(), line + 2);
-                node.reader().value::<f64>(&place, &text, *kind).map_err(Failure::from)
+                let place = format!("{}: {name}, line {}", node.place(), line.saturating_add(2));
+                node.reader().value::<f64>(&place, &text, *kind).map_err(|e| e.to_string())
             };
             points.push((value(0, &speed)?, value(1, &force)?));
         }
         Ok(Law { points })
     }
 
-    fn stop(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+    fn stop(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let kind = Kind::Stop {
@@ -280,13 +283,13 @@ impl Builder<'_> {
         let found = self.model.harmonics.iter().position(|harmonic| harmonic.frequency == frequency);
         found.unwrap_or_else(|| {
             self.model.harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
-            self.model.harmonics.len() - 1
+            self.model.harmonics.len().saturating_sub(1)
         })
     }
 
     /// A harmonic `{ amplitude, frequency, phase }`: the place of its frequency, and its parts in phase with the sine and
     /// with the cosine.
-    fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<(usize, [f64; 2]), Failure> {
+    fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<(usize, [f64; 2]), String> {
         let amplitude = fields.required("amplitude")?.quantity(kind)?;
         let node = fields.required("frequency")?;
         let frequency = node.quantity(Of::Frequency)?;
@@ -298,7 +301,7 @@ impl Builder<'_> {
     }
 
     /// A constant, or a constant with a harmonic: `{ constant, amplitude, frequency, phase }`.
-    fn signal(&mut self, node: &Node<'_>, kind: Of) -> Result<Signal<f64>, Failure> {
+    fn signal(&mut self, node: &Node<'_>, kind: Of) -> Result<Signal<f64>, String> {
         if !node.value().is_object() {
             return Ok(Signal::constant(node.quantity(kind)?));
         }
@@ -306,8 +309,8 @@ impl Builder<'_> {
         let mut signal = Signal::constant(fields.quantity_or("constant", kind, 0.0)?);
         if fields.get("amplitude").is_some() {
             let (place, [sin, cos]) = self.wave(&fields, kind)?;
-            signal.sin = vec![0.0; place + 1];
-            signal.cos = vec![0.0; place + 1];
+            signal.sin = vec![0.0; place.saturating_add(1)];
+            signal.cos = signal.sin.clone();
             if let (Some(to), Some(into)) = (signal.sin.last_mut(), signal.cos.last_mut()) {
                 (*to, *into) = (sin, cos);
             }
@@ -317,18 +320,20 @@ impl Builder<'_> {
     }
 
     /// The velocity of a contact's other side: of a belt, or of a harmonic motion of the surface.
-    fn motion(&mut self, node: &Node<'_>) -> Result<Signal<f64>, Failure> {
+    fn motion(&mut self, node: &Node<'_>) -> Result<Signal<f64>, String> {
         self.signal(node, Of::Velocity)
     }
 
-    fn force(&mut self, fields: &Fields<'_>) -> Result<(), Failure> {
+    fn force(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let body = fields.required("on")?;
         let Some(i) = self.body(&body)? else {
             return Err(body.wrong("must be a body: the ground does not move"));
         };
+        // For paths of other values.
+        let _ = fields.get("name");
         if let Some(node) = fields.get("record") {
             let force = unit(self.names.len(), i);
-            self.record(&node, stickslip::Excitation::Force, force)?;
+            self.record(&node, Excitation::Force, force)?;
         } else if let Some(node) = fields.get("constant") {
             if let Some(place) = self.model.constant.get_mut(i) {
                 *place += node.quantity(Of::Force)?;
@@ -354,7 +359,7 @@ impl Builder<'_> {
     }
 
     /// The motion of the base, over which all displacements are measured.
-    fn base(&mut self, node: &Node<'_>) -> Result<(), Failure> {
+    fn base(&mut self, node: &Node<'_>) -> Result<(), String> {
         let fields = node.fields()?;
         let acceleration = fields.required("acceleration")?;
         let force = self.inertia();
@@ -364,38 +369,36 @@ impl Builder<'_> {
             wave.end()?;
             self.load(place, parts, &force);
         } else {
-            self.record(&acceleration, stickslip::Excitation::SurfaceAcceleration, force)?;
+            self.record(&acceleration, Excitation::SurfaceAcceleration, force)?;
         }
         fields.end()
     }
 
     /// A record from a file beside this one.
-    fn record(&mut self, node: &Node<'_>, of: stickslip::Excitation, force: Vec<f64>) -> Result<(), Failure> {
+    fn record(&mut self, node: &Node<'_>, of: Excitation, force: Vec<f64>) -> Result<(), String> {
         let file = self.folder.join(node.text()?);
-        let about = |e: Failure| e.about(node.place());
-        let (record, _) =
-            crate::measured::read::<f64>(&file, &LoadArgs::default(), node.reader()).map_err(about)?;
+        let (record, _) = of_file(&file, &file.display().to_string(), node.reader())
+            .map_err(|e| format!("{}: {e}", node.place()))?;
         if record.excitation() != of {
             return Err(node.wrong(&format!("must be a record of {}", of.name())));
         }
-        let values = record.samples().to_vec();
-        let times = (0..values.len()).map(|i| record.time(i)).collect();
-        self.model.records.push(Record { times, values, force });
+        self.model.records.push(samples(&record, force));
         Ok(())
     }
 }
 
-/// Adds a record of the base's acceleration to a system.
-pub(super) fn add_record(described: &mut Described, file: &Path, reader: &Reader) -> Result<(), Failure> {
-    let (record, _) = crate::measured::read::<f64>(file, &LoadArgs::default(), reader)?;
-    let name = file.display();
-    if record.excitation() != stickslip::Excitation::SurfaceAcceleration {
-        return Err(format!("{name}: must be a record of an acceleration").into());
-    }
+/// The record of a file in these units, with its summary.
+pub(super) fn of_file(file: &Path, name: &str, reader: &Reader) -> Result<(Measured<f64>, Summary), String> {
+    let opened = File::open(file).map_err(|e| format!("{name}: {e}"))?;
+    let found = record::read(BufReader::new(opened), &Options::new(name, reader, Words::COMMAND))?;
+    Ok((found.record, found.summary))
+}
+
+/// The samples of a record, with the force on each body where they are 1.
+pub(super) fn samples(record: &Measured<f64>, force: Vec<f64>) -> Record<f64> {
     let values = record.samples().to_vec();
     let times = (0..values.len()).map(|i| record.time(i)).collect();
-    described.model.records.push(Record { times, values, force: described.inertia.clone() });
-    Ok(())
+    Record { times, values, force }
 }
 
 /// The friction of a contact, and its normal load where it varies.
@@ -410,8 +413,8 @@ fn unit(n: usize, place: usize) -> Vec<f64> {
 }
 
 /// Sets a value of the file, by `name.field` of a named contact, spring, stop or body, or by its place.
-pub(crate) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), Failure> {
-    let about = |what: &str| Failure::Input(format!("--set {path}={text}: {what}"));
+pub(super) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), String> {
+    let about = |what: &str| format!("{path}={text}: {what}");
     let value = text.parse::<f64>().ok().and_then(serde_json::Number::from_f64);
     let value = value.map_or_else(|| Value::String(text.to_owned()), Value::Number);
     let steps: Vec<&str> = path.split('.').collect();

@@ -1,0 +1,298 @@
+//! A drawing of a system as SVG: bodies in columns by their distance from the ground, and the springs, dampers, contacts
+//! and stops between them.
+
+use crate::bits::digits;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use stickslip::inputs::units::Kind as Of;
+use stickslip::system::{Element, Kind, Law};
+use stickslip_front::system::Described;
+
+/// The distance of columns, of the lines between two bodies, and the size of a body, in pixels.
+const COLUMN: f64 = 300.0;
+const LINE: f64 = 40.0;
+const BODY: f64 = 110.0;
+const MARGIN: f64 = 40.0;
+/// The most bodies that a drawing shows.
+pub(super) const MOST: usize = 40;
+
+/// The symbol of a connection.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Symbol {
+    Spring,
+    Damper,
+    Contact,
+    Elastic,
+    Stop,
+}
+
+/// A connection of two bodies, or of the ground (`None`) and a body, with its text.
+struct Link {
+    ends: [Option<usize>; 2],
+    symbol: Symbol,
+    text: String,
+}
+
+fn quantity(described: &Described, x: f64, kind: Of) -> String {
+    described.units.map_or_else(|| digits(x), |units| format!("{} {}", digits(x), units.name(kind)))
+}
+
+/// The connections that the matrices of springs and dampers have: those off the diagonal between bodies, and what is left
+/// of a row to the ground.
+fn of_matrix(described: &Described, matrix: &[Vec<f64>], symbol: Symbol, kind: Of, links: &mut Vec<Link>) {
+    for (i, row) in matrix.iter().enumerate() {
+        let size = row.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+        let mut add = |ends, value: f64| {
+            // What rounding leaves is no spring.
+            if value.abs() > 1e-12 * size && size > 0.0 {
+                links.push(Link { ends, symbol, text: quantity(described, value, kind) });
+            }
+        };
+        add([None, Some(i)], row.iter().sum());
+        for (j, value) in row.iter().enumerate().skip(i + 1) {
+            add([Some(i), Some(j)], -value);
+        }
+    }
+}
+
+/// The two ends of an element: the first body with a negative share, and the first with a positive one.
+fn ends(element: &Element<f64>) -> [Option<usize>; 2] {
+    let first = |is: fn(&f64) -> bool| element.direction.iter().position(is);
+    let (a, b) = (first(|x| *x < 0.0), first(|x| *x > 0.0));
+    if b.is_some() { [a, b] } else { [None, a] }
+}
+
+fn links(described: &Described) -> Vec<Link> {
+    let mut links = Vec::new();
+    let model = &described.model;
+    of_matrix(described, &model.stiffness, Symbol::Spring, Of::Stiffness, &mut links);
+    of_matrix(described, &model.damping, Symbol::Damper, Of::Damping, &mut links);
+    for element in &model.elements {
+        let force = |x: f64| quantity(described, x, Of::Force);
+        let (symbol, what) = match &element.kind {
+            Kind::Contact { law: Law { points }, normal, .. } => {
+                let what = match (points.as_slice(), normal) {
+                    ([(_, one)], None) => force(*one),
+                    ([(_, one)], Some(_)) => format!("µ = {}", digits(*one)),
+                    (several, _) => format!("law of {} points", several.len()),
+                };
+                (Symbol::Contact, what)
+            }
+            Kind::Elastic { stiffness, friction } => (
+                Symbol::Elastic,
+                format!("{}, {}", quantity(described, *stiffness, Of::Stiffness), force(*friction)),
+            ),
+            Kind::Stop { gap, .. } => {
+                (Symbol::Stop, format!("gap {}", quantity(described, *gap, Of::Length)))
+            }
+        };
+        links.push(Link { ends: ends(element), symbol, text: format!("{}: {what}", element.name) });
+    }
+    links
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// The column of each body: the number of connections to the ground, or the first column without one.
+fn columns(count: usize, links: &[Link]) -> Vec<usize> {
+    let mut column = vec![usize::MAX; count];
+    for round in 0..count {
+        let mut next = column.clone();
+        for link in links {
+            let depth = |end: Option<usize>| match end {
+                None => Some(0),
+                Some(i) => column.get(i).filter(|depth| **depth <= round).copied(),
+            };
+            for (from, to) in [(link.ends[0], link.ends[1]), (link.ends[1], link.ends[0])] {
+                if let (Some(depth), Some(place)) = (depth(from), to.and_then(|to| next.get_mut(to))) {
+                    *place = (*place).min(depth + 1);
+                }
+            }
+        }
+        if next == column {
+            break;
+        }
+        column = next;
+    }
+    column.iter().map(|depth| if *depth == usize::MAX { 1 } else { *depth }).collect()
+}
+
+/// The symbol along a horizontal line, with its text above.
+fn draw(svg: &mut String, symbol: Symbol, (x0, x1, y): (f64, f64, f64), text: &str) {
+    let middle = f64::midpoint(x0, x1);
+    let line = |svg: &mut String, points: &[(f64, f64)], extra: &str| {
+        let points: Vec<String> = points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
+        let _ =
+            writeln!(svg, r#"<polyline points="{}" fill="none" stroke="black" {extra}/>"#, points.join(" "));
+    };
+    let (a, b) = (middle - 26.0, middle + 26.0);
+    match symbol {
+        Symbol::Spring | Symbol::Elastic => {
+            let mut points = vec![(x0, y), (a, y)];
+            points.extend(
+                (0..8).map(|i| (a + 3.25 + 6.5 * f64::from(i), y + if i % 2 == 0 { -6.0 } else { 6.0 })),
+            );
+            points.extend([(b, y), (x1, y)]);
+            line(svg, &points, "");
+            if symbol == Symbol::Elastic {
+                // The slider in series with the spring.
+                line(svg, &[(b + 10.0, y - 6.0), (b + 34.0, y - 6.0)], r#"stroke-width="3""#);
+                line(svg, &[(b + 10.0, y + 6.0), (b + 34.0, y + 6.0)], r#"stroke-width="3""#);
+            }
+        }
+        Symbol::Damper => {
+            line(svg, &[(x0, y), (middle, y)], "");
+            line(svg, &[(middle, y - 7.0), (middle, y + 7.0)], r#"stroke-width="2""#);
+            line(svg, &[(a, y - 9.0), (b, y - 9.0), (b, y + 9.0), (a, y + 9.0)], "");
+            line(svg, &[(b, y), (x1, y)], "");
+        }
+        Symbol::Contact => {
+            line(svg, &[(x0, y - 4.0), (b, y - 4.0)], r#"stroke-width="2.5""#);
+            line(svg, &[(a, y + 4.0), (x1, y + 4.0)], r#"stroke-width="2.5""#);
+            for i in 0..6 {
+                let x = a + 4.0 + 8.0 * f64::from(i);
+                line(svg, &[(x, y + 12.0), (x + 6.0, y + 5.0)], "");
+            }
+        }
+        Symbol::Stop => {
+            line(svg, &[(x0, y), (middle - 8.0, y)], "");
+            line(svg, &[(middle - 8.0, y - 9.0), (middle - 8.0, y + 9.0)], r#"stroke-width="3""#);
+            line(svg, &[(middle + 8.0, y - 9.0), (middle + 8.0, y + 9.0)], r#"stroke-width="3""#);
+            line(svg, &[(middle + 8.0, y), (x1, y)], "");
+        }
+    }
+    let _ = writeln!(
+        svg,
+        r#"<text x="{middle:.1}" y="{:.1}" text-anchor="middle">{}</text>"#,
+        y - 13.0,
+        escaped(text)
+    );
+}
+
+/// The drawing; `None` for more bodies than it shows.
+pub(super) fn svg(described: &Described) -> Option<String> {
+    let count = described.coordinates.len();
+    if count > MOST {
+        return None;
+    }
+    let links = links(described);
+    let column = columns(count, &links);
+    // A straight line joins neighbouring columns; all other connections run below the bodies.
+    let depth = |end: Option<usize>| end.and_then(|i| column.get(i)).copied().unwrap_or(0);
+    let is_straight = |link: &Link| depth(link.ends[0]).abs_diff(depth(link.ends[1])) == 1;
+    let mut height = vec![1usize; count];
+    let (mut left, mut right) = (vec![0usize; count], vec![0usize; count]);
+    for link in links.iter().filter(|link| is_straight(link)) {
+        let [a, b] =
+            if depth(link.ends[0]) < depth(link.ends[1]) { link.ends } else { [link.ends[1], link.ends[0]] };
+        for (end, side) in [(a, &mut right), (b, &mut left)] {
+            if let Some(place) = end.and_then(|end| side.get_mut(end)) {
+                *place += 1;
+            }
+        }
+    }
+    for (i, lines) in height.iter_mut().enumerate() {
+        *lines = left.get(i).copied().unwrap_or(0).max(right.get(i).copied().unwrap_or(0)).max(1);
+    }
+    let mut below: BTreeMap<usize, f64> = BTreeMap::new();
+    let mut top = vec![0.0; count];
+    for i in 0..count {
+        let own = column.get(i).copied().unwrap_or(1);
+        let next = below.entry(own).or_insert(MARGIN);
+        if let Some(place) = top.get_mut(i) {
+            *place = *next;
+        }
+        *next += height.get(i).copied().unwrap_or(1) as f64 * LINE + 2.0 * LINE;
+    }
+    let most = below.values().fold(0.0f64, |most, y| most.max(*y));
+    let x = |i: usize| MARGIN + column.get(i).copied().unwrap_or(1) as f64 * COLUMN;
+    let mut svg = String::new();
+    let (mut used_left, mut used_right) = (vec![0usize; count], vec![0usize; count]);
+    let mut under = most;
+    for link in &links {
+        let [a, b] =
+            if depth(link.ends[0]) <= depth(link.ends[1]) { link.ends } else { [link.ends[1], link.ends[0]] };
+        let port = |side: &mut Vec<usize>, end: usize| {
+            let place = side.get_mut(end).map_or(0, |place| {
+                *place += 1;
+                *place
+            });
+            top.get(end).copied().unwrap_or(0.0) + LINE * place as f64
+        };
+        let Some(b) = b else { continue };
+        if is_straight(link) {
+            let y = port(&mut used_left, b);
+            match a {
+                None => draw(&mut svg, link.symbol, (MARGIN + 12.0, x(b), y), &link.text),
+                Some(a) => {
+                    let from = port(&mut used_right, a);
+                    let bend = x(a) + BODY + 24.0;
+                    let _ = writeln!(
+                        svg,
+                        r#"<polyline points="{:.1},{from:.1} {bend:.1},{y:.1}" fill="none" stroke="black"/>"#,
+                        x(a) + BODY
+                    );
+                    draw(&mut svg, link.symbol, (bend, x(b), y), &link.text);
+                }
+            }
+            continue;
+        }
+        under += LINE;
+        let bottom = |i: usize| {
+            top.get(i).copied().unwrap_or(0.0) + LINE * (height.get(i).copied().unwrap_or(1) as f64 + 0.6)
+        };
+        let (from, to) = (a.map_or(MARGIN + 12.0, |a| x(a) + BODY / 3.0), x(b) + BODY * 2.0 / 3.0);
+        let to = if (to - from).abs() < 160.0 { from + 180.0 } else { to };
+        let start = a.map_or(under, bottom);
+        let _ = writeln!(
+            svg,
+            r#"<polyline points="{from:.1},{start:.1} {from:.1},{under:.1}" fill="none" stroke="black"/>"#
+        );
+        let _ = writeln!(
+            svg,
+            r#"<polyline points="{to:.1},{under:.1} {to:.1},{:.1} {:.1},{:.1}" fill="none" stroke="black"/>"#,
+            bottom(b) + 8.0,
+            x(b) + BODY * 2.0 / 3.0,
+            bottom(b)
+        );
+        draw(&mut svg, link.symbol, (from, to, under), &link.text);
+    }
+    for (i, name) in described.coordinates.iter().enumerate() {
+        let (x, y) = (x(i), top.get(i).copied().unwrap_or(0.0) + LINE * 0.4);
+        let size = LINE * (height.get(i).copied().unwrap_or(1) as f64 + 0.2);
+        let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
+        let (middle, centre) = (x + BODY / 2.0, y + size / 2.0);
+        let _ = writeln!(
+            svg,
+            r##"<rect x="{x:.1}" y="{y:.1}" width="{BODY}" height="{size:.1}" fill="#dde7f2" stroke="black" stroke-width="1.5"/>
+<text x="{middle:.1}" y="{:.1}" text-anchor="middle" font-weight="bold">{}</text>
+<text x="{middle:.1}" y="{:.1}" text-anchor="middle">{}</text>"##,
+            centre - 3.0,
+            escaped(name),
+            centre + 13.0,
+            escaped(&quantity(described, mass, Of::Mass))
+        );
+    }
+    let deepest = column.iter().copied().max().unwrap_or(1) as f64;
+    let (width, height) = (2.0 * MARGIN + deepest * COLUMN + BODY, under + MARGIN);
+    let mut hatching = String::new();
+    let mut y = MARGIN / 2.0;
+    while y < height - MARGIN {
+        let _ = write!(hatching, "M{:.1},{:.1}l-10,10", MARGIN + 12.0, y);
+        y += 10.0;
+    }
+    Some(format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0}" height="{height:.0}" viewBox="0 0 {width:.0} {height:.0}" font-family="sans-serif" font-size="12">
+<rect width="100%" height="100%" fill="white"/>
+<path d="M{0:.1},{1:.1}V{2:.1}{hatching}" stroke="black" fill="none"/>
+<text x="{0:.1}" y="{3:.1}" text-anchor="middle">ground</text>
+{svg}</svg>
+"#,
+        MARGIN + 12.0,
+        MARGIN / 2.0,
+        height - MARGIN,
+        height - MARGIN + 18.0,
+    ))
+}

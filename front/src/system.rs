@@ -1,0 +1,18 @@
+//! A system of several bodies from a file or a value: bodies by name with springs, contacts, stops and loads, or matrices;
+//! and its answers, as every front prints them.
+//!
+//! A mistake is one line of text with the place in the file, the value and the inequality it breaks.
+
+mod answer;
+mod described;
+mod description;
+mod file;
+mod grid;
+mod named;
+mod node;
+
+pub use answer::{Answer, OfBorder, Samples, kind_of};
+pub use described::{Described, NamedSystem};
+pub use description::{Description, OfElement};
+pub use file::parsed;
+pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};

@@ -1,0 +1,373 @@
+//! Answers over a grid of values of the file, of its loads' frequency and of records, a row each.
+
+use super::described::{Described, NamedSystem};
+use serde_json::Value;
+use std::path::Path;
+use stickslip::inputs::units::{Kind as Of, System as Units, split};
+use stickslip::motion::record::Record;
+use stickslip::system::Motion;
+
+/// The most rows of a grid.
+pub const MOST_ROWS: u64 = 1_000_000;
+
+/// The content of a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Cell<'a> {
+    /// A text: of a record, of a value that is no number, or of a kind.
+    Text(&'a str),
+    /// A number, where there is one.
+    Number(Option<f64>),
+    /// A count, where there is one.
+    Count(Option<u64>),
+}
+
+/// The values of an axis.
+#[derive(Debug, Clone)]
+enum Values {
+    /// Numbers in one unit, empty where they have none.
+    Numbers(Vec<f64>, String),
+    /// Texts such as the names of files.
+    Texts(Vec<String>),
+}
+
+/// One value that changes from row to row.
+#[derive(Debug, Clone)]
+pub struct Axis {
+    /// The path in the file; `None` for the frequency of the loads.
+    path: Option<String>,
+    values: Values,
+}
+
+/// The number without the digits that rounding has left, at the size of the ends.
+fn decimal(x: f64, size: f64) -> f64 {
+    let short: f64 = format!("{x:.*e}", 13).parse().unwrap_or(x);
+    if (short - x).abs() <= 4.0 * f64::EPSILON * size { short } else { x }
+}
+
+impl Axis {
+    /// The value at a path of the file, over `FROM:TO:COUNT`, `FROM:TO:COUNT:log`, both ends with one unit, a list
+    /// `A,B,C`, or one value.
+    ///
+    /// # Errors
+    /// Names the text and the condition.
+    pub fn of(path: &str, text: &str) -> Result<Self, String> {
+        Ok(Self { path: Some(path.to_owned()), values: values(&format!("{path}="), text)? })
+    }
+
+    /// Values at a path of the file, or of the lowest frequency of the loads for `None`, as they would be typed.
+    #[must_use]
+    pub fn of_each(path: Option<&str>, typed: &[String]) -> Self {
+        Self { path: path.map(str::to_owned), values: listed(typed.iter().map(String::as_str)) }
+    }
+
+    /// The number of values.
+    fn len(&self) -> usize {
+        match &self.values {
+            Values::Numbers(numbers, _) => numbers.len(),
+            Values::Texts(texts) => texts.len(),
+        }
+    }
+
+    /// A value as it would be typed.
+    fn typed(&self, place: usize) -> String {
+        match &self.values {
+            Values::Numbers(numbers, unit) => {
+                numbers.get(place).map_or_else(String::new, |x| format!("{x}{unit}"))
+            }
+            Values::Texts(texts) => texts.get(place).cloned().unwrap_or_default(),
+        }
+    }
+
+    fn cell(&self, place: usize) -> Cell<'_> {
+        match &self.values {
+            Values::Numbers(numbers, _) => Cell::Number(numbers.get(place).copied()),
+            Values::Texts(texts) => Cell::Text(texts.get(place).map_or("", String::as_str)),
+        }
+    }
+
+    /// The name of the column, with the unit of its values in brackets.
+    fn name(&self) -> String {
+        let name = self.path.as_deref().unwrap_or("frequency");
+        match &self.values {
+            Values::Numbers(_, unit) if !unit.is_empty() => format!("{name}[{unit}]"),
+            Values::Numbers(..) | Values::Texts(_) => name.to_owned(),
+        }
+    }
+
+    /// The lowest frequency of the loads, as above.
+    ///
+    /// # Errors
+    /// Names the text and the condition.
+    pub fn of_frequency(name: &str, text: &str) -> Result<Self, String> {
+        Ok(Self { path: None, values: values(&format!("{name} "), text)? })
+    }
+}
+
+/// Values as they are typed: numbers, if all of them are numbers in one unit.
+fn listed<'t>(texts: impl Iterator<Item = &'t str> + Clone) -> Values {
+    let parts = texts.clone().map(|text| split(text.trim()));
+    let unit = parts.clone().next().map_or("", |(_, unit)| unit);
+    let number = |(number, own): (&str, &str)| {
+        let x = number.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+        x.filter(|_| own == unit)
+    };
+    match parts.map(number).collect::<Option<Vec<f64>>>() {
+        Some(numbers) => Values::Numbers(numbers, unit.to_owned()),
+        None => Values::Texts(texts.map(|text| text.trim().to_owned()).collect()),
+    }
+}
+
+/// The values of a text: one, a list, or a range.
+fn values(name: &str, text: &str) -> Result<Values, String> {
+    let bad = |what: &str| format!("{name}{text}: {what}");
+    let parts: Vec<&str> = text.split(':').collect();
+    let (from, to, count, is_logarithmic) = match parts.as_slice() {
+        [list] => return Ok(listed(list.split(','))),
+        [from, to, count] => (*from, *to, *count, false),
+        [from, to, count, "log"] => (*from, *to, *count, true),
+        _ => return Err(bad("must be one value, a list A,B,C, FROM:TO:COUNT or FROM:TO:COUNT:log")),
+    };
+    let count = count.trim().parse::<u64>().ok().filter(|n| (1..=MOST_ROWS).contains(n));
+    let count =
+        count.ok_or_else(|| bad(&format!("the count must be a whole number ≥ 1 and ≤ {MOST_ROWS}")))?;
+    let ((first, unit), (last, other)) = (split(from), split(to));
+    if unit != other {
+        return Err(bad("both ends must have the same unit"));
+    }
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    let (Some(first), Some(last)) = (number(first), number(last)) else {
+        return Err(bad("both ends must be finite numbers"));
+    };
+    if is_logarithmic && !(first > 0.0 && last > 0.0) {
+        return Err(bad("both ends must be > 0 for equal ratios"));
+    }
+    if count == 1 && first != last {
+        return Err(bad("the count must be ≥ 2 where the ends differ"));
+    }
+    let value = |i: u64| {
+        let end = count.saturating_sub(1);
+        let share = if end > 0 { i as f64 / end as f64 } else { 0.0 };
+        match i {
+            0 => first,
+            _ if i == end => last,
+            _ if is_logarithmic => first * (last / first).powf(share),
+            // A decimal step gives decimal values.
+            _ => decimal(first + (last - first) * share, last.abs().max(first.abs())),
+        }
+    };
+    Ok(Values::Numbers((0..count).map(value).collect(), unit.to_owned()))
+}
+
+/// The motion that a row is about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Asked {
+    /// The steady motion.
+    Steady,
+    /// The motion from the start to a time, or to the end of the records.
+    Transient(Option<f64>),
+    /// The least load that keeps the one contact from sticking.
+    Border,
+}
+
+/// A grid of systems and the question about each: records vary slowest, and the last axis fastest.
+#[derive(Debug)]
+pub struct Grid<'a> {
+    value: &'a Value,
+    folder: &'a Path,
+    units: Option<&'a Units>,
+    axes: Vec<Axis>,
+    records: &'a [(String, Record<f64>)],
+    asked: Asked,
+    names: Vec<String>,
+    /// A row without an answer, which has a cell of its kind for each name.
+    blank: Vec<Cell<'static>>,
+    count: u64,
+}
+
+/// The place of a row on each axis, and its record.
+type Place<'a> = (Vec<usize>, Option<&'a (String, Record<f64>)>);
+
+impl<'a> Grid<'a> {
+    /// A grid over a value of a file, as for [`NamedSystem::new`], and over records of the base, if there are any.
+    ///
+    /// # Errors
+    /// Where the grid is too large, or the system of its first row is wrong.
+    pub fn new(
+        value: &'a Value,
+        folder: &'a Path,
+        units: Option<&'a Units>,
+        axes: Vec<Axis>,
+        records: &'a [(String, Record<f64>)],
+        asked: Asked,
+    ) -> Result<Self, String> {
+        let lengths = axes.iter().map(|axis| axis.len() as u64).chain([records.len().max(1) as u64]);
+        let count = lengths.into_iter().try_fold(1u64, u64::checked_mul).filter(|n| *n <= MOST_ROWS);
+        let count = count.ok_or_else(|| format!("the grid must have ≤ {MOST_ROWS} rows"))?;
+        let (names, blank) = (Vec::new(), Vec::new());
+        let mut grid = Self { value, folder, units, axes, records, asked, names, blank, count };
+        let first = grid.system(&grid.place(0)).map_err(|e| format!("row 1: {e}"))?;
+        let answers = columns(&first.described, asked);
+        let mut names: Vec<String> = grid.records.first().map(|_| "record".to_owned()).into_iter().collect();
+        names.extend(grid.axes.iter().map(Axis::name));
+        for (name, cell) in answers {
+            names.push(name);
+            grid.blank.push(cell);
+        }
+        grid.names = names;
+        Ok(grid)
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub const fn len(&self) -> u64 {
+        self.count
+    }
+
+    /// Whether there are no rows: never.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The names of the columns, with units in brackets: of the record, of the axes, then of the answers.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    fn place(&self, row: u64) -> Place<'a> {
+        let mut left = row;
+        let mut next = |length: usize| {
+            let length = length.max(1) as u64;
+            let place = left.checked_rem(length).unwrap_or(0);
+            left = left.checked_div(length).unwrap_or(0);
+            place as usize
+        };
+        let mut places: Vec<usize> = self.axes.iter().rev().map(|axis| next(axis.len())).collect();
+        places.reverse();
+        (places, self.records.get(next(self.records.len())))
+    }
+
+    /// The system of a row.
+    fn system(&self, (places, record): &Place<'a>) -> Result<NamedSystem, String> {
+        let typed: Vec<String> = self.axes.iter().zip(places).map(|(axis, at)| axis.typed(*at)).collect();
+        let chosen = || self.axes.iter().zip(&typed);
+        let set = chosen().filter_map(|(axis, text)| Some((axis.path.as_deref()?, text.as_str())));
+        let mut found = NamedSystem::new(self.value, set, self.folder, self.units)?;
+        for (_, text) in chosen().filter(|(axis, _)| axis.path.is_none()) {
+            let frequency = found.reader().value("frequency", text, Of::Frequency);
+            found = found.at_frequency(frequency.map_err(|e| e.to_string())?)?;
+        }
+        match record {
+            Some((name, record)) => found.with_record(record, name),
+            None => Ok(found),
+        }
+    }
+
+    /// The system of the first row.
+    ///
+    /// # Errors
+    /// None: it was tried when the grid was made.
+    pub fn first(&self) -> Result<NamedSystem, String> {
+        self.system(&self.place(0))
+    }
+
+    /// The cells of a row that say which it is: its record, and the values on the axes.
+    #[must_use]
+    pub fn given(&self, row: u64) -> Vec<Cell<'_>> {
+        let (places, record) = self.place(row);
+        let record = record.map(|(name, _)| Cell::Text(name.as_str()));
+        record.into_iter().chain(self.axes.iter().zip(places).map(|(axis, at)| axis.cell(at))).collect()
+    }
+
+    /// The cells of a row's answer, without values where there is none.
+    #[must_use]
+    pub fn blank(&self) -> &[Cell<'static>] {
+        &self.blank
+    }
+
+    /// The cells of a row's answer.
+    ///
+    /// # Errors
+    /// The reason why there is none, on one line.
+    pub fn answer(&self, row: u64) -> Result<Vec<Cell<'static>>, String> {
+        let of = self.system(&self.place(row))?;
+        let (described, system) = (&of.described, &of.system);
+        let because = |e: stickslip::system::Error| e.to_string();
+        let number = |x: f64| Cell::Number(Some(x));
+        Ok(match self.asked {
+            Asked::Border => {
+                let found = system.border().map_err(because)?;
+                vec![number(found.least_load_factor), number(found.touching_time)]
+            }
+            Asked::Steady => {
+                let found = system.steady(&described.start).map_err(because)?;
+                let periods = Cell::Count(Some(found.periods as u64));
+                let mut cells = vec![Cell::Text(found.kind.name()), periods];
+                cells.extend(of_motion(&found.motion, false));
+                cells
+            }
+            Asked::Transient(until) => {
+                let until = until.unwrap_or_else(|| of.end_of_records());
+                of.check_until(until, &format!("until {until}"))?;
+                let found = system.simulate(&described.start, until).map_err(because)?;
+                let mut cells = vec![number(found.duration)];
+                cells.extend(of_motion(&found, true));
+                cells
+            }
+        })
+    }
+}
+
+/// The names of the answers, with an empty cell of each.
+fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> {
+    let unit =
+        |kind: Of| described.units.map_or_else(String::new, |system| format!("[{}]", system.name(kind)));
+    let time = if described.units.is_some() { "[s]" } else { "" };
+    let number = |name: String| (name, Cell::Number(None));
+    let mut columns = match asked {
+        Asked::Border => {
+            return vec![number("least_load_factor".to_owned()), number(format!("touching_time{time}"))];
+        }
+        Asked::Steady => {
+            vec![("kind".to_owned(), Cell::Text("")), ("periods".to_owned(), Cell::Count(None))]
+        }
+        Asked::Transient(_) => vec![number(format!("duration{time}"))],
+    };
+    for name in &described.coordinates {
+        let quantities = [
+            ("max_displacement", Of::Length),
+            ("min_displacement", Of::Length),
+            ("max_velocity", Of::Velocity),
+            ("min_velocity", Of::Velocity),
+            ("end_displacement", Of::Length),
+        ];
+        let count = if asked == Asked::Steady { 4 } else { 5 };
+        let quantities = quantities.into_iter().take(count);
+        columns.extend(quantities.map(|(what, kind)| number(format!("{name}.{what}{}", unit(kind)))));
+    }
+    for element in &described.model.elements {
+        let name = &element.name;
+        columns.push(number(format!("{name}.rest_fraction")));
+        columns.push((format!("{name}.stops"), Cell::Count(None)));
+        columns.push(number(format!("{name}.work{}", unit(Of::Energy))));
+    }
+    columns
+}
+
+/// The cells of a motion, in the order of the columns.
+fn of_motion(motion: &Motion<f64>, has_end: bool) -> Vec<Cell<'static>> {
+    let mut cells = Vec::new();
+    for i in 0..motion.max_displacement.len() {
+        let lists =
+            [&motion.max_displacement, &motion.min_displacement, &motion.max_velocity, &motion.min_velocity];
+        let end = has_end.then_some(&motion.end.displacement);
+        cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
+    }
+    for element in &motion.elements {
+        cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
+        cells.push(Cell::Count(Some(element.stops as u64)));
+        cells.push(Cell::Number(Some(element.work)));
+    }
+    cells
+}

@@ -1,0 +1,45 @@
+//! Files of systems: wrong ones, and the schema of right ones.
+#![cfg(feature = "system")]
+
+mod hostile;
+mod schema;
+
+use serde_json::{Value, json};
+
+/// Every field of bodies by name.
+fn by_names() -> Value {
+    json!({
+        "units": "N,mm",
+        "masses": {"block": "1 t", "roof": {"mass": "500 kg", "start": "3 mm", "velocity": "1 mm/s"}},
+        "springs": [
+            {"between": ["ground", "block"], "stiffness": "200 N/mm", "damping": "0.3 N*s/mm"},
+            {"between": ["block", "roof"], "stiffness": 300},
+        ],
+        "contacts": [
+            {"name": "bearing", "between": ["ground", "block"], "friction": "450 N", "peak": 1.2},
+            {"between": ["block", "roof"], "law": [[0, 40], ["10 mm/s", 30]], "moves": {"amplitude": 3, "frequency": 2}},
+            {"between": ["ground", "roof"], "coefficient": 0.1, "normal_load": {"constant": 90, "amplitude": 20, "frequency": 3}},
+            {"between": ["ground", "roof"], "friction": "10 N", "stiffness": "5 N/mm"},
+        ],
+        "stops": [{"between": ["ground", "roof"], "gap": "9 mm", "stiffness": "1 kN/mm", "damping": 0.1}],
+        "forces": [{"on": "roof", "amplitude": "1.5 kN", "frequency": "3 Hz", "phase": "30deg"}, {"on": "block", "constant": 5}],
+        "base": {"acceleration": {"amplitude": "0.1 g", "frequency": "2 Hz"}},
+    })
+}
+
+/// Every field of matrices.
+fn by_matrices() -> Value {
+    json!({
+        "mass": [[1.0, 0.1], [0.1, 0.5]], "damping": [[0.3, 0], [0, 0]], "stiffness": [[500, -300], [-300, 300]],
+        "elements": [
+            {"type": "contact", "direction": [1, 0], "friction": 450, "belt": {"const": 1, "sin": [0.5]}},
+            {"type": "elastic", "direction": [1, -1], "stiffness": 50, "friction": 3},
+            {"type": "stop", "direction": [0, 1], "gap": 0.1, "stiffness": 1e4, "side": -1},
+            {"type": "contact", "direction": [0, 1], "friction": 0.3, "normal": {"const": 2, "displacement": [0.1, 0]}},
+        ],
+        "harmonics": [{"frequency": 18.8, "sin": [0, 1500], "cos": [1, 0]}],
+        "record": {"times": [0, 0.1, 0.2], "values": [0, 1, -1], "force": [1, 1]},
+        "constant": [1, 2],
+        "start": {"displacement": [0, 3], "velocity": [0, 0]},
+    })
+}

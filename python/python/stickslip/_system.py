@@ -1,0 +1,500 @@
+"""Systems of several bodies: with contacts, laws of friction over speed, elastic contacts and stops."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._native import Error
+from ._record import Record
+from ._result import Floats, Result, of_type
+
+#: A number in the system's units, or a text with a unit.
+Quantity = Union[float, str]
+#: The values of an axis: a text such as "1Hz:5Hz:50", or a sequence of numbers or of texts with a unit.
+Values = Union[str, float, Sequence[Quantity], NDArray[Any]]
+
+
+class ElementMotion(Result):
+    """The answers of a contact, an elastic contact or a stop; see `SystemMotion.elements`.
+
+    Attributes
+    ----------
+    kind : str
+        ``"contact"``, ``"elastic"`` or ``"stop"``.
+    time_at_rest : float
+        Time in which a contact sticks, an elastic contact holds, or a stop is open.
+    stops : int
+        How often such a time begins.
+    work : float
+        Work that the bodies do on it.
+    """
+
+    kind: str
+    time_at_rest: float
+    stops: int
+    work: float
+
+
+class SystemMotion(Result):
+    """The motion of a system; see `System.simulate` and `System.follow`. Arrays have an entry for each coordinate.
+
+    Attributes
+    ----------
+    kind : str
+        ``"transient"``; of a steady motion ``"periodic"``, ``"rest"``, ``"growing"`` or ``"unsettled"``.
+    coordinates : tuple of str
+    duration : float
+    start_displacement, start_velocity, end_displacement, end_velocity : array
+        States at the beginning and at the end.
+    max_displacement, min_displacement, max_velocity, min_velocity : array
+        Extremes, those between events too.
+    elements : dict of str to ElementMotion
+    event_time : array
+    event_element, event_kind : array of str
+        Name of the element, and stick, slip, reverse, touch, yield, lock, open or close.
+    load_work, damper_work, stored_energy : float
+        ``load_work = damper_work + stored_energy +`` the works of the elements.
+    units : dict of str to str, or None
+        The unit of each quantity; None for matrices.
+    """
+
+    kind: str
+    coordinates: tuple[str, ...]
+    duration: float
+    start_displacement: Floats
+    start_velocity: Floats
+    end_displacement: Floats
+    end_velocity: Floats
+    max_displacement: Floats
+    min_displacement: Floats
+    max_velocity: Floats
+    min_velocity: Floats
+    elements: Mapping[str, ElementMotion]
+    event_time: Floats
+    event_element: NDArray[np.str_]
+    event_kind: NDArray[np.str_]
+    load_work: float
+    damper_work: float
+    stored_energy: float
+    units: Optional[Mapping[str, str]]
+
+
+class SystemSteady(SystemMotion):
+    """The motion that a system tends to; see `System.steady`. One period of it, with the values of a `SystemMotion`.
+
+    Attributes
+    ----------
+    periods : int
+        After how many periods of the loads the motion repeats itself.
+    periods_followed : int
+    multipliers : array of complex
+        Multipliers of a small disturbance over the period.
+    """
+
+    periods: int
+    periods_followed: int
+    multipliers: NDArray[np.complex128]
+
+
+class SystemStates(Result):
+    """States of a system at times; see `System.states`.
+
+    Attributes
+    ----------
+    time : array
+    displacement, velocity : array
+        A row for each time, a column for each coordinate.
+    force : array
+        A row for each time, a column for each element.
+    coordinates, elements : tuple of str
+        The names of the columns.
+    """
+
+    time: Floats
+    displacement: Floats
+    velocity: Floats
+    force: Floats
+    coordinates: tuple[str, ...]
+    elements: tuple[str, ...]
+
+
+class SystemBorder(Result):
+    """The least load that keeps a contact from sticking; see `System.border`.
+
+    Attributes
+    ----------
+    least_load_factor : float
+        The factor of the system's load.
+    touching_time : float
+        Time after a reversal at which the velocity of the contact touches zero under that load.
+    cycle : dict or None
+        ``max_displacement``, ``displacement_time``, ``max_velocity``, ``velocity_time`` and ``work`` of the contact at the
+        system's load; None where it sticks.
+    """
+
+    least_load_factor: float
+    touching_time: float
+    cycle: Optional[Mapping[str, float]]
+
+
+class SystemGrid(dict[str, Any]):
+    """The answers over a grid, in columns by name; see `System.grid`. ``pandas.DataFrame(grid)`` is a table of them.
+
+    Attributes
+    ----------
+    errors : dict of int to str
+        The rows without an answer, with the reasons; their numbers are NaN.
+    """
+
+    errors: Mapping[int, str]
+
+    def __init__(self, columns: Mapping[str, Any], errors: Mapping[int, str]) -> None:
+        super().__init__(columns)
+        self.errors = dict(errors)
+
+    def __repr__(self) -> str:
+        rows = len(next(iter(self.values()), ()))
+        failed = f", {len(self.errors)} without an answer" if self.errors else ""
+        return f"SystemGrid({rows} rows{failed}: {_some(list(self))})"
+
+
+def _some(names: Sequence[str]) -> str:
+    """Names in a line that fits a screen."""
+    return ", ".join(names if len(names) <= 6 else [*names[:5], f"… {len(names) - 5} more"])
+
+
+class System:
+    """Several bodies with springs, contacts, elastic contacts, stops and loads, or matrices with elements.
+
+    The keywords are the fields of the command's file (see its page of recipes). Values are numbers in ``units``, or texts
+    with a unit.
+
+    Parameters
+    ----------
+    masses : dict of str to a mass, or to a dict with mass, start and velocity
+    springs : list of dict
+        ``between`` two bodies or ``"ground"``, ``stiffness``, ``damping``.
+    contacts : list of dict
+        ``between``, and ``friction``, or ``coefficient`` and ``normal_load``, or ``law``, a list of pairs of a speed and a
+        force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the velocity of the
+        other side) and ``name`` may be left out.
+    stops : list of dict
+        ``between``, ``gap``, ``stiffness``, ``damping``.
+    forces : list of dict
+        ``on`` a body: ``amplitude``, ``frequency`` and ``phase``, or ``constant``, or ``record``, a file.
+    base : dict
+        ``acceleration``, a file or a dict with ``amplitude`` and ``frequency``.
+    units : str
+        Such as ``"N,mm"``.
+    mass, damping, stiffness : matrix
+        In place of bodies: matrices in consistent units, with ``elements`` and ``harmonics`` as dicts, ``constant``,
+        ``record`` and ``start``.
+    folder : path
+        The folder of files that are named.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> system = ss.System(
+    ...     units="N,mm",
+    ...     masses={"block": "1 t", "roof": "500 kg"},
+    ...     springs=[
+    ...         {"between": ["ground", "block"], "stiffness": "200 N/mm"},
+    ...         {"between": ["block", "roof"], "stiffness": "300 N/mm"},
+    ...     ],
+    ...     contacts=[{"name": "bearing", "between": ["ground", "block"], "friction": "450 N"}],
+    ...     forces=[{"on": "roof", "amplitude": "1.5 kN", "frequency": "3 Hz"}],
+    ... )
+    >>> system
+    System(block, roof; bearing)
+    >>> steady = system.steady()
+    >>> steady.kind, steady.elements["bearing"].stops
+    ('periodic', 0)
+    >>> system.border().least_load_factor
+    0.7...
+    """
+
+    _native: _native.NativeSystem
+
+    def __init__(
+        self,
+        *,
+        masses: Optional[Mapping[str, Any]] = None,
+        springs: Optional[Sequence[Mapping[str, Any]]] = None,
+        contacts: Optional[Sequence[Mapping[str, Any]]] = None,
+        stops: Optional[Sequence[Mapping[str, Any]]] = None,
+        forces: Optional[Sequence[Mapping[str, Any]]] = None,
+        base: Optional[Mapping[str, Any]] = None,
+        units: Optional[str] = None,
+        mass: Optional[ArrayLike] = None,
+        damping: Optional[ArrayLike] = None,
+        stiffness: Optional[ArrayLike] = None,
+        elements: Optional[Sequence[Mapping[str, Any]]] = None,
+        constant: Optional[ArrayLike] = None,
+        harmonics: Optional[Sequence[Mapping[str, Any]]] = None,
+        record: Optional[Mapping[str, Any]] = None,
+        start: Optional[Mapping[str, Any]] = None,
+        folder: Union[str, os.PathLike[str]] = "",
+    ) -> None:
+        given = {
+            "masses": masses,
+            "springs": springs,
+            "contacts": contacts,
+            "stops": stops,
+            "forces": forces,
+            "base": base,
+            "units": units,
+            "mass": mass,
+            "damping": damping,
+            "stiffness": stiffness,
+            "elements": elements,
+            "constant": constant,
+            "harmonics": harmonics,
+            "record": record,
+            "start": start,
+        }
+        fields = {name: _plain(name, value) for name, value in given.items() if value is not None}
+        self._native = _native.NativeSystem(json.dumps(fields), "", os.fspath(folder), None)
+
+    @classmethod
+    def read(cls, file: Union[str, os.PathLike[str]], *, units: Optional[str] = None) -> "System":
+        """The system of a file in TOML or JSON, as ``stickslip system`` reads it."""
+        name = os.fspath(file)
+        try:
+            with open(name, encoding="utf-8") as opened:
+                text = opened.read()
+        except UnicodeDecodeError as error:
+            raise Error(f"{name}: {error}") from None
+        return cls._of(_native.NativeSystem(text, str(name), os.path.dirname(name), units))
+
+    @classmethod
+    def _of(cls, native: _native.NativeSystem) -> "System":
+        new = object.__new__(cls)
+        new._native = native
+        return new
+
+    def with_values(self, values: Mapping[str, Quantity]) -> "System":
+        """This system with other values, such as ``{"bearing.friction": "600 N"}``."""
+        typed = [(path, _typed(path, value)) for path, value in values.items()]
+        return System._of(self._native.with_values(typed))
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """The names of the coordinates: those of the bodies, or q1, q2, …"""
+        return tuple(self._native.names()[0])
+
+    @property
+    def elements(self) -> tuple[str, ...]:
+        """The names of contacts and stops."""
+        return tuple(self._native.names()[1])
+
+    @property
+    def units(self) -> Optional[str]:
+        """The system of units; None for matrices."""
+        return self._native.names()[2]
+
+    def natural_frequencies(self, stuck: Union[bool, str] = False) -> Floats:
+        """The natural frequencies without dampers, in rad/s or in radians per unit of time of matrices.
+
+        Parameters
+        ----------
+        stuck : bool or str
+            Whether all contacts are at rest, or the name of the one that is.
+        """
+        found = json.loads(self._native.describe())
+        if isinstance(stuck, str):
+            for element in found["elements"]:
+                if element["name"] == stuck:
+                    return np.array(element["natural_frequencies_stuck"], dtype=float)
+            raise Error(f"stuck = {stuck}: must be one of {', '.join(self.elements)}")
+        return np.array(found["natural_frequencies_stuck" if stuck else "natural_frequencies"], dtype=float)
+
+    def steady(self) -> SystemSteady:
+        """The motion that the start leads to, by its period map; exact stops, no time step."""
+        found = json.loads(self._native.steady())
+        multipliers = np.array([complex(re, im) for re, im in found["multipliers"]], dtype=np.complex128)
+        more = {"periods": found["periods"], "periods_followed": found["periods_followed"], "multipliers": multipliers}
+        return SystemSteady({**_motion(found, found["period"]), **more})
+
+    def simulate(self, until: Quantity) -> SystemMotion:
+        """The motion from the start to a time."""
+        found = json.loads(self._native.simulate(self._time("until", until)))
+        return SystemMotion(_motion(found, found["duration"]))
+
+    def follow(self, record: Record, until: Optional[Quantity] = None) -> SystemMotion:
+        """The motion from the start under a record of the base's acceleration, to its end or to a time."""
+        under = self.under(record)
+        end = under._native.end_of_records() if until is None else self._time("until", until)
+        found = json.loads(under._native.simulate(end))
+        return SystemMotion(_motion(found, found["duration"]))
+
+    def under(self, record: Record) -> "System":
+        """This system under a record of the base's acceleration, beside its loads."""
+        of_type("record", record, Record)
+        return System._of(self._native.with_record("record", *record._in(self.units)))
+
+    def states(self, times: ArrayLike, *, steady: bool = False) -> SystemStates:
+        """The states at increasing times, from the start, or from the phase 0 of the steady motion."""
+        array = np.ascontiguousarray(times, dtype=float)
+        if array.ndim != 1:
+            raise Error(f"times: must be an array of one dimension, not of shape {array.shape}")
+        found = self._native.states(array, steady)
+        coordinates, elements, _ = self._native.names()
+        names = (coordinates, coordinates, elements)
+        shaped = [column.reshape(len(array), len(name)) for column, name in zip(found, names)]
+        values = dict(zip(("displacement", "velocity", "force"), shaped))
+        return SystemStates({"time": array, **values, "coordinates": tuple(coordinates), "elements": tuple(elements)})
+
+    def border(self) -> SystemBorder:
+        """The least load that keeps the one contact from sticking, in closed form; one contact, one harmonic load."""
+        return SystemBorder(json.loads(self._native.border()))
+
+    def grid(
+        self,
+        values: Optional[Mapping[str, Values]] = None,
+        *,
+        frequency: Optional[Values] = None,
+        records: Optional[Mapping[str, Record]] = None,
+        question: Optional[str] = None,
+        until: Optional[Quantity] = None,
+    ) -> SystemGrid:
+        """The answers over a grid of values, of frequencies and of records, on all processors.
+
+        Parameters
+        ----------
+        values : dict of str to values
+            Paths with their values, such as ``{"bearing.friction": "100N:1kN:20"}``, or a sequence.
+        frequency : values
+            Lowest frequency of the loads; all others change in proportion.
+        records : dict of str to Record
+            Records of the base's acceleration by name.
+        question : str
+            ``"steady"``, ``"simulate"`` (from the start to ``until``, or to the end of the record) or ``"border"``. With
+            records the motion under each by default, otherwise the steady motion.
+
+        Examples
+        --------
+        >>> import stickslip as ss
+        >>> system = ss.System(
+        ...     masses={"m": "1 kg"},
+        ...     springs=[{"between": ["ground", "m"], "stiffness": "100 N/m"}],
+        ...     contacts=[{"name": "c", "between": ["ground", "m"], "friction": "1 N"}],
+        ...     forces=[{"on": "m", "amplitude": "3 N", "frequency": "1 Hz"}],
+        ... )
+        >>> grid = system.grid({"c.friction": ["1 N", "2 N"]}, frequency="1Hz:2Hz:3")
+        >>> grid
+        SystemGrid(6 rows: c.friction[N], frequency[Hz], kind, periods, m.max_displacement[m], … 6 more)
+        >>> grid["frequency[Hz]"]
+        array([1. , 1.5, 2. , 1. , 1.5, 2. ])
+        """
+        axes: list[tuple[Optional[str], list[str]]] = [
+            (path, _several(path, axis)) for path, axis in (values or {}).items()
+        ]
+        if frequency is not None:
+            axes.append((None, _several("frequency", frequency)))
+        named = []
+        for name, record in (records or {}).items():
+            of_type(f"records[{name!r}]", record, Record)
+            named.append((str(name), *record._in(self.units)))
+        asked = question or ("simulate" if named else "steady")
+        end = None if until is None else self._time("until", until)
+        columns, failed = self._native.grid(axes, named, asked, end)
+        texts = {name: np.array(column) if isinstance(column, list) else column for name, column in columns.items()}
+        return SystemGrid(texts, dict(failed))
+
+    def curve(self, frequency: Values, values: Optional[Mapping[str, Values]] = None) -> SystemGrid:
+        """The steady motion over the frequency of the loads, such as ``"1Hz:10Hz:100"``."""
+        return self.grid(values, frequency=frequency)
+
+    def _time(self, name: str, value: Quantity) -> float:
+        return self._native.time(name, _typed(name, value))
+
+    def __repr__(self) -> str:
+        elements = self.elements
+        return f"System({_some(self.coordinates)}{'; ' if elements else ''}{_some(elements)})"
+
+
+def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
+    """The values of a motion from the JSON of the command."""
+    places = {
+        f"{name}_{what}": np.array(found[name][what], dtype=float)
+        for name in ("start", "end")
+        if name in found
+        for what in ("displacement", "velocity")
+    }
+    if "end" not in found:
+        # A period ends where it begins.
+        places |= {f"end_{what}": places[f"start_{what}"].copy() for what in ("displacement", "velocity")}
+    extremes = {
+        name: np.array(found[name], dtype=float)
+        for name in ("max_displacement", "min_displacement", "max_velocity", "min_velocity")
+    }
+    names = ("kind", "time_at_rest", "stops", "work")
+    elements = {
+        element["name"]: ElementMotion({name: element[name] for name in names}) for element in found["elements"]
+    }
+    events = found["events"]
+    return {
+        "kind": found["kind"],
+        "coordinates": tuple(found["coordinates"]),
+        "duration": duration,
+        **places,
+        **extremes,
+        "elements": elements,
+        "event_time": np.array([event["time"] for event in events], dtype=float),
+        "event_element": np.array([event["name"] for event in events], dtype=np.str_),
+        "event_kind": np.array([event["kind"] for event in events], dtype=np.str_),
+        "load_work": found["load_work"],
+        "damper_work": found["damper_work"],
+        "stored_energy": found["stored_energy"],
+        "units": found.get("units"),
+    }
+
+
+def _typed(name: str, value: Any) -> str:
+    """A number or a text as it would be typed."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (bool, np.bool_)) or not np.isscalar(value) and np.ndim(value) != 0:
+        raise Error(f"{name} = {value}: must be a number, or a text with a unit")
+    try:
+        return repr(float(value))
+    except (TypeError, ValueError):
+        raise Error(f"{name} = {value}: must be a number, or a text with a unit") from None
+
+
+def _several(name: str, values: Any) -> list[str]:
+    if isinstance(values, str) or np.ndim(values) == 0:
+        return [_typed(name, values)]
+    typed = [_typed(name, value) for value in values]
+    if not typed:
+        raise Error(f"{name}: must have at least one value")
+    return typed
+
+
+def _plain(name: str, value: Any) -> Any:
+    """A value for JSON."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(f"{name}.{key}", inner) for key, inner in value.items()}
+    if isinstance(value, (str, bool, int)) or value is None:
+        return value
+    if isinstance(value, (float, np.floating)):
+        if not np.isfinite(value):
+            raise Error(f"{name} = {value}: must be finite")
+        return float(value)
+    if isinstance(value, np.integer):
+        return int(value)
+    if isinstance(value, np.ndarray):
+        return _plain(name, value.tolist())
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Sequence):
+        return [_plain(f"{name}[{place}]", inner) for place, inner in enumerate(value, 1)]
+    raise Error(f"{name} = {value!r}: must be a number, a text, a list or a dict")

@@ -1,0 +1,226 @@
+//! Systems of several bodies: descriptions in, answers out as the JSON of the command, samples and grids as arrays.
+
+use crate::record::load;
+use crate::refused;
+use interrupt::{interruptible, left_behind};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+use std::path::Path;
+use std::sync::Arc;
+use stickslip::inputs::units::{Kind, System as Units};
+use stickslip::motion::record::Record;
+use stickslip::system::Error;
+use stickslip_front::system::{
+    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, parsed,
+};
+
+/// Rows that are computed before signals are asked for.
+const AT_ONCE: u64 = 64;
+
+/// A described system, and the value of its description, which grids change.
+#[pyclass(frozen, module = "stickslip._native")]
+struct NativeSystem {
+    value: Arc<serde_json::Value>,
+    folder: String,
+    units: Option<Units>,
+    named: Arc<NamedSystem>,
+}
+
+fn json(answer: &impl serde::Serialize) -> PyResult<String> {
+    serde_json::to_string(answer).map_err(refused)
+}
+
+fn because(error: &Error) -> PyErr {
+    refused(error)
+}
+
+/// Names with the samples and the times of records.
+type Records<'py> = Vec<(String, String, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>;
+
+#[pymethods]
+impl NativeSystem {
+    /// The system of a text in JSON or TOML, with names of files relative to the folder.
+    #[new]
+    fn new(text: &str, name: &str, folder: String, units: Option<&str>) -> PyResult<Self> {
+        let of_units = |e| refused(format!("units {}: {e}", units.unwrap_or_default()));
+        let units: Option<Units> = units.map(|text| text.parse().map_err(of_units)).transpose()?;
+        let value = parsed(text, name).map_err(refused)?;
+        let about = |e: String| refused(if name.is_empty() { e } else { format!("{name}: {e}") });
+        let named = NamedSystem::new(&value, [], Path::new(&folder), units.as_ref()).map_err(about)?;
+        Ok(Self { value: Arc::new(value), folder, units, named: Arc::new(named) })
+    }
+
+    /// The system with other values at some paths.
+    fn with_values(&self, set: Vec<(String, String)>) -> PyResult<Self> {
+        let mut value = serde_json::Value::clone(&self.value);
+        for (path, new) in &set {
+            NamedSystem::set(&mut value, path, new).map_err(refused)?;
+        }
+        let named = NamedSystem::new(&value, [], Path::new(&self.folder), self.units.as_ref());
+        let named = Arc::new(named.map_err(refused)?);
+        Ok(Self { value: Arc::new(value), folder: self.folder.clone(), units: self.units, named })
+    }
+
+    /// The names of the coordinates and of the elements, and the system of units.
+    fn names(&self) -> (Vec<String>, Vec<String>, Option<String>) {
+        let described = &self.named.described;
+        let elements = described.model.elements.iter().map(|element| element.name.clone()).collect();
+        (described.coordinates.clone(), elements, described.units.map(|units| units.to_string()))
+    }
+
+    /// The description in numbers, as JSON.
+    fn describe(&self) -> PyResult<String> {
+        json(&Description::new(&self.named))
+    }
+
+    /// A time in seconds, or in the unit of time of matrices.
+    fn time(&self, name: &str, text: &str) -> PyResult<f64> {
+        self.named.reader().value(name, text, Kind::Time).map_err(refused)
+    }
+
+    /// The system under a record of the base's acceleration.
+    fn with_record(
+        &self,
+        name: &str,
+        of: &str,
+        times: PyReadonlyArray1<'_, f64>,
+        samples: PyReadonlyArray1<'_, f64>,
+    ) -> PyResult<Self> {
+        let record = load(of, times.as_slice()?, samples.as_slice()?)?;
+        let named = NamedSystem::clone(&self.named).with_record(&record, name).map_err(refused)?;
+        let (value, folder) = (Arc::clone(&self.value), self.folder.clone());
+        Ok(Self { value, folder, units: self.units, named: Arc::new(named) })
+    }
+
+    /// The end of the last record.
+    fn end_of_records(&self) -> f64 {
+        self.named.end_of_records()
+    }
+
+    fn steady(&self, py: Python<'_>) -> PyResult<String> {
+        let named = Arc::clone(&self.named);
+        let found = left_behind(py, move || named.system.steady(&named.described.start))?;
+        json(&Answer::steady(&self.named.described, &found.map_err(|e| because(&e))?))
+    }
+
+    fn simulate(&self, py: Python<'_>, until: f64) -> PyResult<String> {
+        self.named.check_until(until, &format!("until = {until}")).map_err(refused)?;
+        let named = Arc::clone(&self.named);
+        let found = left_behind(py, move || named.system.simulate(&named.described.start, until))?;
+        json(&Answer::transient(&self.named.described, &found.map_err(|e| because(&e))?))
+    }
+
+    /// Displacements, velocities and forces at times, row by row, from the start or over a steady motion.
+    fn states<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+        is_steady: bool,
+    ) -> PyResult<[Bound<'py, PyArray1<f64>>; 3]> {
+        let times = times.as_slice()?.to_vec();
+        if let Some(last) = times.last().filter(|last| **last > 0.0) {
+            self.named.check_until(*last, &format!("times up to {last}")).map_err(refused)?;
+        }
+        let named = Arc::clone(&self.named);
+        let work = move || -> Result<[Vec<f64>; 3], Error> {
+            let start = match is_steady {
+                true => named.system.steady(&named.described.start)?.start,
+                false => named.described.start.clone(),
+            };
+            let states = named.system.states(&start, &times)?;
+            let samples = Samples::new(&named.described, &times, &states);
+            Ok([samples.displacement.concat(), samples.velocity.concat(), samples.force.concat()])
+        };
+        let found = left_behind(py, work)?.map_err(|e| because(&e))?;
+        Ok(found.map(|column| column.into_pyarray(py)))
+    }
+
+    fn border(&self, py: Python<'_>) -> PyResult<String> {
+        let named = Arc::clone(&self.named);
+        let work = move || -> Result<_, Error> { Ok((named.system.border()?, named.system.cycle()?)) };
+        let (found, cycle) = left_behind(py, work)?.map_err(|e| because(&e))?;
+        // Below the border the cycle is no motion.
+        json(&OfBorder::new(&found, cycle.filter(|cycle| cycle.margin >= 1.0).as_ref()))
+    }
+
+    /// A row for each place of a grid: names, columns, and the rows without an answer with their reasons. The path of an
+    /// axis is `None` for the frequency.
+    fn grid<'py>(
+        &self,
+        py: Python<'py>,
+        axes: Vec<(Option<String>, Vec<String>)>,
+        records: Records<'py>,
+        question: &str,
+        until: Option<f64>,
+    ) -> PyResult<(Bound<'py, PyDict>, Vec<(u64, String)>)> {
+        let axis = |(path, typed): &(Option<String>, Vec<String>)| match (path, typed.as_slice()) {
+            // One text may be a range or a list.
+            (Some(path), [one]) => Axis::of(path, one).map_err(refused),
+            (None, [one]) => Axis::of_frequency("frequency", one).map_err(refused),
+            (path, several) => Ok(Axis::of_each(path.as_deref(), several)),
+        };
+        let axes = axes.iter().map(axis).collect::<PyResult<Vec<_>>>()?;
+        let records = records
+            .iter()
+            .map(|(name, of, times, samples)| {
+                Ok((name.clone(), load(of, times.as_slice()?, samples.as_slice()?)?))
+            })
+            .collect::<PyResult<Vec<(String, Record<f64>)>>>()?;
+        let asked = match question {
+            "steady" => Asked::Steady,
+            "simulate" => Asked::Transient(until),
+            "border" => Asked::Border,
+            _ => return Err(refused(format!("question {question}: must be steady, simulate or border"))),
+        };
+        let folder = Path::new(&self.folder);
+        let grid =
+            Grid::new(&self.value, folder, self.units.as_ref(), axes, &records, asked).map_err(refused)?;
+        let count = grid.len();
+        let rows = interruptible(py, |stop| {
+            let mut rows = Vec::new();
+            let mut first = 0;
+            while first < count && stop.asked().is_continue() {
+                let end = count.min(first + AT_ONCE);
+                let some: Vec<_> = (first..end).into_par_iter().map(|row| grid.answer(row)).collect();
+                rows.extend(some);
+                first = end;
+            }
+            rows
+        })?;
+        let mut failed = Vec::new();
+        let mut cells: Vec<Vec<Cell<'_>>> = vec![Vec::new(); grid.names().len()];
+        for (place, answer) in (0..).zip(rows) {
+            let answer = answer.unwrap_or_else(|why| {
+                failed.push((place, why));
+                grid.blank().to_vec()
+            });
+            for (column, cell) in cells.iter_mut().zip(grid.given(place).into_iter().chain(answer)) {
+                column.push(cell);
+            }
+        }
+        let columns = PyDict::new(py);
+        for (name, cells) in grid.names().iter().zip(cells) {
+            if cells.iter().any(|cell| matches!(cell, Cell::Text(_))) {
+                let text = |cell: &Cell<'_>| match *cell {
+                    Cell::Text(text) => text.to_owned(),
+                    Cell::Number(_) | Cell::Count(_) => String::new(),
+                };
+                columns.set_item(name, cells.iter().map(text).collect::<Vec<_>>())?;
+                continue;
+            }
+            let number = |cell: &Cell<'_>| match *cell {
+                Cell::Number(number) => number.unwrap_or(f64::NAN),
+                Cell::Count(count) => count.map_or(f64::NAN, |count| count as f64),
+                Cell::Text(_) => f64::NAN,
+            };
+            columns.set_item(name, cells.iter().map(number).collect::<Vec<_>>().into_pyarray(py))?;
+        }
+        Ok((columns, failed))
+    }
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<NativeSystem>()
+}

@@ -1,0 +1,195 @@
+"""Systems of several bodies, against the command, SciPy and closed forms."""
+
+import json
+import os
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+FILE = """
+units = "N,mm"
+[masses]
+block = "1 t"
+roof = { mass = "500 kg", start = "3 mm" }
+[[springs]]
+between = ["ground", "block"]
+stiffness = "200 N/mm"
+damping = "0.3 N*s/mm"
+[[springs]]
+between = ["block", "roof"]
+stiffness = "300 N/mm"
+[[contacts]]
+name = "bearing"
+between = ["ground", "block"]
+friction = "450 N"
+[[forces]]
+on = "roof"
+amplitude = "1.5 kN"
+frequency = "3 Hz"
+"""
+
+COMMAND = os.environ.get("STICKSLIP_COMMAND") or shutil.which("stickslip")
+
+
+@pytest.fixture
+def machine(tmp_path):
+    file = tmp_path / "machine.toml"
+    file.write_text(FILE)
+    return file
+
+
+def by_names(**changed):
+    fields = {
+        "units": "N,mm",
+        "masses": {"block": "1 t", "roof": {"mass": "500 kg", "start": "3 mm"}},
+        "springs": [
+            {"between": ["ground", "block"], "stiffness": "200 N/mm", "damping": "0.3 N*s/mm"},
+            {"between": ["block", "roof"], "stiffness": 300},
+        ],
+        "contacts": [{"name": "bearing", "between": ["ground", "block"], "friction": 450}],
+        "forces": [{"on": "roof", "amplitude": "1.5 kN", "frequency": "3 Hz"}],
+    }
+    return ss.System(**{**fields, **changed})
+
+
+def by_matrices():
+    return ss.System(
+        mass=np.diag([1.0, 0.5]),
+        damping=[[0.3, 0], [0, 0]],
+        stiffness=np.array([[500, -300], [-300, 300]]),
+        elements=[{"name": "bearing", "type": "contact", "direction": [1, 0], "friction": 450}],
+        harmonics=[{"frequency": 6 * np.pi, "sin": [0, 1500]}],
+        start={"displacement": [0, 3], "velocity": [0, 0]},
+    )
+
+
+def test_a_file_names_and_matrices_are_one_system(machine):
+    file, names, matrices = ss.System.read(machine), by_names(), by_matrices()
+    assert file.coordinates == names.coordinates == ("block", "roof") and matrices.coordinates == ("q1", "q2")
+    for one, other in ((file.steady(), names.steady()), (file.simulate("2 s"), names.simulate(2))):
+        assert one.max_displacement.tolist() == other.max_displacement.tolist()
+        assert one.event_time.tolist() == other.event_time.tolist()
+    np.testing.assert_allclose(matrices.steady().max_displacement, file.steady().max_displacement, rtol=1e-12)
+    assert repr(names) == "System(block, roof; bearing)" and names.units == "N,mm" and matrices.units is None
+    # ω² of [[500, −300], [−300, 300]] and diag(1, ½).
+    due = np.sqrt((1100 + np.array([-1, 1]) * np.sqrt(1100**2 - 480000)) / 2)
+    np.testing.assert_allclose(file.natural_frequencies(), due, rtol=1e-12)
+    np.testing.assert_allclose(file.natural_frequencies("bearing"), [np.sqrt(600)], rtol=1e-12)
+
+
+def test_the_motion_between_events_is_that_of_an_integration():
+    scipy = pytest.importorskip("scipy.integrate")
+    system = by_matrices()
+    times = np.linspace(0, 3, 400)
+    states = system.states(times)
+    motion = system.simulate(3)
+    mass, stiffness = np.diag([1.0, 0.5]), np.array([[500.0, -300], [-300, 300]])
+    state = np.array([0.0, 3, 0, 0])
+    at = 0.0
+    ends = [*motion.event_time, 3.0]
+    for end in ends:
+        middle = system.states([at, (at + end) / 2]).velocity[1, 0] if end > at else 0.0
+        sign = np.sign(middle)
+
+        def slope(t, z, sign=sign):
+            force = np.array([-450.0 * sign - 0.3 * z[2], 1500 * np.sin(6 * np.pi * t)]) - stiffness @ z[:2]
+            acceleration = np.linalg.solve(mass, force)
+            if sign == 0:
+                acceleration[0] = 0
+            return [*z[2:], *acceleration]
+
+        if end > at:
+            found = scipy.solve_ivp(slope, (at, end), state, method="DOP853", rtol=1e-12, atol=1e-12, dense_output=True)
+            inside = (times >= at) & (times <= end)
+            np.testing.assert_allclose(states.displacement[inside], found.sol(times[inside])[:2].T, atol=1e-7)
+            state = found.y[:, -1]
+        at = end
+    np.testing.assert_allclose(motion.end_displacement, state[:2], atol=1e-7)
+    works = sum(element.work for element in motion.elements.values())
+    assert motion.load_work == pytest.approx(motion.damper_work + motion.stored_energy + works, rel=1e-11)
+
+
+@pytest.mark.skipif(COMMAND is None, reason="needs the command")
+def test_the_numbers_are_those_of_the_command(machine):
+    def command(*arguments):
+        run = subprocess.run([COMMAND, "system", str(machine), *arguments], capture_output=True, text=True, check=True)
+        return run.stdout
+
+    system = ss.System.read(machine)
+    random = np.random.default_rng(5)
+    for _ in range(20):
+        friction, amplitude = random.uniform(50, 900), random.uniform(200, 3000)
+        one = system.with_values({"bearing.friction": f"{friction}N", "forces.0.amplitude": amplitude})
+        set_ = ("--set", f"bearing.friction={friction}N", "--set", f"forces.0.amplitude={amplitude}")
+        due, found = json.loads(command("steady", "--format", "json", *set_)), one.steady()
+        for name in ("max_displacement", "min_velocity"):
+            assert due[name] == getattr(found, name).tolist()
+        assert [event["time"] for event in due["events"]] == found.event_time.tolist()
+        due, found = json.loads(command("simulate", "--until", "1.5s", "--format", "json", *set_)), one.simulate(1.5)
+        assert due["end"]["velocity"] == found.end_velocity.tolist()
+        assert due["elements"][0]["work"] == found.elements["bearing"].work
+    rows = command("curve", "--frequency", "1Hz:5Hz:3", "--set", "bearing.friction=400N,-1N").splitlines()
+    grid = system.curve("1Hz:5Hz:3", {"bearing.friction": ["400N", "-1N"]})
+    assert rows[0].split(",") == list(grid)
+    assert [row.split(",")[4] for row in rows[1:4]] == [str(x) for x in grid["block.max_displacement[mm]"][:3]]
+    assert sorted(grid.errors) == [3, 4, 5] and "must be ≥ 0" in grid.errors[3]
+    assert np.isnan(grid["block.max_displacement[mm]"][3:]).all()
+
+
+def test_a_grid_over_records_has_each_motion():
+    time = np.arange(300) * 0.01
+    records = {
+        name: ss.Record(factor * np.sin(11 * time), time_step=0.01, unit="g")
+        for name, factor in (("weak", 0.1), ("strong", 0.4))
+    }
+    system = by_names(forces=[])
+    grid = system.grid({"bearing.friction": [300, 600]}, records=records)
+    assert grid["record"].tolist() == ["weak", "weak", "strong", "strong"]
+    one = system.with_values({"bearing.friction": 600}).follow(records["strong"])
+    assert grid["roof.max_displacement[mm]"][3] == one.max_displacement[1]
+    assert grid["duration[s]"][0] == pytest.approx(2.99)
+    longer = system.follow(records["weak"], until="4 s")
+    assert longer.duration == 4
+    frame = pytest.importorskip("pandas").DataFrame(grid)
+    assert len(frame) == 4 and frame["bearing.friction"].tolist() == [300, 600, 300, 600]
+
+
+def test_just_above_the_border_nothing_sticks():
+    system = by_names()
+    border = system.border()
+    for factor, stops in ((0.999, 2), (1.001, 0)):
+        steady = system.with_values({"forces.0.amplitude": 1500 * border.least_load_factor * factor}).steady()
+        assert steady.elements["bearing"].stops == stops
+    assert border.cycle is not None
+    assert border.cycle["max_displacement"] == pytest.approx(system.steady().max_displacement[0], rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "parts"),
+    [
+        (lambda: ss.System(masses={"m": "-1 kg"}), ["masses.m -1 kg", "> 0"]),
+        (lambda: ss.System(masses={"m": float("nan")}), ["masses.m", "finite"]),
+        (lambda: ss.System(masses={}), ["masses", "≥ 1"]),
+        (lambda: ss.System(), ["masses is missing"]),
+        (lambda: ss.System(mass=[[1, 2], [3, 4]]), ["mass"]),
+        (lambda: by_names(stops=[{"between": ["block", "rof"]}]), ["rof", "Did you mean roof?"]),
+        (lambda: by_names(masses={"m": object()}), ["masses.m", "must be"]),
+        (lambda: by_names().with_values({"bearin.friction": 5}), ["bearin"]),
+        (lambda: by_names().simulate(-1), ["until", "> 0"]),
+        (lambda: by_names().simulate(1e300), ["until", "≤"]),
+        (lambda: by_names().states([2.0, 1.0]), ["time"]),
+        (lambda: by_names().grid({"bearing.friction": []}), ["bearing.friction", "at least one"]),
+        (lambda: by_names().grid(question="what"), ["question what"]),
+        (lambda: by_names().follow(ss.Record([1, 2], time_step=1, of="force", unit="N")), ["acceleration"]),
+        (lambda: ss.System.read("none.toml"), ["none.toml"]),
+    ],
+)
+def test_each_mistake_is_one_line(wrong, parts):
+    with pytest.raises((ss.Error, OSError)) as caught:
+        wrong()
+    text = str(caught.value)
+    assert "\n" not in text and all(part in text for part in parts), text
