@@ -41,8 +41,9 @@ Examples:
   stickslip help sweep
 
 Limits:
-  The model has one harmonic drive, one degree of freedom and Coulomb friction. Other loads are records (record,
-  spectrum). It has no friction that depends on speed (Stribeck) or load.
+  The closed forms have one body, Coulomb friction and a harmonic drive. Measured loads are records (record,
+  spectrum). Several bodies, several harmonics, friction that depends on speed or load, belts, elastic contacts and
+  stops are systems (system). Impacts with a coefficient of restitution need another tool.
 
 Units:
   Without a machine every value is a ratio: lengths are in B = r_y/k, velocities in B ω_d, forces in r_y, energies

@@ -5,11 +5,13 @@ mod sketch;
 mod table;
 mod words;
 
-use crate::args::{Format, LoadArgs, SystemArgs, SystemQuestion};
+use crate::args::{Format, Header, LoadArgs, StreamFormat, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::output::{self, PendingFile};
+use crate::record::{Cell, Record};
 use crate::rows;
+use crate::sink::Sink;
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -36,14 +38,16 @@ pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
         SystemQuestion::Steady => steady(&asked, args, out),
         SystemQuestion::Simulate | SystemQuestion::Record => simulate(&asked, summary.as_ref(), args, out),
         SystemQuestion::Border => border(&asked, args, out),
-        SystemQuestion::Curve => Ok(()),
+        SystemQuestion::Curve | SystemQuestion::Spectrum => Ok(()),
     }
 }
 
 /// Whether the answer is a row for each place of a grid.
 fn is_table(args: &SystemArgs) -> bool {
     let is_grid = args.set.iter().any(|text| text.contains([':', ',']));
-    args.question == SystemQuestion::Curve || is_grid || args.records.len() > 1
+    matches!(args.question, SystemQuestion::Curve | SystemQuestion::Spectrum)
+        || is_grid
+        || args.records.len() > 1
 }
 
 /// The value of the file.
@@ -96,19 +100,23 @@ fn check_options(args: &SystemArgs) -> Outcome {
         }
         Ok(())
     };
-    uses("--until", args.until.is_some(), &[Q::Simulate, Q::Record])?;
+    uses("--until", args.until.is_some(), &[Q::Simulate, Q::Record, Q::Spectrum])?;
     uses("--samples", args.samples.is_some(), &[Q::Steady, Q::Simulate, Q::Record])?;
     uses("--frequency", args.frequency.is_some(), &[Q::Curve])?;
-    uses("RECORD", !args.records.is_empty(), &[Q::Record])?;
+    uses("RECORD", !args.records.is_empty(), &[Q::Record, Q::Spectrum])?;
     let is_missing = |name: &str| Err(Failure::Input(format!("{name} is missing")));
     match args.question {
         Q::Simulate if args.until.is_none() => return is_missing("--until"),
         Q::Curve if args.frequency.is_none() => return is_missing("--frequency"),
-        Q::Record if args.records.is_empty() => return is_missing("RECORD"),
-        Q::Describe | Q::Steady | Q::Simulate | Q::Record | Q::Curve | Q::Border => {}
+        Q::Record | Q::Spectrum if args.records.is_empty() => return is_missing("RECORD"),
+        Q::Describe | Q::Steady | Q::Simulate | Q::Record | Q::Spectrum | Q::Curve | Q::Border => {}
     }
     args.look.needs("--picture", args.picture.as_deref())?;
-    uses("--picture", args.picture.is_some(), &[Q::Describe, Q::Steady, Q::Simulate, Q::Record, Q::Curve])?;
+    uses(
+        "--picture",
+        args.picture.is_some(),
+        &[Q::Describe, Q::Steady, Q::Simulate, Q::Record, Q::Spectrum, Q::Curve],
+    )?;
     let (is_rows, is_table) = (args.samples.is_some(), is_table(args));
     if args.out.is_some() && !is_rows && !is_table {
         return Err("--out: holds rows, of a curve, a grid or --samples".into());
@@ -217,31 +225,33 @@ fn sampled(
     times: &[f64],
     out: &mut impl Write,
 ) -> Outcome {
-    let is_json = match args.format {
-        Some(Format::Json) => true,
-        Some(Format::Csv) | None => false,
-        Some(Format::Text | Format::Jsonl) => {
+    let format = match (args.format, args.out.as_deref().and_then(Path::extension)) {
+        (Some(Format::Json), _) => None,
+        (None, Some(end)) if end == "parquet" => Some(StreamFormat::Parquet),
+        (Some(Format::Csv) | None, _) => Some(StreamFormat::Csv),
+        (Some(Format::Text | Format::Jsonl), _) => {
             return Err("--format: must be csv or json with --samples".into());
         }
     };
     let states = asked.system.states(start, times)?;
     let samples = Samples::new(&asked.described, times, &states);
-    let write = |out: &mut dyn Write| -> Outcome {
-        if is_json {
-            serde_json::to_writer_pretty(&mut *out, &samples)?;
-            return Ok(out.write_all(b"\n")?);
-        }
-        let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(samples.names())?;
+    let write = |mut out: &mut dyn Write| -> Outcome {
+        let Some(format) = format else {
+            return output::json(&samples, &mut out);
+        };
+        let keys: Vec<_> = samples.names().into_iter().map(table::key).collect();
+        let mut sink = Sink::new(format, out, Header::Names)?;
         for row in samples.rows() {
-            writer.write_record(row.iter().map(f64::to_string))?;
+            let cells = row.into_iter().map(|x| Cell::Number(Some(x)));
+            let row: Vec<(_, Cell<f64>)> = keys.iter().copied().zip(cells).collect();
+            sink.write(&Record::of(row).shown())?;
         }
-        Ok(writer.flush()?)
+        sink.finish()
     };
     match &args.out {
         Some(file) => {
             let argument = format!("--out {}", file.display());
-            PendingFile::create(file, &argument, false)?.fill(|out| write(out))
+            PendingFile::create(file, &argument, args.overwrite)?.fill(|out| write(out))
         }
         None => write(out),
     }

@@ -13,7 +13,7 @@ distributed = pytest.importorskip("distributed", reason="the studies run on Dask
 STUDIES = Path(__file__).parent.parent / "studies"
 
 #: Parts, and the options of each study.
-CASES = {"steady_map": (12, 48, 40), "record_suite": (12, 3, 2, 400)}
+CASES = {"steady_map": (12, 48, 40), "record_suite": (12, 3, 2, 400), "system_suite": (12, 3, 2, 400)}
 
 
 def slowly(study, number, options):

@@ -19,6 +19,8 @@ pub(crate) enum SystemQuestion {
     Curve,
     /// The least load that keeps the one contact from sticking
     Border,
+    /// The motion under each record, a row for each system of a grid
+    Spectrum,
 }
 
 #[derive(Debug, Args)]
@@ -56,14 +58,14 @@ Examples:
   stickslip system machine.toml simulate --until 5s --format json
   stickslip system machine.toml record quake.at2
   stickslip system machine.toml curve --frequency 1Hz:10Hz:100 --set bearing.friction=600N
-  stickslip system machine.toml record quake1.at2 quake2.at2 --set bearing.friction=300N:600N:7 --out grid.csv
+  stickslip system machine.toml spectrum quake1.at2 quake2.at2 --set bearing.friction=300N:600N:7 --out grid.csv
   stickslip system machine.toml --picture machine.svg
   stickslip system machine.toml border")]
 pub(crate) struct SystemArgs {
     /// The file of the system, TOML or JSON, - for standard input
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
-    /// describe, steady, simulate, record, curve or border [default: describe]
+    /// describe, steady, simulate, record, spectrum, curve or border [default: describe]
     #[arg(
         value_enum,
         value_name = "QUESTION",
@@ -72,7 +74,7 @@ pub(crate) struct SystemArgs {
         hide_default_value = true
     )]
     pub(crate) question: SystemQuestion,
-    /// The records, with the question record: a row for each if there are several
+    /// The records, with the questions record and spectrum: a row for each if there are several
     #[arg(value_name = "RECORD")]
     pub(crate) records: Vec<PathBuf>,
     /// Time at which the motion ends, with simulate
@@ -106,8 +108,8 @@ pub(crate) struct SystemArgs {
     pub(crate) picture: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) look: LookArgs,
-    /// Replace the picture if it exists
-    #[arg(long, requires = "picture")]
+    /// Replace the picture, and the rows of --samples, if they exist
+    #[arg(long)]
     pub(crate) overwrite: bool,
     /// text or json, csv or json for --samples, csv, jsonl or json for a grid [default: text, and csv for rows]
     #[arg(long, value_enum, hide_possible_values = true)]

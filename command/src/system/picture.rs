@@ -173,7 +173,10 @@ pub(super) fn title(described: &Described, question: &str) -> String {
 
 /// The coordinates, as a title.
 pub(super) fn heading(described: &Described, question: &str) -> String {
-    format!("{question}: {}", described.coordinates.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", "))
+    format!(
+        "{question}: {}",
+        described.coordinates.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ")
+    )
 }
 
 fn loads(described: &Described) -> String {

@@ -39,6 +39,11 @@ fn kept<T>(value: T) -> &'static T {
     Box::leak(Box::new(value))
 }
 
+/// A name that all rows share.
+pub(super) fn key(name: String) -> &'static Definition {
+    kept(Definition::new(name.leak(), Measure::Plain, ""))
+}
+
 /// The grid of the arguments.
 fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
     let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
@@ -60,7 +65,7 @@ fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
     let asked = match args.question {
         SystemQuestion::Curve | SystemQuestion::Steady => Asked::Steady,
         SystemQuestion::Border => Asked::Border,
-        SystemQuestion::Simulate | SystemQuestion::Record => {
+        SystemQuestion::Simulate | SystemQuestion::Record | SystemQuestion::Spectrum => {
             let until = args.until.as_ref().map(|text| reader.value::<f64>("--until", text, Of::Time));
             Asked::Transient(until.transpose()?)
         }
@@ -112,10 +117,9 @@ pub(super) fn answers(grid: &Grid<'_>) -> Result<Vec<Vec<Found<'static>>>, Failu
 impl Rows {
     fn new(value: &Value, args: &SystemArgs) -> Result<Self, Failure> {
         let grid = kept(grid(value, args)?);
-        let key = |name: &String| &*kept(Definition::new(name.clone().leak(), Measure::Plain, ""));
         let mut rows = Self {
             grid,
-            keys: grid.names().iter().map(key).collect(),
+            keys: grid.names().iter().cloned().map(key).collect(),
             form: Record::of(Vec::<(_, Cell<f64>)>::new()).shown(),
             failed: AtomicUsize::new(0),
             #[cfg(feature = "parquet")]

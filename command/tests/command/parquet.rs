@@ -14,7 +14,7 @@ fn reader(file: &Path) -> SerializedFileReader<File> {
 }
 
 /// The names and rows of a file in the form of the CSV of the same sweep.
-fn text(file: &Path) -> String {
+pub(crate) fn text(file: &Path) -> String {
     let reader = reader(file);
     let schema = reader.metadata().file_metadata().schema();
     let names: Vec<&str> = schema.get_fields().iter().map(|field| field.name()).collect();

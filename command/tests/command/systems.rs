@@ -255,3 +255,114 @@ fn each_mistake_is_one_line_with_its_place() {
     refused(&format!("{line} record none.at2"), &["none.at2"]);
     refused("system none.toml", &["none.toml"]);
 }
+
+/// The places of the texts of a drawing.
+fn texts(svg: &str) -> Vec<(f64, f64, String)> {
+    let attribute = |tag: &str, name: &str| -> f64 {
+        let (_, rest) = tag.split_once(&format!(" {name}=\"")).unwrap();
+        rest.split_once('"').unwrap().0.parse().unwrap()
+    };
+    let found = svg.split("<text").skip(1).map(|part| {
+        let (tag, rest) = part.split_once('>').unwrap();
+        (attribute(tag, "x"), attribute(tag, "y"), rest.split_once('<').unwrap().0.to_owned())
+    });
+    found.collect()
+}
+
+#[test]
+fn a_drawing_names_each_part_once_and_no_text_meets_another() {
+    let folder = place("drawings-of-systems");
+    std::fs::create_dir(&*folder).unwrap();
+    let (file, drawing) = (folder.join("machine.toml"), folder.join("machine.svg"));
+    // A chain, a ring, and a contact that leaps over bodies.
+    let extra = r#"
+[[contacts]]
+between = ["ground", "roof"]
+friction = "5 N"
+stiffness = "2 N/mm"
+[[stops]]
+name = "end <stop>"
+between = ["block", "mast"]
+gap = "9 mm"
+stiffness = "1 kN/mm"
+[[springs]]
+between = ["roof", "mast"]
+stiffness = "3 N/mm"
+damping = "4 N*s/mm"
+"#;
+    std::fs::write(&file, MACHINE.replace("[masses]", "[masses]\nmast = \"20 kg\"") + extra).unwrap();
+    stdout(&format!("system {} --picture {}", file.display(), drawing.display()));
+    let svg = std::fs::read_to_string(&drawing).unwrap();
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    let texts = texts(&svg);
+    let due = [
+        "ground", "block", "roof", "mast", "1 t", "0.5 t", "0.02 t", "200 N/mm", "0.3 N·s/mm", "300 N/mm", "3 N/mm", "4 N·s/mm",
+        "bearing: 450 N", "contacts[2]: 2 N/mm, 5 N", "end &lt;stop&gt;: gap 9 mm",
+    ];
+    let mut own: Vec<&str> = texts.iter().map(|text| text.2.as_str()).collect();
+    let mut due = due.to_vec();
+    own.sort_unstable();
+    due.sort_unstable();
+    assert_eq!(own, due);
+    let half = |text: &str| 3.6 * text.chars().count() as f64;
+    for (i, (x, y, text)) in texts.iter().enumerate() {
+        for (other_x, other_y, other) in &texts[i + 1..] {
+            let apart = (x - other_x).abs() > half(text) + half(other) || (y - other_y).abs() > 11.0;
+            assert!(apart, "{text} meets {other}");
+        }
+    }
+    refused(&format!("system {} --picture {}", file.display(), drawing.display()), &["--picture", "exist"]);
+    refused(&format!("system {} --picture none.png", file.display()), &["must end in .svg"]);
+}
+
+#[test]
+fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
+    let folder = place("pictures-of-systems");
+    std::fs::create_dir(&*folder).unwrap();
+    let file = folder.join("machine.toml");
+    std::fs::write(&file, MACHINE).unwrap();
+    for (name, line, parts) in [
+        ("steady", "steady", vec!["Steady motion (periodic): block, roof, load at 3 Hz", "loop of bearing", "force (N)"]),
+        ("motion", "simulate --until 2s", vec!["displacement (mm)", "time (s)", "loop of bearing"]),
+        ("curve", "curve --frequency 1Hz:9Hz:9", vec!["frequency (Hz)", "roof, a contact sticks"]),
+        ("grid", "steady --set bearing.friction=100N:2kN:4", vec![]),
+        ("friction", "steady --set bearing.friction=100N:900N:4", vec!["bearing.friction (N)"]),
+    ] {
+        let picture = folder.join(format!("{name}.svg"));
+        let line = format!("system {} {line} --picture {}", file.display(), picture.display());
+        if name == "grid" {
+            refused(&line, &["both ends must have the same unit"]);
+            continue;
+        }
+        stdout(&line);
+        let svg = std::fs::read_to_string(&picture).unwrap();
+        for part in parts {
+            assert!(svg.contains(part), "{name}: {part}");
+        }
+    }
+    refused(
+        &format!("system {} curve --frequency 1Hz:2Hz:2 --set bearing.friction=1N,2N --picture x.svg", file.display()),
+        &["--picture: shows one axis"],
+    );
+    refused(&format!("system {} border --picture x.svg", file.display()), &["--picture: this question"]);
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn rows_and_samples_are_the_same_as_parquet() {
+    let folder = place("parquet-of-systems");
+    std::fs::create_dir(&*folder).unwrap();
+    let file = folder.join("machine.toml");
+    std::fs::write(&file, MACHINE).unwrap();
+    for (name, line) in
+        [("samples", "simulate --until 1s --samples 50"), ("grid", "curve --frequency 1Hz:5Hz:9 --set bearing.friction=1N,450N")]
+    {
+        let [csv, parquet] = ["csv", "parquet"].map(|end| folder.join(format!("{name}.{end}")));
+        for out in [&csv, &parquet] {
+            stdout(&format!("system {} {line} --out {}", file.display(), out.display()));
+        }
+        let text = std::fs::read_to_string(&csv).unwrap();
+        let rows = crate::parquet::text(&parquet);
+        assert_eq!(rows, text, "{name}");
+    }
+}
