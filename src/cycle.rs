@@ -14,6 +14,7 @@
 //! | `border` | 57–62 | the minimum force ratio without sticking |
 //! | `dissipation` | 63–67 | dissipation |
 //! | `peaks` | beyond the paper | acceleration, transmitted force, absolute motion |
+//! | `equivalent` | beyond the paper | the equivalent linear oscillator, the force in the spring |
 //! | `stability` | beyond the paper | multipliers, contraction |
 //! | `six_reversals` | beyond the paper | the cycle of six reversals near a pole |
 //! | `damped` | beyond the paper | all of it with viscous damping |
@@ -31,6 +32,7 @@ pub(crate) mod den_hartog;
 mod deviation;
 pub(crate) mod displacement;
 mod dissipation;
+pub(crate) mod equivalent;
 mod half_cycle;
 mod low;
 pub(crate) mod matching;

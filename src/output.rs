@@ -179,6 +179,25 @@ outputs! {
             "maximum absolute displacement of the body, where its foot or a base that carries the surface moves")
         .searched().over_base("max_absolute_displacement"):
         motion => motion.absolute_displacement();
+    MaxSpringForce("max_spring_force", Force,
+            "maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement")
+        .title("maximum force in the spring").searched():
+        cycle => cycle.max_spring_force();
+    EquivalentDamping("equivalent_damping", Damping,
+            "equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude")
+        .symbol("c_eq").title("equivalent damping"):
+        cycle => cycle.equivalent().damping();
+    EquivalentDampingRatio("equivalent_damping_ratio", One, "its ratio c_eq/(2√(k m))")
+        .symbol("ζ_eq").title("equivalent damping ratio"):
+        cycle => cycle.equivalent().damping_ratio();
+    EquivalentStiffness("equivalent_stiffness", Stiffness,
+            "stiffness of the loop of spring and friction from end to end, k + r_y/X")
+        .symbol("k_eff").title("equivalent stiffness"):
+        cycle => cycle.equivalent().stiffness();
+    EffectiveDampingRatio("effective_damping_ratio", One,
+            "damping ratio as isolation codes state it, W/(2π k_eff X²)")
+        .symbol("ξ_eff").title("effective damping ratio"):
+        cycle => cycle.equivalent().effective_damping_ratio();
 }
 
 impl Output {

@@ -8,8 +8,9 @@ use std::fmt::Display;
 use std::io::{self, Write};
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Driven, Given, Input, Role};
+use stickslip::motion::SteadyOutput;
 use stickslip::words;
-use stickslip::{Cycle, Excitation, Measure, PhaseFunction, Regime, Response, Scales};
+use stickslip::{Cycle, Excitation, Measure, Output, PhaseFunction, Regime, Response, Scales};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
@@ -93,6 +94,7 @@ pub(crate) fn response<F: Value>(
     }
     if let Some(cycle) = response.cycle.as_ref() {
         motion(cycle, &mut note)?;
+        equivalent(&mut note, |output, _| output.of(response))?;
     } else if response.reversals_per_cycle() == Some(6) {
         writeln!(
             note.out,
@@ -172,6 +174,18 @@ pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut im
 }
 
 impl<F: Value, W: Write> Note<'_, F, W> {
+    /// The greatest force in the spring.
+    pub(crate) fn in_spring(&mut self, name: &str, force: F) -> io::Result<()> {
+        self.number(name, Measure::Force, force)?;
+        if self.given.is_shifted() {
+            writeln!(
+                self.out,
+                "    (without k times the mean displacement, which the spring carries in addition)"
+            )?;
+        }
+        Ok(())
+    }
+
     /// The greatest force on the support.
     pub(crate) fn transmitted(&mut self, name: &str, force: F) -> io::Result<()> {
         self.number(name, Measure::Force, force)?;
@@ -218,6 +232,26 @@ fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io:
     }
     note.line("per static energy", format_args!("A₁ = {}", digits(cycle.loop_size_stiffness())))?;
     note.line("per pseudo-static energy", format_args!("A₂ = {}", digits(cycle.loop_size_inertia())))
+}
+
+/// The equivalent oscillator of a motion, by its outputs in the closed forms and in the steady state.
+pub(crate) fn equivalent<F: Value>(
+    note: &mut Note<'_, F, impl Write>,
+    of: impl Fn(Output, SteadyOutput) -> Option<F>,
+) -> io::Result<()> {
+    if let Some(damping) = of(Output::EquivalentDamping, SteadyOutput::EquivalentDamping) {
+        note.number("equivalent damping c_eq", Measure::Damping, damping)?;
+    }
+    if let Some(ratio) = of(Output::EquivalentDampingRatio, SteadyOutput::EquivalentDampingRatio) {
+        note.line("  damping ratio ζ_eq", digits(ratio))?;
+    }
+    if let Some(stiffness) = of(Output::EquivalentStiffness, SteadyOutput::EquivalentStiffness) {
+        note.number("equivalent stiffness", Measure::Stiffness, stiffness)?;
+    }
+    if let Some(ratio) = of(Output::EffectiveDampingRatio, SteadyOutput::EffectiveDampingRatio) {
+        note.line("  damping ratio ξ_eff", digits(ratio))?;
+    }
+    Ok(())
 }
 
 /// The fraction of a disturbance that remains after a time.

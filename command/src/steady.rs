@@ -3,7 +3,7 @@
 use crate::args::{SteadyArgs, Swept};
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
-use crate::note::{Note, decay, measured_from};
+use crate::note::{Note, decay, equivalent, measured_from};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
 use crate::record::{Record, Row};
@@ -124,6 +124,7 @@ fn motion<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>)
     if steady.damper_work > F::int(0) {
         note.number("work against the damper", Measure::Work, steady.damper_work)?;
     }
+    equivalent(note, |_, output| Some(output.of(steady)))?;
     note.line("a disturbance", decay(steady.contraction(), "a cycle"))?;
     let far = format!("{:.0e}", steady.distance.0.to_f64());
     let periods = digits(steady.periods.to_f64());
@@ -134,6 +135,7 @@ fn motion<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>)
 /// absolute motion.
 fn peaks<F: Value>(peaks: &Peaks<F>, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
     note.number("maximum acceleration", Measure::Acceleration, peaks.acceleration)?;
+    note.in_spring("force in the spring", peaks.spring_force)?;
     note.transmitted("transmitted force", peaks.transmitted_force)?;
     let unit = if note.is_driven(Excitation::moves_foot) { "" } else { " p₀" };
     note.line("transmissibility", format_args!("{}{unit}", digits(peaks.transmissibility)))?;

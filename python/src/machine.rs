@@ -137,7 +137,7 @@ impl<'a> Under<'a> {
 type OfDrive = fn(&Under<'_>) -> f64;
 
 /// The values of a body under a drive by their names.
-const OF_DRIVE: [(&str, OfDrive); 14] = [
+const OF_DRIVE: [(&str, OfDrive); 16] = [
     ("omega", |under| under.ratios.omega()),
     ("alpha", |under| under.ratios.alpha()),
     ("damping_ratio", |under| under.ratios.damping_ratio()),
@@ -150,6 +150,8 @@ const OF_DRIVE: [(&str, OfDrive); 14] = [
     ("energy", |under| under.scales.energy_stiffness),
     ("energy_inertia", |under| under.scales.energy_inertia),
     ("acceleration", |under| under.scales.velocity / under.scales.time),
+    ("stiffness", |under| Measure::Stiffness.size(&under.scales)),
+    ("damping", |under| Measure::Damping.size(&under.scales)),
     ("mean_displacement", |under| under.scales.mean_displacement),
     ("mean_friction", |under| under.scales.mean_friction),
 ];
@@ -204,6 +206,8 @@ const fn scale(measure: Measure) -> &'static str {
         Measure::Velocity => "velocity",
         Measure::Acceleration => "acceleration",
         Measure::Force | Measure::ForceRatio => "force",
+        Measure::Stiffness => "stiffness",
+        Measure::Damping => "damping",
         Measure::Work => "work",
         Measure::EnergyStiffness | Measure::EnergyOfLargestLoop => "energy",
         Measure::EnergyInertia => "energy_inertia",

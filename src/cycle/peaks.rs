@@ -84,16 +84,19 @@ impl<F: Float> Cycle<F> {
             Motion::Undamped(_) if F::int(2) * omega >= F::int(1) => {
                 arrival_acceleration(self.max_displacement, omega)
             }
-            Motion::Undamped(_) => self.max_acceleration_below(),
+            Motion::Undamped(_) => {
+                let square = omega.square();
+                let arrival = arrival_acceleration(self.max_displacement, omega);
+                self.greatest_below(arrival * square, F::int(0)) / square
+            }
         }
     }
 
-    /// The greatest |x″| without damping below Ω = 1/2, `x″ = Ω²Δ₀ sin Ωψ − g`: as a difference of force and
-    /// spring it would lose as many digits as they exceed it by.
-    fn max_acceleration_below(&self) -> F {
+    /// The greater of `best` and the greatest |x″ + `offset`| without damping below Ω = 1/2, in B ω_n², `x″ = Ω²Δ₀ sin Ωψ −
+    /// g`: as a difference of force and spring it would lose as many digits as they exceed it by.
+    pub(super) fn greatest_below(&self, best: F, offset: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let (omega, delta) = (self.ratios.omega(), self.max_displacement);
-        let arrival = arrival_acceleration(delta, omega);
         let tangent = PhaseFunction::of_valid(omega).tangent();
         let (_, cos_beta) = self.sin_cos_beta();
         let square = omega.square();
@@ -104,7 +107,7 @@ impl<F: Float> Cycle<F> {
             let ((s, c), (sine, cosine)) = ((omega * psi).sin_cos(), psi.sin_cos());
             let (wave, rate) = (slow * s + bent * c, omega * (slow * c - bent * s));
             Jet {
-                value: wave - cosine / cos_beta,
+                value: wave - cosine / cos_beta + offset,
                 slope: rate + sine / cos_beta,
                 second: cosine / cos_beta - square * wave,
             }
@@ -118,9 +121,9 @@ impl<F: Float> Cycle<F> {
             let low = low.or_larger(-beta);
             (low, if high < beta { high } else { beta })
         };
-        let best = windows.map(inside).into_iter().filter(|(low, high)| low < high);
+        let windows = windows.map(inside).into_iter().filter(|(low, high)| low < high);
         let bound = |_, _| Bound { curvature, value: one / F::int(0) };
-        best.fold(arrival * square, |best, (low, high)| greatest(low, high, best, bound, motion)) / square
+        windows.fold(best, |best, (low, high)| greatest(low, high, best, bound, motion))
     }
 
     /// Maximum absolute displacement, with a base that carries the surface, in B: the maximum of |x + u|,
@@ -156,7 +159,7 @@ impl<F: Float> Cycle<F> {
     }
 
     /// (α sin θ, α cos θ) at the centred time ψ of the half cycle with x′ > 0.
-    fn drive(&self, psi: F, k: F) -> (F, F) {
+    pub(super) fn drive(&self, psi: F, k: F) -> (F, F) {
         let omega = self.ratios.omega();
         let sine = (F::int(1) - omega) * (F::int(1) + omega) * self.max_displacement;
         let (s, c) = (omega * psi).sin_cos();

@@ -11,6 +11,7 @@ use super::greatest::{greatest, greatest_size};
 use super::root::only_zero;
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::cycle::damped::rising::{Moment, Rising};
+use crate::cycle::equivalent::Equivalent;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::cycle::{
     HalfCycle, arrival_acceleration, dynamic_amplification, fastest, free_swing, loop_size_inertia,
@@ -106,8 +107,39 @@ pub(crate) fn outputs<const W: usize>(
         };
         found.push((Output::MaxAbsoluteDisplacement, most));
     }
+    let is_on_foot = excitation == Some(Excitation::DampedFootMotion);
+    if wanted(Output::MaxSpringForce) {
+        let most = if support.is_foot() {
+            let seen = rising.seen_from_foot(is_on_foot);
+            let is_slow = is_undamped && *angle.known.high() < rug::Rational::from((1, 2));
+            let windows = if is_slow { crests(&rising).to_vec() } else { whole.to_vec() };
+            greatest_size(&windows, &[Ball::int(0), end], |tau| seen.displacement(&moment(&half, tau)))
+        } else {
+            Some(delta)
+        };
+        found.push((Output::MaxSpringForce, most));
+    }
+    if EQUIVALENTS.into_iter().any(&wanted) {
+        let vibration = if is_on_foot { rising.seen_from_foot(true) } else { rising.vibration() };
+        let damper = if is_undamped { Ball::int(0) } else { rising.damper_work(&vibration).0 };
+        let equivalent = Equivalent { omega, amplitude: delta, work: Ball::int(4) * delta + damper };
+        found.extend([
+            (Output::EquivalentDamping, Some(equivalent.damping())),
+            (Output::EquivalentDampingRatio, Some(equivalent.damping_ratio())),
+            (Output::EquivalentStiffness, Some(equivalent.stiffness())),
+            (Output::EffectiveDampingRatio, Some(equivalent.effective_damping_ratio())),
+        ]);
+    }
     Some(found)
 }
+
+/// The outputs of the equivalent oscillator.
+const EQUIVALENTS: [Output; 4] = [
+    Output::EquivalentDamping,
+    Output::EquivalentDampingRatio,
+    Output::EquivalentStiffness,
+    Output::EffectiveDampingRatio,
+];
 
 /// V₀, ω_d t₁ and Δ₁.
 fn at_greatest_velocity<const W: usize>(
@@ -208,15 +240,20 @@ fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Optio
 /// the slow wave, as in `crate::cycle::peaks`.
 fn max_acceleration<const W: usize>(rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
     let half = &rising.half;
+    let ends = [Ball::int(0), half.period];
+    greatest_size(&crests(rising), &ends, |tau| rising.acceleration(&moment(half, tau)))
+}
+
+/// The times within a fast period of an end or of the extreme of the slow wave.
+fn crests<const W: usize>(rising: &Rising<Ball<W>>) -> [(Mp<W>, Mp<W>); 3] {
+    let half = &rising.half;
     let (end, turn) = (half.period.lower(), (Ball::<W>::pi() * Ball::int(2)).upper());
     // a Ω² cos Ωτ + H Ω² sin Ωτ, whose values at the ends have opposite signs.
     let crest = (half.h.atan2(rising.amplitude) / half.omega).mid();
     let crest = if crest < Mp::ZERO { crest + half.period.mid() } else { crest };
     let windows = [(Mp::ZERO, turn), (crest - turn, crest + turn), (end - turn, end)];
-    let windows = windows.map(|(low, high)| {
-        (if low < Mp::ZERO { Mp::ZERO } else { low }, if high > end { end } else { high })
-    });
-    greatest_size(&windows, &[Ball::int(0), half.period], |tau| rising.acceleration(&moment(half, tau)))
+    windows
+        .map(|(low, high)| (if low < Mp::ZERO { Mp::ZERO } else { low }, if high > end { end } else { high }))
 }
 
 /// v/(Bω_d) and its derivative by the centred time ψ.

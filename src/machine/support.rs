@@ -41,6 +41,15 @@ impl<F: Field> Support<F> {
         if self.is_foot() { carried * self.omega.square() } else { carried }
     }
 
+    /// The amplitude of the foot of the spring in B where it moves, and 2ζ if the damper stands on it, otherwise 0.
+    pub(crate) fn foot(&self) -> Option<(F, F)> {
+        self.is_foot().then(|| {
+            let has_damper = self.excitation == Some(Excitation::DampedFootMotion);
+            let damping = if has_damper { F::int(2) * self.damping_ratio } else { F::int(0) };
+            (self.alpha / F::int(1).hypot(damping * self.omega), damping)
+        })
+    }
+
     /// The transmissibility, from the same maximum.
     pub(crate) fn transmissibility(&self, carried: F) -> F {
         if self.excitation == Some(Excitation::DampedFootMotion) {

@@ -96,6 +96,11 @@ impl<F: Float> ResponseAnswer<'_, F> {
         [Output::TransmittedForce];
         [Output::Transmissibility];
         [Output::MaxAbsoluteDisplacement];
+        [Output::MaxSpringForce];
+        [Output::EquivalentDamping];
+        [Output::EquivalentDampingRatio];
+        [Output::EquivalentStiffness];
+        [Output::EffectiveDampingRatio];
         (DAMPER_WORK) if Damping => Number(answer.response.cycle.as_ref().map(Cycle::damper_work));
     }
 

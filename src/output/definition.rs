@@ -77,6 +77,10 @@ measures! {
     Acceleration: "B ω_d²", Acceleration, scales => scales.velocity / scales.time;
     /// r_y.
     Force: "r_y", Force, scales => scales.force;
+    /// k = r_y/B.
+    Stiffness: "k", Stiffness, scales => scales.force / scales.length;
+    /// k/ω_d.
+    Damping: "k/ω_d", Damping, scales => scales.force / scales.velocity;
     /// A force over r_y as a plain number.
     ForceRatio: "1", Force, scales => scales.force;
     /// r_y B.

@@ -3,7 +3,7 @@
 use crate::machines::{DRIVES, Driven};
 use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Of};
-use crate::steady::{Expected, Units, hold, transmitted};
+use crate::steady::{Expected, Units, equivalent, hold, spring, transmitted};
 use stickslip::{Border, Excitation, Ratios, Response, ResponseAnswer, Value};
 
 /// The size of the loop in p₀²/(2k) by the samples, at Ω, α and ζ.
@@ -86,6 +86,11 @@ fn expected(name: &str, driven: &Driven, cycle: &Cycle, value: Value<f64>) -> Ex
             greatest(absolute([most, found.least(Of::Displacement)], mean), units.length)
         }
         "max_absolute_displacement" => Expected::Nothing,
+        "max_spring_force" => greatest(spring(driven, cycle), units.force),
+        "equivalent_damping"
+        | "equivalent_damping_ratio"
+        | "equivalent_stiffness"
+        | "effective_damping_ratio" => number(equivalent(name, driven, cycle)),
         "damper_work" => {
             of_cycle(Expected::Number(found.damper_work / units.work, 1e-9 * p0 * reach * 4.0 / units.work))
         }

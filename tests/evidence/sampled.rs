@@ -135,8 +135,8 @@ impl Machine {
     }
 }
 
-/// Quantities that have extremes: x, x′, x″, the acceleration and the displacement in space, and the force of spring,
-/// damper and friction on their support.
+/// Quantities that have extremes: x, x′, x″, the acceleration and the displacement in space, the force of spring,
+/// damper and friction on their support, and that of the spring alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Of {
     Displacement,
@@ -145,14 +145,16 @@ pub(crate) enum Of {
     AbsoluteAcceleration,
     AbsoluteDisplacement,
     Transmitted,
+    Spring,
 }
-const QUANTITIES: [Of; 6] = [
+const QUANTITIES: [Of; 7] = [
     Of::Displacement,
     Of::Velocity,
     Of::Acceleration,
     Of::AbsoluteAcceleration,
     Of::AbsoluteDisplacement,
     Of::Transmitted,
+    Of::Spring,
 ];
 
 /// An extreme of the samples, that between samples, and the time of the latter.
@@ -236,6 +238,11 @@ impl Equation {
                 let load = if self.load.is_foot() { 0.0 } else { 1.0 };
                 sum(&[(load, self.force()), (self.machine.mean, unit(4)), (-self.machine.mass, a[1])])
             }
+            // The foot is the load's first state where it moves.
+            Of::Spring => {
+                let foot = if self.load.is_foot() { 1.0 } else { 0.0 };
+                sum(&[(self.machine.stiffness, unit(0)), (-self.machine.stiffness * foot, unit(2))])
+            }
         }
     }
 }
@@ -243,8 +250,8 @@ impl Equation {
 /// What a stretch of a motion amounts to.
 #[derive(Debug, Clone)]
 pub(crate) struct Found {
-    most: [Extreme; 6],
-    least: [Extreme; 6],
+    most: [Extreme; 7],
+    least: [Extreme; 7],
     /// Path forwards and backwards.
     pub(crate) path: [f64; 2],
     pub(crate) rest: f64,
@@ -284,7 +291,7 @@ impl Found {
     }
 
     fn new() -> Self {
-        let nothing = |value: f64| [Extreme { sampled: value, value, time: f64::NAN }; 6];
+        let nothing = |value: f64| [Extreme { sampled: value, value, time: f64::NAN }; 7];
         Self {
             most: nothing(f64::NEG_INFINITY),
             least: nothing(f64::INFINITY),

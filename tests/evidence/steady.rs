@@ -124,6 +124,38 @@ pub(crate) fn transmitted(driven: &Driven, cycle: &Cycle) -> (Extreme, Extreme) 
     (force, ratio)
 }
 
+/// The greatest force in the spring, without that of the mean displacement.
+pub(crate) fn spring(driven: &Driven, cycle: &Cycle) -> Extreme {
+    let mean = driven.stiffness * driven.harmonic().mean();
+    let (most, least) = (cycle.found.most(Of::Spring), cycle.found.least(Of::Spring));
+    let (most, least) = (shifted(most, mean), shifted(least, mean));
+    Extreme {
+        sampled: most.sampled.abs().max(least.sampled.abs()),
+        value: most.value.abs().max(least.value.abs()),
+        time: 0.0,
+    }
+}
+
+/// The equivalent oscillator of the samples: by the works of friction in each direction and of the damper in a turn, and by
+/// the force of spring and friction at the ends of the loop.
+pub(crate) fn equivalent(name: &str, driven: &Driven, cycle: &Cycle) -> f64 {
+    let (found, machine) = (&cycle.found, driven.machine());
+    let (most, least) = (found.most(Of::Displacement).value, found.least(Of::Displacement).value);
+    let work = (found.friction_work(&machine) + found.damper_work) / f64::from(cycle.turns);
+    let amplitude = (most - least) / 2.0;
+    let [forward, backward] = machine.friction;
+    let (high, low) = (driven.stiffness * most + forward, driven.stiffness * least - backward);
+    let stiffness = (high - low) / (most - least);
+    let natural = (driven.stiffness / driven.mass).sqrt();
+    let damping = work / (std::f64::consts::PI * driven.frequency * amplitude * amplitude);
+    match name {
+        "equivalent_damping" => damping * driven.frequency / driven.stiffness,
+        "equivalent_damping_ratio" => damping / (2.0 * driven.mass * natural),
+        "equivalent_stiffness" => stiffness / driven.stiffness,
+        _ => work / (TAU * stiffness * amplitude * amplitude),
+    }
+}
+
 /// The condition of a time: half the range of a quantity over the size of its second derivative would be the square of
 /// it. An extreme is known to `room`, and its time to the root of it at worst.
 const TIME: f64 = 2e-7;
@@ -244,6 +276,14 @@ fn expected(name: &str, driven: &Driven, cycle: &Cycle, steady: &SteadyState<f64
             greatest(size, units.length)
         }
         "max_absolute_displacement" => Expected::Nothing,
+        "max_spring_force" => greatest(spring(driven, cycle), units.force),
+        "equivalent_damping"
+        | "equivalent_damping_ratio"
+        | "equivalent_stiffness"
+        | "effective_damping_ratio" => {
+            let value = equivalent(name, driven, cycle);
+            Expected::Number(value, 1e-9 * value)
+        }
         "turns_per_cycle" => Expected::Count(cycle.turns.into()),
         "symmetric" => Expected::Flag(cycle.is_symmetric),
         _ => panic!("no reference of {name} for {steady:?}"),

@@ -3,7 +3,7 @@
 use super::Note;
 use crate::bits::{Value, digits};
 use std::io::{self, Write};
-use stickslip::{Excitation, Measure, NoStop, Ratios, Response};
+use stickslip::{Excitation, Measure, NoStop, Output, Ratios, Response};
 
 /// The minimum force without sticking, and the force of maximum dissipation.
 pub(super) fn needed_force<F: Value>(
@@ -12,6 +12,9 @@ pub(super) fn needed_force<F: Value>(
 ) -> io::Result<()> {
     let border = response.border;
     writeln!(note.out, "\nForce")?;
+    if let Some(force) = Output::MaxSpringForce.of(response) {
+        note.in_spring("in the spring, maximum", force)?;
+    }
     if let Some(cycle) = response.cycle.as_ref() {
         note.transmitted("transmitted, maximum", cycle.transmitted_force())?;
         let of_foot = note.is_driven(Excitation::moves_foot);

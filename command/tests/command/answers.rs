@@ -53,14 +53,19 @@ fn json_has_the_agreed_keys_in_every_regime() {
         "transmitted_force",
         "transmissibility",
         "max_absolute_displacement",
+        "max_spring_force",
+        "equivalent_damping",
+        "equivalent_damping_ratio",
+        "equivalent_stiffness",
+        "effective_damping_ratio",
     ];
     for (args, regime, absent) in [
         ("--omega 1.5 --alpha 2.5", "non-sticking", 0),
-        ("--omega 0.4 --alpha 6", "sticking", 14),
-        ("--omega 0.4 --alpha 0.9", "stuck", 14),
-        ("--omega 1 --alpha 2", "unbounded", 15),
+        ("--omega 0.4 --alpha 6", "sticking", 19),
+        ("--omega 0.4 --alpha 0.9", "stuck", 19),
+        ("--omega 1 --alpha 2", "unbounded", 20),
         ("--omega 0.5 --alpha 4", "non-sticking", 1),
-        ("--omega 0.331 --alpha 61.6", "non-sticking", 13),
+        ("--omega 0.331 --alpha 61.6", "non-sticking", 18),
     ] {
         let answer = json(&format!("response {args} --format json"));
         let object = answer.as_object().unwrap();

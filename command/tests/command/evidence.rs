@@ -6,7 +6,7 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Harmonic, Limit, Load, Machine, Of, record};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use stickslip::Excitation;
 
 const PAGE: &str = include_str!("../../../docs/evidence.md");
@@ -258,6 +258,12 @@ fn in_units(name: &str, driven: &Driven, cycle: &Cycle, ratios: &Value) -> Optio
     let force = driven.force();
     let base = force / driven.mass / w / w;
     let work = |x: f64| (x, 1e-8 * force * reach);
+    let equivalent = {
+        let (machine, range) = (driven.machine(), reach);
+        let work = (found.friction_work(&machine) + found.damper_work) / f64::from(cycle.turns);
+        let [forward, backward] = machine.friction;
+        (4.0 * work / (PI * w * range * range), driven.stiffness + (forward + backward) / range)
+    };
     Some(match name {
         "frequency" => near(w / TAU),
         "angular_frequency" => near(w),
@@ -307,6 +313,9 @@ fn in_units(name: &str, driven: &Driven, cycle: &Cycle, ratios: &Value) -> Optio
         "transmitted_force" => near(greatest(Of::Transmitted, driven.mean)),
         "max_absolute_displacement" if driven.is_surface() => near(greatest(Of::AbsoluteDisplacement, mean)),
         "max_absolute_displacement" => near(greatest(Of::Displacement, mean)),
+        "max_spring_force" => near(greatest(Of::Spring, driven.stiffness * mean)),
+        "equivalent_damping" => near(equivalent.0),
+        "equivalent_stiffness" => near(equivalent.1),
         "distance" => (0.0, 1e-8 * reach),
         "followed_for" => near(ratio("periods")? * TAU / w),
         _ => return None,

@@ -267,7 +267,9 @@ fn every_value_in_units_is_its_ratio_times_its_unit() {
                 }
                 "max_velocity" | "min_velocity" => (own(name).map(|x| x * 0.525), "m/s"),
                 "max_acceleration" => (own(name).map(|x| x * 0.735), "m/s²"),
-                "transmitted_force" => (own(name).map(|x| x * 3.0), "N"),
+                "transmitted_force" | "max_spring_force" => (own(name).map(|x| x * 3.0), "N"),
+                "equivalent_stiffness" => (own(name).map(|x| x * 8.0), "N/m"),
+                "equivalent_damping" => (own(name).map(|x| x * 8.0 / 1.4), "N·s/m"),
                 "min_force" | "min_force_turning_point" | "best_force" => {
                     (own(&name.replace("force", "force_ratio")).map(|x| x * 3.0), "N")
                 }

@@ -80,6 +80,17 @@ class ResponseOutputs(Result, Generic[V, W]):
     base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
+    max_spring_force: V
+    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement
+    (r_y)."""
+    equivalent_damping: V
+    """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude (k/ω_d)."""
+    equivalent_damping_ratio: V
+    """Its ratio c_eq/(2√(k m))."""
+    equivalent_stiffness: V
+    """Stiffness of the loop of spring and friction from end to end, k + r_y/X (k)."""
+    effective_damping_ratio: V
+    """Damping ratio as isolation codes state it, W/(2π k_eff X²)."""
 
 
 class BorderOutputs(Result, Generic[V]):
@@ -176,6 +187,17 @@ class SteadyOutputs(Result, Generic[V, W]):
     base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
+    max_spring_force: V
+    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement
+    (r_y)."""
+    equivalent_damping: V
+    """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude (k/ω_d)."""
+    equivalent_damping_ratio: V
+    """Its ratio c_eq/(2√(k m))."""
+    equivalent_stiffness: V
+    """Stiffness of the loop of spring and friction from end to end, k + r_y/X (k)."""
+    effective_damping_ratio: V
+    """Damping ratio as isolation codes state it, W/(2π k_eff X²)."""
     damper_work: V
     """Energy that the damper dissipates in a cycle, where damping was given (r_y B)."""
     turns_per_cycle: V
@@ -226,6 +248,14 @@ class PhysicalResponse(Physical[V]):
     """Maximum acceleration |x″|, as an acceleration."""
     transmitted_force: V
     """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, as a force."""
+    max_spring_force: V
+    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement, as a
+    force."""
+    equivalent_damping: V
+    """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude, as a damping
+    constant."""
+    equivalent_stiffness: V
+    """Stiffness of the loop of spring and friction from end to end, k + r_y/X, as a stiffness."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves, as a
     length."""
@@ -264,6 +294,14 @@ class PhysicalSteady(Physical[V]):
     """Maximum acceleration |x″|, as an acceleration."""
     transmitted_force: V
     """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, as a force."""
+    max_spring_force: V
+    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement, as a
+    force."""
+    equivalent_damping: V
+    """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude, as a damping
+    constant."""
+    equivalent_stiffness: V
+    """Stiffness of the loop of spring and friction from end to end, k + r_y/X, as a stiffness."""
     damper_energy_per_cycle: V
     """Energy that the damper dissipates in a cycle, where damping was given, as an energy."""
     max_absolute_displacement: V

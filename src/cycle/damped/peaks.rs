@@ -9,7 +9,7 @@
 //! Each is the sum of a driven part, a harmonic of the frequency Ω, and a free part with decreasing energy.
 
 use super::DampedCycle;
-use super::rising::{Moment, Rising};
+use super::rising::{Moment, Rising, Vibration};
 use crate::float::{Field, Float};
 use crate::greatest::{Bound, Jet, greatest};
 
@@ -32,6 +32,15 @@ impl<F: Field> Rising<F> {
         let Jet { value: force, slope: rate, .. } = self.force(at, x);
         // α sin θ = x″ + f, and its derivative.
         Jet { value: x + (a + force) / square, slope: v + (jerk + rate) / square, second: -force }
+    }
+}
+
+impl<F: Field> Vibration<F> {
+    /// x and its first two derivatives, in natural time.
+    pub(crate) fn displacement(&self, at: &Moment<F>) -> Jet<F> {
+        let ([slope, second, _], (a, h), (s, c)) = (self.velocity(at), self.driven, at.drive);
+        let driven = if self.whole.is_some() { F::int(0) } else { a * c + h * s };
+        Jet { value: at.free.x - F::int(1) - driven, slope, second }
     }
 }
 
@@ -103,6 +112,30 @@ impl<F: Float> DampedCycle<F> {
             |_, _| Bound { curvature: most, value: one / F::int(0) },
             |at| self.rising.absolute(at, self.rising.displacement(at)),
         )
+    }
+
+    /// Greatest |x − u|, in B, where the foot of the spring moves by u, with the damper or without it.
+    pub(crate) fn max_spring_force(&self, has_damper: bool) -> F {
+        let (seen, one) = (self.rising.seen_from_foot(has_damper), F::int(1));
+        let (square, (a, h), (along, across)) = (seen.omega.square(), seen.driven, seen.force());
+        let (most, growth) = (square * a.hypot(h), seen.omega * along.hypot(across));
+        let bound = |from: F, to: F| {
+            let (start, middle) = (seen.at(from), seen.at((from + to) / F::int(2)));
+            let [speed, bend, _] = seen.velocity(&start);
+            // √(x′² + x″²) grows by Ω times the force in a unit of time at most.
+            let together = speed.hypot(bend) + growth * (to - from);
+            let (apart, value) = if seen.whole.is_some() {
+                (together, one / F::int(0))
+            } else {
+                let (s, c) = middle.drive;
+                let driven = Jet { value: a * c + h * s, slope: seen.omega * (h * c - a * s), second: most };
+                let free = start.free.x.hypot(start.free.v);
+                (most + start.free.acceleration_bound(), driven.reach((to - from) / F::int(2)) + free + one)
+            };
+            Bound { curvature: less(apart, together), value }
+        };
+        let period = self.rising.half.period;
+        greatest(F::int(0), period, F::int(0), bound, |tau| seen.displacement(&seen.at(tau)))
     }
 
     /// No derivative is larger than this until `time` after a moment.

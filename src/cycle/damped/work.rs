@@ -3,7 +3,7 @@
 use super::DampedCycle;
 use super::rising::{Rising, Vibration};
 use super::squared::DrivenVelocity;
-use crate::float::Float;
+use crate::float::{Field, Float};
 
 impl<F: Float> DampedCycle<F> {
     /// The energy that the damper takes in a cycle, in units of r_y B: with the damper on the moving foot by the velocity
@@ -12,31 +12,44 @@ impl<F: Float> DampedCycle<F> {
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near
     /// resonance these nearly cancel, and the power series of x′ is integrated.
     pub(crate) fn damper_work(&self, is_on_foot: bool) -> F {
-        let (half, two) = (&self.rising.half, F::int(2));
-        let vibration = if is_on_foot { self.rising.seen_from_foot() } else { self.rising.vibration() };
+        let half = &self.rising.half;
+        let vibration = if is_on_foot { self.rising.seen_from_foot(true) } else { self.rising.vibration() };
+        let (work, driven) = self.rising.damper_work(&vibration);
+        let cancels = work * F::int(16) < driven;
+        let small = || F::int(4) * half.free.zeta * square_of_velocity(&vibration);
+        if half.is_resonant && cancels { small() } else { work }
+    }
+}
+
+impl<F: Field> Rising<F> {
+    /// The work of the damper along a vibration of this free part, in r_y B, and its driven part.
+    pub(crate) fn damper_work(&self, vibration: &Vibration<F>) -> (F, F) {
+        let (half, two) = (&self.half, F::int(2));
         let (a, h) = vibration.driven;
         let q2 = half.stiffness.square();
         let mixed = two * half.omega * (h * half.one_minus_square - half.damper() * a) / q2;
         let zeta = half.free.zeta;
         let driven = two * zeta * half.period * (half.omega * a.hypot(h)).square();
-        let work = driven + F::int(4) * half.shift + F::int(8) * zeta * mixed;
-        let cancels = work * F::int(16) < driven;
-        if half.is_resonant && cancels { F::int(4) * zeta * square_of_velocity(&vibration) } else { work }
+        (driven + F::int(4) * half.shift + F::int(8) * zeta * mixed, driven)
     }
-}
 
-impl<F: Float> Rising<F> {
-    /// The body as seen from a foot with the damper, which moves by `u = c cos Ωτ + s sin Ωτ`, `u + 2ζu′` being the
-    /// drive: a vibration of the same free part, whose driven part `−(a + c) cos Ωτ − (H + s) sin Ωτ` is written
-    /// without a difference, `(a + c, H + s) = Ω²(a − dH, H + da)/(1 + d²)`, d = 2ζΩ.
-    fn seen_from_foot(&self) -> Vibration<F> {
-        let (vibration, d) = (self.vibration(), self.half.damper());
+    /// The body as seen from the foot, which moves by `u = c cos Ωτ + s sin Ωτ`: a vibration of the same free part, whose
+    /// driven part `−(a + c) cos Ωτ − (H + s) sin Ωτ` is written without a difference. With the damper on the foot
+    /// `u + 2ζu′` is the drive, and `(a + c, H + s) = Ω²(a − dH, H + da)/(1 + d²)`, d = 2ζΩ; otherwise u is the drive,
+    /// and `(a + c, H + s) = (Ω²a − dH, Ω²H + da)`.
+    pub(crate) fn seen_from_foot(&self, has_damper: bool) -> Vibration<F> {
+        let (vibration, d, omega) = (self.vibration(), self.half.damper(), self.half.omega);
+        if !has_damper {
+            let ((a, h), (along, across), square) = (vibration.driven, vibration.force(), omega.square());
+            let whole = vibration.whole.map(|(x, v)| (x - along, v - omega * across));
+            return Vibration { driven: (square * a - d * h, square * h + d * a), whole, ..vibration };
+        }
         let size = F::int(1) + d.square();
         let turned = |(a, h): (F, F)| ((a - d * h) / size, (h + d * a) / size);
-        let (square, (a, h)) = (self.half.omega.square(), turned(vibration.driven));
+        let (square, (a, h)) = (omega.square(), turned(vibration.driven));
         let (along, across) = turned(vibration.force());
         // Where the parts nearly cancel, the whole begins with x + 1 − u and −u′.
-        let whole = vibration.whole.map(|(x, v)| (x - along, v - self.half.omega * across));
+        let whole = vibration.whole.map(|(x, v)| (x - along, v - omega * across));
         Vibration { driven: (square * a, square * h), whole, ..vibration }
     }
 }

@@ -30,6 +30,8 @@ pub struct Peaks<F> {
     /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B; |x| where the foot
     /// moves over a fixed surface.
     pub absolute_displacement: F,
+    /// Force in the spring k |x − u|, in r_y, where the foot of the spring moves by u; k |x| otherwise.
+    pub spring_force: F,
 }
 
 impl<F: Float> SteadyState<F> {
@@ -59,6 +61,7 @@ impl<F: Float> SteadyState<F> {
             transmitted_force: zero,
             transmissibility: zero,
             absolute_displacement: zero,
+            spring_force: zero,
         };
         let start = self.state;
         let phases = Trajectory::of(self.equation, start);
@@ -86,13 +89,14 @@ impl<F: Float> SteadyState<F> {
         if is_interrupted.get() {
             return Err(Error::Interrupted);
         }
-        let found = [peaks.acceleration, peaks.transmitted_force, peaks.absolute_displacement];
+        let forces = [peaks.transmitted_force, peaks.spring_force];
+        let found = [peaks.acceleration, peaks.absolute_displacement].into_iter().chain(forces);
         let search = "the greatest acceleration, force or absolute displacement";
         let lost = |bound| Err(self.equation.lost(search, start.phase, bound).into());
-        if found.into_iter().any(is_unknown) {
+        if found.clone().any(is_unknown) {
             return lost("2²⁰ parts of a slide");
         }
-        if found.into_iter().any(|peak| !peak.is_finite()) {
+        if found.into_iter().any(|peak: F| !peak.is_finite()) {
             return lost("the range of this number type");
         }
         let acceleration = peaks.acceleration / self.equation.omega.square();
@@ -103,6 +107,7 @@ impl<F: Float> SteadyState<F> {
             transmitted_force: support.force(carried),
             transmissibility: support.transmissibility(carried),
             absolute_displacement: if support.is_foot() { reach } else { peaks.absolute_displacement },
+            spring_force: if support.is_foot() { peaks.spring_force } else { reach },
         })
     }
 }
@@ -139,6 +144,7 @@ impl<F: Float> Peaks<F> {
             transmitted_force: support.force(carried),
             transmissibility: support.transmissibility(carried),
             absolute_displacement: x.abs() + base,
+            spring_force: x.abs() + support.foot().map_or(zero, |(size, _)| size),
         }
     }
 
@@ -166,6 +172,12 @@ impl<F: Float> Peaks<F> {
         let jerk = omega * equation.alpha + speed + damping * most;
         // On a slide of very many oscillations, or with much damping, the free vibration is looked at anew in each piece.
         let is_long = end * (one + damping) > F::exp2i(LONG);
+        let free_motion = |phi: F| {
+            if !is_long || damping == zero {
+                return (h, rate);
+            }
+            slide.free_motion(phi)
+        };
         let free_from = |phi: F| {
             if !is_long || damping == zero {
                 return free;
@@ -213,6 +225,34 @@ impl<F: Float> Peaks<F> {
                 Jet { value: m.x + m.force / square, slope, second: -(m.x + sign + damping * m.w) }
             })
         });
+        let Some((foot, on_foot)) = equation.support().foot() else { return };
+        // With c = 2ζ of a damper on the foot and c = 0 of another, u + cu′ = α sin θ gives
+        // (1 + c²Ω²)(x − u) = c²Ω²x − x″ − s − (2ζ − c)x′ + c(x‴ + 2ζx″).
+        // The driven part of x″ − u″ is that of x times Ω² hypot(Ω²/√(1 + c²Ω²), (2ζ − c)Ω).
+        let (on_ground, turn) = (damping - on_foot, (on_foot * omega).square());
+        let size = one + turn;
+        let driven = square * amplitude * (square / size.sqrt()).hypot(on_ground * omega);
+        let ode = most + square * foot;
+        let bend = |low: F, _: F| {
+            let (h, rate) = free_motion(low);
+            let waves = driven + rate.hypot(h + damping * rate);
+            let curvature = if waves < ode { waves } else { ode };
+            Bound { curvature: if stops() { one / zero } else { curvature }, value: one / zero }
+        };
+        self.spring_force = windows.iter().fold(self.spring_force, |best, &(low, high)| {
+            greatest(low, high, best, bend, |phi| {
+                let m = slide.motion(phi);
+                let (third, fourth) = m.higher(equation);
+                let seen = |x: F, v: F, a: F, jerk: F| {
+                    (turn * x - a - on_ground * v + on_foot * (jerk + damping * a)) / size
+                };
+                Jet {
+                    value: seen(m.x, m.w, m.acceleration, m.jerk) - sign / size,
+                    slope: seen(m.w, m.acceleration, m.jerk, third),
+                    second: seen(m.acceleration, m.jerk, third, fourth),
+                }
+            })
+        });
     }
 
     fn stick(&mut self, stick: &Stick<F>, length: F) {
@@ -232,6 +272,19 @@ impl<F: Float> Peaks<F> {
             let crest = quarter * F::int(n);
             if crest > start && crest < start + length {
                 at(if n % 4 == 1 { F::int(1) } else { F::int(-1) });
+            }
+        }
+        let Some((foot, damping)) = stick.equation.support().foot() else { return };
+        let lag = (damping * stick.equation.omega).atan2(F::int(1));
+        let mut seen = |sine: F| {
+            self.spring_force = self.spring_force.or_larger((stick.x - foot * sine).abs());
+        };
+        seen((start - lag).sin());
+        seen((start + length - lag).sin());
+        for n in [1, 3, 5, 7] {
+            let crest = quarter * F::int(n) + lag;
+            if crest > start && crest < start + length {
+                seen(if n % 4 == 1 { F::int(1) } else { F::int(-1) });
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use super::measures::{CycleStatistics, ErrorMeasures, Extreme, seam};
 use super::propagation::{HalfTurns, follow};
+use crate::cycle::equivalent::Equivalent;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
@@ -137,6 +138,16 @@ impl<F: Float> SteadyState<F> {
     pub fn contraction(&self) -> F {
         let [(a, b), (c, d)] = self.multipliers;
         a.hypot(b).or_larger(c.hypot(d))
+    }
+
+    /// The equivalent oscillator, by the work in a turn of the drive and half the range of the displacement.
+    pub(crate) fn equivalent(&self) -> Equivalent<F> {
+        let turns = F::from_f64(f64::from(self.turns_per_cycle));
+        Equivalent {
+            omega: self.equation.omega,
+            amplitude: (self.max_displacement.value - self.min_displacement.value) / F::int(2),
+            work: (self.energy_out + self.damper_work) / turns,
+        }
     }
 
     /// The paper's error measures of one cycle. The cycle is followed for this purpose, and both of its

@@ -93,6 +93,12 @@ steady_outputs! {
         "work against friction in a cycle, without damper_work where damping was given",
     ).title("work against friction in a cycle"), steady => steady.energy_out;
     DamperWork: *DAMPER_WORK, steady => steady.damper_work;
+    EquivalentDamping: *Output::EquivalentDamping.definition(), steady => steady.equivalent().damping();
+    EquivalentDampingRatio: *Output::EquivalentDampingRatio.definition(),
+        steady => steady.equivalent().damping_ratio();
+    EquivalentStiffness: *Output::EquivalentStiffness.definition(), steady => steady.equivalent().stiffness();
+    EffectiveDampingRatio: *Output::EffectiveDampingRatio.definition(),
+        steady => steady.equivalent().effective_damping_ratio();
     Contraction: Definition::new("contraction", Measure::One, "fraction of a disturbance that remains after a cycle"),
         steady => steady.contraction();
     Distance: Definition::new("distance", Measure::Length, "estimated distance of the motion found from the limit")
@@ -114,6 +120,10 @@ impl SteadyOutput {
             | Self::MinDisplacementPhase
             | Self::MaxVelocityPhase
             | Self::MinVelocityPhase
+            | Self::EquivalentDamping
+            | Self::EquivalentDampingRatio
+            | Self::EquivalentStiffness
+            | Self::EffectiveDampingRatio
             | Self::Contraction
             | Self::Distance => None,
         }
@@ -170,6 +180,11 @@ impl<'a, F: Float> SteadyAnswer<'a, F> {
             let moves = answer.ratios.excitation().is_none_or(Excitation::moves_base);
             moves.then_some(peaks.absolute_displacement)
         }));
+        (Output::MaxSpringForce.definition()) => Number(answer.peaks.map(|peaks| peaks.spring_force));
+        [SteadyOutput::EquivalentDamping];
+        [SteadyOutput::EquivalentDampingRatio];
+        [SteadyOutput::EquivalentStiffness];
+        [SteadyOutput::EffectiveDampingRatio];
         (DAMPER_WORK) if Damping => Number(answer.number(SteadyOutput::DamperWork));
         (TURNS_PER_CYCLE) if StaticFriction => answer.count(|steady| steady.turns_per_cycle);
         (SYMMETRIC) if StaticFriction => Flag(answer.limit.steady_state().map(|steady| steady.is_symmetric));

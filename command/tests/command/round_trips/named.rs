@@ -3,9 +3,9 @@
 use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
-use stickslip::motion::{End, Kind, LongRun, Segment, SteadyState};
+use stickslip::motion::{End, Kind, LongRun, Segment, SteadyOutput, SteadyState};
 use stickslip::no_stop_force_ratios;
-use stickslip::{Drive, Float, Oscillator, Ratios, Regime, Response, Scales};
+use stickslip::{Drive, Float, Oscillator, Output, Ratios, Regime, Response, Scales};
 
 /// A value. A number is stored as the digits of `{:e}`, which identify it within its type, including the sign
 /// of zero.
@@ -111,6 +111,11 @@ pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named 
         ("transmitted_force", Cell::or_absent(cycle.map(|c| c.transmitted_force()))),
         ("transmissibility", Cell::or_absent(cycle.map(|c| c.transmissibility()))),
         ("max_absolute_displacement", Cell::or_absent(cycle.map(|c| c.max_absolute_displacement()))),
+        ("max_spring_force", Cell::or_absent(Output::MaxSpringForce.of(response))),
+        ("equivalent_damping", Cell::or_absent(Output::EquivalentDamping.of(response))),
+        ("equivalent_damping_ratio", Cell::or_absent(Output::EquivalentDampingRatio.of(response))),
+        ("equivalent_stiffness", Cell::or_absent(Output::EquivalentStiffness.of(response))),
+        ("effective_damping_ratio", Cell::or_absent(Output::EffectiveDampingRatio.of(response))),
     ])
 }
 
@@ -233,6 +238,11 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
             "max_absolute_displacement",
             or_at_rest(|s| s.peaks().unwrap().absolute_displacement, place.abs() + alpha / (omega * omega)),
         ),
+        ("max_spring_force", or_at_rest(|s| s.peaks().unwrap().spring_force, place.abs())),
+        ("equivalent_damping", number(|s| SteadyOutput::EquivalentDamping.of(s))),
+        ("equivalent_damping_ratio", number(|s| SteadyOutput::EquivalentDampingRatio.of(s))),
+        ("equivalent_stiffness", number(|s| SteadyOutput::EquivalentStiffness.of(s))),
+        ("effective_damping_ratio", number(|s| SteadyOutput::EffectiveDampingRatio.of(s))),
     ])
 }
 
@@ -291,6 +301,15 @@ pub(crate) fn of_machine(
         ("deviation", scaled(cycle.map(|c| c.deviation()), scales.length)),
         ("max_acceleration", scaled(cycle.map(|c| c.max_acceleration()), scales.velocity / scales.time)),
         ("transmitted_force", scaled(cycle.map(|c| c.transmitted_force()), scales.force)),
+        ("max_spring_force", scaled(Output::MaxSpringForce.of(response), scales.force)),
+        (
+            "equivalent_damping",
+            scaled(Output::EquivalentDamping.of(response), scales.force / scales.velocity),
+        ),
+        (
+            "equivalent_stiffness",
+            scaled(Output::EquivalentStiffness.of(response), scales.force / scales.length),
+        ),
         ("min_force", scaled(Some(border.min_force_ratio), scales.force)),
         ("min_force_turning_point", scaled(Some(border.turning_point), scales.force)),
         ("energy_per_cycle", scaled(response.loop_size_stiffness, scales.energy_stiffness)),
