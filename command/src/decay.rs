@@ -85,6 +85,7 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     }
     line(out, "first turning point", length(decay.first_turn))?;
     line(out, "rest position", length(decay.rest_position))?;
+    line(out, "path", length(decay.path()))?;
     if rests {
         let time = both(decay.rest_time, "/ω_n", scales.as_ref().map(|s| s.time), "s");
         line(out, "time to rest", time)?;
@@ -203,6 +204,7 @@ fn drawn<F: Value>(
 
 stickslip::define! {
     FIRST_TURN("first_turn", Length, "");
+    PATH("path", Length, "");
     REST_TIME("rest_time", Angle, "");
 }
 
@@ -218,6 +220,7 @@ fn record<F: Value>(
         (key!("half_cycles"), Cell::Count(Some(decay.half_cycles))),
         (FIRST_TURN, number(decay.first_turn)),
         (REST_POSITION, number(decay.rest_position)),
+        (PATH, number(decay.path())),
         (REST_TIME, Cell::Number(Some(decay.rest_time).filter(|time| time.is_finite()))),
     ]);
     let mut record = Record::of(fields);

@@ -379,6 +379,7 @@ fn decay_at(
     dict.set_item("half_cycles", decay.half_cycles)?;
     dict.set_item("first_turn", decay.first_turn)?;
     dict.set_item("rest_position", decay.rest_position)?;
+    dict.set_item("path", decay.path())?;
     dict.set_item("rest_time", Some(decay.rest_time).filter(|time| time.is_finite()).unwrap_or(f64::NAN))?;
     Ok(dict)
 }

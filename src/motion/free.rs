@@ -142,6 +142,50 @@ impl<F: Float> FreeDecay<F> {
         (self.zeta < one).then(|| (self.first_time + turns * half, x))
     }
 
+    /// The path of the body to its rest, or to the limit of a creep, in B.
+    ///
+    /// Half a cycle from x to `−κ(x − 1) + 1` is `(1 + κ)(x − 1)` long, x > 1, so that n of them after the first turn are
+    /// `2n(|x₁| − n)` without a damper. With one, up to 4,096 half cycles are summed. More of them are
+    /// `(1 + κ)(Σ − n)`, `Σ = (|x₁| − |x_n| − n(1 + κ))/(1 − κ)`, or the first two terms of its power series.
+    /// Accuracy: some units in the last place, and for more than 4,096 damped half cycles two thirds of the digits.
+    pub fn path(&self) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let first = (self.first_turn - self.start.x).abs();
+        if !self.first_time.is_finite() {
+            return (self.rest_position - self.start.x).abs();
+        }
+        if self.turns == F::int(0) {
+            return first;
+        }
+        if self.zeta >= one {
+            return first + (self.rest_position - self.first_turn).abs();
+        }
+        let (n, reach) = (self.turns, self.first_turn.abs());
+        if self.zeta == F::int(0) {
+            return first + two * n * (reach - n);
+        }
+        if n <= F::int(SUMMED) {
+            let (mut sum, mut turn, mut left) = (first, F::int(0), reach);
+            while turn < n {
+                turn = turn + one;
+                let next = self.left_after(turn);
+                (sum, left) = (sum + (left + next), next);
+            }
+            return sum;
+        }
+        let decrement = self.decrement();
+        let share = -(-decrement).exp_m1();
+        let both = two - share;
+        let total = if (decrement * n) * (decrement * n) * (decrement * n) > F::epsilon() {
+            (reach - self.left_after(n) - n * both) / share
+        } else {
+            let linear = n * reach - n * (n - one);
+            let bent = n * (n - one) * (reach - (two * n - one) / F::int(3)) / two;
+            linear - decrement * bent
+        };
+        first + both * (total - n)
+    }
+
     /// Where and when a body with a velocity turns first.
     fn turning(&self) -> (F, F) {
         let (one, two) = (F::int(1), F::int(2));
@@ -242,6 +286,9 @@ impl<F: Float> From<FreeDecay<F>> for Trajectory<F> {
         Self::of(Equation::free(decay.zeta, decay.eta), decay.start)
     }
 }
+
+/// The greatest number of half cycles whose lengths are summed.
+const SUMMED: i32 = 1 << 12;
 
 /// `ln(1 + y)` of a y ≥ 0, by Newton's method on the exponential from the logarithm at f64: each step doubles
 /// the digits.

@@ -49,9 +49,12 @@ fn a_free_vibration_turns_and_rests_where_the_samples_do() {
         if creeps {
             crept += 1;
             assert!(zeta >= 1.0 && decay.half_cycles == found.found.ends + 1, "{case:?} {decay:?}");
+            // The samples end near the limit, which the body never reaches.
+            close(decay.path(), found.found.path[0] + found.found.path[1], 1e-9 * size, &case);
             continue;
         }
         assert_eq!(decay.half_cycles, found.found.ends, "{case:?}");
+        close(decay.path(), found.found.path[0] + found.found.path[1], 1e-9 * size, &case);
         for (n, [t, x]) in turns.iter().enumerate() {
             let Some((time, place)) = decay.turning_point(n as u64) else { panic!("{n} of {case:?}") };
             close(place, *x, 1e-10 * size, &case);

@@ -625,6 +625,8 @@ fn a_decay_of_the_command_is_that_of_the_samples() {
     assert!((physical["rest_time"].as_f64().unwrap() - last[0]).abs() < 1e-7);
     assert!((answer["rest_time"].as_f64().unwrap() - last[0] * 5.0).abs() < 1e-6);
     assert!(near(&physical["first_turn"], 0.7) && near(&answer["first_turn"], 0.7 / 0.06));
+    let path = found.found.path[0] + found.found.path[1];
+    assert!(near(&physical["path"], path) && near(&answer["path"], path / 0.06));
     let text = std::fs::read_to_string(&turns).unwrap();
     let rows: Vec<Vec<f64>> = csv::Reader::from_reader(text.as_bytes())
         .records()

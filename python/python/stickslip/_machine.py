@@ -308,7 +308,7 @@ class Machine:
         length = driven.constant("length")
         ratios = driven.constant("damping_ratio"), driven.constant("static_friction_ratio")
         found = decay(x / length, v * time / length, *ratios)
-        sizes = {"first_turn": ("length", length), "rest_position": ("length", length), "rest_time": ("time", time)}
+        sizes = {"first_turn": ("length", length), "rest_position": ("length", length), "path": ("length", length), "rest_time": ("time", time)}
         values = {name: found[name] * size for name, (_, size) in sizes.items()}
         units = names_of(self.units, {name: kind for name, (kind, _) in sizes.items()})
         return Decay(dict(found), physical=PhysicalDecay(values, units=units))

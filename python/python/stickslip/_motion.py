@@ -111,6 +111,8 @@ class Decay(Result):
         Half cycles of sliding until rest, counted from the start.
     first_turn, rest_position : float
         Displacements at the first turning point and at rest (B).
+    path : float
+        Length of the path to rest (B).
     rest_time : float
         Time until rest, in units of ``sqrt(m/k)``; NaN if the body creeps for ever.
     physical : of a machine alone
@@ -120,6 +122,7 @@ class Decay(Result):
     half_cycles: int
     first_turn: float
     rest_position: float
+    path: float
     rest_time: float
     _physical: Optional[PhysicalDecay]
 

@@ -199,3 +199,28 @@ fn turning_points_are_those_of_the_motion() {
     }
     assert_eq!(FreeDecay::new(3.0, 1.0, 2.0, 1.0).unwrap().turning_point(1), None);
 }
+
+/// The path of many half cycles by its closed form, beside the sum of their lengths, and beside the balance of works
+/// without a damper: friction takes all energy but that of the spring at rest.
+#[test]
+fn the_path_is_the_sum_of_its_parts() {
+    for (x, zeta) in [
+        (30_000.0f64, 1e-9f64),
+        (30_000.0, 1e-12),
+        (30_000.0, 3e-8),
+        (1e6, 1e-7),
+        (-1e6, 1e-5),
+        (1e9, 1e-4),
+        (40.0, 1e-3),
+    ] {
+        let decay = FreeDecay::new(x, 0.0, zeta, 1.0).unwrap();
+        let turns: Vec<f64> = (0..).map_while(|n| decay.turning_point(n)).map(|(_, x)| x).collect();
+        let sum: f64 = turns.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
+        assert!((decay.path() / sum - 1.0).abs() < 1e-9, "{x} {zeta}: {} {sum}", decay.path());
+    }
+    for (x, v) in [(12.0f64, 6.0f64), (-40.0, 17.0), (5e3, 0.0), (3.0, -1e4), (0.5, 0.0)] {
+        let decay = FreeDecay::new(x, v, 0.0, 1.0).unwrap();
+        let energy = (x * x + v * v - decay.rest_position.powi(2)) / 2.0;
+        assert!((decay.path() - energy).abs() <= 1e-11 * energy, "{x} {v}: {} {energy}", decay.path());
+    }
+}
