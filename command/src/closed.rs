@@ -4,6 +4,7 @@ use crate::args::{BorderArgs, ResponseArgs, Swept};
 use crate::bits::{Value, at_bits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
+use crate::input;
 use crate::note::{self, Note};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
@@ -37,6 +38,9 @@ pub(crate) fn response_at<F: Value>(
     peaks: bool,
 ) -> Result<(Response<F>, Row), Failure> {
     let response = Response::guarded(point.ratios);
+    if let (Some(cycle), Some(machine)) = (&response.cycle, &point.machine) {
+        input::note_pendulum(given, cycle.max_displacement * machine.scales.length);
+    }
     let found = ResponseAnswer { response: &response, peaks };
     let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
     let record = record.in_units(given, point, Physical::of_machine)?;

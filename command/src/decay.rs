@@ -40,6 +40,7 @@ type Frictions<F> = [Option<F>; 2];
 fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let reader = args.answer.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
+    let given = input::with_any_mass(&given);
     let (scales, frictions @ [damping, static_friction]) = body(&given)?;
     let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
     let start = |option: &str, text: &Option<String>, of: Kind| match text {
@@ -63,6 +64,9 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
             Failure::Input(format!("{option} {text}: {e}"))
         }
     })?;
+    if let Some(scales) = &scales {
+        input::note_pendulum(&given, decay.first_turn.abs().or_larger(x.abs()) * scales.length);
+    }
     let record = record(&decay, scales.as_ref(), frictions).shown().finite()?;
     args.look.needs("--out", args.out.as_deref())?;
     if let Some(file) = &args.out {

@@ -86,9 +86,9 @@ impl<F: Value> Grid<F> {
                 let (place, last) = (place as f64, (count - 1) as f64);
                 let (place, last) = (F::from_f64(place), F::from_f64(last));
                 if *logarithmic {
-                    return *from * (*to / *from).pow(place / last);
+                    return as_typed(*from * (*to / *from).pow(place / last));
                 }
-                *from + (*to - *from) * place / last
+                as_typed(*from + (*to - *from) * place / last)
             }
         }
     }
@@ -132,6 +132,16 @@ impl Grid<f64> {
         let (low, high) = self.ends();
         if self.is_logarithmic() { from * (high / low).powf(share) } else { from + (high - low) * share }
     }
+}
+
+/// A double beside a decimal of up to twelve digits as that decimal, which a hand would have typed: 0.15 for
+/// 0.15000000000000002.
+fn as_typed<F: Value>(value: F) -> F {
+    if F::PRECISION != f64::MANTISSA_DIGITS {
+        return value;
+    }
+    let near = format!("{value:.11e}").parse().unwrap_or(value);
+    if (near - value).abs() <= F::int(2) * F::epsilon() * value.abs() { near } else { value }
 }
 
 /// The points of all grids, each computed from its number alone; the last grid varies fastest.
@@ -244,6 +254,9 @@ mod tests {
         let log = values("0.1:10:3:log");
         assert!(log[0] == 0.1 && (log[1] - 1.0f64).abs() < 1e-15 && log[2] == 10.0);
         assert_eq!(values("3:3:1"), [3.0]);
+        assert_eq!(values("0.1:0.2:3"), [0.1, 0.15, 0.2]);
+        assert_eq!(values("0.1:0.7:7"), [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
+        assert_eq!(values("0:1:4")[1], 1.0 / 3.0);
         for bad in ["", "1:2", "1:2:0", "1:2:x", "1:2:3:lin", "0:2:3:log", "1:2:1", "nan", "1,,2", "1:inf:3"]
         {
             assert!(Grid::<f64>::parse("--omega", bad).is_err(), "{bad}");

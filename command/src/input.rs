@@ -4,8 +4,9 @@ use crate::args::{StartArgs, Swept};
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::progress;
+use std::borrow::Cow;
 use stickslip::inputs::units::{self, Kind, Reader, System, split};
-use stickslip::inputs::{Driven, Given, Input, Naming, Point};
+use stickslip::inputs::{Driven, Given, Input, Naming, Point, Role};
 use stickslip::motion::State;
 use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
 
@@ -95,6 +96,56 @@ pub(crate) fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>
         .and_then(|drive| stickslip::Scales::new(body, &drive))
         .map(|scales| scales.mean_displacement)
         .map_err(|e| given.at_fault(&e).into())
+}
+
+/// The inputs with a mass of 1 where none is given and the mass cancels: the body by its period or as a pendulum, friction
+/// by its coefficient, and everything else by ratios or as a motion of the base.
+pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
+    let is_one = |role: Role, inputs: &[Input]| {
+        Input::of_role(role).into_iter().all(|input| !given.has(input) || inputs.contains(&input))
+    };
+    let natural = [Input::Period, Input::NaturalFrequency, Input::PendulumRadius];
+    let base = [
+        Input::Alpha,
+        Input::BaseAcceleration,
+        Input::BaseVelocity,
+        Input::BaseDisplacement,
+        Input::FootDisplacement,
+        Input::DampedFootDisplacement,
+    ];
+    let cancels = given.has(Input::FrictionCoefficient)
+        && natural.into_iter().any(|input| given.has(input))
+        && is_one(Role::Mass, &[])
+        && is_one(Role::Spring, &natural)
+        && is_one(Role::Friction, &[Input::FrictionCoefficient])
+        && is_one(Role::Drive, &base)
+        && is_one(Role::Damper, &[Input::DampingRatio])
+        && is_one(Role::StaticFriction, &[Input::StaticFrictionRatio])
+        && is_one(Role::MeanForce, &[])
+        && !given.has(Input::FrictionBackward);
+    if !cancels {
+        return Cow::Borrowed(given);
+    }
+    let unit = given.system.name(Kind::Mass);
+    progress::note(&format!(
+        "--mass is left out: motions do not depend on it, and forces, stiffness and energies are those of 1 {unit}"
+    ));
+    let mut given = given.clone();
+    given.set(Input::Mass, F::int(1));
+    Cow::Owned(given)
+}
+
+/// A note where a friction pendulum leaves the displacements for which its stiffness is m g/R.
+pub(crate) fn note_pendulum<F: Value>(given: &Given<F>, reach: F) {
+    /// Displacement over the radius at which the horizontal force of the bowl, m g x/√(R² − x²), exceeds m g x/R by 2 %.
+    const SHARE: f64 = 0.2;
+    let Some(radius) = given.get(Input::PendulumRadius) else { return };
+    if reach.to_f64() > SHARE * radius.to_f64() {
+        progress::note(
+            "--pendulum-radius: the displacement exceeds a fifth of the radius, where the force of the bowl exceeds \
+             k x = m g x/R by 2 % or more",
+        );
+    }
 }
 
 /// The ratios of `--omega` and `--alpha`, or the machine of the physical arguments.

@@ -147,7 +147,7 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
         line(out, "damping constant c", with_unit(oscillator.damping(), &system.name(Kind::Damping)))?;
     }
     if drive.excitation() == Excitation::Unbalance {
-        line(out, "unbalance m_e e", with_unit(drive.amplitude(), &system.name(Kind::Unbalance)))?;
+        line(out, "unbalance m_e e", unbalance(drive.amplitude(), system))?;
     }
     line(out, "force amplitude p₀", with_unit(drive.force_amplitude(oscillator), force))?;
     line(out, "friction displacement B", with_unit(scales.length, length))?;
@@ -165,6 +165,16 @@ fn mass<F: Value>(mass: F, system: &System) -> String {
     let (unit, factor) = system.mass_for_reading();
     let (read, own) = (format!("{} {unit}", digits(factor.times(mass))), system.name(Kind::Mass));
     if own == unit { read } else { format!("{read:<22} = {} {own}", digits(mass)) }
+}
+
+/// An unbalance in a unit for a reader, likewise.
+fn unbalance<F: Value>(unbalance: F, system: &System) -> String {
+    let ((unit, factor), own) = (system.mass_for_reading(), system.name(Kind::Unbalance));
+    if system.mass().is_some() {
+        return with_unit(unbalance, &own);
+    }
+    let read = format!("{} {unit}·{}", digits(factor.times(unbalance)), system.length());
+    format!("{read:<22} = {} {own}", digits(unbalance))
 }
 
 /// The shift of the motion by a mean force and by friction that differs by direction.

@@ -44,8 +44,9 @@ impl AskedPoints<'_> {
         let reader = self.output.units.reader();
         let given = input::read::<F>(machine, &reader)?;
         let answer = |given: &Given<F>| {
-            let point = input::problem(self.question, given)?;
-            answer(given, &point, &reader).map(|found| (point, found))
+            let given = input::with_any_mass(given);
+            let point = input::problem(self.question, &given)?;
+            answer(&given, &point, &reader).map(|found| (point, found))
         };
         if let Some(file) = &self.output.points {
             return rows_of(file, self, (given, &reader), out, |given| {
@@ -56,7 +57,7 @@ impl AskedPoints<'_> {
         if self.output.is_json()? {
             return output::json(&record, out);
         }
-        Ok(note(&point, &found, &given, out)?)
+        Ok(note(&point, &found, &input::with_any_mass(&given), out)?)
     }
 }
 

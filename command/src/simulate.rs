@@ -19,7 +19,7 @@ use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
 use stickslip::inputs::units::{Kind as Quantity, Reader, System};
 use stickslip::inputs::{Driven, Given, Input};
-use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
+use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, State, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
 const MOST_ROWS: f64 = 1e10;
@@ -45,11 +45,13 @@ fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
 fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Write) -> Outcome {
     let mut sink = Sink::new(format, out, Header::Names)?;
     let reader = args.units.reader();
-    let given = with_no_force(input::read::<F>(&args.machine, &reader)?)?;
+    let given = input::read::<F>(&args.machine, &reader)?;
+    let given = with_no_force(input::with_any_mass(&given).into_owned())?;
     let point = input::point(&given)?;
     let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;
     extent.refuse_years(point.ratios.omega().to_f64())?;
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
+    let start = at_phase(start, args.phase.as_deref(), &reader)?;
     let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
     let machine = point.machine.as_ref();
     let bar = progress::bar(extent.cycles(), "cycles");
@@ -67,7 +69,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
         None => stream(&mut sink, motion, |phase| {
             let begins = phase.start().phase;
             tick(begins.cycles());
-            extent.contains(begins).then(|| of_phase(&phase, given.system, machine))
+            extent.contains(begins, start.phase).then(|| of_phase(&phase, start.phase, given.system, machine))
         }),
         Some(spacing) => {
             let mut samples = match spacing {
@@ -78,13 +80,16 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
                     motion.samples_every(F::from_f64(turns)).map_err(|e| of_motion(&given, e))?
                 }
             };
+            if args.phase.is_some() {
+                samples = samples.from_start();
+            }
             let mut left = extent.rows(spacing);
             let heard = || interrupt::check().map_or(ControlFlow::Break(()), ControlFlow::Continue);
             let samples = core::iter::from_fn(|| samples.next_while(heard));
             stream(&mut sink, samples, |instant| {
                 tick(instant.state.phase.cycles());
                 left = left.checked_sub(1)?;
-                Some(of_instant(&instant, given.system, machine))
+                Some(of_instant(&instant, start.phase, given.system, machine))
             })
         }
     };
@@ -105,6 +110,21 @@ fn with_no_force<F: Value>(mut given: Given<F>) -> Result<Given<F>, Failure> {
         given.set(Input::Force, friction * nothing);
     }
     Ok(given)
+}
+
+/// The start at the phase of `--phase`.
+fn at_phase<F: Value>(start: State<F>, phase: Option<&str>, reader: &Reader) -> Result<State<F>, Failure> {
+    let Some(text) = phase else { return Ok(start) };
+    let phase = reader.value::<F>("--phase", text, Quantity::Angle)?;
+    if phase != F::int(0) && !Reader::has_unit(text) {
+        return Err(format!("--phase {text}: must have a unit, {text}deg or {text}rad").into());
+    }
+    // A phase is one of a turn.
+    let turn = F::int(2) * F::pi();
+    if phase < F::int(0) || phase >= turn {
+        return Err(format!("--phase {text}: must be ≥ 0 and < 360deg").into());
+    }
+    State::new(phase, start.x, start.v).map_err(|e| format!("--phase {text}: {e}").into())
 }
 
 /// Writes the records until there are no more.
@@ -209,8 +229,8 @@ impl Extent {
     }
 
     /// Whether a segment that begins at this phase is shown.
-    fn contains<F: Value>(&self, phase: DrivePhase<F>) -> bool {
-        phase.cycles() as f64 + phase.reduced().to_f64() / TAU < self.turns
+    fn contains<F: Value>(&self, phase: DrivePhase<F>, start: DrivePhase<F>) -> bool {
+        phase.since(start).to_f64() / TAU < self.turns
     }
 }
 
@@ -219,13 +239,18 @@ fn when<F: Value>(phase: DrivePhase<F>) -> (Cell<F>, Cell<F>) {
     (Cell::Count(u64::try_from(phase.cycles()).ok()), Cell::Number(Some(phase.reduced())))
 }
 
-/// The time of a phase in the machine's units.
-fn time<F: Value>(phase: DrivePhase<F>, machine: &Driven<F>) -> F {
+/// The time of a phase since the start, in the machine's units.
+fn time<F: Value>(phase: DrivePhase<F>, start: DrivePhase<F>, machine: &Driven<F>) -> F {
     let cycles = F::from_f64(phase.cycles() as f64);
-    (F::int(2) * F::pi() * cycles + phase.reduced()) * machine.scales.time
+    (F::int(2) * F::pi() * cycles + phase.reduced() - start.reduced()) * machine.scales.time
 }
 
-fn of_phase<F: Value>(phase: &Segment<F>, system: System, machine: Option<&Driven<F>>) -> Row {
+fn of_phase<F: Value>(
+    phase: &Segment<F>,
+    origin: DrivePhase<F>,
+    system: System,
+    machine: Option<&Driven<F>>,
+) -> Row {
     let kind = match phase.kind {
         Kind::SlideForward => "slide-forward",
         Kind::SlideBackward => "slide-backward",
@@ -259,8 +284,8 @@ fn of_phase<F: Value>(phase: &Segment<F>, system: System, machine: Option<&Drive
         Physical::beside(
             system,
             vec![
-                ("start_time", Quantity::Time, number(time(start.phase, machine))),
-                ("end_time", Quantity::Time, Cell::Number(end.map(|e| time(e.phase, machine)))),
+                ("start_time", Quantity::Time, number(time(start.phase, origin, machine))),
+                ("end_time", Quantity::Time, Cell::Number(end.map(|e| time(e.phase, origin, machine)))),
                 ("start_displacement", Quantity::Length, number(start.x * scales.length)),
                 ("start_velocity", Quantity::Velocity, number(start.v * scales.velocity)),
                 ("end_displacement", Quantity::Length, Cell::Number(end.map(|e| e.x * scales.length))),
@@ -270,7 +295,12 @@ fn of_phase<F: Value>(phase: &Segment<F>, system: System, machine: Option<&Drive
     Record::of(fields).with_physical(physical).shown()
 }
 
-fn of_instant<F: Value>(instant: &Instant<F>, system: System, machine: Option<&Driven<F>>) -> Row {
+fn of_instant<F: Value>(
+    instant: &Instant<F>,
+    origin: DrivePhase<F>,
+    system: System,
+    machine: Option<&Driven<F>>,
+) -> Row {
     let state = instant.state;
     let (cycle, phase) = when(state.phase);
     let number = |x: F| Cell::Number(Some(x));
@@ -289,7 +319,7 @@ fn of_instant<F: Value>(instant: &Instant<F>, system: System, machine: Option<&D
         Physical::beside(
             system,
             vec![
-                ("time", Quantity::Time, number(time(state.phase, machine))),
+                ("time", Quantity::Time, number(time(state.phase, origin, machine))),
                 ("displacement", Quantity::Length, number(state.x * scales.length)),
                 ("velocity", Quantity::Velocity, number(state.v * scales.velocity)),
                 ("acceleration", Quantity::Acceleration, number(instant.acceleration * acceleration)),

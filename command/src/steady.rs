@@ -59,6 +59,9 @@ fn of_limit<F: Value>(
     peaks: bool,
 ) -> Result<Row, Failure> {
     let found = SteadyAnswer::new(point.ratios, limit, peaks).map_err(|e| given.at_fault(&e))?;
+    if let (Some((least, most)), Some(machine)) = (limit.extrema(), &point.machine) {
+        input::note_pendulum(given, most.abs().or_larger(least.abs()) * machine.scales.length);
+    }
     let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
     record.in_units(given, point, Physical::of_machine)
 }

@@ -19,6 +19,8 @@ pub struct Samples<F> {
     trajectory: Trajectory<F>,
     current: Option<Segment<F>>,
     place: Place<F>,
+    /// The phase from which the samples are counted, where it is not 0.
+    origin: Option<DrivePhase<F>>,
 }
 
 /// The next sample.
@@ -69,7 +71,7 @@ impl<F: Float> Trajectory<F> {
                 at = after(at, per_cycle);
             }
         }
-        Ok(Samples { trajectory: self, current, place: Place::OfCycle(at, per_cycle) })
+        Ok(Samples { trajectory: self, current, place: Place::OfCycle(at, per_cycle), origin: None })
     }
 
     /// Samples of the motion at the phases `2πk turns` from 0 on, `turns` being the turns of the drive from one sample
@@ -105,7 +107,7 @@ impl<F: Float> Trajectory<F> {
                 place = place.after();
             }
         }
-        Ok(Samples { trajectory: self, current, place })
+        Ok(Samples { trajectory: self, current, place, origin: None })
     }
 }
 
@@ -135,6 +137,26 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 }
 
 impl<F: Float> Samples<F> {
+    /// The same samples counted from the start of the motion, which is the first of them.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn from_start(self) -> Self {
+        let place = match self.place {
+            Place::OfCycle(_, per_cycle) => Place::OfCycle((0, 0), per_cycle),
+            Place::Every(_, turns) => Place::Every(0, turns),
+        };
+        Self { origin: self.current.map(|segment| segment.start().phase), place, ..self }
+    }
+
+    /// The phase of the next sample.
+    fn phase(&self) -> DrivePhase<F> {
+        let phase = self.place.phase();
+        match self.origin {
+            Some(origin) => phase.later_by_half_turns(origin.half_turns()).advanced(origin.angle()),
+            None => phase,
+        }
+    }
+
     /// The next sample, as long as `keep_going` returns [`ControlFlow::Continue`]. `keep_going` is called at
     /// every slide and stop before the sample; a cycle has about 4 + 4/Ω of them. After an interruption the
     /// next call continues from there.
@@ -145,7 +167,7 @@ impl<F: Float> Samples<F> {
         &mut self,
         mut keep_going: impl FnMut() -> ControlFlow<()>,
     ) -> Option<Result<Instant<F>, Error>> {
-        let phase = self.place.phase();
+        let phase = self.phase();
         loop {
             let current = self.current?;
             if current.end().is_none_or(|end| phase.since(end.phase) <= F::int(0)) {

@@ -44,12 +44,16 @@ pub(crate) enum StreamFormat {
 Examples:
   stickslip simulate --omega 0.4 --alpha 6 --cycles 2
   stickslip simulate --omega 0.4 --alpha 6 --cycles 2 --samples 200 --format csv > motion.csv
-  stickslip simulate --omega 1.5 --alpha 2.5 --cycles 100 --x0 4 --v0 -1 --format jsonl")]
+  stickslip simulate --omega 1.5 --alpha 2.5 --cycles 100 --x0 4 --v0 -1 --format jsonl
+  stickslip simulate --mass 2kg --stiffness 800N/m --friction 4N --force 12N --frequency 2Hz --phase 90deg --duration 1s")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) start: StartArgs,
+    /// Phase of the drive at the start, such as 90deg for a drive with the cosine of the time [default: 0]
+    #[arg(long, value_name = "θ", allow_hyphen_values = true)]
+    pub(crate) phase: Option<String>,
     /// Cycles of the drive to follow
     #[arg(long, value_name = "N", allow_hyphen_values = true, required_unless_present = "duration")]
     pub(crate) cycles: Option<String>,

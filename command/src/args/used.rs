@@ -37,7 +37,7 @@ border | omega FRICTIONS | omega BODY STATIC frequency | no_stop r:enclose forma
 steady | RATIOS | SHIFTED | x0 v0 max_periods r:enclose format p:header bits mp:units
 attractors | RATIOS | DRIVEN | starts reach max_periods unstable rows resume format bits m:units
 basins | RATIOS | DRIVEN | x0 v0 max_periods rows resume bits m:units out title size overwrite
-simulate | RATIOS | SHIFTED | x0 v0 cycles m:duration samples m:rate out overwrite format bits m:units
+simulate | RATIOS | SHIFTED | x0 v0 phase cycles m:duration samples m:rate out overwrite format bits m:units
 sweep | RATIOS | SHIFTED | question m:units outputs format out resume shard header no_header bits
 map | RATIOS | DRIVEN | quantity m:units out overwrite title size range
 response-curve | omega alpha damping-ratio | omega alpha BODY frequency DRIVE | what m:units out overwrite title size x_range y_range linear

@@ -23,6 +23,7 @@ pub(super) struct AskedDesign<'a, F> {
 impl<'a, F: Value> AskedDesign<'a, F> {
     pub(super) fn new(args: &'a QuestionArgs, reader: &'a Reader) -> Result<Self, Failure> {
         let given = input::read(&args.machine, reader)?;
+        let given = input::with_any_mass(&given).into_owned();
         let physical = given.is_physical();
         if physical && (given.has(Input::Omega) || given.has(Input::Alpha)) {
             let text = "--omega and --alpha: must be left out in physical units, where --frequency and --force take their place";

@@ -2,6 +2,7 @@
 
 use crate::command_line::{json, refused, stdout, stickslip};
 use serde_json::Value;
+use std::f64::consts::PI;
 
 /// Values from an independent program.
 const STEADY: [(&str, &str, f64, u64, u64); 5] = [
@@ -368,4 +369,56 @@ fn a_force_of_zero_leaves_the_free_vibration() {
         json(&format!("decay {body} --x0 40mm --format json"))["physical"]["rest_position"].as_f64().unwrap();
     assert!((last[7] - rest).abs() < 1e-9 && last[8] == 0.0, "{last:?} {rest}");
     assert!(stdout("simulate --omega 1.5 --alpha 0 --x0 4.5 --cycles 9").contains("never"));
+}
+
+/// A drive with the cosine of the time, and one at another phase: segments and samples beside small steps of time.
+#[test]
+fn a_simulation_starts_at_any_phase_of_the_drive() {
+    let (mass, stiffness, friction, force, frequency) = (2.0, 800.0, 4.0, 30.0, 13.0);
+    let machine =
+        "--mass 2kg --stiffness 800N/m --friction 4N --force 30N --frequency 13rad/s --x0 3mm --v0 20mm/s";
+    for (text, phase) in [("90deg", PI / 2.0), ("0.5rad", 0.5), ("200deg", 200.0 * PI / 180.0), ("0", 0.0)] {
+        let rows =
+            stdout(&format!("simulate {machine} --phase {text} --duration 1s --rate 50Hz --format csv"));
+        let mut reader = csv::Reader::from_reader(rows.as_bytes());
+        let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        let place = |name: &str| header.iter().position(|own| own.split('[').next() == Some(name)).unwrap();
+        let (time, at) = (place("time"), place("displacement"));
+        let rows: Vec<[f64; 2]> = reader
+            .records()
+            .map(|row| row.unwrap())
+            .map(|row| [time, at].map(|i| row[i].parse::<f64>().unwrap()))
+            .collect();
+        assert_eq!(rows.len(), 51, "{text}");
+        // The midpoint rule, in which friction takes as much of the momentum as it can.
+        let (steps, mut x, mut v) = (4000, 3e-3, 0.02);
+        let dt = 0.02 / f64::from(steps);
+        for (i, [t, place]) in rows.iter().enumerate() {
+            assert!(
+                (t - 0.02 * i as f64).abs() < 1e-12 && (x - place).abs() < 2e-6,
+                "{text} {t}: {x} {place}"
+            );
+            for step in 0..steps {
+                let t = 0.02 * i as f64 + (f64::from(step) + 0.5) * dt;
+                let free =
+                    v + dt * (force * (frequency * t + phase).sin() - stiffness * (x + v * dt / 2.0)) / mass;
+                let most = friction * dt / mass;
+                let after = free - free.clamp(-most, most);
+                (x, v) = (x + dt * (v + after) / 2.0, after);
+            }
+        }
+        let segments = stdout(&format!("simulate {machine} --phase {text} --duration 1s --format jsonl"));
+        let segments: Vec<serde_json::Value> =
+            segments.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let number = |row: &serde_json::Value, name: &str| row[name].as_f64().unwrap();
+        assert!((number(&segments[0], "start_phase") - phase).abs() < 1e-14);
+        assert_eq!(number(&segments[0], "start_time"), 0.0);
+        let last = segments.last().unwrap();
+        assert!(number(last, "start_time") < 1.0 && number(last, "end_time") >= 1.0, "{last}");
+    }
+    for (text, word) in
+        [("90", "must have a unit"), ("-1deg", "must be ≥ 0"), ("360deg", "must be ≥ 0"), ("1m", "--phase")]
+    {
+        refused(&format!("simulate {machine} --phase {text} --cycles 1"), &[word]);
+    }
 }

@@ -7,7 +7,7 @@ mod damped_foot;
 mod mean_force;
 mod unbalance;
 
-use crate::command_line::{json, refused, stdout};
+use crate::command_line::{json, refused, stdout, stickslip};
 use serde_json::Value;
 use std::f64::consts::TAU;
 
@@ -341,4 +341,76 @@ fn the_weight_and_the_natural_frequency_take_the_place_of_mass_and_stiffness() {
         "response --stiffness 5N/m --mass 2kg --period 1s --friction 1N --frequency 1Hz --force 2N",
         &["--stiffness and --period: give one"],
     );
+}
+
+/// A mass that cancels may be left out: motions are those of any mass, and a note says of which mass the forces are.
+#[test]
+fn a_mass_that_cancels_is_left_out() {
+    let base = "--frequency 2Hz --base-acceleration 0.15g --friction-coefficient 0.05 --units N,mm";
+    for spring in ["--period 2.2s", "--natural-frequency 0.4Hz", "--pendulum-radius 1.2m --damping-ratio 2%"]
+    {
+        for command in ["response", "steady"] {
+            let run = stickslip(&format!("{command} {spring} {base} --format json")).assert().code(0);
+            let note = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+            assert!(note.contains("--mass is left out") && note.contains("those of 1 t"), "{note}");
+            let without: Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+            let with = json(&format!("{command} --mass 37kg {spring} {base} --format json"));
+            for name in ["max_displacement", "max_velocity", "max_acceleration", "max_absolute_displacement"]
+            {
+                close(number(&without["physical"][name]), number(&with["physical"][name]), 1e-12);
+            }
+            let force = |answer: &Value| number(&answer["physical"]["max_spring_force"]);
+            close(force(&without) / 1000.0, force(&with) / 37.0, 1e-12);
+        }
+    }
+    let decay = json("decay --quiet --period 1s --friction-coefficient 0.05 --x0 200mm --format json");
+    let with = json("decay --mass 3kg --period 1s --friction-coefficient 0.05 --x0 200mm --format json");
+    close(number(&decay["physical"]["path"]), number(&with["physical"]["path"]), 1e-13);
+    // A force, a damper by its constant, or a friction by its bound need the mass.
+    for rest in [
+        "--friction-coefficient 0.05 --force 20N",
+        "--friction 3N --base-acceleration 0.15g",
+        "--friction-coefficient 0.05 --damping 2N*s/m --base-acceleration 0.15g",
+        "--friction-coefficient 0.05 --mean-force 2N --base-acceleration 0.15g",
+    ] {
+        refused(&format!("response --period 2.2s --frequency 2Hz {rest}"), &["--mass", "missing"]);
+    }
+}
+
+/// The stiffness m g/R of a pendulum is right to 2 % up to a fifth of the radius.
+#[test]
+fn a_pendulum_far_from_its_middle_is_said() {
+    for (command, far) in [
+        (
+            "response --pendulum-radius 1m --friction-coefficient 0.05 --frequency 1Hz --base-acceleration 0.2g",
+            false,
+        ),
+        (
+            "response --pendulum-radius 0.3m --friction-coefficient 0.05 --frequency 1Hz --base-acceleration 0.5g",
+            true,
+        ),
+        (
+            "steady --pendulum-radius 0.3m --friction-coefficient 0.05 --frequency 1Hz --base-acceleration 0.5g",
+            true,
+        ),
+        ("decay --pendulum-radius 1m --friction-coefficient 0.05 --x0 199mm", false),
+        ("decay --pendulum-radius 1m --friction-coefficient 0.05 --x0 201mm", true),
+    ] {
+        let run = stickslip(&format!("{command} --mass 1kg")).assert().code(0);
+        let note = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert_eq!(note.contains("exceeds a fifth of the radius"), far, "{command}: {note}");
+    }
+    // The horizontal force of a bowl is m g tan θ, sin θ = x/R.
+    let angle = 0.2f64.asin();
+    close(angle.tan() / 0.2, 1.0206, 1e-4);
+}
+
+/// An unbalance in US units is a mass times a length, and not lbf·s² beside lb.
+#[test]
+fn an_unbalance_is_read_in_pounds_and_inches() {
+    let text = stdout(
+        "response --mass 100lb --stiffness 500lb/in --friction 20lb --unbalance 50lb*in --frequency 700rpm --units \
+         lbf,in",
+    );
+    assert!(text.contains("unbalance m_e e          50 lb·in               = 0.129504 lbf·s²"), "{text}");
 }
