@@ -22,6 +22,7 @@ mod design;
 #[cfg(feature = "mp")]
 mod enclose;
 mod evidence;
+mod exercises;
 mod figures;
 mod files;
 mod identify;
