@@ -56,7 +56,7 @@ macro_rules! as_name {
 
 as_name!(Output, SteadyOutput);
 
-/// The excitation, the times and the samples; equal steps by the first time and the step.
+/// The excitation, the times and the samples, and the load after them; equal steps by the first time and the step.
 impl<F: Float + Serialize> Serialize for Record<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
@@ -68,7 +68,8 @@ impl<F: Float + Serialize> Serialize for Record<F> {
                 }
                 Err(times) => map.serialize_entry("times", times)?,
             }
-            map.serialize_entry("samples", self.samples())
+            map.serialize_entry("samples", self.samples())?;
+            map.serialize_entry("after", &self.after())
         })
     }
 }

@@ -58,9 +58,9 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         cell.finite(name)?;
     }
     if args.answer.format.is_json("record")? {
-        return output::json(&Described::new(&physical, &summary), out);
+        return output::json(&Described::new(&physical, &summary, &record), out);
     }
-    text(&answer, &physical, &given.system, &summary, out)
+    text(&answer, &physical, &given.system, &measured::lines(&summary, &record), out)
 }
 
 /// Refuses an interval with which the states, until the record has passed and as long again, take too much memory.
@@ -173,7 +173,7 @@ fn text<F: Value>(
     answer: &RecordAnswer<F>,
     physical: &Physical<Number>,
     system: &System,
-    summary: &Summary,
+    read: &str,
     out: &mut impl Write,
 ) -> Outcome {
     let unit = |kind: Kind| system.name(kind);
@@ -195,7 +195,7 @@ fn text<F: Value>(
         )?,
         (None, None) => writeln!(out, "The body slides {slides}, and does not come to rest.")?,
     }
-    writeln!(out, "{}\n", measured::sentence(summary))?;
+    writeln!(out, "{read}\n")?;
     for (name, kind, cell) in &physical.values {
         let is_none = matches!(cell, Cell::Number(None));
         if is_none && *name == "cut_time" {

@@ -9,7 +9,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::BufReader;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader};
-use stickslip::motion::record::Record;
+use stickslip::motion::record::{After, Record};
 use stickslip_front::record::{self, Options, Summary, Words};
 
 /// Reads a record in the units of the reader, and scales and cuts it. The summary is of the file, before that.
@@ -50,12 +50,15 @@ pub(crate) fn read<F: Value>(
             .between(from.unwrap_or(first), to.unwrap_or(last))
             .map_err(|e| format!("{}: {e}", typed.join(" ")))?;
     }
+    if let Some(after) = args.after {
+        record = record.followed_by(after.into());
+    }
     Ok((record, summary))
 }
 
-/// What was read of a file, in one sentence.
-pub(crate) fn sentence(summary: &Summary) -> String {
-    summary.sentence(digits)
+/// What was read of a file and what follows it, in two lines.
+pub(crate) fn lines<F: Value>(summary: &Summary, record: &Record<F>) -> String {
+    format!("{}\n{}", summary.sentence(digits), record::follows(record))
 }
 
 /// An answer in JSON, and what was read of its file under the key `record`.
@@ -67,14 +70,14 @@ pub(crate) struct Described<'a, A: Serialize> {
 }
 
 impl<'a, A: Serialize> Described<'a, A> {
-    pub(crate) fn new(answer: &'a A, summary: &'a Summary) -> Self {
-        Self { answer, record: Fields(summary) }
+    pub(crate) fn new<F: Value>(answer: &'a A, summary: &'a Summary, record: &Record<F>) -> Self {
+        Self { answer, record: Fields(summary, record.after()) }
     }
 }
 
-/// The fields of a summary.
+/// The fields of a summary, and what follows the record.
 #[derive(Debug)]
-struct Fields<'a>(&'a Summary);
+struct Fields<'a>(&'a Summary, After);
 
 impl Serialize for Fields<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -91,6 +94,7 @@ impl Serialize for Fields<'_> {
         map.serialize_entry("peak_at", peak_at)?;
         map.serialize_entry("mean", mean)?;
         map.serialize_entry("unit", unit)?;
+        map.serialize_entry("after", self.1.name())?;
         map.end()
     }
 }

@@ -218,6 +218,10 @@ impl Table for Spectra<'_> {
             ("scale", args.load.scale.clone()),
             ("from", args.load.from.clone()),
             ("to", args.load.to.clone()),
+            (
+                "after",
+                args.load.after.map(|after| stickslip::motion::record::After::from(after).name().to_owned()),
+            ),
             ("shard", args.table.shard.clone()),
             ("system", args.units.units.map(|system| system.to_string())),
         ];

@@ -25,7 +25,7 @@ use lines::Lines;
 use std::io::BufRead;
 use std::str::FromStr;
 use stickslip::inputs::units::{Factor, Kind, Reader};
-use stickslip::motion::record::Record;
+use stickslip::motion::record::{After, Record};
 use stickslip::{Excitation, Float};
 
 /// The names that a front has for the options of the reader, for its messages.
@@ -212,6 +212,20 @@ impl Summary {
             number(self.peak_at),
             number(self.mean)
         )
+    }
+}
+
+/// What follows a record, in one sentence.
+#[must_use]
+pub fn follows<F: Float>(record: &Record<F>) -> &'static str {
+    match (record.after(), record.excitation()) {
+        (After::Hold, excitation) if excitation.moves_foot() => "After it the foot stays where it is.",
+        (After::Zero, excitation) if excitation.moves_foot() => "After it the foot is at 0.",
+        (After::Free, excitation) if excitation.moves_foot() => "After it the foot lets go.",
+        (After::Hold, Excitation::Force) => "After it the force stays at its last sample.",
+        (After::Hold, _) => "After it the acceleration stays at its last sample.",
+        (_, Excitation::Force) => "After it the force is zero.",
+        _ => "After it the acceleration is zero.",
     }
 }
 

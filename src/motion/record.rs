@@ -59,7 +59,7 @@ pub use answers::RecordAnswer;
 pub(crate) use balls::follow as follow_in_balls;
 pub use body::Body;
 pub use history::{RecordEvent, RecordMotion, RecordState};
-pub use load::Record;
+pub use load::{After, Record};
 #[cfg(feature = "batch")]
 pub use many::follow_each;
 #[cfg(feature = "batch")]

@@ -4,7 +4,7 @@
 use crate::Excitation;
 use crate::float::Float;
 use crate::machine::error::Error;
-use crate::motion::record::{Body, Record};
+use crate::motion::record::{After, Body, Record};
 use crate::motion::{DrivePhase, State};
 use crate::output::{Output, UnknownOutput};
 use crate::uncertainty::Interval;
@@ -93,11 +93,17 @@ fields! {
     };
     RecordFields -> Record {
         excitation: Excitation, start: F = "zero", step: Option<F> = "absent", times: Option<Vec<F>> = "absent",
-        samples: Vec<F>,
-    } by |excitation, start, step, times, samples| match (step, times) {
-        (Some(step), None) => Ok(Record::new(excitation, step, samples)?.beginning_at(start)?),
-        (None, Some(times)) => Ok(Record::at_times(excitation, times, samples)?),
-        (Some(_), Some(_)) | (None, None) => Err(Unread("record: needs a step or times, and not both".to_owned())),
+        samples: Vec<F>, after: Option<After> = "absent",
+    } by |excitation, start, step, times, samples, after| {
+        let record = match (step, times) {
+            (Some(step), None) => Record::new(excitation, step, samples)?.beginning_at(start)?,
+            (None, Some(times)) => Record::at_times(excitation, times, samples)?,
+            (Some(_), Some(_)) | (None, None) => {
+                return Err(Unread("record: needs a step or times, and not both".to_owned()));
+            }
+        };
+        let after = after.unwrap_or_else(|| record.after());
+        Ok(record.followed_by(after))
     };
 }
 

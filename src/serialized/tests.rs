@@ -1,6 +1,6 @@
 use crate::design::{Aim, Measurement};
 use crate::motion::attractors;
-use crate::motion::record::{Body, Record};
+use crate::motion::record::{After, Body, Record};
 use crate::motion::{FreeDecay, LongRun, State, Trajectory};
 use crate::uncertainty::Interval;
 use crate::{Border, Cycle, Drive, Excitation, Oscillator, Output, Ratios, Response, Verdict};
@@ -115,7 +115,8 @@ fn inputs_are_read_as_they_were_written() {
     back(&block.with_mean_force(0.2).unwrap().one_way());
     let samples = vec![0.0f64, 0.1, -0.2];
     back(&Record::new(Excitation::Force, 0.01, samples.clone()).unwrap().beginning_at(0.3).unwrap());
-    back(&Record::at_times(Excitation::SurfaceAcceleration, vec![0.0, 0.1, 0.4], samples).unwrap());
+    let record = Record::at_times(Excitation::SurfaceAcceleration, vec![0.0, 0.1, 0.4], samples).unwrap();
+    back(&record.followed_by(After::Hold));
     back(&Measurement { angular_frequency: 3.0, amplitude: 0.1, phase: None });
     for (aim, name) in [(Aim::Displacement, "displacement"), (Aim::TransmittedForce, "transmitted-force")] {
         back(&aim);

@@ -2,7 +2,7 @@
 //! closed forms.
 
 use std::f64::consts::{PI, TAU};
-use stickslip::motion::record::{Body, Record, RecordAnswer};
+use stickslip::motion::record::{After, Body, Record, RecordAnswer};
 use stickslip::{Error, Excitation};
 
 fn body(mass: f64, stiffness: f64, damping: f64, friction: f64) -> Body<f64> {
@@ -156,6 +156,85 @@ fn a_foot_stays_where_it_ends() {
     let record = Record::at_times(Excitation::DampedFootMotion, times, vec![0.0, 1.0, 0.0]).unwrap();
     let found = body(1.0, 4.0, 1.5, 1.0).follow(&record).unwrap();
     close("work", found.damper_work, 2.760_650_658_077_4, 1e-12);
+}
+
+/// What follows a record: the load ends, stays, or lets go. Each has the motion of a record that goes on as it says.
+#[test]
+fn what_follows_a_record_is_that_of_a_record_that_goes_on() {
+    for (excitation, size) in [
+        (Excitation::Force, 9.0),
+        (Excitation::FootMotion, 0.4),
+        (Excitation::DampedFootMotion, 0.4),
+        (Excitation::SurfaceAcceleration, 4.5),
+    ] {
+        let of = body(2.0, 40.0, 1.5, 1.0);
+        let samples = vec![0.0, 1.0, -0.7, 0.9].into_iter().map(|x| x * size).collect::<Vec<_>>();
+        let times = vec![0.0, 0.3, 0.55, 1.0];
+        let record = Record::at_times(excitation, times.clone(), samples.clone()).unwrap();
+        let ended = |after| of.follow(&record.clone().followed_by(after)).unwrap();
+        // A long record that says the same, with the step in the load that a damper on the foot does not bear.
+        let long = |last: f64| {
+            let (mut times, mut samples) = (times.clone(), samples.clone());
+            if last != 0.9 * size {
+                times.push(1.0);
+                samples.push(last);
+            }
+            times.push(60.0);
+            samples.push(last);
+            let record = Record::at_times(excitation, times, samples)?;
+            of.follow(&record.followed_by(After::Hold))
+        };
+        let same = |name: &str, found: &RecordAnswer<f64>, long: &RecordAnswer<f64>| {
+            for (what, found, other) in [
+                ("greatest", found.max_displacement, long.max_displacement),
+                ("least", found.min_displacement, long.min_displacement),
+                ("fastest", found.max_velocity, long.max_velocity),
+                ("acceleration", found.max_absolute_acceleration, long.max_absolute_acceleration),
+                ("force", found.max_transmitted_force, long.max_transmitted_force),
+                ("path", found.path, long.path),
+                ("friction work", found.friction_work, long.friction_work),
+                ("damper work", found.damper_work, long.damper_work),
+                ("load work", found.load_work, long.load_work),
+                ("rest", found.residual_displacement.unwrap(), long.end_displacement),
+            ] {
+                close(&format!("{excitation:?} {name} {what}"), found, other, 1e-11);
+            }
+            assert_eq!(found.slides, long.slides);
+        };
+        same("hold", &ended(After::Hold), &long(0.9 * size).unwrap());
+        if excitation != Excitation::DampedFootMotion {
+            same("zero", &ended(After::Zero), &long(0.0).unwrap());
+        }
+        let by_default = if excitation.to_string().contains("foot") { After::Hold } else { After::Zero };
+        assert_eq!(record.after(), by_default);
+        assert_eq!(of.follow(&record).unwrap(), ended(by_default));
+        if !excitation.to_string().contains("foot") {
+            assert_eq!(ended(After::Free), ended(After::Zero));
+            continue;
+        }
+        // A foot that has let go: a block without a spring, with the damper where that stands on the ground.
+        let held = ended(After::Hold);
+        let damping = if excitation == Excitation::DampedFootMotion { 0.0 } else { 1.5 };
+        let block = body(2.0, 0.0, damping, 1.0);
+        let still = force(&[0.0, 1.0], &[0.0, 0.0]);
+        let slide = block.follow_from(&still, held.end_displacement, held.end_velocity).unwrap();
+        let free = ended(After::Free);
+        let rest = slide.residual_displacement.unwrap();
+        close("rest", free.residual_displacement.unwrap(), rest, 1e-13);
+        // The works of the record are those of a foot that stays, less those of the way to rest beside it.
+        let (x, last) = (held.end_displacement, 0.9 * size);
+        let settled = of.follow_from(&still, x - last, held.end_velocity).unwrap();
+        let damper = held.damper_work - settled.damper_work;
+        close("damper work", free.damper_work - slide.damper_work, damper, 1e-11);
+        let load = held.load_work - 40.0 * last * (held.residual_displacement.unwrap() - x);
+        close("load work", free.load_work, load, 1e-11);
+        close("path", free.path - slide.path, held.path - settled.path, 1e-11);
+        assert!(free.damper_work > 0.0 && slide.friction_work > 0.0, "{free:?} {slide:?}");
+    }
+    // Pulled by a force that stays, a block without a spring never stops.
+    let pull = force(&[0.0, 1.0], &[0.0, 3.0]);
+    let found = body(1.0, 0.0, 0.0, 1.0).follow(&pull.followed_by(After::Hold)).unwrap();
+    assert_eq!((found.residual_displacement, found.cut_time), (None, Some(1.0)));
 }
 
 /// Many periods in a step cost no more than a few, and many stops are refused.

@@ -1,8 +1,9 @@
 //! The arguments of the motion under a record, and of spectra.
 
 use super::{AnswerArgs, BodyArgs, LookArgs, TableArgs, UnitArgs};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+use stickslip::motion::record::After;
 
 /// How the file of a record is read.
 #[derive(Debug, Clone, Default, Args)]
@@ -29,6 +30,28 @@ pub(crate) struct LoadArgs {
     /// Time at which the record ends
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
+    /// The load after the record: zero, hold (it stays at its last sample) or free (a foot lets go of the spring) [default: hold
+    /// for a foot, zero for a force or an acceleration]
+    #[arg(long, value_enum, value_name = "LOAD", hide_possible_values = true)]
+    pub(crate) after: Option<AfterArg>,
+}
+
+/// The load after a record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AfterArg {
+    Zero,
+    Hold,
+    Free,
+}
+
+impl From<AfterArg> for After {
+    fn from(after: AfterArg) -> Self {
+        match after {
+            AfterArg::Zero => Self::Zero,
+            AfterArg::Hold => Self::Hold,
+            AfterArg::Free => Self::Free,
+        }
+    }
 }
 
 /// The surface that the body slides on.
@@ -52,8 +75,8 @@ commas, semicolons, tabs or blanks between them, such as time[s],acceleration[g]
 (acc, of the surface that the body slides on), force, or foot-displacement (of the spring's foot, with
 damped-foot-displacement if the damper stands on it, too). Columns without names need --record-units, and --column if
 there are several. Samples without times need --time-step. The answer says what was read. Between samples the load is a
-straight line. After the last one a force or an acceleration is zero, a foot stays, and the body slides to its rest. No
-stop is missed.
+straight line. After the last one a force or an acceleration is zero, a foot stays (or --after says otherwise), and the
+body slides to its rest. No stop is missed.
 
 Examples:
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%

@@ -14,7 +14,6 @@ use stickslip::enclosed::{self, Enclosure};
 use stickslip::float::Mp;
 use stickslip::inputs::units::System;
 use stickslip::motion::record::{Entry, RecordAnswer};
-use stickslip_front::record::Summary;
 
 /// The precision at which inputs are read, in words of 64 bits: that of the widest computation.
 const WORDS: usize = 65;
@@ -31,14 +30,14 @@ pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     let found = enclosed::follow(&body, &record, x, v, args.answer.bits.unwrap_or(BITS)).map_err(named)?;
     let answer = EnclosedRecord { found, system: given.system };
     if args.answer.format.is_json("record")? {
-        output::json(&Described::new(&answer, &summary), out)
+        output::json(&Described::new(&answer, &summary, &record), out)
     } else {
-        answer.text(&summary, out)
+        answer.text(&measured::lines(&summary, &record), out)
     }
 }
 
 impl EnclosedRecord {
-    fn text(&self, summary: &Summary, out: &mut impl Write) -> Outcome {
+    fn text(&self, read: &str, out: &mut impl Write) -> Outcome {
         let found = &self.found;
         let ends = if found.residual_displacement.is_some() { "comes" } else { "does not come" };
         let verdict = match found.slides {
@@ -46,7 +45,7 @@ impl EnclosedRecord {
             1 => format!("The body slides once, and {ends} to rest. This is certain."),
             n => format!("The body slides {n} times, and {ends} to rest. This is certain."),
         };
-        writeln!(out, "{}\n{}\n", style::verdict(&verdict), measured::sentence(summary))?;
+        writeln!(out, "{}\n{read}\n", style::verdict(&verdict))?;
         for (name, kind, entry) in found.entries() {
             let name = name.replace('_', " ");
             match entry {

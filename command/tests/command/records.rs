@@ -206,6 +206,40 @@ fn what_was_read_stands_in_the_answer() {
     }
 }
 
+/// The answer says what follows the record: by default a foot stays, and an acceleration ends.
+#[test]
+fn the_answer_says_what_follows_the_record() {
+    let folder = folder();
+    let foot = file(&folder, "foot.csv", "time[s],foot-displacement[m]\n0,0\n2,0.5\n");
+    let quake = file(&folder, "quake.at2", &peer(300));
+    let machine = "--mass 2kg --stiffness 40N/m --friction 1N";
+    for (args, line, name) in [
+        (format!("{foot} {machine}"), "After it the foot stays where it is.", "hold"),
+        (format!("{foot} {machine} --after zero"), "After it the foot is at 0.", "zero"),
+        (format!("{foot} {machine} --after free"), "After it the foot lets go.", "free"),
+        (format!("{quake} {ISOLATOR}"), "After it the acceleration is zero.", "zero"),
+        (
+            format!("{quake} {ISOLATOR} --after hold"),
+            "After it the acceleration stays at its last sample.",
+            "hold",
+        ),
+    ] {
+        assert_eq!(stdout(&format!("record {args}")).lines().nth(2), Some(line), "{args}");
+        assert_eq!(json(&format!("record {args} --format json"))["record"]["after"], name, "{args}");
+    }
+    // Beside a foot that stays the body rests within r/k of it, and of one that jumped back within r/k of 0.
+    let rest = |after: &str| {
+        let found = json(&format!("record {foot} {machine} {after} --format json"));
+        found["residual_displacement"].as_f64().unwrap()
+    };
+    assert!((rest("") - 0.5).abs() <= 0.025 && rest("--after zero").abs() <= 0.025);
+    assert!(rest("--after free") > 0.5);
+    refused(&format!("record {foot} {machine} --after later"), &["--after", "zero, hold, free"]);
+    // Spectra follow it, too.
+    let row = stdout(&format!("spectrum {foot} --stiffness 40N/m --friction 1N --mass 1kg,2kg --after zero"));
+    assert!(row.lines().nth(2).unwrap().contains(&rest("--after zero").to_string()), "{row}");
+}
+
 /// Every enclosure contains the answer at f64, to its rounding; what is not certain is an error, and a file or a picture
 /// has no enclosure.
 #[cfg(feature = "mp")]

@@ -3,7 +3,7 @@
 use super::body::{Body, Constants};
 use super::follow::{Failed, Failure, Follower, Mode, Onset, Watch};
 use super::lanes::{self, Followed};
-use super::load::{Factors, Piece, Record};
+use super::load::{After, Factors, Piece, Record};
 use super::number::Number;
 use super::settle::Rest;
 use super::totals::Totals;
@@ -31,7 +31,7 @@ macro_rules! answers {
         /// With a moving surface, displacement and velocity are those in relation to it. Displacements are counted from
         /// the position in which the spring is relaxed, whatever the constant force.
         ///
-        /// After the record a force and an acceleration are zero, and a foot stays where it is. The answers are of the whole
+        /// After the record the load is that of [`Record::after`]. The answers are of the whole
         /// motion, to its rest or to the limit it tends to. A motion that never ends is cut, at
         /// [`RecordAnswer::cut_time`]: without friction and damper after one more period, which has all extremes; on a
         /// slope that is steeper than friction where the slide begins that does not end, or at the end of the record.
@@ -127,8 +127,28 @@ pub(super) struct End<F> {
     pub(super) x: F,
     pub(super) v: F,
     pub(super) rest: Rest<F>,
+    /// Whether the foot of the spring has let go at the end of the record.
+    pub(super) is_free: bool,
     /// ∫ 2βu′² dt of a foot on which the damper stands.
     pub(super) foot: F,
+}
+
+impl<F: Number> Follower<F> {
+    /// Follows the body from the end of a record, with this last sample, to its rest; whether the foot of its spring has let
+    /// go.
+    pub(super) fn ended(
+        &mut self,
+        (after, excitation): (After, Excitation),
+        factors: &Factors<F>,
+        [end, last]: [F; 2],
+        watch: &mut impl Watch<F>,
+    ) -> Result<(Rest<F>, bool), Failure> {
+        let is_free = after == After::Free && excitation.moves_foot();
+        if is_free {
+            self.let_go(excitation == Excitation::DampedFootMotion);
+        }
+        Ok((self.settle(end, factors.after(after, last), watch)?, is_free))
+    }
 }
 
 /// A body at the start of a record, at x with the velocity v, and what is collected of its motion.
@@ -158,8 +178,6 @@ impl<F: Float> End<F> {
     ) -> Result<Self, Error> {
         let end = record.end();
         let (x, v) = (follower.x, follower.v);
-        let load = factors.after(record.after(), record.last());
-        let rest = follower.settle(end, load, watch).map_err(|failure| failed((failure, end)))?;
         let mut foot = F::int(0);
         if factors.damper > F::int(0) {
             for (_, length, samples) in record.steps() {
@@ -167,7 +185,10 @@ impl<F: Float> End<F> {
                 foot = foot + piece.work_at_rest(&follower.constants);
             }
         }
-        Ok(Self { x, v, rest, foot })
+        let what = (record.after(), record.excitation());
+        let ended = follower.ended(what, factors, [end, record.last()], watch);
+        let (rest, is_free) = ended.map_err(|failure| failed((failure, end)))?;
+        Ok(Self { x, v, rest, is_free, foot })
     }
 }
 
@@ -305,7 +326,10 @@ impl<F: Number> Weights<F> {
         let net = last - x;
         let friction_work = friction * totals.path + friction_offset * net;
         let load_work = mass * totals.load_work + mean_force * net;
-        let stored = mass * (speed - v) * (speed + v) * half + stiffness * net * (last + x) * half;
+        // A spring whose foot has let go keeps what it stores.
+        let stretched = if end.is_free { end.x } else { last };
+        let stored =
+            mass * (speed - v) * (speed + v) * half + stiffness * (stretched - x) * (stretched + x) * half;
         // ∫ c(x′ − u′)² dt is the work of the force −c x′, and what the foot adds.
         let of_foot = mass * (end.foot - F::int(2) * totals.foot_work);
         let damper_work = if has_damper { load_work - friction_work - stored + of_foot } else { F::int(0) };

@@ -201,14 +201,16 @@ pub(crate) fn follow<const N: usize, const W: usize>(
         Some(step) => known(begin) + Ball::count(record.samples().len().saturating_sub(1)) * known(step),
         None => known(end),
     };
-    let load = factors.after(record.after(), known(record.last()));
-    let rest = follower.settle(ended, load, &mut totals).map_err(|failure| failed((failure, end)))?;
+    let (what, last) = ((record.after(), excitation), known(record.last()));
+    let (rest, is_free) = follower
+        .ended(what, &factors, [ended, last], &mut totals)
+        .map_err(|failure| failed((failure, end)))?;
     let foot = if excitation == Excitation::DampedFootMotion && weights.has_damper {
         let works = pieces::<N, W>(record, factors).map(|(_, piece)| piece.work_at_rest(&constants));
         works.fold(Ball::int(0), |sum, work| sum + work)
     } else {
         Ball::int(0)
     };
-    let answer = weights.answer(excitation, start, End { x, v, rest, foot }, &totals);
+    let answer = weights.answer(excitation, start, End { x, v, rest, is_free, foot }, &totals);
     answer.ok_or_else(|| uncertain(end))
 }

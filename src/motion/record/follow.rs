@@ -329,6 +329,14 @@ impl<F: Number> Follower<F> {
         watch.stopped(time, self.x)
     }
 
+    /// Takes away the spring, whose foot lets go, and the damper if it stands on the foot, too.
+    pub(super) fn let_go(&mut self, is_damper_on_foot: bool) {
+        (self.constants.square, self.omega) = (F::int(0), F::int(0));
+        if is_damper_on_foot {
+            self.constants.rate = F::int(0);
+        }
+    }
+
     /// Releases a body at rest under the load at the start of a step; the direction, if it moves.
     pub(super) fn release(
         &mut self,

@@ -6,12 +6,13 @@ use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::excitation::Excitation;
 use crate::machine::ratios::{finite, positive};
+use crate::named::named;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
 /// spring's foot, with straight lines between them. After its last sample a force and an acceleration are zero, and a
-/// foot stays where it is.
+/// foot stays where it is, unless [`Record::followed_by`] says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(
@@ -25,15 +26,32 @@ pub struct Record<F> {
     excitation: Excitation,
     times: Times<F>,
     samples: Vec<F>,
+    after: After,
 }
 
-/// The load after the last sample of a record.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum After {
-    /// It is zero.
-    Zero,
-    /// It stays at the last sample.
-    Hold,
+named! {
+    /// The load after the last sample of a record.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum After [
+        /// The name: `zero`, `hold` or `free`.
+    ] {
+        /// It is zero: a foot jumps back to 0.
+        Zero = "zero",
+        /// It stays at the last sample. A foot then rests, so that its damper carries no velocity of it.
+        Hold = "hold",
+        /// No load is left. A foot lets go of the spring, and of the damper that stands on it, so that friction alone
+        /// and a damper on the ground stop the body. Of a force and an acceleration it is [`After::Zero`].
+        Free = "free",
+    }
+}
+
+impl After {
+    /// That of a record of this kind by default: a foot stays, a force and an acceleration end.
+    const fn of(excitation: Excitation) -> Self {
+        if excitation.moves_foot() { Self::Hold } else { Self::Zero }
+    }
 }
 
 /// The times of the samples.
@@ -55,7 +73,8 @@ impl<F: Float> Record<F> {
     /// excitation is another.
     pub fn new(excitation: Excitation, step: F, samples: Vec<F>) -> Result<Self, Error> {
         positive(Quantity::TimeStep, step)?;
-        Self { excitation, times: Times::Equal(F::int(0), step), samples }.checked()
+        let (times, after) = (Times::Equal(F::int(0), step), After::of(excitation));
+        Self { excitation, times, samples, after }.checked()
     }
 
     /// A record with samples at these times, which increase. Two samples at one time are a step of the load, unless a
@@ -79,7 +98,7 @@ impl<F: Float> Record<F> {
             };
             finite(Quantity::Time, time).and(step).map_err(|error| in_sample(index, error))?;
         }
-        Self { excitation, times: Times::Each(times), samples }.checked()
+        Self { excitation, times: Times::Each(times), samples, after: After::of(excitation) }.checked()
     }
 
     fn checked(self) -> Result<Self, Error> {
@@ -137,7 +156,14 @@ impl<F: Float> Record<F> {
             Times::Equal(start, step) => Times::Equal(*start + F::count(first) * *step, *step),
             Times::Each(times) => Times::Each(times.get(first..end).unwrap_or_default().to_vec()),
         };
-        Self { excitation: self.excitation, times, samples }.checked()
+        Self { times, samples, ..self }.checked()
+    }
+
+    /// This record with another load after its last sample. By default a force and an acceleration are zero, and a foot
+    /// stays.
+    #[must_use]
+    pub fn followed_by(self, after: After) -> Self {
+        Self { after, ..self }
     }
 
     /// The time of the first sample and the step, where the steps are equal; otherwise the time of each sample.
@@ -155,15 +181,8 @@ impl<F: Float> Record<F> {
     }
 
     /// The load after the last sample.
-    pub(super) const fn after(&self) -> After {
-        match self.excitation {
-            Excitation::FootMotion | Excitation::DampedFootMotion => After::Hold,
-            Excitation::Force
-            | Excitation::Unbalance
-            | Excitation::SurfaceMotion
-            | Excitation::SurfaceVelocity
-            | Excitation::SurfaceAcceleration => After::Zero,
-        }
+    pub const fn after(&self) -> After {
+        self.after
     }
 
     /// The last sample.
@@ -259,7 +278,7 @@ impl<F: Number> Factors<F> {
     /// The load after a record with this last sample.
     pub(super) fn after(&self, after: After, last: F) -> F {
         match after {
-            After::Zero => F::int(0),
+            After::Zero | After::Free => F::int(0),
             After::Hold => last * self.factor,
         }
     }
