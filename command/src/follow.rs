@@ -1,6 +1,6 @@
 //! `stickslip record`: the motion of a body under a record.
 
-use crate::args::{RecordArgs, SurfaceArgs};
+use crate::args::{Header, RecordArgs, StreamFormat, SurfaceArgs};
 use crate::bits::{Value, at_bits, digits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
@@ -10,7 +10,8 @@ use crate::measured::{self, Described};
 use crate::motion_plot;
 use crate::output::{self, PendingFile};
 use crate::physical::Physical;
-use crate::record::{Cell, Number};
+use crate::record::{Cell, Number, Record as Row};
+use crate::sink::Sink;
 use std::io::Write;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader, System};
@@ -29,6 +30,9 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
 fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     args.look.needs("--picture", args.picture.as_deref())?;
     if let Some(file) = &args.out {
+        if is_parquet(file) && !cfg!(feature = "parquet") {
+            return Err(format!("--out {}: needs a build with the feature parquet", file.display()).into());
+        }
         output::refuse_existing(file, &format!("--out {}", file.display()), args.overwrite)?;
     }
     let target = Target::new("--picture", args.picture.as_deref(), args.overwrite, &args.look)?;
@@ -46,7 +50,7 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
         let motion = motion(interval.unwrap_or_else(|| record.longest_step()))?;
         let argument = format!("--out {}", file.display());
         PendingFile::create(file, &argument, args.overwrite)?
-            .fill(|out| states(&motion, &given.system, out))?;
+            .fill(|out| states(&motion, given.system, file, out))?;
     }
     if args.picture.is_some() {
         let motion = motion((record.end() - record.time(0)) / F::int(4000))?;
@@ -207,27 +211,57 @@ fn text<F: Value>(
     Ok(())
 }
 
-/// The states of a motion as CSV.
-fn states<F: Value>(motion: &RecordMotion<F>, system: &System, out: &mut impl Write) -> Outcome {
-    let [length, velocity, acceleration] = [Kind::Length, Kind::Velocity, Kind::Acceleration]
-        .map(|kind| crate::outputs::plain(&system.name(kind)));
+/// A column of a motion: its name, its kind and its value.
+type OfState<F> = (&'static str, Kind, fn(&RecordState<F>) -> F);
+
+/// The columns of a motion, but for the direction.
+const fn of_state<F: Value>() -> [OfState<F>; 8] {
+    [
+        ("time", Kind::Time, |state| state.time),
+        ("displacement", Kind::Length, |state| state.displacement),
+        ("velocity", Kind::Velocity, |state| state.velocity),
+        ("acceleration", Kind::Acceleration, |state| state.acceleration),
+        ("absolute_acceleration", Kind::Acceleration, |state| state.absolute_acceleration),
+        ("friction", Kind::Force, |state| state.friction),
+        ("transmitted_force", Kind::Force, |state| state.transmitted_force),
+        ("load", Kind::Force, |state| state.load),
+    ]
+}
+
+/// Whether the file of a motion is to be Parquet, and not CSV, by the ending of its name.
+fn is_parquet(file: &Path) -> bool {
+    file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"))
+}
+
+/// The states of a motion: as CSV, whose fifth column is the direction, or as Parquet, whose last one is.
+fn states<F: Value>(motion: &RecordMotion<F>, system: System, file: &Path, out: &mut impl Write) -> Outcome {
+    if is_parquet(file) {
+        let mut sink = Sink::new(StreamFormat::Parquet, out, Header::Names)?;
+        for state in &motion.states {
+            let direction = Cell::Number(Some(F::int(state.direction.into())));
+            let values = of_state::<F>().map(|(name, kind, of)| (name, kind, Cell::Number(Some(of(state)))));
+            let values = values.into_iter().chain([("direction", Kind::Ratio, direction)]).collect();
+            sink.write(&Row::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())?;
+        }
+        return sink.finish();
+    }
     let mut table = csv::Writer::from_writer(out);
-    table.write_record([
-        "time[s]",
-        &format!("displacement[{length}]"),
-        &format!("velocity[{velocity}]"),
-        &format!("acceleration[{acceleration}]"),
-        "direction",
-    ])?;
+    let names = of_state::<F>()
+        .map(|(name, kind, _)| format!("{name}[{}]", crate::outputs::plain(&system.name(kind))));
+    let with_direction = |mut cells: Vec<String>, direction: String| {
+        cells.insert(4, direction);
+        cells
+    };
+    table.write_record(with_direction(names.into(), "direction".to_owned()))?;
     for state in &motion.states {
-        let numbers = [state.time, state.displacement, state.velocity, state.acceleration];
-        let [time, x, v, a] = numbers.map(crate::bits::all_digits);
-        table.write_record([time, x, v, a, state.direction.to_string()])?;
+        let cells = of_state::<F>().map(|(.., of)| crate::bits::all_digits(of(state)));
+        table.write_record(with_direction(cells.into(), state.direction.to_string()))?;
     }
     Ok(table.flush()?)
 }
 
-/// The load, the displacement and the velocity over time.
+/// The load, the displacement, the velocity and the absolute acceleration over time, and the force on the support over the
+/// displacement.
 fn drawing<F: Value>(
     record: &Record<F>,
     motion: &RecordMotion<F>,
@@ -262,10 +296,18 @@ fn drawing<F: Value>(
         motion_plot::panel(name, x(), &label(name, kind), points, &rests)
     };
     let y = motion_plot::axis(&label(name, kind), load.iter().map(|(_, value)| *value), 0.08);
+    let of = |value: fn(&RecordState<F>) -> F| motion.states.iter().map(move |state| value(state).to_f64());
+    let places = of(|state| state.displacement);
+    let across = motion_plot::axis(&label("displacement", Kind::Length), places.clone(), 0.08);
+    let points = places.zip(of(|state| state.transmitted_force)).collect();
+    let force = label("transmitted force", Kind::Force);
+    let force_loop = motion_plot::panel("force–displacement loop", across, &force, points, &rests);
     let panels = [
         Panel::new(name, x(), y, vec![Series::new("", Style::Line, 1, load.clone())]),
         moving("displacement", Kind::Length, |state| state.displacement),
         moving("velocity", Kind::Velocity, |state| state.velocity),
+        moving("absolute acceleration", Kind::Acceleration, |state| state.absolute_acceleration),
+        force_loop,
     ];
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     Figure::new("record", format!("Motion under {name}: {machine}"), "", panels)

@@ -282,7 +282,51 @@ fn every_answer_under_a_record_is_that_of_the_samples() {
     assert!(compared > 200, "{compared}");
 }
 
-/// The states of a motion and its events: displacement, velocity and acceleration at their times, and the times of
+/// The accelerations and forces of a body at a place and a velocity of the samples, under a value of the record before this
+/// sample, by the laws of spring, damper and friction, and the size of their terms.
+fn forces(
+    shaken: &Shaken,
+    place: usize,
+    value: f64,
+    [x, v]: [f64; 2],
+    direction: i8,
+) -> [(&'static str, f64, f64); 5] {
+    let &Shaken { mass, stiffness, damping, friction: [forward, backward], mean, .. } = shaken;
+    let slope =
+        (shaken.samples[place] - shaken.samples[place - 1]) / (shaken.times[place] - shaken.times[place - 1]);
+    let [foot, foot_velocity, surface, force] = match shaken.load() {
+        Load::Force => [0.0, 0.0, 0.0, value],
+        Load::Foot => [value, 0.0, 0.0, 0.0],
+        Load::DampedFoot => [value, slope, 0.0, 0.0],
+        Load::Surface => [0.0, 0.0, value, 0.0],
+    };
+    let load = force - mass * surface + stiffness * foot + damping * foot_velocity;
+    // A body at rest is held by the force that is missing.
+    let friction = match direction {
+        1 => -forward,
+        -1 => backward,
+        _ => stiffness * x - load - mean,
+    };
+    let acceleration = (load + mean + friction - stiffness * x - damping * v) / mass;
+    let support = stiffness * (x - foot) + damping * (v - foot_velocity) - friction;
+    let size = load.abs()
+        + mean.abs()
+        + (stiffness * x).abs()
+        + (stiffness * foot).abs()
+        + (damping * v).abs()
+        + (damping * foot_velocity).abs()
+        + friction.abs()
+        + mass * surface.abs();
+    [
+        ("acceleration", acceleration, size / mass),
+        ("absolute acceleration", acceleration + surface, size / mass),
+        ("friction", friction, size),
+        ("load", load, size),
+        ("transmitted force", support, size),
+    ]
+}
+
+/// The states of a motion and its events: displacement, velocity, accelerations and forces at their times, and the times of
 /// stops.
 #[test]
 fn states_and_events_are_those_of_the_samples() {
@@ -319,6 +363,26 @@ fn states_and_events_are_those_of_the_samples() {
                 assert!((state.displacement - end[0]).abs() <= 1e-9 * x, "{state:?} {end:?} {shaken:?}");
                 assert!((state.velocity - end[1]).abs() <= 1e-9 * v, "{state:?} {end:?} {shaken:?}");
                 states += 1;
+                // At the end of the record the load is already the one after it.
+                if state.time >= shaken.times[shaken.times.len() - 1] {
+                    continue;
+                }
+                for (name, value, size) in forces(
+                    &shaken,
+                    place + usize::from(state.time == shaken.times[place]),
+                    load,
+                    end,
+                    state.direction,
+                ) {
+                    let found = match name {
+                        "absolute acceleration" => state.absolute_acceleration,
+                        "acceleration" => state.acceleration,
+                        "friction" => state.friction,
+                        "load" => state.load,
+                        _ => state.transmitted_force,
+                    };
+                    assert!((found - value).abs() <= 1e-9 * size, "{name}: {state:?} {value} {shaken:?}");
+                }
             }
             let of_library = motion.events.iter().filter(|event| event.direction == 0);
             for (event, [time, place]) in of_library.zip(&found.found.stops) {

@@ -101,7 +101,8 @@ pub(crate) struct RecordArgs {
     /// Velocity at the start
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) v0: Option<String>,
-    /// The motion as CSV
+    /// The motion as CSV, or as Parquet by the name FILE.parquet: displacement, velocity, acceleration, absolute acceleration,
+    /// and the forces of friction, on the support and of the load
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) out: Option<PathBuf>,
     /// Greatest distance of the states in it [default: the longest step of the record]

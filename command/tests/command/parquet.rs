@@ -54,6 +54,35 @@ fn what_is_read_back_is_what_csv_has() {
     }
 }
 
+/// The motion under a record, whose direction is the fifth column of CSV and the last one here.
+#[test]
+fn a_motion_under_a_record_is_what_csv_has() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = |name: &str| folder.path().join(name).display().to_string();
+    let rows: String = (0..200).map(|i| format!("{}\n", 3.0 * (0.3 * f64::from(i)).sin())).collect();
+    std::fs::write(name("a.txt"), rows).unwrap();
+    let record = format!("record {} --time-step 0.05s --record-units m/s^2", name("a.txt"));
+    let body = "--mass 2kg --period 1s --friction-coefficient 0.1 --units kN,mm";
+    for file in ["a.parquet", "a.csv"] {
+        stdout(&format!("{record} {body} --out {}", name(file)));
+    }
+    let numbers = |line: &str| line.split(',').map(|cell| cell.parse::<f64>().unwrap()).collect::<Vec<_>>();
+    let (parquet, csv) =
+        (text(Path::new(&name("a.parquet"))), std::fs::read_to_string(name("a.csv")).unwrap());
+    assert!(csv.lines().count() > 200 && parquet.lines().count() == csv.lines().count());
+    for (place, (row, due)) in parquet.lines().zip(csv.lines()).enumerate() {
+        let mut due: Vec<&str> = due.split(',').collect();
+        let direction = due.remove(4);
+        due.push(if place == 0 { "direction[1]" } else { direction });
+        let due = due.join(",");
+        if place == 0 {
+            assert_eq!(row, due);
+        } else {
+            assert_eq!(numbers(row), numbers(&due));
+        }
+    }
+}
+
 /// A time history of more rows than a group holds in memory.
 #[test]
 fn a_time_history_is_what_csv_has() {

@@ -65,9 +65,26 @@ fn a_record_of_the_peer_database_and_its_motion() {
     let of = |key: &str| found[key].as_f64().unwrap();
     let text = fs::read_to_string(&motion).unwrap();
     let mut rows = text.lines();
-    assert_eq!(rows.next(), Some("time[s],displacement[m],velocity[m/s],acceleration[m/s^2],direction"));
-    let greatest = rows.map(|row| row.split(',').nth(1).unwrap().parse::<f64>().unwrap()).fold(0.0, f64::max);
-    assert!((greatest / of("max_displacement") - 1.0).abs() < 1e-12, "{found}");
+    let names =
+        "time[s],displacement[m],velocity[m/s],acceleration[m/s^2],direction,absolute_acceleration[m/s^2]";
+    assert_eq!(rows.next(), Some(&*format!("{names},friction[N],transmitted_force[N],load[N]")));
+    let rows: Vec<Vec<f64>> =
+        rows.map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    let column = |place: usize| rows.iter().map(move |row| row[place]);
+    assert!((column(1).fold(0.0, f64::max) / of("max_displacement") - 1.0).abs() < 1e-12, "{found}");
+    // The extremes of acceleration and force are those of its states, or between two of them.
+    for (place, name) in [(5, "max_absolute_acceleration"), (7, "max_transmitted_force")] {
+        let greatest = column(place).fold(0.0f64, |most, value| most.max(value.abs()));
+        let part = greatest / of(name);
+        assert!(part <= 1.0 + 1e-13 && part > 0.99, "{name} {part}");
+    }
+    // Newton's law at every state: m x″ = load + friction − k x − c x′.
+    let (mass, omega) = (800.0, std::f64::consts::TAU / 2.5);
+    for row in &rows {
+        let [_, x, v, a, _, _, friction, force, load] = row[..] else { panic!("{row:?}") };
+        let support = mass * omega * (omega * x + 2.0 * 0.05 * v) - friction;
+        assert!((mass * a - (load - support)).abs() < 1e-9 && (force - support).abs() < 1e-9, "{row:?}");
+    }
     assert!(of("load_work") > of("friction_work"), "{found}");
     assert!(stdout(&format!("record {quake} {ISOLATOR}")).starts_with("The body slides "));
 }

@@ -1,6 +1,6 @@
 //! The motion under a record as states and events.
 
-use super::answers::RecordAnswer;
+use super::answers::{RecordAnswer, Weights};
 use super::body::Body;
 use super::follow::{Onset, Stretch, Watch};
 use super::linear::Linear;
@@ -9,6 +9,7 @@ use super::slide::Slide;
 use super::totals::Totals;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
+use crate::machine::excitation::Excitation;
 use crate::machine::ratios::positive;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -29,6 +30,16 @@ pub struct RecordState<F> {
     pub acceleration: F,
     /// ±1 while the body slides in this direction, 0 at rest.
     pub direction: i8,
+    /// Acceleration in space: that of the body and of its moving surface together.
+    pub absolute_acceleration: F,
+    /// Force of friction on the body: against its motion, and at rest the force that holds it.
+    pub friction: F,
+    /// Force of spring, damper and friction together on the body's support: `k x + c x′ − friction` beside a foot at 0, on a
+    /// moving foot `k(x − u) + c x′ − friction`.
+    pub transmitted_force: F,
+    /// Force of the load on the body, without the constant force: p, −m a of an acceleration a of the surface, or k u + c u′
+    /// of a foot, with the damper on it.
+    pub load: F,
 }
 
 /// The beginning or the end of a slide.
@@ -68,12 +79,35 @@ struct History<F> {
     interval: F,
     /// The time up to which states are kept.
     until: F,
+    weights: Weights<F>,
+    excitation: Excitation,
 }
 
 impl<F: Float> History<F> {
-    fn push(&mut self, time: F, [x, v, a]: [F; 3], sign: F) {
+    /// Adds a state under a load per mass; `spring` is the force of the spring on its foot at 0, which a body at rest bears.
+    fn push(&mut self, time: F, [x, v, a]: [F; 3], sign: F, [load, spring]: [F; 2]) {
+        let &Weights { mass, friction, friction_offset, mean_force, .. } = &self.weights;
         let direction = direction(sign);
-        self.states.push(RecordState { time, displacement: x, velocity: v, acceleration: a, direction });
+        let push = mass * load;
+        let friction =
+            if direction == 0 { spring - push - mean_force } else { -(sign * friction + friction_offset) };
+        let absolute = if self.excitation.carries_surface() { a - load } else { a };
+        let force = if self.excitation.moves_foot() || self.excitation.carries_surface() {
+            mean_force - mass * absolute
+        } else {
+            push + mean_force - mass * a
+        };
+        self.states.push(RecordState {
+            time,
+            displacement: x,
+            velocity: v,
+            acceleration: a,
+            direction,
+            absolute_acceleration: absolute,
+            friction,
+            transmitted_force: force,
+            load: push,
+        });
     }
 
     /// The number of equal parts of a length that are no longer than the interval.
@@ -97,7 +131,8 @@ impl<F: Float> Watch<F> for History<F> {
             return Some(());
         }
         let parts = self.parts(stretch.length);
-        self.push(stretch.time, [stretch.x, slide.v, slide.a], slide.sign);
+        let load = |t: F| [stretch.load[0] + slide.slope * t, F::int(0)];
+        self.push(stretch.time, [stretch.x, slide.v, slide.a], slide.sign, load(F::int(0)));
         let mut part = 1.0;
         while part < parts {
             let t = stretch.length * F::from_f64(part) / F::from_f64(parts);
@@ -105,7 +140,8 @@ impl<F: Float> Watch<F> for History<F> {
                 break;
             }
             let moment = slide.at(linear, t)?;
-            self.push(stretch.time + t, [stretch.x + moment.moved, moment.v, moment.a], slide.sign);
+            let state = [stretch.x + moment.moved, moment.v, moment.a];
+            self.push(stretch.time + t, state, slide.sign, load(t));
             part += 1.0;
         }
         Some(())
@@ -114,7 +150,8 @@ impl<F: Float> Watch<F> for History<F> {
     fn rested(&mut self, x: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()> {
         self.totals.rested(x, piece, start, from, length)?;
         let zero = F::int(0);
-        self.push(start + from, [x, zero, zero], zero);
+        let forces = [piece.from + piece.slope * from, self.weights.stiffness * x];
+        self.push(start + from, [x, zero, zero], zero, forces);
         Some(())
     }
 
@@ -173,6 +210,8 @@ impl<F: Float> Body<F> {
             events: Vec::new(),
             interval,
             until: end + (end - start),
+            weights: Weights::of(self, |x| x),
+            excitation: record.excitation(),
         };
         let sign = followed.follower.mode.sign();
         if sign != F::int(0) {
@@ -183,7 +222,10 @@ impl<F: Float> Body<F> {
         let last = history.states.last().map_or(start, |state| state.time);
         let time = history.events.last().map_or(last, |event| event.time).or_larger(last);
         if followed.follower.mode.sign() == zero {
-            history.push(time.or_larger(end), [followed.follower.x, zero, zero], zero);
+            let load = followed.factors.after(record.after(), record.last());
+            // A foot that has let go leaves no spring.
+            let spring = self.mass() * followed.follower.constants.square * followed.follower.x;
+            history.push(time.or_larger(end), [followed.follower.x, zero, zero], zero, [load, spring]);
         }
         let History { totals, states, events, .. } = history;
         if states.len() > MOST_STATES {
