@@ -160,7 +160,7 @@ pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Ph
 }
 
 /// The name, the kind and the cell of each answer.
-pub(crate) type Columns<F> = [(&'static str, Kind, Cell<F>); 22];
+pub(crate) type Columns<F> = [(&'static str, Kind, Cell<F>); 26];
 
 /// The answers as cells.
 pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> Columns<F> {

@@ -144,6 +144,7 @@ record, spectrum: the motion under a record, each with its unit
   max_displacement               greatest displacement from the position of the relaxed spring, and over the surface where that moves
   min_displacement               least displacement
   max_velocity, min_velocity     greatest and least velocity
+  peak_displacement              greatest displacement, regardless of sign
   …_time                         time at which the motion has that value first, none where it only tends to it
   max_absolute_acceleration      greatest acceleration in space, regardless of sign
   max_transmitted_force          greatest force of spring, damper and friction together on their support
@@ -155,6 +156,9 @@ record, spectrum: the motion under a record, each with its unit
   slides                         number of slides: motion in one direction
   stops, reversals               numbers of slides that end with a rest, and of those that a slide back follows at once
   stick_time                     time at rest during the record
+  cycle_amplitude                half the way D of the longest swing from one turning point to the next: the greatest cycle
+  equivalent_stiffness           stiffness k + r/D of the oscillator with the forces of this cycle at its turning points
+  equivalent_damping_ratio       its damping ratio, with which it dissipates the energy of this cycle, E/(2π k_eq D²)
   friction_work, damper_work     work dissipated by friction and by the damper, which may stand on the moving foot
   load_work                      work of the load and of a constant force on the body
 ";

@@ -113,10 +113,10 @@ impl<'a> Spectra<'a> {
             self.inputs.iter().map(|&(input, column)| (column, input.kind(), value(input))).collect();
         let answers = answer.map(|answer| answer.as_ref().map_or(self.blank, follow::columns));
         let answers = answers.into_iter().flatten();
-        // Forces and works are those of a mass.
-        values.extend(
-            answers.filter(|(_, kind, _)| self.has_mass || !matches!(kind, Kind::Force | Kind::Energy)),
-        );
+        // Forces, works and stiffnesses are those of a mass.
+        values.extend(answers.filter(|(_, kind, _)| {
+            self.has_mass || !matches!(kind, Kind::Force | Kind::Energy | Kind::Stiffness)
+        }));
         let record = vec![(key!("record"), Cell::Text(name))];
         Record::of(record).with_physical(Physical::beside(self.system, values)).shown()
     }

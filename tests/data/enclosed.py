@@ -142,6 +142,9 @@ class Answer:
         self.see("velocity", v, t)
         self.path = self.friction = self.damper = self.load = self.rest = mpf(0)
         self.slides = self.stops = self.reversals = 0
+        # Places at which the body rests, and the work of a damper on the ground up to there.
+        self.on_ground = mpf(0)
+        self.turns = [] if v else [(x, mpf(0))]
 
     def see(self, name, value, t):
         # A velocity at a stop is zero.
@@ -247,6 +250,7 @@ def motion(body, pieces, start, after, foot):
             between = g.plus(Sum([((mpc(0), 0), mpc(-speed))]))
             answer.damper += body.c * between.times(between).integral(passed)
             answer.load += here.times(g).integral(passed)
+            answer.on_ground += body.c * g.times(g).integral(passed)
             x, v = nx, (g.at(passed) if t is None else mpf(0))
             time, shift = time + passed, shift + passed
             left = None if left is None else left - passed
@@ -254,6 +258,7 @@ def motion(body, pieces, start, after, foot):
             if t is not None:
                 last_sign, sign, rested = sign, 0, mpf(0)
                 answer.stops += 1
+                answer.turns.append((x, answer.on_ground))
     answer.stops -= answer.reversals
     return answer, end, x
 
@@ -285,25 +290,32 @@ def see_forces(answer, body, f, load, length, time, parts, sign):
         answer.follow("transmitted", Sum([(k, c * body.m) for k, c in a.terms.items()]), length, parts, time)
 
 
+def greatest_cycle(body, answer):
+    """The oscillator with a viscous damper of the longest swing between turning points and its mirror image."""
+    kept = []
+    for turn in answer.turns:
+        if kept and turn[0] == kept[-1][0]:
+            continue
+        if len(kept) > 1 and (kept[-1][0] - kept[-2][0]) * (turn[0] - kept[-1][0]) > 0:
+            kept.pop()
+        kept.append(turn)
+    names = ("cycle_amplitude", "equivalent_stiffness", "equivalent_damping_ratio")
+    if len(kept) < 2:
+        return dict.fromkeys(names)
+    one, two = max(zip(kept, kept[1:]), key=lambda pair: abs(pair[1][0] - pair[0][0]))
+    low, high = min(one[0], two[0]), max(one[0], two[0])
+    secant = ((body.k * high + body.r) - (body.k * low - body.r)) / (high - low)
+    amplitude = (high - low) / 2
+    work = 2 * body.r * (high - low) + 2 * (two[1] - one[1])
+    return dict(zip(names, map(digits, (amplitude, secant, work / (2 * pi * secant * amplitude**2)))))
+
+
 def digits(x):
     return mp.nstr(x, 40)
 
 
-def record_case():
-    kind = random.choice(["force", "surface", "foot", "damped-foot"])
-    m = fraction(0.5, 4)
-    has_spring = kind in ("foot", "damped-foot") or random.random() < 0.8
-    k = fraction(20, 200) if has_spring else mpf(0)
-    natural = mp.sqrt(k / m) if has_spring else mpf(5)
-    zeta = random.choice([0, 0.05, 0.3, 0.7])
-    c = fraction(0, 1) + mpf(round(float(2 * zeta * m * natural) * 64)) / 64 if zeta else mpf(0)
-    r = fraction(1, 6)
-    eta = random.choice([mpf(1), mpf(1), mpf("1.25")])
-    step = mpf(random.choice([1, 2, 3, 5])) / 16
-    count = random.randint(4, 8)
-    size = {"force": 20, "surface": 10, "foot": 0.5, "damped-foot": 0.5}[kind]
-    samples = [fraction(-size, size) for _ in range(count)]
-    start = [fraction(-0.3, 0.3), fraction(-2, 2)] if random.random() < 0.5 else [mpf(0), mpf(0)]
+def record_answer(kind, m, c, k, r, eta, step, samples, start):
+    """The answers of a body under samples of a load; `None` where it does not come to rest."""
     body = Body(m, c, k, r, eta, kind)
     pieces = []
     for one, two in zip(samples, samples[1:]):
@@ -331,7 +343,30 @@ def record_case():
     result["stick_time"] = digits(end[2])
     result["friction_work"], result["damper_work"] = digits(answer.friction), digits(answer.damper)
     result["load_work"] = digits(answer.load)
+    result |= greatest_cycle(body, answer)
+    result["peak_displacement"] = digits(max(abs(v["max_displacement"][0]), abs(v["min_displacement"][0])))
     result["slides"], result["stops"], result["reversals"] = answer.slides, answer.stops, answer.reversals
+    return result
+
+
+def record_case():
+    kind = random.choice(["force", "surface", "foot", "damped-foot"])
+    m = fraction(0.5, 4)
+    has_spring = kind in ("foot", "damped-foot") or random.random() < 0.8
+    k = fraction(20, 200) if has_spring else mpf(0)
+    natural = mp.sqrt(k / m) if has_spring else mpf(5)
+    zeta = random.choice([0, 0.05, 0.3, 0.7])
+    c = fraction(0, 1) + mpf(round(float(2 * zeta * m * natural) * 64)) / 64 if zeta else mpf(0)
+    r = fraction(1, 6)
+    eta = random.choice([mpf(1), mpf(1), mpf("1.25")])
+    step = mpf(random.choice([1, 2, 3, 5])) / 16
+    count = random.randint(4, 8)
+    size = {"force": 20, "surface": 10, "foot": 0.5, "damped-foot": 0.5}[kind]
+    samples = [fraction(-size, size) for _ in range(count)]
+    start = [fraction(-0.3, 0.3), fraction(-2, 2)] if random.random() < 0.5 else [mpf(0), mpf(0)]
+    result = record_answer(kind, m, c, k, r, eta, step, samples, start)
+    if result is None:
+        return None
     number = lambda x: float(x)
     return {
         "kind": kind, "mass": number(m), "damping": number(c), "stiffness": number(k), "friction": number(r),

@@ -148,8 +148,8 @@ enum Expected {
 }
 
 /// What the samples give for an answer.
-fn expected(name: &str, shaken: &Shaken, found: &Recorded) -> Expected {
-    let &Recorded { ref found, end, rest, last, counts, creeps, .. } = found;
+fn expected(name: &str, shaken: &Shaken, recorded: &Recorded) -> Expected {
+    let &Recorded { ref found, end, rest, last, counts, creeps, .. } = recorded;
     let machine = Machine::new(
         [shaken.mass, shaken.stiffness, shaken.damping],
         [
@@ -159,6 +159,7 @@ fn expected(name: &str, shaken: &Shaken, found: &Recorded) -> Expected {
         ],
         shaken.mean,
     );
+    let machine = Machine { is_one_way: shaken.is_one_way, ..machine };
     let (x, v) = (found.greatest(Of::Displacement).value, found.greatest(Of::Velocity).value);
     let span = shaken.times[shaken.times.len() - 1] - shaken.times[0];
     let path = found.path[0] + found.path[1];
@@ -173,11 +174,17 @@ fn expected(name: &str, shaken: &Shaken, found: &Recorded) -> Expected {
         let is_limit = creeps && extreme.time > record_end && (extreme.value - last).abs() < 1e-10 * x;
         if is_limit { Expected::Nothing } else { Expected::Time(extreme.time, 3e-7 * span) }
     };
+    let of_cycle =
+        |number: Option<f64>| number.map_or(Expected::Nothing, |number| Expected::Number(number, number));
     match name {
         "max_displacement" => Expected::Extreme(found.most(Of::Displacement), x),
         "max_displacement_time" => time(found.most(Of::Displacement)),
         "min_displacement" => Expected::Extreme(found.least(Of::Displacement), x),
         "min_displacement_time" => time(found.least(Of::Displacement)),
+        "peak_displacement" => {
+            let extreme = found.greatest(Of::Displacement);
+            Expected::Extreme(extreme, extreme.value)
+        }
         "max_velocity" => Expected::Extreme(found.most(Of::Velocity), v),
         "max_velocity_time" => time(found.most(Of::Velocity)),
         "min_velocity" => Expected::Extreme(found.least(Of::Velocity), v),
@@ -200,6 +207,16 @@ fn expected(name: &str, shaken: &Shaken, found: &Recorded) -> Expected {
         // The motions that are compared rest, or tend to a limit.
         "cut_time" => Expected::Nothing,
         "stick_time" => Expected::Number(rest, span),
+        "cycle_amplitude" => {
+            of_cycle(recorded.greatest_cycle(&machine, shaken.start).map(|[amplitude, ..]| amplitude))
+        }
+        "equivalent_stiffness" => {
+            of_cycle(recorded.greatest_cycle(&machine, shaken.start).map(|[_, stiffness, _]| stiffness))
+        }
+        // The integral of a fast decay needs closer samples.
+        "equivalent_damping_ratio" => {
+            of_cycle(shaken.sampled(128.0).greatest_cycle(&machine, shaken.start).map(|[.., ratio]| ratio))
+        }
         "friction_work" => Expected::Number(found.friction_work(&machine), work),
         "damper_work" => Expected::Number(found.damper_work, work),
         "load_work" => Expected::Number(found.load_work + shaken.mean * (last - shaken.start[0]), work),

@@ -269,6 +269,8 @@ pub(crate) struct Found {
     pub(crate) damper_work: f64,
     /// The ends of slides: time and displacement.
     pub(crate) stops: Vec<[f64; 2]>,
+    /// At each of them the displacement and the work of a damper on the ground so far.
+    pub(crate) turns: Vec<[f64; 2]>,
 }
 
 impl Found {
@@ -306,6 +308,7 @@ impl Found {
             absolute_damper_work: 0.0,
             damper_work: 0.0,
             stops: Vec::new(),
+            turns: Vec::new(),
         }
     }
 }
@@ -558,6 +561,7 @@ impl Follower {
                 if let Some(found) = found {
                     found.ends += 1;
                     found.stops.push([self.time, self.state[0]]);
+                    found.turns.push([self.state[0], found.absolute_damper_work]);
                 }
                 (self.last, self.sign, self.rested) = (self.sign, 0, 0.0);
             } else {
@@ -581,6 +585,7 @@ impl Follower {
                 // A touch: the slide goes on.
                 found.ends -= 1;
                 found.stops.pop();
+                found.turns.pop();
             } else {
                 found.slides += 1;
                 found.reversals += 1;
@@ -842,6 +847,42 @@ pub(crate) struct Recorded {
     pub(crate) is_over: bool,
     /// Whether it tends to its end without a last stop.
     pub(crate) creeps: bool,
+}
+
+impl Recorded {
+    /// The amplitude, the equivalent stiffness and the equivalent damping ratio of the longest swing between two turning
+    /// points.
+    pub(crate) fn greatest_cycle(&self, machine: &Machine, [x, v]: [f64; 2]) -> Option<[f64; 3]> {
+        let &Machine { stiffness, friction: [forward, backward], is_one_way, .. } = machine;
+        let mut turns = self.found.turns.clone();
+        if v == 0.0 {
+            turns.insert(0, [x, 0.0]);
+        }
+        if self.creeps {
+            turns.push([self.last, self.found.absolute_damper_work]);
+        }
+        // Stops on the way from one turning point to the next are none.
+        turns.dedup_by(|next, before| next[0] == before[0]);
+        let mut kept: Vec<[f64; 2]> = Vec::new();
+        for turn in turns {
+            if let [.., first, second] = kept[..]
+                && (second[0] - first[0]) * (turn[0] - second[0]) > 0.0
+            {
+                kept.pop();
+            }
+            kept.push(turn);
+        }
+        let swings = kept.windows(2).map(|pair| [pair[0], pair[1]]);
+        let way = |[one, two]: &[[f64; 2]; 2]| (two[0] - one[0]).abs();
+        let longest = swings.max_by(|one, two| way(one).total_cmp(&way(two))).filter(|_| !is_one_way)?;
+        let [from, to] = longest;
+        let (low, high) = (from[0].min(to[0]), from[0].max(to[0]));
+        // The forces of spring and friction on arrival at both turning points, and the work on the way there and back.
+        let secant = ((stiffness * high + forward) - (stiffness * low - backward)) / (high - low);
+        let work = (forward + backward) * (high - low) + 2.0 * (to[1] - from[1]);
+        let amplitude = (high - low) / 2.0;
+        Some([amplitude, secant, work / (std::f64::consts::TAU * secant * amplitude * amplitude)])
+    }
 }
 
 /// Follows a body from a start through samples at these times and until it rests, or for so many steps more.

@@ -430,6 +430,7 @@ fn answers_under_a_record_are_those_of_the_samples() {
             let force = found.found.greatest(Of::Transmitted).value;
             let most = |of: Of| found.found.most(of);
             let least = |of: Of| found.found.least(of);
+            let [amplitude, secant, ratio] = found.greatest_cycle(&machine, [0.0, 0.0]).unwrap();
             for (name, expected, room) in [
                 ("max_displacement", most(Of::Displacement).value, x),
                 ("max_displacement_time", most(Of::Displacement).time, 1e3 * span),
@@ -444,6 +445,10 @@ fn answers_under_a_record_are_those_of_the_samples() {
                 ("end_displacement", found.end[0], x),
                 ("end_velocity", found.end[1], v),
                 ("residual_displacement", found.last, x),
+                ("peak_displacement", x, x),
+                ("cycle_amplitude", amplitude, amplitude),
+                ("equivalent_stiffness", secant, secant),
+                ("equivalent_damping_ratio", ratio, ratio),
                 ("path", path, path),
                 ("slides", found.counts[0] as f64, 0.0),
                 ("stops", found.counts[1] as f64, 0.0),

@@ -6,7 +6,7 @@ use super::lanes::{self, Followed};
 use super::load::{After, Factors, Piece, Record};
 use super::number::Number;
 use super::settle::Rest;
-use super::totals::Totals;
+use super::totals::{Swing, Totals};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::excitation::Excitation;
@@ -81,6 +81,8 @@ answers! {
     min_displacement: F, number Length;
     /// Its time; `None` where it is a limit.
     min_displacement_time: Option<F>, optional Time;
+    /// Greatest |x|: the larger of the greatest displacement and the least one turned.
+    peak_displacement: F, number Length;
     /// Greatest velocity.
     max_velocity: F, number Velocity;
     /// Its time; `None` where it is a limit.
@@ -112,6 +114,16 @@ answers! {
     reversals: u64, count Ratio;
     /// Time at rest during the record.
     stick_time: F, number Time;
+    /// Amplitude D of the greatest cycle: half the way of the longest swing from one turning point to the next, over the rests
+    /// in it. The cycle is this swing and its mirror image back. `None` where the body does not swing from rest to rest, and
+    /// where it moves one way. A foot that lets go ends the last cycle.
+    cycle_amplitude: Option<F>, optional Length;
+    /// Equivalent stiffness of the greatest cycle, k + r/D: the difference of the resisting force k x + c x′ + friction
+    /// between the turning points, on arrival, over that of the displacements.
+    equivalent_stiffness: Option<F>, optional Stiffness;
+    /// Equivalent damping ratio of the greatest cycle: the energy that friction and damper take in it, over 2π k_eq D². `None`
+    /// also where the equivalent stiffness is 0.
+    equivalent_damping_ratio: Option<F>, optional Ratio;
     /// Work of friction.
     friction_work: F, number Energy;
     /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving foot u.
@@ -145,6 +157,7 @@ impl<F: Number> Follower<F> {
     ) -> Result<(Rest<F>, bool), Failure> {
         let is_free = after == After::Free && excitation.moves_foot();
         if is_free {
+            watch.freed();
             self.let_go(excitation == Excitation::DampedFootMotion);
         }
         Ok((self.settle(end, factors.after(after, last), watch)?, is_free))
@@ -161,9 +174,10 @@ pub(super) fn begun<F: Number>(
 ) -> Option<(Follower<F>, Totals<F>)> {
     let follower = Follower::new(constants, [x, v], time, Some(longest_step))?;
     let a = follower.first_acceleration(first)?;
-    let mut totals = Totals::new(follower.omega, [x, v, a], first.from, time);
+    let mut totals = Totals::new(&constants, [x, v, a], first.from, time);
     if let Mode::Slide(sign) = follower.mode {
         totals.released(time, x, sign, Onset::Released);
+        totals.starts_within_a_swing();
     }
     Some((follower, totals))
 }
@@ -285,6 +299,14 @@ impl<F: Float> Body<F> {
     }
 }
 
+/// The amplitude, stiffness and damping ratio of the greatest cycle.
+#[derive(Debug, Clone, Copy)]
+struct Equivalent<F> {
+    amplitude: Option<F>,
+    stiffness: Option<F>,
+    damping_ratio: Option<F>,
+}
+
 /// The parameters of a body that its answers have, and its motion per mass has not.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Weights<F> {
@@ -294,6 +316,7 @@ pub(super) struct Weights<F> {
     pub(super) stiffness: F,
     pub(super) mean_force: F,
     pub(super) has_damper: bool,
+    pub(super) is_one_way: bool,
 }
 
 impl<F: Number> Weights<F> {
@@ -306,7 +329,25 @@ impl<F: Number> Weights<F> {
             stiffness: known(body.stiffness()),
             mean_force: known(body.mean_force()),
             has_damper: body.damping() != G::int(0),
+            is_one_way: body.is_one_way(),
         }
+    }
+
+    /// The oscillator with a viscous damper that has the greatest cycle's turning points, forces there and energy:
+    /// `k_eq = k + r/D`, and `ζ_eq = E/(2π k_eq D²)` with `E = 2(2rD + ∫c x′² dt)` over the swing.
+    fn equivalent(&self, swing: &Swing<F>) -> Option<Equivalent<F>> {
+        let two = F::int(2);
+        if self.is_one_way || !swing.length.positive()? {
+            return Some(Equivalent { amplitude: None, stiffness: None, damping_ratio: None });
+        }
+        let amplitude = swing.length / two;
+        let force = self.stiffness * amplitude + self.friction;
+        let stiffness = self.stiffness + self.friction / amplitude;
+        let friction = self.friction * swing.length;
+        let loss = if self.has_damper { self.mass * swing.loss } else { friction };
+        let is_stiff = force.positive()?;
+        let damping_ratio = is_stiff.then(|| loss / (F::pi() * (force * amplitude)));
+        Some(Equivalent { amplitude: Some(amplitude), stiffness: Some(stiffness), damping_ratio })
     }
 
     /// The answers of a motion from x and v that was followed to its end.
@@ -317,7 +358,7 @@ impl<F: Number> Weights<F> {
         end: End<F>,
         totals: &Totals<F>,
     ) -> Option<RecordAnswer<F>> {
-        let &Self { mass, friction, friction_offset, stiffness, mean_force, has_damper } = self;
+        let &Self { mass, friction, friction_offset, stiffness, mean_force, has_damper, .. } = self;
         let half = F::ratio(1, 2);
         let (last, speed, residual, cut) = match end.rest {
             Rest::At(x) | Rest::Limit(x) => (x, F::int(0), Some(x), None),
@@ -349,11 +390,18 @@ impl<F: Number> Weights<F> {
                 (absolute(free, F::int(0)), absolute(free, mean))
             }
         };
+        let cycle = self.equivalent(&totals.swing)?;
         Some(RecordAnswer {
             max_displacement: totals.displacement.most.value,
             max_displacement_time: totals.displacement.most.at_time(),
             min_displacement: totals.displacement.least.value,
             min_displacement_time: totals.displacement.least.at_time(),
+            peak_displacement: totals
+                .displacement
+                .most
+                .value
+                .abs()
+                .larger(totals.displacement.least.value.abs()),
             max_velocity: totals.velocity.most.value,
             max_velocity_time: totals.velocity.most.at_time(),
             min_velocity: totals.velocity.least.value,
@@ -369,6 +417,9 @@ impl<F: Number> Weights<F> {
             stops: totals.stops,
             reversals: totals.reversals,
             stick_time: totals.stick_time,
+            cycle_amplitude: cycle.amplitude,
+            equivalent_stiffness: cycle.stiffness,
+            equivalent_damping_ratio: cycle.damping_ratio,
             friction_work,
             damper_work,
             load_work,

@@ -45,6 +45,8 @@ pub(super) trait Watch<F> {
     fn released(&mut self, time: F, x: F, sign: F, onset: Onset);
     /// A slide ends.
     fn stopped(&mut self, time: F, x: F) -> Option<()>;
+    /// The foot of the spring lets go.
+    fn freed(&mut self);
     /// The counts end here: the motion has no last stop.
     fn counted(&mut self);
     /// The body stays at rest under a constant load.

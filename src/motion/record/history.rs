@@ -174,6 +174,10 @@ impl<F: Float> Watch<F> for History<F> {
         Some(())
     }
 
+    fn freed(&mut self) {
+        self.totals.freed();
+    }
+
     fn counted(&mut self) {
         self.totals.counted();
     }

@@ -1,5 +1,6 @@
 //! The answers of a motion under a record, collected as it is followed.
 
+use super::body::Constants;
 use super::follow::{Onset, Stretch, Watch};
 use super::linear::Linear;
 use super::load::Piece;
@@ -76,6 +77,23 @@ impl<F: Number> Range<F> {
     }
 }
 
+/// The longest swing between two turning points.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Swing<F> {
+    /// The way from one to the other; 0 where there was none.
+    pub(super) length: F,
+    /// The work of friction and damper in it, per mass.
+    pub(super) loss: F,
+}
+
+/// A turning point: the place at which the body rests and the work of the load up to it, and the direction from there.
+#[derive(Debug, Clone, Copy)]
+struct Turn<F> {
+    x: F,
+    load_work: F,
+    sign: F,
+}
+
 /// The sums and extremes of a motion, per mass.
 #[derive(Debug, Clone)]
 pub(super) struct Totals<F> {
@@ -99,13 +117,21 @@ pub(super) struct Totals<F> {
     pub(super) load_work: F,
     /// ∫ 2βu′v dt of a foot on which the damper stands.
     pub(super) foot_work: F,
+    pub(super) swing: Swing<F>,
+    /// Whether the foot has let go of the spring, without which there is no further cycle.
+    is_free: bool,
+    /// The turning point before; none at a start with a velocity.
+    turn: Option<Turn<F>>,
     omega: F,
+    /// ω², and the constant force per mass.
+    square: F,
+    mean: F,
     from: F,
 }
 
 impl<F: Number> Totals<F> {
     /// Of a body at x with the velocity v and the acceleration a at a time, under a load.
-    pub(super) fn new(omega: F, [x, v, a]: [F; 3], load: F, time: F) -> Self {
+    pub(super) fn new(constants: &Constants<F>, [x, v, a]: [F; 3], load: F, time: F) -> Self {
         let zero = F::int(0);
         Self {
             displacement: Range::new(x, time),
@@ -121,9 +147,36 @@ impl<F: Number> Totals<F> {
             path: zero,
             load_work: zero,
             foot_work: zero,
-            omega,
+            swing: Swing { length: zero, loss: zero },
+            is_free: false,
+            turn: None,
+            omega: constants.square.sqrt(),
+            square: constants.square,
+            mean: constants.mean,
             from: x,
         }
+    }
+
+    /// The motion begins with a velocity, and not at a turning point.
+    pub(super) fn starts_within_a_swing(&mut self) {
+        self.turn = None;
+    }
+
+    /// Takes the swing from the turning point before to this place, if it is the longest one.
+    ///
+    /// The body rests at both ends, so that friction and damper take `∫ (f + p̄) dx − ω²Δ(x²)/2`.
+    fn swings(&mut self, x: F) -> Option<()> {
+        let Some(turn) = self.turn.filter(|_| !self.is_free) else { return Some(()) };
+        let way = x - turn.x;
+        let length = way.abs();
+        let is_longest = F::is_above(length, self.swing.length);
+        if is_longest != Some(false) {
+            let middle = (x + turn.x) * F::ratio(1, 2);
+            let loss = self.load_work - turn.load_work + way * (self.mean - self.square * middle);
+            self.swing.length = F::chosen(is_longest, length, self.swing.length)?;
+            self.swing.loss = F::chosen(is_longest, loss, self.swing.loss)?;
+        }
+        Some(())
     }
 
     /// Includes a quantity g(t) over a stretch, its extremes inside it, too.
@@ -263,7 +316,11 @@ impl<F: Number> Watch<F> for Totals<F> {
         Some(())
     }
 
-    fn released(&mut self, _: F, x: F, _: F, onset: Onset) {
+    fn released(&mut self, _: F, x: F, sign: F, onset: Onset) {
+        // A body that goes on in its direction is in the same swing.
+        if self.turn.is_none_or(|turn| (turn.sign * sign).negative() != Some(false)) {
+            self.turn = Some(Turn { x, load_work: self.load_work, sign });
+        }
         let (slides, stops, reversals) = match onset {
             Onset::Released => (1, 0, 0),
             Onset::Reversed => (1, 1, 1),
@@ -283,7 +340,12 @@ impl<F: Number> Watch<F> for Totals<F> {
     fn stopped(&mut self, time: F, x: F) -> Option<()> {
         self.stick_time_before = self.stick_time;
         self.stops = self.stops.saturating_add(u64::from(!self.is_counted));
+        self.swings(x)?;
         self.goes_on(x, time)
+    }
+
+    fn freed(&mut self) {
+        self.is_free = true;
     }
 
     fn counted(&mut self) {
@@ -304,6 +366,7 @@ impl<F: Number> Watch<F> for Totals<F> {
 
     fn tends_to(&mut self, [now, x]: [F; 2], load: F, swings: F) -> Option<()> {
         self.load_work = self.load_work + load * (x - now);
+        self.swings(x)?;
         self.path = self.path + (x - self.from).abs() * swings;
         let zero = F::int(0);
         let limit = |value: F| At { value, time: zero, is_limit: true };
