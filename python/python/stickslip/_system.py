@@ -85,6 +85,10 @@ class SystemMotion(Result):
     stored_energy: float
     units: Optional[Mapping[str, str]]
 
+    def __repr__(self) -> str:
+        events = f"{len(self.event_time)} events"
+        return f"{type(self).__name__}({self.kind}, {self.duration:.6g} long, {events}: {_some(self.coordinates)})"
+
 
 class SystemSteady(SystemMotion):
     """The motion that a system tends to; see `System.steady`. One period of it, with the values of a `SystemMotion`.
@@ -123,6 +127,9 @@ class SystemStates(Result):
     force: Floats
     coordinates: tuple[str, ...]
     elements: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        return f"SystemStates({len(self.time)} times: {_some([*self.coordinates, *self.elements])})"
 
 
 class SystemBorder(Result):
@@ -217,11 +224,13 @@ class System:
     >>> steady = system.steady()
     >>> steady.kind, steady.elements["bearing"].stops
     ('periodic', 0)
+    >>> steady
+    SystemSteady(periodic, 0.333333 long, 2 events: block, roof)
     >>> system.border().least_load_factor
-    0.7...
+    0.3022...
     """
 
-    _native: _native.NativeSystem
+    _handle: _native.NativeSystem
 
     def __init__(
         self,
@@ -261,7 +270,7 @@ class System:
             "start": start,
         }
         fields = {name: _plain(name, value) for name, value in given.items() if value is not None}
-        self._native = _native.NativeSystem(json.dumps(fields), "", os.fspath(folder), None)
+        self._handle = _native.NativeSystem(json.dumps(fields), "", os.fspath(folder), None)
 
     @classmethod
     def read(cls, file: Union[str, os.PathLike[str]], *, units: Optional[str] = None) -> "System":
@@ -277,28 +286,28 @@ class System:
     @classmethod
     def _of(cls, native: _native.NativeSystem) -> "System":
         new = object.__new__(cls)
-        new._native = native
+        new._handle = native
         return new
 
     def with_values(self, values: Mapping[str, Quantity]) -> "System":
         """This system with other values, such as ``{"bearing.friction": "600 N"}``."""
         typed = [(path, _typed(path, value)) for path, value in values.items()]
-        return System._of(self._native.with_values(typed))
+        return System._of(self._handle.with_values(typed))
 
     @property
     def coordinates(self) -> tuple[str, ...]:
         """The names of the coordinates: those of the bodies, or q1, q2, …"""
-        return tuple(self._native.names()[0])
+        return tuple(self._handle.names()[0])
 
     @property
     def elements(self) -> tuple[str, ...]:
         """The names of contacts and stops."""
-        return tuple(self._native.names()[1])
+        return tuple(self._handle.names()[1])
 
     @property
     def units(self) -> Optional[str]:
         """The system of units; None for matrices."""
-        return self._native.names()[2]
+        return self._handle.names()[2]
 
     def natural_frequencies(self, stuck: Union[bool, str] = False) -> Floats:
         """The natural frequencies without dampers, in rad/s or in radians per unit of time of matrices.
@@ -308,7 +317,7 @@ class System:
         stuck : bool or str
             Whether all contacts are at rest, or the name of the one that is.
         """
-        found = json.loads(self._native.describe())
+        found = json.loads(self._handle.describe())
         if isinstance(stuck, str):
             for element in found["elements"]:
                 if element["name"] == stuck:
@@ -318,35 +327,35 @@ class System:
 
     def steady(self) -> SystemSteady:
         """The motion that the start leads to, by its period map; exact stops, no time step."""
-        found = json.loads(self._native.steady())
+        found = json.loads(self._handle.steady())
         multipliers = np.array([complex(re, im) for re, im in found["multipliers"]], dtype=np.complex128)
         more = {"periods": found["periods"], "periods_followed": found["periods_followed"], "multipliers": multipliers}
         return SystemSteady({**_motion(found, found["period"]), **more})
 
     def simulate(self, until: Quantity) -> SystemMotion:
         """The motion from the start to a time."""
-        found = json.loads(self._native.simulate(self._time("until", until)))
+        found = json.loads(self._handle.simulate(self._time("until", until)))
         return SystemMotion(_motion(found, found["duration"]))
 
     def follow(self, record: Record, until: Optional[Quantity] = None) -> SystemMotion:
         """The motion from the start under a record of the base's acceleration, to its end or to a time."""
         under = self.under(record)
-        end = under._native.end_of_records() if until is None else self._time("until", until)
-        found = json.loads(under._native.simulate(end))
+        end = under._handle.end_of_records() if until is None else self._time("until", until)
+        found = json.loads(under._handle.simulate(end))
         return SystemMotion(_motion(found, found["duration"]))
 
     def under(self, record: Record) -> "System":
         """This system under a record of the base's acceleration, beside its loads."""
         of_type("record", record, Record)
-        return System._of(self._native.with_record("record", *record._in(self.units)))
+        return System._of(self._handle.with_record("record", *record._in(self.units)))
 
     def states(self, times: ArrayLike, *, steady: bool = False) -> SystemStates:
         """The states at increasing times, from the start, or from the phase 0 of the steady motion."""
         array = np.ascontiguousarray(times, dtype=float)
         if array.ndim != 1:
             raise Error(f"times: must be an array of one dimension, not of shape {array.shape}")
-        found = self._native.states(array, steady)
-        coordinates, elements, _ = self._native.names()
+        found = self._handle.states(array, steady)
+        coordinates, elements, _ = self._handle.names()
         names = (coordinates, coordinates, elements)
         shaped = [column.reshape(len(array), len(name)) for column, name in zip(found, names)]
         values = dict(zip(("displacement", "velocity", "force"), shaped))
@@ -354,7 +363,7 @@ class System:
 
     def border(self) -> SystemBorder:
         """The least load that keeps the one contact from sticking, in closed form; one contact, one harmonic load."""
-        return SystemBorder(json.loads(self._native.border()))
+        return SystemBorder(json.loads(self._handle.border()))
 
     def grid(
         self,
@@ -405,7 +414,7 @@ class System:
             named.append((str(name), *record._in(self.units)))
         asked = question or ("simulate" if named else "steady")
         end = None if until is None else self._time("until", until)
-        columns, failed = self._native.grid(axes, named, asked, end)
+        columns, failed = self._handle.grid(axes, named, asked, end)
         texts = {name: np.array(column) if isinstance(column, list) else column for name, column in columns.items()}
         return SystemGrid(texts, dict(failed))
 
@@ -414,7 +423,7 @@ class System:
         return self.grid(values, frequency=frequency)
 
     def _time(self, name: str, value: Quantity) -> float:
-        return self._native.time(name, _typed(name, value))
+        return self._handle.time(name, _typed(name, value))
 
     def __repr__(self) -> str:
         elements = self.elements
