@@ -5,6 +5,7 @@
 //! | minimum force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`min_amplitude`] | `force.rs` |
 //! | maximum friction that lets the body slide | p₀/α_min | [`max_friction`] | `friction.rs` |
 //! | frequencies at which the body never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
+//! | frequency up to which friction holds a body at rest | | [`holding_frequency`] | `hold.rs` |
 //! | forces without any stop, two or six reversals | [`crate::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
 //! | frequencies without any stop | [`bands_without_stop`] | [`frequency_bands_without_stop`] | `no_stop.rs` |
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
@@ -43,6 +44,7 @@ mod force;
 )]
 mod free_decay;
 mod friction;
+mod hold;
 mod identify;
 mod no_stop;
 mod optimum;
@@ -58,6 +60,7 @@ pub use dissipation::{most_dissipating_force_ratio, most_dissipating_friction};
 pub use force::min_amplitude;
 pub use free_decay::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
 pub use friction::max_friction;
+pub use hold::{Holding, holding_frequency};
 pub use identify::{
     AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading, Residual, identify,
     identify_as,

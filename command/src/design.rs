@@ -14,7 +14,7 @@ use crate::{input, note, output};
 use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
-use stickslip::design::{self, Band, Edge, NoStopBand};
+use stickslip::design::{self, Band, Edge, Holding, NoStopBand};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios, no_stop_force_ratios};
@@ -28,6 +28,7 @@ const fn arguments(question: &Question) -> &QuestionArgs {
         Question::Force(args)
         | Question::Friction(args)
         | Question::Bands(args)
+        | Question::Hold(args)
         | Question::Displacement(args)
         | Question::Velocity(args)
         | Question::Dissipation(args)
@@ -71,6 +72,7 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
             None => asked.max_friction(),
         },
         Question::Bands(_) => asked.bands(),
+        Question::Hold(_) => asked.holding(),
         Question::Displacement(_) => asked.force_for(
             Kind::Length,
             design::force_for_displacement,
@@ -223,6 +225,36 @@ impl<F: Value> AskedDesign<'_, F> {
             n => format!("The body does not stick in {n} bands of that range, and in no others:"),
         };
         Ok(DesignAnswer { sentence, rows })
+    }
+
+    fn holding(&self) -> Result<DesignAnswer<F>, Failure> {
+        let body = self.body(true, true)?;
+        let drive = self.drive(&body, self.one)?;
+        let found = design::holding_frequency(&body, &drive).map_err(|e| self.fail(e))?;
+        let static_friction = body.static_friction_ratio() * body.friction_bound();
+        let force = format!("{} {}", digits(static_friction), self.system().force());
+        let (holds, frequency, sentence) = match found {
+            Holding::UpTo(frequency) => (
+                "below",
+                Some(frequency),
+                format!(
+                    "Friction holds a body at rest up to {} rad/s, where the force on it is {force}.",
+                    digits(frequency)
+                ),
+            ),
+            Holding::Always => {
+                ("always", None, format!("Friction of {force} holds a body at rest at every frequency."))
+            }
+            Holding::Never | _ => {
+                ("never", None, format!("Friction of {force} holds the body at no frequency."))
+            }
+        };
+        let mut fields: AnswerRow<F> = vec![("holds", Kind::Ratio, Cell::Text(holds))];
+        fields.push(("holding_frequency", Kind::Frequency, Cell::Number(frequency)));
+        if frequency.is_none() && !self.args.answer.format.is_json("design")? {
+            fields.pop();
+        }
+        Ok(DesignAnswer::one(sentence, fields))
     }
 
     /// A band of frequencies, or of Ω, and the kinds of its ends.

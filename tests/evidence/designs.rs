@@ -5,12 +5,12 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Machine, Of, record};
 use std::f64::consts::TAU;
 use stickslip::design::{
-    Aim, Measurement, OptimumKind, TurningPoints, bands, bands_without_stop, best_friction_over_band,
-    force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
-    forces_without_stop, frequency_bands, frequency_bands_without_stop, identify, identify_decay,
-    identify_turning_points, max_friction, min_amplitude, most_dissipating_force_ratio,
-    most_dissipating_force_ratio_of_all, most_dissipating_frequency_ratio, most_dissipating_friction,
-    most_dissipating_friction_of_all, most_dissipating_stiffness,
+    Aim, Holding, Measurement, OptimumKind, TurningPoints, bands, bands_without_stop,
+    best_friction_over_band, force_for_displacement, force_for_velocity, force_ratio_for_displacement,
+    force_ratio_for_velocity, forces_without_stop, frequency_bands, frequency_bands_without_stop,
+    holding_frequency, identify, identify_decay, identify_turning_points, max_friction, min_amplitude,
+    most_dissipating_force_ratio, most_dissipating_force_ratio_of_all, most_dissipating_frequency_ratio,
+    most_dissipating_friction, most_dissipating_friction_of_all, most_dissipating_stiffness,
 };
 use stickslip::{Drive, Excitation, Oscillator};
 
@@ -69,6 +69,52 @@ fn the_least_force_and_the_greatest_friction_divide_the_samples() {
             assert_eq!(found, [true, false], "{driven:?} {greatest}");
         }
     }
+}
+
+/// Friction holds a body at rest, at the mean displacement, up to a frequency: the samples move beyond it, and not below.
+#[test]
+fn friction_holds_the_samples_up_to_a_frequency() {
+    let mut random = Random(47);
+    let mut counts = [0; 3];
+    for n in 0..140 {
+        let excitation = DRIVES[n % 7];
+        let at = [
+            random.scale(0.2, 2.5),
+            random.scale(0.3, 3.0),
+            random.scale(0.01, 0.6),
+            random.between(1.0, 1.6),
+        ];
+        let driven = Driven { offset: 0.0, ..Driven::at(&mut random, at, excitation) };
+        let found = holding_frequency(&driven.oscillator(), &driven.drive()).unwrap();
+        // From rest over two cycles.
+        let is_held = |frequency: f64| {
+            let driven = Driven { frequency, ..driven };
+            let harmonic = driven.harmonic();
+            let start = [harmonic.mean(), 0.0];
+            harmonic.after(start, 0.0, 2) == start
+        };
+        match found {
+            Holding::UpTo(frequency) => {
+                assert!(
+                    is_held(frequency * (1.0 - 1e-6)) && !is_held(frequency * (1.0 + 1e-3)),
+                    "{driven:?}"
+                );
+                counts[0] += 1;
+            }
+            Holding::Always => {
+                assert!([0.1, 1.0, 10.0].iter().all(|share| is_held(driven.frequency * share)), "{driven:?}");
+                counts[1] += 1;
+            }
+            _ => {
+                assert!(
+                    [0.1, 1.0, 10.0].iter().all(|share| !is_held(driven.frequency * share)),
+                    "{driven:?}"
+                );
+                counts[2] += 1;
+            }
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 8), "{counts:?}");
 }
 
 /// Bands of frequencies: without stops inside their ends, and not outside; in ratios and in units.

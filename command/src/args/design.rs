@@ -16,6 +16,7 @@ Examples:
   stickslip design friction --mass 50kg --stiffness 1kN/m --frequency 6rad/s --force 12N --target-amplitude 5mm
   stickslip design bands --alpha 12 --from 0.1 --to 2
   stickslip design bands --alpha 80 --from 0.3 --to 0.4 --no-stop
+  stickslip design hold --mass 20kg --stiffness 20kN/m --friction 80N --base-displacement 10mm
   stickslip design displacement --omega 1.5 --target 2
   stickslip design dissipation --mass 50t --stiffness 1000kN/m --frequency 6rad/s --force 12kN --units kN,m
   stickslip design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500")]
@@ -27,6 +28,8 @@ pub(crate) enum Question {
     Friction(QuestionArgs),
     /// The frequencies, between --from and --to, at which the body never sticks
     Bands(QuestionArgs),
+    /// The frequency up to which friction holds a body at rest
+    Hold(QuestionArgs),
     /// The force for the maximum displacement --target
     Displacement(QuestionArgs),
     /// The force for the maximum velocity --target

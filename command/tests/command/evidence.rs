@@ -110,6 +110,13 @@ fn every_output_of_every_command_has_its_row() {
             &["pull --mass 2kg --stiffness 450N/m --friction 3N --static-friction 4N --speed 20mm/s --format json".to_owned()],
         ),
         (
+            "design hold",
+            &[
+                format!("design hold {body} --unbalance 1 --format json"),
+                format!("design hold {body} --force 60 --format json"),
+            ],
+        ),
+        (
             "design bands",
             &[
                 "design bands --alpha 12 --damping-ratio 0.1 --from 0.1 --to 2 --format json".to_owned(),
