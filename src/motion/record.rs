@@ -40,6 +40,7 @@ mod answers;
 )]
 mod balls;
 mod body;
+mod floor;
 mod follow;
 mod history;
 mod lanes;
@@ -58,6 +59,7 @@ pub use answers::RecordAnswer;
 #[cfg(feature = "mp")]
 pub(crate) use balls::follow as follow_in_balls;
 pub use body::Body;
+pub use floor::FloorResponse;
 pub use history::{RecordEvent, RecordMotion, RecordState};
 pub use load::{After, Record};
 #[cfg(feature = "batch")]

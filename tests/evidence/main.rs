@@ -8,6 +8,7 @@ mod closed_forms;
 mod designs;
 #[cfg(feature = "mp")]
 mod enclosed;
+mod floors;
 mod machines;
 mod motions;
 mod records;

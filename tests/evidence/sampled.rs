@@ -271,7 +271,26 @@ pub(crate) struct Found {
     pub(crate) stops: Vec<[f64; 2]>,
     /// At each of them the displacement and the work of a damper on the ground so far.
     pub(crate) turns: Vec<[f64; 2]>,
+    /// The absolute acceleration in each part, where it was asked for.
+    pub(crate) floor: Option<Vec<Floor>>,
 }
+
+/// The absolute acceleration in a part of a motion: at the places of [`GAUSS`] and at both ends.
+#[derive(Debug, Clone)]
+pub(crate) struct Floor {
+    pub(crate) length: f64,
+    pub(crate) nodes: [f64; 5],
+    pub(crate) ends: [f64; 2],
+}
+
+/// The places and weights of a Gauss quadrature on [0, 1].
+pub(crate) const GAUSS: [[f64; 2]; 5] = [
+    [0.046_910_077_030_668, 0.118_463_442_528_094_54],
+    [0.230_765_344_947_158_45, 0.239_314_335_249_683_23],
+    [0.5, 0.284_444_444_444_444_44],
+    [0.769_234_655_052_841_5, 0.239_314_335_249_683_23],
+    [0.953_089_922_969_332, 0.118_463_442_528_094_54],
+];
 
 impl Found {
     pub(crate) fn most(&self, of: Of) -> Extreme {
@@ -309,6 +328,7 @@ impl Found {
             damper_work: 0.0,
             stops: Vec::new(),
             turns: Vec::new(),
+            floor: None,
         }
     }
 }
@@ -333,6 +353,11 @@ impl Found {
         let ends = [derivatives(start), derivatives(end)];
         for of in QUANTITIES {
             self.include(of, &equation.row(of, a), part, &ends);
+        }
+        if let Some(floor) = &mut self.floor {
+            let row = equation.row(Of::AbsoluteAcceleration, a);
+            let nodes = GAUSS.map(|[place, _]| dot(&row, &moved(a, start, place * length)));
+            floor.push(Floor { length, nodes, ends: [dot(&row, start), dot(&row, end)] });
         }
         if sign == 0 {
             self.rest += length;
@@ -894,11 +919,26 @@ pub(crate) fn record(
     start: [f64; 2],
     parts: f64,
 ) -> Recorded {
+    watched(machine, load, [times, samples], start, parts, false)
+}
+
+/// The same, with the absolute acceleration of each part if it is asked for.
+pub(crate) fn watched(
+    machine: Machine,
+    load: Load,
+    [times, samples]: [&[f64]; 2],
+    start: [f64; 2],
+    parts: f64,
+    has_floor: bool,
+) -> Recorded {
     let equation = Equation { machine, load, law: [[0.0, 1.0], [0.0, 0.0]], surface: 0.0 };
     let part = machine.period() / parts;
     let slope = |i: usize| (samples[i + 1] - samples[i]) / (times[i + 1] - times[i]);
     let mut follower = Follower::new(equation, start, [samples[0], slope(0)], times[0], 1.0);
     let mut found = follower.watched();
+    if let Some(found) = &mut found {
+        found.floor = has_floor.then(Vec::new);
+    }
     for i in 0..samples.len() - 1 {
         let length = times[i + 1] - times[i];
         let count = (length / part).ceil().max(8.0);
