@@ -5,6 +5,7 @@ use crate::bits::{Value, at_bits, digits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
+use crate::floor::{FloorSpectrum, Oscillators};
 use crate::input;
 use crate::measured::{self, Described};
 use crate::motion_plot;
@@ -12,8 +13,10 @@ use crate::output::{self, PendingFile};
 use crate::physical::Physical;
 use crate::record::{Cell, Number, Record as Row};
 use crate::sink::Sink;
+use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
+use stickslip::Excitation;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordMotion, RecordState};
@@ -39,32 +42,86 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if args.interval.is_some() && args.out.is_none() {
         return Err("--interval: needs a file for the motion, --out FILE.csv".into());
     }
-    let Shaken { given, body, record, summary, start: [x0, v0], interval } = Shaken::read(args)?;
+    let shaken = Shaken::<F>::read(args)?;
+    let Shaken { given, body, summary, start: [x0, v0], interval, has_mass, .. } = &shaken;
+    let (system, read) = (given.system, measured::lines(summary, &shaken.record));
+    let mirrored = args.both_polarities.then(|| shaken.record.clone().scaled(-F::int(1))).transpose()?;
+    let (record, mirrored) = (&shaken.record, mirrored.as_ref());
+    let own = Answered::new(args, &shaken, record)?;
+    let other = mirrored.map(|mirrored| Answered::new(args, &shaken, mirrored)).transpose()?;
+    let peak = |answered: &Answered<F>| answered.answer.peak_displacement;
+    let is_other_greater = other.as_ref().is_some_and(|other| peak(other) > peak(&own));
+    let shown = if is_other_greater { mirrored.unwrap_or(record) } else { record };
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
-    let answer = body.follow_from(&record, x0, v0).map_err(named)?;
-    let motion = |interval: F| body.motion(&record, x0, v0, interval).map_err(named);
+    let motion = |interval: F| body.motion(shown, *x0, *v0, interval).map_err(named);
     if let Some(file) = &args.out {
-        if let (Some(interval), Some(text)) = (interval, &args.interval) {
-            refuse_many(&record, interval, text)?;
+        if let (Some(interval), Some(text)) = (*interval, &args.interval) {
+            refuse_many(shown, interval, text)?;
         }
-        let motion = motion(interval.unwrap_or_else(|| record.longest_step()))?;
+        let motion = motion(interval.unwrap_or_else(|| shown.longest_step()))?;
         let argument = format!("--out {}", file.display());
         PendingFile::create(file, &argument, args.overwrite)?
-            .fill(|out| states(&motion, given.system, file, out))?;
+            .fill(|out| states(&motion, (system, *has_mass), file, out))?;
     }
     if args.picture.is_some() {
-        let motion = motion((record.end() - record.time(0)) / F::int(4000))?;
-        let machine = input::line(&args.machine, |_| true, &given.system);
-        target.draw(out, || Ok(drawing(&record, &motion, &given.system, &args.file, &machine)))?;
+        let motion = motion((shown.end() - shown.time(0)) / F::int(4000))?;
+        let machine = input::line(&args.machine, |_| true, &system);
+        target.draw(out, || Ok(drawing(shown, &motion, (&system, *has_mass), &args.file, &machine)))?;
     }
-    let physical = physical(&answer, given.system);
-    for (name, _, cell) in &physical.values {
-        cell.finite(name)?;
-    }
+    let both = other.as_ref().map(|other| [&own, other]);
+    let first = other.as_ref().filter(|_| is_other_greater).unwrap_or(&own);
     if args.answer.format.is_json("record")? {
-        return output::json(&Described::new(&physical, &summary, &record), out);
+        let polarities = both.map(|[recorded, mirrored]| Polarities { recorded, mirrored });
+        let polarity = polarities.is_some().then_some(if is_other_greater { "mirrored" } else { "recorded" });
+        let answer = Polar { answer: first, polarity, polarities };
+        return output::json(&Described::new(&answer, summary, &shaken.record), out);
     }
-    text(&answer, &physical, &given.system, &measured::lines(&summary, &record), out)
+    text(first, &system, &read, both, out)
+}
+
+/// The answers to one record.
+#[derive(Serialize)]
+#[serde(bound = "")]
+struct Answered<F> {
+    #[serde(skip)]
+    answer: RecordAnswer<F>,
+    #[serde(flatten)]
+    physical: Physical<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    floor_spectrum: Option<FloorSpectrum>,
+}
+
+/// The answers to a record or its mirror image, the one that moves the body further, and those to both.
+#[derive(Serialize)]
+#[serde(bound = "")]
+struct Polar<'a, F> {
+    #[serde(flatten)]
+    answer: &'a Answered<F>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polarity: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polarities: Option<Polarities<'a, F>>,
+}
+
+#[derive(Serialize)]
+#[serde(bound = "")]
+struct Polarities<'a, F> {
+    recorded: &'a Answered<F>,
+    mirrored: &'a Answered<F>,
+}
+
+impl<F: Value> Answered<F> {
+    fn new(args: &RecordArgs, shaken: &Shaken<F>, record: &Record<F>) -> Result<Self, Failure> {
+        let Shaken { given, body, start: [x0, v0], floor, has_mass, .. } = shaken;
+        let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
+        let answer = body.follow_from(record, *x0, *v0).map_err(named)?;
+        let physical = physical(&answer, given.system, *has_mass);
+        for (name, _, cell) in &physical.values {
+            cell.finite(name)?;
+        }
+        let floor = floor.as_ref().map(|asked| FloorSpectrum::new(asked, shaken, record));
+        Ok(Self { answer, physical, floor_spectrum: floor.transpose()? })
+    }
 }
 
 /// Refuses an interval with which the states, until the record has passed and as long again, take too much memory.
@@ -86,14 +143,28 @@ pub(crate) struct Shaken<F> {
     pub(crate) start: [F; 2],
     /// The greatest distance of the states of a motion, if it was given.
     interval: Option<F>,
+    floor: Option<Oscillators<F>>,
+    /// Whether the mass is known, on which forces and works depend.
+    pub(crate) has_mass: bool,
 }
+
+/// The inputs that do not need a mass, nor give one.
+const WITHOUT_MASS: [Input; 8] = [
+    Input::Period,
+    Input::NaturalFrequency,
+    Input::PendulumRadius,
+    Input::FrictionCoefficient,
+    Input::Gravity,
+    Input::YieldAcceleration,
+    Input::DampingRatio,
+    Input::StaticFrictionRatio,
+];
 
 impl<F: Value> Shaken<F> {
     pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
         args.answer.format.is_json("record")?;
         let reader = args.answer.units.reader();
-        let given = input::read::<F>(&args.machine, &reader)?;
-        let body = Surface::read(&args.surface, &reader)?.body(&given)?;
+        let mut given = input::read::<F>(&args.machine, &reader)?;
         let start = |option: &str, text: &Option<String>, kind: Kind| match text {
             Some(text) => reader.value::<F>(option, text, kind),
             None => Ok(F::int(0)),
@@ -107,8 +178,17 @@ impl<F: Value> Shaken<F> {
             Err(Failure::Input(format!("--interval {text}: must be > 0 and finite")))
         });
         let interval = interval.transpose()?;
+        let floor = Oscillators::read(args, &reader)?;
+        let surface = Surface::read(&args.surface, &reader)?;
         let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
-        Ok(Self { given, body, record, summary, start, interval })
+        // Where the mass cancels, it is a unit of mass.
+        let cancels = record.excitation() != Excitation::Force
+            && args.machine.iter().all(|(input, _)| WITHOUT_MASS.contains(input));
+        if cancels {
+            given.set(Input::Mass, F::int(1));
+        }
+        let body = surface.body(&given)?;
+        Ok(Self { given, body, record, summary, start, interval, floor, has_mass: !cancels })
     }
 }
 
@@ -137,7 +217,7 @@ impl<F: Value> Surface<F> {
     /// The body of the given inputs on this surface.
     pub(crate) fn body(&self, given: &Given<F>) -> Result<Body<F>, Failure> {
         match (given.one_of(Role::Spring)?, self.has_spring) {
-            (None, true) => {
+            (None, true) if !given.has(Input::YieldAcceleration) => {
                 let missing = given.missing(&Input::of_role(Role::Spring));
                 return Err(format!("{missing}. A body without a spring has --no-spring").into());
             }
@@ -152,11 +232,17 @@ impl<F: Value> Surface<F> {
     }
 }
 
-/// The answers with their units.
-pub(crate) fn physical<F: Value>(answer: &RecordAnswer<F>, system: System) -> Physical<Number> {
+/// The answers with their units, but for those that need a mass where none is known.
+fn physical<F: Value>(answer: &RecordAnswer<F>, system: System, has_mass: bool) -> Physical<Number> {
     let mut physical = Physical::of(system);
-    physical.values = columns(answer).into();
+    physical.values =
+        columns(answer).into_iter().filter(|(_, kind, _)| has_mass || !needs_mass(*kind)).collect();
     physical.shown()
+}
+
+/// Whether values of a kind are those of a mass.
+pub(crate) const fn needs_mass(kind: Kind) -> bool {
+    matches!(kind, Kind::Force | Kind::Energy | Kind::Stiffness)
 }
 
 /// The name, the kind and the cell of each answer.
@@ -174,14 +260,15 @@ pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> Columns<F> {
 }
 
 fn text<F: Value>(
-    answer: &RecordAnswer<F>,
-    physical: &Physical<Number>,
+    first: &Answered<F>,
     system: &System,
     read: &str,
+    both: Option<[&Answered<F>; 2]>,
     out: &mut impl Write,
 ) -> Outcome {
     let unit = |kind: Kind| system.name(kind);
     let times = |n: u64| if n == 1 { "once".to_owned() } else { format!("{n} times") };
+    let answer = &first.answer;
     let slides = times(answer.slides);
     match (answer.residual_displacement, answer.cut_time) {
         _ if answer.slides == 0 => writeln!(out, "The body rests throughout.")?,
@@ -199,14 +286,41 @@ fn text<F: Value>(
         )?,
         (None, None) => writeln!(out, "The body slides {slides}, and does not come to rest.")?,
     }
-    writeln!(out, "{read}\n")?;
-    for (name, kind, cell) in &physical.values {
-        let is_none = matches!(cell, Cell::Number(None));
+    writeln!(out, "{read}")?;
+    if let Some([recorded, mirrored]) = both {
+        let [one, two] = [recorded, mirrored].map(|answered| answered.answer.peak_displacement);
+        let which = if two > one {
+            "The mirror image of the record moves the body further than the record"
+        } else if two < one {
+            "The record moves the body further than its mirror image"
+        } else {
+            "The record and its mirror image move the body as far"
+        };
+        writeln!(out, "{which}. Below, the record stands first, and its mirror image second.")?;
+    }
+    writeln!(out)?;
+    let columns = both.map_or_else(|| vec![first], Vec::from);
+    for (place, (name, kind, _)) in first.physical.values.iter().enumerate() {
+        let cells = || columns.iter().filter_map(|answered| answered.physical.values.get(place));
+        let is_none = cells().all(|(.., cell)| matches!(cell, Cell::Number(None)));
         if is_none && *name == "cut_time" {
             continue;
         }
         let unit = if *kind == Kind::Ratio || is_none { String::new() } else { format!(" {}", unit(*kind)) };
-        writeln!(out, "  {:<26} {}{unit}", name.replace('_', " "), cell.text())?;
+        let texts: Vec<_> = cells().map(|(.., cell)| cell.text()).collect();
+        let (last, before) = texts.split_last().map_or(("", &[][..]), |(last, before)| (last, before));
+        let before: String = before.iter().map(|text| format!("{text:<16} ")).collect();
+        writeln!(out, "  {:<26} {before}{last}{unit}", name.replace('_', " "))?;
+    }
+    for (place, answered) in columns.iter().enumerate() {
+        if let Some(spectrum) = &answered.floor_spectrum {
+            let of = match (both.is_some(), place) {
+                (false, _) => "",
+                (true, 0) => " under the record",
+                (true, _) => " under its mirror image",
+            };
+            spectrum.text(of, system, out)?;
+        }
     }
     Ok(())
 }
@@ -234,28 +348,34 @@ fn is_parquet(file: &Path) -> bool {
 }
 
 /// The states of a motion: as CSV, whose fifth column is the direction, or as Parquet, whose last one is.
-fn states<F: Value>(motion: &RecordMotion<F>, system: System, file: &Path, out: &mut impl Write) -> Outcome {
+fn states<F: Value>(
+    motion: &RecordMotion<F>,
+    (system, has_mass): (System, bool),
+    file: &Path,
+    out: &mut impl Write,
+) -> Outcome {
+    let columns = || of_state::<F>().into_iter().filter(|(_, kind, _)| has_mass || !needs_mass(*kind));
     if is_parquet(file) {
         let mut sink = Sink::new(StreamFormat::Parquet, out, Header::Names)?;
         for state in &motion.states {
             let direction = Cell::Number(Some(F::int(state.direction.into())));
-            let values = of_state::<F>().map(|(name, kind, of)| (name, kind, Cell::Number(Some(of(state)))));
-            let values = values.into_iter().chain([("direction", Kind::Ratio, direction)]).collect();
+            let values = columns().map(|(name, kind, of)| (name, kind, Cell::Number(Some(of(state)))));
+            let values = values.chain([("direction", Kind::Ratio, direction)]).collect();
             sink.write(&Row::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())?;
         }
         return sink.finish();
     }
     let mut table = csv::Writer::from_writer(out);
-    let names = of_state::<F>()
-        .map(|(name, kind, _)| format!("{name}[{}]", crate::outputs::plain(&system.name(kind))));
+    let names =
+        columns().map(|(name, kind, _)| format!("{name}[{}]", crate::outputs::plain(&system.name(kind))));
     let with_direction = |mut cells: Vec<String>, direction: String| {
         cells.insert(4, direction);
         cells
     };
-    table.write_record(with_direction(names.into(), "direction".to_owned()))?;
+    table.write_record(with_direction(names.collect(), "direction".to_owned()))?;
     for state in &motion.states {
-        let cells = of_state::<F>().map(|(.., of)| crate::bits::all_digits(of(state)));
-        table.write_record(with_direction(cells.into(), state.direction.to_string()))?;
+        let cells = columns().map(|(.., of)| crate::bits::all_digits(of(state)));
+        table.write_record(with_direction(cells.collect(), state.direction.to_string()))?;
     }
     Ok(table.flush()?)
 }
@@ -265,7 +385,7 @@ fn states<F: Value>(motion: &RecordMotion<F>, system: System, file: &Path, out: 
 fn drawing<F: Value>(
     record: &Record<F>,
     motion: &RecordMotion<F>,
-    system: &System,
+    (system, has_mass): (&System, bool),
     file: &Path,
     machine: &str,
 ) -> Figure {
@@ -302,13 +422,13 @@ fn drawing<F: Value>(
     let points = places.zip(of(|state| state.transmitted_force)).collect();
     let force = label("transmitted force", Kind::Force);
     let force_loop = motion_plot::panel("force–displacement loop", across, &force, points, &rests);
-    let panels = [
+    let mut panels = vec![
         Panel::new(name, x(), y, vec![Series::new("", Style::Line, 1, load.clone())]),
         moving("displacement", Kind::Length, |state| state.displacement),
         moving("velocity", Kind::Velocity, |state| state.velocity),
         moving("absolute acceleration", Kind::Acceleration, |state| state.absolute_acceleration),
-        force_loop,
     ];
+    panels.extend(has_mass.then_some(force_loop));
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     Figure::new("record", format!("Motion under {name}: {machine}"), "", panels)
 }

@@ -28,6 +28,7 @@ mod drawn;
 mod enclose;
 mod failure;
 mod figure;
+mod floor;
 mod follow;
 mod grid;
 mod identify;

@@ -16,9 +16,10 @@ use crate::record::{Cell, Record, Row};
 use crate::sweep::{self, Table};
 use std::io::Write;
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use stickslip::Error;
-use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::units::System;
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Record as Load, RecordAnswer, follow_each};
 
@@ -42,6 +43,15 @@ type Answers = Vec<Result<(u64, Option<RecordAnswer<f64>>), Failure>>;
 /// The most bodies without an answer whose reasons are said.
 const SAID: u64 = 20;
 
+/// The name of a record in rows and pictures: that of its file, with the folder where another file has the same name.
+fn name(file: &Path, files: &[PathBuf]) -> &'static str {
+    let own = file.file_name();
+    let is_only_one = files.iter().filter(|other| other.file_name() == own).count() == 1;
+    let name = own.filter(|_| is_only_one).map_or(file, Path::new);
+    // A cell of a row lives as long as the command.
+    name.display().to_string().leak()
+}
+
 /// One row for each body under each record.
 struct Spectra<'a> {
     loads: Vec<(&'static str, Load<f64>)>,
@@ -64,13 +74,11 @@ impl<'a> Spectra<'a> {
         let reader = args.units.reader();
         let axes = Axes::<f64>::new(&args.machine, &reader)?;
         let mut loads: Vec<(&'static str, Load<f64>)> = Vec::new();
-        for file in &args.files {
-            // A cell of a row lives as long as the command.
-            let name: &'static str = file.display().to_string().leak();
-            if loads.iter().any(|(earlier, _)| *earlier == name) {
-                return Err(format!("{name}: must be given only once").into());
+        for (place, file) in args.files.iter().enumerate() {
+            if args.files.iter().take(place).any(|earlier| earlier == file) {
+                return Err(format!("{}: must be given only once", file.display()).into());
             }
-            loads.push((name, measured::read(file, &args.load, &reader)?.0));
+            loads.push((name(file, &args.files), measured::read(file, &args.load, &reader)?.0));
         }
         let inputs = Input::ALL.into_iter().filter(|input| axes.has(*input));
         let inputs = inputs.map(|input| (input, &*input.column().leak())).collect();
@@ -114,9 +122,7 @@ impl<'a> Spectra<'a> {
         let answers = answer.map(|answer| answer.as_ref().map_or(self.blank, follow::columns));
         let answers = answers.into_iter().flatten();
         // Forces, works and stiffnesses are those of a mass.
-        values.extend(answers.filter(|(_, kind, _)| {
-            self.has_mass || !matches!(kind, Kind::Force | Kind::Energy | Kind::Stiffness)
-        }));
+        values.extend(answers.filter(|(_, kind, _)| self.has_mass || !follow::needs_mass(*kind)));
         let record = vec![(key!("record"), Cell::Text(name))];
         Record::of(record).with_physical(Physical::beside(self.system, values)).shown()
     }

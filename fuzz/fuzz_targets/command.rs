@@ -17,6 +17,7 @@ mod command {
     pub(crate) mod enclose;
     pub(crate) mod failure;
     pub(crate) mod figure;
+    pub(crate) mod floor;
     pub(crate) mod follow;
     pub(crate) mod grid;
     pub(crate) mod input;
@@ -42,7 +43,7 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, attractors, bits, closed, columns, curve, decay, design, enclose, failure, figure, follow, grid,
+    args, attractors, bits, closed, columns, curve, decay, design, enclose, failure, figure, floor, follow, grid,
     input, interrupt, map, measured, motion_plot, note, output, outputs, physical, points, progress, record,
     resume, rows, sink, starts, steady, style, sweep,
 };

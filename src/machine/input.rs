@@ -197,6 +197,9 @@ inputs! {
     /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion (r_y and
     /// r_s are the means of both directions, and at rest the bounds are η r_y ± (r₊ − r₋)/2)
     FrictionBackward "--friction-backward" "R": Force, Body, BackwardFriction [];
+    /// Acceleration of the surface at which a block yields, such as 0.1g, in place of the friction: r_y = m a_y
+    YieldAcceleration "--yield-acceleration" "AY": Acceleration, Body, YieldAcceleration
+        [FrictionBound ForwardFriction];
     /// Viscous damping ratio ζ = c/(2√(k m)), such as 0.05 or 5% (a bare 5 is 500 %)
     DampingRatio "--damping-ratio" "ζ": Ratio, Damper, DampingRatio [] {letter: Some("zeta")};
     /// Damping constant c of a viscous damper, such as 20kN*s/m, in place of the ratio

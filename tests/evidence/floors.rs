@@ -104,7 +104,7 @@ fn floor_spectra_are_those_of_the_sampled_motion() {
             let mut periods = [own, own * random.between(0.9, 1.1), own * random.scale(0.3, 4.0)];
             periods.sort_by(f64::total_cmp);
             let [x, v] = shaken.start;
-            let found = shaken.body().floor_spectrum(&shaken.record(), [x, v], &periods, zeta).unwrap();
+            let found = shaken.body().floor_spectrum(&shaken.record(), x, v, &periods, zeta).unwrap();
             let parts = 400.0 * machine.period() / periods[0].min(own);
             let history = [&*shaken.times, &*shaken.samples];
             let sampled = watched(machine, shaken.load(), history, shaken.start, parts, true);
@@ -149,7 +149,7 @@ fn a_body_at_rest_has_the_spectrum_of_the_ground() {
     let step = |samples: Vec<f64>| Record::new(Excitation::SurfaceAcceleration, 3.0, samples).unwrap();
     let (a, zeta, period) = (1.5, 0.05, 0.8);
     let record = step(vec![a, a]).followed_by(After::Hold);
-    let found = body.floor_spectrum(&record, [0.0, 0.0], &[period], zeta).unwrap();
+    let found = body.floor_spectrum(&record, 0.0, 0.0, &[period], zeta).unwrap();
     let square = (std::f64::consts::TAU / period).powi(2);
     let over = (-std::f64::consts::PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
     let exact = a / square * (1.0 + over);
@@ -157,7 +157,7 @@ fn a_body_at_rest_has_the_spectrum_of_the_ground() {
     // After a rectangular pulse an undamped oscillator has twice the ground's displacement response times a sine.
     let record = step(vec![a, a]);
     let periods = [3.0 / 1.25, 30.0];
-    let found = body.floor_spectrum(&record, [0.0, 0.0], &periods, 0.0).unwrap();
+    let found = body.floor_spectrum(&record, 0.0, 0.0, &periods, 0.0).unwrap();
     for (response, factor) in found.iter().zip([2.0, 2.0 * (std::f64::consts::PI * 3.0 / 30.0).sin()]) {
         assert!((response.max_absolute_acceleration / (a * factor) - 1.0).abs() < 1e-12, "{response:?}");
     }

@@ -84,6 +84,8 @@ Examples:
     --out motion.csv --picture motion.svg
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --enclose
   stickslip record samples.txt --time-step 0.02s --record-units g --mass 800kg --period 2.5s --friction-coefficient 0.06
+  stickslip record quake.at2 --yield-acceleration 0.1g --both-polarities
+  stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --floor-spectrum 0.05s:2s:60:log
   stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json")]
 pub(crate) struct RecordArgs {
     /// The record: of an agency, or columns, - for standard input
@@ -101,6 +103,16 @@ pub(crate) struct RecordArgs {
     /// Velocity at the start
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) v0: Option<String>,
+    /// The record and its mirror image, each with its answers, and those of the greater peak displacement first
+    #[arg(long)]
+    pub(crate) both_polarities: bool,
+    /// Natural periods of linear oscillators that stand on the body, such as 0.05s:2s:60:log or 0.1s,0.2s: their greatest
+    /// responses
+    #[arg(long, value_name = "T")]
+    pub(crate) floor_spectrum: Option<String>,
+    /// Damping ratio of these oscillators, such as 5% [default: 5%]
+    #[arg(long, value_name = "ZETA", requires = "floor_spectrum", allow_hyphen_values = true)]
+    pub(crate) floor_damping: Option<String>,
     /// The motion as CSV, or as Parquet by the name FILE.parquet: displacement, velocity, acceleration, absolute acceleration,
     /// and the forces of friction, on the support and of the load
     #[arg(long, value_name = "FILE.csv")]
@@ -117,7 +129,7 @@ pub(crate) struct RecordArgs {
     #[arg(long)]
     pub(crate) overwrite: bool,
     /// Guaranteed digits, and a proof of every stop: for the inputs as typed (needs a build with the feature mp)
-    #[arg(long, conflicts_with_all = ["out", "picture", "interval"])]
+    #[arg(long, conflicts_with_all = ["out", "picture", "interval", "both_polarities", "floor_spectrum"])]
     pub(crate) enclose: bool,
     #[command(flatten)]
     pub(crate) answer: AnswerArgs,
@@ -128,7 +140,8 @@ pub(crate) struct RecordArgs {
 Every quantity of the body may be a grid: FROM:TO:COUNT, FROM:TO:COUNT:log, or a list A,B,C. Each row is one body
 under one record. The records vary slowest, and the first grid, in the order of the options, next. Without --mass
 the body has one unit of mass. A picture shows the greatest displacement, the residual displacement and the greatest absolute
-acceleration over the period (or over the only other grid), for each record and, from two records on, their mean.
+acceleration over the period (or over the only other grid), for each record and, from two records on, their mean. Up to five
+records have their names in it.
 
 Examples:
   stickslip spectrum quake.at2 --period 0.1s:4s:100:log --friction-coefficient 0.02,0.05,0.1 --damping-ratio 5% --out s.csv

@@ -3,7 +3,7 @@
 use super::found::BITS;
 use crate::args::RecordArgs;
 use crate::failure::{Failure, Outcome};
-use crate::follow::Shaken;
+use crate::follow::{Shaken, needs_mass};
 use crate::measured::{self, Described};
 use crate::output;
 use crate::physical::Units;
@@ -12,7 +12,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::enclosed::{self, Enclosure};
 use stickslip::float::Mp;
-use stickslip::inputs::units::System;
+use stickslip::inputs::units::{Kind, System};
 use stickslip::motion::record::{Entry, RecordAnswer};
 
 /// The precision at which inputs are read, in words of 64 bits: that of the widest computation.
@@ -22,13 +22,15 @@ const WORDS: usize = 65;
 struct EnclosedRecord {
     found: RecordAnswer<Enclosure>,
     system: System,
+    has_mass: bool,
 }
 
 pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    let Shaken { given, body, record, summary, start: [x, v], .. } = Shaken::<Mp<WORDS>>::read(args)?;
+    let Shaken { given, body, record, summary, start: [x, v], has_mass, .. } =
+        Shaken::<Mp<WORDS>>::read(args)?;
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = enclosed::follow(&body, &record, x, v, args.answer.bits.unwrap_or(BITS)).map_err(named)?;
-    let answer = EnclosedRecord { found, system: given.system };
+    let answer = EnclosedRecord { found, system: given.system, has_mass };
     if args.answer.format.is_json("record")? {
         output::json(&Described::new(&answer, &summary, &record), out)
     } else {
@@ -37,6 +39,11 @@ pub(crate) fn record(args: &RecordArgs, out: &mut impl Write) -> Outcome {
 }
 
 impl EnclosedRecord {
+    /// The answers, but for those that need a mass where none is known.
+    fn entries(&self) -> impl Iterator<Item = (&'static str, Kind, Entry<'_, Enclosure>)> {
+        self.found.entries().into_iter().filter(|(_, kind, _)| self.has_mass || !needs_mass(*kind))
+    }
+
     fn text(&self, read: &str, out: &mut impl Write) -> Outcome {
         let found = &self.found;
         let ends = if found.residual_displacement.is_some() { "comes" } else { "does not come" };
@@ -46,7 +53,7 @@ impl EnclosedRecord {
             n => format!("The body slides {n} times, and {ends} to rest. This is certain."),
         };
         writeln!(out, "{}\n{read}\n", style::verdict(&verdict))?;
-        for (name, kind, entry) in found.entries() {
+        for (name, kind, entry) in self.entries() {
             let name = name.replace('_', " ");
             match entry {
                 Entry::Value(Some(value)) => {
@@ -62,7 +69,7 @@ impl EnclosedRecord {
 
 impl Serialize for EnclosedRecord {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let entries = self.found.entries();
+        let entries: Vec<_> = self.entries().collect();
         let mut map = serializer.serialize_map(None)?;
         for (name, _, entry) in &entries {
             match entry {

@@ -84,25 +84,29 @@ impl Spectra<'_> {
                     input::in_symbols(*input, &digits(values.value(line)), &self.system)
                 });
                 let loads = self.loads.len() as u64;
-                for (load, (name, _)) in (0..).zip(&self.loads) {
+                // Few records have a colour and a name each.
+                let are_named = other.is_none() && loads > 1 && loads <= INDICES.len() as u64;
+                for ((load, (name, _)), own) in (0..).zip(&self.loads).zip(INDICES.iter().cycle()) {
                     let points: Vec<_> =
                         (0..count).map(|place| (grid.value(place), at(load, line, place))).collect();
                     heights.extend(points.iter().map(|(_, height)| *height));
                     let name = match (loads, other) {
                         (1, Some(_)) => of.clone(),
                         (1, None) => (*name).to_owned(),
+                        _ if are_named => (*name).to_owned(),
                         _ if load == 0 && line == 0 => "each record".to_owned(),
                         _ => String::new(),
                     };
-                    let style = if loads == 1 { marked } else { Style::Dotted };
-                    series.push(Series::new(name, style, index, points));
+                    let style = if loads == 1 || are_named { marked } else { Style::Dotted };
+                    series.push(Series::new(name, style, if are_named { *own } else { index }, points));
                 }
                 if loads > 1 {
                     let mean =
                         |place: u64| (0..loads).map(|load| at(load, line, place)).sum::<f64>() / loads as f64;
                     let points = (0..count).map(|place| (grid.value(place), mean(place)));
                     let name = if of.is_empty() { "mean".to_owned() } else { format!("mean, {of}") };
-                    series.push(Series::new(name, marked, index, points));
+                    let (style, index) = if are_named { (Style::Thick, 0) } else { (marked, index) };
+                    series.push(Series::new(name, style, index, points));
                 }
             }
             let label = label(title, kind);

@@ -179,6 +179,16 @@ fn every_output_of_every_command_has_its_row() {
     found.remove("units");
     let names = &page["design friction --target-amplitude[]"];
     assert_eq!(found, names.iter().map(|name| (*name).to_owned()).collect());
+    let block = format!("record {load} --mass 50t --stiffness 1kN/mm --friction 5kN");
+    let floors = json(&format!("{block} --floor-spectrum 0.1s --both-polarities --format json"));
+    let mut found: BTreeSet<_> = keys(&floors["floor_spectrum"]["rows"].to_string());
+    found.insert("floor_spectrum".to_owned());
+    assert!(floors["polarity"].is_string() && floors["polarities"].is_object());
+    let names = |of: &str| page[of].iter().map(|name| (*name).to_owned()).collect::<BTreeSet<_>>();
+    assert_eq!(found, names("record --floor-spectrum"));
+    let history = folder.path().join("history.csv").display().to_string();
+    stdout(&format!("{block} --out {history}"));
+    assert_eq!(keys(&std::fs::read_to_string(&history).unwrap()), names("record --out"));
     // Every command has its rows, or gives pictures, texts and the outputs of others.
     let help = stdout("help");
     let commands = help.lines().skip_while(|line| !line.starts_with("Commands:")).skip(1);

@@ -223,6 +223,147 @@ fn what_was_read_stands_in_the_answer() {
     }
 }
 
+/// The greatest responses of oscillators on the body, beside small steps of the history of its absolute acceleration.
+#[test]
+fn a_floor_spectrum_is_that_of_the_history() {
+    let folder = folder();
+    let quake = file(&folder, "quake.at2", &peer(401));
+    let motion = folder.join("motion.csv").display().to_string();
+    let args = format!("record {quake} {ISOLATOR} --units kN,mm --floor-spectrum 0.1s,0.7s");
+    let found = json(&format!("{args} --floor-damping 2% --format json --out {motion} --interval 0.1ms"));
+    let spectrum = &found["floor_spectrum"];
+    assert_eq!((spectrum["damping_ratio"].as_f64(), &spectrum["units"]["period"]), (Some(0.02), &"s".into()));
+    let text = fs::read_to_string(&motion).unwrap();
+    let history: Vec<[f64; 2]> = text
+        .lines()
+        .skip(1)
+        .map(|row| [0, 5].map(|place| row.split(',').nth(place).unwrap().parse().unwrap()))
+        .collect();
+    for (row, period) in spectrum["rows"].as_array().unwrap().iter().zip([0.1, 0.7]) {
+        assert_eq!(row["period"].as_f64(), Some(period));
+        let (square, rate) =
+            ((std::f64::consts::TAU / period).powi(2), 0.04 * std::f64::consts::TAU / period);
+        // y″ = −A − 2ζνy′ − ν²y by the midpoint rule.
+        let ([mut y, mut u], mut most) = ([0.0f64; 2], [0.0f64; 2]);
+        for pair in history.windows(2) {
+            let [[from, one], [to, two]] = [pair[0], pair[1]];
+            let h = to - from;
+            let slope = |a: f64, y: f64, u: f64| -a - rate * u - square * y;
+            let (y_half, u_half) = (y + h / 2.0 * u, u + h / 2.0 * slope(one, y, u));
+            (y, u) = (y + h * u_half, u + h * slope((one + two) / 2.0, y_half, u_half));
+            most = [most[0].max(y.abs()), most[1].max((rate * u + square * y).abs())];
+        }
+        let of = |name: &str| row[name].as_f64().unwrap();
+        for (found, expected) in
+            [(of("max_displacement"), most[0]), (of("max_absolute_acceleration"), most[1])]
+        {
+            assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected} of {row}");
+        }
+        assert!((of("pseudo_acceleration") / (square * of("max_displacement")) - 1.0).abs() < 1e-12);
+    }
+    let table = stdout(&format!("{args} --both-polarities"));
+    assert_eq!(table.matches("Floor spectrum under ").count(), 2, "{table}");
+    for (args, said) in [
+        ("--floor-spectrum 0s", "--floor-spectrum 0s: the period 0 s must be > 0"),
+        ("--floor-spectrum 1s:2s:99999", "99999 periods, must be ≤ 10000"),
+        ("--floor-spectrum 1kg", "must be a time"),
+        ("--floor-spectrum 1s --floor-damping 100%", "--floor-damping 100%: must be ≥ 0 and ≤ 0.99"),
+        ("--floor-spectrum 1e-30s", "natural period T"),
+        ("--floor-damping 5%", "--floor-spectrum"),
+    ] {
+        refused(&format!("record {quake} {ISOLATOR} {args}"), &[said]);
+    }
+}
+
+/// Both polarities are the answers to a record and to the record turned, and the answer begins with the greater.
+#[test]
+fn both_polarities_are_a_record_and_its_mirror_image() {
+    let folder = folder();
+    let quake = file(&folder, "quake.at2", &peer(700));
+    let block = "--mass 1t --no-spring --friction-coefficient 0.3 --slope 10deg --one-way --format json";
+    let both = json(&format!("record {quake} {block} --both-polarities"));
+    let alone = ["", "--scale -1"].map(|scale| json(&format!("record {quake} {block} {scale}")));
+    let peak = |answer: &serde_json::Value| answer["peak_displacement"].as_f64().unwrap();
+    for (name, own) in ["recorded", "mirrored"].into_iter().zip(&alone) {
+        for (key, value) in both["polarities"][name].as_object().unwrap() {
+            assert_eq!(value, &own[key], "{name} {key}");
+        }
+    }
+    assert!(peak(&alone[0]) != peak(&alone[1]), "{both}");
+    let greater = if peak(&alone[1]) > peak(&alone[0]) { "mirrored" } else { "recorded" };
+    assert_eq!(both["polarity"], greater);
+    assert_eq!(peak(&both), peak(&alone[0]).max(peak(&alone[1])));
+}
+
+/// A block by its yield acceleration is one by its coefficient, needs neither a mass nor `--no-spring`, and spectra have it
+/// as a grid.
+#[test]
+fn a_block_is_given_by_its_yield_acceleration() {
+    let folder = folder();
+    let quake = file(&folder, "quake.at2", &peer(700));
+    let by_name = json(&format!("record {quake} --yield-acceleration 0.1g --format json"));
+    let block =
+        json(&format!("record {quake} --mass 3t --no-spring --friction-coefficient 0.1 --format json"));
+    let own = by_name.as_object().unwrap();
+    for (name, value) in own {
+        if name == "units" || name == "record" {
+            continue;
+        }
+        match (value.as_f64(), block[name].as_f64()) {
+            (Some(one), Some(two)) => assert!((one - two).abs() <= 1e-9 * two.abs(), "{name} {one} {two}"),
+            (one, two) => assert_eq!(one, two, "{name}"),
+        }
+    }
+    assert!(own["peak_displacement"].as_f64().unwrap() > 0.0);
+    // Without a mass there are no forces and works.
+    assert!(!own.contains_key("friction_work") && block["friction_work"].is_number());
+    // Newmark's pulse: a(a − a_y)t²/(2a_y).
+    let pulse = file(&folder, "pulse.csv", "time[s],acc[g]\n0,-0.3\n1,-0.3\n");
+    let found = json(&format!("record {pulse} --yield-acceleration 0.1g --format json"));
+    let exact = 9.80665 * 0.3 * 0.2 / 0.2;
+    assert!((found["residual_displacement"].as_f64().unwrap() / exact - 1.0).abs() < 1e-13, "{found}");
+    let rows = stdout(&format!("spectrum {quake} --yield-acceleration 0.05g:0.15g:3 --units N,mm"));
+    let row: Vec<&str> = rows.lines().nth(2).unwrap().split(',').collect();
+    let place =
+        rows.lines().next().unwrap().split(',').position(|name| name == "peak_displacement[mm]").unwrap();
+    let (of_spectrum, alone) =
+        (row[place].parse::<f64>().unwrap(), own["peak_displacement"].as_f64().unwrap());
+    assert!((of_spectrum / (alone * 1e3) - 1.0).abs() < 1e-9, "{rows}");
+    for (args, said) in [
+        ("--yield-acceleration=-1g", "yield acceleration a_y = -9.80665 must be ≥ 0"),
+        ("--yield-acceleration 0.1g --friction 1N --mass 1kg", "must be left out with --friction 1N"),
+        ("--yield-acceleration 0.1g --slope 5deg", "must be left out with a slope"),
+        ("--yield-acceleration 0.1", "has no unit beside"),
+        ("--period 1s --friction 1N", "--mass is missing"),
+    ] {
+        let args = if args.ends_with("0.1") { format!("{args} --period 1s") } else { args.to_owned() };
+        refused(&format!("record {quake} {args}"), &[said]);
+    }
+    refused("response --omega 0.5 --alpha 2 --yield-acceleration 1g", &["does not use it"]);
+}
+
+/// Records have the names of their files in spectra, with the folder where two are alike, and in pictures.
+#[test]
+fn records_have_names_in_spectra() {
+    let folder = folder();
+    fs::create_dir(folder.join("other")).unwrap();
+    let (a, b) = (file(&folder, "a.at2", &peer(200)), file(&folder, "b.at2", &peer(210)));
+    let other = file(&folder, "other/b.at2", &peer(220));
+    let grid = "--period 0.5s,1s --friction-coefficient 0.05";
+    let names = |args: &str| -> Vec<String> {
+        let rows = stdout(&format!("spectrum {args} {grid}"));
+        rows.lines().skip(1).map(|row| row.split(',').next().unwrap().to_owned()).collect()
+    };
+    assert_eq!(names(&format!("{a} {b}")), ["a.at2", "a.at2", "b.at2", "b.at2"]);
+    assert_eq!(names(&format!("{b} {a} {other}")), [&b, &b, "a.at2", "a.at2", &other, &other]);
+    refused(&format!("spectrum {a} {a} {grid}"), &["a.at2: must be given only once"]);
+    let picture = folder.join("p.svg").display().to_string();
+    stdout(&format!("spectrum --quiet {a} {b} {grid} --picture {picture}"));
+    let text = fs::read_to_string(&picture).unwrap();
+    assert!(["a.at2", "b.at2", "mean"].iter().all(|name| text.contains(name)), "{text}");
+    assert!(!text.contains(&a));
+}
+
 /// The answer says what follows the record: by default a foot stays, and an acceleration ends.
 #[test]
 fn the_answer_says_what_follows_the_record() {

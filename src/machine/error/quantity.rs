@@ -39,6 +39,8 @@ quantities! {
     FrictionBound "friction bound r_y";
     /// Coefficient of friction µ.
     FrictionCoefficient "coefficient of friction µ";
+    /// Acceleration of the surface at which a block begins to slide, a_y.
+    YieldAcceleration "yield acceleration a_y";
     /// Gravity g.
     Gravity "gravity g";
     /// Friction r₊ against motion with x′ > 0.

@@ -181,15 +181,32 @@ impl<F: Float> Body<F> {
 impl<F: Float + FromStr> Body<F> {
     /// The body of the given inputs: the mass, the friction, and where they are given the spring, the damper, static
     /// friction and a constant force. With `slope` it lies on a surface that falls in the direction of x by this angle:
-    /// gravity along the slope is a constant force, and a coefficient of friction is of the force across it.
+    /// gravity along the slope is a constant force, and a coefficient of friction is of the force across it. A yield
+    /// acceleration, which includes the slope, is in place of the friction.
     ///
     /// # Errors
-    /// Where an input is missing, wrong or superfluous: a damping ratio without a spring, an angle beyond ±90°.
+    /// Where an input is missing, wrong or superfluous: a damping ratio without a spring, an angle beyond ±90°, a yield
+    /// acceleration beside a friction or a slope.
     #[doc(hidden)]
     pub fn given(given: &Given<F>, slope: Option<F>) -> Result<Self, InputError> {
         let wrong = |error: Error| given.at_fault(&error);
         let mass = given.mass()?;
-        let friction = given.friction()?.ok_or_else(|| given.missing(&Input::of_role(Role::Friction)))?;
+        let friction = match given.get(Input::YieldAcceleration) {
+            Some(yields) => {
+                let label = given.label(Input::YieldAcceleration);
+                if let Some((other, _)) = given.one_of(Role::Friction)? {
+                    return Err(InputError(format!("{label}: must be left out with {}", given.label(other))));
+                }
+                if slope.is_some() {
+                    return Err(InputError(format!(
+                        "{label}: must be left out with a slope, which it includes"
+                    )));
+                }
+                let yields = non_negative(Quantity::YieldAcceleration, yields);
+                mass * yields.map_err(|error| InputError(format!("{label}: {error}")))?
+            }
+            None => given.friction()?.ok_or_else(|| given.missing(&Input::of_role(Role::Friction)))?,
+        };
         let (sine, cosine) = match slope {
             Some(angle) if angle.abs() < F::pi() * F::ratio(1, 2) => angle.sin_cos(),
             Some(angle) => {

@@ -301,7 +301,8 @@ impl<F: Float> Body<F> {
     pub fn floor_spectrum(
         &self,
         record: &Record<F>,
-        [x, v]: [F; 2],
+        x: F,
+        v: F,
         periods: &[F],
         damping_ratio: F,
     ) -> Result<Vec<FloorResponse<F>>, Error> {

@@ -150,9 +150,16 @@ impl<F: Float> Watch<F> for History<F> {
     fn rested(&mut self, x: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()> {
         self.totals.rested(x, piece, start, from, length)?;
         let zero = F::int(0);
-        let forces = [piece.from + piece.slope * from, self.weights.stiffness * x];
-        self.push(start + from, [x, zero, zero], zero, forces);
-        Some(())
+        let spring = self.weights.stiffness * x;
+        let (parts, mut part) = (self.parts(length), 0.0);
+        loop {
+            let t = from + length * F::from_f64(part) / F::from_f64(parts);
+            self.push(start + t, [x, zero, zero], zero, [piece.from + piece.slope * t, spring]);
+            part += 1.0;
+            if part >= parts || start + t > self.until || self.states.len() > MOST_STATES {
+                return Some(());
+            }
+        }
     }
 
     fn released(&mut self, time: F, x: F, sign: F, onset: Onset) {

@@ -1,0 +1,112 @@
+//! `record --floor-spectrum`: the greatest responses of oscillators that stand on the body.
+
+use crate::args::RecordArgs;
+use crate::bits::Value;
+use crate::failure::{Failure, Outcome};
+use crate::follow::Shaken;
+use crate::grid::Grid;
+use crate::physical::Units;
+use crate::record::{Cell, Number};
+use serde::ser::{Serialize, Serializer};
+use std::io::Write;
+use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::motion::record::Record;
+
+/// The most oscillators.
+const MOST: u64 = 10_000;
+
+/// The oscillators that were asked for.
+pub(crate) struct Oscillators<F> {
+    periods: Vec<F>,
+    damping_ratio: F,
+}
+
+impl<F: Value> Oscillators<F> {
+    pub(crate) fn read(args: &RecordArgs, reader: &Reader) -> Result<Option<Self>, Failure> {
+        let Some(text) = &args.floor_spectrum else { return Ok(None) };
+        let grid = Grid::<F>::with_units("--floor-spectrum", text, reader, Kind::Time)?;
+        if grid.len() > MOST {
+            return Err(format!("--floor-spectrum {text}: {} periods, must be ≤ {MOST}", grid.len()).into());
+        }
+        let periods: Vec<F> = grid.values().collect();
+        if let Some(period) = periods.iter().find(|period| **period <= F::int(0)) {
+            return Err(format!("--floor-spectrum {text}: the period {period} s must be > 0").into());
+        }
+        let damping = args.floor_damping.as_deref().unwrap_or("5%");
+        let damping_ratio = reader.value::<F>("--floor-damping", damping, Kind::Ratio)?;
+        if !(F::int(0)..=F::ratio(99, 100)).contains(&damping_ratio) {
+            return Err(format!("--floor-damping {damping}: must be ≥ 0 and ≤ 0.99").into());
+        }
+        Ok(Some(Self { periods, damping_ratio }))
+    }
+}
+
+/// The columns of a floor spectrum.
+const COLUMNS: [(&str, Kind); 4] = [
+    ("period", Kind::Time),
+    ("max_displacement", Kind::Length),
+    ("pseudo_acceleration", Kind::Acceleration),
+    ("max_absolute_acceleration", Kind::Acceleration),
+];
+
+/// The response of one oscillator.
+#[derive(Debug)]
+struct Response([Cell<Number>; COLUMNS.len()]);
+
+impl Serialize for Response {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(COLUMNS.iter().map(|(name, _)| name).zip(&self.0))
+    }
+}
+
+/// The responses by period.
+#[derive(serde::Serialize)]
+pub(crate) struct FloorSpectrum {
+    damping_ratio: Cell<Number>,
+    rows: Vec<Response>,
+    units: Units,
+}
+
+impl FloorSpectrum {
+    pub(crate) fn new<F: Value>(
+        asked: &Oscillators<F>,
+        shaken: &Shaken<F>,
+        record: &Record<F>,
+    ) -> Result<Self, Failure> {
+        let Shaken { body, start: [x, v], given, .. } = shaken;
+        let found = body.floor_spectrum(record, *x, *v, &asked.periods, asked.damping_ratio);
+        let found = found.map_err(|e| Failure::Input(format!("--floor-spectrum: {e}")))?;
+        let mut rows = Vec::new();
+        for one in &found {
+            let values =
+                [one.period, one.max_displacement, one.pseudo_acceleration, one.max_absolute_acceleration];
+            let cells = values.map(|value| Cell::Number(Some(value)).shown());
+            for ((name, _), cell) in COLUMNS.iter().zip(&cells) {
+                cell.finite(name)?;
+            }
+            rows.push(Response(cells));
+        }
+        let damping_ratio = Cell::Number(Some(asked.damping_ratio)).shown();
+        Ok(Self { damping_ratio, rows, units: Units(given.system, COLUMNS.into()) })
+    }
+
+    /// A table of the responses.
+    pub(crate) fn text(&self, of: &str, system: &System, out: &mut impl Write) -> Outcome {
+        const WIDTH: usize = 34;
+        writeln!(
+            out,
+            "\nFloor spectrum{of}: oscillators with ζ = {} on the body\n",
+            self.damping_ratio.text()
+        )?;
+        let titles = COLUMNS.map(|(name, kind)| {
+            let name = name.replace('_', " ");
+            format!("{:>WIDTH$}", format!("{name} ({})", system.name(kind)))
+        });
+        writeln!(out, "{}", titles.concat())?;
+        for Response(cells) in &self.rows {
+            let cells = cells.iter().map(|cell| format!("{:>WIDTH$}", cell.text()));
+            writeln!(out, "{}", cells.collect::<String>())?;
+        }
+        Ok(())
+    }
+}
