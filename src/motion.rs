@@ -42,6 +42,7 @@ mod trajectory;
 
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
+pub(crate) use limit::amplitude::Trust;
 pub use limit::amplitude::{Amplitude, Reached};
 pub use limit::irregular::Irregular;
 pub use limit::long_run::{DEFAULT_BUDGET, LongRun, Rest};

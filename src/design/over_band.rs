@@ -9,19 +9,28 @@
 //!
 //! **Everything else is searched**: Q on a mesh of frequencies, finer towards Ω = 1, 1/3, 1/5, 1/7 and the damped
 //! resonance, with each of its maxima located by a golden section; F on a mesh of frictions down to 10⁻⁶ of those that
-//! hold the body, which is refined three times where it is best, and around the best three of its minima by a golden
-//! section. A peak of Q that is much narrower than 2⁻¹² of its frequency could be missed away from these places. A
-//! friction with which a motion of the band does not settle is no candidate.
+//! hold the body, which is refined three times where it is best, and around the best minima by a golden section. The
+//! answer is then looked at on a mesh of 1024 frequencies: those at which it is worse than on the first mesh join it, and
+//! the search begins anew. A peak of Q that is much narrower than 2⁻¹² of its frequency could be missed. A friction with
+//! which a motion of the band does not settle, or is irregular, is no candidate.
+//!
+//! With static friction above the kinetic one Q is the amplitude of the motion from rest. Every friction and frequency may
+//! have a limit of its own: the mesh of frictions has a uniform part, more minima are refined, and the frequencies of
+//! release belong to the mesh.
+//!
+//! A friction that is worse than the best one known by a quarter is left at the first frequency that shows it. All motions
+//! together have a number of steps, after which the best checked answer is given, or the search is refused.
+
+mod band;
 
 use crate::float::Float;
 use crate::greatest::highest;
-use crate::machine::error::{Error, Quantity, written};
-use crate::machine::oscillator::{Drive, Oscillator, Scales};
-use crate::machine::ratios::{Ratios, positive};
-use crate::motion::Amplitude;
+use crate::machine::error::{Error, Quantity};
+use crate::machine::oscillator::{Drive, Oscillator};
+use crate::machine::ratios::finite;
 use crate::named::named;
-use alloc::vec;
 use alloc::vec::Vec;
+use band::Band;
 use core::cmp::Ordering;
 
 named! {
@@ -88,14 +97,15 @@ pub struct BandFriction<F> {
 }
 
 /// The friction with which the greatest amplitude `aim` of the body over the angular frequencies `[low, high]` is
-/// least.
+/// least. No friction that was tried, that of rest among them, is better.
 ///
 /// Mass, spring, damper and the ratio of static friction are those of `body`; its own friction plays no part. The
 /// amplitude of the drive is the same at every frequency, its frequency is not used. Where the motion depends on its
-/// start, the amplitude is that of [`Amplitude::of`].
+/// start, as with static friction above the kinetic one, the amplitude is that of the motion from rest.
 ///
 /// Unit of force; the greatest amplitude in a unit of length, force or acceleration, accurate to a relative 10⁻⁹. The
-/// friction has a relative error of some 10⁻¹⁰ where two frequencies balance, and of 10⁻⁵ at a smooth minimum. The
+/// friction has a relative error of some 10⁻¹⁰ where two frequencies balance, and of 10⁻⁵ at a smooth minimum. With
+/// static friction above the kinetic one it lies 10⁻⁶ inside the frictions that are as good. The
 /// documentation of `src/design/over_band.rs` says which answers are proved and which are searched.
 ///
 /// ```
@@ -114,7 +124,8 @@ pub struct BandFriction<F> {
 ///
 /// # Errors
 /// Where `low ≥ high`, a ratio of the band is outside the domain of [`crate::Ratios`], or
-/// [`Aim::AbsoluteDisplacement`] is asked of a surface at rest; and those of [`Amplitude::of`] but
+/// [`Aim::AbsoluteDisplacement`] is asked of a surface at rest; [`Error::BandTooCostly`] where the motions of the band
+/// take more steps than the search may have; and those of [`Amplitude::of`](crate::motion::Amplitude::of) but
 /// [`Error::NotSettled`].
 pub fn best_friction_over_band<F: Float>(
     body: &Oscillator<F>,
@@ -123,7 +134,7 @@ pub fn best_friction_over_band<F: Float>(
     high: F,
     aim: Aim,
 ) -> Result<BandFriction<F>, Error> {
-    let band = Band::new(body, drive, low, high, aim)?;
+    let mut band = Band::new(body, drive, low, high, aim)?;
     let rest = band.rest()?;
     if band.is_best_at_rest() {
         return Ok(BandFriction {
@@ -135,47 +146,185 @@ pub fn best_friction_over_band<F: Float>(
         });
     }
     let least = rest * F::exp2i(-LOG_RANGE);
-    let mut tried = Vec::new();
-    for friction in geometric(least, rest) {
-        tried.push((friction, band.greatest(friction)?.0));
-    }
-    // Where the body moves with its support the amplitude hardly depends on the friction, and less of it may be a little
-    // better still: the mesh is refined around the least friction that is as good as any.
-    for _ in 0..REFINEMENTS {
-        let (from, to) = around(&tried);
-        let inner = geometric(from, to);
-        for friction in inner.into_iter().step_by(4) {
-            tried.push((friction, band.greatest(friction)?.0));
+    // With a jump beyond it, rest is to be the motion of a friction typed with seven digits, too.
+    let held = if band.is_rough() { rest * (F::int(1) + F::exp2i(-SAFE)) } else { rest };
+    let mut best = (held, band.value(held, infinite())?);
+    let mut steps = SEARCH_STEPS;
+    for round in 0..CHECKS {
+        if round >= GUESSES {
+            band.doubt_all();
         }
-        tried.sort_by(by_place);
-        tried.dedup_by(|a, b| a.0 == b.0);
+        let found = checked(&band, least, rest, &mut steps);
+        let (friction, greatest, missed) = match found {
+            Err(Error::BandTooCostly { .. }) if round > 0 => break,
+            found => found?,
+        };
+        // Of those as good the least friction.
+        if greatest <= best.1 * (F::int(1) + F::exp2i(-32)) {
+            best = (if friction < rest { friction } else { held }, greatest);
+        }
+        if missed.is_empty() {
+            break;
+        }
+        band.add(&missed);
     }
-    for place in minima(&tried) {
-        let at = |j: usize| tried.get(j).map_or(rest, |place| place.0);
-        let (from, to) = (at(place.saturating_sub(1)), at(place.saturating_add(1)));
-        let friction = highest(from, to, F::epsilon() * F::int(1 << 18), |friction| {
-            band.greatest(friction).map(|(value, _)| -value)
-        })?;
-        tried.push((friction, band.greatest(friction)?.0));
-    }
-    tried.sort_by(by_place);
-    let (enough, first) = as_good_as_any(&tried);
-    let at = |j: usize| tried.get(j).map_or(rest, |place| place.0);
-    let (mut outside, mut inside) = (at(first.saturating_sub(1)), at(first));
-    while inside - outside > inside * F::exp2i(-36) {
-        let middle = outside + (inside - outside) / F::int(2);
-        if band.greatest(middle)?.0 > enough { outside = middle } else { inside = middle }
-    }
-    let best = inside;
-    let (greatest, at) = band.greatest(best)?;
-    let kind = if best <= least * F::ratio(33, 32) {
+    band.allow(CHECK_STEPS);
+    let friction = best.0;
+    let (greatest, at) = band.greatest(friction)?;
+    let greatest = finite(Quantity::MaxDisplacement, greatest)?;
+    let kind = if friction <= least * F::ratio(33, 32) {
         BandFrictionKind::None
-    } else if best >= rest {
+    } else if friction >= rest {
         BandFrictionKind::Rest
     } else {
         BandFrictionKind::Interior
     };
-    Ok(BandFriction { friction: best, greatest, at, kind, rest })
+    Ok(BandFriction { friction, greatest, at, kind, rest })
+}
+
+/// A friction, its greatest amplitude on the mesh and on the finer one, and the frequencies that the mesh missed.
+type Checked<F> = (F, F, Vec<(F, F)>);
+
+/// The best friction on the mesh of frequencies, found with the steps that are left, and looked at on a finer one.
+fn checked<F: Float>(band: &Band<'_, F>, least: F, rest: F, steps: &mut u64) -> Result<Checked<F>, Error> {
+    let search = Search { band, rest, tried: Vec::new(), much_worse: F::ratio(5, 4) };
+    band.allow(*steps);
+    let (friction, greatest) = search.best(least)?;
+    *steps = band.allow(CHECK_STEPS);
+    let missed = band.missed(friction, greatest)?;
+    Ok((friction, missed.first().map_or(greatest, |worst| greatest.or_larger(worst.1)), missed))
+}
+
+/// The frictions tried, in their order, with the greatest amplitude of each; of one that is much worse than the best, with
+/// an amplitude that shows it.
+struct Search<'a, 'b, F> {
+    band: &'a Band<'b, F>,
+    rest: F,
+    tried: Vec<(F, F)>,
+    /// The part of the least amplitude above which a friction is not looked at closely.
+    much_worse: F,
+}
+
+impl<F: Float> Search<'_, '_, F> {
+    /// The best friction, and its greatest amplitude; with the steps at an end, the best one tried.
+    fn best(mut self, least: F) -> Result<(F, F), Error> {
+        let mut frictions = geometric(least, self.rest, LOG_STEPS);
+        if self.band.is_rough() {
+            frictions.extend(self.uniform(UNIFORM));
+        }
+        // From rest on downwards: what is much worse is seen by one motion.
+        frictions.sort_by(|a, b| b.partial_cmp(a).unwrap_or(Ordering::Equal));
+        self.add(frictions)?;
+        match self.refined() {
+            Err(Error::BandTooCostly { .. }) => {
+                self.tried.sort_by(by_place);
+                let (enough, first) = as_good_as_any(&self.tried);
+                Ok((self.tried.get(first).map_or(self.rest, |place| place.0), enough))
+            }
+            found => found,
+        }
+    }
+
+    /// Steps of the same size up to rest.
+    fn uniform(&self, steps: i32) -> Vec<F> {
+        (1..steps).map(|k| self.rest * F::ratio(k, steps)).collect()
+    }
+
+    fn refined(&mut self) -> Result<(F, F), Error> {
+        let (band, rest) = (self.band, self.rest);
+        let is_rough = band.is_rough();
+        if is_rough {
+            // From here on only better ones count; on a piece of equal ones one motion shows that they are not.
+            self.much_worse = F::int(1) - F::exp2i(-33);
+            self.add(self.uniform(FINE))?;
+            let places = minima(&self.tried, ROUGH_MINIMA);
+            let ranges: Vec<(F, F)> = places.into_iter().map(|place| self.beside(place)).collect();
+            for (from, to) in ranges {
+                self.add(geometric(from, to, LOG_STEPS).into_iter().step_by(2))?;
+            }
+            self.much_worse = F::ratio(17, 16);
+        } else {
+            self.much_worse = F::ratio(17, 16);
+            // Where the body moves with its support the amplitude hardly depends on the friction, and less of it may be a
+            // little better still: the mesh is refined around the least friction that is as good as any.
+            for _ in 0..REFINEMENTS {
+                let (from, to) = around(&self.tried);
+                self.add(geometric(from, to, LOG_STEPS).into_iter().step_by(4))?;
+            }
+        }
+        let share = F::epsilon() * F::exp2i(if is_rough { 28 } else { 18 });
+        for place in minima(&self.tried, MINIMA) {
+            if is_rough && self.is_flat(place) {
+                continue;
+            }
+            let (from, to) = self.beside(place);
+            let friction = highest(from, to, share, |friction| self.value(friction).map(|value| -value))?;
+            let value = self.value(friction)?;
+            self.tried.push((friction, value));
+        }
+        self.tried.sort_by(by_place);
+        let (enough, first) = as_good_as_any(&self.tried);
+        let at = |j: usize| self.tried.get(j).map_or(rest, |place| place.0);
+        let (mut outside, mut inside) = (at(first.saturating_sub(1)), at(first));
+        let (sharp, within) = (inside * F::exp2i(-36), inside * F::exp2i(-SAFE));
+        let last = if is_rough { within } else { sharp };
+        while inside - outside > last {
+            let middle = outside + (inside - outside) / F::int(2);
+            if band.value(middle, enough)? > enough { outside = middle } else { inside = middle }
+        }
+        if !is_rough {
+            return Ok((inside, enough));
+        }
+        // A limit may begin or end there: a friction typed with seven digits is to be on the same side of it.
+        let enough = enough * (F::int(1) + F::exp2i(-16));
+        let is_good = |friction| Ok::<_, Error>(band.value(friction, enough)? <= enough);
+        let friction = match (is_good(inside - within)?, is_good(inside + within)?) {
+            (true, false) => inside - within,
+            (false, true) => inside + within,
+            _ => inside,
+        };
+        Ok((friction, band.value(friction, enough)?))
+    }
+
+    /// The greatest amplitude; of a friction that is much worse than the best one an amplitude that shows it.
+    fn value(&self, friction: F) -> Result<F, Error> {
+        let least = self
+            .tried
+            .iter()
+            .fold(infinite(), |least: F, place| if place.1 < least { place.1 } else { least });
+        let limit = least * self.much_worse;
+        let value = self.band.value(friction, limit)?;
+        Ok(if value > limit { value.or_larger(least * (F::int(1) + F::exp2i(-20))) } else { value })
+    }
+
+    fn add(&mut self, frictions: impl IntoIterator<Item = F>) -> Result<(), Error> {
+        for friction in frictions {
+            let value = self.value(friction)?;
+            self.tried.push((friction, value));
+        }
+        self.tried.sort_by(by_place);
+        self.tried.dedup_by(|a, b| a.0 == b.0);
+        Ok(())
+    }
+
+    /// Whether a neighbour of a place is as good.
+    fn is_flat(&self, place: usize) -> bool {
+        let value = |i: usize| self.tried.get(i).map(|place| place.1);
+        let Some(here) = value(place) else { return true };
+        let as_good = here * (F::int(1) + F::exp2i(-16));
+        let beside = [place.checked_sub(1), place.checked_add(1)];
+        beside.into_iter().flatten().filter_map(value).any(|value| value <= as_good)
+    }
+
+    /// The neighbours of a place.
+    fn beside(&self, place: usize) -> (F, F) {
+        let at = |j: usize| self.tried.get(j).map_or(self.rest, |place| place.0);
+        (at(place.saturating_sub(1)), at(place.saturating_add(1)))
+    }
+}
+
+fn infinite<F: Float>() -> F {
+    F::int(1) / F::int(0)
 }
 
 /// The order of frictions, or of frequencies, with their values.
@@ -185,8 +334,8 @@ fn by_place<F: Float>(a: &(F, F), b: &(F, F)) -> Ordering {
 
 /// The least greatest amplitude but for 2⁻³³, and the first friction that is as good.
 fn as_good_as_any<F: Float>(tried: &[(F, F)]) -> (F, usize) {
-    let infinite = F::int(1) / F::int(0);
-    let least = tried.iter().fold(infinite, |least, place| if place.1 < least { place.1 } else { least });
+    let least =
+        tried.iter().fold(infinite(), |least: F, place| if place.1 < least { place.1 } else { least });
     let enough = least * (F::int(1) + F::exp2i(-33));
     (enough, tried.iter().position(|place| place.1 <= enough).unwrap_or(0))
 }
@@ -199,7 +348,7 @@ fn around<F: Float>(tried: &[(F, F)]) -> (F, F) {
 }
 
 /// The places of the best minima of a mesh.
-fn minima<F: Float>(tried: &[(F, F)]) -> Vec<usize> {
+fn minima<F: Float>(tried: &[(F, F)], count: usize) -> Vec<usize> {
     let value = |i: Option<usize>| i.and_then(|i| tried.get(i)).map(|place| place.1);
     let mut found: Vec<usize> = (0..tried.len())
         .filter(|&i| {
@@ -208,28 +357,44 @@ fn minima<F: Float>(tried: &[(F, F)]) -> Vec<usize> {
         })
         .collect();
     found.sort_by(|&a, &b| value(Some(a)).partial_cmp(&value(Some(b))).unwrap_or(Ordering::Equal));
-    found.truncate(MINIMA);
+    found.truncate(count);
     found
 }
 
 /// The binary logarithm of the range of frictions: 10⁶.
 const LOG_RANGE: i32 = 20;
+/// The part of a friction by which it is inside of those as good, 10⁻⁶, as a power of 1/2.
+const SAFE: i32 = 20;
 /// Refinements of the mesh of frictions.
 const REFINEMENTS: usize = 3;
 /// Minima of the mesh around which a golden section searches.
 const MINIMA: usize = 3;
+/// The same of a mesh with static friction above the kinetic one.
+const ROUGH_MINIMA: usize = 5;
 /// The binary logarithm of the number of steps of a mesh.
 const LOG_STEPS: u32 = 6;
+/// The uniform steps of the frictions up to rest, with static friction above the kinetic one.
+const UNIFORM: i32 = 32;
+/// The same of a mesh whose frictions are left as soon as they are worse than the best one.
+const FINE: i32 = 600;
+/// The steps of all searches together, each of up to about a microsecond at f64.
+const SEARCH_STEPS: u64 = 6_000_000;
+/// The steps of a check.
+const CHECK_STEPS: u64 = 2_000_000;
+/// The meshes of frequencies.
+const CHECKS: u32 = 5;
+/// Those on which the cycle in closed form is tried for the motion from rest.
+const GUESSES: u32 = 3;
 
-/// 2⁶ steps of one ratio from `low` to `high`.
-fn geometric<F: Float>(low: F, high: F) -> Vec<F> {
+/// 2ⁿ steps of one ratio from `low` to `high`.
+fn geometric<F: Float>(low: F, high: F, log_steps: u32) -> Vec<F> {
     let mut ratio = high / low;
-    for _ in 0..LOG_STEPS {
+    for _ in 0..log_steps {
         ratio = ratio.sqrt();
     }
     let mut place = low;
     let mut places = Vec::new();
-    for _ in 0..1u32 << LOG_STEPS {
+    for _ in 0..1u32 << log_steps {
         places.push(place);
         place = place * ratio;
     }
@@ -237,251 +402,5 @@ fn geometric<F: Float>(low: F, high: F) -> Vec<F> {
     places
 }
 
-/// A body under a drive over a band.
-struct Band<'a, F> {
-    body: &'a Oscillator<F>,
-    drive: &'a Drive<F>,
-    aim: Aim,
-    /// The mesh of angular frequencies.
-    mesh: Vec<F>,
-}
-
-impl<'a, F: Float> Band<'a, F> {
-    fn new(body: &'a Oscillator<F>, drive: &'a Drive<F>, low: F, high: F, aim: Aim) -> Result<Self, Error> {
-        let low = positive(Quantity::AngularFrequency, low)?;
-        let high = positive(Quantity::AngularFrequency, high)?;
-        if low >= high {
-            let quantity = Quantity::AngularFrequency;
-            return Err(Error::EmptyRange { quantity, low: written(low), high: written(high) });
-        }
-        if aim == Aim::AbsoluteDisplacement && !drive.excitation().carries_surface() {
-            return Err(Error::SurfaceAtRest { drive: drive.excitation().name() });
-        }
-        let natural = body.natural_frequency();
-        let mut mesh = geometric(low, high);
-        let zeta = body.damping_ratio();
-        let shift = F::int(1) - F::int(2) * zeta.square();
-        let damped = if shift > F::int(0) { vec![natural * shift.sqrt()] } else { Vec::new() };
-        for centre in damped.into_iter().chain([1, 3, 5, 7].map(|n| natural / F::int(n))) {
-            mesh.push(centre);
-            for k in -12..=-2 {
-                let off = centre * F::exp2i(k);
-                mesh.extend([centre - off, centre + off]);
-            }
-        }
-        mesh.retain(|&omega| omega >= low && omega <= high);
-        mesh.sort_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
-        mesh.dedup();
-        Ok(Self { body, drive, aim, mesh })
-    }
-
-    /// The friction that holds the body at rest in the whole band.
-    fn rest(&self) -> Result<F, Error> {
-        let mut most = F::int(0);
-        for &omega in [self.mesh.first(), self.mesh.last()].into_iter().flatten() {
-            most = most.or_larger(self.drive.at_frequency(omega)?.force_amplitude(self.body));
-        }
-        positive(Quantity::FrictionBound, most / self.body.static_friction_ratio())
-    }
-
-    /// Whether the amplitude is 0 at rest.
-    fn is_best_at_rest(&self) -> bool {
-        match self.aim {
-            Aim::Displacement => true,
-            Aim::Acceleration => !self.drive.excitation().carries_surface(),
-            Aim::TransmittedForce => self.drive.excitation().moves_foot(),
-            Aim::AbsoluteDisplacement => false,
-        }
-    }
-
-    /// The amplitude at one frequency; infinite where the motion is unbounded or does not settle.
-    fn at(&self, friction: F, omega: F) -> Result<F, Error> {
-        let own = self.body;
-        let body = Oscillator::new(own.mass(), own.stiffness(), friction)?
-            .with_damping(own.damping())?
-            .with_static_friction_ratio(own.static_friction_ratio())?;
-        let drive = self.drive.at_frequency(omega)?;
-        let one = F::int(1);
-        let (amplitude, mass) = match self.aim {
-            Aim::Displacement => (Amplitude::Displacement, one),
-            Aim::AbsoluteDisplacement => (Amplitude::AbsoluteDisplacement, one),
-            Aim::TransmittedForce => (Amplitude::TransmittedForce, one),
-            // Nothing else acts on a body over a moving surface.
-            Aim::Acceleration if drive.excitation().carries_surface() => {
-                (Amplitude::TransmittedForce, body.mass())
-            }
-            Aim::Acceleration => (Amplitude::Acceleration, one),
-        };
-        let ratios = drive.ratios(&body)?;
-        // A force barely above the one that releases the body moves it by as little, and settles as slowly: its
-        // amplitude is that of a body at rest but for 2⁻³³.
-        let (eta, zeta) = (ratios.static_friction_ratio(), ratios.damping_ratio());
-        let is_barely_released =
-            ratios.moves_from_rest() && ratios.alpha() <= eta * (F::int(1) + F::exp2i(-33));
-        let ratios =
-            if is_barely_released { Ratios::of_valid(ratios.omega(), eta, zeta, eta) } else { ratios };
-        let found = match amplitude.of(ratios, drive.excitation()) {
-            Err(Error::NotSettled { .. }) => return Ok(F::int(1) / F::int(0)),
-            found => found?,
-        };
-        let unit = amplitude.unit(&Scales::new(&body, &drive)?) / mass;
-        Ok(found.value.map_or(F::int(1) / F::int(0), |value| value * unit))
-    }
-
-    /// The greatest amplitude, and the frequencies that have it to a relative 10⁻⁶, as ranges.
-    fn greatest(&self, friction: F) -> Result<(F, Vec<(F, F)>), Error> {
-        let mut values = Vec::with_capacity(self.mesh.len());
-        for &omega in &self.mesh {
-            values.push((omega, self.at(friction, omega)?));
-        }
-        let most = values.iter().fold(F::int(0), |most, place| most.or_larger(place.1));
-        if !most.is_finite() {
-            return Ok((most, Vec::new()));
-        }
-        // Maxima between places, where the neighbours of a place are not above it.
-        let mut peaks = Vec::new();
-        for (i, &(omega, value)) in values.iter().enumerate() {
-            let beside = |j: Option<usize>| j.and_then(|j| values.get(j)).copied();
-            let (before, after) = (beside(i.checked_sub(1)), beside(i.checked_add(1)));
-            let mut neighbours = [before, after].into_iter().flatten();
-            // A flat piece has no maximum inside.
-            let is_flat = neighbours.clone().any(|place| place.1 >= value * (F::int(1) - F::exp2i(-40)));
-            if is_flat || !neighbours.all(|place| place.1 < value) || value * F::int(2) < most {
-                continue;
-            }
-            let place = |found: Option<(F, F)>| found.map_or(omega, |place| place.0);
-            let at = highest(place(before), place(after), F::epsilon() * F::int(1 << 20), |omega| {
-                self.at(friction, omega)
-            })?;
-            let found = (at, self.at(friction, at)?);
-            if found.1 > value {
-                peaks.push(found);
-            }
-        }
-        let most = peaks.iter().fold(most, |most, place| most.or_larger(place.1));
-        let nearly = most * (F::int(1) - F::ratio(1, 1_000_000));
-        values.extend(peaks);
-        values.sort_by(by_place);
-        let mut at: Vec<(F, F)> = Vec::new();
-        let mut is_run = false;
-        for (omega, value) in values {
-            let is_there = value >= nearly;
-            match at.last_mut() {
-                Some(last) if is_there && is_run => last.1 = omega,
-                _ if is_there => at.push((omega, omega)),
-                _ => {}
-            }
-            is_run = is_there;
-        }
-        // Two places beside one maximum are one frequency.
-        for range in &mut at {
-            if range.1 - range.0 <= range.1 * F::ratio(1, 1000) {
-                range.1 = range.0;
-            }
-        }
-        Ok((most, at))
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::{Aim, Band, BandFrictionKind, best_friction_over_band};
-    use crate::machine::error::Error;
-    use crate::{Drive, Excitation, Oscillator};
-
-    /// A body of 2 kg with ω_n = 3.
-    fn body(zeta: f64, eta: f64) -> Oscillator<f64> {
-        let body = Oscillator::new(2.0, 18.0, 1.0).unwrap().with_damping_ratio(zeta).unwrap();
-        body.with_static_friction_ratio(eta).unwrap()
-    }
-
-    /// The greatest amplitude by a dense mesh of its own, with the neighbourhood of its greatest places once more.
-    fn dense(band: &Band<'_, f64>, friction: f64, low: f64, high: f64) -> f64 {
-        let at = |omega: f64| band.at(friction, omega).unwrap();
-        let place = |i: u32, n: u32, low: f64, high: f64| low + (high - low) * f64::from(i) / f64::from(n);
-        let mut places: Vec<(f64, f64)> =
-            (0..=500).map(|i| place(i, 500, low, high)).map(|w| (w, at(w))).collect();
-        places.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let mut apart: Vec<(f64, f64)> = Vec::new();
-        for place in places {
-            if apart.len() < 3 && apart.iter().all(|other| (other.0 - place.0).abs() > 0.02 * high) {
-                apart.push(place);
-            }
-        }
-        for most in &mut apart {
-            for step in [3e-3, 1e-4, 5e-6, 2e-7] {
-                let (from, to) = ((most.0 - step * high).max(low), (most.0 + step * high).min(high));
-                for omega in (0..=50).map(|i| place(i, 50, from, to)) {
-                    if at(omega) > most.1 {
-                        *most = (omega, at(omega));
-                    }
-                }
-            }
-        }
-        apart.into_iter().map(|most| most.1).fold(0.0, f64::max)
-    }
-
-    /// No friction of a mesh of its own is better by more than 10⁻⁹.
-    #[test]
-    fn no_other_friction_is_better() {
-        let cases = [
-            (Excitation::SurfaceMotion, Aim::AbsoluteDisplacement, 0.5, 4.0),
-            (Excitation::SurfaceMotion, Aim::TransmittedForce, 0.3, 2.0),
-            (Excitation::SurfaceAcceleration, Aim::Acceleration, 0.8, 3.0),
-            (Excitation::SurfaceVelocity, Aim::AbsoluteDisplacement, 0.4, 5.0),
-            (Excitation::Unbalance, Aim::TransmittedForce, 0.7, 6.0),
-            (Excitation::Force, Aim::TransmittedForce, 0.6, 1.8),
-        ];
-        for (i, (excitation, aim, low, high)) in cases.into_iter().enumerate() {
-            for zeta in if i % 2 == 0 { [0.07] } else { [0.0] } {
-                let (body, drive) = (body(zeta, 1.0), Drive::new(excitation, 0.7, 1.0).unwrap());
-                let (low, high) = (3.0 * low, 3.0 * high);
-                let best = best_friction_over_band(&body, &drive, low, high, aim).unwrap();
-                let band = Band::new(&body, &drive, low, high, aim).unwrap();
-                let own = dense(&band, best.friction, low, high);
-                assert!(own <= best.greatest * (1.0 + 1e-9), "{i} {zeta}: {own} {best:?}");
-                let spread = (0..16).map(|k| best.rest * 0.4f64.powi(k));
-                let near = (-4..=4).map(|k| best.friction * (1.0 + 3e-3 * f64::from(k)));
-                for friction in spread.chain(near).filter(|&friction| friction <= best.rest) {
-                    let other = dense(&band, friction, low, high);
-                    assert!(other >= best.greatest * (1.0 - 1e-9), "{i} {zeta}: {friction} {other} {best:?}");
-                }
-            }
-        }
-    }
-
-    /// The classical isolator: where the body moves with its base at the crest, and the peak beyond, balance.
-    #[test]
-    fn two_frequencies_balance() {
-        let drive = Drive::new(Excitation::SurfaceMotion, 0.05, 1.0).unwrap();
-        let body = body(0.0, 1.0);
-        let best = best_friction_over_band(&body, &drive, 1.5, 12.0, Aim::AbsoluteDisplacement).unwrap();
-        assert_eq!((best.kind, best.at.len()), (BandFrictionKind::Interior, 2));
-        assert!((best.greatest / 0.05 - 1.0).abs() < 1e-9, "{best:?}");
-        assert!(best.at[0].0 == 1.5 && best.at[0].1 > 3.0 && best.at[1].0 == best.at[1].1, "{best:?}");
-        let band = Band::new(&body, &drive, 1.5, 12.0, Aim::AbsoluteDisplacement).unwrap();
-        assert!(band.greatest(best.friction * 0.999).unwrap().0 > 0.05 * 1.000_1);
-    }
-
-    #[test]
-    fn a_displacement_is_least_at_rest() {
-        let drive = Drive::force(7.0, 1.0).unwrap();
-        for aim in [Aim::Displacement, Aim::Acceleration] {
-            let best = best_friction_over_band(&body(0.1, 1.4), &drive, 1.0, 2.0, aim).unwrap();
-            assert_eq!((best.kind, best.greatest), (BandFrictionKind::Rest, 0.0));
-            assert!((best.friction - 5.0).abs() < 1e-14);
-        }
-        let best = best_friction_over_band(&body(0.0, 1.0), &drive, 6.0, 9.0, Aim::TransmittedForce).unwrap();
-        assert_eq!(best.kind, BandFrictionKind::None);
-    }
-
-    #[test]
-    fn wrong_bands_are_refused() {
-        let (body, drive) = (body(0.0, 1.0), Drive::force(7.0, 1.0).unwrap());
-        let of = |low, high, aim| best_friction_over_band(&body, &drive, low, high, aim);
-        assert!(matches!(of(2.0, 2.0, Aim::Displacement), Err(Error::EmptyRange { .. })));
-        assert!(matches!(of(-1.0, 2.0, Aim::Displacement), Err(Error::NotPositive { .. })));
-        assert!(of(1.0, f64::NAN, Aim::Displacement).is_err());
-        assert!(matches!(of(1.0, 2.0, Aim::AbsoluteDisplacement), Err(Error::SurfaceAtRest { .. })));
-    }
-}
+mod tests;

@@ -247,6 +247,15 @@ pub enum Error {
          stiffness"
     )]
     BaseMotion,
+    /// A best friction over a band whose motions take too long to compute.
+    #[error(
+        "the best friction over this band is not known within {steps} steps: its motions take too many. Narrow the \
+         band, raise its lower end, or give less damping"
+    )]
+    BandTooCostly {
+        /// The steps.
+        steps: u64,
+    },
     /// A motion that did not settle within the permitted number of periods.
     #[error(
         "force ratio α = {alpha} must be followed for more periods at Ω = {omega}: the motion did not \

@@ -20,6 +20,7 @@ mod exact_motion;
 #[cfg(feature = "mp")]
 mod exact_precision;
 mod no_event_missed;
+mod over_band;
 #[cfg(all(feature = "generators", feature = "mp"))]
 mod properties;
 mod regime;

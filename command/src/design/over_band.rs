@@ -104,9 +104,14 @@ impl<F: Value> AskedDesign<'_, F> {
                         }
                     })
                     .collect();
+                let rests = if found.kind == BandFrictionKind::Rest {
+                    " or more, with which the body does not slide"
+                } else {
+                    ""
+                };
                 format!(
-                    "The greatest {words} from {band} is least with a friction bound of {friction}: {greatest}, at {}. \
-                     The friction is found by a search that is not a proof.",
+                    "The greatest {words} from {band} is least with a friction bound of {friction}{rests}: {greatest}, \
+                     at {}. The friction is found by a search that is not a proof.",
                     places.join(" and at ")
                 )
             }
