@@ -8,14 +8,16 @@ mod words;
 use crate::args::{Format, Header, LoadArgs, StreamFormat, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
+use crate::measured::Described as OfRecord;
 use crate::output::{self, PendingFile};
-use crate::record::{Cell, Record};
+use crate::record::{Cell, Record as Named};
 use crate::rows;
 use crate::sink::Sink;
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;
 use stickslip::inputs::units::{Kind as Of, System as Units};
+use stickslip::motion::record::Record;
 use stickslip::system::State;
 use stickslip_figures::Figure;
 use stickslip_front::record::Summary;
@@ -32,11 +34,11 @@ pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
     if is_table(args) {
         return table::run(&value, args, out);
     }
-    let (asked, summary) = named(&value, args)?;
+    let (asked, read) = named(&value, args)?;
     match args.question {
         SystemQuestion::Describe => describe(&asked, args, out),
         SystemQuestion::Steady => steady(&asked, args, out),
-        SystemQuestion::Simulate | SystemQuestion::Record => simulate(&asked, summary.as_ref(), args, out),
+        SystemQuestion::Simulate | SystemQuestion::Record => simulate(&asked, read.as_ref(), args, out),
         SystemQuestion::Border => border(&asked, args, out),
         SystemQuestion::Curve | SystemQuestion::Spectrum => Ok(()),
     }
@@ -64,8 +66,11 @@ fn folder(args: &SystemArgs) -> &Path {
     args.file.parent().unwrap_or(Path::new(""))
 }
 
-/// The system of a value with the values of `--set`, and with a record, of which the summary says what was read.
-fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Summary>), Failure> {
+/// A record, and what was read of its file.
+type Shaking = (Summary, Record<f64>);
+
+/// The system of a value with the values of `--set`, and with a record, if there is one.
+fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shaking>), Failure> {
     let set = args.set.iter().map(|text| path_and_value(text)).collect::<Result<Vec<_>, _>>()?;
     let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = NamedSystem::new(value, set, folder(args), args.units.units.as_ref()).map_err(about)?;
@@ -73,7 +78,7 @@ fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Summar
         Some(file) => {
             let (record, summary) =
                 crate::measured::read::<f64>(file, &LoadArgs::default(), &found.reader())?;
-            Ok((found.with_record(&record, &file.display().to_string())?, Some(summary)))
+            Ok((found.with_record(&record, &file.display().to_string())?, Some((summary, record))))
         }
         None => Ok((found, None)),
     }
@@ -176,12 +181,7 @@ fn samples(args: &SystemArgs, until: f64) -> Result<Option<Vec<f64>>, Failure> {
     Ok(Some((0..=count).map(|i| until * (i as f64 / count as f64)).collect()))
 }
 
-fn simulate(
-    asked: &NamedSystem,
-    summary: Option<&Summary>,
-    args: &SystemArgs,
-    out: &mut impl Write,
-) -> Outcome {
+fn simulate(asked: &NamedSystem, read: Option<&Shaking>, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let (start, until) = (&asked.described.start, until(asked, args)?);
     if let Some(times) = samples(args, until)? {
         return sampled(asked, args, start, &times, out);
@@ -190,13 +190,13 @@ fn simulate(
     drawn(args, || picture::motion(asked, start, &motion, &picture::title(&asked.described, "Motion")))?;
     if is_json(args)? {
         let answer = Answer::transient(&asked.described, &motion);
-        return match summary {
-            Some(summary) => output::json(&crate::measured::Described::new(&answer, summary), out),
+        return match read {
+            Some((summary, record)) => output::json(&OfRecord::new(&answer, summary, record), out),
             None => output::json(&answer, out),
         };
     }
-    if let Some(summary) = summary {
-        writeln!(out, "{}", crate::measured::sentence(summary))?;
+    if let Some((summary, record)) = read {
+        writeln!(out, "{}", crate::measured::lines(summary, record))?;
     }
     let seconds = if asked.described.units.is_some() { " s" } else { "" };
     writeln!(out, "The motion from the start to {}{seconds}.\n", crate::bits::digits(until))?;
@@ -244,7 +244,7 @@ fn sampled(
         for row in samples.rows() {
             let cells = row.into_iter().map(|x| Cell::Number(Some(x)));
             let row: Vec<(_, Cell<f64>)> = keys.iter().copied().zip(cells).collect();
-            sink.write(&Record::of(row).shown())?;
+            sink.write(&Named::of(row).shown())?;
         }
         sink.finish()
     };

@@ -296,8 +296,21 @@ damping = "4 N*s/mm"
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
     let texts = texts(&svg);
     let due = [
-        "ground", "block", "roof", "mast", "1 t", "0.5 t", "0.02 t", "200 N/mm", "0.3 N·s/mm", "300 N/mm", "3 N/mm", "4 N·s/mm",
-        "bearing: 450 N", "contacts[2]: 2 N/mm, 5 N", "end &lt;stop&gt;: gap 9 mm",
+        "ground",
+        "block",
+        "roof",
+        "mast",
+        "1 t",
+        "0.5 t",
+        "0.02 t",
+        "200 N/mm",
+        "0.3 N·s/mm",
+        "300 N/mm",
+        "3 N/mm",
+        "4 N·s/mm",
+        "bearing: 450 N",
+        "contacts[2]: 2 N/mm, 5 N",
+        "end &lt;stop&gt;: gap 9 mm",
     ];
     let mut own: Vec<&str> = texts.iter().map(|text| text.2.as_str()).collect();
     let mut due = due.to_vec();
@@ -322,7 +335,11 @@ fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
     let file = folder.join("machine.toml");
     std::fs::write(&file, MACHINE).unwrap();
     for (name, line, parts) in [
-        ("steady", "steady", vec!["Steady motion (periodic): block, roof, load at 3 Hz", "loop of bearing", "force (N)"]),
+        (
+            "steady",
+            "steady",
+            vec!["Steady motion (periodic): block, roof, load at 3 Hz", "loop of bearing", "force (N)"],
+        ),
         ("motion", "simulate --until 2s", vec!["displacement (mm)", "time (s)", "loop of bearing"]),
         ("curve", "curve --frequency 1Hz:9Hz:9", vec!["frequency (Hz)", "roof, a contact sticks"]),
         ("grid", "steady --set bearing.friction=100N:2kN:4", vec![]),
@@ -341,7 +358,10 @@ fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
         }
     }
     refused(
-        &format!("system {} curve --frequency 1Hz:2Hz:2 --set bearing.friction=1N,2N --picture x.svg", file.display()),
+        &format!(
+            "system {} curve --frequency 1Hz:2Hz:2 --set bearing.friction=1N,2N --picture x.svg",
+            file.display()
+        ),
         &["--picture: shows one axis"],
     );
     refused(&format!("system {} border --picture x.svg", file.display()), &["--picture: this question"]);
@@ -354,9 +374,10 @@ fn rows_and_samples_are_the_same_as_parquet() {
     std::fs::create_dir(&*folder).unwrap();
     let file = folder.join("machine.toml");
     std::fs::write(&file, MACHINE).unwrap();
-    for (name, line) in
-        [("samples", "simulate --until 1s --samples 50"), ("grid", "curve --frequency 1Hz:5Hz:9 --set bearing.friction=1N,450N")]
-    {
+    for (name, line) in [
+        ("samples", "simulate --until 1s --samples 50"),
+        ("grid", "curve --frequency 1Hz:5Hz:9 --set bearing.friction=1N,450N"),
+    ] {
         let [csv, parquet] = ["csv", "parquet"].map(|end| folder.join(format!("{name}.{end}")));
         for out in [&csv, &parquet] {
             stdout(&format!("system {} {line} --out {}", file.display(), out.display()));
