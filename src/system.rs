@@ -30,12 +30,14 @@
 //!
 //! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `zero.rs` the search for a
-//! guard's first zero, `next.rs` the choice of the next branch, `follow.rs` the motion from event to event,
+//! guard's first zero, `next.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
+//! can hold, `follow.rs` the motion from event to event,
 //! `motion.rs` its answers, `steady.rs` the long run, and `border.rs` the closed form for one contact.
 
 mod assembly;
 mod border;
 mod branch;
+mod dependent;
 mod error;
 mod follow;
 mod matrix;

@@ -3,6 +3,7 @@
 //! The state z has the displacements q, the velocities q′, the forces of the elastic contacts, (sin ωt, cos ωt)
 //! of each harmonic, (p, p′) of each record, and 1.
 
+use super::dependent::{rank, too_many};
 use super::error::Error;
 use super::matrix::{Matrix, add_times};
 use super::model::{Element, Harmonic, Kind, Law, Model, Record, Signal};
@@ -67,6 +68,8 @@ pub(crate) struct Assembly<F> {
     pub(crate) parts: Vec<Part<F>>,
     /// bᵢ·M⁻¹bⱼ.
     pub(crate) coupling: Matrix<F>,
+    /// Whether a contact's direction is a combination of those of others.
+    pub(crate) is_dependent: bool,
     pub(crate) frequencies: Vec<F>,
     pub(crate) records: Vec<Record<F>>,
     /// All instants at which a record has a sample, in order.
@@ -122,6 +125,7 @@ impl<F: Float> Assembly<F> {
             load,
             parts: Vec::new(),
             coupling: Matrix::zero(0, 0),
+            is_dependent: false,
             frequencies: model.harmonics.iter().map(|h| h.frequency).collect(),
             records: model.records.clone(),
             instants,
@@ -140,6 +144,20 @@ impl<F: Float> Assembly<F> {
             }
         }
         assembly.coupling = coupling;
+        let contacts: Vec<&[F]> = assembly
+            .parts
+            .iter()
+            .filter(|p| matches!(p.rule, Rule::Contact { .. }))
+            .map(|p| p.direction.as_slice())
+            .collect();
+        assembly.is_dependent = rank(&contacts) < contacts.len();
+        if assembly.is_dependent && too_many(&contacts) {
+            return Err(Error::Unsupported {
+                name: "elements".to_string(),
+                condition: "must have at most 14 contacts whose directions depend on each other, parallel ones \
+                            counted once",
+            });
+        }
         Ok(assembly)
     }
 

@@ -14,6 +14,7 @@
 //! form, whose weights are between 0 and 1, this is at most `ε (K + 1)(d + 3) |g| e^{|A|h} |z|`: a second row.
 
 use super::assembly::{Assembly, Part, Piece, Rule};
+use super::dependent::facets;
 use super::matrix::{Matrix, add_times, dot};
 use super::zero::{bernstein, integer};
 use crate::float::Float;
@@ -25,8 +26,6 @@ use alloc::vec::Vec;
 pub(crate) enum Mode {
     /// A contact that sticks.
     Stuck,
-    /// A contact that others keep at rest, with its force at the bound: forces of dependent directions are not unique.
-    Loaded { forward: bool },
     /// A contact that slides, in the piece of its law with this number.
     Slides { forward: bool, piece: usize },
     /// A contact without normal load.
@@ -72,6 +71,8 @@ pub(crate) struct Guard<F> {
     pub(crate) element: usize,
     pub(crate) trigger: Trigger,
     pub(crate) row: Vec<F>,
+    /// The other contacts of dependent directions that are released with this one.
+    pub(crate) others: Vec<(usize, bool)>,
     /// The row whose product with |z| bounds the error of the Taylor polynomial of full degree.
     pub(crate) error: Vec<F>,
 }
@@ -104,6 +105,8 @@ pub(crate) struct Branch<F> {
     /// The degree of full accuracy.
     pub(crate) degree: usize,
     pub(crate) guards: Vec<Guard<F>>,
+    /// The error bound of the velocity of each contact.
+    pub(crate) speed_errors: Vec<Vec<F>>,
     pub(crate) hull: Hull<F>,
     /// The row of each element's force.
     pub(crate) tension: Vec<Vec<F>>,
@@ -216,7 +219,7 @@ impl<F: Float> Branch<F> {
         for (a, &i) in stuck.iter().enumerate() {
             stuck.iter().enumerate().for_each(|(b, &j)| coupling.set(a, b, system.coupling.at(i, j)));
         }
-        let inverse = coupling.pseudo_inverse();
+        let inverse = inverse_by_shares(system, &stuck, &coupling);
         // The second round takes out the rounding of the first, which would set what is stuck in motion after a long time.
         for _ in 0..if stuck.is_empty() { 0 } else { 3 } {
             let left: Vec<Vec<F>> = stuck
@@ -267,18 +270,35 @@ impl<F: Float> Branch<F> {
         let bound = bound.map(|x| x + x * F::ratio(1, 64));
         let guards = {
             let powers = Powers { a: &a, step, bound: &bound, degree };
-            guards(system, modes, &tension)
-                .into_iter()
-                .map(|(element, trigger, row)| {
-                    let error = powers.error(&row);
-                    Guard { element, trigger, row, error }
-                })
-                .collect::<Vec<_>>()
+            let mut guards = guards(system, modes, &tension);
+            guards.extend(releases(system, &stuck, &tension));
+            guards.iter_mut().for_each(|guard| guard.error = powers.error(&guard.row));
+            guards
+        };
+        let speed_errors = {
+            let powers = Powers { a: &a, step, bound: &bound, degree };
+            let error = |part: &Part<F>| match part.rule {
+                Rule::Contact { .. } => powers.error(&part.velocity),
+                _ => Vec::new(),
+            };
+            system.parts.iter().map(error).collect()
         };
         let rows: Vec<Vec<F>> = guards.iter().map(|g| g.row.clone()).collect();
         let hull = Hull::new(&Powers { a: &a, step, bound: &bound, degree }, &rows);
         let (whole, transposed) = (whole.transposed(), a.transposed());
-        Self { modes: modes.to_vec(), a, transposed, step, whole, bound, degree, guards, hull, tension }
+        Self {
+            modes: modes.to_vec(),
+            a,
+            transposed,
+            step,
+            whole,
+            bound,
+            degree,
+            guards,
+            speed_errors,
+            hull,
+            tension,
+        }
     }
 
     /// The hull of further rows.
@@ -340,7 +360,6 @@ pub(crate) fn polynomial<F: Float>(row: &[F], terms: &[F]) -> Vec<F> {
 pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<F>> {
     match (mode, &part.rule) {
         (Mode::Slides { forward, piece }, _) => Some(sliding(part, forward, piece)),
-        (Mode::Loaded { forward }, _) => Some(sliding(part, forward, 0)),
         (Mode::Holds | Mode::Yields { .. }, Rule::Elastic { place, .. }) => {
             let mut row = vec![F::int(0); part.velocity.len()];
             if let Some(entry) = row.get_mut(*place) {
@@ -397,12 +416,11 @@ fn apply<F: Float>(force: &mut Matrix<F>, direction: &[F], tension: &[F]) {
 }
 
 /// The guards of a branch: rows that are positive as long as it lasts.
-fn guards<F: Float>(
-    system: &Assembly<F>,
-    modes: &[Mode],
-    tension: &[Vec<F>],
-) -> Vec<(usize, Trigger, Vec<F>)> {
-    let mut guards = Vec::new();
+fn guards<F: Float>(system: &Assembly<F>, modes: &[Mode], tension: &[Vec<F>]) -> Vec<Guard<F>> {
+    let mut guards: Vec<Guard<F>> = Vec::new();
+    let mut add = |element: usize, trigger: Trigger, row: Vec<F>| {
+        guards.push(Guard { element, trigger, row, others: Vec::new(), error: Vec::new() });
+    };
     let times = |row: &[F], factor: F| -> Vec<F> { row.iter().map(|&x| x * factor).collect() };
     let plus = |mut row: Vec<F>, constant: F| {
         if let Some(last) = row.last_mut() {
@@ -413,45 +431,34 @@ fn guards<F: Float>(
     let one = F::int(1);
     for (i, ((part, mode), tension)) in system.parts.iter().zip(modes).zip(tension).enumerate() {
         match (*mode, &part.rule) {
-            (Mode::Stuck, Rule::Contact { peak, normal, pieces }) => {
-                let force = pieces.first().map_or(F::int(0), |p| p.force) * *peak;
-                for forward in [true, false] {
-                    let mut row = times(tension, -sign::<F>(forward));
-                    match normal {
-                        Some(normal) => add_times(&mut row, force, normal),
-                        None => row = plus(row, force),
-                    }
-                    guards.push((i, Trigger::Releases { forward }, row));
-                }
-            }
             (Mode::Slides { forward, piece }, Rule::Contact { pieces, .. }) => {
                 let speed = times(&part.velocity, sign(forward));
                 let from = |k: usize| pieces.get(k).map(|p: &Piece<F>| p.from);
                 match piece.checked_sub(1) {
-                    None => guards.push((i, Trigger::Stops, speed.clone())),
+                    None => add(i, Trigger::Stops, speed.clone()),
                     Some(below) => {
                         let low = from(piece).unwrap_or(F::int(0));
-                        guards.push((i, Trigger::Piece(below), plus(speed.clone(), -low)));
+                        add(i, Trigger::Piece(below), plus(speed.clone(), -low));
                     }
                 }
                 if let Some(high) = from(piece + 1) {
-                    guards.push((i, Trigger::Piece(piece + 1), plus(times(&speed, -one), high)));
+                    add(i, Trigger::Piece(piece + 1), plus(times(&speed, -one), high));
                 }
             }
             (Mode::Yields { forward }, Rule::Elastic { .. }) => {
-                guards.push((i, Trigger::Stops, times(&part.velocity, sign(forward))));
+                add(i, Trigger::Stops, times(&part.velocity, sign(forward)));
             }
             (Mode::Holds, Rule::Elastic { friction, .. }) => {
                 for forward in [true, false] {
                     let row = plus(times(tension, -sign::<F>(forward)), *friction);
-                    guards.push((i, Trigger::Releases { forward }, row));
+                    add(i, Trigger::Releases { forward }, row);
                 }
             }
-            (Mode::Away, Rule::Stop { depth, .. }) => guards.push((i, Trigger::Closes, times(depth, -one))),
-            (Mode::Pressed, Rule::Stop { .. }) => guards.push((i, Trigger::Opens, tension.clone())),
+            (Mode::Away, Rule::Stop { depth, .. }) => add(i, Trigger::Closes, times(depth, -one)),
+            (Mode::Pressed, Rule::Stop { .. }) => add(i, Trigger::Opens, tension.clone()),
             (Mode::Lifted, Rule::Stop { depth, .. }) => {
-                guards.push((i, Trigger::Clears, depth.clone()));
-                guards.push((i, Trigger::Presses, times(&pressing(part), -one)));
+                add(i, Trigger::Clears, depth.clone());
+                add(i, Trigger::Presses, times(&pressing(part), -one));
             }
             _ => {}
         }
@@ -460,10 +467,80 @@ fn guards<F: Float>(
         {
             let apart = *mode == Mode::Apart;
             let trigger = if apart { Trigger::Meets } else { Trigger::Parts };
-            guards.push((i, trigger, times(normal, if apart { -one } else { one })));
+            add(i, trigger, times(normal, if apart { -one } else { one }));
         }
     }
     guards
+}
+
+/// The bound of a contact at rest as a row: peak r(0) N.
+pub(crate) fn static_bound<F: Float>(part: &Part<F>) -> Vec<F> {
+    let mut row = vec![F::int(0); part.velocity.len()];
+    if let Rule::Contact { peak, normal, pieces } = &part.rule {
+        let force = pieces.first().map_or(F::int(0), |p| p.force) * *peak;
+        match normal {
+            Some(normal) => add_times(&mut row, force, normal),
+            None => row.iter_mut().rev().take(1).for_each(|last| *last = force),
+        }
+    }
+    row
+}
+
+/// The guards of the contacts that stick: `Σ |gᵢ| Rᵢ ∓ Σ gᵢ Tᵢ` for each facet g of what they can hold.
+fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>]) -> Vec<Guard<F>> {
+    let parts = || stuck.iter().filter_map(|&i| system.parts.get(i));
+    let facets: Vec<Vec<(usize, F)>> = if system.is_dependent {
+        facets(&parts().map(|p| p.direction.as_slice()).collect::<Vec<_>>())
+    } else {
+        (0..stuck.len()).map(|place| vec![(place, F::int(1))]).collect()
+    };
+    let bounds: Vec<Vec<F>> = parts().map(static_bound).collect();
+    let mut guards = Vec::new();
+    for facet in facets {
+        for forward in [true, false] {
+            let mut row = vec![F::int(0); system.size];
+            let mut members = Vec::new();
+            for &(place, g) in &facet {
+                let Some(&element) = stuck.get(place) else { continue };
+                if let (Some(tension), Some(bound)) = (tension.get(element), bounds.get(place)) {
+                    add_times(&mut row, -sign::<F>(forward) * g, tension);
+                    add_times(&mut row, g.abs(), bound);
+                }
+                members.push((element, (g > F::int(0)) == forward));
+            }
+            let mut members = members.into_iter();
+            let Some((element, forward)) = members.next() else { continue };
+            let (trigger, others) = (Trigger::Releases { forward }, members.collect());
+            guards.push(Guard { element, trigger, row, others, error: Vec::new() });
+        }
+    }
+    guards
+}
+
+/// G⁻¹ of the contacts that stick. Dependent ones share their force in proportion to their bounds, as far as that holds it:
+/// with the least `Σ Tᵢ²/Rᵢ`.
+fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize], coupling: &Matrix<F>) -> Matrix<F> {
+    if !system.is_dependent {
+        return coupling.pseudo_inverse();
+    }
+    let bound = |i: &usize| match system.parts.get(*i).map(|p| &p.rule) {
+        Some(Rule::Contact { pieces, peak, .. }) => pieces.first().map_or(F::int(0), |p| p.force) * *peak,
+        _ => F::int(0),
+    };
+    let bounds: Vec<F> = stuck.iter().map(bound).collect();
+    let largest = bounds.iter().fold(F::int(0), |m, &x| m.or_larger(x));
+    if largest <= F::int(0) {
+        return coupling.pseudo_inverse();
+    }
+    let roots: Vec<F> = bounds.iter().map(|&x| (x / largest).or_larger(F::exp2i(-20)).sqrt()).collect();
+    let scaled = |matrix: &Matrix<F>| {
+        let mut result = matrix.clone();
+        for (i, &a) in roots.iter().enumerate() {
+            result.row_mut(i).iter_mut().zip(&roots).for_each(|(x, &b)| *x = *x * a * b);
+        }
+        result
+    };
+    scaled(&scaled(coupling).pseudo_inverse())
 }
 
 /// The degree from which on the terms of eˣ, x ≤ 1, are below rounding, with the size of the next.

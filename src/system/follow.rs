@@ -3,9 +3,9 @@
 use super::assembly::{Assembly, Rule};
 use super::branch::{Branch, Mode, Trigger, polynomial, sign, sum_of_terms};
 use super::error::Error;
-use super::matrix::{add_times, dot, size_of_dot};
+use super::matrix::{dot, size_of_dot};
 use super::model::State;
-use super::next::{AtRest, at_rest, decide, depends};
+use super::next::{AtRest, at_rest, decide, follows};
 use super::zero::first_passage;
 use crate::float::Float;
 use crate::machine::error::written;
@@ -97,8 +97,6 @@ pub(crate) struct Follower<'a, F> {
     pub(crate) time: F,
     /// The number of the next sample.
     sample: usize,
-    /// Contacts that were released at this instant, with the direction.
-    released: Vec<Option<bool>>,
     /// Events without a step between them.
     instant: usize,
     longest: F,
@@ -112,6 +110,8 @@ pub(crate) struct Follower<'a, F> {
 struct Fired {
     element: usize,
     trigger: Trigger,
+    /// Contacts that are released with it.
+    others: Vec<(usize, bool)>,
 }
 
 impl<'a, F: Float> Follower<'a, F> {
@@ -146,7 +146,6 @@ impl<'a, F: Float> Follower<'a, F> {
             z,
             time: F::int(0),
             sample: 0,
-            released: vec![None; system.parts.len()],
             instant: 0,
             longest,
             steps: 0,
@@ -177,7 +176,6 @@ impl<'a, F: Float> Follower<'a, F> {
         for (z, &x) in self.z.iter_mut().zip(free) {
             *z = x;
         }
-        self.released.fill(None);
         self.instant = 0;
         self.rewind();
         self.begin()
@@ -218,13 +216,12 @@ impl<'a, F: Float> Follower<'a, F> {
         }
     }
 
-    /// The natural size of a row's value: what it could be within a step.
-    fn noise(&self, row: &[F]) -> F {
-        let bound = self.branch().map_or_else(
-            || size_of_dot(row, &self.z),
-            |branch| dot(&branch.powers().error(row), &absolute(&self.z)),
-        );
-        bound * F::int(4)
+    /// Whether rounding cannot tell a contact's velocity from zero, by what it could be within a step.
+    fn is_slow(&self, element: usize) -> bool {
+        let Some(part) = self.system.parts.get(element) else { return false };
+        let error = self.branch().and_then(|branch| branch.speed_errors.get(element));
+        let bound = error.map_or(F::int(0), |error| size_of_dot(error, &self.z));
+        dot(&part.velocity, &self.z).abs() <= bound * F::int(4)
     }
 
     /// Chooses the first branch.
@@ -273,15 +270,12 @@ impl<'a, F: Float> Follower<'a, F> {
                 }
             });
         }
-        self.settle(&mut modes, &resting)?;
+        self.settle(&mut modes, resting.clone(), &[])?;
         self.enter(&modes);
         // A velocity that is zero but for rounding is told by the size that it could have within a step.
         let mut still = Vec::new();
-        for (i, (part, mode)) in self.system.parts.iter().zip(&modes).enumerate() {
-            let slow = matches!(mode, Mode::Slides { piece: 0, .. })
-                && !resting.contains(&i)
-                && dot(&part.velocity, &self.z).abs() <= self.noise(&part.velocity);
-            if slow {
+        for (i, mode) in modes.iter().enumerate() {
+            if matches!(mode, Mode::Slides { piece: 0, .. }) && !resting.contains(&i) && self.is_slow(i) {
                 still.push(i);
             }
         }
@@ -293,50 +287,41 @@ impl<'a, F: Float> Follower<'a, F> {
             }
             resting.extend(still);
             resting.sort_unstable();
-            self.settle(&mut modes, &resting)?;
+            self.settle(&mut modes, resting, &[])?;
             self.enter(&modes);
         }
         Ok(())
     }
 
-    /// Decides the contacts at rest, and takes their velocities out.
-    fn settle(&mut self, modes: &mut [Mode], resting: &[usize]) -> Result<(), Error> {
+    /// Decides the contacts at rest, and takes their velocities out. `released` are those whose force has just reached its
+    /// bound, with the direction.
+    fn settle(
+        &mut self,
+        modes: &mut [Mode],
+        mut resting: Vec<usize>,
+        released: &[(usize, bool)],
+    ) -> Result<(), Error> {
         if resting.is_empty() {
             return Ok(());
         }
-        at_rest(self.system, &mut self.z, resting);
         let system = self.system;
-        let mut force = system.force.of(&self.z);
-        let mut size: Vec<F> = system.force.rows().map(|row| size_of_dot(row, &self.z)).collect();
-        for (i, (part, mode)) in system.parts.iter().zip(modes.iter()).enumerate() {
-            if !resting.contains(&i) {
-                let tension = force_of(part, *mode, &self.z);
-                add_times(&mut force, -tension, &part.direction);
-                size.iter_mut().zip(&part.direction).for_each(|(s, &b)| *s = *s + (b * tension).abs());
-            }
+        if system.is_dependent {
+            // What depends on contacts at rest is at rest.
+            let slides =
+                |i: usize| matches!(modes.get(i), Some(Mode::Slides { .. })) && !resting.contains(&i);
+            let more: Vec<usize> =
+                (0..modes.len()).filter(|&i| slides(i) && follows(system, i, &resting)).collect();
+            resting.extend(more);
+            resting.sort_unstable();
         }
-        // A contact at its bound stays there until its acceleration says otherwise.
-        let at_bound = |element: usize| match modes.get(element) {
-            Some(Mode::Loaded { forward }) => Some(*forward),
-            _ => self.released.get(element).copied().flatten(),
-        };
+        at_rest(system, &mut self.z, &resting);
+        let release = |element: usize| released.iter().find(|(i, _)| *i == element).map(|r| r.1);
         let contacts: Vec<AtRest> =
-            resting.iter().map(|&element| AtRest { element, released: at_bound(element) }).collect();
-        let choices =
-            decide(system, &self.z, &contacts, &force, &size).map_err(|element| self.undecided(element))?;
-        let stuck: Vec<usize> =
-            contacts.iter().zip(&choices).filter(|(_, c)| c.is_none()).map(|(c, _)| c.element).collect();
+            resting.iter().map(|&element| AtRest { element, released: release(element) }).collect();
+        let choices = decide(system, &self.z, &contacts, modes).map_err(|element| self.undecided(element))?;
         for (contact, choice) in contacts.iter().zip(choices) {
-            let held = choice.is_some() && depends(system, contact.element, &stuck);
             if let Some(mode) = modes.get_mut(contact.element) {
-                *mode = match choice {
-                    None => Mode::Stuck,
-                    Some(forward) if held => Mode::Loaded { forward },
-                    Some(forward) => Mode::Slides { forward, piece: 0 },
-                };
-            }
-            if let Some(released) = self.released.get_mut(contact.element) {
-                *released = choice.filter(|_| !held);
+                *mode = choice.map_or(Mode::Stuck, |forward| Mode::Slides { forward, piece: 0 });
             }
         }
         Ok(())
@@ -436,7 +421,6 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         if lasted > branch.step * F::exp2i(-24) {
             self.instant = 0;
-            self.released.fill(None);
         }
         self.z = after;
         self.time = if event.is_none() && !whole { end } else { self.time + lasted };
@@ -454,10 +438,10 @@ impl<'a, F: Float> Follower<'a, F> {
         for (k, guard) in order.filter_map(|i| branch.guards.get(i)).enumerate() {
             let doubt = dot(&guard.error, &sizes) * F::int(4);
             let (value, slope) = (dot(&guard.row, &self.z), dot(&guard.row, &slopes));
-            let begins = guard.trigger == Trigger::Stops
-                && self.released.get(guard.element).is_some_and(Option::is_some);
-            if k == 0 || (value <= doubt && slope < F::int(0) && !begins) {
-                fired.push(Fired { element: guard.element, trigger: guard.trigger });
+            // A velocity that has just begun is zero, too.
+            if k == 0 || (value <= doubt && slope * branch.step < -doubt) {
+                let (element, trigger, others) = (guard.element, guard.trigger, guard.others.clone());
+                fired.push(Fired { element, trigger, others });
             }
         }
         fired
@@ -479,19 +463,15 @@ impl<'a, F: Float> Follower<'a, F> {
             return Err(self.undecided(fired.first().map_or(0, |f| f.element)));
         }
         let mut modes = before.clone();
-        let mut touched = Vec::new();
-        for Fired { element, trigger } in fired {
+        let (mut touched, mut released) = (Vec::new(), Vec::new());
+        for Fired { element, trigger, others } in fired {
             let (Some(part), Some(mode)) = (system.parts.get(*element), modes.get_mut(*element)) else {
                 continue;
             };
-            let velocity = dot(&part.velocity, &self.z);
             match (*trigger, &part.rule) {
                 (Trigger::Stops, Rule::Contact { .. }) => {
                     touched.push(*element);
                     *mode = Mode::Stuck;
-                    if let Some(released) = self.released.get_mut(*element) {
-                        *released = None;
-                    }
                 }
                 (Trigger::Stops, _) => *mode = Mode::Holds,
                 (Trigger::Piece(piece), _) => {
@@ -506,33 +486,32 @@ impl<'a, F: Float> Follower<'a, F> {
                     *mode = Mode::Yields { forward };
                 }
                 (Trigger::Releases { forward }, _) => {
-                    if let Some(released) = self.released.get_mut(*element) {
-                        *released = Some(forward);
-                    }
+                    released.push((*element, forward));
+                    released.extend_from_slice(others);
                 }
                 (Trigger::Parts, _) => *mode = Mode::Apart,
                 (Trigger::Meets, rule) => {
-                    let doubt = self.noise(&part.velocity);
-                    *mode = if velocity.abs() <= doubt { Mode::Stuck } else { slides(rule, velocity) };
+                    let velocity = dot(&part.velocity, &self.z);
+                    *mode = if self.is_slow(*element) { Mode::Stuck } else { slides(rule, velocity) };
                 }
                 (Trigger::Closes | Trigger::Presses, _) => *mode = Mode::Pressed,
                 (Trigger::Opens, Rule::Stop { depth, .. }) => {
-                    let deep = dot(depth, &self.z) > self.noise(depth);
+                    // Within rounding of its gap it is there.
+                    let size =
+                        size_of_dot(depth, &self.z).or_larger(depth.last().map_or(F::int(0), |x| x.abs()));
+                    let deep = dot(depth, &self.z) > size * F::epsilon() * F::int(256);
                     *mode = if deep { Mode::Lifted } else { Mode::Away };
                 }
                 (Trigger::Opens | Trigger::Clears, _) => *mode = Mode::Away,
             }
         }
         let mut resting = Vec::new();
-        for (i, (part, mode)) in system.parts.iter().zip(&modes).enumerate() {
-            let slow = || dot(&part.velocity, &self.z).abs() <= self.noise(&part.velocity);
-            let rests = matches!(mode, Mode::Stuck | Mode::Loaded { .. })
-                || (matches!(mode, Mode::Slides { piece: 0, .. }) && slow());
-            if rests {
+        for (i, mode) in modes.iter().enumerate() {
+            if *mode == Mode::Stuck || (matches!(mode, Mode::Slides { piece: 0, .. }) && self.is_slow(i)) {
                 resting.push(i);
             }
         }
-        self.settle(&mut modes, &resting)?;
+        self.settle(&mut modes, resting, &released)?;
         for (i, (old, new)) in before.iter().zip(&modes).enumerate() {
             if let Some(kind) = kind_of(*old, *new, touched.contains(&i)) {
                 watch.event(Event { time: self.time, element: i, kind });
@@ -572,16 +551,9 @@ fn slides<F: Float>(rule: &Rule<F>, v: F) -> Mode {
     Mode::Slides { forward: v > F::int(0), piece }
 }
 
-/// The force of an element that does not stick.
-fn force_of<F: Float>(part: &super::assembly::Part<F>, mode: Mode, z: &[F]) -> F {
-    super::branch::given_tension(part, mode).map_or(F::int(0), |row| dot(&row, z))
-}
-
 /// The kind of the event that leads from one mode to another.
 fn kind_of(old: Mode, new: Mode, touched: bool) -> Option<EventKind> {
-    // Who of several holds is no event.
-    let held = |mode| if matches!(mode, Mode::Loaded { .. }) { Mode::Stuck } else { mode };
-    match (held(old), held(new)) {
+    match (old, new) {
         (Mode::Stuck, Mode::Slides { .. }) => Some(EventKind::Slip),
         (Mode::Slides { .. }, Mode::Stuck) => Some(EventKind::Stick),
         (Mode::Slides { forward: a, .. }, Mode::Slides { forward: b, .. }) if a != b => {

@@ -208,7 +208,7 @@ impl<F: Float> Observer<F> {
 impl<F: Float> Watch<F> for Observer<F> {
     fn stretch(&mut self, system: &Assembly<F>, number: usize, branch: &Branch<F>, z: &[F], time: F) {
         for (mode, at_rest) in branch.modes.iter().zip(&mut self.at_rest) {
-            if matches!(mode, Mode::Stuck | Mode::Loaded { .. } | Mode::Holds | Mode::Away) {
+            if matches!(mode, Mode::Stuck | Mode::Holds | Mode::Away) {
                 *at_rest = *at_rest + time;
             }
         }

@@ -1,15 +1,21 @@
 //! The branch after an event: which of the contacts at rest stick, and which way the others go.
 //!
 //! With the forces T of the contacts at rest their accelerations are `a = a₀ − G T`, `G = Bᵀ M⁻¹ B`. A contact that
-//! sticks has a = 0 and `|T| ≤ peak r(0) N`; one that slides has `T = s r(0) N` and `s a ≥ 0`. With peak = 1 and G
-//! positive definite this is a linear complementarity problem with exactly one solution; a dependent direction leaves
-//! the forces open, and the least are taken.
+//! sticks has a = 0 and |T| ≤ R; one that slides has `T = s R` and `s a ≥ 0`. These are the conditions for the least value
+//! of `½ Tᵀ G T − a₀ᵀ T` in the box |T| ≤ R. G is positive semidefinite, so that there is one; the accelerations
+//! are unique, and for dependent directions the forces are not.
 //!
-//! A contact sticks as long as it can. The search therefore starts with all of them stuck, lets that one go whose force
-//! is furthest beyond its bound, and takes back those that would slide the wrong way.
+//! **Static friction.** R is first the static bound of all contacts. Those that slide then get their kinetic
+//! friction, and the problem is solved again, until no more slide. A contact therefore sticks on arrival, and stays at
+//! rest, as long as it can; and there is always an answer, after at most as many rounds as there are contacts.
+//!
+//! **At the bound without an acceleration**, as after a release with peak = 1, the derivative of the same conditions decides:
+//! `j = j₀ − G T′`, where T′ of a force at the bound R is at most R′ with `j ≥ 0`, and T′ of one below it is free with j = 0. If
+//! T is one of several sets of forces, each of them leads to the same j: a polyhedron's image has the image of its cone.
 
 use super::assembly::{Assembly, Rule};
-use super::branch::sign;
+use super::branch::{Mode, given_tension, sign};
+use super::dependent::{least, rank};
 use super::matrix::{Matrix, add_times, dot, size_of_dot};
 use crate::float::Float;
 use alloc::vec;
@@ -19,43 +25,12 @@ use alloc::vec::Vec;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct AtRest {
     pub(crate) element: usize,
-    /// It was released at this very instant, in this direction.
+    /// Its force has just reached its bound in this direction.
     pub(crate) released: Option<bool>,
 }
 
 /// What a contact at rest does next: it sticks, or slides forward or backward.
 pub(crate) type Choice = Option<bool>;
-
-/// Decides all contacts at rest at once. `force` is the force on each coordinate without theirs, and `size` the sum of
-/// its parts' sizes. The element that cannot be decided is the error.
-pub(crate) fn decide<F: Float>(
-    system: &Assembly<F>,
-    z: &[F],
-    at_rest: &[AtRest],
-    force: &[F],
-    size: &[F],
-) -> Result<Vec<Choice>, usize> {
-    let contacts: Vec<Contact<F>> =
-        at_rest.iter().filter_map(|one| Contact::new(system, z, one, force, size)).collect();
-    if contacts.is_empty() {
-        return Ok(Vec::new());
-    }
-    let mut choices: Vec<Choice> = at_rest.iter().map(|c| c.released).collect();
-    let most = 8 * contacts.len() + 8;
-    for round in 0..most {
-        let (tension, acceleration) = balance(system, &contacts, &choices);
-        // In the later rounds the first in order is changed, which ends for every positive definite G.
-        match change(&contacts, &choices, &tension, &acceleration, round >= most / 2) {
-            None => return Ok(choices),
-            Some((i, choice)) => {
-                if let Some(place) = choices.get_mut(i) {
-                    *place = choice;
-                }
-            }
-        }
-    }
-    exhaustive(system, &contacts).ok_or_else(|| at_rest.first().map_or(0, |c| c.element))
-}
 
 /// A contact at rest with its numbers.
 struct Contact<F> {
@@ -66,6 +41,7 @@ struct Contact<F> {
     doubt: F,
     kinetic: F,
     bound: F,
+    released: Choice,
 }
 
 impl<F: Float> Contact<F> {
@@ -77,127 +53,270 @@ impl<F: Float> Contact<F> {
         let acceleration = dot(&part.response, force) - dot(&part.moves, z);
         let scale = size_of_dot(&part.response, size) + size_of_dot(&part.moves, z);
         let doubt = scale * F::epsilon() * F::int(256);
-        Some(Self { element: one.element, acceleration, doubt, kinetic, bound: kinetic * *peak })
+        let (element, released) = (one.element, one.released);
+        Some(Self { element, acceleration, doubt, kinetic, bound: kinetic * *peak, released })
     }
 }
 
-/// The forces and accelerations for these choices.
-fn balance<F: Float>(system: &Assembly<F>, contacts: &[Contact<F>], choices: &[Choice]) -> (Vec<F>, Vec<F>) {
-    let coupling = |i: usize, j: usize| match (contacts.get(i), contacts.get(j)) {
-        (Some(a), Some(b)) => system.coupling.at(a.element, b.element),
-        _ => F::int(0),
-    };
-    let mut tension: Vec<F> = contacts
-        .iter()
-        .zip(choices)
-        .map(|(c, choice)| choice.map_or(F::int(0), |forward| sign::<F>(forward) * c.kinetic))
-        .collect();
-    let acceleration = |tension: &[F]| -> Vec<F> {
-        contacts
+/// Decides all contacts at rest at once; `modes` are those of the other elements. The element that cannot be decided is
+/// the error.
+pub(crate) fn decide<F: Float>(
+    system: &Assembly<F>,
+    z: &[F],
+    at_rest: &[AtRest],
+    modes: &[Mode],
+) -> Result<Vec<Choice>, usize> {
+    let first = at_rest.first().map_or(0, |c| c.element);
+    let rests = |i: usize| at_rest.iter().any(|c| c.element == i);
+    // The force on each coordinate without theirs, and the sum of its parts' sizes.
+    let mut force = system.force.of(z);
+    let mut size: Vec<F> = system.force.rows().map(|row| size_of_dot(row, z)).collect();
+    for (i, (part, mode)) in system.parts.iter().zip(modes).enumerate() {
+        if !rests(i)
+            && let Some(row) = given_tension(part, *mode)
+        {
+            push(&mut force, &mut size, &part.direction, dot(&row, z), size_of_dot(&row, z));
+        }
+    }
+    let contacts: Vec<Contact<F>> =
+        at_rest.iter().filter_map(|one| Contact::new(system, z, one, &force, &size)).collect();
+    let coupling = coupling(system, contacts.iter().map(|c| c.element));
+    let free: Vec<F> = contacts.iter().map(|c| c.acceleration).collect();
+    let doubt: Vec<F> = contacts.iter().map(|c| c.doubt).collect();
+    let mut bounds: Vec<F> = contacts.iter().map(|c| c.bound).collect();
+    // Each round lets at least one contact down to its kinetic friction.
+    for _ in 0..=contacts.len() {
+        let high: Vec<Option<F>> = bounds.iter().map(|&b| Some(b)).collect();
+        let low: Vec<Option<F>> = bounds.iter().map(|&b| Some(-b)).collect();
+        let tension = least(&coupling, &free, &doubt, &low, &high).ok_or(first)?;
+        let acceleration: Vec<F> =
+            free.iter().zip(coupling.rows()).map(|(&a, row)| a - dot(row, &tension)).collect();
+        let mut choices: Vec<Choice> = acceleration
             .iter()
-            .enumerate()
-            .map(|(i, c)| {
-                tension.iter().enumerate().fold(c.acceleration, |a, (j, &t)| a - coupling(i, j) * t)
-            })
-            .collect()
-    };
-    let stuck: Vec<usize> = choices.iter().enumerate().filter(|(_, c)| c.is_none()).map(|(i, _)| i).collect();
-    if !stuck.is_empty() {
-        let free = acceleration(&tension);
-        let mut matrix = Matrix::zero(stuck.len(), stuck.len());
-        let mut right = vec![F::int(0); stuck.len()];
-        for (a, (&i, right)) in stuck.iter().zip(&mut right).enumerate() {
-            stuck.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, coupling(i, j)));
-            *right = free.get(i).copied().unwrap_or(F::int(0));
-        }
-        for (&i, held) in stuck.iter().zip(matrix.pseudo_inverse().of(&right)) {
-            if let Some(place) = tension.get_mut(i) {
-                *place = held;
-            }
-        }
-    }
-    let acceleration = acceleration(&tension);
-    (tension, acceleration)
-}
-
-/// The next change: the stuck contact furthest beyond its bound, else the sliding one that goes the wrong way.
-fn change<F: Float>(
-    contacts: &[Contact<F>],
-    choices: &[Choice],
-    tension: &[F],
-    acceleration: &[F],
-    first: bool,
-) -> Option<(usize, Choice)> {
-    let mut worst: Option<(F, usize, Choice)> = None;
-    let all = contacts.iter().zip(choices).zip(tension.iter().zip(acceleration)).enumerate();
-    for (i, ((contact, choice), (&tension, &acceleration))) in all {
-        let own = contact.doubt;
-        let (excess, next) = match *choice {
-            None => {
-                // The doubt of a₀ is one of T by about the same factor that leads from a₀ to T.
-                let doubt = if contact.acceleration.abs() > own {
-                    (tension / contact.acceleration).abs() * own
-                } else {
-                    contact.bound * F::epsilon() * F::int(256)
-                };
-                let over = tension.abs()
-                    - contact.bound
-                    - doubt.or_larger(contact.bound * F::epsilon() * F::int(64));
-                let relative = if contact.bound > F::int(0) { over / contact.bound } else { over };
-                (relative, Some(tension > F::int(0)))
-            }
-            Some(forward) => (-sign::<F>(forward) * acceleration - own, None),
-        };
-        if excess > F::int(0) {
-            if first {
-                return Some((i, next));
-            }
-            // Releases come before returns.
-            let better = worst.is_none_or(|(most, _, kind)| {
-                (next.is_some() && kind.is_none()) || (next.is_some() == kind.is_some() && excess > most)
-            });
-            if better {
-                worst = Some((excess, i, next));
-            }
-        }
-    }
-    worst.map(|(_, i, next)| (i, next))
-}
-
-/// The consistent choice with the most stuck contacts, among all of them; none for more than eight.
-fn exhaustive<F: Float>(system: &Assembly<F>, contacts: &[Contact<F>]) -> Option<Vec<Choice>> {
-    let count = u32::try_from(contacts.len()).ok().filter(|&n| n <= 8)?;
-    let mut best: Option<Vec<Choice>> = None;
-    for code in 0..3_u32.pow(count) {
-        let choices: Vec<Choice> = (0..count)
-            .map(|i| match code / 3_u32.pow(i) % 3 {
-                0 => None,
-                1 => Some(true),
-                _ => Some(false),
-            })
+            .zip(&doubt)
+            .map(|(&a, &doubt)| (a.abs() > doubt).then_some(a > F::int(0)))
             .collect();
-        let stuck = |c: &[Choice]| c.iter().filter(|c| c.is_none()).count();
-        if best.as_ref().is_some_and(|b| stuck(b) >= stuck(&choices)) {
-            continue;
+        keep(system, &contacts, &mut choices);
+        let mut lower = lowered(&contacts, &mut bounds, &choices);
+        if !lower {
+            let now = Now { system, z, force: &force, contacts: &contacts };
+            now.at_the_bound(modes, &tension, &bounds, &mut choices).ok_or(first)?;
+            lower = lowered(&contacts, &mut bounds, &choices);
         }
-        let (tension, acceleration) = balance(system, contacts, &choices);
-        if change(contacts, &choices, &tension, &acceleration, true).is_none() {
-            best = Some(choices);
+        if !lower {
+            return if are_consistent(system, &contacts, &choices) { Ok(choices) } else { Err(first) };
         }
     }
-    best
+    Err(first)
 }
 
-/// Whether an element cannot move while others stick: its direction is a combination of theirs.
-pub(crate) fn depends<F: Float>(system: &Assembly<F>, element: usize, stuck: &[usize]) -> bool {
-    let mut matrix = Matrix::zero(stuck.len(), stuck.len());
-    for (a, &i) in stuck.iter().enumerate() {
-        stuck.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, system.coupling.at(i, j)));
+/// Gives contacts that slide their kinetic friction: whether one had more.
+fn lowered<F: Float>(contacts: &[Contact<F>], bounds: &mut [F], choices: &[Choice]) -> bool {
+    let mut lower = false;
+    for ((contact, bound), choice) in contacts.iter().zip(bounds).zip(choices) {
+        if choice.is_some() && *bound > contact.kinetic {
+            *bound = contact.kinetic;
+            lower = true;
+        }
     }
-    let row: Vec<F> = stuck.iter().map(|&i| system.coupling.at(element, i)).collect();
-    let own = system.coupling.at(element, element);
-    !stuck.is_empty()
-        && own - dot(&row, &matrix.pseudo_inverse().of(&row)) <= own * F::epsilon() * F::int(4096)
+    lower
+}
+
+/// `force −= b T`, with the sizes.
+fn push<F: Float>(force: &mut [F], size: &mut [F], direction: &[F], tension: F, largest: F) {
+    add_times(force, -tension, direction);
+    size.iter_mut().zip(direction).for_each(|(s, &b)| *s = *s + (b * largest).abs());
+}
+
+/// G of some elements.
+fn coupling<F: Float>(system: &Assembly<F>, elements: impl Iterator<Item = usize> + Clone) -> Matrix<F> {
+    let count = elements.clone().count();
+    let mut matrix = Matrix::zero(count, count);
+    for (a, i) in elements.clone().enumerate() {
+        elements.clone().enumerate().for_each(|(b, j)| matrix.set(a, b, system.coupling.at(i, j)));
+    }
+    matrix
+}
+
+/// The contacts at rest with the forces on the coordinates.
+struct Now<'a, F> {
+    system: &'a Assembly<F>,
+    z: &'a [F],
+    /// Without the forces of these contacts.
+    force: &'a [F],
+    contacts: &'a [Contact<F>],
+}
+
+impl<F: Float> Now<'_, F> {
+    /// Decides the contacts without an acceleration, where a force is at its bound.
+    fn at_the_bound(
+        &self,
+        modes: &[Mode],
+        tension: &[F],
+        bounds: &[F],
+        choices: &mut [Choice],
+    ) -> Option<()> {
+        let (system, zero) = (self.system, F::int(0));
+        let mut still = Vec::new();
+        let mut is_at_bound = false;
+        for (k, (contact, choice)) in self.contacts.iter().zip(choices.iter()).enumerate() {
+            if choice.is_some() {
+                continue;
+            }
+            let (Some(&force), Some(&bound)) = (tension.get(k), bounds.get(k)) else { continue };
+            let own = system.coupling.at(contact.element, contact.element);
+            let doubt = contact.doubt / own + bound * F::epsilon() * F::int(256);
+            // An event is found to the rounding of the whole step.
+            let near =
+                |forward: bool| if contact.released == Some(forward) { F::int(1024) } else { F::int(1) };
+            let at = [true, false].map(|forward| {
+                let room = bound - sign::<F>(forward) * force;
+                room <= doubt * near(forward)
+            });
+            is_at_bound |= at.contains(&true);
+            still.push((k, at));
+        }
+        if !is_at_bound {
+            return Some(());
+        }
+        let rate = self.rate(tension, modes);
+        // The derivative of the force on each coordinate, without that of the forces of those that are still.
+        let mut force = system.force.of(&rate);
+        let mut size: Vec<F> = system.force.rows().map(|row| size_of_dot(row, &rate)).collect();
+        for (i, (part, mode)) in system.parts.iter().zip(modes).enumerate() {
+            let place = self.contacts.iter().position(|c| c.element == i);
+            let mode = match place.map(|k| choices.get(k).copied().flatten()) {
+                None => *mode,
+                Some(None) => continue,
+                Some(Some(forward)) => Mode::Slides { forward, piece: 0 },
+            };
+            if let Some(row) = given_tension(part, mode) {
+                push(&mut force, &mut size, &part.direction, dot(&row, &rate), size_of_dot(&row, &rate));
+            }
+        }
+        let (mut jerk, mut doubts) = (Vec::new(), Vec::new());
+        let (mut low, mut high) = (Vec::new(), Vec::new());
+        for &(k, [above, below]) in &still {
+            let contact = self.contacts.get(k)?;
+            let part = system.parts.get(contact.element)?;
+            jerk.push(dot(&part.response, &force) - dot(&part.moves, &rate));
+            let scale = size_of_dot(&part.response, &size) + size_of_dot(&part.moves, &rate);
+            doubts.push(scale * F::epsilon() * F::int(1024));
+            let Rule::Contact { pieces, normal, .. } = &part.rule else { return None };
+            let load = normal.as_ref().map_or(F::int(1), |row| dot(row, self.z));
+            let full = bounds.get(k).copied()?;
+            // R′ = R N′/N; at N = 0 the kinetic friction begins.
+            let grows = normal.as_ref().map_or(zero, |row| {
+                let by = dot(row, &rate);
+                if load > zero { full / load * by } else { pieces.first().map_or(zero, |p| p.force) * by }
+            });
+            high.push(above.then_some(grows));
+            low.push(below.then_some(-grows));
+        }
+        let inner =
+            coupling(system, still.iter().filter_map(|&(k, _)| self.contacts.get(k)).map(|c| c.element));
+        let change = least(&inner, &jerk, &doubts, &low, &high)?;
+        for ((&(k, [above, below]), (&j0, row)), &doubt) in
+            still.iter().zip(jerk.iter().zip(inner.rows())).zip(&doubts)
+        {
+            let j = j0 - dot(row, &change);
+            let released = self.contacts.get(k).and_then(|c| c.released);
+            let goes = |forward: bool, at: bool| {
+                let by = sign::<F>(forward) * j;
+                at && (by > doubt || (released == Some(forward) && by >= -doubt))
+            };
+            let choice = if goes(true, above) {
+                Some(true)
+            } else if goes(false, below) {
+                Some(false)
+            } else {
+                None
+            };
+            if let Some(place) = choices.get_mut(k) {
+                *place = choice;
+            }
+        }
+        keep(system, self.contacts, choices);
+        Some(())
+    }
+
+    /// The derivative of the state with these forces.
+    fn rate(&self, tension: &[F], modes: &[Mode]) -> Vec<F> {
+        let (system, n) = (self.system, self.system.n);
+        let mut force = self.force.to_vec();
+        for (contact, &tension) in self.contacts.iter().zip(tension) {
+            if let Some(part) = system.parts.get(contact.element) {
+                add_times(&mut force, -tension, &part.direction);
+            }
+        }
+        let mut rate = vec![F::int(0); self.z.len()];
+        let velocities = self.z.get(n..2 * n).unwrap_or(&[]).iter().copied();
+        let accelerations = system.inverse_mass.of(&force);
+        for (place, x) in rate.iter_mut().zip(velocities.chain(accelerations)) {
+            *place = x;
+        }
+        for (part, mode) in system.parts.iter().zip(modes) {
+            if let (Rule::Elastic { stiffness, place, .. }, Mode::Holds) = (&part.rule, mode)
+                && let Some(rate) = rate.get_mut(*place)
+            {
+                *rate = *stiffness * dot(&part.velocity, self.z);
+            }
+        }
+        let at = |k: usize| self.z.get(k).copied().unwrap_or(F::int(0));
+        for (i, &frequency) in system.frequencies.iter().enumerate() {
+            let place = system.harmonic(i);
+            for (k, x) in [(place, frequency * at(place + 1)), (place + 1, -frequency * at(place))] {
+                if let Some(rate) = rate.get_mut(k) {
+                    *rate = x;
+                }
+            }
+        }
+        for i in 0..system.records.len() {
+            let place = system.record(i);
+            if let Some(rate) = rate.get_mut(place) {
+                *rate = at(place + 1);
+            }
+        }
+        rate
+    }
+}
+
+/// A contact cannot move while others that its direction is a combination of stick.
+fn keep<F: Float>(system: &Assembly<F>, contacts: &[Contact<F>], choices: &mut [Choice]) {
+    if !system.is_dependent {
+        return;
+    }
+    let sticks = contacts.iter().zip(choices.iter()).filter(|(_, c)| c.is_none());
+    let stuck: Vec<usize> = sticks.map(|(c, _)| c.element).collect();
+    for (contact, choice) in contacts.iter().zip(choices) {
+        if choice.is_some() && follows(system, contact.element, &stuck) {
+            *choice = None;
+        }
+    }
+}
+
+/// Whether those that stick can stay: dependent directions need the same dependence of the moving sides.
+fn are_consistent<F: Float>(system: &Assembly<F>, contacts: &[Contact<F>], choices: &[Choice]) -> bool {
+    if !system.is_dependent {
+        return true;
+    }
+    let stuck = || {
+        let parts = contacts.iter().zip(choices).filter(|(_, c)| c.is_none());
+        parts.filter_map(|(c, _)| system.parts.get(c.element))
+    };
+    let directions: Vec<&[F]> = stuck().map(|p| p.direction.as_slice()).collect();
+    let velocities: Vec<&[F]> = stuck().map(|p| p.velocity.as_slice()).collect();
+    rank(&directions) == rank(&velocities)
+}
+
+/// Whether an element's velocity is a combination of those of others.
+pub(crate) fn follows<F: Float>(system: &Assembly<F>, element: usize, others: &[usize]) -> bool {
+    let mut rows: Vec<&[F]> =
+        others.iter().filter_map(|&i| system.parts.get(i)).map(|p| p.velocity.as_slice()).collect();
+    let Some(own) = system.parts.get(element) else { return false };
+    let before = rank(&rows);
+    rows.push(&own.velocity);
+    !others.is_empty() && rank(&rows) == before
 }
 
 /// Takes the velocities of these elements out of the state, by the impulse of least energy.

@@ -189,12 +189,8 @@ impl<F: Float> Search<'_, F> {
     fn directions(&self) -> Vec<Vec<F>> {
         let (system, free) = (self.system, self.system.free);
         let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
-        let stuck: Vec<usize> = modes
-            .iter()
-            .enumerate()
-            .filter(|(_, m)| matches!(m, Mode::Stuck | Mode::Loaded { .. }))
-            .map(|(i, _)| i)
-            .collect();
+        let stuck: Vec<usize> =
+            modes.iter().enumerate().filter(|(_, m)| matches!(m, Mode::Stuck)).map(|(i, _)| i).collect();
         let mut columns = Vec::with_capacity(free);
         for i in 0..free {
             let mut column = vec![F::int(0); system.size];
