@@ -11,6 +11,7 @@
 //! | ζ | 0; 1; tiny values; ordinary values; any magnitude |
 //! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; a tiny speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
+//! | a system | ordinary and round values, dependent directions, elements of all kinds |
 //!
 //! Arbitrary values are included, so that an input need not be valid. If there are fewer bytes than a value
 //! needs, they are padded with zeros.
@@ -32,6 +33,8 @@ mod numbers;
 mod points;
 mod records;
 mod starts;
+#[cfg(feature = "system")]
+mod systems;
 
 use arbitrary::{Arbitrary, Result, Unstructured};
 #[cfg(test)]
@@ -39,6 +42,8 @@ pub(crate) use numbers::neighbours;
 pub(crate) use numbers::{beside, magnitude, ordinary};
 pub(crate) use points::{damping_ratio, force_ratio, frequency_ratio};
 pub use records::Shaken;
+#[cfg(feature = "system")]
+pub use systems::Structure;
 
 /// A frequency ratio and a force ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -16,6 +16,7 @@
 use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::matrix::{Matrix, add_times, dot};
+use super::next::coupling;
 use super::zero::{bernstein, integer};
 use crate::float::Float;
 use alloc::vec;
@@ -215,11 +216,7 @@ impl<F: Float> Branch<F> {
             }
             apply(&mut force, &part.direction, tension);
         }
-        let mut coupling = Matrix::zero(stuck.len(), stuck.len());
-        for (a, &i) in stuck.iter().enumerate() {
-            stuck.iter().enumerate().for_each(|(b, &j)| coupling.set(a, b, system.coupling.at(i, j)));
-        }
-        let inverse = inverse_by_shares(system, &stuck, &coupling);
+        let inverse = inverse_by_shares(system, &stuck);
         // The second round takes out the rounding of the first, which would set what is stuck in motion after a long time.
         for _ in 0..if stuck.is_empty() { 0 } else { 3 } {
             let left: Vec<Vec<F>> = stuck
@@ -279,7 +276,7 @@ impl<F: Float> Branch<F> {
             let powers = Powers { a: &a, step, bound: &bound, degree };
             let error = |part: &Part<F>| match part.rule {
                 Rule::Contact { .. } => powers.error(&part.velocity),
-                _ => Vec::new(),
+                Rule::Elastic { .. } | Rule::Stop { .. } => Vec::new(),
             };
             system.parts.iter().map(error).collect()
         };
@@ -519,7 +516,8 @@ fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>])
 
 /// G⁻¹ of the contacts that stick. Dependent ones share their force in proportion to their bounds, as far as that holds it:
 /// with the least `Σ Tᵢ²/Rᵢ`.
-fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize], coupling: &Matrix<F>) -> Matrix<F> {
+fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<F> {
+    let coupling = coupling(system, stuck);
     if !system.is_dependent {
         return coupling.pseudo_inverse();
     }
@@ -540,7 +538,7 @@ fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize], coupling: 
         }
         result
     };
-    scaled(&scaled(coupling).pseudo_inverse())
+    scaled(&scaled(&coupling).pseudo_inverse())
 }
 
 /// The degree from which on the terms of eˣ, x ≤ 1, are below rounding, with the size of the next.

@@ -13,7 +13,7 @@
 //! Parallel directions are one, and a direction that no other depends on stands alone. The vectors of the rest are found
 //! by trying all sets of rank − 1 directions: g vanishes there and is unique.
 
-use super::matrix::{Matrix, add_times};
+use super::matrix::{Matrix, add_times, dot, size_of_dot};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -81,22 +81,25 @@ pub(crate) fn rank<F: Float>(lists: &[&[F]]) -> usize {
     reduced(&columns(lists).0).1.len()
 }
 
+/// Parallel directions: their places, with their factors.
+type Group<F> = Vec<(usize, F)>;
+
 /// The directions that depend on others: groups of parallel ones, with their factors, and the matrix of the groups in
 /// reduced form.
 struct Rest<F> {
-    groups: Vec<Vec<(usize, F)>>,
+    groups: Vec<Group<F>>,
     rows: Vec<Vec<F>>,
 }
 
 /// The directions that stand alone, in groups of parallel ones, and the rest.
-fn parted<F: Float>(directions: &[&[F]]) -> (Vec<Vec<(usize, F)>>, Rest<F>) {
+fn parted<F: Float>(directions: &[&[F]]) -> (Vec<Group<F>>, Rest<F>) {
     let (matrix, sizes) = columns(directions);
     let (rows, _) = reduced(&matrix);
     let column =
         |j: usize| -> Vec<F> { rows.iter().map(|row| row.get(j).copied().unwrap_or(F::int(0))).collect() };
     let zero = F::int(0);
     // Parallel columns: the factor of a column relative to its group's first.
-    let mut groups: Vec<(Vec<F>, Vec<(usize, F)>)> = Vec::new();
+    let mut groups: Vec<(Vec<F>, Group<F>)> = Vec::new();
     for (j, &size) in sizes.iter().enumerate() {
         let own = column(j);
         let factor = |first: &[F]| {
@@ -118,7 +121,7 @@ fn parted<F: Float>(directions: &[&[F]]) -> (Vec<Vec<(usize, F)>>, Rest<F>) {
     let alone = |row: &Vec<F>| row.iter().filter(|x| **x != zero).count() == 1;
     let free: Vec<usize> =
         rows.iter().zip(&pivots).filter(|(row, _)| alone(row)).map(|(_, &pivot)| pivot).collect();
-    let scaled = |j: usize| -> Vec<(usize, F)> {
+    let scaled = |j: usize| -> Group<F> {
         let scale = scales.get(j).copied().unwrap_or(F::int(1));
         groups.get(j).map_or_else(Vec::new, |(_, group)| group.iter().map(|&(i, x)| (i, x * scale)).collect())
     };
@@ -140,7 +143,7 @@ pub(crate) fn too_many<F: Float>(directions: &[&[F]]) -> bool {
 }
 
 /// The vectors g of least support: for each facet, up to its sign, the places of the directions with their gᵢ.
-pub(crate) fn facets<F: Float>(directions: &[&[F]]) -> Vec<Vec<(usize, F)>> {
+pub(crate) fn facets<F: Float>(directions: &[&[F]]) -> Vec<Group<F>> {
     let (mut facets, rest) = parted(directions);
     let (rank, count) = (rest.rows.len(), rest.groups.len());
     if rank == 0 || count > MOST_DEPENDENT {
@@ -191,7 +194,8 @@ fn vanishing<F: Float>(rows: &[Vec<F>], at: &[usize], count: usize) -> Option<Ve
     Some(g)
 }
 
-/// The forces that make `½ Tᵀ G T − aᵀ T` least within `low ≤ T ≤ high`, none where there is no least.
+/// The forces that make `½ Tᵀ G T − aᵀ T` least within `low ≤ T ≤ high`. Where it falls without end, the error is a direction
+/// in which it does; it is empty where rounding has no end.
 ///
 /// G is positive semidefinite. A set of forces is free and the others are at a bound; the free ones go to their least value or
 /// to the first bound on the way. Each round lowers the value, so that it ends. `doubt` is the rounding of a.
@@ -201,7 +205,7 @@ pub(crate) fn least<F: Float>(
     doubt: &[F],
     low: &[Option<F>],
     high: &[Option<F>],
-) -> Option<Vec<F>> {
+) -> Result<Vec<F>, Vec<F>> {
     let (count, zero, one) = (a.len(), F::int(0), F::int(1));
     let bound = |list: &[Option<F>], i: usize| list.get(i).copied().flatten();
     let mut force: Vec<F> = (0..count)
@@ -212,7 +216,7 @@ pub(crate) fn least<F: Float>(
         .collect();
     let mut fixed: Vec<Option<bool>> = vec![None; count];
     let left = |force: &[F]| -> Vec<F> {
-        a.iter().zip(matrix.rows()).map(|(&a, row)| a - super::matrix::dot(row, force)).collect()
+        a.iter().zip(matrix.rows()).map(|(&a, row)| a - dot(row, force)).collect()
     };
     for _ in 0..(64 + 32 * count * count) {
         let free: Vec<usize> = (0..count).filter(|&i| fixed.get(i) == Some(&None)).collect();
@@ -226,7 +230,12 @@ pub(crate) fn least<F: Float>(
             let mut way = part.pseudo_inverse().of(&right);
             let missed: Vec<F> = right.iter().zip(part.of(&way)).map(|(&r, x)| r - x).collect();
             // A part of a outside of the range of G: down without end.
-            let endless = free.iter().zip(&missed).any(|(&i, m)| doubt.get(i).is_some_and(|&d| m.abs() > d));
+            let sizes: Vec<F> = part.rows().map(|row| size_of_dot(row, &way) * F::epsilon()).collect();
+            let unsure = |i: usize| doubt.get(i).copied().unwrap_or(zero) + rounding(matrix.row(i), &force);
+            let endless = free
+                .iter()
+                .zip(missed.iter().zip(&sizes))
+                .any(|(&i, (m, &size))| m.abs() > unsure(i) + size * F::int(256));
             if endless {
                 way = missed;
             }
@@ -246,7 +255,15 @@ pub(crate) fn least<F: Float>(
             }
             let share = match first {
                 Some((share, ..)) => share,
-                None if endless => return None,
+                None if endless => {
+                    let mut direction = vec![zero; count];
+                    for (&i, &step) in free.iter().zip(&way) {
+                        if let Some(place) = direction.get_mut(i) {
+                            *place = step;
+                        }
+                    }
+                    return Err(direction);
+                }
                 None => one,
             };
             for (&i, &step) in free.iter().zip(&way) {
@@ -269,15 +286,20 @@ pub(crate) fn least<F: Float>(
             let (Some(upward), Some(&g), Some(&doubt)) = (*place, gradient.get(i), doubt.get(i)) else {
                 continue;
             };
-            let excess = if upward { -g } else { g } - doubt;
+            let excess = if upward { -g } else { g } - doubt - rounding(matrix.row(i), &force);
             if excess > zero && worst.is_none_or(|(most, _)| excess > most) {
                 worst = Some((excess, i));
             }
         }
-        let Some((_, i)) = worst else { return Some(force) };
+        let Some((_, i)) = worst else { return Ok(force) };
         if let Some(place) = fixed.get_mut(i) {
             *place = None;
         }
     }
-    None
+    Err(Vec::new())
+}
+
+/// The rounding of a row's product with forces.
+pub(crate) fn rounding<F: Float>(row: &[F], force: &[F]) -> F {
+    size_of_dot(row, force) * F::epsilon() * F::int(256)
 }

@@ -1,10 +1,12 @@
 //! The answers of a motion: events, extremes, time at rest, and energy.
 
 use super::assembly::Assembly;
-use super::branch::{Branch, Hull, Mode, polynomial};
+use super::branch::{Branch, Hull, Mode, polynomial, static_bound};
+use super::dependent::least;
 use super::follow::{Event, EventKind, Follower, Watch, shorten};
-use super::matrix::dot;
+use super::matrix::{dot, size_of_dot};
 use super::model::State;
+use super::next::coupling;
 use super::zero::{greatest_above, integer};
 use crate::float::Float;
 use alloc::string::String;
@@ -250,9 +252,40 @@ fn energy<F: Float>(system: &Assembly<F>, z: &[F]) -> F {
 /// The state of a follower.
 pub(crate) fn state<F: Float>(system: &Assembly<F>, follower: &Follower<'_, F>) -> State<F> {
     let (n, z) = (system.n, &follower.z);
-    let force =
-        follower.branch().map_or_else(Vec::new, |b| b.tension.iter().map(|row| dot(row, z)).collect());
+    let force = follower.branch().map_or_else(Vec::new, |branch| forces(system, branch, z));
     let displacement = z.get(..n).unwrap_or(&[]).to_vec();
     let velocity = z.get(n..2 * n).unwrap_or(&[]).to_vec();
     State { displacement, velocity, force }
+}
+
+/// The force of each element. Where dependent directions leave the shares of contacts that stick open, none exceeds its bound.
+fn forces<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F]) -> Vec<F> {
+    let mut force: Vec<F> = branch.tension.iter().map(|row| dot(row, z)).collect();
+    if !system.is_dependent {
+        return force;
+    }
+    let stuck: Vec<usize> =
+        branch.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Stuck).map(|(i, _)| i).collect();
+    let own: Vec<F> = stuck.iter().filter_map(|&i| force.get(i).copied()).collect();
+    let bounds: Vec<F> =
+        stuck.iter().filter_map(|&i| system.parts.get(i)).map(|p| dot(&static_bound(p), z)).collect();
+    if own.iter().zip(&bounds).all(|(t, &bound)| t.abs() <= bound) {
+        return force;
+    }
+    let coupling = coupling(system, &stuck);
+    let doubt: Vec<F> =
+        coupling.rows().map(|row| size_of_dot(row, &own) * F::epsilon() * F::int(256)).collect();
+    let rooms = |sign: F| -> Vec<Option<F>> {
+        own.iter().zip(&bounds).map(|(&t, &bound)| Some(sign * bound - t)).collect()
+    };
+    let zeros = vec![F::int(0); own.len()];
+    let (low, high) = (rooms(F::int(-1)), rooms(F::int(1)));
+    for (&i, by) in
+        stuck.iter().zip(least(&coupling, &zeros, &doubt, &low, &high).unwrap_or_else(|_| zeros.clone()))
+    {
+        if let Some(force) = force.get_mut(i) {
+            *force = *force + by;
+        }
+    }
+    force
 }

@@ -15,7 +15,7 @@
 
 use super::assembly::{Assembly, Rule};
 use super::branch::{Mode, given_tension, sign};
-use super::dependent::{least, rank};
+use super::dependent::{least, rank, rounding};
 use super::matrix::{Matrix, add_times, dot, size_of_dot};
 use crate::float::Float;
 use alloc::vec;
@@ -80,7 +80,7 @@ pub(crate) fn decide<F: Float>(
     }
     let contacts: Vec<Contact<F>> =
         at_rest.iter().filter_map(|one| Contact::new(system, z, one, &force, &size)).collect();
-    let coupling = coupling(system, contacts.iter().map(|c| c.element));
+    let coupling = coupling(system, &contacts.iter().map(|c| c.element).collect::<Vec<_>>());
     let free: Vec<F> = contacts.iter().map(|c| c.acceleration).collect();
     let doubt: Vec<F> = contacts.iter().map(|c| c.doubt).collect();
     let mut bounds: Vec<F> = contacts.iter().map(|c| c.bound).collect();
@@ -88,23 +88,35 @@ pub(crate) fn decide<F: Float>(
     for _ in 0..=contacts.len() {
         let high: Vec<Option<F>> = bounds.iter().map(|&b| Some(b)).collect();
         let low: Vec<Option<F>> = bounds.iter().map(|&b| Some(-b)).collect();
-        let tension = least(&coupling, &free, &doubt, &low, &high).ok_or(first)?;
+        let mut tension = least(&coupling, &free, &doubt, &low, &high).map_err(|_| first)?;
         let acceleration: Vec<F> =
             free.iter().zip(coupling.rows()).map(|(&a, row)| a - dot(row, &tension)).collect();
         let mut choices: Vec<Choice> = acceleration
             .iter()
             .zip(&doubt)
-            .map(|(&a, &doubt)| (a.abs() > doubt).then_some(a > F::int(0)))
+            .zip(coupling.rows())
+            .map(|((&a, &doubt), row)| {
+                let doubt = doubt + rounding(row, &tension);
+                (a.abs() > doubt).then_some(a > F::int(0))
+            })
             .collect();
         keep(system, &contacts, &mut choices);
         let mut lower = lowered(&contacts, &mut bounds, &choices);
         if !lower {
             let now = Now { system, z, force: &force, contacts: &contacts };
-            now.at_the_bound(modes, &tension, &bounds, &mut choices).ok_or(first)?;
+            // Forces of inconsistent motions jump along their dependence, each time to one bound more.
+            let decided = (0..=contacts.len()).find_map(|_| {
+                let decided = now.at_the_bound(modes, &mut tension, &bounds, &mut choices);
+                if decided == Some(false) { None } else { decided }
+            });
+            decided.ok_or(first)?;
+            while !are_consistent(system, &contacts, &choices) {
+                now.separate(&mut tension, &bounds, &mut choices).ok_or(first)?;
+            }
             lower = lowered(&contacts, &mut bounds, &choices);
         }
         if !lower {
-            return if are_consistent(system, &contacts, &choices) { Ok(choices) } else { Err(first) };
+            return Ok(choices);
         }
     }
     Err(first)
@@ -129,11 +141,10 @@ fn push<F: Float>(force: &mut [F], size: &mut [F], direction: &[F], tension: F, 
 }
 
 /// G of some elements.
-fn coupling<F: Float>(system: &Assembly<F>, elements: impl Iterator<Item = usize> + Clone) -> Matrix<F> {
-    let count = elements.clone().count();
-    let mut matrix = Matrix::zero(count, count);
-    for (a, i) in elements.clone().enumerate() {
-        elements.clone().enumerate().for_each(|(b, j)| matrix.set(a, b, system.coupling.at(i, j)));
+pub(crate) fn coupling<F: Float>(system: &Assembly<F>, elements: &[usize]) -> Matrix<F> {
+    let mut matrix = Matrix::zero(elements.len(), elements.len());
+    for (a, &i) in elements.iter().enumerate() {
+        elements.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, system.coupling.at(i, j)));
     }
     matrix
 }
@@ -148,14 +159,15 @@ struct Now<'a, F> {
 }
 
 impl<F: Float> Now<'_, F> {
-    /// Decides the contacts without an acceleration, where a force is at its bound.
+    /// Decides the contacts without an acceleration, where a force is at its bound: whether they are decided. Otherwise the
+    /// forces have moved on to a bound.
     fn at_the_bound(
         &self,
         modes: &[Mode],
-        tension: &[F],
+        tension: &mut [F],
         bounds: &[F],
         choices: &mut [Choice],
-    ) -> Option<()> {
+    ) -> Option<bool> {
         let (system, zero) = (self.system, F::int(0));
         let mut still = Vec::new();
         let mut is_at_bound = false;
@@ -176,8 +188,8 @@ impl<F: Float> Now<'_, F> {
             is_at_bound |= at.contains(&true);
             still.push((k, at));
         }
-        if !is_at_bound {
-            return Some(());
+        if !is_at_bound && !system.is_dependent {
+            return Some(true);
         }
         let rate = self.rate(tension, modes);
         // The derivative of the force on each coordinate, without that of the forces of those that are still.
@@ -213,13 +225,23 @@ impl<F: Float> Now<'_, F> {
             high.push(above.then_some(grows));
             low.push(below.then_some(-grows));
         }
-        let inner =
-            coupling(system, still.iter().filter_map(|&(k, _)| self.contacts.get(k)).map(|c| c.element));
-        let change = least(&inner, &jerk, &doubts, &low, &high)?;
+        let places: Vec<usize> =
+            still.iter().filter_map(|&(k, _)| self.contacts.get(k)).map(|c| c.element).collect();
+        let inner = coupling(system, &places);
+        let change = match least(&inner, &jerk, &doubts, &low, &high) {
+            Ok(change) => change,
+            Err(way) if way.is_empty() => return None,
+            Err(way) => {
+                let places: Vec<usize> = still.iter().map(|&(k, _)| k).collect();
+                jump(&places, &way, bounds, tension)?;
+                return Some(false);
+            }
+        };
         for ((&(k, [above, below]), (&j0, row)), &doubt) in
             still.iter().zip(jerk.iter().zip(inner.rows())).zip(&doubts)
         {
             let j = j0 - dot(row, &change);
+            let doubt = doubt + rounding(row, &change);
             let released = self.contacts.get(k).and_then(|c| c.released);
             let goes = |forward: bool, at: bool| {
                 let by = sign::<F>(forward) * j;
@@ -237,7 +259,50 @@ impl<F: Float> Now<'_, F> {
             }
         }
         keep(system, self.contacts, choices);
-        Some(())
+        Some(true)
+    }
+
+    /// Lets one contact go where moving sides part contacts of dependent directions, which the derivatives so far do not show:
+    /// along the first derivative of their velocities that is not that of one motion.
+    fn separate(&self, tension: &mut [F], bounds: &[F], choices: &mut [Choice]) -> Option<()> {
+        let (system, zero) = (self.system, F::int(0));
+        let places: Vec<usize> =
+            choices.iter().enumerate().filter(|(_, c)| c.is_none()).map(|(k, _)| k).collect();
+        let elements: Vec<usize> =
+            places.iter().filter_map(|&k| self.contacts.get(k)).map(|c| c.element).collect();
+        let matrix = coupling(system, &elements);
+        let inverse = matrix.pseudo_inverse();
+        let mut wave = self.z.to_vec();
+        // A wave is zero if twice as many derivatives as it has harmonics are.
+        for _ in 0..=2 * system.frequencies.len() {
+            wave = self.turned(&wave);
+            let parts = || elements.iter().filter_map(|&i| system.parts.get(i));
+            let apart: Vec<F> = parts().map(|p| -dot(&p.moves, &wave)).collect();
+            let size = parts().fold(zero, |s, p| s + size_of_dot(&p.moves, &wave));
+            let together = matrix.of(&inverse.of(&apart));
+            let way: Vec<F> = apart.iter().zip(&together).map(|(&a, &b)| a - b).collect();
+            if way.iter().any(|x| x.abs() > size * F::epsilon() * F::int(4096)) {
+                let (k, forward) = jump(&places, &way, bounds, tension)?;
+                *choices.get_mut(k)? = Some(forward);
+                return Some(());
+            }
+        }
+        None
+    }
+
+    /// The derivative of the harmonics of a state, and zeros.
+    fn turned(&self, old: &[F]) -> Vec<F> {
+        let mut wave = vec![F::int(0); old.len()];
+        let at = |k: usize| old.get(k).copied().unwrap_or(F::int(0));
+        for (i, &frequency) in self.system.frequencies.iter().enumerate() {
+            let place = self.system.harmonic(i);
+            for (k, x) in [(place, frequency * at(place + 1)), (place + 1, -frequency * at(place))] {
+                if let Some(wave) = wave.get_mut(k) {
+                    *wave = x;
+                }
+            }
+        }
+        wave
     }
 
     /// The derivative of the state with these forces.
@@ -249,7 +314,7 @@ impl<F: Float> Now<'_, F> {
                 add_times(&mut force, -tension, &part.direction);
             }
         }
-        let mut rate = vec![F::int(0); self.z.len()];
+        let mut rate = self.turned(self.z);
         let velocities = self.z.get(n..2 * n).unwrap_or(&[]).iter().copied();
         let accelerations = system.inverse_mass.of(&force);
         for (place, x) in rate.iter_mut().zip(velocities.chain(accelerations)) {
@@ -262,23 +327,33 @@ impl<F: Float> Now<'_, F> {
                 *rate = *stiffness * dot(&part.velocity, self.z);
             }
         }
-        let at = |k: usize| self.z.get(k).copied().unwrap_or(F::int(0));
-        for (i, &frequency) in system.frequencies.iter().enumerate() {
-            let place = system.harmonic(i);
-            for (k, x) in [(place, frequency * at(place + 1)), (place + 1, -frequency * at(place))] {
-                if let Some(rate) = rate.get_mut(k) {
-                    *rate = x;
-                }
-            }
-        }
         for i in 0..system.records.len() {
             let place = system.record(i);
             if let Some(rate) = rate.get_mut(place) {
-                *rate = at(place + 1);
+                *rate = self.z.get(place + 1).copied().unwrap_or(F::int(0));
             }
         }
         rate
     }
+}
+
+/// Moves forces along a direction until the first of them is at its bound: which one, and in which direction it is there.
+fn jump<F: Float>(places: &[usize], way: &[F], bounds: &[F], tension: &mut [F]) -> Option<(usize, bool)> {
+    let mut first: Option<(F, usize, bool)> = None;
+    for (&k, &step) in places.iter().zip(way) {
+        let forward = step > F::int(0);
+        let room = *bounds.get(k)? - sign::<F>(forward) * *tension.get(k)?;
+        if step != F::int(0) && first.is_none_or(|(least, ..)| room / step.abs() < least) {
+            first = Some(((room / step.abs()).or_larger(F::int(0)), k, forward));
+        }
+    }
+    let (share, first, forward) = first?;
+    for (&k, &step) in places.iter().zip(way) {
+        if let Some(force) = tension.get_mut(k) {
+            *force = *force + share * step;
+        }
+    }
+    Some((first, forward))
 }
 
 /// A contact cannot move while others that its direction is a combination of stick.
@@ -325,15 +400,11 @@ pub(crate) fn at_rest<F: Float>(system: &Assembly<F>, z: &mut [F], elements: &[u
         return;
     }
     let parts: Vec<_> = elements.iter().filter_map(|&i| system.parts.get(i)).collect();
-    let mut matrix = Matrix::zero(parts.len(), parts.len());
-    for (a, &i) in elements.iter().enumerate() {
-        elements.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, system.coupling.at(i, j)));
-    }
     let velocity: Vec<F> = parts.iter().map(|p| dot(&p.velocity, z)).collect();
     if velocity.iter().all(|&v| v == F::int(0)) {
         return;
     }
-    let impulse = matrix.pseudo_inverse().of(&velocity);
+    let impulse = coupling(system, elements).pseudo_inverse().of(&velocity);
     let n = system.n;
     for (part, &impulse) in parts.iter().zip(&impulse) {
         add_times(z.get_mut(n..2 * n).unwrap_or(&mut []), -impulse, &part.response);

@@ -1,5 +1,9 @@
 //! Systems of several bodies, by the public interface.
 
+#[cfg(feature = "generators")]
+#[path = "../drawn/mod.rs"]
+mod drawn;
+
 mod cases;
 mod closed_form;
 mod one_body;
