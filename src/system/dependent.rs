@@ -13,7 +13,7 @@
 //! Parallel directions are one, and a direction that no other depends on stands alone. The vectors of the rest are found
 //! by trying all sets of rank − 1 directions: g vanishes there and is unique.
 
-use super::matrix::{Matrix, add_times, dot, size_of_dot};
+use super::matrix::{Matrix, add_times, dot};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -230,12 +230,12 @@ pub(crate) fn least<F: Float>(
             let mut way = part.pseudo_inverse().of(&right);
             let missed: Vec<F> = right.iter().zip(part.of(&way)).map(|(&r, x)| r - x).collect();
             // A part of a outside of the range of G: down without end.
-            let sizes: Vec<F> = part.rows().map(|row| size_of_dot(row, &way) * F::epsilon()).collect();
-            let unsure = |i: usize| doubt.get(i).copied().unwrap_or(zero) + rounding(matrix.row(i), &force);
-            let endless = free
-                .iter()
-                .zip(missed.iter().zip(&sizes))
-                .any(|(&i, (m, &size))| m.abs() > unsure(i) + size * F::int(256));
+            // The error of the solution is one of its size, not one of each row's.
+            let sure = free.iter().zip(part.rows()).zip(&right).fold(zero, |most, ((&i, row), r)| {
+                let own = doubt.get(i).copied().unwrap_or(zero) + r.abs() * F::epsilon() * F::int(256);
+                most.or_larger(own + rounding(row, &way) + rounding(matrix.row(i), &force))
+            });
+            let endless = missed.iter().any(|m| m.abs() > sure);
             if endless {
                 way = missed;
             }
@@ -299,7 +299,9 @@ pub(crate) fn least<F: Float>(
     Err(Vec::new())
 }
 
-/// The rounding of a row's product with forces.
+/// The rounding of a row's product with forces that are known to the rounding of the largest.
 pub(crate) fn rounding<F: Float>(row: &[F], force: &[F]) -> F {
-    size_of_dot(row, force) * F::epsilon() * F::int(256)
+    let sum = row.iter().fold(F::int(0), |sum, x| sum + x.abs());
+    let largest = force.iter().fold(F::int(0), |most, x| most.or_larger(x.abs()));
+    sum * largest * F::epsilon() * F::int(256)
 }

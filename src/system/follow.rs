@@ -270,7 +270,7 @@ impl<'a, F: Float> Follower<'a, F> {
                 }
             });
         }
-        self.settle(&mut modes, resting.clone(), &[])?;
+        self.settle(&mut modes, resting.clone(), &[], true)?;
         self.enter(&modes);
         // A velocity that is zero but for rounding is told by the size that it could have within a step.
         let mut still = Vec::new();
@@ -287,19 +287,20 @@ impl<'a, F: Float> Follower<'a, F> {
             }
             resting.extend(still);
             resting.sort_unstable();
-            self.settle(&mut modes, resting, &[])?;
+            self.settle(&mut modes, resting, &[], true)?;
             self.enter(&modes);
         }
         Ok(())
     }
 
     /// Decides the contacts at rest, and takes their velocities out. `released` are those whose force has just reached its
-    /// bound, with the direction.
+    /// bound, with the direction; `arrives` tells whether one has not been at rest before.
     fn settle(
         &mut self,
         modes: &mut [Mode],
         mut resting: Vec<usize>,
         released: &[(usize, bool)],
+        arrives: bool,
     ) -> Result<(), Error> {
         if resting.is_empty() {
             return Ok(());
@@ -314,7 +315,10 @@ impl<'a, F: Float> Follower<'a, F> {
             resting.extend(more);
             resting.sort_unstable();
         }
-        at_rest(system, &mut self.z, &resting);
+        // Velocities that have been taken out stay out.
+        if arrives {
+            at_rest(system, &mut self.z, &resting);
+        }
         let release = |element: usize| released.iter().find(|(i, _)| *i == element).map(|r| r.1);
         let contacts: Vec<AtRest> =
             resting.iter().map(|&element| AtRest { element, released: release(element) }).collect();
@@ -511,7 +515,8 @@ impl<'a, F: Float> Follower<'a, F> {
                 resting.push(i);
             }
         }
-        self.settle(&mut modes, resting, &released)?;
+        let arrives = resting.iter().any(|&i| before.get(i) != Some(&Mode::Stuck));
+        self.settle(&mut modes, resting, &released, arrives)?;
         for (i, (old, new)) in before.iter().zip(&modes).enumerate() {
             if let Some(kind) = kind_of(*old, *new, touched.contains(&i)) {
                 watch.event(Event { time: self.time, element: i, kind });

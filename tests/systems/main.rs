@@ -11,3 +11,5 @@ mod one_body;
 mod precise;
 mod random;
 mod references;
+#[cfg(feature = "generators")]
+mod scratch;
