@@ -81,12 +81,12 @@ fn search<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32) -> 
         return None;
     }
     let (first, last) = (b.first().copied()?, b.last().copied()?);
-    if first < -error || (first <= error && b.iter().skip(1).all(|&b| b <= F::int(0))) {
+    if first < -error || b.iter().all(|&b| b <= F::int(0)) {
         return Some(low);
     }
     let changes =
         b.iter().zip(b.iter().skip(1)).filter(|(a, b)| (**a > F::int(0)) != (**b > F::int(0))).count();
-    if first > error && last < -error && changes == 1 {
+    if first > F::int(0) && last < -error && changes == 1 {
         return Some(newton_within(low, high, |s| value_and_slope(c, s)));
     }
     if depth == 0 {

@@ -161,7 +161,7 @@ pub(crate) fn motion(structure: &Structure, samples: u32) -> Seen {
     let mut seen = Seen { events: motion.events.len(), ..Seen::default() };
     let size = size(&motion);
     let times: Vec<f64> = (1..=samples).map(|i| until * f64::from(i) / f64::from(samples)).collect();
-    let states = system.states(start, &times).expect("as before");
+    let Some(states) = states(&system, start, &times) else { return Seen::default() };
     let beside = |time: f64| motion.events.iter().any(|e| (e.time - time).abs() < 1e-9 * until);
     for (state, &time) in states.iter().zip(&times) {
         seen.samples += 1;
@@ -183,6 +183,15 @@ pub(crate) fn motion(structure: &Structure, samples: u32) -> Seen {
     assert!(seen.parts < 1e-6, "the state at the end by {:e} in two parts", seen.parts);
     seen.balances = balance(&system, structure, &motion, size);
     seen
+}
+
+/// The states, none where rounding cannot tell the events.
+fn states(system: &System<f64>, start: &State<f64>, times: &[f64]) -> Option<Vec<State<f64>>> {
+    match system.states(start, times) {
+        Ok(states) => Some(states),
+        Err(Error::Undecided { .. }) => None,
+        Err(error) => panic!("{error}"),
+    }
 }
 
 /// The greatest value of a motion.
@@ -231,7 +240,7 @@ fn in_parts(system: &System<f64>, structure: &Structure, motion: &Motion<f64>) -
         .map(|k| until * (0.37 + 0.013 * f64::from(k)))
         .find(|cut| motion.events.iter().all(|e| (e.time - cut).abs() > 1e-4 * until));
     let Some(cut) = cut else { return 0.0 };
-    let mut middle = system.states(start, &[cut]).expect("as before").pop().expect("one state");
+    let Some(mut middle) = states(system, start, &[cut]).and_then(|mut s| s.pop()) else { return 0.0 };
     for (force, element) in middle.force.iter_mut().zip(&model.elements) {
         match element.kind {
             Kind::Elastic { friction, .. } => *force = force.clamp(-friction, friction),
@@ -239,11 +248,7 @@ fn in_parts(system: &System<f64>, structure: &Structure, motion: &Motion<f64>) -
         }
     }
     let rest = System::new(&later(model, cut)).expect("valid");
-    match rest.states(&middle, &[until - cut]) {
-        Ok(end) => difference(&end[0], &motion.end),
-        Err(Error::Undecided { .. }) => 0.0,
-        Err(error) => panic!("{error}"),
-    }
+    states(&rest, &middle, &[until - cut]).map_or(0.0, |end| difference(&end[0], &motion.end))
 }
 
 /// Between two events the momentum changes by the forces: the number of intervals seen.
@@ -266,7 +271,7 @@ fn balance(system: &System<f64>, structure: &Structure, motion: &Motion<f64>, si
             times.push(high);
         }
     }
-    let states = system.states(start, &times).expect("as before");
+    let Some(states) = states(system, start, &times) else { return 0 };
     let n = model.mass.len();
     for (times, states) in times.chunks(10).zip(states.chunks(10)) {
         let length = times[9] - times[0];
@@ -362,7 +367,7 @@ pub(crate) fn slips(structure: &Structure) -> usize {
         {
             continue;
         }
-        let state = &system.states(start, &[before]).expect("as before")[0];
+        let Some(state) = states(&system, start, &[before]).and_then(|mut s| s.pop()) else { continue };
         let bound = peak * law.points[0].1;
         let force = state.force[event.element].abs();
         assert!((force - bound).abs() < 1e-4, "{force} for {bound} before {event:?}");
