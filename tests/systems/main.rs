@@ -6,6 +6,7 @@ mod drawn;
 
 mod cases;
 mod closed_form;
+mod clutches;
 mod one_body;
 #[cfg(feature = "mp")]
 mod precise;
