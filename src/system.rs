@@ -32,7 +32,7 @@
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `zero.rs` the search for a
 //! guard's first zero, `next.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
 //! can hold, `follow.rs` the motion from event to event,
-//! `motion.rs` its answers, `steady.rs` the long run, and `border.rs` the closed form for one contact.
+//! `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, and `border.rs` the closed form for one contact.
 
 mod assembly;
 mod border;
@@ -45,6 +45,7 @@ mod model;
 mod modes;
 mod motion;
 mod next;
+mod self_excited;
 mod steady;
 mod zero;
 
@@ -98,7 +99,8 @@ impl<F: Float> System<F> {
     /// The motion that a start leads to in the long run, at phase 0 of the harmonic loads.
     ///
     /// It is found by Newton's method from some followed periods, and accepted where the period map closes to rounding
-    /// with the events of the motion that was followed, and where small disturbances do not grow.
+    /// with the events of the motion that was followed, and where small disturbances do not grow. Without harmonics the motion
+    /// is self-excited, and its period is found with it, or it comes to rest.
     ///
     /// # Errors
     /// As [`System::simulate`]; also where the loads have no common period, or there is a record.
@@ -106,6 +108,13 @@ impl<F: Float> System<F> {
         if !self.assembly.records.is_empty() {
             let condition = "must be absent: a steady motion has the period of a load";
             return Err(Error::Unsupported { name: "records".into(), condition });
+        }
+        if self.assembly.frequencies.is_empty() {
+            let all: Vec<usize> = (0..self.assembly.parts.len()).collect();
+            let mut frequencies = self.natural_frequencies(&[]);
+            frequencies.extend(self.natural_frequencies(&all));
+            let span = self_excited::span(&frequencies);
+            return self_excited::self_excited(&self.assembly, span, self.follower(start, span)?);
         }
         let period = steady::common_period(&self.assembly.frequencies)?;
         steady::steady(&self.assembly, period, self.follower(start, period)?)

@@ -55,11 +55,12 @@ impl SteadyKind {
 pub struct Steady<F> {
     /// Its kind.
     pub kind: SteadyKind,
-    /// The period of the motion: that of the loads times [`Steady::periods`].
+    /// The period of the motion: that of the loads times [`Steady::periods`], or its own without loads; 0 at rest without
+    /// loads.
     pub period: F,
     /// After how many periods of the loads it repeats itself; 1 where it does not.
     pub periods: usize,
-    /// The state at the phase 0 of the loads.
+    /// The state at the phase 0 of the loads; without loads at some instant.
     pub start: State<F>,
     /// One period of it; the last one followed, where it does not repeat itself.
     pub motion: Motion<F>,
@@ -68,7 +69,7 @@ pub struct Steady<F> {
     pub multipliers: Vec<(f64, f64)>,
     /// The change of the state over the period, relative to the motion's size.
     pub change: F,
-    /// The number of periods that were followed.
+    /// The number of periods that were followed; without loads, of spans of 32 periods of the lowest natural frequency.
     pub followed: usize,
 }
 
@@ -134,26 +135,26 @@ impl<F: Float> Watch<F> for Seen<F> {
 }
 
 /// The search for a steady motion.
-struct Search<'a, F> {
-    system: &'a Assembly<F>,
-    follower: Follower<'a, F>,
-    period: F,
+pub(super) struct Search<'a, F> {
+    pub(super) system: &'a Assembly<F>,
+    pub(super) follower: Follower<'a, F>,
+    pub(super) period: F,
 }
 
 /// A fixed point of the period map, with the map there.
 type Fixed<F> = (Vec<F>, Mapped<F>);
 
 /// A step of the period map.
-struct Mapped<F> {
-    to: Vec<F>,
-    events: Vec<(usize, EventKind)>,
-    sizes: [F; 3],
+pub(super) struct Mapped<F> {
+    pub(super) to: Vec<F>,
+    pub(super) events: Vec<(usize, EventKind)>,
+    pub(super) sizes: [F; 3],
     /// The columns of J.
-    tangent: Vec<Vec<F>>,
+    pub(super) tangent: Vec<Vec<F>>,
 }
 
 impl<F: Float> Search<'_, F> {
-    fn free(&self) -> Vec<F> {
+    pub(super) fn free(&self) -> Vec<F> {
         self.follower.z.get(..self.system.free).unwrap_or(&[]).to_vec()
     }
 
@@ -167,7 +168,7 @@ impl<F: Float> Search<'_, F> {
     }
 
     /// `multiple` periods from a state, with the derivative.
-    fn map(&mut self, from: &[F], multiple: usize) -> Result<Mapped<F>, Error> {
+    pub(super) fn map(&mut self, from: &[F], multiple: usize) -> Result<Mapped<F>, Error> {
         self.follower.restart(from)?;
         let mut tangent = Some(self.directions());
         let mut all =
@@ -211,7 +212,7 @@ impl<F: Float> Search<'_, F> {
     }
 
     /// The difference of two states relative to the motion's size.
-    fn distance(&self, a: &[F], b: &[F], sizes: &[F; 3]) -> F {
+    pub(super) fn distance(&self, a: &[F], b: &[F], sizes: &[F; 3]) -> F {
         let difference: Vec<F> = a.iter().zip(b).map(|(&a, &b)| a - b).collect();
         let mut most = F::int(0);
         for (block, &size) in blocks(self.system, &difference).into_iter().zip(sizes) {
@@ -267,7 +268,7 @@ impl<F: Float> Search<'_, F> {
     }
 
     /// Elastic forces do not exceed their frictions.
-    fn keep_bounds(&self, x: &mut [F]) {
+    pub(super) fn keep_bounds(&self, x: &mut [F]) {
         for part in &self.system.parts {
             if let Rule::Elastic { place, friction, .. } = part.rule
                 && let Some(force) = x.get_mut(place)
@@ -279,7 +280,11 @@ impl<F: Float> Search<'_, F> {
     }
 
     /// The answers over `multiple` periods from a state.
-    fn observed(&mut self, from: Option<&[F]>, multiple: usize) -> Result<(State<F>, Motion<F>), Error> {
+    pub(super) fn observed(
+        &mut self,
+        from: Option<&[F]>,
+        multiple: usize,
+    ) -> Result<(State<F>, Motion<F>), Error> {
         match from {
             Some(from) => self.follower.restart(from)?,
             None => self.follower.rewind(),
@@ -388,7 +393,7 @@ pub(crate) fn steady<'a, F: Float>(
 }
 
 /// The eigenvalues of the leading part of a matrix of columns, the largest first.
-fn multipliers<F: Float>(columns: &[Vec<F>], free: usize) -> Vec<(f64, f64)> {
+pub(super) fn multipliers<F: Float>(columns: &[Vec<F>], free: usize) -> Vec<(f64, f64)> {
     let entry = |i: usize, j: usize| columns.get(j).and_then(|c| c.get(i)).map_or(0.0, |x| x.to_f64());
     let matrix = DMatrix::<f64>::from_fn(free, free, entry);
     if !matrix.iter().all(|x| x.is_finite()) {

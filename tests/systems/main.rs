@@ -14,3 +14,4 @@ mod random;
 mod references;
 #[cfg(feature = "generators")]
 mod scratch;
+mod self_excited;
