@@ -161,6 +161,15 @@ impl<F: Float> Assembly<F> {
         Ok(assembly)
     }
 
+    /// bᵢ·M⁻¹bⱼ of some elements.
+    pub(crate) fn coupling_of(&self, elements: &[usize]) -> Matrix<F> {
+        let mut matrix = Matrix::zero(elements.len(), elements.len());
+        for (a, &i) in elements.iter().enumerate() {
+            elements.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, self.coupling.at(i, j)));
+        }
+        matrix
+    }
+
     /// The place of sin ωt of a harmonic; that of cos ωt is the next.
     pub(crate) const fn harmonic(&self, i: usize) -> usize {
         self.free + 2 * i

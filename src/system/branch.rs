@@ -16,7 +16,6 @@
 use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::matrix::{Matrix, add_times, dot};
-use super::next::coupling;
 use super::zero::{bernstein, integer};
 use crate::float::Float;
 use alloc::vec;
@@ -517,7 +516,7 @@ fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>])
 /// G⁻¹ of the contacts that stick. Dependent ones share their force in proportion to their bounds, as far as that holds it:
 /// with the least `Σ Tᵢ²/Rᵢ`.
 fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<F> {
-    let coupling = coupling(system, stuck);
+    let coupling = system.coupling_of(stuck);
     if !system.is_dependent {
         return coupling.pseudo_inverse();
     }

@@ -6,7 +6,6 @@ use super::dependent::least;
 use super::follow::{Event, EventKind, Follower, Watch, shorten};
 use super::matrix::{dot, size_of_dot};
 use super::model::State;
-use super::next::coupling;
 use super::zero::{greatest_above, integer};
 use crate::float::Float;
 use alloc::string::String;
@@ -272,7 +271,7 @@ fn forces<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F]) -> Vec<F>
     if own.iter().zip(&bounds).all(|(t, &bound)| t.abs() <= bound) {
         return force;
     }
-    let coupling = coupling(system, &stuck);
+    let coupling = system.coupling_of(&stuck);
     let doubt: Vec<F> =
         coupling.rows().map(|row| size_of_dot(row, &own) * F::epsilon() * F::int(256)).collect();
     let rooms = |sign: F| -> Vec<Option<F>> {

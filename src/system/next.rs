@@ -16,7 +16,7 @@
 use super::assembly::{Assembly, Rule};
 use super::branch::{Mode, given_tension, sign};
 use super::dependent::{least, rank, rounding};
-use super::matrix::{Matrix, add_times, dot, size_of_dot};
+use super::matrix::{add_times, dot, size_of_dot};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -80,7 +80,7 @@ pub(crate) fn decide<F: Float>(
     }
     let contacts: Vec<Contact<F>> =
         at_rest.iter().filter_map(|one| Contact::new(system, z, one, &force, &size)).collect();
-    let coupling = coupling(system, &contacts.iter().map(|c| c.element).collect::<Vec<_>>());
+    let coupling = system.coupling_of(&contacts.iter().map(|c| c.element).collect::<Vec<_>>());
     let free: Vec<F> = contacts.iter().map(|c| c.acceleration).collect();
     let doubt: Vec<F> = contacts.iter().map(|c| c.doubt).collect();
     let mut bounds: Vec<F> = contacts.iter().map(|c| c.bound).collect();
@@ -138,15 +138,6 @@ fn lowered<F: Float>(contacts: &[Contact<F>], bounds: &mut [F], choices: &[Choic
 fn push<F: Float>(force: &mut [F], size: &mut [F], direction: &[F], tension: F, largest: F) {
     add_times(force, -tension, direction);
     size.iter_mut().zip(direction).for_each(|(s, &b)| *s = *s + (b * largest).abs());
-}
-
-/// G of some elements.
-pub(crate) fn coupling<F: Float>(system: &Assembly<F>, elements: &[usize]) -> Matrix<F> {
-    let mut matrix = Matrix::zero(elements.len(), elements.len());
-    for (a, &i) in elements.iter().enumerate() {
-        elements.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, system.coupling.at(i, j)));
-    }
-    matrix
 }
 
 /// The contacts at rest with the forces on the coordinates.
@@ -227,7 +218,7 @@ impl<F: Float> Now<'_, F> {
         }
         let places: Vec<usize> =
             still.iter().filter_map(|&(k, _)| self.contacts.get(k)).map(|c| c.element).collect();
-        let inner = coupling(system, &places);
+        let inner = system.coupling_of(&places);
         let change = match least(&inner, &jerk, &doubts, &low, &high) {
             Ok(change) => change,
             Err(way) if way.is_empty() => return None,
@@ -270,7 +261,7 @@ impl<F: Float> Now<'_, F> {
             choices.iter().enumerate().filter(|(_, c)| c.is_none()).map(|(k, _)| k).collect();
         let elements: Vec<usize> =
             places.iter().filter_map(|&k| self.contacts.get(k)).map(|c| c.element).collect();
-        let matrix = coupling(system, &elements);
+        let matrix = system.coupling_of(&elements);
         let inverse = matrix.pseudo_inverse();
         let mut wave = self.z.to_vec();
         // A wave is zero if twice as many derivatives as it has harmonics are.
@@ -404,7 +395,7 @@ pub(crate) fn at_rest<F: Float>(system: &Assembly<F>, z: &mut [F], elements: &[u
     if velocity.iter().all(|&v| v == F::int(0)) {
         return;
     }
-    let impulse = coupling(system, elements).pseudo_inverse().of(&velocity);
+    let impulse = system.coupling_of(elements).pseudo_inverse().of(&velocity);
     let n = system.n;
     for (part, &impulse) in parts.iter().zip(&impulse) {
         add_times(z.get_mut(n..2 * n).unwrap_or(&mut []), -impulse, &part.response);
