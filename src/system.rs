@@ -45,6 +45,7 @@ mod model;
 mod modes;
 mod motion;
 mod next;
+mod rate;
 mod self_excited;
 mod steady;
 mod zero;

@@ -85,8 +85,12 @@ impl<F> Watch<F> for () {
     fn event(&mut self, _: Event<F>) {}
 }
 
-/// The largest number of steps.
-const MOST_STEPS: u64 = 50_000_000;
+/// The largest number of steps beside those that end at samples of records: some ten seconds of work, and more where a
+/// step multiplies large matrices.
+fn most_steps<F>(system: &Assembly<F>) -> u64 {
+    let size = (system.size as u64).pow(2).max(256);
+    (1_280_000_000 / size).max(20_000).saturating_add(4 * system.instants.len() as u64)
+}
 
 /// The motion at one instant.
 pub(crate) struct Follower<'a, F> {
@@ -101,6 +105,7 @@ pub(crate) struct Follower<'a, F> {
     instant: usize,
     longest: F,
     steps: u64,
+    most_steps: u64,
     values: Vec<F>,
     errors: Vec<F>,
     terms: Vec<F>,
@@ -149,6 +154,7 @@ impl<'a, F: Float> Follower<'a, F> {
             instant: 0,
             longest,
             steps: 0,
+            most_steps: most_steps(system),
             values: Vec::new(),
             errors: Vec::new(),
             terms: Vec::new(),
@@ -361,8 +367,8 @@ impl<'a, F: Float> Follower<'a, F> {
                 continue;
             }
             self.steps += 1;
-            if self.steps > MOST_STEPS {
-                return Err(Error::TooLong { time: written(self.time), limit: MOST_STEPS });
+            if self.steps > self.most_steps {
+                return Err(Error::TooLong { time: written(self.time), limit: self.most_steps });
             }
             let fired = self.step(rest, end, watch)?;
             if !fired.is_empty() {
@@ -400,6 +406,9 @@ impl<'a, F: Float> Follower<'a, F> {
                 }
                 let mut c = polynomial(&guard.row, &self.terms);
                 let error = dot(&guard.error, &sizes);
+                if !(error.is_finite() && c.iter().all(|c| c.is_finite())) {
+                    return Err(Error::Unbounded { time: written(self.time) });
+                }
                 shorten(&mut c, error);
                 if let Some(at) = first_passage(&c, error)
                     && event.is_none_or(|(first, _)| at < first)

@@ -69,10 +69,7 @@ pub(crate) fn halves<F: Float>(b: &[F]) -> (Vec<F>, Vec<F>) {
 pub(crate) fn first_passage<F: Float>(c: &[F], error: F) -> Option<F> {
     let b = bernstein(c);
     let depth = F::PRECISION + 8;
-    if !is_finite(&b) {
-        // A motion beyond the range of numbers, which the next step reports: halving it would not end.
-        return None;
-    }
+    debug_assert!(error.is_finite() && is_finite(&b), "the caller has checked them: halving would not end");
     search(c, &b, F::int(0), F::int(1), error, depth)
 }
 
@@ -106,7 +103,8 @@ pub(crate) fn greatest_above<F: Float>(c: &[F], known: F, error: F) -> F {
 /// The greatest value of p on [0, 1] and its place, where it is above `known` by more than `error`.
 pub(crate) fn greatest_place<F: Float>(c: &[F], known: F, error: F) -> (F, Option<F>) {
     let (mut best, b) = ((known, None), bernstein(c));
-    if is_finite(&b) {
+    // Beyond the range of numbers halving would not end; the next step reports it.
+    if is_finite(&b) && error.is_finite() {
         climb(c, &b, (F::int(0), F::int(1)), error, F::PRECISION, &mut best);
     }
     best
