@@ -9,9 +9,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::fs::File;
 use std::io::BufReader;
-use stickslip::inputs::Role;
 use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, follow_each_while};
+use stickslip::inputs::{Input, Role};
+use stickslip::motion::record::{
+    After, Body, Entry, FloorResponse, Record, RecordAnswer, follow_each_while,
+};
 use stickslip::{Error, Excitation};
 use stickslip_front::record::{self as front, Options, Words};
 
@@ -37,8 +39,9 @@ fn body(
 /// The samples up to which a motion takes no longer than a thousandth of a second.
 const SHORT: usize = 1 << 14;
 
-/// The record of these samples, at these times, or at equal steps from 0 if there is one time, the step.
-pub(crate) fn load(of: &str, times: &[f64], samples: &[f64]) -> PyResult<Record<f64>> {
+/// The record of these samples, at these times, or at equal steps from 0 if there is one time, the step, and with this load
+/// after it, or the default one.
+pub(crate) fn load(of: &str, times: &[f64], samples: &[f64], after: Option<&str>) -> PyResult<Record<f64>> {
     let excitation = match of {
         "force" => Excitation::Force,
         "base_acceleration" => Excitation::SurfaceAcceleration,
@@ -54,7 +57,15 @@ pub(crate) fn load(of: &str, times: &[f64], samples: &[f64]) -> PyResult<Record<
         [step] => Record::new(excitation, *step, samples.to_vec()),
         times => Record::at_times(excitation, times.to_vec(), samples.to_vec()),
     };
-    record.map_err(refused)
+    let record = record.map_err(refused)?;
+    let after = match after {
+        None => record.after(),
+        Some(name) => [After::Zero, After::Hold, After::Free]
+            .into_iter()
+            .find(|after| after.name() == name)
+            .ok_or_else(|| refused(format!("after = {name}: must be zero, hold or free")))?,
+    };
+    Ok(record.followed_by(after))
 }
 
 /// What was read of a file: of what, its times or its step, its samples in SI units, and their unit; then the fields of
@@ -115,14 +126,15 @@ fn record_read<'py>(
     Ok(((of, times, record.samples().to_vec(), unit), fields))
 }
 
-/// Fails where the samples make no record.
+/// The load after a record. Fails where the samples make none.
 #[pyfunction]
 fn record_check(
     of: &str,
     times: PyReadonlyArray1<'_, f64>,
     samples: PyReadonlyArray1<'_, f64>,
-) -> PyResult<()> {
-    load(of, times.as_slice()?, samples.as_slice()?).map(|_| ())
+    after: Option<&str>,
+) -> PyResult<&'static str> {
+    load(of, times.as_slice()?, samples.as_slice()?, after).map(|record| record.after().name())
 }
 
 /// The body of the given values on a surface that falls by `slope`, and its system of units.
@@ -191,10 +203,11 @@ fn record_follow<'py>(
     kind: &str,
     times: PyReadonlyArray1<'py, f64>,
     samples: PyReadonlyArray1<'py, f64>,
+    after: &str,
     start: (f64, f64),
 ) -> PyResult<Bound<'py, PyDict>> {
     let body = body(of).map_err(refused)?;
-    let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
+    let record = load(kind, times.as_slice()?, samples.as_slice()?, Some(after))?;
     let answer = if samples.as_slice()?.len() > SHORT {
         left_behind(py, move || body.follow_from(&record, start.0, start.1))?
     } else {
@@ -212,11 +225,12 @@ fn record_motion<'py>(
     kind: &str,
     times: PyReadonlyArray1<'py, f64>,
     samples: PyReadonlyArray1<'py, f64>,
+    after: &str,
     start: (f64, f64),
     interval: f64,
 ) -> PyResult<[Bound<'py, PyDict>; 3]> {
     let body = body(of).map_err(refused)?;
-    let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
+    let record = load(kind, times.as_slice()?, samples.as_slice()?, Some(after))?;
     let interval = if interval.is_nan() { record.longest_step() } else { interval };
     let motion =
         left_behind(py, move || body.motion(&record, start.0, start.1, interval))?.map_err(refused)?;
@@ -228,12 +242,46 @@ fn record_motion<'py>(
     states.number("displacement", of(|state| state.displacement));
     states.number("velocity", of(|state| state.velocity));
     states.number("acceleration", of(|state| state.acceleration));
+    states.number("absolute_acceleration", of(|state| state.absolute_acceleration));
+    states.number("friction", of(|state| state.friction));
+    states.number("transmitted_force", of(|state| state.transmitted_force));
+    states.number("load", of(|state| state.load));
     states.count("direction", motion.states.iter().map(|state| i64::from(state.direction)).collect());
     let mut events = Table::default();
     events.number("time", motion.events.iter().map(|event| event.time).collect());
     events.number("displacement", motion.events.iter().map(|event| event.displacement).collect());
     events.count("direction", motion.events.iter().map(|event| i64::from(event.direction)).collect());
     Ok([table(&motion.answer).into_dict(py)?, states.into_dict(py)?, events.into_dict(py)?])
+}
+
+/// The greatest responses of oscillators with these periods and a damping ratio that stand on one body.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "Python names them")]
+fn record_floor_spectrum<'py>(
+    py: Python<'py>,
+    of: Sliding,
+    kind: &str,
+    times: PyReadonlyArray1<'py, f64>,
+    samples: PyReadonlyArray1<'py, f64>,
+    after: &str,
+    start: (f64, f64),
+    periods: PyReadonlyArray1<'py, f64>,
+    damping_ratio: f64,
+) -> PyResult<Bound<'py, PyDict>> {
+    let body = body(of).map_err(refused)?;
+    let record = load(kind, times.as_slice()?, samples.as_slice()?, Some(after))?;
+    let periods = periods.as_slice()?.to_vec();
+    let found = left_behind(py, move || {
+        body.floor_spectrum(&record, start.0, start.1, &periods, damping_ratio)
+    })?;
+    let found = found.map_err(refused)?;
+    let of = |value: fn(&FloorResponse<f64>) -> f64| found.iter().map(value).collect::<Vec<f64>>();
+    let mut table = Table::default();
+    table.number("period", of(|response| response.period));
+    table.number("max_displacement", of(|response| response.max_displacement));
+    table.number("pseudo_acceleration", of(|response| response.pseudo_acceleration));
+    table.number("max_absolute_acceleration", of(|response| response.max_absolute_acceleration));
+    table.into_dict(py)
 }
 
 /// The answers of many bodies from rest, given by their values in columns: mass, stiffness, damping constant, friction
@@ -245,8 +293,9 @@ fn record_spectrum<'py>(
     kind: &str,
     times: PyReadonlyArray1<'py, f64>,
     samples: PyReadonlyArray1<'py, f64>,
+    after: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let record = load(kind, times.as_slice()?, samples.as_slice()?)?;
+    let record = load(kind, times.as_slice()?, samples.as_slice()?, Some(after))?;
     let [mass, stiffness, damping, friction, ratio] = &columns;
     let rows = mass.as_slice()?.iter().zip(stiffness.as_slice()?).zip(damping.as_slice()?);
     let rows = rows.zip(friction.as_slice()?.iter().zip(ratio.as_slice()?));
@@ -280,5 +329,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(record_read, module)?)?;
     module.add_function(wrap_pyfunction!(record_follow, module)?)?;
     module.add_function(wrap_pyfunction!(record_motion, module)?)?;
+    module.add_function(wrap_pyfunction!(record_floor_spectrum, module)?)?;
     module.add_function(wrap_pyfunction!(record_spectrum, module)?)
 }

@@ -133,3 +133,78 @@ def test_a_block_that_turns_transmits_no_more_than_friction():
     assert found.residual_displacement == pytest.approx(-1 / 18, rel=1e-13)
     assert (found.slides, found.stops, found.reversals, found.stick_time) == (2, 1, 1, 0.0)
     assert np.isnan(found.cut_time)
+
+
+def test_what_follows_a_record():
+    machine = ss.Machine(mass=2.0, stiffness=40.0, friction=1.0, units="N,m")
+    pull = {"samples": [0.0, 0.5], "time_step": 2.0, "of": "foot_displacement"}
+    rest = {after: machine.follow(ss.Record(**pull, after=after)).residual_displacement for after in ("zero", "hold", "free")}
+    # Beside the foot within r/k, beside 0 within r/k, and thrown off.
+    assert abs(rest["hold"] - 0.5) <= 0.025 + 1e-12 and abs(rest["zero"]) <= 0.025 + 1e-12 and rest["free"] > 0.5
+    by_default = ss.Record(**pull)
+    assert by_default.after == "hold" and machine.follow(by_default).residual_displacement == rest["hold"]
+    assert ss.Record(**pull, after="zero").scaled(2.0).after == "zero"
+    text = b"time[s],acc[g]\n0,0\n1,1\n"
+    assert (ss.Record.read(text).after, ss.Record.read(text, after="hold").after) == ("zero", "hold")
+    with pytest.raises(ss.Error, match="after = later: must be zero, hold or free"):
+        ss.Record(**pull, after="later")
+
+
+def test_histories_obey_the_laws_of_their_parts():
+    record = ss.Record(quake(), time_step=0.01, unit="g")
+    machine = ss.Machine(mass=800.0, stiffness=5000.0, friction=470.0, damping=200.0, units="N,m")
+    found = machine.motion(record)
+    sliding = found.direction != 0
+    np.testing.assert_allclose(found.friction[sliding], -470.0 * found.direction[sliding])
+    assert np.all(np.abs(found.friction) <= 470.0 * (1 + 1e-12))
+    support = 5000.0 * found.displacement + 200.0 * found.velocity - found.friction
+    np.testing.assert_allclose(found.transmitted_force, support, atol=1e-9)
+    np.testing.assert_allclose(800.0 * found.acceleration, found.load - support, atol=1e-9)
+    np.testing.assert_allclose(found.absolute_acceleration, found.acceleration - found.load / 800.0, atol=1e-12)
+    greatest = np.abs(found.absolute_acceleration).max() / found.answer.max_absolute_acceleration
+    assert 0.99 < greatest <= 1 + 1e-12
+    answer = found.answer
+    assert answer.peak_displacement == max(answer.max_displacement, -answer.min_displacement)
+    assert answer.equivalent_stiffness == pytest.approx(5000.0 + 470.0 / answer.cycle_amplitude, rel=1e-12)
+    assert answer.units["equivalent_stiffness"] == "N/m" and 0.1 < answer.equivalent_damping_ratio < 1.0
+
+
+def test_floor_spectra_are_those_of_small_steps():
+    record = ss.Record(quake(900), time_step=0.01, unit="g")
+    machine = ss.Machine(mass="800 kg", period="2.5 s", friction_coefficient=0.06, damping_ratio="5%")
+    periods = [0.1, 0.7]
+    found = machine.floor_spectrum(record, period=periods, damping_ratio=0.02)
+    history = machine.motion(record, interval=1e-4)
+    for i, period in enumerate(periods):
+        square, rate, y, u, most = (2 * np.pi / period) ** 2, 0.08 * np.pi / period, 0.0, 0.0, 0.0
+        steps = zip(np.diff(history.time), history.absolute_acceleration, history.absolute_acceleration[1:])
+        for h, one, two in steps:
+            slope = -one - rate * u - square * y
+            middle = (y + h / 2 * u, u + h / 2 * slope)
+            y, u = y + h * middle[1], u + h * (-(one + two) / 2 - rate * middle[1] - square * middle[0])
+            most = max(most, abs(rate * u + square * y))
+        assert found.max_absolute_acceleration[i] == pytest.approx(most, rel=1e-3)
+    np.testing.assert_allclose(found.pseudo_acceleration, (2 * np.pi / found.period) ** 2 * found.max_displacement)
+    assert (found.damping_ratio, found.units["max_displacement"]) == (0.02, "m")
+    with pytest.raises(ss.Error, match="damping ratio"):
+        machine.floor_spectrum(record, period=1.0, damping_ratio=1.0)
+    with pytest.raises(ss.Error, match="natural period"):
+        machine.floor_spectrum(record, period=0.0)
+
+
+def test_polarities_are_a_record_and_its_mirror_image():
+    record = ss.Record(quake(), time_step=0.01, unit="g")
+    block = ss.Block(mass="1 t", friction_coefficient=0.3, slope="10 deg", one_way=True)
+    both = block.polarities(record)
+    assert both.recorded == block.follow(record) and both.mirrored == block.follow(record.scaled(-1.0))
+    assert both.greater.peak_displacement == max(both.recorded.peak_displacement, both.mirrored.peak_displacement)
+    assert both.recorded.peak_displacement != both.mirrored.peak_displacement
+    # Without a slope they are each other's mirror image.
+    even = ss.Machine(mass=1.0, stiffness=20.0, friction=0.5, units="N,m").polarities(record)
+    assert even.recorded.max_displacement == -even.mirrored.min_displacement and even.polarity == "recorded"
+    # A block by its yield acceleration.
+    by_name = ss.Block(mass="1 t", yield_acceleration="0.1 g").follow(record)
+    by_coefficient = ss.Block(mass="1 t", friction_coefficient=0.1).follow(record)
+    assert by_name.peak_displacement == pytest.approx(by_coefficient.peak_displacement, rel=1e-9)
+    with pytest.raises(ss.Error, match="yield_acceleration"):
+        ss.Block(mass=1.0, friction=1.0, yield_acceleration=1.0)

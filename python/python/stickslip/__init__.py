@@ -45,7 +45,7 @@ from ._drive import Drive
 from ._machine import Machine
 from ._motion import Decay, Phases, Samples, decay, simulate
 from ._native import Error, __version__
-from ._record import Block, Followed, Motion, Record, Spectrum, spectrum
+from ._record import Block, FloorSpectrum, Followed, Motion, Polarities, Record, Spectrum, spectrum
 from ._steady import STEADY_OUTPUTS, Steady, steady
 from ._system import (
     ElementMotion,
@@ -79,11 +79,13 @@ __all__ = [
     "Error",
     "Estimate",
     "Figure",
+    "FloorSpectrum",
     "Followed",
     "Identified",
     "Machine",
     "Motion",
     "Phases",
+    "Polarities",
     "Record",
     "Response",
     "Samples",

@@ -17,7 +17,17 @@ from ._motion import Decay, Phases, PhysicalDecay, PhysicalPhases, PhysicalSampl
 from ._native import Error
 from ._outputs import PhysicalResponse, PhysicalSteady
 from ._physical import Driven, Scaled, names_of
-from ._record import Followed, Motion, Record, follow, motion
+from ._record import (
+    FloorSpectrum,
+    Followed,
+    Motion,
+    Polarities,
+    Record,
+    floor_spectrum,
+    follow,
+    motion,
+    polarities,
+)
 from ._result import RATIOS, Floats, PhysicalResult, Result, Words, WrongType, named, of_type, one, whole_number
 from ._start import REST, Start, state
 from ._steady import STEADY_OUTPUTS, Steady
@@ -352,6 +362,42 @@ class Machine:
         """
         start = self._start(displacement, velocity)
         return motion(self._sliding(mean_force), self.units, record, start, interval)
+
+    def polarities(
+        self,
+        record: Record,
+        *,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        mean_force: Quantity = 0.0,
+    ) -> Polarities:
+        """The answers to a record and to its mirror image, and which of them moves the body further."""
+        start = self._start(displacement, velocity)
+        return polarities(self._sliding(mean_force), self.units, record, start)
+
+    def floor_spectrum(
+        self,
+        record: Record,
+        *,
+        period: ArrayLike,
+        damping_ratio: float = 0.05,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        mean_force: Quantity = 0.0,
+    ) -> FloorSpectrum:
+        """The greatest responses of linear oscillators of these natural periods in seconds and one damping ratio that stand on
+        the body while it moves under a record, followed exactly.
+
+        >>> import numpy as np, stickslip as ss
+        >>> t = np.arange(0, 12, 0.01)
+        >>> record = ss.Record(0.3 * np.exp(-(((t - 4) / 2) ** 2)) * np.sin(9 * t), time_step="10 ms", unit="g")
+        >>> isolator = ss.Machine(mass="800 kg", period="2.5 s", friction_coefficient=0.06)
+        >>> found = isolator.floor_spectrum(record, period=[0.1, 0.5, 1.0])
+        >>> found.max_absolute_acceleration.shape, found.units["pseudo_acceleration"]
+        ((3,), 'm/s²')
+        """
+        start = self._start(displacement, velocity)
+        return floor_spectrum(self._sliding(mean_force), self.units, record, start, period, damping_ratio)
 
     def _start(self, displacement: Quantity, velocity: Quantity) -> tuple[float, float]:
         return self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")

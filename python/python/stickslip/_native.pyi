@@ -65,15 +65,31 @@ def record_read(
     skip: int,
     record_units: Optional[str],
 ) -> tuple[tuple[str, list[float], list[float], str], dict[str, Any]]: ...
-def record_check(of: str, times: _Column, samples: _Column) -> None: ...
+def record_check(of: str, times: _Column, samples: _Column, after: Optional[str]) -> str: ...
 def record_follow(
-    of: _Sliding, kind: str, times: _Column, samples: _Column, start: tuple[float, float]
+    of: _Sliding, kind: str, times: _Column, samples: _Column, after: str, start: tuple[float, float]
 ) -> dict[str, NDArray[Any]]: ...
 def record_motion(
-    of: _Sliding, kind: str, times: _Column, samples: _Column, start: tuple[float, float], interval: float
+    of: _Sliding,
+    kind: str,
+    times: _Column,
+    samples: _Column,
+    after: str,
+    start: tuple[float, float],
+    interval: float,
 ) -> list[dict[str, NDArray[Any]]]: ...
+def record_floor_spectrum(
+    of: _Sliding,
+    kind: str,
+    times: _Column,
+    samples: _Column,
+    after: str,
+    start: tuple[float, float],
+    periods: _Column,
+    damping_ratio: float,
+) -> dict[str, NDArray[Any]]: ...
 def record_spectrum(
-    columns: Sequence[_Column], kind: str, times: _Column, samples: _Column
+    columns: Sequence[_Column], kind: str, times: _Column, samples: _Column, after: str
 ) -> dict[str, NDArray[Any]]: ...
 def unit_of(units: str, of: str) -> str: ...
 def physical_outputs(excited: str) -> dict[str, tuple[str, str, str]]: ...

@@ -29,6 +29,7 @@ _UNITS = {
     "max_displacement_time": "time",
     "min_displacement": "length",
     "min_displacement_time": "time",
+    "peak_displacement": "length",
     "max_velocity": "velocity",
     "max_velocity_time": "time",
     "min_velocity": "velocity",
@@ -41,18 +42,19 @@ _UNITS = {
     "cut_time": "time",
     "path": "length",
     "stick_time": "time",
+    "cycle_amplitude": "length",
+    "equivalent_stiffness": "stiffness",
     "friction_work": "energy",
     "damper_work": "energy",
     "load_work": "energy",
 }
 #: Answers that do not depend on the mass, where friction is a coefficient and the damper a ratio.
-_WITHOUT_MASS = tuple(name for name, kind in _UNITS.items() if kind not in ("force", "energy"))
+_WITHOUT_MASS = tuple(name for name, kind in _UNITS.items() if kind not in ("force", "energy", "stiffness"))
 
 
 @dataclass(frozen=True, init=False, eq=False)
 class Record:
-    """A measured load: samples, and straight lines between them. After the last sample a force or an acceleration is zero,
-    and a foot stays where it is.
+    """A measured load: samples, and straight lines between them.
 
     Parameters
     ----------
@@ -66,6 +68,9 @@ class Record:
         ``"foot_displacement"`` of the spring's foot, or ``"damped_foot_displacement"`` if the damper stands on it, too.
     unit : str, optional
         Unit of the samples, such as ``"g"``. Without it they are in the system of units of the machine.
+    after : str, optional
+        The load after the last sample: ``"zero"``, ``"hold"`` (it stays at the last sample) or ``"free"`` (a foot lets go of
+        the spring). By default a force or an acceleration is zero, and a foot stays.
 
     Examples
     --------
@@ -78,6 +83,7 @@ class Record:
     times: Floats
     of: str
     unit: Optional[str]
+    after: str
     summary: Optional[dict[str, Any]] = field(default=None, compare=False)
 
     @classmethod
@@ -89,6 +95,7 @@ class Record:
         column: Union[str, int, None] = None,
         skip: int = 0,
         record_units: Optional[str] = None,
+        after: Optional[str] = None,
     ) -> "Record":
         """The record of a file, as ``stickslip record`` reads it: of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose
         units are obeyed, or columns of text. Samples are then in SI units; ``summary`` says what was read.
@@ -105,6 +112,8 @@ class Record:
             Lines before the columns to leave out.
         record_units : str, optional
             Unit of the samples in a file that does not state it, such as ``"g"``.
+        after : str, optional
+            The load after the last sample, as of `Record`.
 
         Examples
         --------
@@ -125,6 +134,7 @@ class Record:
         values = {"samples": np.array(samples), "times": np.array(times), "of": of, "unit": unit, "summary": summary}
         for name, value in values.items():
             object.__setattr__(new, name, value)
+        object.__setattr__(new, "after", _native.record_check(of, new.times, new.samples, after))
         return new
 
     def __init__(
@@ -135,6 +145,7 @@ class Record:
         times: Optional[ArrayLike] = None,
         of: str = "base_acceleration",
         unit: Optional[str] = None,
+        after: Optional[str] = None,
     ) -> None:
         if (time_step is None) == (times is None):
             raise Error("a record needs either time_step or times")
@@ -145,10 +156,11 @@ class Record:
             at = _column("times", times)
             if len(at) == 1:
                 raise Error("record: the number of samples = 1 must be >= 2")
-        _native.record_check(of, at, values)
+        follows = _native.record_check(of, at, values, after)
         if unit is not None:
             _factor(of, unit, None)
-        for name, value in (("samples", values), ("times", at), ("of", of), ("unit", unit), ("summary", None)):
+        named = {"samples": values, "times": at, "of": of, "unit": unit, "after": follows, "summary": None}
+        for name, value in named.items():
             object.__setattr__(self, name, value)
 
     def __repr__(self) -> str:
@@ -167,16 +179,16 @@ class Record:
     def scaled(self, factor: float) -> "Record":
         """This record with every sample multiplied by a factor."""
         new = object.__new__(Record)
-        for name in ("times", "of", "unit", "summary"):
+        for name in ("times", "of", "unit", "after", "summary"):
             object.__setattr__(new, name, getattr(self, name))
         object.__setattr__(new, "samples", self.samples * one("factor", factor))
-        _native.record_check(new.of, new.times, new.samples)
+        _native.record_check(new.of, new.times, new.samples, new.after)
         return new
 
-    def _in(self, units: Optional[str]) -> tuple[str, Floats, Floats]:
+    def _in(self, units: Optional[str]) -> tuple[str, Floats, Floats, str]:
         """The record for a body in a system of units."""
         factor = 1.0 if self.unit is None else _factor(self.of, self.unit, units)
-        return self.of, self.times, self.samples * factor if factor != 1.0 else self.samples
+        return self.of, self.times, self.samples * factor if factor != 1.0 else self.samples, self.after
 
 
 def _column(name: str, values: ArrayLike) -> Floats:
@@ -199,6 +211,8 @@ class Followed(Result):
     max_velocity, max_velocity_time, min_velocity, min_velocity_time : float
         Extremes and the times at which the motion has them first; NaN for one that it only tends to. With a moving
         surface, in relation to it. Displacements are from the position of the relaxed spring.
+    peak_displacement : float
+        Greatest displacement, regardless of sign.
     max_absolute_acceleration : float
         Greatest acceleration in space, regardless of sign.
     max_transmitted_force : float
@@ -214,6 +228,9 @@ class Followed(Result):
         Slides, those that end with a rest, and those that a slide back follows at once.
     stick_time : float
         Time at rest during the record.
+    cycle_amplitude, equivalent_stiffness, equivalent_damping_ratio : float
+        Half the way of the longest swing from one turning point to the next, and the stiffness and the damping ratio of the
+        oscillator with the forces at these points and the energy of the cycle; NaN without a swing.
     friction_work, damper_work, load_work : float
     units : dict of str to str, or None
         The unit of each value; None if the machine was given in numbers without units.
@@ -223,6 +240,7 @@ class Followed(Result):
     max_displacement_time: float
     min_displacement: float
     min_displacement_time: float
+    peak_displacement: float
     max_velocity: float
     max_velocity_time: float
     min_velocity: float
@@ -238,6 +256,9 @@ class Followed(Result):
     stops: int
     reversals: int
     stick_time: float
+    cycle_amplitude: float
+    equivalent_stiffness: float
+    equivalent_damping_ratio: float
     friction_work: float
     damper_work: float
     load_work: float
@@ -251,6 +272,10 @@ class Motion(Result):
     ----------
     time, displacement, velocity, acceleration : array
         At the beginning, at each event, and between them.
+    absolute_acceleration : array
+        In space, where the surface moves.
+    friction, transmitted_force, load : array
+        Forces of friction on the body, of spring, damper and friction together on the support, and of the load on the body.
     direction : array of int
         1 or -1 while the body slides, 0 at rest.
     event_time, event_displacement : array
@@ -263,11 +288,59 @@ class Motion(Result):
     displacement: Floats
     velocity: Floats
     acceleration: Floats
+    absolute_acceleration: Floats
+    friction: Floats
+    transmitted_force: Floats
+    load: Floats
     direction: NDArray[Any]
     event_time: Floats
     event_displacement: Floats
     event_direction: NDArray[Any]
     answer: Followed
+
+
+class Polarities(Result):
+    """The answers to a record and to its mirror image; see `Machine.polarities`.
+
+    Attributes
+    ----------
+    recorded, mirrored : Followed
+    polarity : str
+        The record that moves the body further, by the peak displacement: ``"recorded"`` or ``"mirrored"``.
+    """
+
+    recorded: Followed
+    mirrored: Followed
+    polarity: str
+
+    @property
+    def greater(self) -> Followed:
+        """The answers of the record that moves the body further."""
+        return self.mirrored if self.polarity == "mirrored" else self.recorded
+
+
+class FloorSpectrum(Result):
+    """The greatest responses of linear oscillators that stand on a body; see `Machine.floor_spectrum`.
+
+    Attributes
+    ----------
+    period : array
+    max_displacement : array
+        In relation to the body, regardless of sign.
+    pseudo_acceleration : array
+        ``(2*pi/period)**2`` times the displacement.
+    max_absolute_acceleration : array
+        Acceleration in space, regardless of sign.
+    damping_ratio : float
+    units : dict of str to str, or None
+    """
+
+    period: Floats
+    max_displacement: Floats
+    pseudo_acceleration: Floats
+    max_absolute_acceleration: Floats
+    damping_ratio: float
+    units: Optional[Mapping[str, str]]
 
 
 class Spectrum(Result, Generic[V]):
@@ -281,6 +354,7 @@ class Spectrum(Result, Generic[V]):
     max_displacement_time: V
     min_displacement: V
     min_displacement_time: V
+    peak_displacement: V
     max_velocity: V
     max_velocity_time: V
     min_velocity: V
@@ -295,6 +369,8 @@ class Spectrum(Result, Generic[V]):
     stops: V
     reversals: V
     stick_time: V
+    cycle_amplitude: V
+    equivalent_damping_ratio: V
 
 
 _Sliding = tuple[float, float, float, float, float, float, float, bool]
@@ -320,6 +396,35 @@ def motion(
     return Motion({**states, **named, "answer": _answer(answer, units)})
 
 
+def polarities(of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float]) -> Polarities:
+    of_type("record", record, Record)
+    recorded, mirrored = (follow(of, units, load, start) for load in (record, record.scaled(-1.0)))
+    is_further = mirrored.peak_displacement > recorded.peak_displacement
+    polarity = "mirrored" if is_further else "recorded"
+    return Polarities({"recorded": recorded, "mirrored": mirrored, "polarity": polarity})
+
+
+def floor_spectrum(
+    of: _Sliding,
+    units: Optional[str],
+    record: Record,
+    start: tuple[float, float],
+    period: ArrayLike,
+    damping_ratio: float,
+) -> FloorSpectrum:
+    of_type("record", record, Record)
+    periods = _column("period", np.atleast_1d(np.asarray(numbers("period", period))))
+    ratio = one("damping_ratio", damping_ratio)
+    found = _native.record_floor_spectrum(of, *record._in(units), start, periods, ratio)
+    kinds = {
+        "period": "time",
+        "max_displacement": "length",
+        "pseudo_acceleration": "acceleration",
+        "max_absolute_acceleration": "acceleration",
+    }
+    return FloorSpectrum({**found, "damping_ratio": ratio, "units": names_of(units, kinds)})
+
+
 @dataclass(frozen=True, init=False)
 class Block:
     """A body without a spring on a surface, such as Newmark's sliding block.
@@ -330,6 +435,8 @@ class Block:
         As of a `Machine`.
     mean_force : float or str
         A constant force on the body.
+    yield_acceleration : float or str
+        In place of the friction, such as ``"0.1 g"``: the friction is the mass times it.
     slope : str or float
         Angle by which the surface falls in the direction of motion, such as ``"10 deg"``; a number is in radians.
     one_way : bool
@@ -357,6 +464,7 @@ class Block:
         friction: Optional[Quantity] = None,
         *,
         friction_coefficient: Optional[Quantity] = None,
+        yield_acceleration: Optional[Quantity] = None,
         gravity: Optional[Quantity] = None,
         friction_backward: Optional[Quantity] = None,
         damping: Optional[Quantity] = None,
@@ -371,6 +479,7 @@ class Block:
             "mass": mass,
             "friction": friction,
             "friction_coefficient": friction_coefficient,
+            "yield_acceleration": yield_acceleration,
             "gravity": gravity,
             "friction_backward": friction_backward,
             "damping": damping,
@@ -408,6 +517,24 @@ class Block:
         """The states and events of the motion under a record; see `Machine.motion`."""
         start = (one("displacement", displacement), one("velocity", velocity))
         return motion(self._of, self.units, record, start, interval)
+
+    def polarities(self, record: Record, *, displacement: float = 0.0, velocity: float = 0.0) -> Polarities:
+        """The answers to a record and to its mirror image; see `Machine.polarities`."""
+        start = (one("displacement", displacement), one("velocity", velocity))
+        return polarities(self._of, self.units, record, start)
+
+    def floor_spectrum(
+        self,
+        record: Record,
+        *,
+        period: ArrayLike,
+        damping_ratio: float = 0.05,
+        displacement: float = 0.0,
+        velocity: float = 0.0,
+    ) -> FloorSpectrum:
+        """The greatest responses of oscillators that stand on the block; see `Machine.floor_spectrum`."""
+        start = (one("displacement", displacement), one("velocity", velocity))
+        return floor_spectrum(self._of, self.units, record, start, period, damping_ratio)
 
 
 @overload
