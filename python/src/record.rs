@@ -10,7 +10,7 @@ use pyo3::types::PyDict;
 use std::fs::File;
 use std::io::BufReader;
 use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Input, Role};
+use stickslip::inputs::Role;
 use stickslip::motion::record::{
     After, Body, Entry, FloorResponse, Record, RecordAnswer, follow_each_while,
 };

@@ -88,7 +88,7 @@ impl NativeSystem {
         times: PyReadonlyArray1<'_, f64>,
         samples: PyReadonlyArray1<'_, f64>,
     ) -> PyResult<Self> {
-        let record = load(of, times.as_slice()?, samples.as_slice()?)?;
+        let record = load(of, times.as_slice()?, samples.as_slice()?, None)?;
         let named = NamedSystem::clone(&self.named).with_record(&record, name).map_err(refused)?;
         let (value, folder) = (Arc::clone(&self.value), self.folder.clone());
         Ok(Self { value, folder, units: self.units, named: Arc::new(named) })
@@ -165,7 +165,7 @@ impl NativeSystem {
         let records = records
             .iter()
             .map(|(name, of, times, samples)| {
-                Ok((name.clone(), load(of, times.as_slice()?, samples.as_slice()?)?))
+                Ok((name.clone(), load(of, times.as_slice()?, samples.as_slice()?, None)?))
             })
             .collect::<PyResult<Vec<(String, Record<f64>)>>>()?;
         let asked = match question {

@@ -347,7 +347,7 @@ class System:
     def under(self, record: Record) -> "System":
         """This system under a record of the base's acceleration, beside its loads."""
         of_type("record", record, Record)
-        return System._of(self._handle.with_record("record", *record._in(self.units)))
+        return System._of(self._handle.with_record("record", *_load(record, self.units)))
 
     def states(self, times: ArrayLike, *, steady: bool = False) -> SystemStates:
         """The states at increasing times, from the start, or from the phase 0 of the steady motion."""
@@ -411,7 +411,7 @@ class System:
         named = []
         for name, record in (records or {}).items():
             of_type(f"records[{name!r}]", record, Record)
-            named.append((str(name), *record._in(self.units)))
+            named.append((str(name), *_load(record, self.units)))
         asked = question or ("simulate" if named else "steady")
         end = None if until is None else self._time("until", until)
         columns, failed = self._handle.grid(axes, named, asked, end)
@@ -428,6 +428,14 @@ class System:
     def __repr__(self) -> str:
         elements = self.elements
         return f"System({_some(self.coordinates)}{'; ' if elements else ''}{_some(elements)})"
+
+
+def _load(record: Record, units: Optional[str]) -> tuple[str, Floats, Floats]:
+    """A record for the base of a system, after which the base rests or moves on at a constant velocity."""
+    of, times, samples, after = record._in(units)
+    if after == "hold":
+        raise Error("record: its load must end after it: after=\"zero\"")
+    return of, times, samples
 
 
 def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
