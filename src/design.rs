@@ -63,7 +63,7 @@ pub use friction::max_friction;
 pub use hold::{Holding, holding_frequency};
 pub use identify::{
     AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading, Residual, identify,
-    identify_as,
+    identify_as, identify_force, identify_natural_frequency,
 };
 pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};

@@ -34,12 +34,11 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     if args.decay {
         return decay::run(args, &given, &reader, is_json, out);
     }
-    let body = body(&given)?;
-    let force = force(&given, &body)?;
+    let question = Asked::of(&given)?;
     let name = args.file.display().to_string();
     let file = Measured::read(&args.file, &name, &reader)?;
     let reading = Reading { amplitude: args.amplitude, phase: args.phase };
-    let found = design::identify_as(&body, force, &file.curve, reading).map_err(|e| {
+    let (body, found, fitted) = question.answered(&file.curve, reading).map_err(|e| {
         // The message names the arguments if they are wrong, and otherwise the file.
         match e.quantity() {
             Some(_) if !matches!(e, Error::InMeasurement { .. }) => {
@@ -48,11 +47,73 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
             _ => in_line(e, &name, &file.lines).into(),
         }
     })?;
-    let answer = IdentifyAnswer::new(&given, &body, &found, &file, reading.amplitude)?;
+    let mut answer = IdentifyAnswer::new(&given, &body, &found, &file, reading.amplitude)?;
+    match fitted {
+        Some(Fitted::NaturalFrequency(estimate)) => {
+            let hertz = given.system.name(Kind::Hertz);
+            answer.natural_frequency = Some(EstimateRecord::of(&estimate, 1.0 / TAU, hertz));
+        }
+        Some(Fitted::Force(estimate)) => {
+            answer.force = Some(EstimateRecord::of(&estimate, 1.0, given.system.name(Kind::Force)));
+        }
+        None => {}
+    }
     if is_json {
         return output::json(&answer, out);
     }
     text(&given, &answer, &found, &file, out)
+}
+
+/// What is known, besides the mass.
+enum Asked {
+    /// The spring and the force.
+    Both(Oscillator<f64>, f64),
+    /// The force: the mass with it.
+    NoSpring(f64, f64),
+    /// The spring.
+    NoForce(Oscillator<f64>),
+}
+
+/// What was fitted besides friction and damping.
+enum Fitted {
+    NaturalFrequency(Estimate),
+    Force(Estimate),
+}
+
+impl Asked {
+    fn of(given: &Given<f64>) -> Result<Self, Failure> {
+        let (has_spring, has_drive) = (given.stiffness()?.is_some(), given.has_role(Role::Drive));
+        if has_drive && !has_spring {
+            let mass = given.mass()?;
+            if given.has(Input::FootDisplacement) {
+                return Err(given.missing(&Input::of_role(Role::Spring)).into());
+            }
+            // The force of the other drives does not depend on the spring.
+            let body = Oscillator::new(mass, 1.0, 1.0).map_err(|e| given.at_fault(&e))?;
+            return Ok(Self::NoSpring(mass, force(given, &body)?));
+        }
+        let body = body(given)?;
+        if has_drive { Ok(Self::Both(body, force(given, &body)?)) } else { Ok(Self::NoForce(body)) }
+    }
+
+    fn answered(
+        &self,
+        curve: &[Measurement],
+        reading: Reading,
+    ) -> Result<(Oscillator<f64>, Identified, Option<Fitted>), Error> {
+        match *self {
+            Self::Both(body, force) => Ok((body, design::identify_as(&body, force, curve, reading)?, None)),
+            Self::NoSpring(mass, force) => {
+                let (found, natural) = design::identify_natural_frequency(mass, force, curve, reading)?;
+                let body = Oscillator::new(mass, mass * natural.value.powi(2), 1.0)?;
+                Ok((body, found, Some(Fitted::NaturalFrequency(natural))))
+            }
+            Self::NoForce(body) => {
+                let (found, force) = design::identify_force(&body, curve, reading)?;
+                Ok((body, found, Some(Fitted::Force(force))))
+            }
+        }
+    }
 }
 
 /// Mass and spring; friction is unknown.
@@ -129,6 +190,15 @@ struct Measured {
     lines: Vec<u64>,
     /// The columns that are not read.
     others: Vec<String>,
+    /// The units of the columns frequency and amplitude, with their sizes, where the header states them.
+    units: [Option<(String, f64)>; 2],
+}
+
+/// The unit of a column, and its size.
+fn unit_of(header: &StringRecord, column: &str, read: &Column) -> Option<(String, f64)> {
+    let mut units = header.iter().map(name_and_unit);
+    let (_, unit) = units.find(|(own, _)| own.eq_ignore_ascii_case(column))?;
+    Some((unit?.to_owned(), read.factor?.times(1.0)))
 }
 
 impl Measured {
@@ -145,6 +215,7 @@ impl Measured {
             })
         };
         let (frequency, amplitude) = (due(frequency, "frequency")?, due(amplitude, "amplitude")?);
+        let units = [unit_of(&header, "frequency", &frequency), unit_of(&header, "amplitude", &amplitude)];
         let mut curve = Vec::new();
         let lines = each_row(&mut table, name, &ahead, (MOST_ROWS, "measurements"), |row, at| {
             curve.push(Measurement {
@@ -154,7 +225,7 @@ impl Measured {
             });
             Ok(())
         })?;
-        Ok(Self { curve, lines, others })
+        Ok(Self { curve, lines, others, units })
     }
 }
 
@@ -229,6 +300,10 @@ struct IdentifyAnswer {
     friction_coefficient: EstimateRecord,
     damping_ratio: EstimateRecord,
     damping: EstimateRecord,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    natural_frequency: Option<EstimateRecord>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force: Option<EstimateRecord>,
     noise: f64,
     phase_noise: Option<f64>,
     measurements: usize,
@@ -263,6 +338,8 @@ impl IdentifyAnswer {
             friction_coefficient: EstimateRecord::of(&found.friction_bound, 1.0 / weight, unit(Kind::Ratio)),
             damping_ratio: EstimateRecord::of(&found.damping_ratio, 1.0, unit(Kind::Ratio)),
             damping: EstimateRecord::of(&found.damping_ratio, critical, unit(Kind::Damping)),
+            natural_frequency: None,
+            force: None,
             noise: found.noise,
             phase_noise: found.phase_noise,
             measurements: found.residuals.len(),
@@ -352,6 +429,13 @@ fn text(
     ] {
         estimate_line(name, found, out)?;
     }
+    for (name, found) in
+        [("natural frequency", &answer.natural_frequency), ("force amplitude p₀", &answer.force)]
+    {
+        if let Some(found) = found {
+            estimate_line(name, found, out)?;
+        }
+    }
     let noise = digits(100.0 * answer.noise);
     writeln!(out, "  noise               {noise} %, relative error of one amplitude")?;
     if let Some(noise) = answer.phase_noise {
@@ -362,11 +446,15 @@ fn text(
     }
     let phases = if answer.phase_kind.is_some() { "      phase  measured less computed" } else { "" };
     writeln!(out, "\n  {:>12}  {:>14}  measured less computed{phases}", "frequency", "amplitude")?;
+    // In the units of the file.
+    let [own_frequency, own_length] = file.units.clone();
+    let (hertz, cycle) = own_frequency.unwrap_or_else(|| ("Hz".to_owned(), TAU));
+    let (length, unit) = own_length.unwrap_or_else(|| (given.system.length().to_owned(), 1.0));
     for (measured, residual) in zip(&file.curve, &found.residuals) {
-        let hertz = digits(measured.angular_frequency / TAU);
-        let (length, amplitude) = (given.system.length(), digits(measured.amplitude));
+        let frequency = format!("{} {hertz}", digits(measured.angular_frequency / cycle));
+        let amplitude = format!("{} {length}", digits(measured.amplitude / unit));
         let of_amplitude = format!("{:+.3} %", 100.0 * residual.amplitude);
-        write!(out, "  {hertz:>9} Hz  {amplitude:>11} {length}  {of_amplitude:>22}")?;
+        write!(out, "  {frequency:>12}  {amplitude:>14}  {of_amplitude:>22}")?;
         if let (Some(phase), Some(r)) = (measured.phase, residual.phase) {
             write!(out, "  {:>8.3}°  {:>21.3}°", phase.to_degrees(), r.to_degrees())?;
         }

@@ -16,10 +16,12 @@
 //! | the least squares over all values, or over those that this fit predicts where chance does not explain the others | `outliers` |
 //! | the same with each reading of the phases, of which the one that explains most is taken | here |
 //! | the fit with other readings of amplitudes and phases, which may be better | here |
+//! | the fit with the natural frequency or the force unknown | `unknown` |
 
 mod model;
 mod outliers;
 mod search;
+mod unknown;
 
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Excitation, Oscillator};
@@ -35,6 +37,7 @@ use core::iter::zip;
 use num_traits::Float as _;
 use outliers::{Judged, is_larger, judge};
 use search::{Fit, MeasuredPoint, RANGE, ResponseCurve, Rule, StartGrid, kept};
+pub use unknown::{identify_force, identify_natural_frequency};
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -236,7 +239,7 @@ pub fn identify_as(
 const SAMPLE: usize = 200;
 
 /// Evenly chosen measurements.
-fn sample(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
+fn sample<T: Copy>(points: &[T]) -> Vec<T> {
     let every = points.len().div_ceil(SAMPLE).max(1);
     points.iter().copied().step_by(every).collect()
 }

@@ -5,12 +5,13 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Machine, Of, record};
 use std::f64::consts::TAU;
 use stickslip::design::{
-    Aim, Holding, Measurement, OptimumKind, TurningPoints, bands, bands_without_stop,
+    Aim, Holding, Measurement, OptimumKind, Reading, TurningPoints, bands, bands_without_stop,
     best_friction_over_band, force_for_displacement, force_for_velocity, force_ratio_for_displacement,
     force_ratio_for_velocity, forces_without_stop, frequency_bands, frequency_bands_without_stop,
-    holding_frequency, identify, identify_decay, identify_turning_points, max_friction, min_amplitude,
-    most_dissipating_force_ratio, most_dissipating_force_ratio_of_all, most_dissipating_frequency_ratio,
-    most_dissipating_friction, most_dissipating_friction_of_all, most_dissipating_stiffness,
+    holding_frequency, identify, identify_decay, identify_force, identify_natural_frequency,
+    identify_turning_points, max_friction, min_amplitude, most_dissipating_force_ratio,
+    most_dissipating_force_ratio_of_all, most_dissipating_frequency_ratio, most_dissipating_friction,
+    most_dissipating_friction_of_all, most_dissipating_stiffness,
 };
 use stickslip::{Drive, Excitation, Oscillator};
 
@@ -384,6 +385,58 @@ fn friction_and_damping_of_the_samples_are_identified() {
     }
     // Of intervals of 95 %, fewer than 18 of 24 have a probability below 1e-3.
     assert!(covered >= 18, "{covered} of {all}");
+}
+
+/// The natural frequency, or the force, with friction and damping from curves of the samples: the truth without noise, and
+/// within the interval nineteen times in twenty with it.
+#[test]
+fn the_natural_frequency_and_the_force_of_the_samples_are_identified() {
+    let mut random = Random(48);
+    let (mut covered, mut all) = (0, 0);
+    for n in 0..10 {
+        let (mass, force) = (random.scale(0.5, 50.0), random.scale(10.0, 500.0));
+        let natural = random.scale(5.0, 60.0);
+        let stiffness = mass * natural * natural;
+        let (friction, zeta) = (force * random.between(0.1, 0.5), random.between(0.01, 0.08));
+        let damping = 2.0 * zeta * mass * natural;
+        let curve: Vec<Measurement> = (0..20)
+            .filter_map(|i| {
+                let frequency = natural * (0.55 + f64::from(i) * 0.06);
+                let cycle = cycle(&plain(mass, stiffness, damping, friction, force, frequency), 3000)?;
+                let amplitude = cycle.found.most(Of::Displacement).value;
+                Some(Measurement { angular_frequency: frequency, amplitude, phase: None })
+            })
+            .collect();
+        let body = Oscillator::new(mass, stiffness, 1.0).unwrap();
+        let fit = |curve: &[Measurement]| {
+            if n % 2 == 0 {
+                identify_natural_frequency(mass, force, curve, Reading::default()).unwrap()
+            } else {
+                identify_force(&body, curve, Reading::default()).unwrap()
+            }
+        };
+        let truth = if n % 2 == 0 { natural } else { force };
+        let (exact, value) = fit(&curve);
+        assert!((value.value / truth - 1.0).abs() < 1e-5, "{n}: {truth} {value:?}");
+        assert!((exact.friction_bound.value / friction - 1.0).abs() < 1e-3, "{n}: {friction} {exact:?}");
+        assert!((exact.damping_ratio.value / zeta - 1.0).abs() < 3e-3, "{n}: {zeta} {exact:?}");
+        let noisy: Vec<_> = curve
+            .iter()
+            .map(|m| Measurement { amplitude: m.amplitude * (1.0 + 0.01 * normal(&mut random)), ..*m })
+            .collect();
+        let (found, value) = fit(&noisy);
+        for (estimate, truth) in
+            [(found.friction_bound, friction), (found.damping_ratio, zeta), (value, truth)]
+        {
+            let (low, high) = estimate.interval();
+            all += 1;
+            covered += u32::from((low..=high).contains(&truth));
+            let room = 4.5 * estimate.standard_error;
+            assert!((estimate.value - truth).abs() < room, "{n}: {truth} {estimate:?} {found:?}");
+        }
+    }
+    // Of intervals of 95 %, fewer than 24 of 30 have a probability below 1e-3.
+    assert!(covered >= 24, "{covered} of {all}");
 }
 
 /// Friction and damping from decays of the samples, by their turning points and by their samples.

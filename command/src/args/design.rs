@@ -111,7 +111,7 @@ const PHASES: [PhaseKind; 3] = [PhaseKind::Peak, PhaseKind::Lag, PhaseKind::Tran
 Friction and damping, with their standard errors, from a measured response curve of known mass, stiffness and drive.
 The file has the columns frequency and amplitude, and optionally phase. The header may have units:
 frequency[Hz],amplitude[mm],phase[deg]. Motion with stops counts, too. Wrong values do not move the answer: they are
-left out and named.
+left out and named. Without a spring the natural frequency is fitted, too, and without a drive the amplitude of the force.
 
 With --decay the file is a free vibration that comes to rest: its peaks, in the column peak[mm], or the sampled
 displacement, in the columns time[s] and displacement[mm]. The answer is a displacement r_y/k, and a force with the
@@ -121,7 +121,8 @@ Examples:
   stickslip identify --decay peaks.csv --stiffness 12kN/m
   stickslip identify curve.csv --mass 800kg --period 2.2s --base-acceleration 0.15g
   stickslip identify curve.csv --mass 800kg --period 2.2s --force 1.2kN --amplitude rms --phase transfer-function
-  stickslip identify curve.csv --mass 50t --stiffness 1kN/mm --force 12kN --units kN,mm --format json")]
+  stickslip identify curve.csv --mass 50t --stiffness 1kN/mm --force 12kN --units kN,mm --format json
+  stickslip identify curve.csv --mass 800kg --force 1.2kN")]
 pub(crate) struct IdentifyArgs {
     /// CSV of a measured response curve, or of a free decay, - for standard input
     #[arg(value_name = "FILE")]

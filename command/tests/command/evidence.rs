@@ -77,7 +77,14 @@ fn every_output_of_every_command_has_its_row() {
         ("decay", &["decay --x0 5.5 --format json".to_owned(), format!("decay --x0 5.5 --out {turns} --format json")]),
         ("record", &[format!("record {load} --mass 50t --stiffness 1kN/mm --friction 5kN --format json")]),
         ("spectrum", &[format!("spectrum --quiet {load} --period 1s,2s --mass 50t --friction 5kN")]),
-        ("identify", &[format!("identify {curve} --mass 5kg --stiffness 2kN/m --force 100N --format json")]),
+        (
+            "identify",
+            &[
+                format!("identify {curve} --mass 5kg --stiffness 2kN/m --force 100N --format json"),
+                format!("identify {curve} --mass 5kg --force 100N --format json"),
+                format!("identify {curve} --mass 5kg --stiffness 2kN/m --format json"),
+            ],
+        ),
         ("identify --decay", &[format!("identify --decay {peaks} --stiffness 12kN/m --format json")]),
         (
             "design force",

@@ -81,7 +81,7 @@ impl<'a> ResponseCurve<'a> {
         pairs().map(of_amplitude).chain(pairs().filter_map(of_phase)).collect()
     }
 
-    fn residuals_at(&self, parameters: Parameters) -> Option<Vec<f64>> {
+    pub(super) fn residuals_at(&self, parameters: Parameters) -> Option<Vec<f64>> {
         self.motions(parameters).map(|motions| self.residuals(&motions))
     }
 
