@@ -10,15 +10,16 @@ use crate::grid::Grid;
 use crate::input::{self, behind_all, in_symbols, line};
 use crate::interrupt;
 use crate::map::margin;
+use crate::progress;
 use crate::record::Cell;
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::Regime;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Naming, Point, Role};
 use stickslip::motion::Amplitude;
+use stickslip::{Error, Regime};
 use stickslip_figures::{Figure, Origin, resolved};
 
 /// The greatest number of curves in a picture.
@@ -430,16 +431,21 @@ impl AskedCurve {
     /// the regime by name, and whether the body sticks.
     fn value(&self, point: &Point<f64>) -> Result<(Option<f64>, &'static str, bool), Failure> {
         let Shown { amplitude, kind, power, .. } = shown(self.what);
-        let found = amplitude
-            .of(point.ratios, point.excitation())
-            .map_err(|e| format!("{}: {e}", self.axis.option()))?;
+        let found = match amplitude.of(point.ratios, point.excitation()) {
+            // One point of a curve whose motion is not found.
+            Err(error @ (Error::SearchBound { .. } | Error::NotSettled { .. })) => {
+                progress::no_answer(&Failure::from(error));
+                return Ok((None, UNDECIDED, false));
+            }
+            found => found.map_err(|e| format!("{}: {e}", self.axis.option()))?,
+        };
         let in_units = |x: f64| match &point.machine {
             _ if kind == Kind::Ratio => x,
             Some(machine) => x * amplitude.unit(&machine.scales),
             // 1/α overflows for the least α.
             None => x / point.ratios.alpha() * point.ratios.omega().powi(power),
         };
-        let regime = found.regime.map_or("undecided", Regime::name);
+        let regime = found.regime.map_or(UNDECIDED, Regime::name);
         let sticks = matches!(found.regime, Some(Regime::Sticking | Regime::Stuck));
         Ok((found.value.map(in_units), regime, sticks))
     }
@@ -465,6 +471,8 @@ impl AskedCurve {
 
 /// The regime of a motion that grows without bound.
 const UNBOUNDED: &str = Regime::Unbounded.name();
+/// The regime where no limit was found.
+const UNDECIDED: &str = "undecided";
 /// The regime of a body at rest.
 const STUCK: &str = Regime::Stuck.name();
 /// The number of intervals into which a curve is divided in search of its peaks.

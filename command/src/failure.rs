@@ -35,6 +35,11 @@ impl Failure {
         on_one_line(&self.to_string())
     }
 
+    /// Whether it concerns the answer alone, not the system or the whole command.
+    pub(crate) const fn is_of_an_answer(&self) -> bool {
+        matches!(self, Self::Input(_) | Self::Verdict(_))
+    }
+
     /// This failure, preceded by the argument or the file concerned if the input is wrong.
     pub(crate) fn about(self, what: &str) -> Self {
         if let Self::Input(text) = self { Self::Input(format!("{what}: {text}")) } else { self }

@@ -310,6 +310,7 @@ struct IdentifyAnswer {
     used: usize,
     amplitude_kind: AmplitudeKind,
     phase_kind: Option<PhaseKind>,
+    better_phase: Option<PhaseKind>,
     better_reading: Option<BetterReading>,
     suspects: Vec<Suspect>,
     residuals: Vec<f64>,
@@ -346,6 +347,7 @@ impl IdentifyAnswer {
             used: found.residuals.len() - suspects.len(),
             amplitude_kind,
             phase_kind: found.phase,
+            better_phase: found.better_phase,
             better_reading: found.better,
             suspects,
             residuals: found.residuals.iter().map(|r| r.amplitude).collect(),
@@ -379,6 +381,12 @@ impl IdentifyAnswer {
         }
         if let Some(kind) = self.phase_kind {
             remarks.push(format!("Phases are read as --phase {}: {}.", kind.name(), of_phase(kind)));
+        }
+        if let Some(kind) = self.better_phase {
+            remarks.push(format!(
+                "The phases look like {0} values, with more than chance: --phase {0} explains more of the curve.",
+                kind.name()
+            ));
         }
         if !self.suspects.is_empty() {
             let part = |s: &Suspect| match (s.amplitude, s.phase) {

@@ -172,8 +172,19 @@ impl<'a> Map<'a> {
     fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, Cell<Number>) -> Outcome) -> Outcome {
         let looped = self.quantity.looped().filter(|_| !axes.is_physical());
         let one = |given: Given<f64>| {
-            let found = self.quantity.value_at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
-            Ok((given, found))
+            let found = match self.quantity.value_at(&given) {
+                // A point whose ratios are known, but whose motion or numbers are not.
+                Err(failure) if failure.is_of_an_answer() && input::point(&given).is_ok() => {
+                    let place = [self.across.0, self.up.0].map(|input| {
+                        let value = given.get(input).map_or_else(String::new, |value| value.to_string());
+                        format!("{} {value}", input.option())
+                    });
+                    progress::no_answer(&failure.about(&place.join(" ")));
+                    None
+                }
+                found => found?,
+            };
+            Ok((given, found.map_or(Cell::Number(None), |(_, cell)| cell)))
         };
         progress::in_order_kept(
             0..axes.len(),

@@ -147,6 +147,12 @@ impl Physical<Number> {
         self.values.iter().any(|(name, kind, _)| self.is_called(name, *kind, wanted))
     }
 
+    /// The same names without values.
+    pub(crate) fn blank(&self) -> Self {
+        let values = self.values.iter().map(|(name, kind, cell)| (*name, *kind, cell.blank())).collect();
+        Self { system: self.system, drive: self.drive, is_beside: self.is_beside, values }
+    }
+
     /// Whether `wanted` refers to the value with this name, with its unit in brackets or without.
     fn is_called(&self, name: &str, kind: Kind, wanted: &str) -> bool {
         match wanted.split_once('[') {

@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -27,6 +27,19 @@ pub(crate) fn note(text: &str) {
     let mut notes = NOTES.lock().unwrap_or_else(PoisonError::into_inner);
     if !notes.iter().any(|note| note == text) {
         notes.push(text.to_owned());
+    }
+}
+
+/// The most points without an answer whose reasons are said.
+const SAID: u64 = 20;
+
+/// Says why a point of a grid has no answer.
+pub(crate) fn no_answer(failure: &Failure) {
+    static FAILED: AtomicU64 = AtomicU64::new(0);
+    match FAILED.fetch_add(1, Ordering::Relaxed) {
+        said if said < SAID => note(&format!("no answer: {}", failure.message())),
+        SAID => note("further points have no answer, either"),
+        _ => {}
     }
 }
 

@@ -178,6 +178,16 @@ impl Row {
         self
     }
 
+    /// The row of a point that has no answer: its ratios alone, if they are known.
+    pub(crate) fn blank(&self, ratios: Option<&Self>) -> Self {
+        let known = |key: Key| ratios?.fields.iter().find(|(own, _)| own.name == key.name);
+        let fields = self
+            .fields
+            .iter()
+            .map(|(key, cell)| (*key, known(*key).map_or_else(|| cell.blank(), |(_, cell)| cell.clone())));
+        Self { fields: fields.collect(), physical: self.physical.blank(), is_wide: self.is_wide }
+    }
+
     /// The record, if all its numbers are finite. In units that are too small a motion overflows to infinity,
     /// which JSON does not have.
     pub(crate) fn finite(self) -> Result<Self, Failure> {

@@ -14,10 +14,12 @@
 //! |---|---|
 //! | the best minima of a trimmed sum, the 7 smallest of 10 squares, over a grid of starts | `search` |
 //! | the least squares over all values, or over those that this fit predicts where chance does not explain the others | `outliers` |
+//! | whether the fit explains more than one amplitude for all frequencies does | `explained` |
 //! | the same with each reading of the phases, of which the one that explains most is taken | here |
 //! | the fit with other readings of amplitudes and phases, which may be better | here |
 //! | the fit with the natural frequency or the force unknown | `unknown` |
 
+mod explained;
 mod model;
 mod outliers;
 mod search;
@@ -33,6 +35,7 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::f64::consts::{SQRT_2, TAU};
 use core::iter::zip;
+use explained::is_unexplained;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 use outliers::{Judged, is_larger, judge};
@@ -184,8 +187,9 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
 /// # Errors
 /// [`Error::InMeasurement`] where a measurement is not finite, not > 0 or out of range,
 /// [`Error::TooFewMeasurements`] for fewer than three, [`Error::NotIdentified`] where the curve does not
-/// separate friction from damping, and [`Error::Unexplained`] where the best fit lies at the end of the range
-/// searched, r_y = p₀ or ζ = 100.
+/// separate friction from damping, [`Error::Unexplained`] where the best fit lies at the end of the range
+/// searched, r_y = p₀ or ζ = 100, and [`Error::CurveUnexplained`] where the fit is no nearer to the amplitudes than one
+/// amplitude for all frequencies, but for chance: white noise, for example.
 pub fn identify_as(
     body: &Oscillator<f64>,
     force: f64,
@@ -213,6 +217,9 @@ pub fn identify_as(
             let value = if quantity == Quantity::FrictionBound { x * force } else { x };
             return Err(Error::Unexplained { quantity, value: written(value) });
         }
+    }
+    if better.is_none() && is_unexplained(&curve, &found) {
+        return Err(Error::CurveUnexplained { noise: written(found.noise[0]) });
     }
     let has_phases = curve.counts()[1] > 0;
     let estimate = |value: f64, variance: f64, range: (f64, f64)| Estimate {

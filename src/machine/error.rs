@@ -223,6 +223,15 @@ pub enum Error {
         /// Its greatest value.
         value: Number,
     },
+    /// A response curve that no friction and damping explain better than one amplitude for all frequencies.
+    #[error(
+        "response curve: no friction and damping explain it. The best fit is off by {noise} of an amplitude, and one \
+         amplitude for all frequencies explains it as well, but for chance"
+    )]
+    CurveUnexplained {
+        /// The standard error of one amplitude beside the best fit, relative to it.
+        noise: Number,
+    },
     /// A drive whose force changes with the frequency, in a question over a range of frequencies.
     #[error(
         "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the \

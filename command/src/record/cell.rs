@@ -81,6 +81,20 @@ pub(crate) enum Cell<F> {
     Pairs(Option<[(F, F); 2]>),
 }
 
+impl<F> Cell<F> {
+    /// The same without a value.
+    pub(crate) const fn blank(&self) -> Self {
+        match self {
+            Self::Text(_) => Self::Text(""),
+            Self::Number(_) => Self::Number(None),
+            Self::Count(_) => Self::Count(None),
+            Self::Flag(_) => Self::Flag(None),
+            Self::Intervals(_) => Self::Intervals([None, None]),
+            Self::Pairs(_) => Self::Pairs(None),
+        }
+    }
+}
+
 impl<F> From<stickslip::Value<F>> for Cell<F> {
     fn from(value: stickslip::Value<F>) -> Self {
         match value {

@@ -9,7 +9,7 @@ use crate::grid::Axes;
 use crate::interrupt;
 use crate::outputs::{self, ALPHA, Key, OMEGA};
 use crate::record::{Cell, Record, Row};
-use crate::{closed, input, steady};
+use crate::{closed, input, progress, steady};
 use std::ops::Range;
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::{DEFAULT_BUDGET, State, Trajectory};
@@ -87,13 +87,27 @@ impl<F: Value> SweepRows<F> {
         })
     }
 
-    /// The requested columns of a row, in the given order.
+    /// The requested columns of a row, in the given order; a point that has no answer is a row with its ratios, and its
+    /// reason is said.
     fn alone(&self, point: u64) -> Result<Row, Failure> {
-        let record = self.full_record(point)?;
+        let record = match self.full_record(point) {
+            Err(failure) if failure.is_of_an_answer() => return self.without_answer(point, failure),
+            found => found?,
+        };
         Ok(match &self.outputs {
             Some(outputs) => record.only(outputs),
             None => record,
         })
+    }
+
+    /// The row of a point whose ratios are known, but whose motion or numbers are not.
+    fn without_answer(&self, point: u64, failure: Failure) -> Result<Row, Failure> {
+        let given = self.axes.given_at(point);
+        let Ok(problem) = input::problem(self.question, &given) else { return Err(failure) };
+        let has_alpha = self.question != Swept::Border;
+        let ratios = Record::of_ratios(&given, &problem.ratios, has_alpha).shown();
+        progress::no_answer(&failure);
+        Ok(self.form.blank(Some(&ratios)))
     }
 
     fn full_record(&self, point: u64) -> Result<Row, Failure> {

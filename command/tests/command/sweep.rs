@@ -28,6 +28,41 @@ fn a_sweep_answers_each_point_in_order_as_the_command_does() {
     assert!(points[41].starts_with("0.55,1.1,") && points[31 * 41 - 1].starts_with("2.0,9.0,"));
 }
 
+/// The energy of the second point is beyond the largest number in N·m: it is a row without an answer, and its reason is said.
+#[test]
+fn a_point_without_an_answer_is_one_row_with_its_reason() {
+    let machine =
+        "--mass 1 --stiffness 1e-7 --friction 1e149 --alpha 5 --omega 0.5,0.9999999,1.5 --units N,m";
+    for (question, column, is_known) in
+        [("response", "physical.energy_per_cycle", true), ("steady", "energy_in", false)]
+    {
+        let asked = format!("sweep {question} {machine} --outputs omega,alpha,{column} --format jsonl");
+        let output = stickslip(&asked).assert().success().get_output().clone();
+        let rows: Vec<Value> =
+            output.stdout.split(|b| *b == b'\n').filter_map(|row| serde_json::from_slice(row).ok()).collect();
+        assert_eq!(rows.len(), 3, "{asked}");
+        for (row, omega) in rows.iter().zip([0.5, 0.9999999, 1.5]) {
+            assert_eq!((&row["omega"], &row["alpha"]), (&Value::from(omega), &Value::from(5.0)));
+        }
+        if !is_known {
+            assert!(rows[0]["energy_in"].is_number() && rows[2]["energy_in"].is_number());
+            assert!(rows[1]["energy_in"].is_null());
+        }
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains("note: no answer: ") && said.contains("--omega 0.9999999"), "{said}");
+        assert!(said.contains("must be finite"), "{said}");
+        // Alone, it is an error.
+        let alone = asked.replace("sweep ", "").replace("0.5,0.9999999,1.5", "0.9999999");
+        let alone = alone.split(" --outputs").next().unwrap().to_owned();
+        refused(&alone, &["must be finite"]);
+    }
+    let asked = format!("map loop_size_stiffness {}", machine.replace("--alpha 5", "--alpha 5,6"));
+    let output = stickslip(&asked).assert().success().get_output().clone();
+    let (map, said) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert_eq!(map.lines().filter(|row| row.ends_with(',')).count(), 2, "{map}");
+    assert_eq!(said.matches("--omega 0.9999999 --alpha").count(), 2, "{said}");
+}
+
 /// Outputs of a batch's loops have the digits of the rows with all columns, which are computed one by one.
 #[test]
 fn a_sweep_and_a_map_by_loops_have_the_digits_of_whole_rows() {
