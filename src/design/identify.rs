@@ -219,7 +219,7 @@ pub fn identify_as(
         }
     }
     if better.is_none() && is_unexplained(&curve, &found) {
-        return Err(Error::CurveUnexplained { noise: written(found.noise[0]) });
+        return Err(Error::CurveUnexplained { noise: written((1e3 * found.noise[0]).round() / 1e3) });
     }
     let has_phases = curve.counts()[1] > 0;
     let estimate = |value: f64, variance: f64, range: (f64, f64)| Estimate {

@@ -88,9 +88,15 @@ fn the_kind_of_the_amplitudes_is_given_or_suspected() {
 #[test]
 fn an_interval_is_physical() {
     let folder = tempfile::tempdir().unwrap();
-    let name = file(folder.path(), "frequency[Hz],amplitude[mm]", |i, (f, a, _)| {
-        format!("{f},{}", a * if i % 2 == 0 { 0.5 } else { 1.5 })
-    });
+    let curve = |share: f64| {
+        file(folder.path(), "frequency[Hz],amplitude[mm]", |i, (f, a, _)| {
+            format!("{f},{}", a * if i % 2 == 0 { 1.0 - share } else { 1.0 + share })
+        })
+    };
+    // Off by half, and no nearer to a resonance than to one amplitude.
+    let name = curve(0.5);
+    refused(&format!("identify {} {MACHINE}", name.display()), &["no friction and damping explain it"]);
+    let name = curve(0.25);
     let found = json(&format!("identify {} {MACHINE} --format json", name.display()));
     for key in ["friction", "friction_coefficient", "damping_ratio", "damping"] {
         let ends = [0, 1].map(|i| found[key]["interval_95"][i].as_f64().unwrap());
@@ -128,6 +134,10 @@ fn phases_are_read_by_their_unit_and_their_sign() {
     assert!((value(&found, "friction") / 12.0 - 1.0).abs() < 0.2, "{found}");
     let command = read("frequency[Hz],amplitude[mm],phase[deg]", &|p| 90.0 - p);
     assert!(stdout(&command).contains("--phase transfer-function"));
+    let command = read("frequency[Hz],amplitude[mm],phase[deg]", &|p| 90.0 - p) + " --phase peak";
+    let found = json(&format!("{command} --format json"));
+    assert!(found["phase_kind"] == "peak" && found["better_phase"] == "transfer-function", "{found}");
+    assert!(stdout(&command).contains("The phases look like transfer-function values"));
     // Degrees in a column that is in radians.
     let command = read("frequency[Hz],amplitude[mm],phase", &|p| p);
     refused(&command, &["line 2: phase", "2π", "phase[deg]"]);

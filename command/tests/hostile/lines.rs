@@ -37,6 +37,13 @@ const ORDINARY: &[&str] = &[
     "record force.csv --mass 1kg --no-spring --friction 1N",
     "spectrum record.csv --period 0.1s:4s:5:log --friction-coefficient 0.05",
     "spectrum record.csv --period 0.1s:4s:5:log --friction-coefficient 0.05 --picture spectrum.svg",
+    "pull --mass 2kg --stiffness 450N/m --friction 3N --static-friction-ratio 1.3 --speed 20mm/s",
+    "system machine.toml --set bearing.friction=450N",
+    "system machine.toml steady --set bearing.friction=450N",
+    "system machine.toml simulate --until 2s --set bearing.friction=450N",
+    "system machine.toml record record.csv --until 3s",
+    "system machine.toml curve --frequency 1Hz:10Hz:5 --set bearing.friction=450N",
+    "system machine.toml border --set roof.mass=500kg",
     "verify --omega 0.7 --alpha 3",
     "sweep response --omega 0.5:2:7 --alpha 2,4 --out sweep.csv",
     "sweep steady --omega 0.5:2:5 --alpha 2,4",
@@ -164,6 +171,26 @@ const WORDS: &[&str] = &[
     "names",
 ];
 
+/// Two masses, of which one slides.
+const MACHINE: &str = r#"units = "N,mm"
+masses = { block = "1 t", roof = "500 kg" }
+[[springs]]
+between = ["ground", "block"]
+stiffness = "200 N/mm"
+damping = "0.3 N*s/mm"
+[[springs]]
+between = ["block", "roof"]
+stiffness = "300 N/mm"
+[[contacts]]
+name = "bearing"
+between = ["ground", "block"]
+friction = "450 N"
+[[forces]]
+on = "roof"
+amplitude = "1.5 kN"
+frequency = "3 Hz"
+"#;
+
 /// Writes the files that lines name.
 pub(crate) fn write_files(folder: &Path) {
     let rows = |header: &str, row: &dyn Fn(u32) -> String, count: u32| {
@@ -191,6 +218,7 @@ pub(crate) fn write_files(folder: &Path) {
             ),
         ),
     ];
+    std::fs::write(folder.join("machine.toml"), MACHINE).unwrap();
     for (name, text) in files {
         std::fs::write(folder.join(name), text).unwrap();
     }
