@@ -75,6 +75,27 @@ pub(crate) struct Guard<F> {
     pub(crate) others: Vec<(usize, bool)>,
     /// The row whose product with |z| bounds the error of the Taylor polynomial of full degree.
     pub(crate) error: Vec<F>,
+    /// For each state its part of the Taylor coefficients over the step.
+    pub(crate) taylor: Matrix<F>,
+}
+
+impl<F: Float> Guard<F> {
+    fn new(element: usize, trigger: Trigger, row: Vec<F>, others: Vec<(usize, bool)>) -> Self {
+        Self { element, trigger, row, others, error: Vec::new(), taylor: Matrix::zero(0, 0) }
+    }
+
+    /// The Taylor polynomial at z over a part of the step.
+    pub(crate) fn polynomial(&self, z: &[F], part: F, c: &mut Vec<F>) {
+        c.resize(self.taylor.columns(), F::int(0));
+        self.taylor.transposed_of(z, c);
+        if part != F::int(1) {
+            let mut factor = F::int(1);
+            for c in c.iter_mut() {
+                *c = *c * factor;
+                factor = factor * part;
+            }
+        }
+    }
 }
 
 /// Polynomials of rows over a whole step in Bernstein form, with the rows of their error bounds.
@@ -192,8 +213,13 @@ impl<F: Float> Powers<'_, F> {
 
     /// The error bound of a row's polynomial of full degree.
     pub(crate) fn error(&self, row: &[F]) -> Vec<F> {
+        self.error_of(row, &self.terms(row, self.degree + 1))
+    }
+
+    /// The same, where the last of the row's terms is the first that is left out.
+    fn error_of(&self, row: &[F], terms: &[Vec<F>]) -> Vec<F> {
         let mut error = self.rounding(row);
-        if let Some(rest) = self.terms(row, self.degree + 1).last() {
+        if let Some(rest) = terms.last() {
             add_times(&mut error, F::int(1), &self.bounded(rest));
         }
         error
@@ -268,7 +294,12 @@ impl<F: Float> Branch<F> {
             let powers = Powers { a: &a, step, bound: &bound, degree };
             let mut guards = guards(system, modes, &tension);
             guards.extend(releases(system, &stuck, &tension));
-            guards.iter_mut().for_each(|guard| guard.error = powers.error(&guard.row));
+            for guard in &mut guards {
+                let mut terms = powers.terms(&guard.row, degree + 1);
+                guard.error = powers.error_of(&guard.row, &terms);
+                terms.pop();
+                guard.taylor = Matrix::from_rows(&terms).transposed();
+            }
             guards
         };
         let speed_errors = {
@@ -313,15 +344,27 @@ impl<F: Float> Branch<F> {
         result
     }
 
+    /// How many Taylor terms are above rounding over a time t ≤ h.
+    fn degree_over(&self, time: F) -> usize {
+        let (part, least) = (time / self.step, F::epsilon() / F::int(64));
+        let mut term = part;
+        (1..self.degree)
+            .find(|&k| {
+                term = term * part / integer(k + 1);
+                term <= least
+            })
+            .unwrap_or(self.degree)
+    }
+
     /// The Taylor coefficients `Aᵏ z tᵏ/k!` over a time t ≤ h, one after the other in one list.
     pub(crate) fn taylor(&self, z: &[F], time: F, terms: &mut Vec<F>) {
-        let size = z.len();
+        let (size, degree) = (z.len(), self.degree_over(time));
         terms.clear();
-        terms.resize((self.degree + 1) * size, F::int(0));
+        terms.resize((degree + 1) * size, F::int(0));
         if let Some(first) = terms.get_mut(..size) {
             first.copy_from_slice(z);
         }
-        for k in 1..=self.degree {
+        for k in 1..=degree {
             let (before, after) = terms.split_at_mut(k * size);
             let from = before.get((k - 1) * size..).unwrap_or(&[]);
             let to = after.get_mut(..size).unwrap_or(&mut []);
@@ -415,7 +458,7 @@ fn apply<F: Float>(force: &mut Matrix<F>, direction: &[F], tension: &[F]) {
 fn guards<F: Float>(system: &Assembly<F>, modes: &[Mode], tension: &[Vec<F>]) -> Vec<Guard<F>> {
     let mut guards: Vec<Guard<F>> = Vec::new();
     let mut add = |element: usize, trigger: Trigger, row: Vec<F>| {
-        guards.push(Guard { element, trigger, row, others: Vec::new(), error: Vec::new() });
+        guards.push(Guard::new(element, trigger, row, Vec::new()));
     };
     let times = |row: &[F], factor: F| -> Vec<F> { row.iter().map(|&x| x * factor).collect() };
     let plus = |mut row: Vec<F>, constant: F| {
@@ -507,7 +550,7 @@ fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>])
             let mut members = members.into_iter();
             let Some((element, forward)) = members.next() else { continue };
             let (trigger, others) = (Trigger::Releases { forward }, members.collect());
-            guards.push(Guard { element, trigger, row, others, error: Vec::new() });
+            guards.push(Guard::new(element, trigger, row, others));
         }
     }
     guards

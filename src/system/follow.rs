@@ -1,7 +1,7 @@
 //! The motion, from event to event.
 
 use super::assembly::{Assembly, Rule};
-use super::branch::{Branch, Mode, Trigger, polynomial, sign, sum_of_terms};
+use super::branch::{Branch, Mode, Trigger, sign};
 use super::error::Error;
 use super::matrix::{dot, size_of_dot};
 use super::model::State;
@@ -77,6 +77,10 @@ pub(crate) trait Watch<F> {
     fn event(&mut self, event: Event<F>);
     /// The branch changes where the guard's row is zero, from `before` with derivative `from` to `to`.
     fn changes(&mut self, _guard: &[F], _from: &[F], _to: &[F]) {}
+    /// Whether it needs the changes.
+    fn needs_changes(&self) -> bool {
+        false
+    }
 }
 
 /// Watches nothing.
@@ -109,6 +113,7 @@ pub(crate) struct Follower<'a, F> {
     values: Vec<F>,
     errors: Vec<F>,
     terms: Vec<F>,
+    after: Vec<F>,
 }
 
 /// A guard that has reached zero.
@@ -158,6 +163,7 @@ impl<'a, F: Float> Follower<'a, F> {
             values: Vec::new(),
             errors: Vec::new(),
             terms: Vec::new(),
+            after: Vec::new(),
         };
         debug_assert_eq!(start.displacement.len(), n, "the state has been checked");
         follower.set_phase();
@@ -394,9 +400,6 @@ impl<'a, F: Float> Follower<'a, F> {
         let certain = |(values, &error): (&[F], &F)| values.iter().all(|&value| value > error);
         let clear = self.values.chunks_exact(each).zip(&self.errors).all(certain);
         let mut event: Option<(F, usize)> = None;
-        if !clear || !whole {
-            branch.taylor(&self.z, time, &mut self.terms);
-        }
         if !clear {
             let open = self.values.chunks_exact(each).zip(&self.errors).map(certain);
             let sizes = absolute(&self.z);
@@ -404,13 +407,14 @@ impl<'a, F: Float> Follower<'a, F> {
                 if is_certain {
                     continue;
                 }
-                let mut c = polynomial(&guard.row, &self.terms);
+                let c = &mut self.terms;
+                guard.polynomial(&self.z, time / branch.step, c);
                 let error = dot(&guard.error, &sizes);
                 if !(error.is_finite() && c.iter().all(|c| c.is_finite())) {
                     return Err(Error::Unbounded { time: written(self.time) });
                 }
-                shorten(&mut c, error);
-                if let Some(at) = first_passage(&c, error)
+                shorten(c, error);
+                if let Some(at) = first_passage(c, error)
                     && event.is_none_or(|(first, _)| at < first)
                 {
                     event = Some((at, number));
@@ -418,24 +422,23 @@ impl<'a, F: Float> Follower<'a, F> {
             }
         }
         let part = event.map_or(F::int(1), |(at, _)| at);
-        let after = if event.is_none() && whole {
-            let mut after = vec![F::int(0); self.z.len()];
-            branch.whole.transposed_of(&self.z, &mut after);
-            after
-        } else {
-            sum_of_terms(&self.terms, self.z.len(), part)
-        };
         let lasted = time * part;
+        if event.is_none() && whole {
+            self.after.resize(self.z.len(), F::int(0));
+            branch.whole.transposed_of(&self.z, &mut self.after);
+        } else {
+            self.after = branch.after(&self.z, lasted, &mut self.terms);
+        }
         if lasted > F::int(0) {
             watch.stretch(system, self.current, branch, &self.z, lasted);
         }
-        if !after.iter().all(|x| x.is_finite()) {
+        if !self.after.iter().all(|x| x.is_finite()) {
             return Err(Error::Unbounded { time: written(self.time) });
         }
         if lasted > branch.step * F::exp2i(-24) {
             self.instant = 0;
         }
-        self.z = after;
+        core::mem::swap(&mut self.z, &mut self.after);
         self.time = if event.is_none() && !whole { end } else { self.time + lasted };
         let Some((_, number)) = event else { return Ok(Vec::new()) };
         Ok(self.fired(number))
@@ -465,12 +468,11 @@ impl<'a, F: Float> Follower<'a, F> {
         let system = self.system;
         let Some(branch) = self.branch() else { return Ok(()) };
         let before = branch.modes.clone();
-        let from = branch.derivative(&self.z);
-        let row = fired
-            .first()
-            .and_then(|f| branch.guards.iter().find(|g| g.element == f.element && g.trigger == f.trigger))
-            .map(|g| g.row.clone())
-            .unwrap_or_default();
+        let row = |f: &Fired| branch.guards.iter().find(|g| g.element == f.element && g.trigger == f.trigger);
+        let change = watch
+            .needs_changes()
+            .then(|| fired.first().and_then(row).map(|g| (g.row.clone(), branch.derivative(&self.z))))
+            .flatten();
         self.instant += 1;
         if self.instant > 16 + 8 * system.parts.len() {
             return Err(self.undecided(fired.first().map_or(0, |f| f.element)));
@@ -532,7 +534,7 @@ impl<'a, F: Float> Follower<'a, F> {
             }
         }
         self.enter(&modes);
-        if let Some(branch) = self.branch() {
+        if let (Some(branch), Some((row, from))) = (self.branch(), change) {
             watch.changes(&row, &from, &branch.derivative(&self.z));
         }
         Ok(())

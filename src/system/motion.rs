@@ -70,6 +70,7 @@ pub(crate) struct Observer<F> {
     values: Vec<F>,
     errors: Vec<F>,
     terms: Vec<F>,
+    product: Vec<F>,
 }
 
 impl<F: Float> Observer<F> {
@@ -89,6 +90,7 @@ impl<F: Float> Observer<F> {
             values: Vec::new(),
             errors: Vec::new(),
             terms: Vec::new(),
+            product: Vec::new(),
         }
     }
 
@@ -192,16 +194,17 @@ impl<F: Float> Observer<F> {
             for (velocity, &b) in velocities.iter().zip(&part.direction) {
                 super::matrix::add_times(&mut v, b, velocity);
             }
-            *work = *work + time * integral_of_product(&force, &v);
+            *work = *work + time * integral_of_product(&force, &v, &mut self.product);
         }
         for (i, velocity) in velocities.iter().enumerate() {
             let load = polynomial(system.load.row(i), &self.terms);
-            self.load_work = self.load_work + time * integral_of_product(&load, velocity);
+            self.load_work = self.load_work + time * integral_of_product(&load, velocity, &mut self.product);
             let mut damper = vec![F::int(0); velocity.len()];
             for (other, &c) in velocities.iter().zip(system.damping.row(i)) {
                 super::matrix::add_times(&mut damper, c, other);
             }
-            self.damper_work = self.damper_work + time * integral_of_product(&damper, velocity);
+            self.damper_work =
+                self.damper_work + time * integral_of_product(&damper, velocity, &mut self.product);
         }
     }
 }
@@ -226,19 +229,14 @@ impl<F: Float> Watch<F> for Observer<F> {
     }
 }
 
-/// `∫₀¹ a(s) b(s) ds`.
-fn integral_of_product<F: Float>(a: &[F], b: &[F]) -> F {
-    let largest = |c: &[F]| c.iter().fold(F::int(0), |sum, c| sum + c.abs()) * F::epsilon();
-    let (mut a, mut b) = (a.to_vec(), b.to_vec());
-    let (left, right) = (largest(&a), largest(&b));
-    shorten(&mut a, left);
-    shorten(&mut b, right);
-    let mut sum = F::int(0);
+/// `∫₀¹ a(s) b(s) ds`, by the coefficients of the product.
+fn integral_of_product<F: Float>(a: &[F], b: &[F], product: &mut Vec<F>) -> F {
+    product.clear();
+    product.resize(a.len() + b.len(), F::int(0));
     for (i, &x) in a.iter().enumerate() {
-        let inner = b.iter().enumerate().fold(F::int(0), |s, (j, &y)| s + y / integer(i + j + 1));
-        sum = sum + x * inner;
+        super::matrix::add_times(product.get_mut(i..).unwrap_or(&mut []), x, b);
     }
-    sum
+    product.iter().enumerate().fold(F::int(0), |sum, (k, &c)| sum + c / integer(k + 1))
 }
 
 /// ½ q′·M q′ + ½ q·K q.

@@ -122,6 +122,10 @@ impl<F: Float> Watch<F> for Seen<F> {
         self.events.push((event.element, event.kind));
     }
 
+    fn needs_changes(&self) -> bool {
+        self.tangent.is_some()
+    }
+
     fn changes(&mut self, guard: &[F], from: &[F], to: &[F]) {
         let speed = dot(guard, from);
         for column in self.tangent.iter_mut().flatten() {
