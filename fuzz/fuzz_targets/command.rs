@@ -43,9 +43,9 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, attractors, bits, closed, columns, curve, decay, design, enclose, failure, figure, floor, follow, grid,
-    input, interrupt, map, measured, motion_plot, note, output, outputs, physical, points, progress, record,
-    resume, rows, sink, starts, steady, style, sweep,
+    args, attractors, bits, closed, columns, curve, decay, design, enclose, failure, figure, floor, follow,
+    grid, input, interrupt, map, measured, motion_plot, note, output, outputs, physical, points, progress,
+    record, resume, rows, sink, starts, steady, style, sweep,
 };
 use failure::Failure;
 use std::path::PathBuf;

@@ -1,12 +1,18 @@
-//! Arbitrary bytes as the file of a record: a record of finite samples in order, or one line that says what is wrong.
+//! Arbitrary bytes as the file of a record or of a system: a record of finite samples in order, a system with natural
+//! frequencies, or one line that says what is wrong.
 #![no_main]
 
+use std::path::Path;
 use stickslip::inputs::units::Reader;
 use stickslip_front::record::{Options, Words, read};
+use stickslip_front::system::{Description, NamedSystem, parsed};
 
 libfuzzer_sys::fuzz_target!(|file: &[u8]| {
     // The first four bytes choose the options.
     let Some(([step, skip, column, units], text)) = file.split_first_chunk::<4>() else { return };
+    if *step >= 192 {
+        return system(text);
+    }
     let reader = Reader::new(None, "--units N,m");
     let pick = |from: &[&'static str], index: u8| from.get(usize::from(index) % (from.len() + 1)).copied();
     let options = Options {
@@ -28,3 +34,15 @@ libfuzzer_sys::fuzz_target!(|file: &[u8]| {
         Err(error) => assert!(error.contains("file") || error.contains("--"), "{error}"),
     }
 });
+
+fn system(text: &[u8]) {
+    let text = String::from_utf8_lossy(text);
+    let found = parsed(&text, "file").and_then(|value| NamedSystem::new(&value, [], Path::new("none"), None));
+    match found {
+        Ok(system) => {
+            let description = Description::new(&system);
+            assert_eq!(description.natural_frequencies.len(), description.coordinates.len());
+        }
+        Err(error) => assert!(!error.contains('\n'), "{error}"),
+    }
+}
