@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use stickslip::inputs::units::{self, Kind, Reader, System, split};
 use stickslip::inputs::{Driven, Given, Input, Naming, Point, Role};
 use stickslip::motion::State;
-use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
+use stickslip::{Drive, Error, Excitation, Oscillator, Quantity, Ratios};
 
 /// The typed inputs, in the system of the reader.
 pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Result<Given<F>, Failure> {
@@ -133,6 +133,50 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
     let mut given = given.clone();
     given.set(Input::Mass, F::int(1));
     Cow::Owned(given)
+}
+
+/// The inputs as the answers take them: with a mass where it cancels, and with a friction far below the rounding of every
+/// motion where it was given as 0.
+pub(crate) fn completed<F: Value>(given: &Given<F>) -> Result<Cow<'_, Given<F>>, Failure> {
+    let given = with_any_mass(given);
+    let is_zero = |input: Input| given.get(input) == Some(F::int(0));
+    let is_driven = !Input::of_role(Role::Drive).into_iter().any(is_zero);
+    if !(is_driven && (is_zero(Input::Friction) || is_zero(Input::FrictionCoefficient))) {
+        return Ok(given);
+    }
+    let mut given = given.into_owned();
+    given.take(Input::FrictionCoefficient);
+    given.set(Input::Friction, F::int(1));
+    let machine = given.driven()?;
+    given.set(Input::Friction, machine.drive.force_amplitude(&machine.oscillator) * nothing());
+    progress::note(
+        "without friction: α, and values in B and r_y, are those of a friction far below the rounding of the motion",
+    );
+    Ok(Cow::Owned(given))
+}
+
+/// A share far below the rounding of a motion.
+pub(crate) fn nothing<F: Value>() -> F {
+    F::epsilon().square()
+}
+
+/// The inputs of a simulation, in which a drive of 0 is one far below the rounding of the motion, too: the free vibration
+/// from the start.
+pub(crate) fn completed_at_rest<F: Value>(given: &Given<F>) -> Result<Given<F>, Failure> {
+    let mut given = completed(given)?.into_owned();
+    let drives = Input::of_role(Role::Drive);
+    match drives.into_iter().find(|input| given.get(*input) == Some(F::int(0))) {
+        None => {}
+        Some(Input::Alpha) => given.set(Input::Alpha, nothing()),
+        Some(input) => {
+            let body = given.oscillator()?;
+            let frequency = given.frequency(&body)?;
+            let excitation = input.excitation().unwrap_or(Excitation::Force);
+            let unit = Drive::new(excitation, F::int(1), frequency).map_err(|e| given.at_fault(&e))?;
+            given.set(input, body.friction_bound() * nothing() / unit.force_amplitude(&body));
+        }
+    }
+    Ok(given)
 }
 
 /// A note where a friction pendulum leaves the displacements for which its stiffness is m g/R.

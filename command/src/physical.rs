@@ -1,6 +1,7 @@
 //! The answer in the machine's units: the physical names of the values, and their units.
 
 use crate::bits::Value;
+use crate::input::nothing;
 use crate::outputs::{Key, plain};
 use crate::record::{Cell, Number};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -67,13 +68,17 @@ impl<F: Value> Physical<F> {
         add("period", Kind::Time, turn / oscillator.natural_frequency());
         add("mass", Kind::Mass, oscillator.mass());
         add("stiffness", Kind::Stiffness, oscillator.stiffness());
+        // A friction of 0 is computed as one far below the rounding.
+        let (bound, none) = (oscillator.friction_bound(), p0 * nothing());
+        let is_none = (bound - none).abs() <= F::int(8) * F::epsilon() * none;
+        let bound = if is_none { F::int(0) } else { bound };
         match given.directional_friction() {
             Ok(Some((forward, backward))) => {
                 add("friction", Kind::Force, forward);
                 add("friction_backward", Kind::Force, backward);
                 add("friction_bound", Kind::Force, oscillator.friction_bound());
             }
-            _ => add("friction", Kind::Force, oscillator.friction_bound()),
+            _ => add("friction", Kind::Force, bound),
         }
         if let Some(coefficient) = given.get(Input::FrictionCoefficient) {
             add("friction_coefficient", Kind::Ratio, coefficient);

@@ -44,7 +44,11 @@ impl AskedPoints<'_> {
         let reader = self.output.units.reader();
         let given = input::read::<F>(machine, &reader)?;
         let answer = |given: &Given<F>| {
-            let given = input::with_any_mass(given);
+            let given = if self.question == Swept::Border {
+                input::with_any_mass(given)
+            } else {
+                input::completed(given)?
+            };
             let point = input::problem(self.question, &given)?;
             answer(&given, &point, &reader).map(|found| (point, found))
         };
@@ -57,7 +61,12 @@ impl AskedPoints<'_> {
         if self.output.is_json()? {
             return output::json(&record, out);
         }
-        Ok(note(&point, &found, &input::with_any_mass(&given), out)?)
+        let given = if self.question == Swept::Border {
+            input::with_any_mass(&given)
+        } else {
+            input::completed(&given)?
+        };
+        Ok(note(&point, &found, &given, out)?)
     }
 }
 

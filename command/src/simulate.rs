@@ -17,8 +17,8 @@ use indicatif::ProgressDrawTarget;
 use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
+use stickslip::inputs::Driven;
 use stickslip::inputs::units::{Kind as Quantity, Reader, System};
-use stickslip::inputs::{Driven, Given, Input};
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, State, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
@@ -46,7 +46,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     let mut sink = Sink::new(format, out, Header::Names)?;
     let reader = args.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
-    let given = with_no_force(input::with_any_mass(&given).into_owned())?;
+    let given = input::completed_at_rest(&given)?;
     let point = input::point(&given)?;
     let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;
     extent.refuse_years(point.ratios.omega().to_f64())?;
@@ -96,20 +96,6 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     bar.finish_and_clear();
     sink.finish()?;
     outcome
-}
-
-/// A force of 0 as one far below the rounding of every motion: the free vibration from the start.
-fn with_no_force<F: Value>(mut given: Given<F>) -> Result<Given<F>, Failure> {
-    let nothing = F::epsilon().square() * F::exp2i(-64);
-    if given.get(Input::Alpha) == Some(F::int(0)) {
-        given.set(Input::Alpha, nothing);
-    }
-    if given.get(Input::Force) == Some(F::int(0))
-        && let Some(friction) = given.friction()?
-    {
-        given.set(Input::Force, friction * nothing);
-    }
-    Ok(given)
 }
 
 /// The start at the phase of `--phase`.

@@ -414,3 +414,41 @@ fn an_unbalance_is_read_in_pounds_and_inches() {
     );
     assert!(text.contains("unbalance m_e e          50 lb·in               = 0.129504 lbf·s²"), "{text}");
 }
+
+/// A friction of 0 is a linear oscillator, and a simulation with a drive of 0 a free vibration.
+#[test]
+fn a_friction_or_a_drive_may_be_zero() {
+    let (mass, stiffness, frequency, force) = (2.0, 800.0, 4.0 * std::f64::consts::PI, 10.0);
+    let machine = "--quiet --mass 2kg --stiffness 800N/m --frequency 2Hz --damping-ratio 5%";
+    let damping = 2.0 * 0.05 * f64::sqrt(mass * stiffness);
+    let amplitude = force / (stiffness - mass * frequency * frequency).hypot(damping * frequency);
+    for friction in ["--friction 0N", "--friction-coefficient 0"] {
+        for command in ["response", "steady"] {
+            let found = json(&format!("{command} {machine} {friction} --force 10N --format json"));
+            let physical = &found["physical"];
+            assert_eq!(
+                (found["regime"].as_str(), number(&physical["friction"])),
+                (Some("non-sticking"), 0.0)
+            );
+            close(number(&physical["max_displacement"]), amplitude, 1e-12);
+            close(number(&physical["max_spring_force"]), stiffness * amplitude, 1e-12);
+            close(number(&physical["equivalent_damping"]), damping, 1e-12);
+            close(number(&found["equivalent_damping_ratio"]), 0.05, 1e-12);
+        }
+    }
+    // In a simulation without a drive the body vibrates freely.
+    for drive in ["--force 0N", "--base-acceleration 0g", "--foot-displacement 0mm", "--unbalance 0kg*m"] {
+        let options = "--mass 2kg --stiffness 800N/m --friction 4N --damping-ratio 5% --x0 30mm";
+        let rows =
+            stdout(&format!("simulate {options} --frequency 2Hz {drive} --duration 2s --format jsonl"));
+        let last: Value = serde_json::from_str(rows.lines().last().unwrap()).unwrap();
+        let decay = json(&format!("decay {options} --format json"));
+        let [rest, due] = [&last["start_displacement"], &decay["physical"]["rest_position"]].map(number);
+        assert!(last["kind"] == "stick" && (rest - due).abs() < 1e-12, "{drive}: {rest} {due}");
+    }
+    refused("response --omega 0.5 --alpha 0", &["must be > 0"]);
+    refused(
+        "response --mass 2kg --stiffness 800N/m --frequency 2Hz --friction 0N --force 0N",
+        &["must be > 0"],
+    );
+}
