@@ -80,7 +80,9 @@ impl FloorSpectrum {
         for one in &found {
             let values =
                 [one.period, one.max_displacement, one.pseudo_acceleration, one.max_absolute_acceleration];
-            let cells = values.map(|value| Cell::Number(Some(value)).shown());
+            let mut kinds = COLUMNS.iter().map(|(_, kind)| *kind);
+            let shown = |value| kinds.next().map_or(value, |kind| given.system.shown(kind, value));
+            let cells = values.map(shown).map(|value| Cell::Number(Some(value)).shown());
             for ((name, _), cell) in COLUMNS.iter().zip(&cells) {
                 cell.finite(name)?;
             }

@@ -236,7 +236,7 @@ impl<F: Value> Surface<F> {
 fn physical<F: Value>(answer: &RecordAnswer<F>, system: System, has_mass: bool) -> Physical<Number> {
     let mut physical = Physical::of(system);
     physical.values =
-        columns(answer).into_iter().filter(|(_, kind, _)| has_mass || !needs_mass(*kind)).collect();
+        columns(answer, system).into_iter().filter(|(_, kind, _)| has_mass || !needs_mass(*kind)).collect();
     physical.shown()
 }
 
@@ -248,11 +248,11 @@ pub(crate) const fn needs_mass(kind: Kind) -> bool {
 /// The name, the kind and the cell of each answer.
 pub(crate) type Columns<F> = [(&'static str, Kind, Cell<F>); 26];
 
-/// The answers as cells.
-pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>) -> Columns<F> {
+/// The answers as cells, in the units of their names.
+pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>, system: System) -> Columns<F> {
     answer.entries().map(|(name, kind, entry)| {
         let cell = match entry {
-            Entry::Value(value) => Cell::Number(value.copied()),
+            Entry::Value(value) => Cell::Number(value.map(|value| system.shown(kind, *value))),
             Entry::Count(count) => Cell::Count(Some(count)),
         };
         (name, kind, cell)
@@ -359,7 +359,8 @@ fn states<F: Value>(
         let mut sink = Sink::new(StreamFormat::Parquet, out, Header::Names)?;
         for state in &motion.states {
             let direction = Cell::Number(Some(F::int(state.direction.into())));
-            let values = columns().map(|(name, kind, of)| (name, kind, Cell::Number(Some(of(state)))));
+            let cell = |kind, value| Cell::Number(Some(system.shown(kind, value)));
+            let values = columns().map(|(name, kind, of)| (name, kind, cell(kind, of(state))));
             let values = values.chain([("direction", Kind::Ratio, direction)]).collect();
             sink.write(&Row::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())?;
         }
@@ -374,7 +375,7 @@ fn states<F: Value>(
     };
     table.write_record(with_direction(names.collect(), "direction".to_owned()))?;
     for state in &motion.states {
-        let cells = columns().map(|(.., of)| crate::bits::all_digits(of(state)));
+        let cells = columns().map(|(_, kind, of)| crate::bits::all_digits(system.shown(kind, of(state))));
         table.write_record(with_direction(cells.collect(), state.direction.to_string()))?;
     }
     Ok(table.flush()?)
@@ -391,9 +392,6 @@ fn drawing<F: Value>(
 ) -> Figure {
     let time = |index: usize| record.time(index).to_f64();
     let samples = record.samples().iter().enumerate();
-    let load: Vec<_> = samples.map(|(index, sample)| (time(index), sample.to_f64())).collect();
-    let places = motion_plot::drawn(&load.iter().map(|point| point.1).collect::<Vec<_>>());
-    let load: Vec<_> = places.iter().filter_map(|place| load.get(*place)).copied().collect();
     let (name, kind) = match record.excitation() {
         stickslip::Excitation::Force => ("force", Kind::Force),
         stickslip::Excitation::SurfaceAcceleration => ("acceleration of the surface", Kind::Acceleration),
@@ -404,6 +402,10 @@ fn drawing<F: Value>(
         | stickslip::Excitation::SurfaceVelocity
         | _ => ("displacement of the foot", Kind::Length),
     };
+    let load: Vec<_> =
+        samples.map(|(index, sample)| (time(index), system.shown(kind, *sample).to_f64())).collect();
+    let places = motion_plot::drawn(&load.iter().map(|point| point.1).collect::<Vec<_>>());
+    let load: Vec<_> = places.iter().filter_map(|place| load.get(*place)).copied().collect();
     let label = |name: &str, kind: Kind| format!("{name} ({})", system.name(kind));
     let times = || motion.states.iter().map(|state| state.time.to_f64());
     let last = times().chain(load.iter().map(|(time, _)| *time)).fold(f64::NEG_INFINITY, f64::max);
@@ -412,7 +414,9 @@ fn drawing<F: Value>(
     let at_rest = || motion.states.iter().map(|state| state.direction == 0);
     let rests: Vec<_> = at_rest().zip([false].into_iter().chain(at_rest())).map(|(a, b)| a || b).collect();
     let moving = |name: &str, kind: Kind, value: fn(&RecordState<F>) -> F| {
-        let points = times().zip(motion.states.iter().map(|state| value(state).to_f64())).collect();
+        let points = times()
+            .zip(motion.states.iter().map(|state| system.shown(kind, value(state)).to_f64()))
+            .collect();
         motion_plot::panel(name, x(), &label(name, kind), points, &rests)
     };
     let y = motion_plot::axis(&label(name, kind), load.iter().map(|(_, value)| *value), 0.08);

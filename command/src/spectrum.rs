@@ -87,7 +87,7 @@ impl<'a> Spectra<'a> {
         let form = Record::of(Vec::new());
         let rest = Load::new(stickslip::Excitation::Force, 1.0, vec![0.0; 2])?;
         let answer = Body::new(1.0, 1.0).and_then(|body| body.follow(&rest))?;
-        let blank = follow::columns(&answer).map(|(name, kind, cell)| (name, kind, cell.absent()));
+        let blank = follow::columns(&answer, system).map(|(name, kind, cell)| (name, kind, cell.absent()));
         let failed = AtomicU64::new(0);
         let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, blank, failed, args };
         // A single bad body is a row without answers; where each is bad, an argument is.
@@ -116,10 +116,12 @@ impl<'a> Spectra<'a> {
 
     /// A row: the record, the inputs, and the answers, empty for a body that has none.
     fn row(&self, name: &'static str, given: &Given<f64>, answer: Option<&Option<RecordAnswer<f64>>>) -> Row {
-        let value = |input: Input| Cell::Number(given.get(input));
+        let value =
+            |input: Input| Cell::Number(given.get(input).map(|value| self.system.shown(input.kind(), value)));
         let mut values: Vec<_> =
             self.inputs.iter().map(|&(input, column)| (column, input.kind(), value(input))).collect();
-        let answers = answer.map(|answer| answer.as_ref().map_or(self.blank, follow::columns));
+        let answers = answer
+            .map(|answer| answer.as_ref().map_or(self.blank, |answer| follow::columns(answer, self.system)));
         let answers = answers.into_iter().flatten();
         // Forces, works and stiffnesses are those of a mass.
         values.extend(answers.filter(|(_, kind, _)| self.has_mass || !follow::needs_mass(*kind)));

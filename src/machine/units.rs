@@ -86,7 +86,7 @@ impl Reader {
         if unit.is_empty() || digits.is_empty() || unit.starts_with(',') {
             let value = number_of(name, text, text)?;
             self.seen(name, text, kind, false)?;
-            return Ok(value);
+            return Ok(self.system.scale(kind).map_or(value, |factor| factor.times(value)));
         }
         let factor = self.factor(name, text, unit, kind)?;
         let value = number_of(name, text, digits)?;

@@ -41,8 +41,8 @@ pub(crate) struct AnswerArgs {
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct UnitArgs {
     /// Units of the answers, such as kN,mm, and the system of bare numbers (values with units are converted)
-    /// [default: N,m]
-    #[arg(long, value_name = "FORCE,LENGTH")]
+    /// [default: N,m]. Under a record, accelerations may be in g: kN,mm,g
+    #[arg(long, value_name = "FORCE,LENGTH", value_parser = System::perhaps_in_g)]
     pub(crate) units: Option<System>,
 }
 

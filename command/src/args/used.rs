@@ -3,6 +3,7 @@
 use crate::failure::Outcome;
 use clap::ArgMatches;
 use clap::parser::ValueSource;
+use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Input, Role};
 
 /// The mode of a command.
@@ -110,12 +111,27 @@ pub(crate) fn columns(command: &str) -> Vec<Input> {
 /// The positional arguments.
 const PLACES: [&str; 5] = ["question", "quantity", "what", "file", "files"];
 
+/// The commands whose answers may have accelerations in g.
+const IN_G: [&str; 2] = ["record", "spectrum"];
+
 /// Fails at the first option that the command does not use.
 pub(super) fn check(matches: &ArgMatches) -> Outcome {
     let (mut command, mut matches) = (String::new(), matches);
     while let Some((name, inner)) = matches.subcommand() {
         command = format!("{command} {name}").trim_start().to_owned();
         matches = inner;
+    }
+    let units = matches.try_get_one::<System>("units").ok().flatten();
+    if let Some(system) = units.filter(|system| system.scale(Kind::Acceleration).is_some())
+        && (!IN_G.contains(&command.as_str())
+            || matches.try_get_one("enclose").is_ok_and(|is| is == Some(&true)))
+    {
+        let plain = system.to_string();
+        let plain = plain.trim_end_matches(",g");
+        return Err(format!(
+            "--units {system}: must be {plain}, because only record and spectrum without --enclose answer in g"
+        )
+        .into());
     }
     let typed = |id: &&str| matches.value_source(id) == Some(ValueSource::CommandLine);
     // The parser adds an entry for each group of options.

@@ -62,7 +62,8 @@ impl Spectra<'_> {
             if kind == Kind::Ratio { name.to_owned() } else { format!("{name} ({})", self.system.name(kind)) }
         };
         let name = label(&axis.name().replace('-', " "), axis.kind());
-        let x = grid.axis(&name, grid.ends());
+        let place_of = |value: f64| self.system.shown(axis.kind(), value);
+        let x = grid.axis(&name, (place_of(grid.ends().0), place_of(grid.ends().1)));
         let (count, bodies) = (grid.len(), self.axes.len());
         // The grids vary in their order, the last fastest.
         let is_slow = grids.first().is_some_and(|(input, _)| input == axis);
@@ -75,20 +76,28 @@ impl Spectra<'_> {
         let panels = SHOWN.map(|(title, kind, value)| {
             let at = |load: u64, line: u64, place: u64| {
                 let index = usize::try_from(load * bodies + body(place, line)).unwrap_or(usize::MAX);
-                answers.get(index).and_then(Option::as_ref).map_or(f64::NAN, value)
+                answers
+                    .get(index)
+                    .and_then(Option::as_ref)
+                    .map_or(f64::NAN, |answer| self.system.shown(kind, value(answer)))
             };
             let mut series = Vec::new();
             let mut heights = vec![0.0];
             for (line, index) in (0..lines).zip(INDICES) {
                 let of = other.map_or(String::new(), |(input, values)| {
-                    input::in_symbols(*input, &digits(values.value(line)), &self.system)
+                    input::in_symbols(
+                        *input,
+                        &digits(self.system.shown(input.kind(), values.value(line))),
+                        &self.system,
+                    )
                 });
                 let loads = self.loads.len() as u64;
                 // Few records have a colour and a name each.
                 let are_named = other.is_none() && loads > 1 && loads <= INDICES.len() as u64;
                 for ((load, (name, _)), own) in (0..).zip(&self.loads).zip(INDICES.iter().cycle()) {
-                    let points: Vec<_> =
-                        (0..count).map(|place| (grid.value(place), at(load, line, place))).collect();
+                    let points: Vec<_> = (0..count)
+                        .map(|place| (place_of(grid.value(place)), at(load, line, place)))
+                        .collect();
                     heights.extend(points.iter().map(|(_, height)| *height));
                     let name = match (loads, other) {
                         (1, Some(_)) => of.clone(),
@@ -103,7 +112,7 @@ impl Spectra<'_> {
                 if loads > 1 {
                     let mean =
                         |place: u64| (0..loads).map(|load| at(load, line, place)).sum::<f64>() / loads as f64;
-                    let points = (0..count).map(|place| (grid.value(place), mean(place)));
+                    let points = (0..count).map(|place| (place_of(grid.value(place)), mean(place)));
                     let name = if of.is_empty() { "mean".to_owned() } else { format!("mean, {of}") };
                     let (style, index) = if are_named { (Style::Thick, 0) } else { (marked, index) };
                     series.push(Series::new(name, style, index, points));

@@ -342,6 +342,72 @@ fn a_block_is_given_by_its_yield_acceleration() {
     refused("response --omega 0.5 --alpha 2 --yield-acceleration 1g", &["does not use it"]);
 }
 
+/// With `g` behind force and length, accelerations are shown in g, and bare ones read in it: everything else stays.
+#[test]
+fn accelerations_are_in_g_where_asked() {
+    let folder = folder();
+    let quake = file(&folder, "quake.at2", &peer(400));
+    let options = "--both-polarities --floor-spectrum 0.2s --format json";
+    let args = format!("record {quake} {ISOLATOR} {options}");
+    let (plain, in_g) = (json(&format!("{args} --units N,mm")), json(&format!("{args} --units N,mm,g")));
+    let compare = |plain: &serde_json::Value, in_g: &serde_json::Value| {
+        let mut scaled = 0;
+        for (name, value) in plain.as_object().unwrap() {
+            let (Some(one), Some(two)) = (value.as_f64(), in_g[name].as_f64()) else { continue };
+            let is_acceleration = name.contains("acceleration");
+            let unit = if is_acceleration { 9806.65 } else { 1.0 };
+            assert!((two * unit - one).abs() <= 1e-14 * one.abs(), "{name} {one} {two}");
+            scaled += u32::from(is_acceleration);
+        }
+        scaled
+    };
+    assert_eq!(compare(&plain, &in_g), 1);
+    assert_eq!(compare(&plain["polarities"]["mirrored"], &in_g["polarities"]["mirrored"]), 1);
+    assert_eq!(compare(&plain["floor_spectrum"]["rows"][0], &in_g["floor_spectrum"]["rows"][0]), 2);
+    assert_eq!(in_g["units"]["max_absolute_acceleration"], "g");
+    assert_eq!(in_g["floor_spectrum"]["units"]["pseudo_acceleration"], "g");
+    // Histories, spectra and bare values.
+    let history = folder.join("h.csv").display().to_string();
+    stdout(&format!("record {quake} {ISOLATOR} --units N,mm,g --out {history}"));
+    let text = fs::read_to_string(&history).unwrap();
+    assert!(text.starts_with("time[s],displacement[mm],velocity[mm/s],acceleration[g],direction,"), "{text}");
+    let greatest = text.lines().skip(1).map(|row| row.split(',').nth(5).unwrap().parse::<f64>().unwrap());
+    let part = greatest.fold(0.0f64, |most, a| most.max(a.abs()))
+        / in_g["max_absolute_acceleration"].as_f64().unwrap();
+    assert!(part > 0.99 && part <= 1.0 + 1e-13, "{part}");
+    let spectrum = |units: &str, yields: &str| {
+        let rows = stdout(&format!("spectrum {quake} --yield-acceleration {yields} --units {units}"));
+        let cells =
+            |line: usize| rows.lines().nth(line).unwrap().split(',').map(str::to_owned).collect::<Vec<_>>();
+        cells(0).into_iter().zip(cells(1)).collect::<std::collections::BTreeMap<_, _>>()
+    };
+    let (bare, typed) = (spectrum("N,mm,g", "0.1"), spectrum("N,mm,g", "0.1g"));
+    assert_eq!(bare, typed);
+    let of = |row: &std::collections::BTreeMap<String, String>, name: &str| row[name].parse::<f64>().unwrap();
+    assert!((of(&bare, "yield_acceleration[g]") - 0.1).abs() < 1e-15, "{bare:?}");
+    let plain = spectrum("N,mm", "980.665");
+    assert!((of(&plain, "yield_acceleration[mm/s^2]") - 980.665).abs() < 1e-9);
+    assert_eq!(of(&plain, "peak_displacement[mm]"), of(&bare, "peak_displacement[mm]"));
+    // A column without a unit is in that of bare numbers.
+    let column = file(&folder, "bare.csv", "time,acceleration\n0,-0.3\n1,-0.3\n");
+    let found = json(&format!("record {column} --yield-acceleration 0.1 --units N,m,g --format json"));
+    assert!(
+        (found["residual_displacement"].as_f64().unwrap() / (9.80665 * 0.3) - 1.0).abs() < 1e-13,
+        "{found}"
+    );
+    assert_eq!((found["record"]["peak"].as_f64(), &found["record"]["unit"]), (Some(-0.3), &"g".into()));
+    refused("response --omega 0.5 --alpha 2 --units N,mm,g", &["--units"]);
+    refused(
+        "response --mass 1 --stiffness 1 --friction 1 --frequency 2 --force 3 --units N,mm,g",
+        &["must be N,mm"],
+    );
+    refused(&format!("record {quake} {ISOLATOR} --enclose --units N,mm,g"), &["must be N,mm"]);
+    refused(
+        &format!("record {quake} {ISOLATOR} --units N,g"),
+        &["must be a unit of force and one of length"],
+    );
+}
+
 /// Records have the names of their files in spectra, with the folder where two are alike, and in pictures.
 #[test]
 fn records_have_names_in_spectra() {

@@ -553,7 +553,7 @@ fn rows<F: Float + FromStr>(
             (None, _) => {
                 let named = options.at(number_of_line, &columns.name);
                 let value = options.reader.value::<F>(&named, text, columns.kind)?;
-                samples.push_both(value, value)
+                samples.push_both(options.reader.system().shown(columns.kind, value), value)
             }
         };
         pushed.map_err(|what| at(&format!("{}: {what}", columns.name)))?;

@@ -185,10 +185,10 @@ class Record:
         _native.record_check(new.of, new.times, new.samples, new.after)
         return new
 
-    def _in(self, units: Optional[str]) -> tuple[str, Floats, Floats, str]:
+    def _in(self, units: Optional[str]) -> tuple[str, Floats, Floats]:
         """The record for a body in a system of units."""
         factor = 1.0 if self.unit is None else _factor(self.of, self.unit, units)
-        return self.of, self.times, self.samples * factor if factor != 1.0 else self.samples, self.after
+        return self.of, self.times, self.samples * factor if factor != 1.0 else self.samples
 
 
 def _column(name: str, values: ArrayLike) -> Floats:
@@ -383,7 +383,7 @@ def _answer(found: Mapping[str, NDArray[Any]], units: Optional[str]) -> Followed
 
 def follow(of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float]) -> Followed:
     of_type("record", record, Record)
-    return _answer(_native.record_follow(of, *record._in(units), start), units)
+    return _answer(_native.record_follow(of, *record._in(units), record.after, start), units)
 
 
 def motion(
@@ -391,7 +391,7 @@ def motion(
 ) -> Motion:
     of_type("record", record, Record)
     distance = float("nan") if interval is None else one("interval", interval)
-    answer, states, events = _native.record_motion(of, *record._in(units), start, distance)
+    answer, states, events = _native.record_motion(of, *record._in(units), record.after, start, distance)
     named = {f"event_{name}": column for name, column in events.items()}
     return Motion({**states, **named, "answer": _answer(answer, units)})
 
@@ -415,7 +415,7 @@ def floor_spectrum(
     of_type("record", record, Record)
     periods = _column("period", np.atleast_1d(np.asarray(numbers("period", period))))
     ratio = one("damping_ratio", damping_ratio)
-    found = _native.record_floor_spectrum(of, *record._in(units), start, periods, ratio)
+    found = _native.record_floor_spectrum(of, *record._in(units), record.after, start, periods, ratio)
     kinds = {
         "period": "time",
         "max_displacement": "length",
@@ -615,7 +615,7 @@ def spectrum(
         raise Error(f"period = {wrong}: must be > 0 and finite")
     omega = 2 * np.pi / periods
     bodies = [np.ones_like(omega), omega**2, 2 * zeta * omega, coefficients * one("gravity", gravity), eta]
-    found = {name: column[:size] for name, column in _native.record_spectrum(bodies, *record._in("N,m")).items()}
+    found = {name: column[:size] for name, column in _native.record_spectrum(bodies, *record._in("N,m"), record.after).items()}
     values: dict[str, Any] = (
         {name: column.item() for name, column in found.items()} if at.shape is None else shaped(found, at.shape)
     )

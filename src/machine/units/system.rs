@@ -19,11 +19,19 @@ pub struct System {
     length: &'static str,
     force_factor: Factor,
     length_factor: Factor,
+    /// Whether accelerations are shown in g, and bare ones read in it.
+    is_in_g: bool,
 }
 
 impl Default for System {
     fn default() -> Self {
-        Self { force: "N", length: "m", force_factor: Factor::ONE, length_factor: Factor::ONE }
+        Self {
+            force: "N",
+            length: "m",
+            force_factor: Factor::ONE,
+            length_factor: Factor::ONE,
+            is_in_g: false,
+        }
     }
 }
 
@@ -44,6 +52,7 @@ impl FromStr for System {
             length: length.0,
             force_factor: force.1.factor,
             length_factor: length.1.factor,
+            is_in_g: false,
         })
     }
 }
@@ -51,11 +60,35 @@ impl FromStr for System {
 /// Displays the two units in the form in which they are read.
 impl fmt::Display for System {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{},{}", self.force, self.length)
+        let g = if self.is_in_g { ",g" } else { "" };
+        write!(f, "{},{}{g}", self.force, self.length)
     }
 }
 
 impl System {
+    /// A system of a force and a length, as it is read, or with `,g` after them.
+    ///
+    /// # Errors
+    /// Where the text names no system.
+    pub fn perhaps_in_g(text: &str) -> Result<Self, InputError> {
+        match text.trim_end().strip_suffix('g').and_then(|rest| rest.trim_end().strip_suffix(',')) {
+            Some(rest) => Ok(Self { is_in_g: true, ..rest.parse()? }),
+            None => text.parse(),
+        }
+    }
+
+    /// The factor of a bare value, and of one that is shown, to the consistent system; none for most.
+    #[must_use]
+    pub fn scale(&self, kind: Kind) -> Option<Factor> {
+        let is_scaled = self.is_in_g && kind == Kind::Acceleration;
+        is_scaled.then(|| Factor::new(980_665, 100_000, 0).over(self.factor(kind.dimension())))
+    }
+
+    /// A value of the consistent system in the unit of [`System::name`].
+    pub fn shown<F: Float + FromStr>(&self, kind: Kind, value: F) -> F {
+        self.scale(kind).map_or(value, |factor| Factor::ONE.over(factor).times(value))
+    }
+
     /// The symbol of its unit of force.
     #[must_use]
     pub const fn force(&self) -> &'static str {
@@ -107,6 +140,7 @@ impl System {
             Kind::Frequency => "rad/s".to_owned(),
             Kind::Hertz => "Hz".to_owned(),
             Kind::Velocity => format!("{length}/s"),
+            Kind::Acceleration if self.is_in_g => "g".to_owned(),
             Kind::Acceleration => format!("{length}/s²"),
             Kind::Force => force.to_owned(),
             Kind::Stiffness => format!("{force}/{length}"),
@@ -150,6 +184,20 @@ mod tests {
         assert_eq!(system("N,mm").name(Kind::Mass), "t");
         assert_eq!(system("lbf,ft").name(Kind::Mass), "slug");
         assert_eq!(System::default().name(Kind::Mass), "kg");
+    }
+
+    #[test]
+    fn accelerations_may_be_in_g() {
+        let own = System::perhaps_in_g("kN,mm,g").unwrap();
+        assert_eq!((own.name(Kind::Acceleration), own.name(Kind::Velocity)), ("g".into(), "mm/s".into()));
+        assert_eq!(own.shown(Kind::Acceleration, 9806.65), 1.0);
+        assert_eq!((own.shown(Kind::Length, 3.0), own.to_string()), (3.0, "kN,mm,g".to_owned()));
+        assert_eq!(own.gravity::<f64>(), 9806.65);
+        let reader = crate::machine::units::Reader::new(Some(&own), "units");
+        let read = |text| reader.value::<f64>("a", text, Kind::Acceleration).unwrap();
+        assert_eq!((read("0.5"), read("0.5g"), read("2mm/s^2")), (4903.325, 4903.325, 2.0));
+        assert_eq!(System::perhaps_in_g("kN,mm").unwrap(), system("kN,mm"));
+        assert!("kN,mm,g".parse::<System>().is_err() && System::perhaps_in_g("kN,g").is_err());
     }
 
     #[test]
