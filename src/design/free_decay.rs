@@ -79,6 +79,23 @@ pub struct DecayIdentified {
     pub residuals: Vec<f64>,
 }
 
+/// The greatest displacement, whose square is far from overflow; the least turning point is its inverse.
+const GREATEST: f64 = 1e75;
+
+/// A displacement whose square is a number, and at least `least` in size.
+fn measured(displacement: f64, least: f64) -> Result<f64, Error> {
+    let size = finite(Quantity::Displacement, displacement)?.abs();
+    if (least..=GREATEST).contains(&size) {
+        return Ok(displacement);
+    }
+    Err(Error::OutOfRange {
+        quantity: Quantity::Displacement,
+        value: written(displacement),
+        least: written(if displacement < 0.0 || least == 0.0 { -GREATEST } else { least }),
+        greatest: written(if displacement < 0.0 { -least } else { GREATEST }),
+    })
+}
+
 /// The places of the parameters that both fits have.
 const AMPLITUDE: usize = 0;
 const ZETA: usize = 1;

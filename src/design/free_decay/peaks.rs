@@ -2,11 +2,11 @@
 
 use super::fit::EXACT;
 use super::{
-    AMPLITUDE, Alike, DecayIdentified, FRICTION, Fit, TurningPoints, ZETA, held, identified, increasing,
-    next, ratio, slides, swing,
+    AMPLITUDE, Alike, DecayIdentified, FRICTION, Fit, GREATEST, TurningPoints, ZETA, held, identified,
+    increasing, measured, next, ratio, slides, swing,
 };
 use crate::machine::error::{Error, Quantity};
-use crate::machine::ratios::{finite, positive};
+use crate::machine::ratios::positive;
 use crate::uncertainty::Estimate;
 use alloc::boxed::Box;
 use alloc::vec;
@@ -36,7 +36,7 @@ const LEAST: usize = 4;
 /// ```
 ///
 /// # Errors
-/// [`Error::InMeasurement`] where a turning point is not finite or 0, or not below the one before it in magnitude, or a
+/// [`Error::InMeasurement`] where a turning point is not finite or 0, or its size not from 10⁻⁷⁵ to 10⁷⁵, or not below the one before it in magnitude, or a
 /// time does not increase; [`Error::DecayTooShort`] for fewer than four; [`Error::NotADecay`] for amplitudes that grow, and
 /// [`Error::NegativeFriction`] for those that fall as with a negative friction or damping; [`Error::LengthMismatch`].
 pub fn identify_turning_points(
@@ -48,7 +48,7 @@ pub fn identify_turning_points(
     for (index, &x) in turns.iter().enumerate() {
         let wrong = |error| Error::InMeasurement { index, error: Box::new(error) };
         let size = positive(Quantity::MaxDisplacement, x.abs()).map_err(wrong)?;
-        finite(Quantity::Displacement, x).map_err(wrong)?;
+        measured(x, GREATEST.recip()).map_err(wrong)?;
         most = most.max(size);
         // Noise may let an amplitude grow a little.
         if size > last + most / 4.0 {

@@ -3,11 +3,10 @@
 use super::fit::EXACT;
 use super::guess::{Guess, guesses};
 use super::{
-    AMPLITUDE, Alike, DecayIdentified, FRICTION, Fit, ZETA, held, identified, increasing, next, ratio,
-    slides, swing,
+    AMPLITUDE, Alike, DecayIdentified, FRICTION, Fit, ZETA, held, identified, increasing, measured, next,
+    ratio, slides, swing,
 };
-use crate::machine::error::{Error, Quantity, written};
-use crate::machine::ratios::finite;
+use crate::machine::error::{Error, written};
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -57,8 +56,7 @@ pub fn identify_decay(times: &[f64], displacements: &[f64]) -> Result<DecayIdent
         return Err(Error::LengthMismatch { name: "displacements", found, expected });
     }
     for (index, &x) in displacements.iter().enumerate() {
-        finite(Quantity::Displacement, x)
-            .map_err(|error| Error::InMeasurement { index, error: Box::new(error) })?;
+        measured(x, 0.0).map_err(|error| Error::InMeasurement { index, error: Box::new(error) })?;
     }
     increasing(times)?;
     let every = times.len().div_ceil(FEW).max(1);

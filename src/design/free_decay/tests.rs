@@ -133,6 +133,15 @@ fn what_is_no_decay_is_refused() {
     for wrong in [f64::NAN, f64::INFINITY, 0.0] {
         assert!(matches!(of(&[4.0, 3.0, wrong, 1.0]), Err(Error::InMeasurement { index: 2, .. })));
     }
+    // Their squares would be no numbers.
+    for size in [1e300, 1e-300] {
+        let wrong = of(&[10.0, 8.0, 6.0, 5.0].map(|x| x * size / 10.0));
+        let Err(Error::InMeasurement { index: 0, error }) = wrong else { panic!("{size}: {wrong:?}") };
+        assert!(matches!(*error, Error::OutOfRange { .. }), "{error}");
+    }
+    let large: Vec<f64> = (0..50).map(|i| 1e300 * f64::from(i).cos()).collect();
+    let times: Vec<f64> = (0..50).map(f64::from).collect();
+    assert!(matches!(identify_decay(&times, &large), Err(Error::InMeasurement { index: 0, .. })));
     assert!(matches!(of(&[1.0, 3.0, 9.0, 27.0]), Err(Error::InMeasurement { index: 1, .. })));
     let times = identify_turning_points(
         &[4.0, 3.0, 2.0, 1.0],
