@@ -32,7 +32,7 @@
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `zero.rs` the search for a
 //! guard's first zero, `next.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
 //! can hold, `follow.rs` the motion from event to event,
-//! `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, and `border.rs` the closed form for one contact.
+//! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, and `border.rs` the closed form for one contact.
 
 mod assembly;
 mod border;
@@ -40,6 +40,8 @@ mod branch;
 mod dependent;
 mod error;
 mod follow;
+#[cfg(feature = "rayon")]
+mod grid;
 mod matrix;
 mod model;
 mod modes;
@@ -59,6 +61,8 @@ use motion::{Observer, state};
 pub use border::{Border, Cycle};
 pub use error::Error;
 pub use follow::{Event, EventKind};
+#[cfg(feature = "rayon")]
+pub use grid::solve_each;
 pub use model::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 pub use motion::{ElementMotion, Motion};
 pub use steady::{Steady, SteadyKind};

@@ -7,6 +7,8 @@ mod drawn;
 mod cases;
 mod closed_form;
 mod clutches;
+#[cfg(feature = "rayon")]
+mod grid;
 mod one_body;
 #[cfg(feature = "mp")]
 mod precise;

@@ -113,7 +113,7 @@ fn random_systems() {
     use stickslip::generators::Structure;
 
     let (mut events, mut seed) = (0, 1_u64);
-    for number in 0..20 {
+    for number in 0..6 {
         let mut byte = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (seed >> 56) as u8
@@ -135,7 +135,7 @@ fn random_systems() {
         assert!(by < 1e-20, "{number}: by {by:e}");
         events += seen.len();
     }
-    assert!(events > 100, "{events}");
+    assert!(events > 30, "{events}");
 }
 
 #[test]

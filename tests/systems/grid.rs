@@ -1,0 +1,18 @@
+//! Grids on all cores.
+
+use crate::closed_form::one_body;
+use stickslip::system::{Error, State, System, solve_each};
+
+/// The answers of one core, in their order; a bad model has its error, and its neighbours have their answers.
+#[test]
+fn all_cores_have_the_answers_of_one() {
+    let mut models: Vec<_> = (1..40).map(|i| one_body(0.1 * f64::from(i), 2.0, 0.05, 1.2)).collect();
+    models[7].mass[0][0] = -1.0;
+    let found = solve_each(&models, |system| system.steady(&State::rest(1)));
+    assert_eq!(found.len(), models.len());
+    for (i, (model, found)) in models.iter().zip(&found).enumerate() {
+        let alone = System::new(model).and_then(|s| s.steady(&State::rest(1)));
+        assert_eq!(&alone, found, "{i}");
+        assert_eq!(matches!(found, Err(Error::NotDefinite { .. })), i == 7, "{i}: {found:?}");
+    }
+}
