@@ -1,6 +1,6 @@
 """Two masses with a contact by SciPy's solve_ivp with events: time a period, and the error of the state after 100 periods.
 
-The system is `chain(2, 0, 1.0, 1.5)` of benches/systems.rs, which prints its own state. Run: python3 benches/peers/systems.py
+The system is `chain(2, 0, 1.0, 1.5)` of benches/systems.rs, which prints its own state. Run: python benches/peers/systems/with_events.py
 """
 
 import time
