@@ -297,6 +297,11 @@ impl<F: Float> Branch<F> {
             for guard in &mut guards {
                 let mut terms = powers.terms(&guard.row, degree + 1);
                 guard.error = powers.error_of(&guard.row, &terms);
+                // A speed that is kept at a corner of the law, as between two belts, has the corner's rounding. The law is
+                // continuous there.
+                if let (Some(corner), Some(last)) = (corner(system, modes, guard), guard.error.last_mut()) {
+                    *last = *last + corner * F::epsilon() * F::int(64);
+                }
                 terms.pop();
                 guard.taylor = Matrix::from_rows(&terms).transposed();
             }
@@ -510,6 +515,17 @@ fn guards<F: Float>(system: &Assembly<F>, modes: &[Mode], tension: &[Vec<F>]) ->
         }
     }
     guards
+}
+
+/// The speed at which a guard passes from one piece of a law to the next.
+fn corner<F: Float>(system: &Assembly<F>, modes: &[Mode], guard: &Guard<F>) -> Option<F> {
+    let part = system.parts.get(guard.element)?;
+    match (guard.trigger, modes.get(guard.element)?, &part.rule) {
+        (Trigger::Piece(to), Mode::Slides { piece, .. }, Rule::Contact { pieces, .. }) => {
+            pieces.get(to.max(*piece)).map(|p| p.from)
+        }
+        _ => None,
+    }
 }
 
 /// The bound of a contact at rest as a row: peak r(0) N.
