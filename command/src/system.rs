@@ -116,6 +116,16 @@ fn check_options(args: &SystemArgs) -> Outcome {
         Q::Record | Q::Spectrum if args.records.is_empty() => return is_missing("RECORD"),
         Q::Describe | Q::Steady | Q::Simulate | Q::Record | Q::Spectrum | Q::Curve | Q::Border => {}
     }
+    let paths: Vec<_> =
+        args.set.iter().filter_map(|text| text.split_once('=')).map(|(path, _)| path.trim()).collect();
+    if let Some(path) =
+        paths.iter().enumerate().find_map(|(i, path)| paths.iter().take(i).find(|p| *p == path))
+    {
+        return Err(format!("--set {path}: must be given once").into());
+    }
+    if args.overwrite && args.picture.is_none() && !(args.out.is_some() && args.samples.is_some()) {
+        return Err("--overwrite: needs --picture, or --samples with --out".into());
+    }
     args.look.needs("--picture", args.picture.as_deref())?;
     uses(
         "--picture",
@@ -186,7 +196,7 @@ fn simulate(asked: &NamedSystem, read: Option<&Shaking>, args: &SystemArgs, out:
     if let Some(times) = samples(args, until)? {
         return sampled(asked, args, start, &times, out);
     }
-    let motion = asked.system.simulate(start, until)?;
+    let motion = asked.system.simulate(start, until).map_err(|e| of_file(args, &e))?;
     drawn(args, || picture::motion(asked, start, &motion, &picture::title(&asked.described, "Motion")))?;
     if is_json(args)? {
         let answer = Answer::transient(&asked.described, &motion);
@@ -204,7 +214,7 @@ fn simulate(asked: &NamedSystem, read: Option<&Shaking>, args: &SystemArgs, out:
 }
 
 fn steady(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let found = asked.system.steady(&asked.described.start)?;
+    let found = asked.system.steady(&asked.described.start).map_err(|e| of_file(args, &e))?;
     if let Some(times) = samples(args, found.period)? {
         return sampled(asked, args, &found.start, &times, out);
     }
@@ -226,6 +236,9 @@ fn sampled(
     out: &mut impl Write,
 ) -> Outcome {
     let format = match (args.format, args.out.as_deref().and_then(Path::extension)) {
+        (Some(Format::Json), Some(end)) if end != "json" => {
+            return Err("--format json: the name of --out must end in .json".into());
+        }
         (Some(Format::Json), _) => None,
         (None, Some(end)) if end == "parquet" => Some(StreamFormat::Parquet),
         (Some(Format::Csv) | None, _) => Some(StreamFormat::Csv),
@@ -233,7 +246,7 @@ fn sampled(
             return Err("--format: must be csv or json with --samples".into());
         }
     };
-    let states = asked.system.states(start, times)?;
+    let states = asked.system.states(start, times).map_err(|e| of_file(args, &e))?;
     let samples = Samples::new(&asked.described, times, &states);
     let write = |mut out: &mut dyn Write| -> Outcome {
         let Some(format) = format else {
@@ -258,13 +271,18 @@ fn sampled(
 }
 
 fn border(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let found = asked.system.border()?;
+    let found = asked.system.border().map_err(|e| of_file(args, &e))?;
     // Below the border the cycle is no motion.
-    let cycle = asked.system.cycle()?.filter(|cycle| cycle.margin >= 1.0);
+    let cycle = asked.system.cycle().map_err(|e| of_file(args, &e))?.filter(|cycle| cycle.margin >= 1.0);
     if is_json(args)? {
         return output::json(&OfBorder::new(&found, cycle.as_ref()), out);
     }
     words::border(&asked.described, &found, cycle.as_ref(), out)
+}
+
+/// An error of the engine, with the name of the file.
+fn of_file(args: &SystemArgs, error: &stickslip::system::Error) -> Failure {
+    Failure::Input(format!("{}: {error}", args.file.display()))
 }
 
 impl From<stickslip::system::Error> for Failure {

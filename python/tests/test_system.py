@@ -162,7 +162,7 @@ def test_just_above_the_border_nothing_sticks():
     system = by_names()
     border = system.border()
     for factor, stops in ((0.999, 2), (1.001, 0)):
-        steady = system.with_values({"forces.0.amplitude": 1500 * border.least_load_factor * factor}).steady()
+        steady = system.with_values({"forces[1].amplitude": 1500 * border.least_load_factor * factor}).steady()
         assert steady.elements["bearing"].stops == stops
     assert border.cycle is not None
     assert border.cycle["max_displacement"] == pytest.approx(system.steady().max_displacement[0], rel=1e-11)

@@ -82,7 +82,7 @@ pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Out
     let rows = Rows::new(value, args)?;
     if let Some(file) = &args.picture {
         let target = Target::new("--picture", Some(file), args.overwrite, &args.look)?;
-        let first = rows.grid.first()?.described;
+        let first = rows.grid.described()?;
         let title = picture::heading(&first, "Greatest displacement");
         target.draw(out, || picture::curve(rows.grid, &first, &title))?;
         if args.out.is_none() {

@@ -51,6 +51,16 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     for element in elements {
         line(out, &element.name, of_element(element, described, units))?;
     }
+    for (name, &force) in described.coordinates.iter().zip(&described.model.constant) {
+        if force != 0.0 {
+            line(out, "load", format!("{} on {name}, constant", with_unit(force, units, Of::Force)))?;
+        }
+    }
+    for record in &described.model.records {
+        let end = record.times.last().copied().unwrap_or(0.0);
+        let end = with_unit(end, units, Of::Time);
+        line(out, "load", format!("record of {} samples to {end}", record.values.len()))?;
+    }
     for harmonic in &described.model.harmonics {
         let on = |place: usize| {
             let part = |list: &[f64]| list.get(place).copied().unwrap_or(0.0);
@@ -66,17 +76,19 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
             format!("{} at {at}", if loads.is_empty() { "none".into() } else { loads.join(", ") }),
         )?;
     }
-    let list = |frequencies: &[f64]| {
-        frequencies.iter().map(|omega| frequency(units, *omega)).collect::<Vec<_>>().join(", ")
+    let list = |frequencies: &[f64]| match frequencies {
+        [] => "none".to_owned(),
+        _ => frequencies.iter().map(|omega| frequency(units, *omega)).collect::<Vec<_>>().join(", "),
     };
     writeln!(out, "\nNatural frequencies, without dampers")?;
-    line(out, "all contacts sliding", list(free))?;
+    let has_contacts = elements.iter().any(|element| kind_of(element) != "stop");
+    line(out, if has_contacts { "all contacts sliding" } else { "free" }, list(free))?;
     if elements.len() > 1 {
         for (i, element) in elements.iter().enumerate().filter(|(_, e)| kind_of(e) != "stop") {
             line(out, &format!("{} at rest", element.name), list(&system.natural_frequencies(&[i])))?;
         }
     }
-    if elements.iter().any(|element| kind_of(element) != "stop") {
+    if has_contacts {
         line(out, "all contacts at rest", list(stuck))?;
     }
     if *rigid > 0 {
@@ -137,7 +149,9 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
 pub(super) fn steady(described: &Described, found: &Steady<f64>, out: &mut impl Write) -> Outcome {
     let units = described.units.as_ref();
     let period = with_unit(found.period, units, Of::Time);
-    let stops: usize = found.motion.elements.iter().map(|element| element.stops).sum();
+    let kinds = described.model.elements.iter().map(kind_of);
+    let rests = found.motion.elements.iter().zip(kinds).filter(|(_, kind)| *kind != "stop");
+    let stops: usize = rests.map(|(element, _)| element.stops).sum();
     match found.kind {
         SteadyKind::Periodic => {
             let multiple = if found.periods == 1 {
@@ -147,7 +161,8 @@ pub(super) fn steady(described: &Described, found: &Steady<f64>, out: &mut impl 
             };
             writeln!(
                 out,
-                "Periodic: it repeats itself after {period}{multiple}, with {stops} rests in it.\n"
+                "Periodic: it repeats itself after {period}{multiple}, with {} in it.\n",
+                if stops == 0 { "no rest".to_owned() } else { plural(stops, "rest", "rests") }
             )?;
             let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
             line(out, "a disturbance", format!("is multiplied by at most {} in this time", digits(largest)))?;
@@ -173,7 +188,7 @@ pub(super) fn border(
 ) -> Outcome {
     let units = described.units.as_ref();
     let factor = digits(found.least_load_factor);
-    writeln!(out, "The contact does not stick under {factor} times the load of the file, or more.\n")?;
+    writeln!(out, "The contact does not stick from {factor} times the load of the file on.\n")?;
     for harmonic in &described.model.harmonics {
         for (i, name) in described.coordinates.iter().enumerate() {
             let part = |list: &[f64]| list.get(i).copied().unwrap_or(0.0);
@@ -221,7 +236,11 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
             _ => "sticks",
         };
         let seconds = if described.units.is_some() { " s" } else { "" };
-        line(out, rest, format!("{}{seconds}, {} times", digits(found.time_at_rest), found.stops))?;
+        line(
+            out,
+            rest,
+            format!("{}{seconds}, {}", digits(found.time_at_rest), plural(found.stops, "time", "times")),
+        )?;
         line(out, "work", format!("{}{}", digits(found.work), unit(Of::Energy)))?;
     }
     writeln!(out, "energy")?;

@@ -155,7 +155,7 @@ fn a_grid_has_a_row_for_each_place() {
     assert_eq!(rows[5][place].parse::<f64>().unwrap(), numbers(&one["max_displacement"])[1]);
     // A list in another order, as JSON lines, one row of which is wrong.
     let line =
-        format!("system {} border --set bearing.friction=600N,-1N,400N --format jsonl", file.display());
+        format!("system {} border --set bearing.friction=-1N,600N,400N --format jsonl", file.display());
     let answer = stickslip(&line).output().unwrap();
     let rows: Vec<Value> = String::from_utf8(answer.stdout)
         .unwrap()
@@ -165,11 +165,11 @@ fn a_grid_has_a_row_for_each_place() {
     let least = json(&format!("system {} border --format json --set bearing.friction=400N", file.display()));
     assert_eq!(rows[2]["least_load_factor"], least["least_load_factor"]);
     assert_eq!(
-        (&rows[1]["bearing.friction[N]"], &rows[1]["least_load_factor"]),
+        (&rows[0]["bearing.friction[N]"], &rows[0]["least_load_factor"]),
         (&value!(-1.0), &Value::Null)
     );
     let said = String::from_utf8(answer.stderr).unwrap();
-    assert!(said.contains("no answer in row 2: bearing") && said.contains("≥ 0"), "{said}");
+    assert!(said.contains("no answer in row 1: contacts[1].friction -1N") && said.contains("≥ 0"), "{said}");
 }
 
 /// A grid over two records, whole, in two parts, and continued after an interruption, is the same; each row is the
@@ -221,7 +221,11 @@ fn a_grid_over_records_is_whole_in_parts_and_continued() {
 fn each_mistake_is_one_line_with_its_place() {
     let file = place("machine.toml");
     for (old, new, parts) in [
-        ("friction = \"450 N\"", "frictoin = \"450 N\"", vec!["contacts[1]", "needs one of friction"]),
+        (
+            "friction = \"450 N\"",
+            "frictoin = \"450 N\"",
+            vec!["contacts[1].frictoin is unknown. Did you mean friction?"],
+        ),
         (
             "stiffness = \"200 N/mm\"",
             "stifness = \"200 N/mm\"",
@@ -238,8 +242,26 @@ fn each_mistake_is_one_line_with_its_place() {
         ("frequency = \"3 Hz\"", "frequency = \"0 Hz\"", vec!["forces[1].frequency 0 Hz: must be > 0"]),
         ("units = \"N,mm\"", "units = \"N,furlong\"", vec!["units N,furlong"]),
         ("on = \"roof\"", "on = \"ground\"", vec!["forces[1].on ground", "does not move"]),
-        ("friction = \"450 N\"", "friction = \"-450 N\"", vec!["bearing", "must be ≥ 0"]),
-        ("friction = \"450 N\"", "friction = \"450 N\"\npeak = 0.5", vec!["bearing", "must be ≥ 1"]),
+        ("friction = \"450 N\"", "friction = \"-450 N\"", vec!["contacts[1].friction -450 N: must be ≥ 0"]),
+        (
+            "friction = \"450 N\"",
+            "friction = \"450 N\"\npeak = 0.5",
+            vec!["contacts[1].peak 0.5: must be ≥ 1"],
+        ),
+        ("friction = \"450 N\"", "friction = nan", vec!["contacts[1].friction NaN: must be finite"]),
+        ("damping = \"0.3 N*s/mm\"", "damping = inf", vec!["springs[1].damping inf: must be finite"]),
+        (
+            "friction = \"450 N\"",
+            "friction = 1\ncoefficient = 0.1",
+            vec!["contacts[1]: must have only one of friction"],
+        ),
+        (
+            "friction = \"450 N\"",
+            "friction = 1\nstiffness = 2\npeak = 2",
+            vec!["contacts[1].peak 2: must be left out"],
+        ),
+        ("name = \"bearing\"", "name = \"roof\"", vec!["the name roof is used twice"]),
+        ("name = \"bearing\"", "name = \"\"", vec!["contacts[1]: the name must not be empty"]),
     ] {
         std::fs::write(&file, MACHINE.replacen(old, new, 1)).unwrap();
         refused(&format!("system {} steady", file.display()), &parts);
@@ -248,6 +270,17 @@ fn each_mistake_is_one_line_with_its_place() {
     let line = format!("system {}", file.display());
     refused(&format!("{line} simulate"), &["--until is missing"]);
     refused(&format!("{line} simulate --until 0s"), &["--until 0s: must be > 0"]);
+    refused(&format!("{line} simulate --until inf"), &["--until inf: must be > 0 and finite"]);
+    refused(
+        &format!("{line} steady --set bearing.friction=1N --set bearing.friction=2N"),
+        &["must be given once"],
+    );
+    refused(&format!("{line} curve --frequency 1Hz,,2Hz"), &["--frequency 1Hz,,2Hz: a value is missing"]);
+    refused(&format!("{line} steady --overwrite"), &["--overwrite: needs --picture"]);
+    refused(&format!("{line} steady --set contacts[0].friction=1N"), &["whole number ≥ 1"]);
+    let same = ["contacts[1].friction", "contacts.0.friction", "bearing.friction"];
+    let same = same.map(|path| stdout(&format!("{line} steady --set {path}=321N")));
+    assert!(same[0] == same[1] && same[1] == same[2]);
     refused(&format!("{line} simulate --until 1e300s"), &["--until 1e300s: must be ≤"]);
     refused(&format!("{line} steady --until 1s"), &["--until: this question does not use it"]);
     refused(&format!("{line} steady --set bearin.friction=5N"), &["bearin is neither a name nor a place"]);

@@ -137,7 +137,7 @@ impl NamedSystem {
     /// Names the greatest time.
     pub fn check_until(&self, until: f64, typed: &str) -> Result<(), String> {
         if !(until > 0.0 && until.is_finite()) {
-            return Err(format!("{typed}: must be > 0"));
+            return Err(format!("{typed}: must be > 0 and finite"));
         }
         let most = MOST_STEPS / self.system.steps_per_time();
         if until <= most {
@@ -164,7 +164,7 @@ fn named(described: &Described, error: &Error) -> String {
 pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, String> {
     match (fields.get("peak"), fields.get("static_ratio")) {
         (Some(_), Some(node)) => Err(node.wrong("must be left out beside peak, which is the same")),
-        (Some(node), None) | (None, Some(node)) => node.number(),
+        (Some(node), None) | (None, Some(node)) => node.at_least(node.number()?, 1.0),
         (None, None) => Ok(1.0),
     }
 }

@@ -22,10 +22,32 @@ pub fn parsed(text: &str, name: &str) -> Result<Value, String> {
     if text.trim_start().starts_with('{') {
         return serde_json::from_str(text).map_err(|e| format!("{name}: {e}"));
     }
-    toml::from_str(text).map_err(|e: toml::de::Error| {
+    let table: toml::Table = toml::from_str(text).map_err(|e: toml::de::Error| {
         let line = e.span().map_or(0, |span| text.get(..span.start).unwrap_or("").lines().count().max(1));
         format!("{name}, line {line}: {}", e.message().replace('\n', " "))
-    })
+    })?;
+    let value = toml::Value::Table(table);
+    // JSON has no such numbers: they would count as fields that are left out.
+    if let Some(place) = not_finite(&value, "") {
+        return Err(format!("{name}: {place}: must be finite"));
+    }
+    serde_json::to_value(value).map_err(|e| format!("{name}: {e}"))
+}
+
+/// The place of a number that is none, or infinite.
+fn not_finite(value: &toml::Value, place: &str) -> Option<String> {
+    match value {
+        toml::Value::Float(x) if !x.is_finite() => Some(format!("{place} {x}")),
+        toml::Value::Array(list) => list
+            .iter()
+            .enumerate()
+            .find_map(|(i, value)| not_finite(value, &format!("{place}[{}]", i.saturating_add(1)))),
+        toml::Value::Table(table) => table.iter().find_map(|(name, value)| {
+            let place = if place.is_empty() { name.clone() } else { format!("{place}.{name}") };
+            not_finite(value, &place)
+        }),
+        _ => None,
+    }
 }
 
 /// The system of a value, with records beside the file in `folder`.
@@ -47,6 +69,9 @@ pub(super) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> 
             return Err(format!("units {typed}: must be left out, because the file names its own"));
         }
         return named::described(&Node::root(value, &reader), folder, asked.unwrap_or_default());
+    }
+    if let Some(typed) = units {
+        return Err(format!("units {typed}: must be left out: matrices are in any consistent units"));
     }
     by_matrices(&fields)
 }

@@ -7,6 +7,8 @@ use stickslip::inputs::units::{Kind as Of, System as Units, split};
 use stickslip::motion::record::Record;
 use stickslip::system::Motion;
 
+/// The rows of which one must be right.
+const TRIED: u64 = 1000;
 /// The most rows of a grid.
 pub const MOST_ROWS: u64 = 1_000_000;
 
@@ -122,6 +124,9 @@ fn values(name: &str, text: &str) -> Result<Values, String> {
     let bad = |what: &str| format!("{name}{text}: {what}");
     let parts: Vec<&str> = text.split(':').collect();
     let (from, to, count, is_logarithmic) = match parts.as_slice() {
+        [list] if list.split(',').any(|part| part.trim().is_empty()) => {
+            return Err(bad("a value is missing"));
+        }
         [list] => return Ok(listed(list.split(','))),
         [from, to, count] => (*from, *to, *count, false),
         [from, to, count, "log"] => (*from, *to, *count, true),
@@ -205,8 +210,8 @@ impl<'a> Grid<'a> {
         let count = count.ok_or_else(|| format!("the grid must have ≤ {MOST_ROWS} rows"))?;
         let (names, blank) = (Vec::new(), Vec::new());
         let mut grid = Self { value, folder, units, axes, records, asked, names, blank, count };
-        let first = grid.system(&grid.place(0)).map_err(|e| format!("row 1: {e}"))?;
-        let answers = columns(&first.described, asked);
+        let described = grid.described()?;
+        let answers = columns(&described, asked);
         let mut names: Vec<String> = grid.records.first().map(|_| "record".to_owned()).into_iter().collect();
         names.extend(grid.axes.iter().map(Axis::name));
         for (name, cell) in answers {
@@ -264,12 +269,14 @@ impl<'a> Grid<'a> {
         }
     }
 
-    /// The system of the first row.
+    /// The description of the first row that has one: all have the same parts.
     ///
     /// # Errors
-    /// None: it was tried when the grid was made.
-    pub fn first(&self) -> Result<NamedSystem, String> {
-        self.system(&self.place(0))
+    /// What is wrong with the first row, where none of the first rows is right.
+    pub fn described(&self) -> Result<Described, String> {
+        let system = |row: u64| self.system(&self.place(row)).map(|found| found.described);
+        let first = system(0).map_err(|e| if self.count > 1 { format!("row 1: {e}") } else { e });
+        first.or_else(|why| (1..self.count.min(TRIED)).find_map(|row| system(row).ok()).ok_or(why))
     }
 
     /// The cells of a row that say which it is: its record, and the values on the axes.

@@ -146,7 +146,10 @@ impl Builder<'_> {
             Some(node) => node.text()?.to_owned(),
             None => fields.node.place().to_owned(),
         };
-        if self.model.elements.iter().any(|element| element.name == name) {
+        if name.is_empty() {
+            return Err(fields.node.wrong("the name must not be empty"));
+        }
+        if self.model.elements.iter().any(|element| element.name == name) || self.names.contains(&name) {
             return Err(fields.node.wrong(&format!("the name {name} is used twice")));
         }
         Ok(name)
@@ -181,7 +184,13 @@ impl Builder<'_> {
             Some(node) => self.motion(&node)?,
             None => Signal::constant(0.0),
         };
-        let kind = match fields.get("stiffness") {
+        let elastic = fields.get("stiffness");
+        if elastic.is_some()
+            && let Some(node) = fields.get("peak").or_else(|| fields.get("static_ratio"))
+        {
+            return Err(node.wrong("must be left out of an elastic contact, which has one friction force"));
+        }
+        let kind = match elastic {
             Some(node) => match friction {
                 Friction { law: Law { points }, normal: None } if points.len() == 1 => Kind::Elastic {
                     stiffness: node.quantity(Of::Stiffness)?,
@@ -206,30 +215,36 @@ impl Builder<'_> {
         let (force, table) = (fields.get("friction"), fields.get("law"));
         let load = fields.get("normal_load");
         let given = [&force, &coefficient, &table].into_iter().flatten().count();
+        if given == 0 {
+            // A misspelt name says more than a missing one.
+            fields.end_with(&["name", "stiffness", "moves", "peak", "static_ratio"])?;
+        }
         if given != 1 {
-            return Err(fields.node.wrong("needs one of friction, coefficient with normal_load, and law"));
+            let what = if given == 0 { "needs" } else { "must have only" };
+            let one = "one of friction, coefficient with normal_load, and law";
+            return Err(fields.node.wrong(&format!("{what} {one}")));
         }
         if let Some(node) = coefficient {
             let Some(load) = load else {
                 return Err(node.wrong("needs normal_load, the force that presses the surfaces together"));
             };
-            let coefficient = node.quantity(Of::Ratio)?;
+            let coefficient = node.not_negative(Of::Ratio)?;
             if load.value().is_object() {
                 let signal = self.signal(&load, Of::Force)?;
                 let normal = Some(Normal { signal, displacement: Vec::new() });
                 return Ok(Friction { law: Law::constant(coefficient), normal });
             }
-            let friction = coefficient * load.quantity(Of::Force)?;
+            let friction = coefficient * load.not_negative(Of::Force)?;
             return Ok(Friction { law: Law::constant(friction), normal: None });
         }
         if let Some(load) = load {
             return Err(load.wrong("must be left out without a coefficient"));
         }
         let law = match (force, table) {
-            (Some(node), _) => Law::constant(node.quantity(Of::Force)?),
+            (Some(node), _) => Law::constant(node.not_negative(Of::Force)?),
             (None, Some(node)) if node.value().is_string() => self.law_of_file(&node)?,
             (None, Some(node)) => {
-                law(&node, |node, i| node.quantity(if i == 0 { Of::Velocity } else { Of::Force }))?
+                law(&node, |node, i| node.not_negative(if i == 0 { Of::Velocity } else { Of::Force }))?
             }
             (None, None) => Law::constant(0.0),
         };
@@ -412,12 +427,26 @@ fn unit(n: usize, place: usize) -> Vec<f64> {
     (0..n).map(|i| if i == place { 1.0 } else { 0.0 }).collect()
 }
 
+/// The path with `.0` for `[1]`.
+fn places(path: &str) -> Option<String> {
+    let mut parts = path.split('[');
+    let mut dotted = parts.next()?.to_owned();
+    for part in parts {
+        let (place, rest) = part.split_once(']')?;
+        let place = place.trim().parse::<usize>().ok()?.checked_sub(1)?;
+        dotted += &format!(".{place}{rest}");
+    }
+    Some(dotted)
+}
+
 /// Sets a value of the file, by `name.field` of a named contact, spring, stop or body, or by its place.
 pub(super) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), String> {
     let about = |what: &str| format!("{path}={text}: {what}");
     let value = text.parse::<f64>().ok().and_then(serde_json::Number::from_f64);
     let value = value.map_or_else(|| Value::String(text.to_owned()), Value::Number);
-    let steps: Vec<&str> = path.split('.').collect();
+    // `contacts[1]` is the first of them, as in messages; `contacts.0` is the same.
+    let dotted = places(path).ok_or_else(|| about("a place in brackets must be a whole number ≥ 1"))?;
+    let steps: Vec<&str> = dotted.split('.').collect();
     let Some((last, steps)) = steps.split_last() else { return Err(about("needs a name")) };
     let by_name = |file: &Value| -> Option<Vec<String>> {
         let (first, rest) = steps.split_first()?;

@@ -90,6 +90,16 @@ impl<'a> Node<'a> {
         if value.is_finite() { Ok(value) } else { Err(self.wrong("must be finite")) }
     }
 
+    /// The value of this place, if it is not below a number.
+    pub(super) fn at_least(&self, value: f64, least: f64) -> Result<f64, String> {
+        if value >= least { Ok(value) } else { Err(self.wrong(&format!("must be ≥ {least}"))) }
+    }
+
+    /// A quantity ≥ 0.
+    pub(super) fn not_negative(&self, kind: Kind) -> Result<f64, String> {
+        self.at_least(self.quantity(kind)?, 0.0)
+    }
+
     /// A number without a unit.
     pub(super) fn number(&self) -> Result<f64, String> {
         let found = match self.value {
@@ -129,6 +139,12 @@ impl<'a> Fields<'a> {
     /// A quantity, or a number where it is missing.
     pub(super) fn quantity_or(&self, name: &'static str, kind: Kind, other: f64) -> Result<f64, String> {
         self.get(name).map_or(Ok(other), |node| node.quantity(kind))
+    }
+
+    /// Fails at a field that is none of those read or of these, with the name that is nearest to it.
+    pub(super) fn end_with(&self, others: &[&'static str]) -> Result<(), String> {
+        self.known.borrow_mut().extend(others);
+        self.end()
     }
 
     /// Fails at a field that has not been read, with the known name that is nearest to it.
