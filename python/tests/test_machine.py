@@ -297,7 +297,7 @@ def test_results_are_values():
     assert one["max_displacement"] == one.max_displacement and dict(one)["margin"] == one.margin and len(one) > 20
     many = ss.response(np.linspace(0.6, 2, 100), 2.5)
     assert many == ss.response(np.linspace(0.6, 2, 100), 2.5) and "regime" in dir(many)
-    assert len(repr(many)) < 1500 and "(100,)" in repr(many)
+    assert len(repr(many)) < 60 * len(many) and "(100,)" in repr(many)
     with pytest.raises(KeyError, match="stroke"):
         one["stroke"]
 

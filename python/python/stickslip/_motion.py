@@ -37,6 +37,7 @@ class PhysicalDecay(PhysicalResult):
 
     first_turn: float
     rest_position: float
+    path: float
     rest_time: float
 
 
