@@ -104,8 +104,10 @@ fn size(name: &str, [force, length, time]: [f64; 3]) -> f64 {
         length / time / time
     } else if name.contains("velocity") {
         length / time
-    } else if name.contains("displacement") || name == "path" {
+    } else if name.contains("displacement") || name == "path" || name == "cycle_amplitude" {
         length
+    } else if name == "equivalent_stiffness" {
+        force / length
     } else {
         1.0
     }
@@ -121,8 +123,8 @@ fn scale(all: &[(&'static str, f64)], name: &str, span: f64) -> f64 {
         span * 1e4
     } else if name.ends_with("_work") {
         most(&["friction_work", "damper_work", "load_work"])
-    } else if name == "path" {
-        most(&["path"])
+    } else if ["path", "equivalent_stiffness", "equivalent_damping_ratio"].contains(&name) {
+        most(&[name])
     } else if name.contains("force") {
         most(&["max_transmitted_force"])
     } else if name.contains("acceleration") {
