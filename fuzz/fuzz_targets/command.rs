@@ -79,6 +79,8 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
             std::fs::write(&*POINTS, content).expect("a temporary file");
             args.file = POINTS.clone();
             (args.out, args.picture, args.interval) = (None, None, None);
+            // Ranges of oscillators take long.
+            args.floor_spectrum = args.floor_spectrum.take().filter(|text| !text.contains(':'));
             follow::run(args, out)
         }
         Command::Decay(args) => {
