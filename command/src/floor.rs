@@ -3,14 +3,13 @@
 use crate::args::RecordArgs;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::follow::Shaken;
 use crate::grid::Grid;
 use crate::physical::Units;
 use crate::record::{Cell, Number};
 use serde::ser::{Serialize, Serializer};
 use std::io::Write;
 use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::motion::record::Record;
+use stickslip::motion::record::{Body, Record};
 
 /// The most oscillators.
 const MOST: u64 = 10_000;
@@ -70,18 +69,18 @@ pub(crate) struct FloorSpectrum {
 impl FloorSpectrum {
     pub(crate) fn new<F: Value>(
         asked: &Oscillators<F>,
-        shaken: &Shaken<F>,
+        (body, [x, v]): (&Body<F>, [F; 2]),
         record: &Record<F>,
+        system: System,
     ) -> Result<Self, Failure> {
-        let Shaken { body, start: [x, v], given, .. } = shaken;
-        let found = body.floor_spectrum(record, *x, *v, &asked.periods, asked.damping_ratio);
+        let found = body.floor_spectrum(record, x, v, &asked.periods, asked.damping_ratio);
         let found = found.map_err(|e| Failure::Input(format!("--floor-spectrum: {e}")))?;
         let mut rows = Vec::new();
         for one in &found {
             let values =
                 [one.period, one.max_displacement, one.pseudo_acceleration, one.max_absolute_acceleration];
             let mut kinds = COLUMNS.iter().map(|(_, kind)| *kind);
-            let shown = |value| kinds.next().map_or(value, |kind| given.system.shown(kind, value));
+            let shown = |value| kinds.next().map_or(value, |kind| system.shown(kind, value));
             let cells = values.map(shown).map(|value| Cell::Number(Some(value)).shown());
             for ((name, _), cell) in COLUMNS.iter().zip(&cells) {
                 cell.finite(name)?;
@@ -89,7 +88,7 @@ impl FloorSpectrum {
             rows.push(Response(cells));
         }
         let damping_ratio = Cell::Number(Some(asked.damping_ratio)).shown();
-        Ok(Self { damping_ratio, rows, units: Units(given.system, COLUMNS.into()) })
+        Ok(Self { damping_ratio, rows, units: Units(system, COLUMNS.into()) })
     }
 
     /// A table of the responses.

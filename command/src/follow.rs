@@ -119,7 +119,8 @@ impl<F: Value> Answered<F> {
         for (name, _, cell) in &physical.values {
             cell.finite(name)?;
         }
-        let floor = floor.as_ref().map(|asked| FloorSpectrum::new(asked, shaken, record));
+        let floor = floor.as_ref();
+        let floor = floor.map(|asked| FloorSpectrum::new(asked, (body, [*x0, *v0]), record, given.system));
         Ok(Self { answer, physical, floor_spectrum: floor.transpose()? })
     }
 }

@@ -4,6 +4,7 @@
 //! A mistake is one line of text with the place in the file, the value and the inequality it breaks.
 
 mod answer;
+mod built;
 mod described;
 mod description;
 mod file;
@@ -12,7 +13,8 @@ mod named;
 mod node;
 
 pub use answer::{Answer, OfBorder, Samples, kind_of};
-pub use described::{Described, NamedSystem};
+pub use built::NamedSystem;
+pub use described::Described;
 pub use description::{Description, OfElement};
 pub use file::parsed;
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};

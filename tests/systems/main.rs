@@ -14,6 +14,4 @@ mod one_body;
 mod precise;
 mod random;
 mod references;
-#[cfg(feature = "generators")]
-mod scratch;
 mod self_excited;

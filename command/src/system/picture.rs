@@ -2,7 +2,9 @@
 
 use crate::bits::digits;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::motion_plot::{axis, panel};
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 use stickslip::inputs::units::Kind as Of;
 use stickslip::system::{Element, Kind, Motion, State};
@@ -93,6 +95,17 @@ const fn style(place: usize) -> Style {
     }
 }
 
+/// The answers of all rows of a grid, in parallel.
+fn answers(grid: &Grid<'_>) -> Result<Vec<Vec<Cell<'static>>>, Failure> {
+    let answer = |row: u64| {
+        if interrupt::asked() {
+            return Err(Failure::Interrupted);
+        }
+        Ok(grid.answer(row).unwrap_or_else(|_| grid.blank().to_vec()))
+    };
+    (0..grid.len()).into_par_iter().map(answer).collect()
+}
+
 /// The greatest displacement of each coordinate over the one axis of a grid, thick where a contact sticks.
 pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Result<Figure, Failure> {
     let rows: Vec<u64> = (0..grid.len()).collect();
@@ -112,7 +125,7 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
     if !places.iter().all(|x| x.is_finite()) {
         return Err(format!("--picture: {name} must be a number in each row").into());
     }
-    let answers = crate::system::table::answers(grid)?;
+    let answers = answers(grid)?;
     let before = given(&0).len();
     let column = |name: &str| {
         let place = grid.names().iter().position(|own| own.split('[').next() == Some(name));

@@ -10,7 +10,6 @@ use crate::output;
 use crate::progress;
 use crate::record::{Cell, Record, Row};
 use crate::sweep::{Table, write_table};
-use rayon::prelude::*;
 use serde_json::Value;
 use std::io::Write;
 use std::ops::Range;
@@ -73,7 +72,7 @@ fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
             return Err("--set: a grid belongs to steady, simulate, record, curve and border".into());
         }
     };
-    let units = args.units.units.map(|units| &*kept(units));
+    let units = args.units.units.map(kept);
     Grid::new(kept(value.clone()), kept(folder(args).to_owned()), units, axes, kept(records), asked)
         .map_err(about)
 }
@@ -101,17 +100,6 @@ pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Out
         Some(Format::Text) => return Err("--format text: a table is csv, json or jsonl".into()),
     };
     write_table(&args.table(), format, &rows, out)
-}
-
-/// The answers of all rows of a grid, in parallel.
-pub(super) fn answers(grid: &Grid<'_>) -> Result<Vec<Vec<Found<'static>>>, Failure> {
-    let answer = |row: u64| {
-        if interrupt::asked() {
-            return Err(Failure::Interrupted);
-        }
-        Ok(grid.answer(row).unwrap_or_else(|_| grid.blank().to_vec()))
-    };
-    (0..grid.len()).into_par_iter().map(answer).collect()
 }
 
 impl Rows {

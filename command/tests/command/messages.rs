@@ -31,7 +31,9 @@ fn no_help_has_a_semicolon() {
 #[test]
 fn the_general_help_has_the_limits_of_the_model() {
     let help = stdout("--help").split_whitespace().collect::<Vec<_>>().join(" ");
-    for part in ["one body", "Coulomb friction and a harmonic drive", "Impacts with a coefficient of restitution"] {
+    for part in
+        ["one body", "Coulomb friction and a harmonic drive", "Impacts with a coefficient of restitution"]
+    {
         assert!(help.contains(part), "{part} is not in {help}");
     }
 }

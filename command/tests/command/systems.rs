@@ -204,7 +204,7 @@ fn a_grid_over_records_is_whole_in_parts_and_continued() {
     assert_eq!(parts.concat(), whole);
     let file = of("grid.csv");
     let cut = whole.lines().take(4).collect::<Vec<_>>().join("\n") + "\nb.csv,70";
-    std::fs::write(&file, whole[..cut.len().min(whole.len())].as_bytes()).unwrap();
+    std::fs::write(&file, &whole.as_bytes()[..cut.len().min(whole.len())]).unwrap();
     stdout(&format!("{grid} --out {} --resume", file.display()));
     assert_eq!(std::fs::read_to_string(&file).unwrap(), whole);
     // Of another grid.

@@ -1,21 +1,13 @@
 //! A system as its file describes it, and the parts that bodies by name and matrices share.
 
 use super::node::{Fields, Node};
-use crate::record::Summary;
-use serde_json::Value;
-use std::path::Path;
-use stickslip::Excitation;
-use stickslip::inputs::units::{Reader, System as Units};
-use stickslip::motion::record::Record;
-use stickslip::system::{Error, Law, Model, State, System};
+use stickslip::inputs::units::System as Units;
+use stickslip::system::{Law, Model, State};
 
 /// The greatest number of coordinates: the matrices are dense.
 pub(super) const MOST_COORDINATES: usize = 200;
 /// The greatest number of elements.
 pub(super) const MOST_ELEMENTS: usize = 200;
-
-/// The longest motion, in steps: a step is a radian of the fastest vibration, or the time of the fastest damper.
-const MOST_STEPS: f64 = 1e6;
 
 /// A system as its file describes it, with the names of its parts.
 #[derive(Debug, Clone)]
@@ -31,133 +23,6 @@ pub struct Described {
     /// The force on each coordinate under a unit acceleration of the base, −M ι, where every coordinate is a
     /// displacement over the base.
     pub(super) inertia: Vec<f64>,
-}
-
-/// A described system with its motions.
-#[derive(Debug, Clone)]
-pub struct NamedSystem {
-    /// The description.
-    pub described: Described,
-    /// Its motions.
-    pub system: System<f64>,
-}
-
-impl NamedSystem {
-    /// The system of a value that [`parsed`](super::parsed) returned, with other values at some paths, in the units
-    /// given or else in its own. Names of files in it are taken from the folder.
-    ///
-    /// # Errors
-    /// One line with the place in the value, or the element, and the condition.
-    pub fn new<'s>(
-        value: &Value,
-        set: impl IntoIterator<Item = (&'s str, &'s str)>,
-        folder: &Path,
-        units: Option<&Units>,
-    ) -> Result<Self, String> {
-        let mut value = value.clone();
-        for (path, new) in set {
-            Self::set(&mut value, path, new)?;
-        }
-        Self::of(super::file::described(&value, folder, units)?)
-    }
-
-    /// Sets a value at a path of a description: `name.field` of a named contact, spring, stop or body, or places in lists from
-    /// 0, such as `forces.0.amplitude`.
-    ///
-    /// # Errors
-    /// Where there is no such place.
-    pub fn set(value: &mut Value, path: &str, new: &str) -> Result<(), String> {
-        super::named::set(value, path.trim(), new.trim())
-    }
-
-    /// A described system, if it has motions.
-    fn of(described: Described) -> Result<Self, String> {
-        match System::new(&described.model) {
-            Ok(system) => Ok(Self { described, system }),
-            Err(error) => Err(named(&described, &error)),
-        }
-    }
-
-    /// With a record of the base's acceleration beside the loads of the file.
-    ///
-    /// # Errors
-    /// Where the record is of another load.
-    pub fn with_record(mut self, record: &Record<f64>, name: &str) -> Result<Self, String> {
-        if record.excitation() != Excitation::SurfaceAcceleration {
-            return Err(format!("{name}: must be a record of an acceleration"));
-        }
-        let force = self.described.inertia.clone();
-        self.described.model.records.push(super::named::samples(record, force));
-        Self::of(self.described)
-    }
-
-    /// With the record of a file, which is read in the units of the system, and what was read.
-    ///
-    /// # Errors
-    /// Where the file cannot be read, or its record is of another load.
-    pub fn with_record_of(self, file: &Path) -> Result<(Self, Summary), String> {
-        let name = file.display().to_string();
-        let (record, summary) = super::named::of_file(file, &name, &self.reader())?;
-        Ok((self.with_record(&record, &name)?, summary))
-    }
-
-    /// Under loads of another frequency: the lowest becomes this one, and all others change in proportion.
-    ///
-    /// # Errors
-    /// Without a harmonic load, or for a frequency that is not positive and finite.
-    pub fn at_frequency(mut self, frequency: f64) -> Result<Self, String> {
-        let harmonics = &mut self.described.model.harmonics;
-        let lowest = harmonics.iter().map(|h| h.frequency).fold(f64::INFINITY, f64::min);
-        if !lowest.is_finite() {
-            return Err("frequency: the system has no harmonic load".to_owned());
-        }
-        for harmonic in harmonics {
-            let is_lowest = harmonic.frequency == lowest;
-            harmonic.frequency = if is_lowest { frequency } else { harmonic.frequency / lowest * frequency };
-        }
-        Self::of(self.described)
-    }
-
-    /// The reader of values in the units of the system.
-    #[must_use]
-    pub fn reader(&self) -> Reader {
-        Reader::new(self.described.units.as_ref(), "units in the file")
-    }
-
-    /// The end of the last record; 0 without a record.
-    #[must_use]
-    pub fn end_of_records(&self) -> f64 {
-        let ends = self.described.model.records.iter().filter_map(|record| record.times.last());
-        ends.fold(0.0, |last: f64, &end| last.max(end))
-    }
-
-    /// Fails where a motion to this time has more than 10⁶ steps, or no length.
-    ///
-    /// # Errors
-    /// Names the greatest time.
-    pub fn check_until(&self, until: f64, typed: &str) -> Result<(), String> {
-        if !(until > 0.0 && until.is_finite()) {
-            return Err(format!("{typed}: must be > 0 and finite"));
-        }
-        let most = MOST_STEPS / self.system.steps_per_time();
-        if until <= most {
-            return Ok(());
-        }
-        let unit = if self.described.units.is_some() { " s" } else { "" };
-        let most = stickslip::words::digits(most);
-        Err(format!("{typed}: must be ≤ {most}{unit}, 10⁶ steps of the fastest motion"))
-    }
-}
-
-/// The error of the engine, whose coordinates have the names of the file.
-fn named(described: &Described, error: &Error) -> String {
-    match error {
-        Error::NotDefinite { row, .. } => match described.coordinates.get(row.saturating_sub(1)) {
-            Some(name) => format!("{name}: {error}"),
-            None => error.to_string(),
-        },
-        _ => error.to_string(),
-    }
 }
 
 /// The static friction over the kinetic one, under either name.

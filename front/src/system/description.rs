@@ -1,7 +1,7 @@
 //! A system as it is, before it is asked for a motion.
 
 use super::answer::kind_of;
-use super::described::NamedSystem;
+use super::built::NamedSystem;
 use serde::Serialize;
 use stickslip::system::Element;
 

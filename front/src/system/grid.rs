@@ -1,6 +1,7 @@
 //! Answers over a grid of values of the file, of its loads' frequency and of records, a row each.
 
-use super::described::{Described, NamedSystem};
+use super::built::NamedSystem;
+use super::described::Described;
 use serde_json::Value;
 use std::path::Path;
 use stickslip::inputs::units::{Kind as Of, System as Units, split};
