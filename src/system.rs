@@ -105,10 +105,11 @@ impl<F: Float> System<F> {
     ///
     /// It is found by Newton's method from some followed periods, and accepted where the period map closes to rounding
     /// with the events of the motion that was followed, and where small disturbances do not grow. Without harmonics the motion
-    /// is self-excited, and its period is found with it, or it comes to rest.
+    /// is self-excited, and its period is found with it, or it comes to rest. An undamped vibration that no contact stops is never
+    /// forgotten, so that a start that has it does not settle.
     ///
     /// # Errors
-    /// As [`System::simulate`]; also where the loads have no common period, or there is a record.
+    /// As [`System::simulate`]; also where a period of the loads has more than 250,000 steps, or the loads have no common period, or there is a record.
     pub fn steady(&self, start: &State<F>) -> Result<Steady<F>, Error> {
         if !self.assembly.records.is_empty() {
             let condition = "must be absent: a steady motion has the period of a load";
@@ -122,7 +123,14 @@ impl<F: Float> System<F> {
             return self_excited::self_excited(&self.assembly, span, self.follower(start, span)?);
         }
         let period = steady::common_period(&self.assembly.frequencies)?;
-        steady::steady(&self.assembly, period, self.follower(start, period)?)
+        // The longest own vibration, free or with all elements at rest.
+        let slowest = || {
+            let all: Vec<usize> = (0..self.assembly.parts.len()).collect();
+            let own = self.natural_frequencies(&[]).into_iter().chain(self.natural_frequencies(&all));
+            let own = own.filter(|omega| *omega > F::int(0));
+            own.reduce(|a, b| if b < a { b } else { a }).map(|omega| F::int(2) * F::pi() / omega)
+        };
+        steady::steady(&self.assembly, period, slowest, self.follower(start, period)?)
     }
 
     /// The least load at which the only contact never sticks, for a system with one contact and one harmonic load.

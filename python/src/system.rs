@@ -17,7 +17,7 @@ use stickslip_front::system::{
 };
 
 /// Rows that are computed before signals are asked for.
-const AT_ONCE: u64 = 64;
+const AT_ONCE: u64 = 16;
 
 /// A described system, and the value of its description, which grids change.
 #[pyclass(frozen, module = "stickslip._native")]

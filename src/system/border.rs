@@ -79,6 +79,9 @@ struct Friction<F> {
     load: (F, F),
 }
 
+/// The most steps of half a period.
+const MOST_STEPS: usize = 1_000_000;
+
 fn unsupported(name: &str, condition: &'static str) -> Error {
     Error::Unsupported { name: name.to_string(), condition }
 }
@@ -105,6 +108,19 @@ impl<F: Float> Friction<F> {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
         }
         let (n, frequency) = (given.n, *frequency);
+        let constant: Vec<F> = given.load.rows().filter_map(|row| row.last().copied()).collect();
+        let (shift, missing) = given.stiffness.solved(&constant);
+        // A constant load shifts the middle of the cycle, if springs carry it.
+        let left = given
+            .stiffness
+            .of(&shift)
+            .into_iter()
+            .zip(&constant)
+            .fold(zero, |most, (a, &b)| most.or_larger((a - b).abs()));
+        let size = constant.iter().fold(zero, |most, x| most.or_larger(x.abs()));
+        if missing > 0 && left > size * F::exp2i(-20) {
+            return Err(unsupported("constant load", "must be absent where no spring carries it"));
+        }
         let load = amplitudes(given, &part.direction, frequency)?;
         // The friction alone.
         let mut system = given.clone();
@@ -114,6 +130,13 @@ impl<F: Float> Friction<F> {
         let half = F::pi() / frequency;
         let modes = [Mode::Slides { forward: false, piece: 0 }];
         let longest = Branch::new(&system, &modes, half).step;
+        let most = integer::<F>(MOST_STEPS);
+        if !half.is_finite() || half > longest * most {
+            return Err(unsupported(
+                "half a period of the load",
+                "must have at most 10⁶ steps of the fastest rate",
+            ));
+        }
         let mut steps = 1;
         while integer::<F>(steps) * longest < half {
             steps += 1;

@@ -89,11 +89,11 @@ impl<F> Watch<F> for () {
     fn event(&mut self, _: Event<F>) {}
 }
 
-/// The largest number of steps beside those that end at samples of records: some ten seconds of work, and more where a
-/// step multiplies large matrices.
+/// The largest number of steps beside those that end at samples of records: some seconds of work, as a step of a large
+/// system multiplies large matrices.
 fn most_steps<F>(system: &Assembly<F>) -> u64 {
     let size = (system.size as u64).pow(2).max(256);
-    (1_280_000_000 / size).max(20_000).saturating_add(4 * system.instants.len() as u64)
+    (512_000_000 / size).max(20_000).saturating_add(4 * system.instants.len() as u64)
 }
 
 /// The motion at one instant.
@@ -181,6 +181,11 @@ impl<'a, F: Float> Follower<'a, F> {
     pub(crate) fn rewind(&mut self) {
         self.time = F::int(0);
         self.set_phase();
+    }
+
+    /// Takes as many steps again.
+    pub(crate) const fn renew(&mut self) {
+        self.steps = 0;
     }
 
     /// Begins anew at time 0, from these displacements, velocities and elastic forces.

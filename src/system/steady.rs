@@ -76,7 +76,11 @@ pub struct Steady<F> {
 /// The most periods that are followed.
 const MOST_PERIODS: usize = 2048;
 /// The greatest multiple of the loads' period.
-const MOST_MULTIPLE: usize = 8;
+const MOST_MULTIPLE: usize = 64;
+/// The most steps of a period of the loads.
+const MOST_STEPS: usize = 250_000;
+/// The multiple of the followed motion within which a fixed point is looked for, where disturbances do not die away.
+const NEAR: i32 = 1_000_000;
 
 /// What a period shows: its events, and the greatest values of the three parts of the state at the ends of steps.
 struct Seen<F> {
@@ -271,6 +275,16 @@ impl<F: Float> Search<'_, F> {
         Ok(best.filter(|(by, ..)| *by <= closed).map(|(_, x, mapped)| (x, mapped)))
     }
 
+    /// Whether the followed motion does not lead to a fixed point, because a part of it is neither damped nor found at the fixed
+    /// point: an undamped vibration of its own, or one at resonance, whose fixed point lies at infinity.
+    fn is_kept(&self, multipliers: &[(f64, f64)], x: &[F], followed: &[F], sizes: &[F; 3]) -> bool {
+        let own = |&(re, im): &(f64, f64)| im.abs() > 1e-9 && re.hypot(im) > 1.0 - 1e-12;
+        let apart = self.distance(x, followed, sizes);
+        (multipliers.iter().any(own) && apart > F::exp2i(-30))
+            || (multipliers.first().is_some_and(|&(re, im)| re.hypot(im) > 1.0 - 1e-9)
+                && apart > F::int(NEAR))
+    }
+
     /// Elastic forces do not exceed their frictions.
     pub(super) fn keep_bounds(&self, x: &mut [F]) {
         for part in &self.system.parts {
@@ -306,18 +320,33 @@ impl<F: Float> Search<'_, F> {
 pub(crate) fn steady<'a, F: Float>(
     system: &'a Assembly<F>,
     period: F,
+    slowest: impl FnOnce() -> Option<F>,
     follower: Follower<'a, F>,
 ) -> Result<Steady<F>, Error> {
+    let step = follower.branch().map_or(period, |branch| branch.step);
+    if !step.is_finite() || period > step * integer(MOST_STEPS) {
+        return Err(Error::Unsupported {
+            name: "period of the loads".to_string(),
+            condition: "must have at most 250000 steps of the system's fastest rate",
+        });
+    }
     let mut search = Search { system, follower, period };
     let mut states = vec![search.free()];
     let mut events: Vec<Vec<(usize, EventKind)>> = Vec::new();
     let mut sizes = [F::int(0); 3];
     let mut next = 4;
     let mut growth = [F::int(0); 2];
+    let mut is_cut = false;
     while events.len() < MOST_PERIODS {
         let mapped = match search.advance(None) {
             Ok(mapped) => mapped,
             Err(Error::Unbounded { .. }) => break,
+            // The motion is told as far as it was followed.
+            Err(Error::TooLong { .. }) if !events.is_empty() => {
+                is_cut = true;
+                search.follower.renew();
+                break;
+            }
             Err(error) => return Err(error),
         };
         let before = states.last().cloned().unwrap_or_default();
@@ -347,6 +376,10 @@ pub(crate) fn steady<'a, F: Float>(
             if multiple > 1 && back(multiple) * F::int(2) > back(1) {
                 continue;
             }
+            // Motions of many periods are looked for where the followed one almost repeats itself.
+            if multiple > 8 && back(multiple) > F::ratio(1, 1000) {
+                continue;
+            }
             let Some((x, mapped)) = search.newton(&from, multiple)? else { continue };
             if multiple > 1 {
                 // It may be one of fewer.
@@ -359,6 +392,9 @@ pub(crate) fn steady<'a, F: Float>(
             let multipliers = multipliers(&mapped.tangent, system.free);
             let unstable = multipliers.first().is_some_and(|&(re, im)| re.hypot(im) > 1.0 + 1e-6);
             if !settled && (lasts != mapped.events || unstable) {
+                continue;
+            }
+            if !settled && search.is_kept(&multipliers, &x, &from, &sizes) {
                 continue;
             }
             let change = search.distance(&mapped.to, &x, &mapped.sizes);
@@ -384,8 +420,11 @@ pub(crate) fn steady<'a, F: Float>(
     let followed = events.len();
     let size = sizes.first().copied().unwrap_or(F::int(0));
     let [early, middle] = growth;
-    let grows = followed < MOST_PERIODS
+    // Within a part of an own vibration a beginning looks like growth.
+    let is_long = slowest().is_none_or(|longest| period * integer(followed) > longest * F::int(8));
+    let grows = (followed < MOST_PERIODS && !is_cut)
         || (early > F::int(0)
+            && is_long
             && middle * F::int(2) > early * F::int(3)
             && size * F::int(2) > middle * F::int(3));
     let before = states.iter().rev().nth(1).cloned().unwrap_or_default();

@@ -15,3 +15,4 @@ mod precise;
 mod random;
 mod references;
 mod self_excited;
+mod verdicts;

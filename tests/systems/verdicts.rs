@@ -1,0 +1,126 @@
+//! The verdict on a steady motion: of many periods, of no end, and of growth.
+
+use crate::closed_form::contact;
+use std::f64::consts::TAU;
+use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Signal, State, SteadyKind, System};
+
+/// One body of 1 kg on 100 N/m under a load of 1 N, with a damper.
+fn linear(frequency: f64, damping: f64) -> Model<f64> {
+    Model {
+        mass: vec![vec![1.0]],
+        damping: vec![vec![damping]],
+        stiffness: vec![vec![100.0]],
+        harmonics: vec![Harmonic { frequency, sin: vec![1.0], cos: vec![] }],
+        ..Model::default()
+    }
+}
+
+/// From rest the amplitude at the undamped resonance grows as F t/(2 m ω), without a bound.
+#[test]
+fn an_undamped_resonance_grows() {
+    let steady = System::new(&linear(10.0, 0.0)).unwrap().steady(&State::rest(1)).unwrap();
+    assert_eq!(steady.kind, SteadyKind::Growing);
+    let time = steady.followed as f64 * steady.period;
+    let seen = steady.motion.max_displacement[0];
+    assert!((seen / (time / 20.0) - 1.0).abs() < 0.01, "{seen} after {time}");
+    // The least damper bounds it, at F/(c ω).
+    let steady = System::new(&linear(10.0, 1e-6)).unwrap().steady(&State::rest(1)).unwrap();
+    assert_eq!(steady.kind, SteadyKind::Periodic);
+    assert!(
+        (steady.motion.max_displacement[0] / 1e5 - 1.0).abs() < 1e-6,
+        "{:?}",
+        steady.motion.max_displacement
+    );
+}
+
+/// Without a damper the body keeps the vibration of its start: (sin ωt − (ω/Ω) sin Ωt) F/(k − mω²) from rest.
+#[test]
+fn an_undamped_vibration_of_its_own_does_not_settle() {
+    let system = System::new(&linear(TAU, 0.0)).unwrap();
+    let steady = system.steady(&State::rest(1)).unwrap();
+    assert_eq!(steady.kind, SteadyKind::Unsettled);
+    // The start of the forced motion alone has none.
+    let velocity = TAU / (100.0 - TAU * TAU);
+    let start = State { velocity: vec![velocity], ..State::rest(1) };
+    let steady = system.steady(&start).unwrap();
+    assert_eq!(steady.kind, SteadyKind::Periodic);
+    assert!((steady.motion.max_displacement[0] / (velocity / TAU) - 1.0).abs() < 1e-9);
+}
+
+/// Two thousand periods of a load that is much faster than the body are the beginning of a motion, not growth.
+#[test]
+fn a_fast_load_does_not_look_like_growth() {
+    let steady = System::new(&linear(1e9, 0.0)).unwrap().steady(&State::rest(1)).unwrap();
+    assert_eq!(steady.kind, SteadyKind::Unsettled);
+}
+
+/// A table whose contact has a normal load that varies repeats itself after nine periods: its states nine periods apart
+/// are equal, and nearer ones are not.
+#[test]
+fn a_motion_of_nine_periods_is_found() {
+    let omega = TAU * 3.769230769230769;
+    let load = |factor: f64, phase: f64, size: f64| Harmonic {
+        frequency: factor * omega,
+        sin: vec![0.0, size * phase.cos()],
+        cos: vec![0.0, size * phase.sin()],
+    };
+    let friction = 0.18344827586206897;
+    let normal = Signal { constant: 1176.8, sin: vec![0.0, 200.0], cos: vec![] };
+    let model = Model {
+        mass: vec![vec![0.6, 0.0], vec![0.0, 0.12]],
+        damping: vec![vec![3.2, -0.2], vec![-0.2, 0.2]],
+        stiffness: vec![vec![3060.0, -60.0], vec![-60.0, 60.0]],
+        elements: vec![Element {
+            name: "guide".into(),
+            direction: vec![-1.0, 1.0],
+            moves: Signal::constant(0.0),
+            kind: Kind::Contact {
+                law: Law::constant(friction),
+                peak: 1.2,
+                normal: Some(Normal { signal: normal, displacement: vec![] }),
+            },
+        }],
+        harmonics: vec![load(1.0, 0.0, 200.0), load(2.0, 40f64.to_radians(), 90.0), load(3.0, 1.0, 60.0)],
+        ..Model::default()
+    };
+    let system = System::new(&model).unwrap();
+    let steady = system.steady(&State::rest(2)).unwrap();
+    assert_eq!((steady.kind, steady.periods), (SteadyKind::Periodic, 9));
+    let times: Vec<f64> = (0..=9).map(|k| 300.0 * TAU / omega + f64::from(k) * TAU / omega).collect();
+    let states = system.states(&State::rest(2), &times).unwrap();
+    let apart = |k: usize| (states[k].displacement[1] - states[0].displacement[1]).abs();
+    assert!(
+        apart(9) < 1e-9 && (1..9).all(|k| apart(k) > 1e-4),
+        "{:?}",
+        (1..10).map(apart).collect::<Vec<_>>()
+    );
+}
+
+/// A constant load shifts a body on a spring, and drives one without a spring away.
+#[test]
+fn a_border_needs_a_spring_for_a_constant_load() {
+    let model = |stiffness: f64, constant: f64| Model {
+        mass: vec![vec![1.0]],
+        damping: vec![vec![0.0]],
+        stiffness: vec![vec![stiffness]],
+        elements: vec![contact(vec![1.0], 1.0, 1.0)],
+        harmonics: vec![Harmonic { frequency: 5.0, sin: vec![3.0], cos: vec![] }],
+        constant: vec![constant],
+        ..Model::default()
+    };
+    let border = |stiffness, constant| System::new(&model(stiffness, constant)).unwrap().border();
+    let text = border(0.0, 0.5).unwrap_err().to_string();
+    assert!(text.starts_with("constant load must be absent where no spring carries it"), "{text}");
+    assert!(border(0.0, 0.0).is_ok());
+    let (without, with) = (border(7.0, 0.0).unwrap(), border(7.0, 0.5).unwrap());
+    assert_eq!(without.least_load_factor, with.least_load_factor);
+}
+
+/// A rate so much faster than the load that a period would take hours is refused at once.
+#[test]
+fn a_period_of_too_many_steps_is_refused() {
+    for model in [linear(1e-9, 0.1), linear(1.0, 1e300), linear(1.0, 1e7)] {
+        let why = System::new(&model).unwrap().steady(&State::rest(1)).unwrap_err().to_string();
+        assert!(why.starts_with("period of the loads must have at most 250000 steps"), "{why}");
+    }
+}
