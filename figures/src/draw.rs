@@ -97,16 +97,19 @@ pub(super) struct Layout {
     panels: i32,
     /// Width of the legend beside the plots; 0 where it is inside.
     legend: i32,
+    /// What is left of a given size to the right and below.
+    spare: (i32, i32),
 }
 
 impl Layout {
     fn of(figure: &Figure, legend: i32) -> Self {
         let panels = i32::try_from(figure.panels.len()).unwrap_or(i32::MAX).max(1);
-        match panels {
-            1 => Self { plot: (640, 440), columns: 1, panels, legend },
-            2 => Self { plot: (430, 400), columns: 2, panels, legend },
-            _ => Self { plot: (400, 250), columns: 2, panels, legend },
-        }
+        let (plot, columns) = match panels {
+            1 => ((640, 440), 1),
+            2 => ((430, 400), 2),
+            _ => ((400, 250), 2),
+        };
+        Self { plot, columns, panels, legend, spare: (0, 0) }
     }
 
     /// The least size of the figure in pixels.
@@ -123,8 +126,11 @@ impl Layout {
             return None;
         }
         let rows = (self.panels + self.columns - 1) / self.columns;
-        let plot = (self.plot.0 + (given.0 - own.0) / self.columns, self.plot.1 + (given.1 - own.1) / rows);
-        (plot.0 >= LEAST && plot.1 >= LEAST).then_some(Self { plot, ..self })
+        let more = (given.0 - own.0, given.1 - own.1);
+        let plot = (self.plot.0 + more.0.div_euclid(self.columns), self.plot.1 + more.1.div_euclid(rows));
+        // What the plots cannot share stays empty, so that the picture has the size asked for.
+        let spare = (more.0.rem_euclid(self.columns), more.1.rem_euclid(rows));
+        (plot.0 >= LEAST && plot.1 >= LEAST).then_some(Self { plot, spare, ..self })
     }
 
     /// The place of the legend in the plot of a single panel, where it covers nothing.
@@ -145,7 +151,8 @@ impl Layout {
 
     fn size(&self) -> (i32, i32) {
         let rows = (self.panels + self.columns - 1) / self.columns;
-        (LEFT + self.panels_width() - 44 + self.legend + RIGHT, TOP - 30 + rows * self.step().1 + 6)
+        let width = LEFT + self.panels_width() - 44 + self.legend + RIGHT;
+        (width + self.spare.0, TOP - 30 + rows * self.step().1 + 6 + self.spare.1)
     }
 
     /// The height of all panels, from the top of the first.

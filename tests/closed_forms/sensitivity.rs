@@ -34,6 +34,8 @@ fn points() -> Vec<(f64, f64)> {
     points
 }
 
+const OUTPUTS: usize = Output::ALL.len();
+
 /// Central difference quotients of each output with respect to each of N parameters, at 512 bits; accurate to
 /// about 90 digits.
 fn differences<const N: usize>(
@@ -62,7 +64,7 @@ fn check<const N: usize>(
     found: &Sensitivities<N>,
     radian: f64,
     outputs: impl Fn([Wide; N]) -> Vec<Option<Wide>>,
-    worst: &mut [f64; 20],
+    worst: &mut [f64; OUTPUTS],
 ) {
     let expected = differences(at, &outputs);
     let values = outputs(at.map(Wide::from));
@@ -90,7 +92,7 @@ fn check<const N: usize>(
     }
 }
 
-fn report(worst: &[f64; 20], bound: f64) {
+fn report(worst: &[f64; OUTPUTS], bound: f64) {
     for (output, worst) in Output::ALL.iter().zip(worst) {
         println!("{:32} {worst:.1e}", output.name());
     }
@@ -108,7 +110,7 @@ fn all_outputs<F: Float>(omega: F, alpha: F) -> Vec<Option<F>> {
 
 #[test]
 fn by_the_ratios_at_512_bits() {
-    let mut worst = [0.0; 20];
+    let mut worst = [0.0; OUTPUTS];
     for (omega, alpha) in points() {
         let found = Sensitivities::by_ratios(Ratios::new(omega, alpha).unwrap());
         check([omega, alpha], &found, 1.0, |[omega, alpha]| all_outputs(omega, alpha), &mut worst);
@@ -119,7 +121,7 @@ fn by_the_ratios_at_512_bits() {
 #[test]
 fn by_the_machine_at_512_bits() {
     let mut random = Random(11);
-    let mut worst = [0.0; 20];
+    let mut worst = [0.0; OUTPUTS];
     for (i, (omega, alpha)) in points().into_iter().step_by(3).enumerate() {
         let (m, k, r) = (random.scale(0.1, 100.0), random.scale(0.1, 1e4), random.scale(0.1, 10.0));
         let is_base = i % 2 == 0;

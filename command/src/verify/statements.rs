@@ -303,6 +303,26 @@ fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
         "44" "transmissibility: the transmitted force over p₀": |c| {
             Some(off(c, c.get(Output::Transmissibility)? * c.alpha, c.get(Output::TransmittedForce)?))
         },
+        "44" "the greatest force in the spring is kΔ₀": |c, u| {
+            Some(c.get(Output::MaxSpringForce)? - u.max_displacement)
+        },
+        "44" "equivalent stiffness: k_eff Δ₀ = kΔ₀ + r_y": |c, u| {
+            let delta = u.max_displacement;
+            Some(c.get(Output::EquivalentStiffness)? * delta - delta - R::int(1))
+        },
+        "63" "equivalent damping without a damper: π c_eq ω_d Δ₀ = 4 r_y": |c, u| {
+            let work = R::pi() * c.get(Output::EquivalentDamping)? * u.max_displacement;
+            (!c.signs.is_damped).then(|| off(c, work, R::int(4)))
+        },
+        "63" "equivalent damping ratio: ζ_eq = c_eq/(2√(k m))": |c| {
+            let twice = R::int(2) * c.omega * c.get(Output::EquivalentDampingRatio)?;
+            Some(off(c, twice, c.get(Output::EquivalentDamping)?))
+        },
+        "63" "effective damping ratio: 2ξ(kΔ₀ + r_y) = c_eq ω_d Δ₀": |c, u| {
+            let delta = u.max_displacement;
+            let force = R::int(2) * c.get(Output::EffectiveDampingRatio)? * (delta + R::int(1));
+            Some(off(c, force, c.get(Output::EquivalentDamping)? * delta))
+        },
     ]
 }
 
