@@ -9,11 +9,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::fs::File;
 use std::io::BufReader;
-use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::Role;
-use stickslip::motion::record::{
-    After, Body, Entry, FloorResponse, Record, RecordAnswer, follow_each_while,
-};
+use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::motion::record::{After, Body, Entry, FloorResponse, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
 use stickslip_front::record::{self as front, Options, Words};
 
@@ -271,9 +269,8 @@ fn record_floor_spectrum<'py>(
     let body = body(of).map_err(refused)?;
     let record = load(kind, times.as_slice()?, samples.as_slice()?, Some(after))?;
     let periods = periods.as_slice()?.to_vec();
-    let found = left_behind(py, move || {
-        body.floor_spectrum(&record, start.0, start.1, &periods, damping_ratio)
-    })?;
+    let found =
+        left_behind(py, move || body.floor_spectrum(&record, start.0, start.1, &periods, damping_ratio))?;
     let found = found.map_err(refused)?;
     let of = |value: fn(&FloorResponse<f64>) -> f64| found.iter().map(value).collect::<Vec<f64>>();
     let mut table = Table::default();
