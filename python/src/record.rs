@@ -217,6 +217,7 @@ fn record_follow<'py>(
 
 /// The answers, the states and the events of one body from a start.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "those of the Python function")]
 fn record_motion<'py>(
     py: Python<'py>,
     of: Sliding,

@@ -39,6 +39,9 @@ fn because(error: &Error) -> PyErr {
 /// Names with the samples and the times of records.
 type Records<'py> = Vec<(String, String, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>;
 
+/// Columns by name, and the rows without an answer with their reasons.
+type Columns<'py> = (Bound<'py, PyDict>, Vec<(u64, String)>);
+
 #[pymethods]
 impl NativeSystem {
     /// The system of a text in JSON or TOML, with names of files relative to the folder.
@@ -154,7 +157,7 @@ impl NativeSystem {
         records: Records<'py>,
         question: &str,
         until: Option<f64>,
-    ) -> PyResult<(Bound<'py, PyDict>, Vec<(u64, String)>)> {
+    ) -> PyResult<Columns<'py>> {
         let axis = |(path, typed): &(Option<String>, Vec<String>)| match (path, typed.as_slice()) {
             // One text may be a range or a list.
             (Some(path), [one]) => Axis::of(path, one).map_err(refused),

@@ -18,6 +18,8 @@ import stickslip as ss
 
 #: The friction of a contact becomes r tanh(v/eps) with eps of this part of the greatest velocity that the answer has.
 SETTINGS = {"default": (1e-3, {}), "tight": (1e-6, {"rtol": 1e-9, "atol": 1e-12})}
+#: Evaluations of the equation of motion after which a case is given up.
+MOST = 1_000_000
 #: Periods from the steady motion on, or from rest to it where elastic contacts have forces of their own.
 PERIODS, FROM_REST = 10, 60
 
@@ -57,7 +59,13 @@ def slope_of(system, eps):
     if record:
         times, values = numbers(record["times"]), numbers(record["values"])
 
+    calls = 0
+
     def slope(t, z):
+        nonlocal calls
+        calls += 1
+        if calls > MOST:
+            raise TimeoutError
         q, v, tensions = z[:n], z[n : 2 * n], z[2 * n :]
         force = constant - damping @ v - stiffness @ q
         for omega, sin, cos in loads:
@@ -104,7 +112,10 @@ def by_scipy(case, setting):
         span = (0.0, PERIODS * run["period"])
     else:
         span = (0.0, FROM_REST * run["period"])
-    found = solve_ivp(slope, span, state, method="LSODA", **options)
+    try:
+        found = solve_ivp(slope, span, state, method="LSODA", **options)
+    except TimeoutError:
+        return np.full(2 * n, np.nan)
     return found.y[: 2 * n, -1] if found.success else np.full(2 * n, np.nan)
 
 
