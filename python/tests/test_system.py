@@ -185,6 +185,7 @@ def test_just_above_the_border_nothing_sticks():
         (lambda: by_names().grid({"bearing.friction": []}), ["bearing.friction", "at least one"]),
         (lambda: by_names().grid(question="what"), ["question what"]),
         (lambda: by_names().follow(ss.Record([1, 2], time_step=1, of="force", unit="N")), ["acceleration"]),
+        (lambda: by_names().follow(ss.Record([1, 2], time_step=1, unit="g", after="hold")), ["must end after it"]),
         (lambda: ss.System.read("none.toml"), ["none.toml"]),
     ],
 )

@@ -432,10 +432,9 @@ class System:
 
 def _load(record: Record, units: Optional[str]) -> tuple[str, Floats, Floats]:
     """A record for the base of a system, after which the base rests or moves on at a constant velocity."""
-    of, times, samples, after = record._in(units)
-    if after == "hold":
+    if record.after == "hold":
         raise Error("record: its load must end after it: after=\"zero\"")
-    return of, times, samples
+    return record._in(units)
 
 
 def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
