@@ -38,6 +38,7 @@ mod assembly;
 mod border;
 mod branch;
 mod dependent;
+mod equation;
 mod error;
 mod follow;
 #[cfg(feature = "rayon")]

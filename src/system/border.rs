@@ -21,7 +21,8 @@
 //! For one body these are eq. 42, 44 and 61 of the paper and the interior border (`src/cycle/border.rs`).
 
 use super::assembly::{Assembly, Rule};
-use super::branch::{Branch, Mode, polynomial};
+use super::branch::{Branch, polynomial};
+use super::equation::Mode;
 use super::error::Error;
 use super::matrix::{Matrix, add_times, dot};
 use super::zero::{greatest_place, integer};

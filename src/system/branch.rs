@@ -15,32 +15,12 @@
 
 use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
+use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::matrix::{Matrix, add_times, dot};
 use super::zero::{bernstein, integer};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// What an element does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mode {
-    /// A contact that sticks.
-    Stuck,
-    /// A contact that slides, in the piece of its law with this number.
-    Slides { forward: bool, piece: usize },
-    /// A contact without normal load.
-    Apart,
-    /// An elastic contact that holds.
-    Holds,
-    /// An elastic contact whose slider slides.
-    Yields { forward: bool },
-    /// A stop that does not touch.
-    Away,
-    /// A stop in touch.
-    Pressed,
-    /// A stop beyond its gap, which would have to pull.
-    Lifted,
-}
 
 /// What a guard's zero means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -152,12 +132,8 @@ impl<F: Float> Hull<F> {
                     }
                 }
             }
-            let mut error = branch.rounding(row);
-            if let Some(rest) = terms.last() {
-                add_times(&mut error, F::int(1), &branch.bounded(rest));
-            }
             all.extend(coefficients);
-            errors.push(error);
+            errors.push(branch.error_of(row, &terms));
         }
         let of = |rows: &[Vec<F>]| {
             if rows.is_empty() { Matrix::zero(size, 0) } else { Matrix::from_rows(rows).transposed() }
@@ -229,69 +205,15 @@ impl<F: Float> Powers<'_, F> {
 impl<F: Float> Branch<F> {
     /// The branch with these modes. `longest` bounds its step.
     pub(crate) fn new(system: &Assembly<F>, modes: &[Mode], longest: F) -> Self {
-        let (n, size, zero) = (system.n, system.size, F::int(0));
-        let mut force = system.force.clone();
-        let mut tension = vec![vec![zero; size]; modes.len()];
-        let mut stuck = Vec::new();
-        for (i, ((part, mode), tension)) in system.parts.iter().zip(modes).zip(&mut tension).enumerate() {
-            match given_tension(part, *mode) {
-                Some(row) => *tension = row,
-                None if *mode == Mode::Stuck => stuck.push(i),
-                None => {}
-            }
-            apply(&mut force, &part.direction, tension);
-        }
-        let inverse = inverse_by_shares(system, &stuck);
-        // The second round takes out the rounding of the first, which would set what is stuck in motion after a long time.
-        for _ in 0..if stuck.is_empty() { 0 } else { 3 } {
-            let left: Vec<Vec<F>> = stuck
-                .iter()
-                .filter_map(|&i| system.parts.get(i))
-                .map(|part| {
-                    let mut row = force.combined(&part.response);
-                    add_times(&mut row, F::int(-1), &part.moves);
-                    row
-                })
-                .collect();
-            let held = inverse.times(&Matrix::from_rows(&left));
-            for (&i, row) in stuck.iter().zip(held.rows()) {
-                if let (Some(part), Some(tension)) = (system.parts.get(i), tension.get_mut(i)) {
-                    add_times(tension, F::int(1), row);
-                    apply(&mut force, &part.direction, row);
-                }
-            }
-        }
-        let mut a = Matrix::zero(size, size);
-        for i in 0..n {
-            a.set(i, n + i, F::int(1));
-            let row = force.combined(system.inverse_mass.row(i));
-            a.row_mut(n + i).copy_from_slice(&row);
-        }
-        for (part, mode) in system.parts.iter().zip(modes) {
-            if let (Rule::Elastic { stiffness, place, .. }, Mode::Holds) = (&part.rule, mode) {
-                add_times(a.row_mut(*place), *stiffness, &part.velocity);
-            }
-        }
-        for (i, &frequency) in system.frequencies.iter().enumerate() {
-            let place = system.harmonic(i);
-            a.set(place, place + 1, frequency);
-            a.set(place + 1, place, -frequency);
-        }
-        for i in 0..system.records.len() {
-            let place = system.record(i);
-            a.set(place, place + 1, F::int(1));
-        }
-        let sizes = a.map(|x| x.abs());
-        let radius = F::from_f64(spectral_radius(&sizes, system.free));
-        let fastest = system.frequencies.iter().fold(radius, |a, &b| a.or_larger(b));
-        let most = F::int(1) / fastest;
+        let Equation { a, sizes, tension, stuck } = Equation::new(system, modes);
+        let most = F::int(1) / fastest(system, &sizes);
         let step = if most < longest { most } else { longest };
-        let (degree, _) = degree_of_full_accuracy::<F>();
+        let degree = degree_of_full_accuracy::<F>();
         let (whole, bound) = (exponential(&a, step, degree), exponential(&sizes, step, degree));
         // The series of e^{|A|h} is cut: what is left out is below a unit of its terms.
         let bound = bound.map(|x| x + x * F::ratio(1, 64));
+        let powers = Powers { a: &a, step, bound: &bound, degree };
         let guards = {
-            let powers = Powers { a: &a, step, bound: &bound, degree };
             let mut guards = guards(system, modes, &tension);
             guards.extend(releases(system, &stuck, &tension));
             for guard in &mut guards {
@@ -308,7 +230,6 @@ impl<F: Float> Branch<F> {
             guards
         };
         let speed_errors = {
-            let powers = Powers { a: &a, step, bound: &bound, degree };
             let error = |part: &Part<F>| match part.rule {
                 Rule::Contact { .. } => powers.error(&part.velocity),
                 Rule::Elastic { .. } | Rule::Stop { .. } => Vec::new(),
@@ -316,7 +237,7 @@ impl<F: Float> Branch<F> {
             system.parts.iter().map(error).collect()
         };
         let rows: Vec<Vec<F>> = guards.iter().map(|g| g.row.clone()).collect();
-        let hull = Hull::new(&Powers { a: &a, step, bound: &bound, degree }, &rows);
+        let hull = Hull::new(&powers, &rows);
         let (whole, transposed) = (whole.transposed(), a.transposed());
         Self {
             modes: modes.to_vec(),
@@ -398,65 +319,6 @@ pub(crate) fn sum_of_terms<F: Float>(terms: &[F], size: usize, s: F) -> Vec<F> {
 /// The coefficients of a row's polynomial.
 pub(crate) fn polynomial<F: Float>(row: &[F], terms: &[F]) -> Vec<F> {
     terms.chunks_exact(row.len().max(1)).map(|term| dot(row, term)).collect()
-}
-
-/// The row of the force of an element that neither sticks nor is open.
-pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<F>> {
-    match (mode, &part.rule) {
-        (Mode::Slides { forward, piece }, _) => Some(sliding(part, forward, piece)),
-        (Mode::Holds | Mode::Yields { .. }, Rule::Elastic { place, .. }) => {
-            let mut row = vec![F::int(0); part.velocity.len()];
-            if let Some(entry) = row.get_mut(*place) {
-                *entry = F::int(1);
-            }
-            Some(row)
-        }
-        (Mode::Pressed, _) => Some(pressing(part)),
-        _ => None,
-    }
-}
-
-/// The row of the force of a sliding contact: `s N (force + slope (w − from))`, w = s v.
-fn sliding<F: Float>(part: &Part<F>, forward: bool, piece: usize) -> Vec<F> {
-    let mut row = vec![F::int(0); part.velocity.len()];
-    if let Rule::Contact { pieces, normal, .. } = &part.rule
-        && let Some(piece) = pieces.get(piece)
-    {
-        let sign: F = sign(forward);
-        if let Some(normal) = normal {
-            add_times(&mut row, sign * piece.force, normal);
-        } else {
-            if let Some(last) = row.last_mut() {
-                *last = sign * (piece.force - piece.slope * piece.from);
-            }
-            add_times(&mut row, piece.slope, &part.velocity);
-        }
-    }
-    row
-}
-
-/// The row of the force of a stop in touch.
-fn pressing<F: Float>(part: &Part<F>) -> Vec<F> {
-    let mut row = vec![F::int(0); part.velocity.len()];
-    if let Rule::Stop { depth, stiffness, damping } = &part.rule {
-        add_times(&mut row, *stiffness, depth);
-        add_times(&mut row, *damping, &part.velocity);
-    }
-    row
-}
-
-/// 1 forward, −1 backward.
-pub(crate) fn sign<F: Float>(forward: bool) -> F {
-    if forward { F::int(1) } else { F::int(-1) }
-}
-
-/// `force −= b Tᵀ`.
-fn apply<F: Float>(force: &mut Matrix<F>, direction: &[F], tension: &[F]) {
-    for (i, &b) in direction.iter().enumerate() {
-        if b != F::int(0) {
-            add_times(force.row_mut(i), -b, tension);
-        }
-    }
 }
 
 /// The guards of a branch: rows that are positive as long as it lasts.
@@ -572,42 +434,15 @@ fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>])
     guards
 }
 
-/// G⁻¹ of the contacts that stick. Dependent ones share their force in proportion to their bounds, as far as that holds it:
-/// with the least `Σ Tᵢ²/Rᵢ`.
-fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<F> {
-    let coupling = system.coupling_of(stuck);
-    if !system.is_dependent {
-        return coupling.pseudo_inverse();
-    }
-    let bound = |i: &usize| match system.parts.get(*i).map(|p| &p.rule) {
-        Some(Rule::Contact { pieces, peak, .. }) => pieces.first().map_or(F::int(0), |p| p.force) * *peak,
-        _ => F::int(0),
-    };
-    let bounds: Vec<F> = stuck.iter().map(bound).collect();
-    let largest = bounds.iter().fold(F::int(0), |m, &x| m.or_larger(x));
-    if largest <= F::int(0) {
-        return coupling.pseudo_inverse();
-    }
-    let roots: Vec<F> = bounds.iter().map(|&x| (x / largest).or_larger(F::exp2i(-20)).sqrt()).collect();
-    let scaled = |matrix: &Matrix<F>| {
-        let mut result = matrix.clone();
-        for (i, &a) in roots.iter().enumerate() {
-            result.row_mut(i).iter_mut().zip(&roots).for_each(|(x, &b)| *x = *x * a * b);
-        }
-        result
-    };
-    scaled(&scaled(&coupling).pseudo_inverse())
-}
-
-/// The degree from which on the terms of eˣ, x ≤ 1, are below rounding, with the size of the next.
-fn degree_of_full_accuracy<F: Float>() -> (usize, F) {
+/// The degree from which on the terms of eˣ, x ≤ 1, are below rounding.
+fn degree_of_full_accuracy<F: Float>() -> usize {
     let (mut degree, mut term) = (1, F::int(1));
     let least = F::epsilon() / F::int(64);
     while term > least {
         degree += 1;
         term = term / integer(degree + 1);
     }
-    (degree, term)
+    degree
 }
 
 /// `e^{A t}` by its series, for a matrix whose absolute values have a spectral radius of at most 1/t.
@@ -620,23 +455,4 @@ fn exponential<F: Float>(a: &Matrix<F>, time: F, degree: usize) -> Matrix<F> {
         sum.plus(&term);
     }
     sum
-}
-
-/// The spectral radius of the leading part of a matrix of numbers ≥ 0, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64.
-fn spectral_radius<F: Float>(sizes: &Matrix<F>, free: usize) -> f64 {
-    let rows: Vec<Vec<f64>> =
-        sizes.rows().take(free).map(|r| r.iter().take(free).map(|x| x.to_f64()).collect()).collect();
-    let mut power = Matrix::<f64>::from_rows(&rows);
-    let (mut exponent, mut log) = (1.0_f64, 0.0_f64);
-    for _ in 0..=10 {
-        let largest = power.rows().map(|r| r.iter().sum::<f64>()).fold(0.0, f64::max);
-        if largest <= 0.0 {
-            return 0.0;
-        }
-        log += num_traits::Float::ln(largest) / exponent;
-        let scaled = power.map(|x| x / largest);
-        power = scaled.times(&scaled);
-        exponent *= 2.0;
-    }
-    num_traits::Float::exp(log)
 }

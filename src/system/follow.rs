@@ -1,7 +1,8 @@
 //! The motion, from event to event.
 
 use super::assembly::{Assembly, Rule};
-use super::branch::{Branch, Mode, Trigger, sign};
+use super::branch::{Branch, Trigger};
+use super::equation::{Mode, sign};
 use super::error::Error;
 use super::matrix::{dot, size_of_dot};
 use super::model::State;

@@ -1,8 +1,9 @@
 //! The answers of a motion: events, extremes, time at rest, and energy.
 
 use super::assembly::Assembly;
-use super::branch::{Branch, Hull, Mode, polynomial, static_bound};
+use super::branch::{Branch, Hull, polynomial, static_bound};
 use super::dependent::least;
+use super::equation::Mode;
 use super::follow::{Event, EventKind, Follower, Watch, shorten};
 use super::matrix::{dot, size_of_dot};
 use super::model::State;

@@ -14,8 +14,8 @@
 //! T is one of several sets of forces, each of them leads to the same j: a polyhedron's image has the image of its cone.
 
 use super::assembly::{Assembly, Rule};
-use super::branch::{Mode, given_tension, sign};
 use super::dependent::{least, rank, rounding};
+use super::equation::{Mode, given_tension, sign};
 use super::matrix::{add_times, dot, size_of_dot};
 use crate::float::Float;
 use alloc::vec;

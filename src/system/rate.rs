@@ -2,7 +2,7 @@
 
 use super::System;
 use super::assembly::Rule;
-use super::branch::{Branch, Mode};
+use super::equation::{Equation, Mode, fastest};
 use crate::float::Float;
 use alloc::vec::Vec;
 
@@ -31,8 +31,7 @@ impl<F: Float> System<F> {
                 (Rule::Stop { .. }, _) => Mode::Pressed,
             };
             let modes: Vec<Mode> = system.parts.iter().map(|part| mode(&part.rule)).collect();
-            // A motion without any rate has one step.
-            F::int(1) / Branch::new(system, &modes, F::exp2i(100)).step
+            fastest(system, &Equation::new(system, &modes).sizes)
         };
         branches.map(rate).fold(F::int(0), |most, rate| if rate <= most { most } else { rate })
     }

@@ -9,7 +9,8 @@
 //! `(I − J)² y = P(x₀) − x₀`.
 
 use super::assembly::{Assembly, Rule};
-use super::branch::{Branch, Mode};
+use super::branch::Branch;
+use super::equation::Mode;
 use super::error::Error;
 use super::follow::{Event, EventKind, Follower, Watch};
 use super::matrix::{Matrix, add_times, dot};
