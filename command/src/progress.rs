@@ -30,17 +30,34 @@ pub(crate) fn note(text: &str) {
     }
 }
 
-/// The most points without an answer whose reasons are said.
-const SAID: u64 = 20;
+/// Points of a grid, rows or bodies without an answer: the reasons of the first of them are said.
+pub(crate) struct Unanswered {
+    /// Their name in the plural.
+    of: &'static str,
+    /// The most of them whose reasons are said.
+    most: u64,
+    failed: AtomicU64,
+}
+
+impl Unanswered {
+    pub(crate) const fn new(of: &'static str, most: u64) -> Self {
+        Self { of, most, failed: AtomicU64::new(0) }
+    }
+
+    /// Says why one of them has no answer; `place` follows the words, such as ` in row 2`.
+    pub(crate) fn say(&self, place: &str, failure: &Failure) {
+        match self.failed.fetch_add(1, Ordering::Relaxed) {
+            said if said < self.most => note(&format!("no answer{place}: {}", failure.message())),
+            said if said == self.most => note(&format!("further {} have no answer, either", self.of)),
+            _ => {}
+        }
+    }
+}
 
 /// Says why a point of a grid has no answer.
 pub(crate) fn no_answer(failure: &Failure) {
-    static FAILED: AtomicU64 = AtomicU64::new(0);
-    match FAILED.fetch_add(1, Ordering::Relaxed) {
-        said if said < SAID => note(&format!("no answer: {}", failure.message())),
-        SAID => note("further points have no answer, either"),
-        _ => {}
-    }
+    static POINTS: Unanswered = Unanswered::new("points", 20);
+    POINTS.say("", failure);
 }
 
 /// Writes the notes of a command that succeeded, each on one line of standard error, unless suppressed. Where

@@ -11,13 +11,12 @@ use crate::interrupt;
 use crate::measured;
 use crate::outputs::key;
 use crate::physical::Physical;
-use crate::progress;
+use crate::progress::Unanswered;
 use crate::record::{Cell, Record, Row};
 use crate::sweep::{self, Table};
 use std::io::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 use stickslip::Error;
 use stickslip::inputs::units::System;
 use stickslip::inputs::{Given, Input, Role};
@@ -39,9 +38,6 @@ pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
 
 /// Answers, each with the place of its body in the grids; `None` for a body that has none.
 type Answers = Vec<Result<(u64, Option<RecordAnswer<f64>>), Failure>>;
-
-/// The most bodies without an answer whose reasons are said.
-const SAID: u64 = 20;
 
 /// The name of a record in rows and pictures: that of its file, with the folder where another file has the same name.
 fn name(file: &Path, files: &[PathBuf]) -> &'static str {
@@ -65,7 +61,7 @@ struct Spectra<'a> {
     /// The answers of a body that has none.
     blank: follow::Columns<f64>,
     /// The number of bodies without an answer so far.
-    failed: AtomicU64,
+    failed: Unanswered,
     args: &'a SpectrumArgs,
 }
 
@@ -88,7 +84,7 @@ impl<'a> Spectra<'a> {
         let rest = Load::new(stickslip::Excitation::Force, 1.0, vec![0.0; 2])?;
         let answer = Body::new(1.0, 1.0).and_then(|body| body.follow(&rest))?;
         let blank = follow::columns(&answer, system).map(|(name, kind, cell)| (name, kind, cell.absent()));
-        let failed = AtomicU64::new(0);
+        let failed = Unanswered::new("bodies", 20);
         let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, blank, failed, args };
         // A single bad body is a row without answers; where each is bad, an argument is.
         let (mut first_bad, mut is_any_good) = (None, false);
@@ -161,20 +157,11 @@ impl<'a> Spectra<'a> {
                 Ok(Some(Ok(answer))) => Ok(answer),
             };
             found.map(|answer| (place, Some(answer))).or_else(|failure| {
-                self.say(&failure);
+                self.failed.say("", &failure);
                 Ok((place, None))
             })
         };
         Ok((first..).zip(bodies).map(answer).collect())
-    }
-
-    /// Says why a body has no answer.
-    fn say(&self, failure: &Failure) {
-        match self.failed.fetch_add(1, Ordering::Relaxed) {
-            said if said < SAID => progress::note(&format!("no answer: {}", failure.message())),
-            SAID => progress::note("further bodies have no answer, either"),
-            _ => {}
-        }
     }
 }
 

@@ -16,15 +16,13 @@ use crate::sink::Sink;
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, System as Units};
+use stickslip::inputs::units::Kind as Of;
 use stickslip::motion::record::Record;
 use stickslip::system::State;
 use stickslip_figures::Figure;
 use stickslip_front::record::Summary;
-use stickslip_front::system::{Answer, NamedSystem, OfBorder, Samples, parsed};
+use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, parsed};
 
-/// The longest file.
-const LONGEST: u64 = 1 << 26;
 /// The most samples of a motion.
 const MOST_SAMPLES: u64 = 10_000_000;
 
@@ -56,7 +54,7 @@ fn is_table(args: &SystemArgs) -> bool {
 fn read(file: &Path) -> Result<Value, Failure> {
     let name = file.display().to_string();
     let mut text = String::new();
-    let read = rows::open(file, &name)?.take(LONGEST + 1).read_to_string(&mut text);
+    let read = rows::open(file, &name)?.take(LONGEST as u64 + 1).read_to_string(&mut text);
     read.map_err(|e| Failure::Input(format!("{name}: {e}")))?;
     Ok(parsed(&text, &name)?)
 }
@@ -82,13 +80,6 @@ fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shakin
         }
         None => Ok((found, None)),
     }
-}
-
-/// The system of units of the answers: of the option, or else of the file.
-fn units_of(value: &Value, args: &SystemArgs) -> Result<Option<Units>, Failure> {
-    let own = value.get("units").and_then(Value::as_str);
-    let own = own.map(|text| text.parse().map_err(|e| Failure::Input(format!("units {text}: {e}"))));
-    Ok(args.units.units.or(own.transpose()?))
 }
 
 /// The two parts of `PATH=VALUE`.

@@ -16,5 +16,5 @@ pub use answer::{Answer, OfBorder, Samples, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement};
-pub use file::parsed;
+pub use file::{LONGEST, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};

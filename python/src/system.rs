@@ -32,10 +32,6 @@ fn json(answer: &impl serde::Serialize) -> PyResult<String> {
     serde_json::to_string(answer).map_err(refused)
 }
 
-fn because(error: &Error) -> PyErr {
-    refused(error)
-}
-
 /// Names with the samples and the times of records.
 type Records<'py> = Vec<(String, String, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>;
 
@@ -105,14 +101,14 @@ impl NativeSystem {
     fn steady(&self, py: Python<'_>) -> PyResult<String> {
         let named = Arc::clone(&self.named);
         let found = left_behind(py, move || named.system.steady(&named.described.start))?;
-        json(&Answer::steady(&self.named.described, &found.map_err(|e| because(&e))?))
+        json(&Answer::steady(&self.named.described, &found.map_err(refused)?))
     }
 
     fn simulate(&self, py: Python<'_>, until: f64) -> PyResult<String> {
         self.named.check_until(until, &format!("until = {until}")).map_err(refused)?;
         let named = Arc::clone(&self.named);
         let found = left_behind(py, move || named.system.simulate(&named.described.start, until))?;
-        json(&Answer::transient(&self.named.described, &found.map_err(|e| because(&e))?))
+        json(&Answer::transient(&self.named.described, &found.map_err(refused)?))
     }
 
     /// Displacements, velocities and forces at times, row by row, from the start or over a steady motion.
@@ -136,14 +132,14 @@ impl NativeSystem {
             let samples = Samples::new(&named.described, &times, &states);
             Ok([samples.displacement.concat(), samples.velocity.concat(), samples.force.concat()])
         };
-        let found = left_behind(py, work)?.map_err(|e| because(&e))?;
+        let found = left_behind(py, work)?.map_err(refused)?;
         Ok(found.map(|column| column.into_pyarray(py)))
     }
 
     fn border(&self, py: Python<'_>) -> PyResult<String> {
         let named = Arc::clone(&self.named);
         let work = move || -> Result<_, Error> { Ok((named.system.border()?, named.system.cycle()?)) };
-        let (found, cycle) = left_behind(py, work)?.map_err(|e| because(&e))?;
+        let (found, cycle) = left_behind(py, work)?.map_err(refused)?;
         // Below the border the cycle is no motion.
         json(&OfBorder::new(&found, cycle.filter(|cycle| cycle.margin >= 1.0).as_ref()))
     }

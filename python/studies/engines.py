@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 #: A part by its number, the number of parts, and the options of the study: a few sums and greatest values.
 Part = Callable[..., dict[str, float]]
@@ -19,6 +23,13 @@ def whole(parts: list[dict[str, float]]) -> dict[str, float]:
         for name, value in found.items():
             total[name] = max(total[name], value) if name.startswith("greatest") else total[name] + value
     return total
+
+
+def keep(out: str, number: int, **columns: np.ndarray) -> None:
+    """Writes the columns of a part to its file, which appears whole or not at all."""
+    with tempfile.NamedTemporaryFile(dir=out, suffix=".tmp", delete=False) as file:
+        np.savez(file, **columns)
+    os.replace(file.name, Path(out) / f"part-{number:05}.npz")
 
 
 def on_dask(workers: int, part: Part, options: tuple[Any, ...]) -> list[dict[str, float]]:

@@ -11,14 +11,11 @@ on any number of workers, one of which may die.
 from __future__ import annotations
 
 import argparse
-import os
-import tempfile
-from pathlib import Path
 
 import numpy as np
 
 import stickslip as ss
-from engines import run
+from engines import keep, run
 
 #: Seconds between samples.
 STEP = 0.01
@@ -47,10 +44,7 @@ def part(number: int, parts: int, records: int, periods: int, samples: int, out:
         for name in ("max_displacement", "residual_displacement", "stops"):
             found[name].append(np.asarray(getattr(answer, name)))
     columns = {name: np.concatenate(values) for name, values in found.items()}
-    path = Path(out) / f"part-{number:05}.npz"
-    with tempfile.NamedTemporaryFile(dir=out, suffix=".tmp", delete=False) as file:
-        np.savez(file, **columns)
-    os.replace(file.name, path)
+    keep(out, number, **columns)
     return {
         "rows": float(columns["stops"].size),
         "stops": float(columns["stops"].sum()),

@@ -12,31 +12,26 @@ therefore bit for bit the same on any number of workers.
 from __future__ import annotations
 
 import argparse
-import os
-import tempfile
-from pathlib import Path
 
 import numpy as np
 
 import stickslip as ss
-from engines import run
+from engines import keep, run
 
 def part(number: int, parts: int, rows: int, columns: int, out: str) -> dict[str, float]:
     """Computes the rows of one part, writes them to a file, and returns their reductions."""
     omega = np.geomspace(0.1, 2.0, rows)[number::parts]
     alpha = np.geomspace(1.05, 10.0, columns)
     found = ss.steady(omega[:, None], alpha)
-    path = Path(out) / f"part-{number:05}.npz"
-    with tempfile.NamedTemporaryFile(dir=out, suffix=".tmp", delete=False) as file:
-        np.savez(
-            file,
-            omega=omega,
-            alpha=alpha,
-            sticks_per_cycle=found.sticks_per_cycle,
-            max_displacement=found.max_displacement,
-            energy_out=found.energy_out,
-        )
-    os.replace(file.name, path)
+    keep(
+        out,
+        number,
+        omega=omega,
+        alpha=alpha,
+        sticks_per_cycle=found.sticks_per_cycle,
+        max_displacement=found.max_displacement,
+        energy_out=found.energy_out,
+    )
     return {
         "points": float(found.omega.size),
         "sticking": float(np.count_nonzero(found.regime == "sticking")),

@@ -10,14 +10,11 @@ computed from its number alone and is a separate file, as in `record_suite.py`.
 from __future__ import annotations
 
 import argparse
-import os
-import tempfile
-from pathlib import Path
 
 import numpy as np
 
 import stickslip as ss
-from engines import run
+from engines import keep, run
 from record_suite import quake
 
 #: The building: a slab on the slider, a storey above it, and a soft spring that brings the slab back.
@@ -46,10 +43,7 @@ def part(number: int, parts: int, records: int, frictions: int, samples: int, ou
         residual.append(motion.end_displacement[0])
         stops.append(motion.elements["slider"].stops)
     columns = {"row": np.array(rows), "drift": np.array(drift), "residual": np.array(residual), "stops": np.array(stops)}
-    path = Path(out) / f"part-{number:05}.npz"
-    with tempfile.NamedTemporaryFile(dir=out, suffix=".tmp", delete=False) as file:
-        np.savez(file, **columns)
-    os.replace(file.name, path)
+    keep(out, number, **columns)
     return {
         "rows": float(columns["row"].size),
         "stops": float(columns["stops"].sum()),

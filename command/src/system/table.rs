@@ -1,26 +1,22 @@
 //! A row for each place of a grid: of values in the file, of the loads' frequency, and of records.
 
 use super::picture;
-use super::{folder, path_and_value, units_of};
+use super::{folder, path_and_value};
 use crate::args::{Format, SweepFormat, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::interrupt;
 use crate::output;
-use crate::progress;
+use crate::progress::Unanswered;
 use crate::record::{Cell, Record, Row};
 use crate::sweep::{Table, write_table};
 use serde_json::Value;
 use std::io::Write;
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use stickslip::inputs::units::{Kind as Of, Reader};
 use stickslip::motion::record::Record as Load;
 use stickslip::{Definition, Measure};
-use stickslip_front::system::{Asked, Axis, Cell as Found, Grid};
-
-/// The most rows without an answer whose reasons are said.
-const SAID: usize = 5;
+use stickslip_front::system::{Asked, Axis, Cell as Found, Grid, units_of};
 
 /// The rows of a grid.
 struct Rows {
@@ -28,7 +24,7 @@ struct Rows {
     keys: Vec<&'static Definition>,
     /// The names and the kinds of all rows.
     form: Row,
-    failed: AtomicUsize,
+    failed: Unanswered,
     #[cfg(feature = "parquet")]
     notes: Vec<(String, String)>,
 }
@@ -46,7 +42,7 @@ pub(super) fn key(name: String) -> &'static Definition {
 /// The grid of the arguments.
 fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
     let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
-    let units = units_of(value, args)?;
+    let units = args.units.units.or(units_of(value)?);
     let reader = Reader::new(units.as_ref(), "units in the file");
     let records = args.records.iter().map(|file| {
         let (record, _) = crate::measured::read::<f64>(file, &Default::default(), &reader)?;
@@ -109,7 +105,7 @@ impl Rows {
             grid,
             keys: grid.names().iter().cloned().map(key).collect(),
             form: Record::of(Vec::<(_, Cell<f64>)>::new()).shown(),
-            failed: AtomicUsize::new(0),
+            failed: Unanswered::new("rows", 5),
             #[cfg(feature = "parquet")]
             notes: vec![
                 ("file".to_owned(), value.to_string()),
@@ -134,15 +130,6 @@ impl Rows {
         let cells = given.iter().chain(answer).map(cell);
         Record::of(self.keys.iter().copied().zip(cells).collect::<Vec<(_, Cell<f64>)>>()).shown()
     }
-
-    /// Says why a row has no answer.
-    fn say(&self, point: u64, why: &str) {
-        match self.failed.fetch_add(1, Ordering::Relaxed) {
-            said if said < SAID => progress::note(&format!("no answer in row {}: {why}", point + 1)),
-            SAID => progress::note("further rows have no answer, either"),
-            _ => {}
-        }
-    }
 }
 
 impl Table for Rows {
@@ -166,7 +153,7 @@ impl Table for Rows {
         let row = match self.grid.answer(point) {
             Ok(answer) => self.row(point, &answer),
             Err(why) => {
-                self.say(point, &why);
+                self.failed.say(&format!(" in row {}", point + 1), &why.into());
                 self.row(point, self.grid.blank())
             }
         };

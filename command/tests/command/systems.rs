@@ -6,27 +6,8 @@ use serde_json::{Value, json as value};
 
 const CASES: &str = include_str!("../../../tests/data/systems.json");
 
-pub(crate) const MACHINE: &str = r#"
-units = "N,mm"
-[masses]
-block = "1 t"
-roof = { mass = "500 kg", start = "3 mm" }
-[[springs]]
-between = ["ground", "block"]
-stiffness = "200 N/mm"
-damping = "0.3 N*s/mm"
-[[springs]]
-between = ["block", "roof"]
-stiffness = "300 N/mm"
-[[contacts]]
-name = "bearing"
-between = ["ground", "block"]
-friction = "450 N"
-[[forces]]
-on = "roof"
-amplitude = "1.5 kN"
-frequency = "3 Hz"
-"#;
+/// Two masses, of which one slides.
+pub(crate) const MACHINE: &str = include_str!("../machine.toml");
 
 fn numbers(list: &Value) -> Vec<f64> {
     let number = |x: &Value| x.as_f64().unwrap_or_else(|| x.as_str().unwrap().parse().unwrap());

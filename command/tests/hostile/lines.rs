@@ -172,24 +172,7 @@ const WORDS: &[&str] = &[
 ];
 
 /// Two masses, of which one slides.
-const MACHINE: &str = r#"units = "N,mm"
-masses = { block = "1 t", roof = "500 kg" }
-[[springs]]
-between = ["ground", "block"]
-stiffness = "200 N/mm"
-damping = "0.3 N*s/mm"
-[[springs]]
-between = ["block", "roof"]
-stiffness = "300 N/mm"
-[[contacts]]
-name = "bearing"
-between = ["ground", "block"]
-friction = "450 N"
-[[forces]]
-on = "roof"
-amplitude = "1.5 kN"
-frequency = "3 Hz"
-"#;
+const MACHINE: &str = include_str!("../machine.toml");
 
 /// Writes the files that lines name.
 pub(crate) fn write_files(folder: &Path) {

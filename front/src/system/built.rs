@@ -2,7 +2,6 @@
 
 use super::described::Described;
 use super::{file, named};
-use crate::record::Summary;
 use serde_json::Value;
 use std::path::Path;
 use stickslip::Excitation;
@@ -69,16 +68,6 @@ impl NamedSystem {
         let force = self.described.inertia.clone();
         self.described.model.records.push(named::samples(record, force));
         Self::of(self.described)
-    }
-
-    /// With the record of a file, which is read in the units of the system, and what was read.
-    ///
-    /// # Errors
-    /// Where the file cannot be read, or its record is of another load.
-    pub fn with_record_of(self, file: &Path) -> Result<(Self, Summary), String> {
-        let name = file.display().to_string();
-        let (record, summary) = named::of_file(file, &name, &self.reader())?;
-        Ok((self.with_record(&record, &name)?, summary))
     }
 
     /// Under loads of another frequency: the lowest becomes this one, and all others change in proportion.

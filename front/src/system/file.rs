@@ -9,7 +9,7 @@ use stickslip::inputs::units::{Reader, System as Units};
 use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The greatest length of a file in bytes.
-pub(super) const LONGEST: usize = 1 << 26;
+pub const LONGEST: usize = 1 << 26;
 
 /// The value of a file's text: JSON where it begins with a brace, otherwise TOML.
 ///
@@ -50,13 +50,21 @@ fn not_finite(value: &toml::Value, place: &str) -> Option<String> {
     }
 }
 
+/// The system of units that a value names.
+///
+/// # Errors
+/// Where it names none that is known.
+pub fn units_of(value: &Value) -> Result<Option<Units>, String> {
+    match value.get("units") {
+        None | Some(Value::Null) => Ok(None),
+        Some(Value::String(text)) => text.parse().map(Some).map_err(|e| format!("units {text}: {e}")),
+        Some(other) => Err(format!("units {other}: must be a text such as \"N,mm\"")),
+    }
+}
+
 /// The system of a value, with records beside the file in `folder`.
 pub(super) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> Result<Described, String> {
-    let own: Option<Units> = match value.get("units") {
-        None | Some(Value::Null) => None,
-        Some(Value::String(text)) => Some(text.parse().map_err(|e| format!("units {text}: {e}"))?),
-        Some(other) => return Err(format!("units {other}: must be a text such as \"N,mm\"")),
-    };
+    let own = units_of(value)?;
     let asked = units.copied().or(own);
     let reader = Reader::new(own.as_ref().or(units), "units = \"N,mm\"");
     let root = Node::root(value, &reader);

@@ -2,7 +2,7 @@
 
 use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
 use super::node::{Fields, Node, nearest};
-use crate::record::{self, Options, Summary, Words};
+use crate::record::{self, Options, Words};
 use serde_json::Value;
 use std::fs::File;
 use std::io::BufReader;
@@ -392,7 +392,7 @@ impl Builder<'_> {
     /// A record from a file beside this one.
     fn record(&mut self, node: &Node<'_>, of: Excitation, force: Vec<f64>) -> Result<(), String> {
         let file = self.folder.join(node.text()?);
-        let (record, _) = of_file(&file, &file.display().to_string(), node.reader())
+        let record = of_file(&file, &file.display().to_string(), node.reader())
             .map_err(|e| format!("{}: {e}", node.place()))?;
         if record.excitation() != of {
             return Err(node.wrong(&format!("must be a record of {}", of.name())));
@@ -402,11 +402,11 @@ impl Builder<'_> {
     }
 }
 
-/// The record of a file in these units, with its summary.
-pub(super) fn of_file(file: &Path, name: &str, reader: &Reader) -> Result<(Measured<f64>, Summary), String> {
+/// The record of a file in these units.
+fn of_file(file: &Path, name: &str, reader: &Reader) -> Result<Measured<f64>, String> {
     let opened = File::open(file).map_err(|e| format!("{name}: {e}"))?;
     let found = record::read(BufReader::new(opened), &Options::new(name, reader, Words::COMMAND))?;
-    Ok((found.record, found.summary))
+    Ok(found.record)
 }
 
 /// The samples of a record, with the force on each body where they are 1.
