@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --features mp --bench accuracy -- [POINTS [SEED]]` evaluates about POINTS points (by default
 //! a million) of each type on all cores, against 128 bits and against f64, and prints the tables. With
-//! `--damped` the points have a damper, at f64. With `--write` it inserts the tables into `docs/accuracy.md`.
+//! `--damped` the points have a damper, at f64. With `--write` it inserts the tables into `docs/development/accuracy.md`.
 
 #![allow(clippy::print_stdout, reason = "a program of its own: what it prints is its answer")]
 
@@ -102,13 +102,13 @@ fn rows(survey: &Survey) -> String {
     text
 }
 
-/// Inserts the tables between their two marks in `docs/accuracy.md`.
+/// Inserts the tables between their two marks in `docs/development/accuracy.md`.
 fn write(mark: &str, tables: &str) {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/accuracy.md");
-    let page = std::fs::read_to_string(path).expect("docs/accuracy.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/development/accuracy.md");
+    let page = std::fs::read_to_string(path).expect("docs/development/accuracy.md");
     let (begin, end) = (format!("<!-- {mark} -->\n"), format!("<!-- end of {mark} -->"));
     let (before, rest) = page.split_once(&begin).expect("the mark of the table's beginning");
     let (_, after) = rest.split_once(&end).expect("the mark of its end");
     let page = format!("{before}{begin}{tables}{end}{after}");
-    std::fs::write(path, page).expect("docs/accuracy.md");
+    std::fs::write(path, page).expect("docs/development/accuracy.md");
 }

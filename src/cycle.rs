@@ -122,7 +122,7 @@ use waveform::Motion;
 ///
 /// The accuracies hold from the true border up. An α between the rounded border and a true border above it
 /// counts as on the border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give a smaller
-/// value or none (`docs/accuracy.md`).
+/// value or none (`docs/development/accuracy.md`).
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios};
@@ -303,7 +303,7 @@ impl<F: Float> Cycle<F> {
     /// and foot, `∮ 2ζ (x′ − u′)² dφ`.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of
-    /// `docs/theory/damping.md`; the integral itself where these cancel, near Ω = 1 with little damping.
+    /// `docs/development/theory/damping.md`; the integral itself where these cancel, near Ω = 1 with little damping.
     /// On the border at Ω = 1 it is right to 1e-7 at f64 down to ζ = 1e-18, where it tends to 7.10434086 ζ.
     pub fn damper_work(&self) -> F {
         match &self.motion {

@@ -14,7 +14,7 @@
 //! once.
 //!
 //! **What the guarantee rests on.** The balls contain the values of the formulae by virtue of MPFR and the
-//! bounds of `float::ball`. That the formulae are those of the oscillator is shown in `docs/proof.md`.
+//! bounds of `float::ball`. That the formulae are those of the oscillator is shown in `docs/development/proof.md`.
 //!
 //! | file | content |
 //! |---|---|

@@ -9,17 +9,17 @@ macro_rules! pages {
 pages! {
     Readme: "../README.md",
     Design: "../docs/design.md",
-    NumberTypes: "../docs/number-types.md",
-    Displacement: "../docs/theory/displacement.md",
-    Velocity: "../docs/theory/velocity.md",
-    DenHartog: "../docs/theory/den-hartog.md",
-    Border: "../docs/theory/border.md",
-    SixReversals: "../docs/theory/six-reversals.md",
-    Dissipation: "../docs/theory/dissipation.md",
-    Stability: "../docs/theory/stability.md",
-    Damping: "../docs/theory/damping.md",
-    ExactMotion: "../docs/theory/exact-motion.md",
-    StaticFriction: "../docs/theory/static-friction.md",
+    NumberTypes: "../docs/development/number-types.md",
+    Displacement: "../docs/development/theory/displacement.md",
+    Velocity: "../docs/development/theory/velocity.md",
+    DenHartog: "../docs/development/theory/den-hartog.md",
+    Border: "../docs/development/theory/border.md",
+    SixReversals: "../docs/development/theory/six-reversals.md",
+    Dissipation: "../docs/development/theory/dissipation.md",
+    Stability: "../docs/development/theory/stability.md",
+    Damping: "../docs/development/theory/damping.md",
+    ExactMotion: "../docs/development/theory/exact-motion.md",
+    StaticFriction: "../docs/development/theory/static-friction.md",
 }
 
 #[cfg(all(feature = "batch", feature = "dual"))]

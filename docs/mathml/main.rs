@@ -6,7 +6,7 @@
 //! * `cargo run --example mathml -- src/formulae`: renders each `NAME.tex` there to `NAME.html`, which the
 //!   documentation of the crate includes. `tests/pages/formulae.rs` holds the two against each other.
 //!
-//! `docs/about.md` says how formulae are written.
+//! `docs/development/about.md` says how formulae are written.
 
 mod render;
 

@@ -70,7 +70,7 @@
 //! test follows the exact motion), and so, for α > 1, the limit of every start: there is one limit only
 //! (`motion`), with a damper without an exception. That its edges are the only ones, that no cycle of ten
 //! reversals or more exists without a stop, and none of six elsewhere, is searched: the exact motion from rest
-//! over the plane, see `docs/theory/six-reversals.md`.
+//! over the plane, see `docs/development/theory/six-reversals.md`.
 
 mod edges;
 mod equations;

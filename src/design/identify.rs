@@ -1,7 +1,7 @@
 //! Friction and damping from a measured response curve, by least squares that are robust to wrong values.
 //!
 //! With known mass, stiffness and force amplitude, the steady motion at a frequency depends on κ = r_y/p₀ and ζ
-//! alone. Where the body slides throughout it is the closed form, in the symbols of `docs/theory/damping.md`
+//! alone. Where the body slides throughout it is the closed form, in the symbols of `docs/development/theory/damping.md`
 //!
 //! ```text
 //! Δ₀ = (p₀/k) [√(1 − κ²K²)/q − κG],   ω_d t₂ = δ + atan2(√(1 − κ²K²), κK),

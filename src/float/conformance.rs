@@ -3,7 +3,7 @@
 //!
 //! A user's number type that breaks one of them gives wrong answers silently. If negative numbers compare in
 //! the wrong order, a maximum becomes a minimum; if π lacks a digit, angles are off at high frequencies.
-//! [`conformance`] finds such errors beforehand. `docs/number-types.md` is the guide.
+//! [`conformance`] finds such errors beforehand. `docs/development/number-types.md` is the guide.
 //!
 //! No other type serves as a reference. The operations are compared with results that are known exactly: sums
 //! and products of numbers such as 1 + i 2⁻ᵖ, and the remainder of a quotient or a root, which a fused

@@ -115,7 +115,7 @@ pub struct Definition {
     pub equation: Option<u8>,
     /// The output's unit.
     pub measure: Measure,
-    /// The allowed error at f64 without damping, in units in the last place (docs/accuracy.md).
+    /// The allowed error at f64 without damping, in units in the last place (docs/development/accuracy.md).
     pub ulps: Option<u8>,
     /// The output's meaning, in a few words and without its unit.
     pub meaning: &'static str,

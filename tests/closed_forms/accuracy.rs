@@ -113,10 +113,10 @@ fn of_hex(text: &str) -> f64 {
     f64::from_bits(fraction | (1023 << 52)) * 2f64.powi(exponent.parse().unwrap())
 }
 
-/// The errors in `docs/accuracy.md` are those at the points that it names.
+/// The errors in `docs/development/accuracy.md` are those at the points that it names.
 #[test]
 fn the_page_has_the_errors_at_its_points() {
-    let page = include_str!("../../docs/accuracy.md");
+    let page = include_str!("../../docs/development/accuracy.md");
     let (page, damped_rows) = page.split_once("<!-- damped -->").unwrap();
     let (f64_rows, f32_rows) = page.split_once("\nf32, ").unwrap();
     let mut compared = 0;

@@ -115,7 +115,7 @@ fn within(estimate: stickslip::uncertainty::Estimate, truth: f64) -> u32 {
 }
 
 /// No value is left out, none of the curves is refused, and the truth lies in the intervals as often as they say; see
-/// docs/robustness.md.
+/// docs/development/robustness.md.
 #[test]
 fn curves_with_stops_are_fitted() {
     let mut random = Random(11);

@@ -112,7 +112,7 @@ fn largest_errors<F: Float>() -> [f64; 13] {
     largest
 }
 
-/// In the order of `NAMES`: the bounds of docs/accuracy.md, plus half a unit for the rounding of the table to
+/// In the order of `NAMES`: the bounds of docs/development/accuracy.md, plus half a unit for the rounding of the table to
 /// a double.
 const ALLOWED: [f64; 13] = [2.0, 2.0, 4.0, 4.0, 4.0, 2.0, 2.0, 3.8, 2.5, 2.5, 2.0, 2.0, 8.0];
 

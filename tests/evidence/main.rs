@@ -1,4 +1,4 @@
-//! Every number that the library gives, beside one that its own reading did not make: the table of docs/evidence.md.
+//! Every number that the library gives, beside one that its own reading did not make: the table of docs/development/evidence.md.
 
 #[path = "../random/mod.rs"]
 mod random;

@@ -1,4 +1,4 @@
-//! docs/evidence.md names for every output the test that holds it against a number of another origin. Every output is
+//! docs/development/evidence.md names for every output the test that holds it against a number of another origin. Every output is
 //! there, every name there is an output, and every test named exists and is run.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -7,7 +7,7 @@ use stickslip::motion::record::{Body, Record};
 use stickslip::motion::{SteadyAnswer, SteadyOutput};
 use stickslip::{Excitation, Output, ResponseAnswer};
 
-const PAGE: &str = include_str!("../../docs/evidence.md");
+const PAGE: &str = include_str!("../../docs/development/evidence.md");
 const API: &str = include_str!("../../.ci/public-api.txt");
 
 /// A row of a table of the page: the command or the part of the library, its outputs or functions, and the tests.
@@ -39,7 +39,7 @@ fn names(of: &str) -> BTreeSet<&'static str> {
     for name in rows().into_iter().filter(|row| row.of == of).flat_map(|row| row.names) {
         assert!(all.insert(name), "{of}: {name} stands twice");
     }
-    assert!(!all.is_empty(), "docs/evidence.md has no rows of {of}");
+    assert!(!all.is_empty(), "docs/development/evidence.md has no rows of {of}");
     all
 }
 
@@ -47,9 +47,15 @@ fn names(of: &str) -> BTreeSet<&'static str> {
 fn same<'a>(of: &str, found: impl IntoIterator<Item = &'a str>) {
     let (page, library) = (names(of), found.into_iter().collect::<BTreeSet<_>>());
     let lacks: Vec<_> = library.iter().filter(|name| !page.contains(*name)).collect();
-    assert!(lacks.is_empty(), "{of}: outputs without a row in docs/evidence.md, with its test: {lacks:?}");
+    assert!(
+        lacks.is_empty(),
+        "{of}: outputs without a row in docs/development/evidence.md, with its test: {lacks:?}"
+    );
     let beyond: Vec<_> = page.iter().filter(|name| !library.contains(*name)).collect();
-    assert!(beyond.is_empty(), "{of}: docs/evidence.md has outputs that do not exist: {beyond:?}");
+    assert!(
+        beyond.is_empty(),
+        "{of}: docs/development/evidence.md has outputs that do not exist: {beyond:?}"
+    );
 }
 
 #[test]
@@ -63,10 +69,13 @@ fn every_output_of_the_library_has_its_row() {
     let (response, steady, border) = (names("response"), names("steady"), names("border"));
     for name in Output::ALL.map(|output| output.definition().name) {
         let is_there = response.contains(name) || border.contains(name) || name == "margin";
-        assert!(is_there, "{name} has no row in docs/evidence.md");
+        assert!(is_there, "{name} has no row in docs/development/evidence.md");
     }
     for name in SteadyOutput::ALL.map(|output| output.definition().name) {
-        assert!(steady.contains(name) || name == "contraction", "{name} has no row in docs/evidence.md");
+        assert!(
+            steady.contains(name) || name == "contraction",
+            "{name} has no row in docs/development/evidence.md"
+        );
     }
 }
 
@@ -90,11 +99,11 @@ fn every_public_function_has_its_row() {
         let name = line.split(['(', '<']).next().unwrap();
         let patterns = listed.iter().chain(&without).filter(|pattern| is_of(name, pattern));
         let patterns: Vec<&str> = patterns.copied().collect();
-        assert!(!patterns.is_empty(), "{name} has no row in docs/evidence.md, with its test");
+        assert!(!patterns.is_empty(), "{name} has no row in docs/development/evidence.md, with its test");
         used.extend(patterns);
     }
     let idle: Vec<_> = listed.iter().chain(&without).filter(|pattern| !used.contains(*pattern)).collect();
-    assert!(idle.is_empty(), "docs/evidence.md has functions that do not exist: {idle:?}");
+    assert!(idle.is_empty(), "docs/development/evidence.md has functions that do not exist: {idle:?}");
 }
 
 /// The files in which a test of this path may be: `tests::evidence::steady::name` is in tests/evidence/steady.rs,
@@ -150,7 +159,7 @@ fn every_test_named_exists_and_is_run() {
             let text = sources.entry(file.clone()).or_insert_with(|| std::fs::read_to_string(file).unwrap());
             is_run(text, name)
         });
-        assert!(found, "{path} of docs/evidence.md is not a test that runs");
+        assert!(found, "{path} of docs/development/evidence.md is not a test that runs");
     }
     // Those of this program are compiled into it.
     let own = std::process::Command::new(std::env::current_exe().unwrap()).arg("--list").output().unwrap();
@@ -172,5 +181,5 @@ fn the_page_counts_its_rows() {
         |is: fn(&Row) -> bool| rows().iter().filter(|row| is(row)).map(|row| row.names.len()).sum::<usize>();
     let (outputs, functions) = (count(|row| row.of != "fn"), count(|row| row.of == "fn"));
     let said = format!("{outputs} outputs of commands and {functions} functions of the library");
-    assert!(PAGE.contains(&said), "docs/evidence.md should say “{said}”");
+    assert!(PAGE.contains(&said), "docs/development/evidence.md should say “{said}”");
 }

@@ -1,4 +1,4 @@
-//! Statements of `docs/proof.md` over whole ranges: boxes are halved until ball arithmetic proves the sign in
+//! Statements of `docs/development/proof.md` over whole ranges: boxes are halved until ball arithmetic proves the sign in
 //! each.
 
 use crate::float::ball::Ball;

@@ -97,7 +97,7 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
     let forced = alpha / (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
     let size = forced + 2.0;
     // The motion is comparable with the rounding of its terms: Ω = 1 with ζ below the rounding of Ω
-    // (docs/robustness.md).
+    // (docs/development/robustness.md).
     if size > 1e12 {
         return;
     }

@@ -95,7 +95,10 @@ impl Worst {
     }
 
     /// Prints the results, and fails if they exceed these bounds.
-    #[expect(clippy::print_stdout, reason = "the figures of docs/proof.md, seen with --nocapture")]
+    #[expect(
+        clippy::print_stdout,
+        reason = "the figures of docs/development/proof.md, seen with --nocapture"
+    )]
     pub(crate) fn check(&self, name: &str, error: f64, iterations: u32) {
         println!("{name}: {self:?}");
         assert!(self.points > 0 && self.error <= error && self.iterations <= iterations, "{name}: {self:?}");
@@ -116,7 +119,7 @@ impl Worst {
         self
     }
 
-    /// Fails if a column of the table in `docs/proof.md` differs.
+    /// Fails if a column of the table in `docs/development/proof.md` differs.
     pub(crate) fn is_on_the_page(&self, column: &str) {
         let rows = page_rows();
         let at = rows[0].iter().position(|cell| cell == column).unwrap();
@@ -146,9 +149,9 @@ impl Worst {
     }
 }
 
-/// The cells of the table of residuals in `docs/proof.md`, starting with the header.
+/// The cells of the table of residuals in `docs/development/proof.md`, starting with the header.
 fn page_rows() -> Vec<Vec<String>> {
-    let page = include_str!("../../docs/proof.md").lines();
+    let page = include_str!("../../docs/development/proof.md").lines();
     let table = page
         .skip_while(|line| !line.starts_with("| equations | f64 |"))
         .take_while(|line| line.starts_with('|'));

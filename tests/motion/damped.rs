@@ -274,7 +274,7 @@ fn stops_begin_at_the_border() {
     assert!(compared == 100_000 && wrong.is_empty(), "{} of {compared}: {some:#?}", wrong.len());
 }
 
-/// The campaigns of docs/robustness.md report their progress: the last line printed states the work done.
+/// The campaigns of docs/development/robustness.md report their progress: the last line printed states the work done.
 /// `DONE` is the number of parts, of a thousand motions each, that are already done and skipped.
 #[test]
 #[ignore = "hours: the whole campaign"]

@@ -115,7 +115,7 @@ fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Opt
     (None, left)
 }
 
-/// There is one symmetric limit for α > 1 (docs/theory/stability.md): at 128 bits, two motions from anywhere
+/// There is one symmetric limit for α > 1 (docs/development/theory/stability.md): at 128 bits, two motions from anywhere
 /// meet.
 #[test]
 fn two_motions_meet_in_a_symmetric_one() {

@@ -255,7 +255,7 @@ fn stops_are_those_of_dense_sampling() {
     assert!(compared > 250 && differ.is_empty(), "{differ:?} of {compared}");
 }
 
-/// The campaign of docs/robustness.md.
+/// The campaign of docs/development/robustness.md.
 #[test]
 #[ignore = "minutes: the whole campaign"]
 fn campaign() {

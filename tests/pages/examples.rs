@@ -1,4 +1,4 @@
-//! The examples print what docs/examples.md shows, and their most important numbers are verified in another
+//! The examples print what docs/development/examples.md shows, and their most important numbers are verified in another
 //! way.
 
 #[path = "../../examples/damper.rs"]
@@ -27,15 +27,15 @@ use std::f64::consts::TAU;
 use stickslip::motion::{LongRun, State};
 use stickslip::{Drive, Oscillator, Ratios};
 
-/// The output of an example in docs/examples.md.
+/// The output of an example in docs/development/examples.md.
 fn shown(name: &str) -> String {
-    let page = include_str!("../../docs/examples.md");
+    let page = include_str!("../../docs/development/examples.md");
     let block = page
         .split("```console\n")
         .skip(1)
         .filter_map(|block| block.split("```").next()?.split_once('\n'))
         .find(|(command, _)| command.contains(&format!("--example {name}")));
-    block.unwrap_or_else(|| panic!("docs/examples.md does not show {name}")).1.to_owned()
+    block.unwrap_or_else(|| panic!("docs/development/examples.md does not show {name}")).1.to_owned()
 }
 
 type Answer = fn(&mut Vec<u8>) -> Result<(), Box<dyn std::error::Error>>;

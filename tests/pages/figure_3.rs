@@ -1,13 +1,13 @@
 //! Figure 3 of the paper: its error measures after a finite time from rest, and those of the settled motion.
 //!
-//! The table of `docs/figure-3.md`, every second Ω, is compared with the library. `STICKSLIP_WRITE=1 cargo test --test pages
+//! The table of `docs/development/figure-3.md`, every second Ω, is compared with the library. `STICKSLIP_WRITE=1 cargo test --test pages
 //! figure_3` writes it.
 
 use stickslip::motion::{ErrorMeasures, LongRun, State, errors_after};
 use stickslip::{Cycle, Ratios};
 
 const CYCLES: u32 = 20;
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/figure-3.md");
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/development/figure-3.md");
 
 fn all(e: &ErrorMeasures<f64>) -> [f64; 4] {
     [e.error_1, e.error_2.abs(), e.error_3, e.error_4.abs()]

@@ -47,7 +47,7 @@ fn every_page_renders() {
 fn every_equation_is_in_the_theory() {
     let mut numbers = Vec::new();
     for (path, text) in crate::book_pages::all() {
-        if !path.starts_with("docs/theory/") {
+        if !path.starts_with("docs/development/theory/") {
             continue;
         }
         for tag in text.split("\\tag{").skip(1).map(|rest| rest.split('}').next().unwrap()) {

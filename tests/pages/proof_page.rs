@@ -1,9 +1,9 @@
-//! `docs/proof.md` lists every equation, and every test that it names exists.
+//! `docs/development/proof.md` lists every equation, and every test that it names exists.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
-const PAGE: &str = include_str!("../../docs/proof.md");
+const PAGE: &str = include_str!("../../docs/development/proof.md");
 
 /// The names in backquotes that begin with `tests::`.
 fn named() -> BTreeSet<&'static str> {

@@ -1,4 +1,4 @@
-//! The numbers of docs/validation.md are those of the library.
+//! The numbers of docs/development/validation.md are those of the library.
 
 use std::f64::consts::TAU;
 use stickslip::design::{TurningPoints, identify_turning_points};
@@ -54,7 +54,7 @@ fn value(row: usize) -> f64 {
 
 #[test]
 fn every_row_is_computed() {
-    let page = include_str!("../../docs/validation.md");
+    let page = include_str!("../../docs/development/validation.md");
     let rows: Vec<Vec<&str>> = page
         .lines()
         .filter_map(|line| Some(line.strip_prefix("| ")?.strip_suffix(" |")?.split(" | ").collect()))

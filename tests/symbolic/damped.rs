@@ -4,7 +4,7 @@
 //! C and S are cosh ζT and sinh ζT, c and r are cos dT and sin(dT)/d, with `C² − S² = 1` and `c² + (1 − ζ²)
 //! r² = 1`. The algebra therefore holds for ζ below, at and above 1. The exponential of the free vibration
 //! over half a period is then `M = (C − S) [[c + ζr, r], [−r, c − ζr]]`. The formulae are those of
-//! docs/theory/damping.md; `verify` checks that the library's numbers agree with them.
+//! docs/development/theory/damping.md; `verify` checks that the library's numbers agree with them.
 
 use super::ideal::Ideal;
 use super::scalar::{Symbol, free, reset};

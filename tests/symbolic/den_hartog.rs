@@ -45,7 +45,7 @@ fn equations_55_and_56_follow_from_50_to_53() {
     let right = half.c2 - cosine_coefficient(b);
     assert!(!all.holds(right), "as eq. 40, not where 1 + cos π₁ vanishes");
     all.assert_exactly("56, right", m.one_plus() * right);
-    // The certificates of docs/proof.md.
+    // The certificates of docs/development/proof.md.
     let [d50, d51, d52, d53] = conditions;
     let (positions, rates) = (d50 + d52, d51 + d53);
     let ((s1, c1), one_plus) = (m.pi_1, m.one_plus());

@@ -122,7 +122,7 @@ fn equation_40_follows_times_one_plus_cos_pi_1() {
     Ideal::new(&hypotheses, &[]).assert_exactly("40", e40);
 }
 
-/// The certificates of `docs/proof.md`, each an identity of polynomials.
+/// The certificates of `docs/development/proof.md`, each an identity of polynomials.
 #[test]
 fn the_certificates_by_hand_expand() {
     let m = Matching::new();

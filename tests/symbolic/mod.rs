@@ -1,6 +1,6 @@
 //! The equations of the paper by exact algebra over ℚ, on the library's own functions.
 //!
-//! `docs/proof.md` states which equation follows from which, and in what sense.
+//! `docs/development/proof.md` states which equation follows from which, and in what sense.
 
 mod angles;
 mod balanced;

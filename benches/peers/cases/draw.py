@@ -1,4 +1,4 @@
-"""Draws the errors of every tool on the case file, and prints the table of docs/comparison.md.
+"""Draws the errors of every tool on the case file, and prints the table of docs/development/comparison.md.
 
     python benches/peers/cases/draw.py tests/data/cases.json docs/figures/cases.svg ANSWERS.tsv …
 """

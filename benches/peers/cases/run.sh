@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every tool that is installed solves the case file; then docs/figures/cases.svg is drawn, and the table of docs/comparison.md
+# Every tool that is installed solves the case file; then docs/figures/cases.svg is drawn, and the table of docs/development/comparison.md
 # printed. $PYTHON has numpy, scipy, matplotlib, scikit-sundae, openseespy and stickslip; $SICONOS_PYTHON is one that finds Siconos
 # (Debian: python3-siconos). It takes about ten minutes of processor time.
 #

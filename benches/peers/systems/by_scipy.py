@@ -2,7 +2,7 @@
 
 SciPy begins on the steady motion and follows ten periods of it; stickslip finds it from rest.
 
-Needs numpy, scipy and stickslip. It takes some minutes and prints the table of docs/comparison.md:
+Needs numpy, scipy and stickslip. It takes some minutes and prints the table of docs/development/comparison.md:
 
     python benches/peers/systems/by_scipy.py tests/data/systems.json
 """

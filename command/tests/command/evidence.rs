@@ -1,4 +1,4 @@
-//! Every output of every command: it has its row in docs/evidence.md, and a number of another origin beside it.
+//! Every output of every command: it has its row in docs/development/evidence.md, and a number of another origin beside it.
 
 use crate::command_line::{json, stdout, stickslip};
 use crate::machines::{DRIVES, Driven};
@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 use stickslip::Excitation;
 
-const PAGE: &str = include_str!("../../../docs/evidence.md");
+const PAGE: &str = include_str!("../../../docs/development/evidence.md");
 
 /// The names in the rows of a command, and those of its kinds such as `simulate --samples`.
 fn rows() -> BTreeMap<&'static str, BTreeSet<&'static str>> {
@@ -172,9 +172,12 @@ fn every_output_of_every_command_has_its_row() {
         // The kind of the number in brackets of a header is of the same output.
         let page: BTreeSet<String> = page[of].iter().map(|name| (*name).to_owned()).collect();
         let lacks: Vec<_> = found.difference(&page).collect();
-        assert!(lacks.is_empty(), "{of}: outputs without a row in docs/evidence.md: {lacks:?}");
+        assert!(lacks.is_empty(), "{of}: outputs without a row in docs/development/evidence.md: {lacks:?}");
         let beyond: Vec<_> = page.difference(&found).collect();
-        assert!(beyond.is_empty(), "{of}: docs/evidence.md has outputs that no example has: {beyond:?}");
+        assert!(
+            beyond.is_empty(),
+            "{of}: docs/development/evidence.md has outputs that no example has: {beyond:?}"
+        );
     }
     let limits = json(&format!("attractors {ratios} --format json"));
     let found: BTreeSet<_> = keys(&limits["attractors"].to_string());
@@ -205,7 +208,10 @@ fn every_output_of_every_command_has_its_row() {
         ["verify", "figure", "figures", "sweep", "motion-plot", "outputs", "completions", "man", "help"];
     for command in commands {
         let is_there = page.keys().any(|of| of.split([' ', ',']).next() == Some(command));
-        assert!(is_there || others.contains(&command), "{command} has no row in docs/evidence.md");
+        assert!(
+            is_there || others.contains(&command),
+            "{command} has no row in docs/development/evidence.md"
+        );
     }
 }
 
@@ -388,7 +394,7 @@ fn answers_in_units_are_those_of_the_samples() {
     let page = &rows()["physical"];
     let beyond: Vec<_> =
         seen.iter().filter(|name| !page.contains(name.as_str()) && *name != "units").collect();
-    assert!(beyond.is_empty(), "values in units without a row in docs/evidence.md: {beyond:?}");
+    assert!(beyond.is_empty(), "values in units without a row in docs/development/evidence.md: {beyond:?}");
     let unseen: Vec<_> = page.iter().filter(|name| !seen.contains(**name)).collect();
     // A coefficient needs gravity, and a rest has no cycle.
     assert!(unseen.iter().all(|name| ["friction_coefficient", "rest_position"].contains(name)), "{unseen:?}");

@@ -77,7 +77,7 @@ impl<F: Float> NoStop<F> {
 ///
 /// **Proved:** in these intervals no motion stops in the long run. **Searched:** the body stops at all other
 /// α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
-/// (`docs/theory/six-reversals.md`).
+/// (`docs/development/theory/six-reversals.md`).
 ///
 /// ```
 /// use stickslip::no_stop_force_ratios;

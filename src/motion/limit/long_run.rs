@@ -15,7 +15,7 @@ use crate::motion::state::{Point, State};
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[must_use]
 pub enum LongRun<F> {
-    /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md).
+    /// One periodic motion, symmetric and the same from every start (proved in docs/development/theory/stability.md).
     /// Where Ω is 1/(2n) to within rounding only, one multiplier rounds to 1: no start comes close to the
     /// limit within the lifetime of a machine.
     ///

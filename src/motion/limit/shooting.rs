@@ -10,7 +10,7 @@
 //!   one half turn to the next. A Newton step is kept where it halves the residual; otherwise the motion is
 //!   followed.
 //! * Two periodic motions keep their distance permanently. For α > 1 that leaves **one limit only, and it is
-//!   symmetric**: proved in docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) at the
+//!   symmetric**: proved in docs/development/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) at the
 //!   border and above, and Ω = 1 with α ≥ 4/π. With damping there are no exceptions: a constant distance has
 //!   δw = 0, and of two bodies at a distance that slide alike one would have another friction. For α ≤ 1 the
 //!   limit is rest, anywhere in an interval (`rest`), and shooting is not used.

@@ -170,7 +170,7 @@ const FOLLOWED: u32 = 24;
 /// force ratio. If one of them is stable at one end of a step and unstable or absent at the other, the force
 /// ratio in between is found to rounding. **Found by search**: a motion that is lost and regained within a
 /// step is missed. The force ratio of `ratios` is ignored. With a static friction equal to the kinetic one
-/// there are none: friction is monotone, and the only limit is symmetric (docs/theory/stability.md).
+/// there are none: friction is monotone, and the only limit is symmetric (docs/development/theory/stability.md).
 ///
 /// ```
 /// use stickslip::Ratios;

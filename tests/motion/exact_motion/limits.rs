@@ -186,7 +186,7 @@ fn starts_lead_elsewhere(starts: u64, seed: u64) -> Vec<String> {
 fn every_start_leads_to_the_limit_from_rest() {
     assert_eq!(starts_lead_elsewhere(3_000, 5), Vec::<String>::new());
 }
-/// The campaign of docs/robustness.md.
+/// The campaign of docs/development/robustness.md.
 #[test]
 #[ignore = "minutes: the whole campaign"]
 fn campaign() {

@@ -7,7 +7,7 @@ use stickslip::float::Mp;
 use stickslip::{Border, Field as _, Float as _, Output, Ratios, Response};
 
 /// A million points, half of them adversarial: every value must lie in its enclosure. Prints widths and times
-/// for `docs/accuracy.md`. `STICKSLIP_SEED`, `STICKSLIP_POINTS` and `STICKSLIP_SECONDS` select the points,
+/// for `docs/development/accuracy.md`. `STICKSLIP_SEED`, `STICKSLIP_POINTS` and `STICKSLIP_SECONDS` select the points,
 /// their number and the greatest duration.
 #[test]
 #[ignore = "minutes; .ci/slow enclosures"]

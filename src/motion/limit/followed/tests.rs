@@ -1,4 +1,4 @@
-//! The limits of docs/theory/static-friction.md, computed from starts, and compared with the motion itself.
+//! The limits of docs/development/theory/static-friction.md, computed from starts, and compared with the motion itself.
 
 use crate::cycle::damped;
 use crate::cycle::displacement::max_displacement;
