@@ -1,4 +1,7 @@
 //! `--bits`: the number type a command runs at.
+//!
+//! The unit tests of the command are compiled without its wide numbers, because these are copies of the whole
+//! command, and tests/command runs them in the program.
 
 use crate::failure::Outcome;
 use num_traits::Pow;
@@ -42,7 +45,7 @@ macro_rules! at_bits {
 }
 pub(crate) use at_bits;
 
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 fn run_wide(bits: u32, task: impl Task) -> Outcome {
     use std::fmt::{Debug, Display, LowerExp};
     use stickslip::float::{ParseError, WithPrecision, with_precision};
@@ -71,7 +74,7 @@ fn run_wide(bits: u32, task: impl Task) -> Outcome {
     with_precision(bits, Wide(task)).map_err(|e| format!("--bits {bits}: {e}"))?
 }
 
-#[cfg(not(feature = "mp"))]
+#[cfg(any(not(feature = "mp"), test))]
 fn run_wide(bits: u32, _: impl Task) -> Outcome {
     Err(format!("--bits {bits}: must be ≤ 53 in a build without the feature mp").into())
 }

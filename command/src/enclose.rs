@@ -1,24 +1,24 @@
 //! `--enclose`: each output as certain digits, then ±.
 
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 mod found;
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 mod record;
 
-#[cfg(not(feature = "mp"))]
+#[cfg(any(not(feature = "mp"), test))]
 use crate::args::RecordArgs;
 use crate::args::{OutputArgs, Swept, Typed};
-#[cfg(not(feature = "mp"))]
+#[cfg(any(not(feature = "mp"), test))]
 use crate::failure::Failure;
 use crate::failure::Outcome;
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 pub(crate) use found::BITS;
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 pub(crate) use record::record;
 use std::io::Write;
 
 /// `response`, `border` or `steady` with `--enclose`.
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 pub(crate) fn answer<const PARTS: u8>(
     question: Swept,
     machine: &Typed<PARTS>,
@@ -33,7 +33,7 @@ pub(crate) fn answer<const PARTS: u8>(
     }
 }
 
-#[cfg(not(feature = "mp"))]
+#[cfg(any(not(feature = "mp"), test))]
 pub(crate) fn answer<const PARTS: u8>(
     _: Swept,
     _: &Typed<PARTS>,
@@ -43,12 +43,12 @@ pub(crate) fn answer<const PARTS: u8>(
     Err(no_balls())
 }
 
-#[cfg(not(feature = "mp"))]
+#[cfg(any(not(feature = "mp"), test))]
 pub(crate) fn record(_: &RecordArgs, _: &mut impl Write) -> Outcome {
     Err(no_balls())
 }
 
-#[cfg(not(feature = "mp"))]
+#[cfg(any(not(feature = "mp"), test))]
 pub(crate) fn no_balls() -> Failure {
     Failure::Input("--enclose: needs a build with the feature mp".to_owned())
 }

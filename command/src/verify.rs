@@ -12,7 +12,7 @@
 //! A true statement leaves the rounding of its operations; a false one is off by about `2^PRECISION` units.
 //! Statements that are wrong as printed are included, and must fail.
 
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 mod balls;
 mod case;
 mod plain;
@@ -126,13 +126,13 @@ pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
 }
 
 /// `verify --enclose`: the statements in balls.
-#[cfg(feature = "mp")]
+#[cfg(all(feature = "mp", not(test)))]
 fn enclosed(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
     let bits = args.bits.unwrap_or(enclose::BITS);
     Report::of(bits, true, balls::verdicts(bits)?).answer(args, out)
 }
 
-#[cfg(not(feature = "mp"))]
+#[cfg(any(not(feature = "mp"), test))]
 fn enclosed(_: &VerifyArgs, _: &mut impl Write) -> Outcome {
     Err(enclose::no_balls())
 }
