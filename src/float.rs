@@ -70,7 +70,11 @@ pub use dual::Dual;
 pub use field::{Field, Real};
 pub use foreign::Foreign;
 #[cfg(feature = "mp")]
-pub use mp::{Inexact, Mp, ParseError, PrecisionError, WIDTHS, WithPrecision, with_precision};
+pub(crate) use mp::words;
+#[cfg(feature = "mp")]
+pub use mp::{
+    Inexact, Mp, ParseError, PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision,
+};
 #[doc(hidden)]
 pub use task::{AtPrecision, Task};
 pub(crate) use task::{at_precision, fused};
@@ -84,6 +88,14 @@ pub(crate) use task::{at_precision, fused};
 pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Bits of the significand: 24 for `f32`, 53 for `f64`.
     const PRECISION: u32;
+    /// Bits of the significand of results now: [`Float::PRECISION`], or fewer inside
+    #[cfg_attr(feature = "mp", doc = "[`with_precision`].")]
+    #[cfg_attr(not(feature = "mp"), doc = "`with_precision`.")]
+    #[inline]
+    #[must_use]
+    fn precision() -> u32 {
+        Self::PRECISION
+    }
     /// Largest exponent `e` for which frequency ratios in `[2⁻ᵉ, 2ᵉ]` and force ratios up to `2ᵉ`
     /// keep every closed form of this crate free of overflow and underflow: about a quarter of the
     /// type's own exponent range.

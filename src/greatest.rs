@@ -128,7 +128,7 @@ pub(crate) fn greatest<F: Float>(
         // The piece is so narrow that f″ hardly changes: find its stationary point, if it has one.
         if rest * F::int(1 << 20) <= best {
             let mut x = middle;
-            for _ in 0..F::PRECISION.ilog2() {
+            for _ in 0..F::precision().ilog2() {
                 let at = f(x);
                 let next = x - at.slope / at.second;
                 // A step may leave the piece on the way to a point near its end.
@@ -166,7 +166,7 @@ pub(crate) fn highest<F: Float, E>(
     let mut left = high - part * (high - low);
     let mut right = low + part * (high - low);
     let (mut at_left, mut at_right) = (f(left)?, f(right)?);
-    for _ in 0..F::PRECISION {
+    for _ in 0..F::precision() {
         if high - low <= share * high {
             break;
         }

@@ -53,7 +53,7 @@ pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f
 pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
     let tolerance = F::epsilon() / F::int(64);
     let mut x = start;
-    for _ in 0..F::PRECISION.ilog2() {
+    for _ in 0..F::precision().ilog2() {
         let (value, slope) = f(x);
         let step = value / slope;
         let next = x - step;
@@ -175,7 +175,7 @@ pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> 
     }
     let mut share = half;
     // Each halving takes a bit off the bracket; interpolation never takes more than twice as many steps.
-    for _ in 0..F::PRECISION.saturating_mul(4) {
+    for _ in 0..F::precision().saturating_mul(4) {
         let width = (opposite - x).abs();
         let tolerance = F::epsilon() * x.abs().or_larger(opposite.abs());
         if width <= tolerance {

@@ -79,6 +79,30 @@ fn run_wide(bits: u32, _: impl Task) -> Outcome {
     Err(format!("--bits {bits}: must be ≤ 53 in a build without the feature mp").into())
 }
 
+/// The precision of this thread, for others that compute for it.
+#[derive(Clone, Copy)]
+pub(crate) struct Here {
+    #[cfg(all(feature = "mp", not(test)))]
+    precision: stickslip::float::ThreadPrecision,
+}
+
+impl Here {
+    pub(crate) fn new() -> Self {
+        Self {
+            #[cfg(all(feature = "mp", not(test)))]
+            precision: stickslip::float::ThreadPrecision::here(),
+        }
+    }
+
+    /// Runs a computation with this precision on the thread that calls.
+    pub(crate) fn run<T>(self, computation: impl FnOnce() -> T) -> T {
+        #[cfg(all(feature = "mp", not(test)))]
+        return self.precision.run(computation);
+        #[cfg(not(all(feature = "mp", not(test))))]
+        computation()
+    }
+}
+
 /// All digits, with a power of ten where there would be many zeros.
 pub(crate) fn all_digits<F: Value>(x: F) -> String {
     let size = x.to_f64().abs();

@@ -1,5 +1,6 @@
 //! Progress and remaining time on a terminal; parallel work whose results are written in order.
 
+use crate::bits::Here;
 use crate::failure::{Failure, Outcome, on_one_line};
 use crate::interrupt;
 use crate::style;
@@ -168,15 +169,18 @@ fn stretches_in_order(
         kept: Instant::now(),
         is_kept: true,
     };
+    let here = Here::new();
     let outcome = rayon::in_place_scope(|scope| {
         for _ in 0..work.threads {
             let (work, sender) = (&work, sender.clone());
             scope.spawn(move |_| {
-                while let Some(stretch) = work.claim() {
-                    if sender.send(answer(stretch)).is_err() {
-                        break;
+                here.run(|| {
+                    while let Some(stretch) = work.claim() {
+                        if sender.send(answer(stretch)).is_err() {
+                            break;
+                        }
                     }
-                }
+                });
             });
         }
         drop(sender);

@@ -7,6 +7,7 @@
 
 mod checksum;
 
+use crate::bits::Here;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output::{self, Lines, named};
@@ -226,6 +227,7 @@ impl KeptRows {
     fn compare_some(&self, file: &File, rows: &dyn Rows, part: &Range<u64>) -> Outcome {
         let begin = Instant::now();
         let order = self.some.in_order();
+        let here = Here::new();
         let (mut left, mut count) = (order.as_slice(), rayon::current_num_threads());
         // The number of rows compared at a time increases, because a single row can take longer than the
         // allowed time.
@@ -242,7 +244,11 @@ impl KeptRows {
             }
             found.par_iter().try_for_each(|(row, line)| {
                 let point = part.start + row;
-                if rows.text(point)? == *line { Ok(()) } else { Err(not_this(rows.of(), row + 1)) }
+                if here.run(|| rows.text(point))? == *line {
+                    Ok(())
+                } else {
+                    Err(not_this(rows.of(), row + 1))
+                }
             })?;
             interrupt::check()?;
         }

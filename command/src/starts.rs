@@ -95,7 +95,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
             (DAMPING_RATIO, number(self.ratios.damping_ratio())),
             (STATIC_FRICTION_RATIO, number(self.ratios.static_friction_ratio())),
             (key!("max_periods"), Cell::Count(Some(self.periods.into()))),
-            (key!("bits"), Cell::Count(Some(F::PRECISION.into()))),
+            (key!("bits"), Cell::Count(Some(F::precision().into()))),
             (key!("x0"), number(start.x)),
             (key!("v0"), number(start.v)),
         ])

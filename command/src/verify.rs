@@ -138,7 +138,7 @@ fn enclosed(_: &VerifyArgs, _: &mut impl Write) -> Outcome {
 }
 
 fn check<F: Value>(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
-    Report::of(F::PRECISION, false, plain::verdicts::<F>()?).answer(args, out)
+    Report::of(F::precision(), false, plain::verdicts::<F>()?).answer(args, out)
 }
 
 #[derive(Serialize)]

@@ -99,7 +99,7 @@ fn has_decayed<F: Float>(zeta: F, omega: F) -> bool {
 
 /// The least ζT with `e^{−ζT} < ε/4`: `0.7 > ln 2` for each bit.
 fn decay_exponent<F: Float>() -> F {
-    let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX).saturating_add(2);
+    let bits = i32::try_from(F::precision()).unwrap_or(i32::MAX).saturating_add(2);
     F::int(bits) * F::ratio(7, 10)
 }
 

@@ -131,7 +131,7 @@ fn velocity_target<F: Float>(
     let rising = Rising::new(half, least);
     let [middle, ..] = rising.velocity(&rising.at(half.period / F::int(2)));
     let mut amplitude = least + (velocity - middle / half.omega).or_larger(F::int(0));
-    for _ in 0..F::PRECISION {
+    for _ in 0..F::precision() {
         let (speed, slope) = reached(amplitude);
         let step = (speed - velocity) / slope;
         // A smaller step, or one back, is rounding; a force that no number holds is refused below.

@@ -71,7 +71,7 @@ impl<const W: usize> Angle<W> {
 /// 1 the remaining sum is therefore in [0, w⁴/40].
 fn w_cot_w<const W: usize>(w: Ball<W>) -> Ball<W> {
     let size = Radius::above(w.mid()).plus(w.rad());
-    let is_small = size < Radius::power_of_two(-i64::from(Mp::<W>::BITS) / 4);
+    let is_small = size < Radius::power_of_two(-i64::from(Mp::<W>::bits_now()) / 4);
     if !is_small && !w.contains_zero() {
         return w / w.tan();
     }

@@ -3,6 +3,7 @@
 use super::{Ball, Enclosure, valid};
 use crate::float::ball::Radius;
 use crate::float::mp::Mp;
+use crate::float::words::at_words;
 use crate::machine::error::{Error, written};
 use crate::motion::record::{Body, Record, RecordAnswer, follow_in_balls};
 
@@ -42,36 +43,31 @@ pub fn follow<const N: usize>(
     let bits = valid(bits)?;
     body.check_start(x, v)?;
     let mut last = Err(Error::UncertainEvent { time: written(record.time(0)) });
-    macro_rules! at {
-        ($($width:literal)*) => {$(
-            if Mp::<$width>::BITS >= bits + 64 || $width == WIDEST {
-                match follow_in_balls::<N, $width>(body, record, [x, v]) {
-                    Ok(found) => {
-                        let is_sharp = is_sharp(&found, bits);
-                        let found = answer(&found, bits);
-                        if is_sharp && let Ok(found) = found {
-                            return Ok(found);
-                        }
-                        last = found;
-                    }
-                    // More bits do not help where the motion is exactly on a bound: they end at the same time.
-                    Err(error) if $width >= DECIDED && last.as_ref().err() == Some(&error) => return Err(error),
-                    Err(error) if last.is_err() => last = Err(error),
-                    // Fewer bits were enough.
-                    Err(_) => {}
-                }
-            }
-        )*};
+    for words in
+        [3, 5, 9, 17, 33, WIDEST].into_iter().filter(|&words| 64 * words >= bits + 64 || words == WIDEST)
+    {
+        let found = at_words!(words, |CAPACITY| {
+            let found = follow_in_balls::<N, CAPACITY>(body, record, [x, v]);
+            found.map(|found| (is_sharp(&found, bits), answer(&found, bits)))
+        });
+        match found {
+            Ok((true, Ok(found))) => return Ok(found),
+            Ok((_, found)) => last = found,
+            // More bits do not help where the motion is exactly on a bound: they end at the same time.
+            Err(error) if words >= DECIDED && last.as_ref().err() == Some(&error) => return Err(error),
+            Err(error) if last.is_err() => last = Err(error),
+            // Fewer bits were enough.
+            Err(_) => {}
+        }
     }
-    at!(3 5 9 17 33 65);
     last
 }
 
 /// The precision from which on a sign that is uncertain at the same time as with half the bits is taken to stay so, in
 /// words of 64 bits.
-const DECIDED: usize = 9;
+const DECIDED: u32 = 9;
 /// The greatest precision tried, in words of 64 bits.
-const WIDEST: usize = 65;
+const WIDEST: u32 = 65;
 
 /// Whether the greatest displacement and the greatest velocity have so many bits.
 fn is_sharp<const W: usize>(found: &RecordAnswer<Ball<W>>, bits: u32) -> bool {

@@ -32,7 +32,7 @@ pub(super) fn only_zero<const W: usize>(
         reach = reach.scaled(2);
         if reach.is_zero() || reach.is_infinite() {
             // The zero is hit exactly, and any ball around it will do.
-            reach = Radius::power_of_two(-i64::from(Mp::<W>::BITS));
+            reach = Radius::power_of_two(-i64::from(Mp::<W>::bits_now()));
         }
         let around = Ball::new(start.mid(), reach);
         let found = start - at_start / slope(around);

@@ -3,6 +3,7 @@
 use super::{Enclosure, Regime};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
+use crate::float::words::at_words;
 use crate::machine::error::{Error, written};
 use crate::output::Output;
 
@@ -33,7 +34,7 @@ impl Answers {
         is_exact: bool,
         is_decided: bool,
     ) -> Self {
-        let bits = Mp::<W>::BITS;
+        let bits = Mp::<W>::bits_now();
         let known = values.iter().filter_map(|(output, ball)| Some((*output, ball.as_ref()?)));
         let sharpness = known.clone().map(|(_, ball)| certain_bits(ball)).min().unwrap_or(0);
         let values = known.filter_map(|(output, ball)| Some((output, Enclosure::of(ball)?))).collect();
@@ -52,7 +53,7 @@ impl Answers {
 /// The number of bits of a ball that its radius leaves certain; all of them for an exact number and for one
 /// that is itself tiny.
 fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
-    let all = i64::from(Mp::<W>::BITS);
+    let all = i64::from(Mp::<W>::bits_now());
     let size = Radius::below(ball.mid());
     if ball.is_entire() {
         0
@@ -68,23 +69,17 @@ fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
 /// The answers at the requested bits, recomputed with more bits where they are undecided or not sharp enough.
 pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, Error> {
     let mut last: Option<Answers> = None;
-    macro_rules! at {
-        ($($width:literal)*) => {$(
-            if Mp::<$width>::BITS >= bits + 64 {
-                let found = question.at_width::<$width>();
-                // Two bits more than requested, so that the final rounding leaves one unit in the last place.
-                let is_sharp = found.sharpness >= i64::from(bits) + 2;
-                // With intervals for the ratios, further bits cannot reduce the width that the intervals
-                // cause.
-                let is_final = !found.is_exact && last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness);
-                if found.is_decided && is_sharp || is_final {
-                    return Ok(found.rounded(bits));
-                }
-                last = Some(found);
-            }
-        )*};
+    for words in [2, 5, 17, 65, 129].into_iter().filter(|words| 64 * words >= bits + 64) {
+        let found = at_words!(words, |CAPACITY| question.at_width::<CAPACITY>());
+        // Two bits more than requested, so that the final rounding leaves one unit in the last place.
+        let is_sharp = found.sharpness >= i64::from(bits) + 2;
+        // With intervals for the ratios, further bits cannot reduce the width that the intervals cause.
+        let is_final = !found.is_exact && last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness);
+        if found.is_decided && is_sharp || is_final {
+            return Ok(found.rounded(bits));
+        }
+        last = Some(found);
     }
-    at!(2 5 17 65 129);
     // `valid` has made sure that there is such a precision.
     let nothing = Error::OutOfRange {
         quantity: crate::Quantity::Precision,

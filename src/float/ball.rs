@@ -196,7 +196,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 #[inline]
 fn half_unit<const LIMBS: usize>(x: Mp<LIMBS>) -> Radius {
     // BITS is a u32, far below the range of an exponent.
-    x.exponent().map_or(UNDERFLOW, |e| Radius::power_of_two(e - Mp::<LIMBS>::BITS as i64 - 1))
+    x.exponent().map_or(UNDERFLOW, |e| Radius::power_of_two(e - i64::from(x.bits()) - 1))
 }
 
 /// The sum of the parts of an error bound.

@@ -8,7 +8,7 @@ use super::Float;
 pub(super) fn exp_m1<F: Float>(x: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
     // Beyond this, e⁻ˣ is below the last digit of 1, and doubling would only lose digits.
-    let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX);
+    let bits = i32::try_from(F::precision()).unwrap_or(i32::MAX);
     if x < -F::int(bits) {
         return -one;
     }

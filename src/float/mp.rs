@@ -8,7 +8,7 @@
 //! | `convert`, `text` | to and from `rug`, primitive numbers, decimal text |
 //! | `traits`, `functions` | the traits of num-traits; all functions are those of its `Real` |
 //! | `serde`, `nalgebra` | with those features: decimal strings, `RealField` |
-//! | `ladder` | a precision chosen at run time |
+//! | `ladder`, `words` | a precision chosen at run time |
 
 /// Methods of a trait that are the type's own of the same name.
 macro_rules! same_name {
@@ -34,8 +34,9 @@ mod real;
 mod serde;
 mod text;
 mod traits;
+pub(crate) mod words;
 
 pub use convert::Inexact;
-pub use ladder::{PrecisionError, WIDTHS, WithPrecision, with_precision};
+pub use ladder::{PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision};
 pub use raw::Mp;
 pub use text::ParseError;

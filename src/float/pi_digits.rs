@@ -99,7 +99,7 @@ pub(super) fn number<F: Float>(digits: &[i64]) -> F {
 
 /// The two parts of π that follow `leading`, the number nearest to π.
 pub(super) fn rest<F: Float>(leading: F) -> (F, F) {
-    let count = count(F::PRECISION.saturating_mul(3));
+    let count = count(F::precision().saturating_mul(3));
     let left = less(&pi(count), &digits_of(leading, count));
     let second = number(&left);
     (second, number(&less(&left, &digits_of(second, count))))

@@ -108,7 +108,7 @@ impl<F: Float> FreeDecay<F> {
             };
         }
         // Above this limit the half cycles cannot be counted, and the place of rest is rounding.
-        let most = F::exp2i(i32::try_from(F::PRECISION.min(62)).unwrap_or(62));
+        let most = F::exp2i(i32::try_from(F::precision().min(62)).unwrap_or(62));
         if found.turns * two > most {
             let (quantity, far) =
                 if v.abs() > x.abs() { (Quantity::Velocity, v) } else { (Quantity::Displacement, x) };
@@ -295,7 +295,7 @@ const SUMMED: i32 = 1 << 12;
 fn ln_1p<F: Float>(y: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let mut x = F::from_f64(y.to_f64().ln_1p());
-    for _ in 0..F::PRECISION.ilog2() {
+    for _ in 0..F::precision().ilog2() {
         // Halley's step: 2 (y − (eˣ − 1))/(y + 1 + eˣ).
         let e = x.exp_m1();
         let step = two * (y - e) / (y + two + e);

@@ -182,7 +182,7 @@ impl<F: Float> Friction<F> {
             (slope + (self.peak - F::int(1)) * self.bound * self.response) / self.frequency.square();
         let (mut least, mut place) = (turning.or_larger(zero), zero);
         // Each step of Dinkelbach's method at least doubles the digits near the end.
-        for _ in 0..F::PRECISION {
+        for _ in 0..F::precision() {
             let (excess, at) = self.greatest(&self.quotient(least));
             let (sin, cos) = (self.frequency * at).sin_cos();
             let doubt = F::epsilon() * F::int(16) * (self.frequency * least + self.v.abs());

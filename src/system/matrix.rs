@@ -155,7 +155,7 @@ impl<F: Float> Matrix<F> {
         let n = self.columns;
         let (mut a, mut v) = (self.clone(), Self::identity(n));
         // Each sweep at least squares the part off the diagonal, once it is small.
-        for _ in 0..F::PRECISION {
+        for _ in 0..F::precision() {
             let mut turned = false;
             for p in 0..n {
                 for q in (p + 1)..n {

@@ -68,7 +68,7 @@ pub(crate) fn halves<F: Float>(b: &[F]) -> (Vec<F>, Vec<F>) {
 /// p.
 pub(crate) fn first_passage<F: Float>(c: &[F], error: F) -> Option<F> {
     let b = bernstein(c);
-    let depth = F::PRECISION + 8;
+    let depth = F::precision() + 8;
     debug_assert!(error.is_finite() && is_finite(&b), "the caller has checked them: halving would not end");
     search(c, &b, F::int(0), F::int(1), error, depth)
 }
@@ -105,7 +105,7 @@ pub(crate) fn greatest_place<F: Float>(c: &[F], known: F, error: F) -> (F, Optio
     let (mut best, b) = ((known, None), bernstein(c));
     // Beyond the range of numbers halving would not end; the next step reports it.
     if is_finite(&b) && error.is_finite() {
-        climb(c, &b, (F::int(0), F::int(1)), error, F::PRECISION, &mut best);
+        climb(c, &b, (F::int(0), F::int(1)), error, F::precision(), &mut best);
     }
     best
 }

@@ -20,6 +20,7 @@ mod enclosed;
 mod field;
 mod formulae;
 mod machines;
+mod set_precision;
 mod text;
 mod traits;
 
@@ -220,7 +221,7 @@ fn the_least_sufficient_width_is_chosen() {
     impl WithPrecision for Precision {
         type Output = u32;
         fn run<F: stickslip::Float>(self) -> u32 {
-            F::PRECISION
+            F::precision()
         }
     }
     assert!(WIDTHS.windows(2).all(|w| w[0] < w[1]));

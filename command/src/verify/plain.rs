@@ -123,7 +123,7 @@ fn half_map<F: Float>(ratios: Ratios<F>, state: State<F>) -> Option<(F, F)> {
 
 /// 2⁻ᵖᐟ³, the step at which central differences are most accurate.
 fn third_of_digits<F: Float>() -> F {
-    (0..F::PRECISION / 3).fold(F::int(1), |step, _| step / F::int(2))
+    (0..F::precision() / 3).fold(F::int(1), |step, _| step / F::int(2))
 }
 
 /// (x, v) half a turn of the drive after a state.
@@ -156,7 +156,7 @@ fn stops_beside<F: Float>(ratios: Ratios<F>, alpha: F) -> Option<(u32, u32)> {
     if (turns - nearest).abs() * F::int(128) <= one {
         return None;
     }
-    let little = F::exp2i((F::PRECISION as i32 / 3).min(16).saturating_neg());
+    let little = F::exp2i((F::precision() as i32 / 3).min(16).saturating_neg());
     let stops = |alpha: F| steady(ratios, alpha).map(|s| s.sticks_per_cycle);
     Some((stops(alpha * (one - little))?, stops(alpha * (one + little))?))
 }
@@ -317,7 +317,7 @@ fn residue<F: Float>(residual: F, scale: F) -> Residue {
 fn places<F: Float>() -> Vec<CheckPoint<Ratios<F>>> {
     // A motion with a thousand digits takes a tenth of a second; at such precisions only every third motion
     // is followed.
-    let in_turn = |number: usize| F::PRECISION <= 512 || number.is_multiple_of(3);
+    let in_turn = |number: usize| F::precision() <= 512 || number.is_multiple_of(3);
     // Closer than half the digits, the paper's own forms have no digits left.
     let has_digits = |distance: &F| distance.square() > F::epsilon();
     Numbers { ratio: F::ratio, has_digits, in_turn: [in_turn, in_turn] }.points(|omega, zeta, over| {

@@ -135,7 +135,7 @@ impl<F: Float> Free<F> {
         let (mut before, mut derivative) = (F::int(0), one);
         let mut power = t.square() / two;
         let mut sum = F::int(0);
-        for n in 3..=F::PRECISION.saturating_add(3) {
+        for n in 3..=F::precision().saturating_add(3) {
             sum = sum + derivative * power;
             if (derivative.abs() + before.abs()) * power <= F::epsilon() * sum.abs() {
                 break;

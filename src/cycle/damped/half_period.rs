@@ -399,7 +399,7 @@ fn series_rest<F: Float>(u: F, v: F) -> F {
     let (mut quotient, mut power, mut factor) = (u + v, v, F::ratio(1, 120));
     let mut sum = F::int(0);
     // U ≤ 4 and |V| ≤ 4: the factorial wins.
-    for j in 3..=i32::try_from(F::PRECISION).unwrap_or(i32::MAX) {
+    for j in 3..=i32::try_from(F::precision()).unwrap_or(i32::MAX) {
         power = power * v;
         quotient = quotient * u + power;
         factor = factor / F::int((2 * j) * (2 * j + 1));

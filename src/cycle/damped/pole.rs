@@ -76,7 +76,7 @@ fn tail<F: Float>(z: Complex<F>) -> Complex<F> {
         return quotient(product(z, numerator), denominator);
     }
     // Each level removes at least five bits of the error.
-    let last = i32::try_from(F::PRECISION / 5).unwrap_or(i32::MAX).saturating_add(3);
+    let last = i32::try_from(F::precision() / 5).unwrap_or(i32::MAX).saturating_add(3);
     (2..=last).rev().fold((n(0), n(0)), |(re, im), level| {
         quotient(z, (n(level.saturating_mul(2).saturating_add(1)) + re, im))
     })

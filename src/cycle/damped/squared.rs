@@ -38,7 +38,7 @@ impl<F: Float> DrivenVelocity<F> {
         let mut series = Vec::with_capacity(32);
         let (mut sum, mut reach) = (F::int(0), one);
         // The factorial wins long before the last.
-        for n in 0..F::PRECISION.saturating_add(32) {
+        for n in 0..F::precision().saturating_add(32) {
             series.push(c);
             let (first, second) = (F::from_f64(f64::from(n) + 1.0), F::from_f64(f64::from(n) + 2.0));
             if n % 2 == 0 {

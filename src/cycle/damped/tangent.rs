@@ -126,7 +126,7 @@ impl<F: Float> Angle<F> {
         let h = if is_odd { -h } else { h };
         // |2v|², within the reach of the fraction. A pair has the digits of α² − K² down to about |v|³ = ε.
         let size = x2.hi + y2.hi;
-        let nearest = F::exp2i(2 - ((2 * F::PRECISION / 3) as i32));
+        let nearest = F::exp2i(2 - ((2 * F::precision() / 3) as i32));
         let is_accurate = (omega >= F::ratio(1, 2))
             & (omega <= F::exp2i(20))
             & (zeta <= F::ratio(7, 8))

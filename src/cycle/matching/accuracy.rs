@@ -19,12 +19,12 @@ pub(super) fn lost_bits<F: Float + RealField>(balanced: &Balanced<F>, u: &Unknow
     let terms = parts.into_iter().fold(1.0, |sum, x| sum + Float::to_f64(x).abs());
     let (_, jacobian, _) = balanced.equations(u);
     let matrix = DMatrix::from_row_iterator(5, 5, jacobian.into_iter().flatten());
-    let Some(inverse) = matrix.try_inverse() else { return F::PRECISION };
+    let Some(inverse) = matrix.try_inverse() else { return F::precision() };
     let sizes = [one, one, u.max_velocity, u.max_displacement];
     let worst = inverse.row_iter().zip(sizes).map(|(row, size)| {
         let sum = row.iter().fold(<F as Field>::int(0), |sum, y| sum + Field::abs(*y));
         4.0 * terms * Float::to_f64(sum / size).abs()
     });
     let bits = worst.fold(1.0, f64::max).log2().ceil();
-    (bits as u32).min(F::PRECISION)
+    (bits as u32).min(F::precision())
 }

@@ -112,7 +112,7 @@ pub(super) fn unknowns<F: Real>(x: &[F; 5]) -> Unknowns<F> {
 
 /// Where the error is only halved, one iteration for each bit, and some.
 pub(super) fn most_iterations<F: Float>() -> u32 {
-    F::PRECISION + 64
+    F::precision() + 64
 }
 
 /// The solution of `jacobian · step = residuals` by LU with partial pivoting.

@@ -41,7 +41,7 @@ fn tail<F: Float>(z: F) -> F {
 /// more for a small z.
 #[cold]
 fn tail_by_levels<F: Float>(z: F) -> F {
-    let last = 3 + F::PRECISION as i32 / 5;
+    let last = 3 + F::precision() as i32 / 5;
     (2..=last).rev().fold(F::int(0), |t, level| z / (F::int(2 * level + 1) - t))
 }
 

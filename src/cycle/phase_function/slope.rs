@@ -52,7 +52,7 @@ pub(crate) fn arc_less_sine<F: Float>(x: F) -> F {
     let mut sum = term;
     // Each term is less than a twentieth of the one before, a gain of at least four bits.
     let mut n = 4;
-    while n < 4 + F::PRECISION as i32 && term.abs() > F::epsilon() * sum.abs() {
+    while n < 4 + F::precision() as i32 && term.abs() > F::epsilon() * sum.abs() {
         term = -(term * square / F::int(n * (n + 1)));
         sum = sum + term;
         n += 2;

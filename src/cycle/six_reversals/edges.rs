@@ -81,7 +81,7 @@ impl End {
     /// unit in the last place of p bits for the t taken.
     fn force_beside_pole<F: Float>(&self, problem: &Problem<F>) -> F {
         let (one, distance) = (F::int(1), problem.distance());
-        let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX);
+        let bits = i32::try_from(F::precision()).unwrap_or(i32::MAX);
         let t = F::exp2i(-(bits / 3 + 5)) / problem.static_friction;
         let force = |share: F| {
             let start = nearer(self.at.map(F::from_f64), F::from_f64(self.distance) / (distance * share));

@@ -16,7 +16,7 @@ pub(super) fn polished<F: Float>(
 ) -> Option<Unknowns<F>> {
     let mut y = start;
     let mut last = None;
-    for _ in 0..F::PRECISION.ilog2() + 16 {
+    for _ in 0..F::precision().ilog2() + 16 {
         let (values, rows) = residuals(&y);
         let step = solve(rows, values)?;
         let next = y.to_array().into_iter().zip(step).map(|(x, d)| x - d);

@@ -63,7 +63,7 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
     let mut psi = start;
     let mut angles = half.angles(psi);
     let mut jet = half.velocity_of(&angles);
-    for _ in 0..F::PRECISION.ilog2() {
+    for _ in 0..F::precision().ilog2() {
         let step = householder(&jet);
         if !step.is_finite() {
             break;

@@ -326,7 +326,7 @@ impl<F: Float> FrictionWork<F> {
     /// Φ one of a few ε.
     fn settled(&self, v: F, best: F) -> F {
         let mut off = v * F::epsilon() * F::int(4);
-        for _ in 0..F::PRECISION / 2 {
+        for _ in 0..F::precision() / 2 {
             if let Some(zero) = self.summit(v - off, v + off) {
                 let work = self.work_and_growth(&self.cycle_at(zero)).0;
                 return if best <= work * (F::int(1) + F::epsilon() * F::int(1 << 12)) { zero } else { v };
@@ -342,7 +342,7 @@ fn wave_difference<F: Float>(frequency: F) -> F {
     let pi = F::pi();
     let x = frequency * pi.square();
     let (mut sum, mut term) = (F::int(0), F::ratio(-1, 6));
-    for j in 1..i32::try_from(F::PRECISION).unwrap_or(i32::MAX) {
+    for j in 1..i32::try_from(F::precision()).unwrap_or(i32::MAX) {
         let next = sum + term * F::int(j);
         if next == sum {
             break;

@@ -144,7 +144,7 @@ impl<const W: usize> Followed<W> {
 /// The error for an event at a phase that balls of this precision cannot decide.
 fn undecided<const W: usize>(event: Event, phase: Ball<W>) -> Unproved {
     let phase = phase.mid().to_f64().rem_euclid(core::f64::consts::TAU);
-    Unproved::Undecided { event, phase, bits: Mp::<W>::BITS }
+    Unproved::Undecided { event, phase, bits: Mp::<W>::bits_now() }
 }
 
 /// The product of two matrices.

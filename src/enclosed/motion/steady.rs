@@ -9,6 +9,7 @@ use crate::enclosed::{Enclosure, Known, valid};
 use crate::float::Field;
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
+use crate::float::words::at_words;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::Ratios;
 
@@ -80,25 +81,24 @@ pub fn steady(
         Err(why) => return Ok(Err(why)),
     };
     let mut last: Option<Result<Steady, Unproved>> = None;
-    macro_rules! at {
-        ($($width:literal)*) => {$(
-            if Mp::<$width>::BITS >= bits + 64 || $width == WIDEST {
-                let machine = DrivenBody::<$width>::new(omega.ball(), alpha.ball(), damping_ratio.ball(), eta.ball());
-                let found = proved(&Map { machine, outline: &outline }, bits);
-                let is_known = found.is_ok() && matches!(last, Some(Ok(_)));
-                match found {
-                    Ok((found, is_sharp)) if is_sharp || is_known => return Ok(Ok(found)),
-                    found => last = Some(found.map(|(found, _)| found)),
-                }
-            }
-        )*};
+    for words in [3, 5, 9, 17, WIDEST].into_iter().filter(|&words| 64 * words >= bits + 64 || words == WIDEST)
+    {
+        let found = at_words!(words, |CAPACITY| {
+            let (omega, alpha) = (omega.ball(), alpha.ball());
+            let machine = DrivenBody::<CAPACITY>::new(omega, alpha, damping_ratio.ball(), eta.ball());
+            proved(&Map { machine, outline: &outline }, bits)
+        });
+        let is_known = found.is_ok() && matches!(last, Some(Ok(_)));
+        match found {
+            Ok((found, is_sharp)) if is_sharp || is_known => return Ok(Ok(found)),
+            found => last = Some(found.map(|(found, _)| found)),
+        }
     }
-    at!(3 5 9 17 65);
     Ok(last.unwrap_or(Err(Unproved::NotAlone { bits })))
 }
 
 /// The greatest precision tried, in words of 64 bits.
-const WIDEST: usize = 65;
+const WIDEST: u32 = 65;
 
 /// The motion whose start the map takes to its image, with the proof; and whether `bits` of it are certain.
 fn proved<const W: usize>(map: &Map<'_, W>, bits: u32) -> Result<(Steady, bool), Unproved> {
@@ -119,7 +119,7 @@ fn proved<const W: usize>(map: &Map<'_, W>, bits: u32) -> Result<(Steady, bool),
         middle = (middle.0 - by_phase.mid(), middle.1 - by_place.mid());
     }
     let (by_phase, by_place) = step.ok_or_else(alone_is_not_shown::<W>)?;
-    let least = Radius::power_of_two(8 - i64::from(Mp::<W>::BITS));
+    let least = Radius::power_of_two(8 - i64::from(Mp::<W>::bits_now()));
     let size = |x: Ball<W>| Radius::above(x.mid()).plus(x.rad()).plus(least);
     let at = map.follow(start(middle))?;
     // First a small box for the motion, then a large one for uniqueness.
@@ -143,8 +143,8 @@ fn proved<const W: usize>(map: &Map<'_, W>, bits: u32) -> Result<(Steady, bool),
 }
 
 /// The reason that uniqueness is not proved at this precision.
-const fn alone_is_not_shown<const W: usize>() -> Unproved {
-    Unproved::NotAlone { bits: Mp::<W>::BITS }
+fn alone_is_not_shown<const W: usize>() -> Unproved {
+    Unproved::NotAlone { bits: Mp::<W>::bits_now() }
 }
 
 /// The zero, if it is the only one in the box of these half widths around the start of `at`.
@@ -252,7 +252,7 @@ fn described<const W: usize>(
         multipliers: multipliers(map, &followed.derivatives).map(|(re, im)| (of(re), of(im))),
         start: (of(phase), of(place)),
         only_within: (only_within.0.map(reach), reach(only_within.1)),
-        bits: Mp::<W>::BITS,
+        bits: Mp::<W>::bits_now(),
     };
     Ok((found, is_sharp))
 }

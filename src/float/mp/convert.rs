@@ -7,7 +7,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// The number nearest to a ratio of integers, rounded once.
     #[must_use]
     pub fn from_rational(ratio: &Rational) -> Self {
-        Self::from_rug(&Float::with_val(Self::BITS, ratio))
+        Self::from_rug(&Float::with_val(Self::bits_now(), ratio))
     }
 
     /// The exact value as a ratio of integers; `None` for infinities and NaN.
@@ -42,7 +42,7 @@ macro_rules! from_integers {
         impl<const LIMBS: usize> From<$integer> for Mp<LIMBS> {
             #[inline]
             fn from(n: $integer) -> Self {
-                Self::from_rug(&Float::with_val(Self::BITS, n))
+                Self::from_rug(&Float::with_val(Self::bits_now(), n))
             }
         }
     )*};
@@ -74,7 +74,7 @@ impl<const LIMBS: usize> TryFrom<&Float> for Mp<LIMBS> {
     fn try_from(x: &Float) -> Result<Self, Inexact> {
         let nearest = Self::from_rug(x);
         let is_exact = x.is_nan() || nearest.to_rug() == *x;
-        if is_exact { Ok(nearest) } else { Err(Inexact { bits: Self::BITS }) }
+        if is_exact { Ok(nearest) } else { Err(Inexact { bits: Self::bits_now() }) }
     }
 }
 

@@ -1,6 +1,7 @@
 //! A precision chosen at run time: the least of several widths that has enough bits.
 
 use super::Mp;
+use super::words::{self, at_words};
 use crate::float::Float;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
@@ -35,26 +36,34 @@ pub struct PrecisionError {
     pub greatest: u32,
 }
 
-macro_rules! ladder {
-    ($($limbs:literal)*) => {
-        /// The available widths in bits, ascending.
-        pub const WIDTHS: &[u32] = &[$(Mp::<$limbs>::BITS),*];
+/// The precision that [`with_precision`] has set on a thread, for other threads that compute for it.
+#[derive(Debug, Clone, Copy)]
+pub struct ThreadPrecision(u32);
 
-        /// Runs a computation at the least available width of at least `bits`.
-        ///
-        /// # Errors
-        /// [`PrecisionError`] where `bits` is 0 or more than the last of [`WIDTHS`].
-        pub fn with_precision<W: WithPrecision>(bits: u32, computation: W) -> Result<W::Output, PrecisionError> {
-            match bits {
-                0 => {}
-                $(..=Mp::<$limbs>::BITS => return Ok(computation.run::<Mp<$limbs>>()),)*
-                _ => {}
-            }
-            Err(PrecisionError { bits, greatest: WIDTHS.last().copied().unwrap_or(0) })
-        }
-    };
+impl ThreadPrecision {
+    /// That of this thread.
+    #[must_use]
+    pub fn here() -> Self {
+        Self(words::here())
+    }
+
+    /// Runs a computation with this precision on the thread that calls.
+    pub fn run<T>(self, computation: impl FnOnce() -> T) -> T {
+        words::with_words(self.0, computation)
+    }
 }
 
-// The list is short because each width is a copy of every computation run at it, and costs half a minute of
-// compiling the command.
-ladder!(2 4 16 64 128);
+/// The available widths in bits, ascending.
+pub const WIDTHS: &[u32] = &[128, 256, 1024, 4096, 8192];
+
+/// Runs a computation at the least available width of at least `bits`: every result inside it, on this thread, has
+/// so many bits, which [`Float::precision`] says. Other threads that compute for it take them from [`ThreadPrecision`].
+///
+/// # Errors
+/// [`PrecisionError`] where `bits` is 0 or more than the last of [`WIDTHS`].
+pub fn with_precision<W: WithPrecision>(bits: u32, computation: W) -> Result<W::Output, PrecisionError> {
+    let width = WIDTHS.iter().find(|width| bits > 0 && bits <= **width);
+    let greatest = WIDTHS.last().copied().unwrap_or(0);
+    let width = width.ok_or(PrecisionError { bits, greatest })?;
+    Ok(at_words!(width / 64, |CAPACITY| computation.run::<Mp<CAPACITY>>()))
+}

@@ -2,13 +2,14 @@
 //!
 //! All unsafe code is in this file, and rests on two facts. A value's fields are written only by
 //! [`Mp::output`], from the result of an MPFR call (`parts` only changes signs), so that they always describe
-//! a valid MPFR number of [`Mp::BITS`] bits whose exponent is in range. MPFR writes only to the number that a
+//! a valid MPFR number of `words` ≤ LIMBS limbs whose exponent is in range. MPFR writes only to the number that a
 //! function names as its result, whose significand has the right size and is on the stack during the call.
 
 #![allow(unsafe_code, reason = "the calls of MPFR, each behind a safe function")]
 
 mod parts;
 
+use super::words;
 use core::cmp::Ordering;
 use core::ffi::{c_int, c_void};
 use core::mem::MaybeUninit;
@@ -19,6 +20,9 @@ use gmp_mpfr_sys::mpfr::{self, exp_t, mpfr_t, prec_t, rnd_t};
 ///
 /// Every function gives the exact result rounded once, to nearest, ties to even. An infinity, a NaN or a zero
 /// is made from that of `f64`: `Mp::from(f64::NAN)`.
+///
+/// Three capacities, of 10, 26 and 130 limbs, serve [`with_precision`](super::with_precision): inside it their numbers have as
+/// many bits as it says, in place of a type for every precision.
 ///
 /// The limbs are inline, so that the type is `Copy` and the generic code reads the same as for `f64`.
 /// Exponents reach ±2³⁰; a result beyond becomes an infinity or a zero of the right sign, without subnormal
@@ -39,9 +43,11 @@ use gmp_mpfr_sys::mpfr::{self, exp_t, mpfr_t, prec_t, rnd_t};
 pub struct Mp<const LIMBS: usize> {
     /// The kind of number in MPFR's encoding, with its sign.
     kind: c_int,
+    /// The number of limbs of the significand, the first ones of `limbs`: see [`words`].
+    words: u32,
     /// The exponent of a regular number in `[1/2, 1) · 2^exponent`; 0 for the other kinds.
     exponent: exp_t,
-    /// The significand of a regular number, least limb first, top bit set.
+    /// The significand of a regular number, least limb first, top bit of the last one set.
     limbs: [limb_t; LIMBS],
 }
 
@@ -57,7 +63,8 @@ impl<const LIMBS: usize> Mp<LIMBS> {
 
     /// +0.
     #[doc(hidden)]
-    pub const ZERO: Self = Self { kind: mpfr::ZERO_KIND, exponent: 0, limbs: [0; LIMBS] };
+    pub const ZERO: Self =
+        Self { kind: mpfr::ZERO_KIND, words: Self::BITS / 64, exponent: 0, limbs: [0; LIMBS] };
     /// +∞.
     #[doc(hidden)]
     pub const INFINITY: Self = Self { kind: mpfr::INF_KIND, ..Self::ZERO };
@@ -65,13 +72,31 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     #[doc(hidden)]
     pub const NAN: Self = Self { kind: mpfr::NAN_KIND, ..Self::ZERO };
 
+    /// The number of limbs of results now.
+    #[inline]
+    pub(super) fn words() -> u32 {
+        if const { words::is_capacity(LIMBS) } { words::here().min(Self::BITS / 64) } else { Self::BITS / 64 }
+    }
+
+    /// The number of bits of results now: [`Mp::BITS`], or fewer where a computation has set them.
+    #[inline]
+    pub(crate) fn bits_now() -> u32 {
+        64 * Self::words()
+    }
+
+    /// The number of bits of this number.
+    #[inline]
+    pub(crate) const fn bits(&self) -> u32 {
+        64 * self.words
+    }
+
     /// An MPFR number whose significand is at `limbs`.
     #[inline]
-    fn header(kind: c_int, exponent: exp_t, limbs: *mut c_void) -> mpfr_t {
+    fn header(kind: c_int, words: u32, exponent: exp_t, limbs: *mut c_void) -> mpfr_t {
         let mut header = MaybeUninit::uninit();
         // SAFETY: this writes all fields of the header and reads nothing.
         unsafe {
-            mpfr::custom_init_set(header.as_mut_ptr(), kind, exponent, Self::BITS as prec_t, limbs);
+            mpfr::custom_init_set(header.as_mut_ptr(), kind, exponent, 64 * prec_t::from(words), limbs);
             header.assume_init()
         }
     }
@@ -79,14 +104,14 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// This number as MPFR reads it. It is valid while `self` is borrowed, and must never be written through.
     #[inline]
     fn input(&self) -> mpfr_t {
-        Self::header(self.kind, self.exponent, self.limbs.as_ptr().cast_mut().cast())
+        Self::header(self.kind, self.words, self.exponent, self.limbs.as_ptr().cast_mut().cast())
     }
 
     /// The number that `compute` writes to the place it is given.
     #[inline]
     fn output(compute: impl FnOnce(*mut mpfr_t)) -> Self {
-        let mut result = Self::NAN;
-        let mut header = Self::header(mpfr::NAN_KIND, 0, result.limbs.as_mut_ptr().cast());
+        let mut result = Self { words: Self::words(), ..Self::NAN };
+        let mut header = Self::header(mpfr::NAN_KIND, result.words, 0, result.limbs.as_mut_ptr().cast());
         compute(&mut header);
         // SAFETY: both read fields of a header that was initialised above.
         let (kind, exponent) = unsafe { (mpfr::custom_get_kind(&header), mpfr::custom_get_exp(&header)) };
@@ -182,10 +207,10 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         })
     }
 
-    /// This number as a `rug::Float` of [`Mp::BITS`] bits.
+    /// This number as a `rug::Float` of as many bits.
     #[must_use]
     pub(crate) fn to_rug(self) -> rug::Float {
-        let mut result = rug::Float::new(Self::BITS);
+        let mut result = rug::Float::new(self.bits());
         let x = self.input();
         // SAFETY: `result` is a valid number of the same precision; `x` is only read.
         unsafe { mpfr::set(result.as_raw_mut(), &x, rnd_t::RNDN) };

@@ -1,13 +1,19 @@
 //! [`Field`], [`Real`] and [`Float`] for [`Mp`].
 
 use super::Mp;
+use super::words::{is_capacity, with_words};
 use crate::float::{AtPrecision, Field, Float, Real};
 
 /// Runs a task at the width beside the first bound that LIMBS does not exceed, or at the last width. The
-/// comparisons are constants, so that the task is compiled for one width; a `match` compiles it for each.
+/// comparisons are constants, so that the task is compiled for one width; a `match` compiles it for each. A capacity
+/// runs it with as many limbs itself.
 macro_rules! at_width {
     ($task:ident, $($most:literal => $limbs:literal,)+ else $last:literal) => {
-        $(if const { LIMBS <= $most } {
+        if const { is_capacity(LIMBS) } {
+            let own = Self::words();
+            let other = $(if own <= $most { $limbs } else)+ { $last };
+            with_words(other, || $task.run::<Self>(Self::rounded, |x| with_words(own, || Self::rounded(x))))
+        } else $(if const { LIMBS <= $most } {
             $task.run::<Mp<$limbs>>(Mp::rounded, Self::rounded)
         } else)+ {
             $task.run::<Mp<$last>>(Mp::rounded, Self::rounded)
@@ -33,6 +39,10 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
 
 impl<const LIMBS: usize> Float for Mp<LIMBS> {
     const PRECISION: u32 = Self::BITS;
+    #[inline]
+    fn precision() -> u32 {
+        Self::bits_now()
+    }
     // The domain of f64, although the exponents here reach 2³⁰. Roots start from their values at f64, which
     // must exist, and the exact reduction of 1/Ω takes RATIO_EXPONENT/PRECISION passes. With one domain for
     // all types, an input is valid in all of them or in none.
@@ -40,7 +50,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
 
     fn pi_rest() -> (Self, Self) {
         // At three times the bits, each difference is exact.
-        let mut rest = rug::Float::with_val(3 * Self::BITS + 64, rug::float::Constant::Pi);
+        let mut rest = rug::Float::with_val(3 * Self::bits_now() + 64, rug::float::Constant::Pi);
         rest -= Self::pi().to_rug();
         let second = Self::from_rug(&rest);
         rest -= second.to_rug();
@@ -49,7 +59,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
     #[inline]
     fn epsilon() -> Self {
         // LIMBS ≤ 2²⁰ by the assertion on BITS, so that this cannot wrap.
-        Self::of_int(1).scale2(1 - Self::BITS as i32)
+        Self::of_int(1).scale2(1 - Self::bits_now() as i32)
     }
     #[inline]
     fn exp2i(e: i32) -> Self {
@@ -72,7 +82,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
 
     /// The task runs at the least of several widths that has a quarter of the bits and a guard limb.
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
-        if const { LIMBS <= 3 } {
+        if const { LIMBS <= 3 } || Self::words() <= 3 {
             return task.run::<f64>(Self::to_f64, Self::of_f64);
         }
         // For types wider than any width of the ladder, an iteration takes further steps.
@@ -81,7 +91,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
 
     /// The task runs with at least one more limb, at the next available width.
     fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
-        if const { LIMBS > 128 } {
+        if const { LIMBS > 128 && !is_capacity(LIMBS) } {
             return task.run::<Self>(|x| x, |x| x);
         }
         at_width!(

@@ -27,7 +27,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         let error = || ParseError { text: text.to_owned() };
         let radix = i32::try_from(radix).ok().filter(|r| (2..=36).contains(r)).ok_or_else(error)?;
         let parsed = Float::parse_radix(text, radix).map_err(|_| error())?;
-        Ok(Self::from_rug(&Float::with_val(Self::BITS, parsed)))
+        Ok(Self::from_rug(&Float::with_val(Self::bits_now(), parsed)))
     }
 }
 

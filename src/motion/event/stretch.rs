@@ -97,7 +97,7 @@ fn bracketed<F: Float, M: Copy>(
         if !below {
             // The end is examined next unless the step leads to a point between `low` and the end, and in any
             // case after as many steps as the type has digits.
-            let inside = next > low && next < end && steps <= F::PRECISION;
+            let inside = next > low && next < end && steps <= F::precision();
             phi = if jet.first < zero && inside { next } else { end };
             continue;
         }
@@ -105,7 +105,8 @@ fn bracketed<F: Float, M: Copy>(
         // Two steps in a row that do not halve the bracket call for a bisection, unless they are already
         // tiny.
         let halved = width * F::int(2) <= last_width;
-        let bisect = !inside || steps > F::PRECISION || (slow && !halved && step.abs() * F::int(64) > width);
+        let bisect =
+            !inside || steps > F::precision() || (slow && !halved && step.abs() * F::int(64) > width);
         (slow, last_width) = (!halved && !bisect, width);
         phi = if bisect { (low + high) / F::int(2) } else { next };
         if phi <= low || phi >= high {
@@ -242,7 +243,7 @@ fn dip<F: Float, M: Copy>(
     let mut low = left.0 + search.cover.forward(left.1);
     let mut high = right.0 - search.cover.backward(right.1);
     let mut lowest = right;
-    for _ in 0..F::PRECISION.saturating_mul(2) {
+    for _ in 0..F::precision().saturating_mul(2) {
         if low >= high {
             return Verdict::Clear(Some((end, right_motion)));
         }

@@ -73,7 +73,7 @@ impl<F: Float> Slide<F> {
         let speed = sign * self.w;
         let (push, swing) = (sign * self.x + F::int(1) + free.zeta * speed, free.frequency * speed);
         // e^{−n} < 2⁻ⁿ
-        let phi = F::from_f64(f64::from(F::PRECISION)) / free.slow_rate();
+        let phi = F::from_f64(f64::from(F::precision())) / free.slow_rate();
         let turns = if free.swings() {
             let angle = if speed > zero || push > zero { swing.atan2(push) } else { F::pi() };
             angle <= free.frequency * phi

@@ -133,7 +133,7 @@ impl<F: Float> VelocityWaves<F> {
                 (d * h).atan2(-(rate + self.free.zeta * h)) / d
             } else {
                 // r e^{−βt} ≤ noise: e^{−y} < 2⁻ⁿ for y > n.
-                let digits = F::int(2) * F::from_f64(f64::from(F::PRECISION));
+                let digits = F::int(2) * F::from_f64(f64::from(F::precision()));
                 digits / decay
             };
             let clear = |t: F| {
@@ -209,7 +209,7 @@ fn inner_end<F: Float>(far: F, close: F, f: impl Fn(F) -> F) -> Option<F> {
         return None;
     }
     let (mut side, mut width) = (0, high - low);
-    for step in 1..=F::PRECISION.saturating_mul(4) {
+    for step in 1..=F::precision().saturating_mul(4) {
         if high - low <= close || high - low <= F::int(64) * F::epsilon() * high {
             break;
         }

@@ -128,9 +128,9 @@ impl<const W: usize> Number for Ball<W> {
 /// converting it can have rounded. 0 is exact.
 fn known<const N: usize, const W: usize>(x: Mp<N>) -> Ball<W> {
     let mid = Mp::<W>::rounded(x);
-    let own = Radius::above(x).times(Radius::power_of_two(6 - i64::from(Mp::<N>::BITS)));
-    let rounding = if W < N {
-        Radius::above(mid).times(Radius::power_of_two(-i64::from(Mp::<W>::BITS)))
+    let own = Radius::above(x).times(Radius::power_of_two(6 - i64::from(x.bits())));
+    let rounding = if mid.bits() < x.bits() {
+        Radius::above(mid).times(Radius::power_of_two(-i64::from(mid.bits())))
     } else {
         Radius::ZERO
     };

@@ -228,7 +228,7 @@ impl<F: Float> Floor<F> {
                 law: [linear.rate, linear.square],
                 load: [load, zero],
                 // The rest is below the rounding of the beginning.
-                length: F::count(usize::try_from(F::PRECISION).unwrap_or(usize::MAX)) * F::ratio(3, 4)
+                length: F::count(usize::try_from(F::precision()).unwrap_or(usize::MAX)) * F::ratio(3, 4)
                     / decay,
             })?;
         }

@@ -39,7 +39,7 @@ impl<F: Float> Slide<F> {
         let (mut travelled, mut w, mut acceleration) = (zero, zero, zero);
         let mut power = one;
         let mut reach = one;
-        for n in 1..=F::PRECISION as i32 {
+        for n in 1..=F::precision() as i32 {
             let longer = power * phi / F::int(n);
             travelled = travelled + derivative * longer;
             w = w + derivative * power;

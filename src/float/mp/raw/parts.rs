@@ -54,14 +54,14 @@ impl<const LIMBS: usize> Mp<LIMBS> {
 
     /// The significand of a regular number, least limb first.
     #[inline]
-    pub(in crate::float::mp) fn significand(&self) -> &[limb_t; LIMBS] {
-        &self.limbs
+    pub(in crate::float::mp) fn significand(&self) -> &[limb_t] {
+        self.limbs.get(..self.words as usize).unwrap_or(&self.limbs)
     }
 
     /// The top limb of a regular number, and whether any of the others is nonzero.
     #[inline]
     pub(in crate::float) fn top(&self) -> (limb_t, bool) {
-        self.limbs
+        self.significand()
             .split_last()
             .map_or((0, false), |(top, others)| (*top, others.iter().any(|&limb| limb != 0)))
     }
