@@ -8,7 +8,8 @@ macro_rules! pages {
 
 pages! {
     Readme: "../README.md",
-    Design: "../docs/design.md",
+    Recipes: "../docs/development/recipes.md",
+    Identify: "../docs/identify.md",
     NumberTypes: "../docs/development/number-types.md",
     Displacement: "../docs/development/theory/displacement.md",
     Velocity: "../docs/development/theory/velocity.md",

@@ -13,6 +13,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("cargo bench ", "benchmarks take minutes"),
     ("cargo install ", "it installs"),
     ("cargo add ", "it changes another project"),
+    ("pip install ", "it installs"),
     ("cargo doc ", "the documentation has its own step in .ci/run"),
     ("cargo run --example mathml ", "tests/pages/formulae.rs has the same rendering"),
     ("cargo run --release --example ", "tests/pages/examples.rs runs the examples"),
@@ -139,6 +140,13 @@ fn every_block_is_of_a_kind_that_is_tested() {
                 "math" | "text" => {}
                 // These are run by `every_snippet_of_another_language_runs`.
                 "python" | "matlab" => {}
+                // These need the Python package.
+                "pycon" => {
+                    assert!(
+                        include_str!("../../../.ci/python").contains(&page),
+                        ".ci/python does not run {page}"
+                    )
+                }
                 _ => panic!("{page}: a block of an unknown kind: {kind}"),
             }
         }
@@ -267,7 +275,19 @@ fn every_link_leads_somewhere() {
     assert!(checked > 50, "{checked} links");
 }
 
-/// The pages for those who change the code are in `docs/development`, outside the book.
+/// The pages for those who change the code are in `docs/development`, outside the book, where its links lead nowhere.
+#[test]
+fn the_book_links_to_its_own_pages() {
+    for (page, text) in crate::book_pages::all() {
+        if page == "README.md" || page.starts_with("docs/development/") {
+            continue;
+        }
+        for link in links(&text).into_iter().filter(|link| !link.starts_with("http")) {
+            assert!(!link.starts_with("..") && !link.starts_with("development/"), "{page}: {link}");
+        }
+    }
+}
+
 #[test]
 fn every_page_is_in_the_book() {
     let summary = include_str!("../../../docs/SUMMARY.md");
