@@ -206,10 +206,10 @@ pub const fn base_motion(excitation: Excitation) -> Option<&'static str> {
     match excitation {
         Excitation::Force | Excitation::Unbalance => None,
         Excitation::FootMotion => {
-            Some("of the spring's foot over a fixed surface: p₀ = k u₀, x over the surface")
+            Some("of the spring's support over a fixed surface: p₀ = k u₀, x over the surface")
         }
         Excitation::DampedFootMotion => Some(
-            "of the foot of spring and damper over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
+            "of the support of spring and damper over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
         ),
         Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {
             Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")

@@ -196,8 +196,8 @@ fn text<F: Value>(all: &Attractors<F>, reach: F, note: &mut Note<'_, F, impl Wri
             of_cycle(steady, note)?;
             note.line("a disturbance", decay(steady.contraction(), "a cycle"))?;
         } else if let LongRun::Irregular(motion) = found.limit {
-            note.number("greatest displacement", Measure::Length, motion.max_displacement)?;
-            note.number("least displacement", Measure::Length, motion.min_displacement)?;
+            note.number("maximum displacement", Measure::Length, motion.max_displacement)?;
+            note.number("minimum displacement", Measure::Length, motion.min_displacement)?;
             note.line("Lyapunov exponent", format_args!("{} a turn", digits(motion.lyapunov_exponent)))?;
         } else if let Some((low, high)) = found.range {
             note.number("from", Measure::Length, low)?;

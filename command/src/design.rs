@@ -144,7 +144,7 @@ impl<F: Value> AskedDesign<'_, F> {
         };
         let sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, a \
-             motion of {} {length} of the spring's foot over a fixed surface, or of {} {length} of a base that \
+             motion of {} {length} of the spring's support over a fixed surface, or of {} {length} of a base that \
              carries the surface.",
             of("force"),
             of("unbalance"),
@@ -170,7 +170,7 @@ impl<F: Value> AskedDesign<'_, F> {
             let fields =
                 vec![("omega", Kind::Ratio, some(omega)), ("friction_to_force", Kind::Ratio, some(ratio))];
             let sentence =
-                format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio));
+                format!("The body never sticks with a friction force of {} p₀ or less.", digits(ratio));
             let names = ["release_friction_to_force", "every_start_friction_to_force"];
             let friction =
                 Divided { is_force: false, names, kind: Kind::Ratio, scale: self.one, unit: "p₀" };
@@ -181,7 +181,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let friction = design::max_friction(&body, &drive).map_err(|e| self.fail(e))?;
         let unit = self.system().force();
         let sentence =
-            format!("The body never sticks with a friction bound of {} {unit} or less.", digits(friction));
+            format!("The body never sticks with a friction force of {} {unit} or less.", digits(friction));
         let coefficient = friction / (body.mass() * self.given.gravity()?);
         let fields = vec![
             ("friction", Kind::Force, some(friction)),
@@ -398,7 +398,7 @@ impl<F: Value> DesignAnswer<F> {
         let [released, with, more, bound] = if is_force {
             ["above a force of", "at", "more", "above"]
         } else {
-            ["with a friction bound below", "with", "less", "below"]
+            ["with a friction force below", "with", "less", "below"]
         };
         let of_every_start = match found.every_start {
             Some(least) => format!("Every start leads to sliding without a stop {bound} {}.", text(least)),

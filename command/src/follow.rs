@@ -401,7 +401,7 @@ fn drawing<F: Value>(
         | stickslip::Excitation::DampedFootMotion
         | stickslip::Excitation::SurfaceMotion
         | stickslip::Excitation::SurfaceVelocity
-        | _ => ("displacement of the foot", Kind::Length),
+        | _ => ("displacement of the support", Kind::Length),
     };
     let load: Vec<_> =
         samples.map(|(index, sample)| (time(index), system.shown(kind, *sample).to_f64())).collect();

@@ -430,7 +430,7 @@ fn text(
     let IdentifyAnswer { used, measurements, .. } = answer;
     writeln!(out, "Friction and damping that explain {used} of {measurements} measurements best:\n")?;
     for (name, found) in [
-        ("friction bound r_y", &answer.friction),
+        ("friction force r_y", &answer.friction),
         ("coefficient µ", &answer.friction_coefficient),
         ("damping ratio ζ", &answer.damping_ratio),
         ("damping constant c", &answer.damping),

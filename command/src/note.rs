@@ -127,7 +127,7 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
         let hertz = digits(x / (F::int(2) * F::pi()));
         format!("{:<22} = {hertz} Hz", with_unit(x, "rad/s"))
     };
-    line(out, "drive frequency ω_d", frequency(drive.angular_frequency()))?;
+    line(out, "forcing frequency ω_d", frequency(drive.angular_frequency()))?;
     line(out, "natural frequency ω_n", frequency(oscillator.natural_frequency()))?;
     line(out, "mass m", mass(oscillator.mass(), system))?;
     line(out, "stiffness k", with_unit(oscillator.stiffness(), &system.name(Kind::Stiffness)))?;
@@ -137,11 +137,11 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
             let (forward, backward) = (digits(forward), digits(backward));
             line(
                 out,
-                "friction bound r_y",
+                "friction force r_y",
                 format_args!("{bound} {force} = ({forward} forward + {backward} backward)/2"),
             )?;
         }
-        _ => line(out, "friction bound r_y", format_args!("{bound} {force}"))?,
+        _ => line(out, "friction force r_y", format_args!("{bound} {force}"))?,
     }
     if given.has_role(Role::Damper) {
         line(out, "damping constant c", with_unit(oscillator.damping(), &system.name(Kind::Damping)))?;
@@ -220,12 +220,12 @@ pub(crate) fn measured_from<F: Value>(
 /// The numbers of a non-sticking cycle.
 fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
     writeln!(note.out, "\nMotion (steady, symmetric, two reversals a cycle)")?;
-    note.number("maximum displacement", Measure::Length, cycle.max_displacement)?;
+    note.number("peak displacement", Measure::Length, cycle.max_displacement)?;
     note.number("  at ω_d t₂", Measure::Angle, cycle.displacement_phase)?;
-    note.number("maximum velocity", Measure::Velocity, cycle.max_velocity)?;
+    note.number("peak velocity", Measure::Velocity, cycle.max_velocity)?;
     note.number("  at ω_d t₁", Measure::Angle, cycle.velocity_phase)?;
-    note.number("  where x = Δ₁", Measure::Length, cycle.deviation())?;
-    note.number("maximum acceleration", Measure::Acceleration, cycle.max_acceleration())?;
+    note.number("  at displacement Δ₁", Measure::Length, cycle.deviation())?;
+    note.number("peak acceleration", Measure::Acceleration, cycle.max_acceleration())?;
     if note.is_driven(Excitation::carries_surface) {
         note.number("absolute displacement", Measure::Length, cycle.max_absolute_displacement())?;
     }
@@ -240,8 +240,8 @@ fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io:
     if cycle.ratios.is_damped() {
         note.number("energy of the damper", Measure::Work, cycle.damper_work())?;
     }
-    note.line("per static energy", format_args!("A₁ = {}", digits(cycle.loop_size_stiffness())))?;
-    note.line("per pseudo-static energy", format_args!("A₂ = {}", digits(cycle.loop_size_inertia())))
+    note.line("energy over p₀²/(2k)", format_args!("A₁ = {}", digits(cycle.loop_size_stiffness())))?;
+    note.line("energy over p₀²/(2mω_d²)", format_args!("A₂ = {}", digits(cycle.loop_size_inertia())))
 }
 
 /// The equivalent oscillator of a motion, by its outputs in the closed forms and in the steady state.

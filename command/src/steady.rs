@@ -96,8 +96,8 @@ fn write_note<F: Value>(
         }
         LongRun::Irregular(found) => {
             writeln!(note.out, "{verdict}\n")?;
-            note.number("greatest displacement", Measure::Length, found.max_displacement)?;
-            note.number("least displacement", Measure::Length, found.min_displacement)?;
+            note.number("maximum displacement", Measure::Length, found.max_displacement)?;
+            note.number("minimum displacement", Measure::Length, found.min_displacement)?;
             let (exponent, error) = (digits(found.lyapunov_exponent), found.lyapunov_exponent_error.to_f64());
             note.line("Lyapunov exponent", format_args!("{exponent} a turn, ± {error:.1e}"))?;
             note.line("stops", found.stops)
@@ -122,16 +122,15 @@ fn motion<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>)
         peaks(&found, note)?;
     }
     note.line("velocity zeros in a cycle", steady.velocity_zeros_per_cycle)?;
-    note.number("work of the drive", Measure::Work, steady.energy_in)?;
+    note.number("work of the excitation", Measure::Work, steady.energy_in)?;
     note.number("work against friction", Measure::Work, steady.energy_out)?;
     if steady.damper_work > F::int(0) {
         note.number("work against the damper", Measure::Work, steady.damper_work)?;
     }
     equivalent(note, |_, output| Some(output.of(steady)))?;
     note.line("a disturbance", decay(steady.contraction(), "a cycle"))?;
-    let far = format!("{:.0e}", steady.distance.0.to_f64());
-    let periods = digits(steady.periods.to_f64());
-    writeln!(note.out, "  found in {periods} periods, within {far} B of the limit")
+    let far = steady.distance.0.to_f64();
+    note.line("distance from the limit", format_args!("{far:.0e} B, estimated"))
 }
 
 /// The loads on the machine: acceleration, transmitted force and, for a base that carries the surface, the

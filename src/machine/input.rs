@@ -245,11 +245,11 @@ inputs! {
     BaseDisplacement "--base-displacement" "U0": Length, Drive, BaseAmplitude
         [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
         {excitation: Some(Excitation::SurfaceMotion), symbol: "base amplitude"};
-    /// Displacement amplitude of the spring's foot over a fixed surface, such as 9mm: p₀ = k u₀
+    /// Displacement amplitude of the spring's support (its foot) over a fixed surface, such as 9mm: p₀ = k u₀
     FootDisplacement "--foot-displacement" "U0": Length, Drive, BaseAmplitude
         [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
         {excitation: Some(Excitation::FootMotion), symbol: "amplitude of the foot", former: Some("base-motion")};
-    /// The same with the damper on the moving foot, too: p₀ = √(k² + c²ω_d²) u₀
+    /// The same with the damper on the moving support, too: p₀ = √(k² + c²ω_d²) u₀
     DampedFootDisplacement "--damped-foot-displacement" "U0": Length, Drive, BaseAmplitude
         [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
         {excitation: Some(Excitation::DampedFootMotion), symbol: "amplitude of the foot"};

@@ -23,8 +23,8 @@ Examples:
 pub(crate) enum Question {
     /// The minimum force, or base motion, that keeps the body from sticking
     Force(QuestionArgs),
-    /// The maximum friction with which a force keeps the body from sticking. With --over, the friction whose greatest
-    /// amplitude over a band is least. With --target-amplitude, every friction that gives this amplitude
+    /// The maximum friction with which a force keeps the body from sticking. With --over, the friction that minimises
+    /// the peak amplitude over a frequency band. With --target-amplitude, every friction that gives this amplitude
     Friction(QuestionArgs),
     /// The frequencies, between --from and --to, at which the body never sticks
     Bands(QuestionArgs),
@@ -70,10 +70,10 @@ pub(crate) struct QuestionArgs {
     /// Ω = 1/3, 1/5, …
     #[arg(long)]
     pub(crate) no_stop: bool,
-    /// For friction: the band of frequencies, such as 0.5Hz:2Hz, over which the greatest amplitude is to be least
+    /// For friction: the band of frequencies, such as 0.5Hz:2Hz, over which the peak amplitude is to be minimised
     #[arg(long, value_name = "LOW:HIGH", requires = "of", allow_hyphen_values = true)]
     pub(crate) over: Option<String>,
-    /// The amplitude that is to be small: displacement, absolute-displacement, transmitted-force or acceleration (in
+    /// The amplitude to minimise: displacement, absolute-displacement, transmitted-force or acceleration (in
     /// space)
     #[arg(long, value_enum, value_name = "WHAT", requires = "over", hide_possible_values = true)]
     pub(crate) of: Option<DesignAim>,

@@ -52,7 +52,7 @@ impl<F: Value> AskedDesign<'_, F> {
         };
         self.best(best, ["friction", "energy"], |best| {
             let force = self.system().force();
-            format!("with a friction bound of {} {force}: {}", digits(best.at), self.energy(best))
+            format!("with a friction force of {} {force}: {}", digits(best.at), self.energy(best))
         })
     }
 
@@ -97,7 +97,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let of_all = if best.bound.is_some() { " of all motions" } else { "" };
         let (name, why) = match best.kind {
             OptimumKind::Interior => ("interior", "an interior maximum"),
-            OptimumKind::Border => ("border", "on the border of sticking"),
+            OptimumKind::Border => ("border", "at the sticking threshold"),
             OptimumKind::RangeEnd => ("end-of-range", "at the end of the range"),
             OptimumKind::Sticking => ("sticking", "where it sticks, by the exact motion"),
             // The library may add kinds.

@@ -1,4 +1,4 @@
-//! `stickslip design friction --over`: the friction whose greatest amplitude over a band is least.
+//! `stickslip design friction --over`: the friction that minimises the peak amplitude over a frequency band.
 
 use super::{AskedDesign, DesignAnswer, searched_field, some};
 use crate::args::{CurveQuantity, DesignAim};
@@ -86,11 +86,11 @@ impl<F: Value> AskedDesign<'_, F> {
         let greatest = format!("{} {}", digits(found.greatest), self.system().name(kind));
         match found.kind {
             BandFrictionKind::Rest if found.greatest == F::int(0) => format!(
-                "The greatest {words} from {band} is 0 with a friction bound of {friction} or more, because the \
+                "The peak {words} from {band} is 0 with a friction force of {friction} or more, because the \
                  body rests. Short of that, more friction is as a rule less motion."
             ),
             BandFrictionKind::None => format!(
-                "The less friction, the less is the greatest {words} from {band}: {greatest} with next to none."
+                "The less friction, the less is the peak {words} from {band}: {greatest} with next to none."
             ),
             BandFrictionKind::Rest | BandFrictionKind::Interior | _ => {
                 let places: Vec<String> = found
@@ -110,7 +110,7 @@ impl<F: Value> AskedDesign<'_, F> {
                     ""
                 };
                 format!(
-                    "The greatest {words} from {band} is least with a friction bound of {friction}{rests}: {greatest}, \
+                    "The peak {words} from {band} is least with a friction force of {friction}{rests}: {greatest}, \
                      at {}. The friction is found by a search that is not a proof.",
                     places.join(" and at ")
                 )

@@ -70,7 +70,7 @@ impl EnclosedAnswer<'_> {
         match self.found.regime {
             Some(Regime::Stuck) => "Stuck: α ≤ 1, the body ends at rest for good. This is certain.".to_owned(),
             Some(Regime::BelowBorder) => {
-                "Below the border: no cycle of two reversals goes without a stop. This is certain.".to_owned()
+                "Below the sticking threshold: no cycle of two reversals goes without a stop. This is certain.".to_owned()
             }
             Some(Regime::NonSticking) => "Non-sticking: the body never stops. This is certain.".to_owned(),
             Some(Regime::Unbounded) => {
@@ -82,7 +82,7 @@ impl EnclosedAnswer<'_> {
                     .to_owned()
             }
             Some(other) => other.name().to_owned(),
-            None => format!("Undecided at {bits} bits: α is too close to a border."),
+            None => format!("Undecided at {bits} bits: α is too close to a threshold."),
         }
     }
 

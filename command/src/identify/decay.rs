@@ -159,7 +159,7 @@ impl DecayAnswer {
             ("friction r_y/k", Some(&self.friction_displacement)),
             ("damping ratio ζ", Some(&self.damping_ratio)),
             ("natural frequency", self.natural_frequency.as_ref()),
-            ("friction bound r_y", self.friction.as_ref()),
+            ("friction force r_y", self.friction.as_ref()),
             ("coefficient µ", self.friction_coefficient.as_ref()),
             ("damping constant c", self.damping.as_ref()),
         ];

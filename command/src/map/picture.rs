@@ -17,7 +17,7 @@ impl Map<'_> {
     fn label(&self) -> (String, String) {
         let words = match self.quantity.mapped {
             Mapped::Regime => "regime".to_owned(),
-            Mapped::Margin => "margin over the border, α/α_min".to_owned(),
+            Mapped::Margin => "margin over the sticking threshold, α/α_min".to_owned(),
             Mapped::Stops if self.has_static_friction() => "stops in a cycle, from rest".to_owned(),
             Mapped::Stops => "stops in a cycle".to_owned(),
             Mapped::Limits => format!("limits from {} starts", limits::STARTS),
@@ -181,9 +181,9 @@ impl Map<'_> {
         let border = self.border();
         if !border.is_empty() {
             let name = if self.has_static_friction() {
-                "border of the cycle without a stop"
+                "threshold of the cycle without a stop"
             } else {
-                "exact border of sticking"
+                "sticking threshold"
             };
             series.push(Series::new(name, Style::Thick, 0, border));
         }

@@ -19,7 +19,7 @@ pub(super) fn needed_force<F: Value>(
         note.transmitted("transmitted, maximum", cycle.transmitted_force())?;
         let of_foot = note.is_driven(Excitation::moves_foot);
         note.line(
-            if of_foot { "  per foot acceleration" } else { "  per p₀" },
+            if of_foot { "per support acceleration" } else { "  per p₀" },
             digits(cycle.transmissibility()),
         )?;
     }
@@ -30,7 +30,7 @@ pub(super) fn needed_force<F: Value>(
             note.number("minimum without a stop", Measure::Force, low)?;
             let high = note.both(Measure::Force, high);
             note.line("  up to", format_args!("{high}  (six reversals a cycle)"))?;
-            note.number("two-reversal border", Measure::Force, border.min_force_ratio)?;
+            note.number("two-reversal threshold", Measure::Force, border.min_force_ratio)?;
             writeln!(note.out, "    (between these two the body stops)")?;
         }
     }
@@ -68,7 +68,8 @@ const ABSURD: f64 = 1e6;
 fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
     // Away from the poles the border is a few times 1/Ω².
     if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
-        let text = "no machine holds a frequency so close to Ω = 1/(2n+1), where the border is infinite";
+        let text =
+            "no machine holds a frequency so close to Ω = 1/(2n+1), where the sticking threshold is infinite";
         writeln!(out, "    ({text})")?;
     }
     Ok(())
@@ -116,14 +117,14 @@ pub(crate) fn border<F: Value>(
         note.number("six reversals from", Measure::Force, low)?;
         note.number("  up to", Measure::Force, high)?;
     }
-    note.number("two-reversal border", Measure::Force, border.min_force_ratio)?;
+    note.number("two-reversal threshold", Measure::Force, border.min_force_ratio)?;
     not_to_be_held(omega, border.min_force_ratio, note.out)?;
     note.number("at the turning point", Measure::Force, border.turning_point)?;
     let is_exact = omega >= exact_from(answer.ratios);
     writeln!(note.out, "    (eq. 61, {} here)", if is_exact { "exact" } else { "necessary only" })?;
     note.number("minimum displacement", Measure::Length, border.min_displacement)?;
     let touching = note.both(Measure::Angle, border.touching_phase);
-    note.line("velocity touches zero", format_args!("{touching} after the maximum displacement"))
+    note.line("velocity touches zero", format_args!("{touching} after the peak displacement"))
 }
 
 /// The forces that release a body at rest, that a cycle without a stop needs, and that suffice for every start.

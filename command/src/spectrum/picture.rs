@@ -21,11 +21,11 @@ const MARKS: usize = 12;
 type Shown = (&'static str, Kind, fn(&RecordAnswer<f64>) -> f64);
 
 const SHOWN: [Shown; 3] = [
-    ("greatest displacement", Kind::Length, |answer| {
+    ("peak displacement", Kind::Length, |answer| {
         answer.max_displacement.abs().max(answer.min_displacement.abs())
     }),
     ("residual displacement", Kind::Length, |answer| answer.residual_displacement.map_or(f64::NAN, f64::abs)),
-    ("greatest absolute acceleration", Kind::Acceleration, |answer| answer.max_absolute_acceleration),
+    ("peak absolute acceleration", Kind::Acceleration, |answer| answer.max_absolute_acceleration),
 ];
 
 impl Spectra<'_> {

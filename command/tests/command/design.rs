@@ -81,7 +81,7 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
     assert_eq!(json("design dissipation --omega 0.6")["optimum"], "border");
     for (question, why) in [
         ("dissipation --omega 1.5", "an interior maximum."),
-        ("dissipation --omega 0.6", "on the border of sticking."),
+        ("dissipation --omega 0.6", "at the sticking threshold."),
         ("dissipation --omega 0.6 --sticking", "where it sticks, by the exact motion."),
         ("stiffness --alpha 1.5 --from 0.6 --to 0.7", "at the end of the range."),
     ] {
@@ -208,7 +208,7 @@ fn without_a_stop_with_a_damper() {
 fn text_begins_with_the_answer() {
     let text = stdout(&format!("design force {BODY} --frequency 6 --units kN,m"));
     assert!(text.starts_with(
-        "The body never sticks at a force of 7.393705 kN or more: a rotating unbalance of 0.2053807 t·m, a motion of 0.007393705 m of the spring's foot over \
+        "The body never sticks at a force of 7.393705 kN or more: a rotating unbalance of 0.2053807 t·m, a motion of 0.007393705 m of the spring's support over \
          a fixed surface, or of 0.004107614 m of a base that carries the surface."
     ));
     assert!(stdout("design bands --alpha 12 --from 0.1 --to 2").contains("2 bands of that range"));
@@ -275,7 +275,7 @@ fn the_best_friction_over_a_band() {
         stdout(&format!("{force} --over 0.2Hz:2Hz --of displacement")).contains("because the body rests")
     );
     let less = stdout(&format!("{force} --over 0.9Hz:2Hz --of transmitted-force"));
-    assert!(less.starts_with("The less friction, the less is the greatest transmitted force"), "{less}");
+    assert!(less.starts_with("The less friction, the less is the peak transmitted force"), "{less}");
     for (arguments, parts) in [
         ("--over 2Hz --of displacement", ["--over 2Hz", "LOW:HIGH"]),
         ("--over 2Hz:1Hz --of displacement", ["--over 2Hz:1Hz", "the lower end must be < the upper end"]),

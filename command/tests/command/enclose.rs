@@ -63,7 +63,7 @@ fn the_closed_forms_with_their_error_bounds() {
     // At a pole the border is infinite.
     let pole = stdout("response --omega 1/3 --alpha 1e9 --enclose");
     assert!(
-        pole.starts_with("Below the border") && pole.contains("No output has a finite enclosure"),
+        pole.starts_with("Below the sticking threshold") && pole.contains("No output has a finite enclosure"),
         "{pole}"
     );
     let resonant = "response --omega 1 --alpha 1.4 --enclose --static-friction-ratio";

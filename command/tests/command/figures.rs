@@ -86,7 +86,7 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
     for (quantity, words) in [
         ("regime", vec!["stuck", "sticking", "non-sticking"]),
         ("stops", vec!["stops in a cycle", "white: the body never moves"]),
-        ("margin", vec!["margin", "exact border"]),
+        ("margin", vec!["margin", "sticking threshold"]),
         ("steady:stick_fraction", vec!["fraction of time at rest"]),
         ("max_velocity", vec!["maximum velocity (B ω", ">d</tspan>"]),
     ] {

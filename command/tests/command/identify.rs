@@ -225,7 +225,7 @@ fn a_free_decay_gives_friction_and_damping() {
     let text = "peak[mm]\n40\n33.1\n26.5\n20.2\n14.1\n";
     let peaks = write("peaks.csv", text);
     let answer = stdout(&format!("identify --decay {peaks} --stiffness 12kN/m"));
-    assert!(answer.contains("friction bound r_y") && !answer.contains("With --stiffness"), "{answer}");
+    assert!(answer.contains("friction force r_y") && !answer.contains("With --stiffness"), "{answer}");
     let every = json(&format!("identify --decay {peaks} --half-cycles --format json"));
     let alone = json(&format!("identify --decay {peaks} --format json"));
     let friction = |found: &serde_json::Value| found["friction_displacement"]["value"].as_f64().unwrap();

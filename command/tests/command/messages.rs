@@ -127,7 +127,7 @@ fn a_frequency_ratio_and_a_spring_give_the_frequency() {
             assert!((a / b - 1.0).abs() < 1e-14, "{spring} {name}: {a} {b}");
         }
     }
-    assert!(stdout(&format!("border {machine} --omega 1.5")).contains("two-reversal border"));
+    assert!(stdout(&format!("border {machine} --omega 1.5")).contains("two-reversal threshold"));
     let sweep = stdout(&format!(
         "sweep response {machine} --omega 1:2:3 --force 12 --outputs physical.angular_frequency"
     ));

@@ -55,7 +55,7 @@ fn a_foot_of_spring_and_damper_acts_by_both() {
     close(number(&steady["transmissibility"]), number(&answer["transmissibility"]), 1e-12);
     assert!(
         stdout(&format!("response {machine} --damped-foot-displacement {foot}"))
-            .contains("foot of spring and damper")
+            .contains("support of spring and damper")
     );
     refused(
         &format!("response {machine} --damped-foot-displacement 1 --foot-displacement 1"),
