@@ -5,6 +5,7 @@
 
 mod frame;
 mod legend;
+mod letters;
 mod mark;
 #[cfg(feature = "png")]
 mod png;
@@ -13,7 +14,7 @@ mod subscript;
 mod ticks;
 
 use super::Figure;
-use frame::Frame;
+use frame::{Frame, placed};
 use plotters::backend::SVGBackend;
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
@@ -50,7 +51,7 @@ pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<Strin
         Some(place) => (inside, place),
         None => {
             let layout = fitted(legend::width(figure))?;
-            (layout, (LEFT + layout.panels_width() - 44, TOP - 5))
+            (layout, (layout.panels_width() + BESIDE, TOP - 5))
         }
     };
     let (width, height) = layout.size();
@@ -67,21 +68,22 @@ pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<Strin
 
 fn paint(figure: &Figure, layout: &Layout, legend: (i32, i32), canvas: &Canvas<'_>) -> Drawn {
     canvas.fill(&WHITE)?;
-    let middle = LEFT + layout.panels_width() / 2 - LEFT / 2;
+    let middle = layout.left + layout.panels_width() / 2 - layout.left / 2;
     title(canvas, &figure.title, (middle, 12), 18, layout.panels_width())?;
     for (panel, origin) in figure.panels.iter().zip(layout.origins()) {
-        Frame::new(panel, origin, layout.plot).draw(canvas)?;
+        Frame::new(panel, origin, layout.plot).draw(layout.left, canvas)?;
     }
     legend::draw(figure, legend, layout, canvas)?;
     canvas.present()
 }
 
-/// Margins in pixels: left of a plot, above it and below it.
+/// Margins in pixels: left of a plot, at least, above it and below it.
 const LEFT: i32 = 76;
 const TOP: i32 = 66;
 const BELOW: i32 = 62;
-/// Margin to the right of the legend.
+/// Margin to the right of the legend, and between it and the plots.
 const RIGHT: i32 = 24;
+const BESIDE: i32 = 32;
 
 /// The least width and height of a plot.
 const LEAST: i32 = 120;
@@ -93,6 +95,8 @@ const MOST: i32 = 10_000;
 pub(super) struct Layout {
     /// Width and height of a plot.
     plot: (i32, i32),
+    /// Margin left of a plot, with room for the labels of the widest vertical axis.
+    left: i32,
     columns: i32,
     panels: i32,
     /// Width of the legend beside the plots; 0 where it is inside.
@@ -109,7 +113,10 @@ impl Layout {
             2 => ((430, 400), 2),
             _ => ((400, 250), 2),
         };
-        Self { plot, columns, panels, legend, spare: (0, 0) }
+        let shown = figure.panels.iter().map(|panel| &panel.y).filter(|axis| !axis.label.is_empty());
+        let widest = shown.flat_map(placed).map(|(_, text)| letters::width(&text, frame::LABEL)).max();
+        let left = LEFT.max(widest.unwrap_or(0) + frame::BESIDE_LABELS);
+        Self { plot, left, columns, panels, legend, spare: (0, 0) }
     }
 
     /// The least size of the figure in pixels.
@@ -136,13 +143,13 @@ impl Layout {
     /// The place of the legend in the plot of a single panel, where it covers nothing.
     fn legend_inside(&self, figure: &Figure) -> Option<(i32, i32)> {
         let [panel] = figure.panels.as_slice() else { return None };
-        let frame = Frame::new(panel, (LEFT, TOP), self.plot);
-        let places = legend::places(figure, (LEFT, TOP), self.plot)?;
+        let frame = Frame::new(panel, (self.left, TOP), self.plot);
+        let places = legend::places(figure, (self.left, TOP), self.plot)?;
         places.into_iter().find(|&place| frame.is_free(place, legend::size(figure)))
     }
 
     fn step(&self) -> (i32, i32) {
-        (self.plot.0 + LEFT, self.plot.1 + BELOW + 30)
+        (self.plot.0 + self.left, self.plot.1 + BELOW + 30)
     }
 
     fn panels_width(&self) -> i32 {
@@ -151,7 +158,7 @@ impl Layout {
 
     fn size(&self) -> (i32, i32) {
         let rows = (self.panels + self.columns - 1) / self.columns;
-        let width = LEFT + self.panels_width() - 44 + self.legend + RIGHT;
+        let width = self.panels_width() + BESIDE + self.legend + RIGHT;
         (width + self.spare.0, TOP - 30 + rows * self.step().1 + 6 + self.spare.1)
     }
 
@@ -163,7 +170,7 @@ impl Layout {
     /// The upper left corner of each plot.
     fn origins(&self) -> impl Iterator<Item = (i32, i32)> + '_ {
         let (across, down) = self.step();
-        (0..self.panels).map(move |i| (LEFT + i % self.columns * across, TOP + i / self.columns * down))
+        (0..self.panels).map(move |i| (self.left + i % self.columns * across, TOP + i / self.columns * down))
     }
 }
 
@@ -184,9 +191,10 @@ pub(super) enum Anchor {
 
 /// Writes a title around a place, in smaller letters where it would be too wide.
 fn title(canvas: &Canvas<'_>, text: &str, place: (i32, i32), size: i32, width: i32) -> Drawn {
-    // A letter is about half as wide as high.
-    let letters = i32::try_from(text.chars().count()).unwrap_or(i32::MAX).max(1);
-    write(canvas, text, place, size.min(2 * width / letters).max(8), Anchor::Above)
+    // A letter is about half as wide as high; a title may be somewhat wider than its plots.
+    let count = i32::try_from(text.chars().count()).unwrap_or(i32::MAX).max(1);
+    let (text, size) = letters::fitted(text, size.min(2 * width / count).max(8), width + 44);
+    write(canvas, &text, place, size, Anchor::Above)
 }
 
 /// Writes text of the given size at a place, both in pixels.

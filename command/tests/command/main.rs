@@ -14,6 +14,8 @@ mod place;
 mod random;
 #[path = "../../../tests/evidence/sampled.rs"]
 mod sampled;
+#[path = "../../../tests/text_boxes/mod.rs"]
+mod text_boxes;
 
 mod answers;
 mod bounds;
@@ -25,6 +27,7 @@ mod evidence;
 mod exercises;
 mod figures;
 mod files;
+mod gallery;
 mod identify;
 #[cfg(unix)]
 mod interrupt;

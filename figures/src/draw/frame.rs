@@ -2,10 +2,17 @@
 
 use super::mark::{arrow, stroke, whole};
 use super::ticks::ticks;
-use super::{Anchor, Canvas, Drawn, UNITS, mark, title, write};
+use super::{Anchor, Canvas, Drawn, UNITS, letters, mark, title, write};
 use crate::{Axis, Panel, Plane, Series, Style};
 use plotters::element::{PathElement, Rectangle};
 use plotters::style::{BLACK, Color, RGBColor, WHITE};
+
+/// The size of the labels of ticks, and of the titles of axes.
+pub(super) const LABEL: i32 = 13;
+const TITLE: i32 = 14;
+
+/// Left of the labels of a vertical axis: the axis' title with its margins; right of them, the gap to the plot.
+pub(super) const BESIDE_LABELS: i32 = 30;
 
 /// A panel with its place in the drawing, in units of the drawing.
 pub(super) struct Frame<'a> {
@@ -23,7 +30,8 @@ impl<'a> Frame<'a> {
         Self { panel, left, top, width, height }
     }
 
-    pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Drawn {
+    /// Draws the panel, whose labels have this margin on the left.
+    pub(super) fn draw(&self, margin: i32, canvas: &Canvas<'_>) -> Drawn {
         let grid = RGBColor(222, 222, 222).stroke_width(UNITS.unsigned_abs());
         let (right, bottom) = (self.left + self.width, self.top + self.height);
         let shown = |axis: &Axis| if axis.label.is_empty() { Vec::new() } else { placed(axis) };
@@ -47,23 +55,42 @@ impl<'a> Frame<'a> {
             let round = corners.into_iter().chain([(self.left, self.top)]).map(whole).collect::<Vec<_>>();
             canvas.draw(&PathElement::new(round, BLACK.stroke_width(UNITS.unsigned_abs())))?;
         }
-        self.words(&x_ticks, &y_ticks, canvas)
+        self.words(&x_ticks, &y_ticks, margin, canvas)
     }
 
-    fn words(&self, x_ticks: &[(f64, String)], y_ticks: &[(f64, String)], canvas: &Canvas<'_>) -> Drawn {
+    fn words(
+        &self,
+        x_ticks: &[(f64, String)],
+        y_ticks: &[(f64, String)],
+        margin: i32,
+        canvas: &Canvas<'_>,
+    ) -> Drawn {
         let pixels = |at: f64| (at / f64::from(UNITS)).round() as i32;
         let (left, top) = (pixels(self.left), pixels(self.top));
         let (middle, bottom) = (left + pixels(self.width) / 2, top + pixels(self.height));
-        for (value, text) in x_ticks {
-            let x = self.place((*value, self.panel.y.low)).0;
-            write(canvas, text, (pixels(x), bottom + 7), 13, Anchor::Above)?;
+        let (width, height) = (pixels(self.width), pixels(self.height));
+        let across = |(value, text): &(f64, String)| {
+            (pixels(self.place((*value, self.panel.y.low)).0), letters::width(text, LABEL))
+        };
+        let places: Vec<_> = x_ticks.iter().map(across).collect();
+        for (((_, text), (x, length)), shown) in x_ticks.iter().zip(&places).zip(letters::shown(&places, 6)) {
+            // Beyond the plot there is as much room as between it and its neighbour.
+            let is_within = x - length / 2 > left - margin && x + length / 2 < left + width + 50;
+            if shown && is_within {
+                write(canvas, text, (*x, bottom + 7), LABEL, Anchor::Above)?;
+            }
         }
-        for (value, text) in y_ticks {
-            let y = self.place((self.panel.x.low, *value)).1;
-            write(canvas, text, (left - 7, pixels(y)), 13, Anchor::Right)?;
+        let down = |(value, _): &(f64, String)| (pixels(self.place((self.panel.x.low, *value)).1), LABEL);
+        let places: Vec<_> = y_ticks.iter().map(down).collect();
+        for (((_, text), (y, _)), shown) in y_ticks.iter().zip(&places).zip(letters::shown(&places, 1)) {
+            if shown {
+                write(canvas, text, (left - 7, *y), LABEL, Anchor::Right)?;
+            }
         }
-        write(canvas, &self.panel.x.label, (middle, bottom + 28), 14, Anchor::Above)?;
-        write(canvas, &self.panel.y.label, (left - 63, top + pixels(self.height) / 2), 14, Anchor::Upwards)?;
+        let (label, size) = letters::fitted(&self.panel.x.label, TITLE, width + 50);
+        write(canvas, &label, (middle, bottom + 28), size, Anchor::Above)?;
+        let (label, size) = letters::fitted(&self.panel.y.label, TITLE, height + 10);
+        write(canvas, &label, (left - margin + 13, top + height / 2), size, Anchor::Upwards)?;
         title(canvas, &self.panel.title, (middle, top - 22), 14, pixels(self.width))
     }
 

@@ -1,0 +1,80 @@
+//! The width of a text, and texts that fit their room. Fonts differ, so that widths are those of a wide one (DejaVu Sans).
+
+/// The width of a text of this size, in pixels.
+pub(super) fn width(text: &str, size: i32) -> i32 {
+    let ems: f64 = text.chars().map(ems).sum();
+    (ems * f64::from(size)).ceil() as i32
+}
+
+/// The width of a letter in its size.
+fn ems(letter: char) -> f64 {
+    match letter {
+        'i' | 'j' | 'l' | 'I' | '\'' => 0.30,
+        ' ' | '.' | ',' | ':' | ';' | '·' | '/' | '|' | '′' => 0.34,
+        'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' | '!' | '⁰'..='⁹' | '¹' | '²' | '³' | '₀'..='₉' => {
+            0.42
+        }
+        '⁻' | '"' | '*' | '°' | '?' => 0.54,
+        'm' | 'w' | 'M' | 'W' | '%' | '@' | '…' | '–' | '—' => 1.0,
+        'A'..='Z' | '−' | '=' | '+' | '<' | '>' | '~' | '≤' | '≥' | '→' | 'Ω' | 'φ' | 'ω' | '&' | '#' => {
+            0.84
+        }
+        letter if letter.is_alphanumeric() && u32::from(letter) > 0x2e80 => 1.0,
+        _ => 0.68,
+    }
+}
+
+/// The text and the size, at most the given one and at least 8, with which it is no wider than the room; cut where even the least size is too wide.
+pub(super) fn fitted(text: &str, size: i32, room: i32) -> (String, i32) {
+    let size = (size * room / width(text, size).max(1)).clamp(8, size);
+    if width(text, size) <= room {
+        return (text.to_owned(), size);
+    }
+    let mut kept = String::new();
+    for letter in text.chars() {
+        kept.push(letter);
+        if width(&kept, size) + width("…", size) > room {
+            kept.pop();
+            break;
+        }
+    }
+    (kept + "…", size)
+}
+
+/// Which of the texts at these places, each with the length that it takes there, are shown: all, or every second, third, … one, so that none meets another.
+pub(super) fn shown(places: &[(i32, i32)], gap: i32) -> Vec<bool> {
+    let apart = |every: &usize| {
+        let kept: Vec<_> = places.iter().step_by(*every).collect();
+        kept.windows(2).all(|pair| match pair {
+            [(a, first), (b, second)] => (a - b).abs() >= (first + second) / 2 + gap,
+            _ => true,
+        })
+    };
+    let every = (1..places.len()).find(apart).unwrap_or(places.len()).max(1);
+    (0..places.len()).map(|i| i % every == 0).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{fitted, shown, width};
+
+    #[test]
+    fn a_text_fits_its_room() {
+        assert_eq!(fitted("velocity (m/s)", 14, 200), ("velocity (m/s)".to_owned(), 14));
+        let (text, size) = fitted("absolute acceleration (m/s²)", 14, 150);
+        assert!(
+            text == "absolute acceleration (m/s²)" && (8..14).contains(&size) && width(&text, size) <= 150
+        );
+        let (text, size) = fitted("absolute acceleration (m/s²)", 14, 60);
+        assert!(text.ends_with('…') && size == 8 && width(&text, size) <= 60, "{text}");
+        assert_eq!(fitted("a", 14, 0).0, "…");
+    }
+
+    #[test]
+    fn labels_that_would_meet_are_left_out() {
+        assert_eq!(shown(&[(0, 10), (20, 10), (40, 10)], 5), [true, true, true]);
+        assert_eq!(shown(&[(0, 18), (20, 18), (40, 18)], 5), [true, false, true]);
+        assert_eq!(shown(&[(40, 90), (20, 90), (0, 90)], 5), [true, false, false]);
+        assert!(shown(&[], 5).is_empty() && shown(&[(1, 900)], 5) == [true]);
+    }
+}
