@@ -89,3 +89,29 @@ fn the_dampers_work_is_that_of_its_force() {
     let exact = motion.answer.damper_work;
     assert!((work / exact - 1.0).abs() < 1e-6, "{work} {exact}");
 }
+
+/// A short pulse lets the body swing for much longer than the record: its states lie on arcs of cosines, at most an interval apart, to its
+/// rest.
+#[test]
+fn the_states_of_a_motion_reach_its_rest() {
+    let record = Record::at_times(Excitation::Force, vec![0.0, 0.05, 0.1], vec![0.0, 12.0, 0.0]).unwrap();
+    let body = Body::new(2.0, 0.02).unwrap().with_stiffness(50.0).unwrap();
+    let motion = body.motion(&record, 0.0, 0.0, 0.01).unwrap();
+    let rest = motion.events.last().unwrap().time;
+    assert!(rest > 10.0 * record.end(), "{rest}");
+    let last = motion.states.last().unwrap();
+    assert!(last.time == rest && last.velocity == 0.0, "{last:?}");
+    let mut after = 0;
+    for pair in motion.states.windows(2) {
+        assert!(pair[1].time - pair[0].time <= 0.01 * (1.0 + 1e-9), "{pair:?}");
+        if pair[0].time >= record.end() && pair[0].direction == pair[1].direction && pair[0].direction != 0 {
+            // About the place where spring and friction balance.
+            let centre = -f64::from(pair[0].direction) * 0.02 / 50.0;
+            let (phase, from) = (5.0 * (pair[1].time - pair[0].time), pair[0].displacement - centre);
+            let arc = centre + from * phase.cos() + pair[0].velocity / 5.0 * phase.sin();
+            assert!((pair[1].displacement - arc).abs() < 1e-12, "{pair:?} {arc}");
+            after += 1;
+        }
+    }
+    assert!(after > 500, "{after}");
+}

@@ -69,6 +69,8 @@ pub struct RecordMotion<F> {
 
 /// The most states that are kept.
 const MOST_STATES: usize = 20_000_000;
+/// The number of states beyond which those long after the record are left out.
+const ENOUGH: usize = 100_000;
 
 /// Collects states and events beside the answers.
 struct History<F> {
@@ -77,7 +79,7 @@ struct History<F> {
     events: Vec<RecordEvent<F>>,
     /// The greatest distance of states.
     interval: F,
-    /// The time up to which states are kept.
+    /// The time up to which states are kept, also where there are enough.
     until: F,
     weights: Weights<F>,
     excitation: Excitation,
@@ -110,6 +112,11 @@ impl<F: Float> History<F> {
         });
     }
 
+    /// Whether no state of this time is kept.
+    fn is_full(&self, time: F) -> bool {
+        time >= self.until && self.states.len() > ENOUGH
+    }
+
     /// The number of equal parts of a length that are no longer than the interval.
     fn parts(&self, length: F) -> f64 {
         (length / self.interval).to_f64().ceil()
@@ -127,7 +134,7 @@ fn direction<F: Float>(sign: F) -> i8 {
 impl<F: Float> Watch<F> for History<F> {
     fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()> {
         self.totals.slid(linear, slide, stretch)?;
-        if stretch.time >= self.until {
+        if self.is_full(stretch.time) {
             return Some(());
         }
         let parts = self.parts(stretch.length);
@@ -136,7 +143,7 @@ impl<F: Float> Watch<F> for History<F> {
         let mut part = 1.0;
         while part < parts {
             let t = stretch.length * F::from_f64(part) / F::from_f64(parts);
-            if stretch.time + t > self.until || self.states.len() > MOST_STATES {
+            if self.is_full(stretch.time + t) || self.states.len() > MOST_STATES {
                 break;
             }
             let moment = slide.at(linear, t)?;
@@ -156,7 +163,7 @@ impl<F: Float> Watch<F> for History<F> {
             let t = from + length * F::from_f64(part) / F::from_f64(parts);
             self.push(start + t, [x, zero, zero], zero, [piece.from + piece.slope * t, spring]);
             part += 1.0;
-            if part >= parts || start + t > self.until || self.states.len() > MOST_STATES {
+            if part >= parts || self.is_full(start + t) || self.states.len() > MOST_STATES {
                 return Some(());
             }
         }
@@ -206,8 +213,8 @@ impl<F: Float> Body<F> {
     /// The motion under a record from the displacement x and the velocity v, with its states at distances of at most
     /// `interval`, and its events.
     ///
-    /// States are kept to the rest of the body, but no longer after the record than the record is long. The answers
-    /// agree with those of [`Body::follow_from`] to rounding.
+    /// States are kept to the rest of the body; of more than 10⁵ no longer after the record than the record is long. The
+    /// answers agree with those of [`Body::follow_from`] to rounding.
     ///
     /// # Errors
     /// As [`Body::follow_from`], and where the interval is not > 0, or more than 2·10⁷ states would be kept.
