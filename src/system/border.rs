@@ -130,7 +130,7 @@ impl<F: Float> Friction<F> {
         }
         let half = F::pi() / frequency;
         let modes = [Mode::Slides { forward: false, piece: 0 }];
-        let longest = Branch::new(&system, &modes, half).step;
+        let longest = Branch::new(&system, &modes, half, &[]).step;
         let most = integer::<F>(MOST_STEPS);
         if !half.is_finite() || half > longest * most {
             return Err(unsupported(
@@ -142,7 +142,7 @@ impl<F: Float> Friction<F> {
         while integer::<F>(steps) * longest < half {
             steps += 1;
         }
-        let branch = Branch::new(&system, &modes, half / integer(steps));
+        let branch = Branch::new(&system, &modes, half / integer(steps), &[]);
         let mut power = steps;
         let (mut whole, mut square) = (Matrix::identity(system.size), branch.whole.transposed());
         while power > 0 {

@@ -16,11 +16,13 @@
 use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
-use super::matrix::{Matrix, add_times, dot};
-use super::zero::{bernstein, integer};
+use super::matrix::absolute;
+use super::matrix::{Matrix, Sparse, add_times, dot};
+use super::zero::{bernstein_of_rows, integer};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::OnceCell;
 
 /// What a guard's zero means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,9 +96,11 @@ const LOW_DEGREE: usize = 9;
 #[derive(Debug, Clone)]
 pub(crate) struct Branch<F> {
     pub(crate) modes: Vec<Mode>,
-    pub(crate) a: Matrix<F>,
-    /// Aᵀ, for products along columns.
-    transposed: Matrix<F>,
+    /// A and Aᵀ, most of whose entries are zero.
+    a: Sparse<F>,
+    transposed: Sparse<F>,
+    /// |A|.
+    sizes: Matrix<F>,
     /// The step.
     pub(crate) step: F,
     /// (e^{Ah})ᵀ.
@@ -106,8 +110,8 @@ pub(crate) struct Branch<F> {
     /// The degree of full accuracy.
     pub(crate) degree: usize,
     pub(crate) guards: Vec<Guard<F>>,
-    /// The error bound of the velocity of each contact.
-    pub(crate) speed_errors: Vec<Vec<F>>,
+    /// The error bounds of velocities of contacts that have been asked for.
+    speed_errors: Vec<OnceCell<Vec<F>>>,
     pub(crate) hull: Hull<F>,
     /// The row of each element's force.
     pub(crate) tension: Vec<Vec<F>>,
@@ -115,158 +119,156 @@ pub(crate) struct Branch<F> {
 
 impl<F: Float> Hull<F> {
     /// The polynomials of `rows` over the step.
-    pub(crate) fn new(branch: &Powers<'_, F>, rows: &[Vec<F>]) -> Self {
-        let (size, each) = (branch.a.columns(), LOW_DEGREE + 1);
-        let mut all = Vec::with_capacity(rows.len() * each);
-        let mut errors = Vec::with_capacity(rows.len());
-        for row in rows {
-            let terms = branch.terms(row, LOW_DEGREE + 1);
-            // Bernstein's coefficients, state by state.
-            let mut coefficients = vec![vec![F::int(0); size]; each];
-            for j in 0..size {
-                let c: Vec<F> =
-                    terms.iter().take(each).map(|t| t.get(j).copied().unwrap_or(F::int(0))).collect();
-                for (b, row) in bernstein(&c).into_iter().zip(&mut coefficients) {
-                    if let Some(place) = row.get_mut(j) {
-                        *place = b;
-                    }
-                }
+    fn new<'a>(size: usize, rows: impl ExactSizeIterator<Item = Terms<'a, F>>) -> Self
+    where
+        F: 'a,
+    {
+        let each = LOW_DEGREE + 1;
+        let count = rows.len();
+        let (mut coefficients, mut errors) = (Matrix::zero(size, count * each), Matrix::zero(size, count));
+        let mut terms = Vec::new();
+        for (i, row) in rows.enumerate() {
+            terms.clear();
+            terms.extend_from_slice(row.terms.get(..each * size).unwrap_or(&[]));
+            bernstein_of_rows(&mut terms, size);
+            for (k, term) in terms.chunks_exact(size.max(1)).enumerate() {
+                term.iter().enumerate().for_each(|(j, &x)| coefficients.set(j, i * each + k, x));
             }
-            all.extend(coefficients);
-            errors.push(branch.error_of(row, &terms));
+            row.error.iter().enumerate().for_each(|(j, &x)| errors.set(j, i, x));
         }
-        let of = |rows: &[Vec<F>]| {
-            if rows.is_empty() { Matrix::zero(size, 0) } else { Matrix::from_rows(rows).transposed() }
-        };
-        Self { coefficients: of(&all), errors: of(&errors), each }
+        Self { coefficients, errors, each }
     }
 
-    /// The Bernstein coefficients of all rows at z, and their error bounds.
+    /// The Bernstein coefficients of all rows at z, and their error bounds, by |z|.
     #[inline]
-    pub(crate) fn at(&self, z: &[F], values: &mut Vec<F>, errors: &mut Vec<F>) {
+    pub(crate) fn at(&self, z: &[F], sizes: &[F], values: &mut Vec<F>, errors: &mut Vec<F>) {
         values.resize(self.coefficients.columns(), F::int(0));
         errors.resize(self.errors.columns(), F::int(0));
         self.coefficients.transposed_of(z, values);
-        errors.fill(F::int(0));
-        for (row, &z) in self.errors.rows().zip(z) {
-            add_times(errors, z.abs(), row);
-        }
+        self.errors.transposed_of(sizes, errors);
     }
 }
 
+/// A row's Taylor terms, one after the other, with its error bound.
+struct Terms<'a, F> {
+    terms: &'a [F],
+    error: Vec<F>,
+}
+
 /// What the rows of a branch need.
-pub(crate) struct Powers<'a, F> {
-    pub(crate) a: &'a Matrix<F>,
-    pub(crate) step: F,
-    pub(crate) bound: &'a Matrix<F>,
-    pub(crate) degree: usize,
+struct Powers<'a, F> {
+    transposed: &'a Sparse<F>,
+    step: F,
+    bound: &'a Matrix<F>,
+    degree: usize,
 }
 
 impl<F: Float> Powers<'_, F> {
-    /// The rows `g Aᵏ hᵏ/k!` for k = 0 … `last`.
-    fn terms(&self, row: &[F], last: usize) -> Vec<Vec<F>> {
-        let mut terms = vec![row.to_vec()];
-        for k in 1..=last {
-            let before = terms.last().map_or(&[][..], Vec::as_slice);
-            let factor = self.step / integer(k);
-            let next = self.a.combined(before).into_iter().map(|x| x * factor).collect();
-            terms.push(next);
-        }
+    /// The rows `g Aᵏ hᵏ/k!` for k = 0 … `last`, one after the other.
+    fn terms(&self, row: &[F], last: usize) -> Vec<F> {
+        let mut terms = Vec::with_capacity((last + 1) * row.len());
+        terms.extend_from_slice(row);
+        series(self.transposed, self.step, last, row.len(), &mut terms);
         terms
     }
 
     /// `|row| e^{|A|h}`.
     fn bounded(&self, row: &[F]) -> Vec<F> {
-        let sizes: Vec<F> = row.iter().map(|x| x.abs()).collect();
-        self.bound.combined(&sizes)
+        self.bound.combined(&absolute(row))
+    }
+
+    /// The error bound of a row's polynomial of full degree.
+    fn error(&self, row: &[F]) -> Vec<F> {
+        let terms = self.terms(row, self.degree + 1);
+        self.error_of(&self.rounding(row), &terms, self.degree + 1)
     }
 
     /// The row of the rounding.
     fn rounding(&self, row: &[F]) -> Vec<F> {
-        let count = integer::<F>((self.degree + 1) * (self.a.columns() + 3)) * F::epsilon();
+        let count = integer::<F>((self.degree + 1) * (row.len() + 3)) * F::epsilon();
         self.bounded(row).into_iter().map(|x| x * count).collect()
     }
 
-    /// The error bound of a row's polynomial of full degree.
-    pub(crate) fn error(&self, row: &[F]) -> Vec<F> {
-        self.error_of(row, &self.terms(row, self.degree + 1))
-    }
-
-    /// The same, where the last of the row's terms is the first that is left out.
-    fn error_of(&self, row: &[F], terms: &[Vec<F>]) -> Vec<F> {
-        let mut error = self.rounding(row);
-        if let Some(rest) = terms.last() {
+    /// The error bound where the term with this number is the first that is left out.
+    fn error_of(&self, rounding: &[F], terms: &[F], first: usize) -> Vec<F> {
+        let mut error = rounding.to_vec();
+        let size = rounding.len();
+        if let Some(rest) = terms.get(first * size..(first + 1) * size) {
             add_times(&mut error, F::int(1), &self.bounded(rest));
         }
         error
     }
 }
 
+/// Continues a list of vectors of a size with `Aᵏ x tᵏ/k!` up to k = `last`.
+fn series<F: Float>(a: &Sparse<F>, time: F, last: usize, size: usize, terms: &mut Vec<F>) {
+    terms.resize((last + 1) * size, F::int(0));
+    let mut rest = terms.as_mut_slice();
+    for k in 1..=last {
+        let Some((before, after)) = rest.split_at_mut_checked(size) else { return };
+        let to = after.get_mut(..size).unwrap_or(&mut []);
+        a.of(before, to);
+        let factor = time / integer(k);
+        to.iter_mut().for_each(|x| *x = *x * factor);
+        rest = after;
+    }
+}
+
 impl<F: Float> Branch<F> {
-    /// The branch with these modes. `longest` bounds its step.
-    pub(crate) fn new(system: &Assembly<F>, modes: &[Mode], longest: F) -> Self {
+    /// The branch with these modes. `longest` bounds its step, as it has that of the `others`, which are known already.
+    pub(crate) fn new(system: &Assembly<F>, modes: &[Mode], longest: F, others: &[Self]) -> Self {
         let Equation { a, sizes, tension, stuck } = Equation::new(system, modes);
-        let most = F::int(1) / fastest(system, &sizes);
-        let step = if most < longest { most } else { longest };
         let degree = degree_of_full_accuracy::<F>();
-        let (whole, bound) = (exponential(&a, step, degree), exponential(&sizes, step, degree));
-        // The series of e^{|A|h} is cut: what is left out is below a unit of its terms.
-        let bound = bound.map(|x| x + x * F::ratio(1, 64));
-        let powers = Powers { a: &a, step, bound: &bound, degree };
-        let guards = {
-            let mut guards = guards(system, modes, &tension);
-            guards.extend(releases(system, &stuck, &tension));
-            for guard in &mut guards {
-                let mut terms = powers.terms(&guard.row, degree + 1);
-                guard.error = powers.error_of(&guard.row, &terms);
-                // A speed that is kept at a corner of the law, as between two belts, has the corner's rounding. The law is
-                // continuous there.
-                if let (Some(corner), Some(last)) = (corner(system, modes, guard), guard.error.last_mut()) {
-                    *last = *last + corner * F::epsilon() * F::int(64);
-                }
-                terms.pop();
-                guard.taylor = Matrix::from_rows(&terms).transposed();
+        // As where a contact slides the other way.
+        let (step, bound) = others.iter().find(|b| b.sizes == sizes).map_or_else(
+            || {
+                let most = F::int(1) / fastest(system, &sizes);
+                let step = if most < longest { most } else { longest };
+                // The series of e^{|A|h} is cut: what is left out is below a unit of its terms.
+                let bound = exponential(&sizes.sparse(), system.size, step, degree);
+                (step, bound.map(|x| x + x * F::ratio(1, 64)))
+            },
+            |other| (other.step, other.bound.clone()),
+        );
+        let (a, transposed) = (a.sparse(), a.transposed().sparse());
+        let powers = Powers { transposed: &transposed, step, bound: &bound, degree };
+        let mut guards = guards(system, modes, &tension);
+        guards.extend(releases(system, &stuck, &tension));
+        let mut low = Vec::with_capacity(guards.len());
+        let mut all = Vec::with_capacity(guards.len());
+        for guard in &mut guards {
+            let terms = powers.terms(&guard.row, degree + 1);
+            let rounding = powers.rounding(&guard.row);
+            guard.error = powers.error_of(&rounding, &terms, degree + 1);
+            low.push(powers.error_of(&rounding, &terms, LOW_DEGREE + 1));
+            // A speed that is kept at a corner of the law, as between two belts, has the corner's rounding. The law is
+            // continuous there.
+            if let (Some(corner), Some(last)) = (corner(system, modes, guard), guard.error.last_mut()) {
+                *last = *last + corner * F::epsilon() * F::int(64);
             }
-            guards
-        };
-        let speed_errors = {
-            let error = |part: &Part<F>| match part.rule {
-                Rule::Contact { .. } => powers.error(&part.velocity),
-                Rule::Elastic { .. } | Rule::Stop { .. } => Vec::new(),
-            };
-            system.parts.iter().map(error).collect()
-        };
-        let rows: Vec<Vec<F>> = guards.iter().map(|g| g.row.clone()).collect();
-        let hull = Hull::new(&powers, &rows);
-        let (whole, transposed) = (whole.transposed(), a.transposed());
-        Self {
-            modes: modes.to_vec(),
-            a,
-            transposed,
-            step,
-            whole,
-            bound,
-            degree,
-            guards,
-            speed_errors,
-            hull,
-            tension,
+            guard.taylor = Matrix::from_list(system.size, &terms, degree + 1).transposed();
+            all.push(terms);
         }
+        let hull = Hull::new(system.size, all.iter().zip(low).map(|(terms, error)| Terms { terms, error }));
+        let speed_errors = vec![OnceCell::new(); modes.len()];
+        let whole = exponential(&transposed, system.size, step, degree);
+        let modes = modes.to_vec();
+        Self { modes, a, transposed, sizes, step, whole, bound, degree, guards, speed_errors, hull, tension }
     }
 
-    /// The hull of further rows.
-    pub(crate) fn hull_of(&self, rows: &[Vec<F>]) -> Hull<F> {
-        Hull::new(&self.powers(), rows)
-    }
-
-    pub(crate) const fn powers(&self) -> Powers<'_, F> {
-        Powers { a: &self.a, step: self.step, bound: &self.bound, degree: self.degree }
+    /// The error bound of the velocity of the contact at this place, by the row of that velocity.
+    pub(crate) fn speed_error(&self, element: usize, velocity: &[F]) -> &[F] {
+        let error = || {
+            let Self { transposed, step, bound, degree, .. } = self;
+            Powers { transposed, step: *step, bound, degree: *degree }.error(velocity)
+        };
+        self.speed_errors.get(element).map_or(&[], |place| place.get_or_init(error))
     }
 
     /// `A z`.
     pub(crate) fn derivative(&self, z: &[F]) -> Vec<F> {
         let mut result = vec![F::int(0); z.len()];
-        self.transposed.transposed_of(z, &mut result);
+        self.a.of(z, &mut result);
         result
     }
 
@@ -284,20 +286,14 @@ impl<F: Float> Branch<F> {
 
     /// The Taylor coefficients `Aᵏ z tᵏ/k!` over a time t ≤ h, one after the other in one list.
     pub(crate) fn taylor(&self, z: &[F], time: F, terms: &mut Vec<F>) {
-        let (size, degree) = (z.len(), self.degree_over(time));
         terms.clear();
-        terms.resize((degree + 1) * size, F::int(0));
-        if let Some(first) = terms.get_mut(..size) {
-            first.copy_from_slice(z);
-        }
-        for k in 1..=degree {
-            let (before, after) = terms.split_at_mut(k * size);
-            let from = before.get((k - 1) * size..).unwrap_or(&[]);
-            let to = after.get_mut(..size).unwrap_or(&mut []);
-            self.transposed.transposed_of(from, to);
-            let factor = time / integer(k);
-            to.iter_mut().for_each(|x| *x = *x * factor);
-        }
+        terms.extend_from_slice(z);
+        series(&self.a, time, self.degree_over(time), z.len(), terms);
+    }
+
+    /// (e^{At})ᵀ for the first states, which no others depend on, over a time t ≤ h.
+    pub(crate) fn free_motion(&self, time: F, free: usize) -> Matrix<F> {
+        exponential(&self.transposed, free, time, self.degree_over(time))
     }
 
     /// z after a time t ≤ h.
@@ -445,13 +441,14 @@ fn degree_of_full_accuracy<F: Float>() -> usize {
     degree
 }
 
-/// `e^{A t}` by its series, for a matrix whose absolute values have a spectral radius of at most 1/t.
-fn exponential<F: Float>(a: &Matrix<F>, time: F, degree: usize) -> Matrix<F> {
-    let mut sum = Matrix::identity(a.columns());
-    let mut term = sum.clone();
+/// `e^{A t}` of the first rows and columns by its series, for a matrix whose absolute values have a spectral radius of at
+/// most 1/t.
+fn exponential<F: Float>(a: &Sparse<F>, size: usize, time: F, degree: usize) -> Matrix<F> {
+    let mut sum = Matrix::identity(size);
+    let (mut term, mut next) = (sum.clone(), sum.clone());
     for k in 1..=degree {
-        let factor = time / integer(k);
-        term = a.times(&term).map(|x| x * factor);
+        a.times(&term, time / integer(k), &mut next);
+        core::mem::swap(&mut term, &mut next);
         sum.plus(&term);
     }
     sum

@@ -208,6 +208,12 @@ pub(crate) fn least<F: Float>(
 ) -> Result<Vec<F>, Vec<F>> {
     let (count, zero, one) = (a.len(), F::int(0), F::int(1));
     let bound = |list: &[Option<F>], i: usize| list.get(i).copied().flatten();
+    if let ([a], true) = (a, matrix.at(0, 0) > zero) {
+        // One force alone: the bound next to the least value, which takes no search.
+        let force = one / matrix.at(0, 0) * *a;
+        let below = bound(low, 0).filter(|&low| force < low);
+        return Ok(vec![bound(high, 0).filter(|&high| force > high).or(below).unwrap_or(force)]);
+    }
     let mut force: Vec<F> = (0..count)
         .map(|i| {
             let above = bound(low, i).map_or(zero, |l| l.or_larger(zero));

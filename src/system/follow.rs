@@ -4,7 +4,7 @@ use super::assembly::{Assembly, Rule};
 use super::branch::{Branch, Trigger};
 use super::equation::{Mode, sign};
 use super::error::Error;
-use super::matrix::{dot, size_of_dot};
+use super::matrix::{absolute, dot, size_of_dot};
 use super::model::State;
 use super::next::{AtRest, at_rest, decide, follows};
 use super::zero::first_passage;
@@ -72,8 +72,8 @@ pub struct Event<F> {
 
 /// What watches a motion.
 pub(crate) trait Watch<F> {
-    /// A stretch of the branch from the state z over a time; the branch's place is its number.
-    fn stretch(&mut self, system: &Assembly<F>, number: usize, branch: &Branch<F>, z: &[F], time: F);
+    /// A part of the motion without an event.
+    fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>);
     /// An event.
     fn event(&mut self, event: Event<F>);
     /// The branch changes where the guard's row is zero, from `before` with derivative `from` to `to`.
@@ -84,9 +84,19 @@ pub(crate) trait Watch<F> {
     }
 }
 
+/// A part of the motion in one branch, within one step.
+pub(crate) struct Stretch<'a, F> {
+    pub(crate) branch: &'a Branch<F>,
+    /// The state at its start.
+    pub(crate) from: &'a [F],
+    /// The state at its end.
+    pub(crate) to: &'a [F],
+    pub(crate) time: F,
+}
+
 /// Watches nothing.
 impl<F> Watch<F> for () {
-    fn stretch(&mut self, _: &Assembly<F>, _: usize, _: &Branch<F>, _: &[F], _: F) {}
+    fn stretch(&mut self, _: &Assembly<F>, _: &Stretch<'_, F>) {}
     fn event(&mut self, _: Event<F>) {}
 }
 
@@ -111,6 +121,7 @@ pub(crate) struct Follower<'a, F> {
     longest: F,
     steps: u64,
     most_steps: u64,
+    sizes: Vec<F>,
     values: Vec<F>,
     errors: Vec<F>,
     terms: Vec<F>,
@@ -161,6 +172,7 @@ impl<'a, F: Float> Follower<'a, F> {
             longest,
             steps: 0,
             most_steps: most_steps(system),
+            sizes: Vec::new(),
             values: Vec::new(),
             errors: Vec::new(),
             terms: Vec::new(),
@@ -237,7 +249,7 @@ impl<'a, F: Float> Follower<'a, F> {
     /// Whether rounding cannot tell a contact's velocity from zero, by what it could be within a step.
     fn is_slow(&self, element: usize) -> bool {
         let Some(part) = self.system.parts.get(element) else { return false };
-        let error = self.branch().and_then(|branch| branch.speed_errors.get(element));
+        let error = self.branch().map(|branch| branch.speed_error(element, &part.velocity));
         let bound = error.map_or(F::int(0), |error| size_of_dot(error, &self.z));
         dot(&part.velocity, &self.z).abs() <= bound * F::int(4)
     }
@@ -358,7 +370,7 @@ impl<'a, F: Float> Follower<'a, F> {
     fn enter(&mut self, modes: &[Mode]) {
         let known = self.branches.iter().position(|b| b.modes == modes);
         self.current = known.unwrap_or_else(|| {
-            self.branches.push(Branch::new(self.system, modes, self.longest));
+            self.branches.push(Branch::new(self.system, modes, self.longest, &self.branches));
             self.branches.len() - 1
         });
     }
@@ -399,7 +411,9 @@ impl<'a, F: Float> Follower<'a, F> {
     fn step(&mut self, rest: F, end: F, watch: &mut impl Watch<F>) -> Result<Vec<Fired>, Error> {
         let system = self.system;
         let Some(branch) = self.branches.get(self.current) else { return Ok(Vec::new()) };
-        branch.hull.at(&self.z, &mut self.values, &mut self.errors);
+        self.sizes.clear();
+        self.sizes.extend(self.z.iter().map(|x| x.abs()));
+        branch.hull.at(&self.z, &self.sizes, &mut self.values, &mut self.errors);
         let whole = rest >= branch.step;
         let time = if whole { branch.step } else { rest };
         let each = branch.hull.each;
@@ -408,14 +422,13 @@ impl<'a, F: Float> Follower<'a, F> {
         let mut event: Option<(F, usize)> = None;
         if !clear {
             let open = self.values.chunks_exact(each).zip(&self.errors).map(certain);
-            let sizes = absolute(&self.z);
             for ((number, guard), is_certain) in branch.guards.iter().enumerate().zip(open) {
                 if is_certain {
                     continue;
                 }
                 let c = &mut self.terms;
                 guard.polynomial(&self.z, time / branch.step, c);
-                let error = dot(&guard.error, &sizes);
+                let error = dot(&guard.error, &self.sizes);
                 if !(error.is_finite() && c.iter().all(|c| c.is_finite())) {
                     return Err(Error::Unbounded { time: written(self.time) });
                 }
@@ -435,11 +448,12 @@ impl<'a, F: Float> Follower<'a, F> {
         } else {
             self.after = branch.after(&self.z, lasted, &mut self.terms);
         }
-        if lasted > F::int(0) {
-            watch.stretch(system, self.current, branch, &self.z, lasted);
-        }
         if !self.after.iter().all(|x| x.is_finite()) {
             return Err(Error::Unbounded { time: written(self.time) });
+        }
+        if lasted > F::int(0) {
+            let (from, to) = (&self.z, &self.after);
+            watch.stretch(system, &Stretch { branch, from, to, time: lasted });
         }
         if lasted > branch.step * F::exp2i(-24) {
             self.instant = 0;
@@ -545,11 +559,6 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         Ok(())
     }
-}
-
-/// |z|.
-pub(crate) fn absolute<F: Float>(z: &[F]) -> Vec<F> {
-    z.iter().map(|x| x.abs()).collect()
 }
 
 /// Leaves out the last coefficients, as long as their sum is far below the error.

@@ -15,6 +15,11 @@ pub(crate) fn size_of_dot<F: Float>(a: &[F], b: &[F]) -> F {
     a.iter().zip(b).fold(F::int(0), |sum, (&x, &y)| sum + (x * y).abs())
 }
 
+/// |z|.
+pub(crate) fn absolute<F: Float>(z: &[F]) -> Vec<F> {
+    z.iter().map(|x| x.abs()).collect()
+}
+
 /// `y += s x`.
 #[inline(always)]
 pub(crate) fn add_times<F: Float>(y: &mut [F], s: F, x: &[F]) {
@@ -30,6 +35,52 @@ pub(crate) struct Matrix<F> {
     items: Vec<F>,
 }
 
+/// The entries of a square matrix that are not zero, row by row.
+#[derive(Debug, Clone)]
+pub(crate) struct Sparse<F> {
+    /// Where each row ends.
+    ends: Vec<usize>,
+    /// The entries with their columns.
+    entries: Vec<(usize, F)>,
+}
+
+impl<F: Float> Sparse<F> {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = &[(usize, F)]> {
+        let mut from = 0;
+        self.ends.iter().map(move |&to| {
+            let row = self.entries.get(from..to).unwrap_or(&[]);
+            from = to;
+            row
+        })
+    }
+
+    /// `M x`. Of a shorter result the first entries are computed, with zeros at the end of x.
+    #[inline]
+    pub(crate) fn of(&self, x: &[F], result: &mut [F]) {
+        for (row, result) in self.rows().zip(result) {
+            let mut sum = F::int(0);
+            for &(j, a) in row {
+                // The columns increase.
+                let Some(&x) = x.get(j) else { break };
+                sum = sum + a * x;
+            }
+            *result = sum;
+        }
+    }
+
+    /// `s M X`, row by row.
+    pub(crate) fn times(&self, x: &Matrix<F>, s: F, result: &mut Matrix<F>) {
+        for (row, result) in self.rows().zip(result.items.chunks_exact_mut(x.columns.max(1))) {
+            let (fours, rest) = result.as_chunks_mut::<4>();
+            let (twos, ones) = rest.as_chunks_mut::<2>();
+            let mut from = 0;
+            x.combine(row, s, &mut from, fours);
+            x.combine(row, s, &mut from, twos);
+            x.combine(row, s, &mut from, ones.as_chunks_mut::<1>().0);
+        }
+    }
+}
+
 impl<F: Float> Matrix<F> {
     pub(crate) fn zero(rows: usize, columns: usize) -> Self {
         Self { columns, items: vec![F::int(0); rows * columns] }
@@ -43,6 +94,11 @@ impl<F: Float> Matrix<F> {
 
     pub(crate) fn from_rows(rows: &[Vec<F>]) -> Self {
         Self { columns: rows.first().map_or(0, Vec::len), items: rows.concat() }
+    }
+
+    /// The first rows of a list of all entries.
+    pub(crate) fn from_list(columns: usize, items: &[F], rows: usize) -> Self {
+        Self { columns, items: items.get(..rows * columns).unwrap_or(items).to_vec() }
     }
 
     pub(crate) const fn columns(&self) -> usize {
@@ -88,7 +144,7 @@ impl<F: Float> Matrix<F> {
         let rows = self.rows().count();
         let mut result = Self::zero(rows, other.columns);
         for (row, sum) in self.rows().zip(result.items.chunks_exact_mut(other.columns.max(1))) {
-            row.iter().zip(other.rows()).for_each(|(&x, from)| add_times(sum, x, from));
+            other.transposed_of(row, sum);
         }
         result
     }
@@ -102,12 +158,55 @@ impl<F: Float> Matrix<F> {
         self.rows().map(|row| dot(row, x)).collect()
     }
 
-    /// `Mᵀ x`, along the rows: with the transposed matrix in memory this is `M x` along columns.
-    #[inline(always)]
+    /// `Mᵀ x`, along the rows: with the transposed matrix in memory this is `M x` along columns. A shorter x has zeros at its
+    /// end, and of a shorter result the first entries are computed.
     pub(crate) fn transposed_of(&self, x: &[F], result: &mut [F]) {
-        result.fill(F::int(0));
-        for (row, &x) in self.rows().zip(x) {
-            add_times(result, x, row);
+        let (count, mut from) = (result.len(), 0);
+        while from + 8 <= count {
+            self.block::<8>(from, x, result);
+            from += 8;
+        }
+        // A block may begin before the end of the last one, and compute some entries again.
+        match (count - from, count) {
+            (0, _) => {}
+            (5.., 8..) => self.block::<8>(count - 8, x, result),
+            (5.., _) => {
+                self.block::<4>(from, x, result);
+                self.block::<4>(count - 4, x, result);
+            }
+            (_, 4..) => self.block::<4>(count - 4, x, result),
+            _ => (0..count).for_each(|from| self.block::<1>(from, x, result)),
+        }
+    }
+
+    /// Entries of `Mᵀ x` from one place on. Their sums stay in registers.
+    #[inline]
+    fn block<const N: usize>(&self, from: usize, x: &[F], result: &mut [F]) {
+        let mut sums = [F::int(0); N];
+        let mut rows = self.items.get(from..).unwrap_or(&[]);
+        for &x in x {
+            let Some(part) = rows.first_chunk::<N>() else { break };
+            sums.iter_mut().zip(part).for_each(|(sum, &a)| *sum = *sum + x * a);
+            let Some(next) = rows.get(self.columns..) else { break };
+            rows = next;
+        }
+        if let Some(block) = result.get_mut(from..).and_then(|rest| rest.first_chunk_mut::<N>()) {
+            *block = sums;
+        }
+    }
+
+    /// Entries of `s Σ xᵢ (row i)` from one place on.
+    #[inline]
+    fn combine<const N: usize>(&self, x: &[(usize, F)], s: F, from: &mut usize, blocks: &mut [[F; N]]) {
+        for block in blocks {
+            let mut sums = [F::int(0); N];
+            for &(i, x) in x {
+                let row = self.items.get(i * self.columns + *from..).and_then(|row| row.first_chunk::<N>());
+                let Some(row) = row else { break };
+                sums.iter_mut().zip(row).for_each(|(sum, &a)| *sum = *sum + x * a);
+            }
+            *block = sums.map(|x| x * s);
+            *from += N;
         }
     }
 
@@ -116,6 +215,17 @@ impl<F: Float> Matrix<F> {
         let mut result = vec![F::int(0); self.columns];
         self.transposed_of(x, &mut result);
         result
+    }
+
+    /// Its entries other than zero.
+    pub(crate) fn sparse(&self) -> Sparse<F> {
+        let mut sparse = Sparse { ends: Vec::new(), entries: Vec::new() };
+        for row in self.rows() {
+            let entries = row.iter().enumerate().filter(|(_, x)| **x != F::int(0));
+            sparse.entries.extend(entries.map(|(j, &x)| (j, x)));
+            sparse.ends.push(sparse.entries.len());
+        }
+        sparse
     }
 
     /// Cholesky's factor's test and the inverse of a symmetric positive definite matrix; the failing pivot

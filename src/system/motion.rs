@@ -1,11 +1,11 @@
 //! The answers of a motion: events, extremes, time at rest, and energy.
 
 use super::assembly::Assembly;
-use super::branch::{Branch, Hull, polynomial, static_bound};
+use super::branch::{Branch, static_bound};
 use super::dependent::least;
 use super::equation::Mode;
-use super::follow::{Event, EventKind, Follower, Watch, shorten};
-use super::matrix::{dot, size_of_dot};
+use super::follow::{Event, EventKind, Follower, Stretch, Watch, shorten};
+use super::matrix::{add_times, dot, size_of_dot};
 use super::model::State;
 use super::zero::{greatest_above, integer};
 use crate::float::Float;
@@ -59,7 +59,6 @@ pub struct ElementMotion<F> {
 /// Watches a motion for its answers.
 pub(crate) struct Observer<F> {
     n: usize,
-    hulls: Vec<Option<Hull<F>>>,
     /// Greatest and least of q, q′.
     greatest: Vec<F>,
     least: Vec<F>,
@@ -68,10 +67,13 @@ pub(crate) struct Observer<F> {
     work: Vec<F>,
     load_work: F,
     damper_work: F,
-    values: Vec<F>,
-    errors: Vec<F>,
     terms: Vec<F>,
-    product: Vec<F>,
+    polynomial: Vec<F>,
+    /// The Taylor coefficients of each velocity, and of one along an element.
+    velocities: Vec<Vec<F>>,
+    along: Vec<F>,
+    /// 1, ½, ⅓, …
+    shares: Vec<F>,
 }
 
 impl<F: Float> Observer<F> {
@@ -80,7 +82,6 @@ impl<F: Float> Observer<F> {
         let zero = F::int(0);
         Self {
             n: system.n,
-            hulls: Vec::new(),
             greatest: seen.clone(),
             least: seen,
             events: Vec::new(),
@@ -88,10 +89,11 @@ impl<F: Float> Observer<F> {
             work: vec![zero; system.parts.len()],
             load_work: zero,
             damper_work: zero,
-            values: Vec::new(),
-            errors: Vec::new(),
             terms: Vec::new(),
-            product: Vec::new(),
+            polynomial: Vec::new(),
+            velocities: vec![Vec::new(); system.n],
+            along: Vec::new(),
+            shares: Vec::new(),
         }
     }
 
@@ -141,87 +143,95 @@ impl<F: Float> Observer<F> {
         }
     }
 
-    /// The extremes of q and q′ over a stretch.
-    fn extremes(&mut self, number: usize, branch: &Branch<F>, z: &[F], time: F, after: &mut bool) {
-        if self.hulls.len() <= number {
-            self.hulls.resize_with(number + 1, || None);
-        }
-        let Some(place) = self.hulls.get_mut(number) else { return };
-        let hull = place.get_or_insert_with(|| {
-            let unit = |i: usize| (0..z.len()).map(|j| F::int(i32::from(i == j))).collect();
-            branch.hull_of(&(0..2 * self.n).map(unit).collect::<Vec<Vec<F>>>())
-        });
-        hull.at(z, &mut self.values, &mut self.errors);
-        let chunks = self.values.chunks_exact(hull.each).zip(&self.errors);
-        let known = self.greatest.iter_mut().zip(&mut self.least);
-        for ((i, (values, &error)), (greatest, least)) in chunks.enumerate().zip(known) {
-            let above = values.iter().any(|&v| v + error > *greatest);
-            let below = values.iter().any(|&v| v - error < *least);
-            if !(above || below) {
+    /// The extremes of q and q′ over a stretch, whose Taylor terms are known.
+    fn extremes(&mut self, size: usize, to: &[F]) {
+        let known = self.greatest.iter_mut().zip(&mut self.least).zip(to);
+        for (i, ((greatest, least), &end)) in known.enumerate() {
+            *greatest = greatest.or_larger(end);
+            *least = if end < *least { end } else { *least };
+            let c = &mut self.polynomial;
+            coefficients(&self.terms, size, i, c);
+            let Some((&first, [slope, rest @ ..])) = c.split_first() else { continue };
+            // c₁ above Σ k|cₖ|: the signal rises or falls all the time, and its ends count.
+            let mut k = F::int(1);
+            let (mut turn, mut reach) = (F::int(0), slope.abs());
+            for c in rest {
+                k = k + F::int(1);
+                turn = turn + k * c.abs();
+                reach = reach + c.abs();
+            }
+            if slope.abs() > turn {
                 continue;
             }
-            if !*after {
-                branch.taylor(z, time, &mut self.terms);
-                *after = true;
+            let rounding = (first.abs() + reach) * F::epsilon();
+            if first + reach > *greatest {
+                *greatest = greatest_above(c, *greatest, rounding);
             }
-            let mut c: Vec<F> =
-                self.terms.chunks_exact(z.len()).map(|t| t.get(i).copied().unwrap_or(F::int(0))).collect();
-            let size = c.iter().fold(F::int(0), |sum, c| sum + c.abs());
-            let rounding = size * F::epsilon();
-            shorten(&mut c, rounding);
-            if above {
-                *greatest = greatest_above(&c, *greatest, rounding);
-            }
-            if below {
-                let turned: Vec<F> = c.iter().map(|&c| -c).collect();
-                *least = -greatest_above(&turned, -*least, rounding);
+            if first - reach < *least {
+                c.iter_mut().for_each(|c| *c = -*c);
+                *least = -greatest_above(c, -*least, rounding);
             }
         }
     }
 
     /// Works over a stretch, whose Taylor terms are known.
     fn works(&mut self, system: &Assembly<F>, branch: &Branch<F>, time: F) {
-        let n = self.n;
-        let coordinate = |i: usize, terms: &[F]| -> Vec<F> {
-            terms.chunks_exact(system.size).map(|t| t.get(n + i).copied().unwrap_or(F::int(0))).collect()
+        let (n, degrees) = (system.n, self.terms.len() / system.size.max(1));
+        while self.shares.len() < 2 * degrees {
+            self.shares.push(F::int(1) / integer(self.shares.len() + 1));
+        }
+        for (i, velocity) in self.velocities.iter_mut().enumerate() {
+            coefficients(&self.terms, system.size, n + i, velocity);
+        }
+        let (velocities, shares, c) = (&self.velocities, &self.shares, &mut self.polynomial);
+        let mut product = |row: &[F], v: &[F], terms: &[F]| {
+            c.clear();
+            c.extend(terms.chunks_exact(row.len()).map(|term| dot(row, term)));
+            trim(c);
+            time * integral_of_product(c, v, shares)
         };
-        let velocities: Vec<Vec<F>> = (0..n).map(|i| coordinate(i, &self.terms)).collect();
+        let is_zero = |row: &[F]| row.iter().all(|&x| x == F::int(0));
         for ((part, tension), work) in system.parts.iter().zip(&branch.tension).zip(&mut self.work) {
-            if tension.iter().all(|&x| x == F::int(0)) {
+            if is_zero(tension) {
                 continue;
             }
-            let force = polynomial(tension, &self.terms);
-            let mut v = vec![F::int(0); force.len()];
+            let v = &mut self.along;
+            v.clear();
+            v.resize(degrees, F::int(0));
             for (velocity, &b) in velocities.iter().zip(&part.direction) {
-                super::matrix::add_times(&mut v, b, velocity);
+                add_times(v, b, velocity);
             }
-            *work = *work + time * integral_of_product(&force, &v, &mut self.product);
+            trim(v);
+            *work = *work + product(tension, v, &self.terms);
         }
         for (i, velocity) in velocities.iter().enumerate() {
-            let load = polynomial(system.load.row(i), &self.terms);
-            self.load_work = self.load_work + time * integral_of_product(&load, velocity, &mut self.product);
-            let mut damper = vec![F::int(0); velocity.len()];
-            for (other, &c) in velocities.iter().zip(system.damping.row(i)) {
-                super::matrix::add_times(&mut damper, c, other);
+            if !is_zero(system.load.row(i)) {
+                self.load_work = self.load_work + product(system.load.row(i), velocity, &self.terms);
             }
-            self.damper_work =
-                self.damper_work + time * integral_of_product(&damper, velocity, &mut self.product);
+            if !is_zero(system.damping.row(i)) {
+                let v = &mut self.along;
+                v.clear();
+                v.resize(degrees, F::int(0));
+                for (other, &c) in velocities.iter().zip(system.damping.row(i)) {
+                    add_times(v, c, other);
+                }
+                trim(v);
+                self.damper_work = self.damper_work + time * integral_of_product(v, velocity, shares);
+            }
         }
     }
 }
 
 impl<F: Float> Watch<F> for Observer<F> {
-    fn stretch(&mut self, system: &Assembly<F>, number: usize, branch: &Branch<F>, z: &[F], time: F) {
+    fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
+        let &Stretch { branch, from, to, time } = stretch;
         for (mode, at_rest) in branch.modes.iter().zip(&mut self.at_rest) {
             if matches!(mode, Mode::Stuck | Mode::Holds | Mode::Away) {
                 *at_rest = *at_rest + time;
             }
         }
-        let mut known = false;
-        self.extremes(number, branch, z, time, &mut known);
-        if !known {
-            branch.taylor(z, time, &mut self.terms);
-        }
+        branch.taylor(from, time, &mut self.terms);
+        self.extremes(system.size, to);
         self.works(system, branch, time);
     }
 
@@ -230,14 +240,22 @@ impl<F: Float> Watch<F> for Observer<F> {
     }
 }
 
-/// `∫₀¹ a(s) b(s) ds`, by the coefficients of the product.
-fn integral_of_product<F: Float>(a: &[F], b: &[F], product: &mut Vec<F>) -> F {
-    product.clear();
-    product.resize(a.len() + b.len(), F::int(0));
-    for (i, &x) in a.iter().enumerate() {
-        super::matrix::add_times(product.get_mut(i..).unwrap_or(&mut []), x, b);
-    }
-    product.iter().enumerate().fold(F::int(0), |sum, (k, &c)| sum + c / integer(k + 1))
+/// Leaves out the coefficients below the rounding of the others.
+fn trim<F: Float>(c: &mut Vec<F>) {
+    let size = c.iter().fold(F::int(0), |sum, c| sum + c.abs());
+    shorten(c, size * F::epsilon());
+}
+
+/// The coefficients of one entry of the state, from the Taylor terms.
+fn coefficients<F: Float>(terms: &[F], size: usize, entry: usize, c: &mut Vec<F>) {
+    c.clear();
+    c.extend(terms.iter().skip(entry).step_by(size.max(1)));
+    trim(c);
+}
+
+/// `∫₀¹ a(s) b(s) ds`, with `shares` 1, ½, ⅓, …
+fn integral_of_product<F: Float>(a: &[F], b: &[F], shares: &[F]) -> F {
+    a.iter().enumerate().fold(F::int(0), |sum, (i, &a)| sum + a * dot(b, shares.get(i..).unwrap_or(&[])))
 }
 
 /// ½ q′·M q′ + ½ q·K q.

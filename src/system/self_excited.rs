@@ -150,7 +150,7 @@ fn newton<F: Float>(search: &mut Search<'_, F>, from: &[F], period: F) -> Result
         let before = search.follower.branch().map_or_else(Vec::new, |b| b.derivative(&search.follower.z));
         let mut matrix: Matrix<F> = Matrix::identity(free + 1);
         for (j, column) in mapped.tangent.iter().enumerate() {
-            for (i, &value) in column.iter().take(free).enumerate() {
+            for (i, &value) in column.iter().enumerate() {
                 let one = matrix.at(i, j);
                 matrix.set(i, j, one - value);
             }

@@ -9,10 +9,9 @@
 //! `(I − J)² y = P(x₀) − x₀`.
 
 use super::assembly::{Assembly, Rule};
-use super::branch::Branch;
 use super::equation::Mode;
 use super::error::Error;
-use super::follow::{Event, EventKind, Follower, Watch};
+use super::follow::{Event, EventKind, Follower, Stretch, Watch};
 use super::matrix::{Matrix, add_times, dot};
 use super::model::State;
 use super::motion::{Motion, Observer, state};
@@ -108,18 +107,18 @@ fn largest<F: Float>(list: &[F]) -> F {
 }
 
 impl<F: Float> Watch<F> for Seen<F> {
-    fn stretch(&mut self, system: &Assembly<F>, _: usize, branch: &Branch<F>, z: &[F], time: F) {
-        for (size, block) in self.sizes.iter_mut().zip(blocks(system, z)) {
+    fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
+        let (branch, time) = (stretch.branch, stretch.time);
+        for (size, block) in self.sizes.iter_mut().zip(blocks(system, stretch.from)) {
             *size = size.or_larger(largest(block));
         }
-        for column in self.tangent.iter_mut().flatten() {
-            if time == branch.step {
-                self.buffer.resize(column.len(), F::int(0));
-                branch.whole.transposed_of(column, &mut self.buffer);
-                column.copy_from_slice(&self.buffer);
-            } else {
-                *column = branch.after(column, time, &mut self.buffer);
-            }
+        let Some(tangent) = &mut self.tangent else { return };
+        let part = (time != branch.step).then(|| branch.free_motion(time, system.free));
+        let motion = part.as_ref().unwrap_or(&branch.whole);
+        self.buffer.resize(system.free, F::int(0));
+        for column in tangent {
+            motion.transposed_of(column, &mut self.buffer);
+            column.copy_from_slice(&self.buffer);
         }
     }
 
@@ -135,8 +134,7 @@ impl<F: Float> Watch<F> for Seen<F> {
         let speed = dot(guard, from);
         for column in self.tangent.iter_mut().flatten() {
             let late = dot(guard, column) / speed;
-            let size = column.len();
-            for ((x, &a), &b) in column.iter_mut().zip(to).zip(from).take(size) {
+            for ((x, &a), &b) in column.iter_mut().zip(to).zip(from) {
                 *x = *x + (a - b) * late;
             }
         }
@@ -158,7 +156,7 @@ pub(super) struct Mapped<F> {
     pub(super) to: Vec<F>,
     pub(super) events: Vec<(usize, EventKind)>,
     pub(super) sizes: [F; 3],
-    /// The columns of J.
+    /// The columns of J, for the states that are not given functions of time.
     pub(super) tangent: Vec<Vec<F>>,
 }
 
@@ -215,6 +213,7 @@ impl<F: Float> Search<'_, F> {
                     *force = F::int(0);
                 }
             }
+            column.truncate(free);
             columns.push(column);
         }
         columns
@@ -245,7 +244,7 @@ impl<F: Float> Search<'_, F> {
             let by = self.distance(&mapped.to, &x, &mapped.sizes);
             let mut matrix: Matrix<F> = Matrix::identity(free);
             for (j, column) in mapped.tangent.iter().enumerate() {
-                for (i, &value) in column.iter().take(free).enumerate() {
+                for (i, &value) in column.iter().enumerate() {
                     let one = matrix.at(i, j);
                     matrix.set(i, j, one - value);
                 }

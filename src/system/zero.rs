@@ -6,6 +6,7 @@
 //! −error there is no passage; where they change sign once there is one zero, which a bracketed Newton's method
 //! finds; else the interval is halved.
 
+use super::matrix::add_times;
 use crate::float::Float;
 use crate::root::newton_within;
 use alloc::vec::Vec;
@@ -29,6 +30,25 @@ pub(crate) fn bernstein<F: Float>(c: &[F]) -> Vec<F> {
         }
     }
     b
+}
+
+/// [`bernstein`] of polynomials side by side: the coefficients are rows of this size, one after the other.
+pub(crate) fn bernstein_of_rows<F: Float>(c: &mut [F], size: usize) {
+    let degree = (c.len() / size.max(1)).saturating_sub(1);
+    let mut binomial = F::int(1);
+    for (k, row) in c.chunks_exact_mut(size.max(1)).enumerate() {
+        row.iter_mut().for_each(|b| *b = *b / binomial);
+        binomial = binomial * integer::<F>(degree.saturating_sub(k)) / integer(k + 1);
+    }
+    for j in 1..=degree {
+        // From the end on, so that each row meets the one before it as it was.
+        let mut rest = c.get_mut((j - 1) * size..).unwrap_or(&mut []);
+        while let Some(at) = rest.len().checked_sub(2 * size) {
+            let (before, last) = rest.split_at_mut(at + size);
+            add_times(last, F::int(1), before.get(at..).unwrap_or(&[]));
+            rest = before;
+        }
+    }
 }
 
 fn is_finite<F: Float>(b: &[F]) -> bool {
@@ -67,6 +87,13 @@ pub(crate) fn halves<F: Float>(b: &[F]) -> (Vec<F>, Vec<F>) {
 /// The first s in [0, 1] from which on p is certainly negative: the zero before it. `error` bounds the error of
 /// p.
 pub(crate) fn first_passage<F: Float>(c: &[F], error: F) -> Option<F> {
+    // p(s) ≥ c₀ + s (c₁ − Σ|cₖ|), as after an event that has just begun.
+    let (&first, rest) = c.split_first()?;
+    let bend = rest.iter().skip(1).fold(F::int(0), |sum, c| sum + c.abs());
+    let end = first + rest.first().copied().unwrap_or(F::int(0)) - bend;
+    if first >= -error && end >= -error {
+        return None;
+    }
     let b = bernstein(c);
     let depth = F::precision() + 8;
     debug_assert!(error.is_finite() && is_finite(&b), "the caller has checked them: halving would not end");
