@@ -12,6 +12,7 @@ use crate::root::{newton, newton_within};
 use alloc::vec;
 
 /// The time τ of the maximum velocity.
+#[inline(never)]
 pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
     let slope = |tau: F| {
         let [_, slope, curvature] = motion.velocity(&motion.at(tau));

@@ -60,6 +60,11 @@ impl<F: Float> Rising<F> {
         {
             return found.differentiated(self);
         }
+        if F::PRECISION <= f64::MANTISSA_DIGITS
+            && let Some(found) = self.summit_of_two()
+        {
+            return found.differentiated(self);
+        }
         let tau = super::fastest::fastest_time(&self.vibration());
         if F::PRECISION <= f64::MANTISSA_DIGITS
             && let Some(found) = self.summit_near(tau)
@@ -163,6 +168,18 @@ impl<F: Float> Rising<F> {
         self.summit_near(middle.tau + start)
     }
 
+    /// The maximum velocity below Ω = d/2, where it is known without a search.
+    fn summit_of_two(&self) -> Option<Summit<F>> {
+        if !has_lobes(&self.half) {
+            return None;
+        }
+        let rising = self;
+        fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
+            let tau = rising.fastest_of_two()?;
+            rising.arrive(tau)
+        })
+    }
+
     /// The maximum near τ, by Taylor's formula from there.
     fn summit_near(&self, tau: F) -> Option<Summit<F>> {
         let rising = self;
@@ -170,7 +187,7 @@ impl<F: Float> Rising<F> {
     }
 
     #[inline(always)]
-    fn arrive(&self, tau: F) -> Option<Summit<F>> {
+    pub(super) fn arrive(&self, tau: F) -> Option<Summit<F>> {
         let (motion, half) = (self.vibration(), &self.half);
         let middle = Pair::pi() / half.omega * F::ratio(1, 2);
         let mut tau = tau.wide();
