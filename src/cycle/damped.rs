@@ -18,6 +18,7 @@ pub(crate) mod border;
 pub(crate) mod fastest;
 pub(crate) mod free;
 pub(crate) mod half_period;
+mod lobes;
 mod low;
 pub(crate) mod middle;
 mod peaks;

@@ -31,6 +31,7 @@
 //! Ωτ), because h′ is a free vibration with decreasing energy.
 
 use super::half_period::HalfPeriod;
+use super::lobes;
 use super::rising::Moment;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, at_precision, fused};
@@ -60,6 +61,10 @@ pub(crate) enum End {
 }
 
 impl<F: Float> Touch<F> {
+    pub(super) const fn new(from: End, time: F) -> Self {
+        Self { from, time }
+    }
+
     /// `Ωτ`.
     pub(crate) fn phase(&self, omega: F) -> F {
         match self.from {
@@ -82,16 +87,20 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Option<(Touch<F>, Pair
     if !has_lobes(half) {
         return None;
     }
-    let Touch { from, time } = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
+    let (touch, amplitude) = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         let least = turning_point(half) * (F::int(1) - F::int(64) * F::epsilon());
-        refined(half, greatest(half, Supremum { amplitude: least, touch: None }).touch?)
+        let found = fused!(<'a, F>(half: &'a HalfPeriod<F>, least: F) -> Result<Option<Touch<F>>, ()> {
+            lobes::greatest(half, least)
+        });
+        let touch = found.unwrap_or_else(|()| greatest(half, Supremum { amplitude: least, touch: None }).touch)?;
+        refined(half, touch)
     } else {
-        polished(half, narrowed(*half)?)?
+        let touch = polished(half, narrowed(*half)?)?;
+        (touch, needed(half, touch.from, &at(half, touch.from, touch.time)).wide())
     };
+    let Touch { from, time } = touch;
     let time = time.implicit_root(|time| rise(half, from, &at(half, from, time)));
-    let touch = Touch { from, time };
-    let amplitude = needed_at(half, touch);
-    ((amplitude - turning_point(&half.wide())).value() > F::int(0)).then_some((touch, amplitude))
+    ((amplitude - turning_point(&half.wide())).value() > F::int(0)).then_some((Touch { from, time }, amplitude))
 }
 
 /// Whether S is below an amplitude a by at least a sixteenth of a, and a is not small compared with H. Then α
@@ -181,18 +190,6 @@ fn needed<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> F {
     n / (half.omega * at.drive.0)
 }
 
-/// ρ(τ) where the velocity touches zero, to more digits than the type has.
-fn needed_at<F: Float>(half: &HalfPeriod<F>, Touch { from, time }: Touch<F>) -> Pair<F> {
-    if const { F::PRECISION > f64::MANTISSA_DIGITS } {
-        return needed(half, from, &at(half, from, time)).wide();
-    }
-    fused!(<'a, F>(half: &'a HalfPeriod<F>, from: End, time: F) -> Pair<F> {
-        let wide = half.in_pairs();
-        let at = wide_at(&wide, from, time);
-        (wide.omega * wide.h * at.drive.1 - at.free.v) / (wide.omega * at.drive.0)
-    })
-}
-
 /// The half cycle in pairs, at up to the precision of f64.
 #[inline(always)]
 fn wide_at<F: Float>(half: &HalfPeriod<Pair<F>>, from: End, time: F) -> Moment<Pair<F>> {
@@ -221,12 +218,29 @@ fn certain_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
     }
 }
 
-/// A maximum of ρ found in the arithmetic of the type, by one more step in pairs.
-fn refined<F: Float>(half: &HalfPeriod<F>, Touch { from, time }: Touch<F>) -> Touch<F> {
-    let (value, slope) = wide_rise(half, from, time);
-    let step = value / slope;
-    let is_small = step.abs() <= F::epsilon().sqrt() * time;
-    Touch { from, time: if is_small { time - step } else { time } }
+/// A maximum of ρ found in the arithmetic of the type by one more step in pairs, and ρ there to more digits than the type
+/// has.
+///
+/// `ρ′ = v/(Ω sin² Ωτ)` with v of [`rise`], so that over the step v/v′ ρ grows by half of −v²/v′ in this place.
+fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>) {
+    fused!(<'a, F>(half: &'a HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>) {
+        let (Touch { from, time }, wide) = (touch, half.in_pairs());
+        let time = time.constant();
+        let at = wide_at(&wide, from, time);
+        let (value, slope) = rise(&wide, from, &at);
+        let (value, slope) = (value.value().constant(), slope.value().constant());
+        let (sine, cosine) = at.drive;
+        let pull = wide.omega * sine;
+        let amplitude = (wide.omega * wide.h * cosine - at.free.v) / pull;
+        let step = value / slope;
+        // Its square is left of the time, and its cube of the amplitude.
+        let is_small = step.square() <= F::int(64) * F::epsilon() * time.square();
+        if !is_small {
+            return (touch, amplitude);
+        }
+        let growth = -(value * step) / (F::int(2) * (pull.hi * sine.hi).constant());
+        (Touch { from, time: time - step }, amplitude + Pair::exact(growth))
+    })
 }
 
 /// n(τ) in a form that keeps its digits as τ → 0.
@@ -270,6 +284,8 @@ fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: End, low: F, high: F) -
 }
 
 /// The greater of `best` and all maxima of ρ.
+#[cold]
+#[inline(never)]
 fn greatest<F: Float>(half: &HalfPeriod<F>, best: Supremum<F>) -> Supremum<F> {
     let mut best = best;
     let ((mut low, step), (mut before_end, _)) = (zeros(half, End::First), zeros(half, End::Last));
