@@ -287,7 +287,7 @@ impl<F: Float> Cycle<F> {
     }
 
     #[inline(always)]
-    fn fused_loop_sizes(&self) -> (F, F) {
+    pub(crate) fn fused_loop_sizes(&self) -> (F, F) {
         let cycle = self;
         fused!(<'a, F>(cycle: &'a Cycle<F>) -> (F, F) { cycle.loop_sizes() })
     }

@@ -272,10 +272,12 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
     let Some((touch, amplitude)) = supremum(half) else {
         return Border::of_parts(at_turning_point, at_turning_point, F::int(0), least);
     };
-    let wide = half.wide();
+    let (inside, displacement) = fused!(<'a, F>(half: &'a HalfPeriod<F>, amplitude: Pair<F>) -> (F, F) {
+        let wide = half.wide();
+        (wide.k.hypot(wide.stiffness * amplitude).value(), (amplitude - wide.shift).value())
+    });
     // The two are rounded, each by a form of its own.
-    let inside = wide.k.hypot(wide.stiffness * amplitude).value().or_larger(at_turning_point);
-    let displacement = (amplitude - wide.shift).value();
+    let inside = inside.or_larger(at_turning_point);
     Border::of_parts(inside, at_turning_point, touch.phase(half.omega), displacement)
 }
 
@@ -335,13 +337,16 @@ pub(crate) fn exists<F: Float>(alpha: F, border: F) -> bool {
 
 /// The force ratio of the largest loop A₁ and that loop, to the digits of the half period.
 pub(crate) fn best<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
-    let (force_ratio, loop_size) = best_of(&half.wide());
-    (force_ratio.value(), loop_size.value())
+    fused!(<'a, F>(half: &'a HalfPeriod<F>) -> (F, F) {
+        let (force_ratio, loop_size) = best_of(&half.wide());
+        (force_ratio.value(), loop_size.value())
+    })
 }
 
 /// The force ratio of the largest loop A₁ and that loop in any arithmetic, both by `Q = hypot(K, qG)`.
 ///
 /// With y = qa, `A₁ = 8(y − qG)/(q(y² + K²))`; `dA₁/dy = 0` is `y² − 2qGy − K² = 0`, y = qG + Q.
+#[inline(always)]
 pub(crate) fn best_of<R: Field>(half: &HalfPeriod<R>) -> (R, R) {
     let shift = half.stiffness * half.shift;
     let q = half.k.hypot(shift);

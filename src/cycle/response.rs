@@ -113,14 +113,15 @@ impl<F: Float> Response<F> {
         let regime = regime_of(ratios, border.min_force_ratio);
         let cycle = damped::exists(ratios.alpha(), border.min_force_ratio)
             .then(|| Cycle::of_damped(cycle(half, ratios.alpha()), ratios));
+        let loop_sizes = cycle.as_ref().map(Cycle::fused_loop_sizes);
         let (best_force_ratio, best_loop_size) = damped::best(&half);
         Self {
             ratios,
             regime,
             border,
             cycle,
-            loop_size_stiffness: cycle.map(|c| c.loop_size_stiffness()),
-            loop_size_inertia: cycle.map(|c| c.loop_size_inertia()),
+            loop_size_stiffness: loop_sizes.map(|sizes| sizes.0),
+            loop_size_inertia: loop_sizes.map(|sizes| sizes.1),
             best_force_ratio,
             best_loop_size: finite(best_loop_size),
         }

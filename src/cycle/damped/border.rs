@@ -87,20 +87,21 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Option<(Touch<F>, Pair
     if !has_lobes(half) {
         return None;
     }
-    let (touch, amplitude) = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
+    let (Touch { from, time }, amplitude, excess) = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         let least = turning_point(half) * (F::int(1) - F::int(64) * F::epsilon());
         let found = fused!(<'a, F>(half: &'a HalfPeriod<F>, least: F) -> Result<Option<Touch<F>>, ()> {
             lobes::greatest(half, least)
         });
-        let touch = found.unwrap_or_else(|()| greatest(half, Supremum { amplitude: least, touch: None }).touch)?;
+        let touch =
+            found.unwrap_or_else(|()| greatest(half, Supremum { amplitude: least, touch: None }).touch)?;
         refined(half, touch)
     } else {
         let touch = polished(half, narrowed(*half)?)?;
-        (touch, needed(half, touch.from, &at(half, touch.from, touch.time)).wide())
+        let amplitude = needed(half, touch.from, &at(half, touch.from, touch.time)).wide();
+        (touch, amplitude, (amplitude - turning_point(&half.wide())).value())
     };
-    let Touch { from, time } = touch;
     let time = time.implicit_root(|time| rise(half, from, &at(half, from, time)));
-    ((amplitude - turning_point(&half.wide())).value() > F::int(0)).then_some((Touch { from, time }, amplitude))
+    (excess > F::int(0)).then_some((Touch { from, time }, amplitude))
 }
 
 /// Whether S is below an amplitude a by at least a sixteenth of a, and a is not small compared with H. Then α
@@ -218,12 +219,12 @@ fn certain_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
     }
 }
 
-/// A maximum of ρ found in the arithmetic of the type by one more step in pairs, and ρ there to more digits than the type
-/// has.
+/// A maximum of ρ found in the arithmetic of the type by one more step in pairs, ρ there to more digits than the type has,
+/// and by how much that exceeds the value at the turning point.
 ///
 /// `ρ′ = v/(Ω sin² Ωτ)` with v of [`rise`], so that over the step v/v′ ρ grows by half of −v²/v′ in this place.
-fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>) {
-    fused!(<'a, F>(half: &'a HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>) {
+fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>, F) {
+    fused!(<'a, F>(half: &'a HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>, F) {
         let (Touch { from, time }, wide) = (touch, half.in_pairs());
         let time = time.constant();
         let at = wide_at(&wide, from, time);
@@ -235,11 +236,13 @@ fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F
         let step = value / slope;
         // Its square is left of the time, and its cube of the amplitude.
         let is_small = step.square() <= F::int(64) * F::epsilon() * time.square();
-        if !is_small {
-            return (touch, amplitude);
-        }
         let growth = -(value * step) / (F::int(2) * (pull.hi * sine.hi).constant());
-        (Touch { from, time: time - step }, amplitude + Pair::exact(growth))
+        let (touch, amplitude) = if is_small {
+            (Touch { from, time: time - step }, amplitude + Pair::exact(growth))
+        } else {
+            (touch, amplitude)
+        };
+        (touch, amplitude, (amplitude - turning_point(&wide)).value())
     })
 }
 

@@ -75,7 +75,7 @@ impl<F: Field> Free<F> {
     }
 
     /// The motion from (x₀, v₀) after the time t whose waves are given.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn after(&self, waves: Waves<F>, x0: F, v0: F) -> State<F> {
         let (zeta, two) = (self.zeta, F::int(2));
         let Waves { cosine, sine } = waves;

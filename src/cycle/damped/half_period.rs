@@ -90,7 +90,8 @@ impl<F: Float> HalfPeriod<F> {
     /// The half period by [`Tangent`] where that is accurate; the waves at T are NaN.
     #[inline(always)]
     fn by_tangent(omega: F, zeta: F) -> Option<Self> {
-        if const { F::PRECISION > f64::MANTISSA_DIGITS } {
+        // Below it is not accurate.
+        if const { F::PRECISION > f64::MANTISSA_DIGITS } || omega < F::ratio(1, 2) {
             return None;
         }
         let Tangent { inverse, shift, h, middle, is_accurate } = Tangent::at(omega, zeta);
@@ -313,7 +314,8 @@ fn half<F: Float>(omega: F, zeta: F) -> Half<Pair<F>, F> {
     let middle = Pair::pi() / (wide * two);
     let angle = if kind.swings { wide_half_angle(&free, omega, middle) } else { (wide, wide) };
     let rest = |u: Pair<F>, v: Pair<F>| Pair::exact(series_rest(u.hi, v.hi));
-    let Half { shift, h, waves } = at_middle(&free, (wide, middle), angle, kind, Pair::exp_falling, rest);
+    let Half { shift, h, waves } =
+        at_middle(&free, (wide, middle), angle, kind, |x: Pair<F>| x.exp_falling(), rest);
     Half { shift, h, waves: waves.map(Pair::value) }
 }
 

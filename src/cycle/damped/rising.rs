@@ -99,7 +99,7 @@ impl<F: Float> Vibration<F> {
 
 impl<F: Field> Vibration<F> {
     /// The contribution of the drive alone to `x′/(B ω_n)`, and to its derivative.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
         if self.whole.is_some() {
             return (F::int(0), F::int(0));
@@ -109,7 +109,7 @@ impl<F: Field> Vibration<F> {
     }
 
     /// `x′/(B ω_n)` and its first two derivatives by τ.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn velocity(&self, at: &Moment<F>) -> [F; 3] {
         let (value, slope) = self.driven(at);
         let curvature = -(self.omega.square() * value);
@@ -187,6 +187,7 @@ impl<F: Field> Rising<F> {
     }
 
     /// The half cycle as a vibration.
+    #[inline(always)]
     pub(crate) fn vibration(&self) -> Vibration<F> {
         let half = &self.half;
         Vibration {
@@ -200,13 +201,13 @@ impl<F: Field> Rising<F> {
     }
 
     /// The contribution of the drive alone to `x′/(B ω_n)`, and to its derivative.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
         self.vibration().driven(at)
     }
 
     /// `x′/(B ω_n)` and its first two derivatives by τ.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn velocity(&self, at: &Moment<F>) -> [F; 3] {
         self.vibration().velocity(at)
     }
