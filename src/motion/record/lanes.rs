@@ -182,67 +182,53 @@ impl<F: Float, const L: usize> Lanes<F, L> {
         set(&mut self.held_backward, lane, infinity());
     }
 
+    /// The numbers of a lane that all steps of one length have in common.
+    #[inline(always)]
+    fn given(&self, i: usize) -> Given<F> {
+        Given {
+            factors: Factors { factor: at(&self.factor, i), damper: at(&self.damper, i) },
+            sign: at(&self.sign, i),
+            mean: at(&self.mean, i),
+            friction: at(&self.friction, i),
+            rate: at(&self.rate, i),
+            square: at(&self.square, i),
+            omega: at(&self.omega, i),
+            responses: [at(&self.impulse, i), at(&self.step, i), at(&self.ramp, i), at(&self.parabola, i)],
+        }
+    }
+
     /// Takes the step between two samples in all lanes in which nothing happens. Returns whether something may have
     /// happened in another one.
-    ///
-    /// The state after a step is the response to the state before it and to the load less friction, g + st:
-    /// `x + S₁v + S₂(g − ω²x) + S₃s` and `v + S₁(g − ω²x − 2βv) + S₂(s − ω²v)`.
     #[inline(always)]
     fn pass(&mut self, samples: [F; 2], time: F, step: &Step<F>) -> bool {
+        if L == 1 && self.pass_quietly(samples, step) {
+            return false;
+        }
         let zero = F::int(0);
-        let (length, eighth) = (step.length, step.eighth);
+        let length = step.length;
         let end = time + length;
         for i in 0..L {
-            let factors = Factors { factor: at(&self.factor, i), damper: at(&self.damper, i) };
-            let Piece { from: first, to: last, slope, foot, .. } =
-                Piece::new(&factors, samples, length, step.inverse);
-            let (x, v, sign) = (at(&self.state.x, i), at(&self.state.v, i), at(&self.sign, i));
-            let (rate, square, omega) = (at(&self.rate, i), at(&self.square, i), at(&self.omega, i));
-            let (s1, s2) = (at(&self.impulse, i), at(&self.step, i));
-            let (s3, s4) = (at(&self.ramp, i), at(&self.parabola, i));
-            let mean = at(&self.mean, i);
+            let given = self.given(i);
+            let (x, v, sign) = (at(&self.state.x, i), at(&self.state.v, i), given.sign);
+            let taken = given.take([x, v], samples, step);
+            let Taken { piece: Piece { from: first, to: last, slope, foot, .. }, moved, area, .. } = taken;
             let rests = sign == zero;
-            // A rest.
-            let spring = square * x;
-            let (now, later) = (first + mean - spring, last + mean - spring);
-            let (forward, backward) = (at(&self.held_forward, i), -at(&self.held_backward, i));
-            let rests_on = (now <= forward) & (later <= forward) & (now >= backward) & (later >= backward);
-            // A slide.
-            let push = mean - sign * at(&self.friction, i);
-            let force = (first + push) - spring;
-            let a = force - rate * v;
-            let moved = s1 * v + (s2 * force + s3 * slope);
-            let end_v = v + ((s1 * force + s2 * slope) - (rate * s1 + square * s2) * v);
-            let end_x = x + moved;
-            let end_a = ((last + push) - square * end_x) - rate * end_v;
-            let area = v * (s2 + rate * s3) + (a * s3 + slope * s4);
-            let far = || {
-                let swing = ((slope - square * v) - rate * a).abs() + omega * a.abs();
-                length * (a.abs() + length * swing)
-            };
-            let turns = both::<L>((sign * a < zero) & (sign * end_a > zero), || {
-                let far = far();
-                (sign * v <= far) | (sign * end_v <= far)
-            });
-            let slides_on = (sign * end_v > zero) & !turns;
+            let rests_on = self.rests_on(i, &taken);
+            let slides_on = (sign * taken.end_v > zero) & !given.turns::<L>(v, &taken, length);
             // The derivatives a′ and a″, and bounds of both by energies that do not grow.
-            let (a, end_a) = (select(rests, zero, a), select(rests, zero, end_a));
-            let jerk = |v: F, a: F| (slope - square * v) - rate * a;
-            let bend = |a: F, jerk: F| -(rate * jerk + square * a);
-            let (j, end_j) = (jerk(v, a), jerk(end_v, end_a));
-            let (b, end_b) = (bend(a, j), bend(end_a, end_j));
+            let (a, end_a) = (select(rests, zero, taken.a), select(rests, zero, taken.end_a));
+            let (end_x, end_v) = (taken.end_x, taken.end_v);
+            let (j, end_j) = (given.jerk(slope, v, a), given.jerk(slope, end_v, end_a));
+            let (b, end_b) = (given.bend(a, j), given.bend(end_a, end_j));
             // Extremes at the ends; one between them is no further from the nearer end than g″ allows.
             let changes =
                 |start: F, end: F| ((start < zero) & (end > zero)) | ((start > zero) & (end < zero));
-            let beyond_v = || (j.abs() + omega * a.abs()) * eighth;
-            let beyond_a = || (b.abs() + omega * j.abs()) * eighth;
+            let beyond_v = || given.beyond(a, j, step);
+            let beyond_a = || given.beyond(j, b, step);
             let (free, end_free) = (a - first, end_a - last);
             let extreme = |most: F, least: F, start: F, end: F, may: bool, beyond: &dyn Fn() -> F| {
-                let (top, bottom) = (start.or_larger(end), -((-start).or_larger(-end)));
-                let is_flagged = both::<L>(may, || {
-                    let beyond = beyond();
-                    (top + beyond > most) | (bottom - beyond < least)
-                });
+                let [top, bottom] = ends(start, end);
+                let is_flagged = both::<L>(may, || is_outside([most, least], [top, bottom], beyond()));
                 (most.or_larger(top), -((-least).or_larger(-bottom)), is_flagged)
             };
             let (most, least) = (at(&self.state.most_velocity, i), at(&self.state.least_velocity, i));
@@ -283,6 +269,153 @@ impl<F: Float, const L: usize> Lanes<F, L> {
             advance!(least_free, is_event, |_| least_f);
         }
         self.event.iter().fold(false, |any, event| any | (*event != zero))
+    }
+
+    /// Whether a body at rest stays there.
+    #[inline(always)]
+    fn rests_on(&self, i: usize, taken: &Taken<F>) -> bool {
+        let Taken { now, later, .. } = *taken;
+        let (forward, backward) = (at(&self.held_forward, i), -at(&self.held_backward, i));
+        (now <= forward) & (later <= forward) & (now >= backward) & (later >= backward)
+    }
+
+    /// Takes the step of the first lane if nothing happens and no range can change: one bound for each range, without a
+    /// look at where its extremes are.
+    #[inline(always)]
+    fn pass_quietly(&mut self, samples: [F; 2], step: &Step<F>) -> bool {
+        let (zero, given) = (F::int(0), self.given(0));
+        let (x, v, sign) = (at(&self.state.x, 0), at(&self.state.v, 0), given.sign);
+        let taken = given.take([x, v], samples, step);
+        let Taken { piece: Piece { from, to, slope, foot, .. }, a, end_v, end_a, .. } = taken;
+        let state = &self.state;
+        let ranges = [
+            [at(&state.most_velocity, 0), at(&state.least_velocity, 0)],
+            [at(&state.most_acceleration, 0), at(&state.least_acceleration, 0)],
+            [at(&state.most_free, 0), at(&state.least_free, 0)],
+        ];
+        if sign == zero {
+            let is_same = self.rests_on(0, &taken)
+                && !is_outside(ranges[1], [zero; 2], zero)
+                && !is_outside(ranges[2], ends(-from, -to), zero);
+            if is_same {
+                let stick_time = at(&self.state.stick_time, 0) + step.length;
+                set(&mut self.state.stick_time, 0, stick_time);
+            }
+            return is_same;
+        }
+        let j = given.jerk(slope, v, a);
+        let beyond = given.beyond(j, given.bend(a, j), step);
+        let is_same = sign * end_v > zero
+            && !given.turns::<1>(v, &taken, step.length)
+            && !is_outside(ranges[0], ends(v, end_v), given.beyond(a, j, step))
+            && !is_outside(ranges[1], ends(a, end_a), beyond)
+            && !is_outside(ranges[2], ends(a - from, end_a - to), beyond);
+        if is_same {
+            let (moved, area) = (taken.moved, taken.area);
+            let load_work = at(&self.state.load_work, 0) + (to * moved - slope * area);
+            let foot_work = at(&self.state.foot_work, 0) + foot * moved;
+            let state = &mut self.state;
+            set(&mut state.x, 0, taken.end_x);
+            set(&mut state.v, 0, end_v);
+            set(&mut state.load_work, 0, load_work);
+            set(&mut state.foot_work, 0, foot_work);
+        }
+        is_same
+    }
+}
+
+/// The greater and the lesser of a quantity's values at both ends of a step.
+#[inline(always)]
+fn ends<F: Float>(start: F, end: F) -> [F; 2] {
+    [start.or_larger(end), -((-start).or_larger(-end))]
+}
+
+/// Whether numbers up to `beyond` above the greater or below the lesser of two are outside a range.
+#[inline(always)]
+fn is_outside<F: Float>([most, least]: [F; 2], [top, bottom]: [F; 2], beyond: F) -> bool {
+    (top + beyond > most) | (bottom - beyond < least)
+}
+
+/// The numbers of a body that all steps of one length have in common.
+#[derive(Debug, Clone, Copy)]
+struct Given<F> {
+    factors: Factors<F>,
+    sign: F,
+    mean: F,
+    friction: F,
+    rate: F,
+    square: F,
+    omega: F,
+    /// S₁ to S₄.
+    responses: [F; 4],
+}
+
+/// A step that a body has taken: at rest `now` and `later` are the forces on it.
+#[derive(Debug, Clone, Copy)]
+struct Taken<F> {
+    piece: Piece<F>,
+    now: F,
+    later: F,
+    a: F,
+    end_a: F,
+    moved: F,
+    end_x: F,
+    end_v: F,
+    /// The integral of the displacement since the start.
+    area: F,
+}
+
+impl<F: Float> Given<F> {
+    /// The state after a step is the response to the state before it and to the load less friction, g + st:
+    /// `x + S₁v + S₂(g − ω²x) + S₃s` and `v + S₁(g − ω²x − 2βv) + S₂(s − ω²v)`.
+    #[inline(always)]
+    fn take(&self, [x, v]: [F; 2], samples: [F; 2], step: &Step<F>) -> Taken<F> {
+        let &Self { ref factors, sign, mean, friction, rate, square, responses: [s1, s2, s3, s4], .. } = self;
+        let piece = Piece::new(factors, samples, step.length, step.inverse);
+        let Piece { from: first, to: last, slope, .. } = piece;
+        // A rest.
+        let spring = square * x;
+        let (now, later) = (first + mean - spring, last + mean - spring);
+        // A slide.
+        let push = mean - sign * friction;
+        let force = (first + push) - spring;
+        let a = force - rate * v;
+        let moved = s1 * v + (s2 * force + s3 * slope);
+        let end_v = v + ((s1 * force + s2 * slope) - (rate * s1 + square * s2) * v);
+        let end_x = x + moved;
+        let end_a = ((last + push) - square * end_x) - rate * end_v;
+        let area = v * (s2 + rate * s3) + (a * s3 + slope * s4);
+        Taken { piece, now, later, a, end_a, moved, end_x, end_v, area }
+    }
+
+    /// Whether the velocity may have vanished and turned back.
+    #[inline(always)]
+    fn turns<const L: usize>(&self, v: F, taken: &Taken<F>, length: F) -> bool {
+        let (zero, sign) = (F::int(0), self.sign);
+        let Taken { a, end_a, end_v, piece: Piece { slope, .. }, .. } = *taken;
+        both::<L>((sign * a < zero) & (sign * end_a > zero), || {
+            let swing = ((slope - self.square * v) - self.rate * a).abs() + self.omega * a.abs();
+            let far = length * (a.abs() + length * swing);
+            (sign * v <= far) | (sign * end_v <= far)
+        })
+    }
+
+    /// a′.
+    #[inline(always)]
+    fn jerk(&self, slope: F, v: F, a: F) -> F {
+        (slope - self.square * v) - self.rate * a
+    }
+
+    /// a″.
+    #[inline(always)]
+    fn bend(&self, a: F, jerk: F) -> F {
+        -(self.rate * jerk + self.square * a)
+    }
+
+    /// How far an extreme in a step is from the nearer end at most, by the first two derivatives at the start.
+    #[inline(always)]
+    fn beyond(&self, first: F, second: F, step: &Step<F>) -> F {
+        (second.abs() + self.omega * first.abs()) * step.eighth
     }
 }
 
