@@ -39,6 +39,7 @@ fn main() {
         "cycle-static-friction" => run(kernels::cycle_with_static_friction, &points, n),
         "response-static-friction" => run(kernels::response_with_static_friction, &points, n),
         "damped" => run(kernels::damped, &points, n),
+        "damped-low" => run(kernels::damped, &low, n),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

@@ -49,7 +49,7 @@ all() { # as many kernels at a time as there are processors
     exact=$(program exact_instructions)
     batch=$(program batch_instructions)
     {
-        printf "closed $closed %s\n" triple five cycle cycle-low response {cycle,response}-static-friction damped
+        printf "closed $closed %s\n" triple five cycle cycle-low response {cycle,response}-static-friction damped{,-low}
         printf "exact $exact %s\n" steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides
         printf "stops $exact steady-with-stops-%s\n" {0.7-1.2,0.4-6,0.15-3,0.9-1.1}-{0,0.05}
         printf "map $exact steady-map\n"
