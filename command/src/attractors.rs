@@ -32,6 +32,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
     let periods = input::periods(args.max_periods)?;
     let count = input::count("--starts", &args.starts, MOST_STARTS)?;
     let given = input::read::<F>(&args.machine, &args.units.reader())?;
+    input::refuse_frictionless(&given)?;
     let point = input::point(&given)?;
     let reach = reach(args.reach.as_deref(), &point.ratios)?;
     let at = |number| start(number, reach);

@@ -56,6 +56,7 @@ impl<F: Value> Basins<F> {
         let periods = input::periods(args.max_periods)?;
         let reader = args.units.reader();
         let given = input::read::<F>(&args.machine, &reader)?;
+        input::refuse_frictionless(&given)?;
         let point = input::point(&given)?;
         let scales = point.machine.as_ref().map(|m| m.scales);
         let reach: F = reach(None, &point.ratios)?;

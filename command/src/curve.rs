@@ -238,6 +238,7 @@ impl AskedCurve {
         let mut xs: Vec<(f64, Source)> = self.grid.values().map(|x| (x, Source::Grid)).collect();
         let falls = xs.first().map(|first| first.0) > xs.last().map(|last| last.0);
         xs.extend(self.probes(natural).into_iter().map(|x| (x, Source::Probe)));
+        self.refuse_slow(given, &xs)?;
         let places = xs.into_par_iter().map(|(x, source)| self.place(given, x, source));
         let mut places = places.collect::<Result<Vec<_>, Failure>>()?;
         let (low, high) = self.grid.ends();
@@ -271,6 +272,26 @@ impl AskedCurve {
             places.reverse();
         }
         Ok(Line { name, places, border, natural: self.in_units(natural) })
+    }
+
+    /// Refuses a curve whose motions with stops have too many half turns in a cycle, of which there are some 1/Ω.
+    fn refuse_slow(&self, given: &Given<f64>, xs: &[(f64, Source)]) -> Outcome {
+        let mut slides = 0.0;
+        for (x, _) in xs {
+            let ratios = self.point(given, *x)?.ratios;
+            let sticks = margin(ratios) < 1.0 && ratios.alpha() > ratios.static_friction_ratio();
+            slides += if sticks { 1.0 / ratios.omega() } else { 0.0 };
+        }
+        if slides <= MOST_SLIDES {
+            return Ok(());
+        }
+        let (name, low) =
+            (self.axis.option(), digits(self.in_units(self.grid.ends().0.min(self.grid.ends().1))));
+        Err(format!(
+            "{name} {low}…: a cycle of so low a frequency has too many stops, about {slides:.0e} slides along this curve, must \
+             be ≤ {MOST_SLIDES:.0e}. Single points are answered by steady"
+        )
+        .into())
     }
 
     /// The point at a value of the axis.
@@ -394,6 +415,9 @@ impl AskedCurve {
         Ok(writer.flush()?)
     }
 }
+
+/// The most slides in the cycles of all points of a curve: some seconds and 200 MB.
+const MOST_SLIDES: f64 = 5e5;
 
 /// What is shown of a quantity.
 struct Shown {

@@ -1,9 +1,12 @@
 //! `stickslip decay`.
 
+mod special;
+
 use crate::args::DecayArgs;
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
+use crate::follow::Surface;
 use crate::input;
 use crate::motion_plot::axis;
 use crate::note::{self, both, line};
@@ -40,6 +43,14 @@ type Frictions<F> = [Option<F>; 2];
 fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let reader = args.answer.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
+    let surface = Surface::read(&args.surface, &reader)?;
+    if surface.is_special() || given.is_without_friction() && given.is_physical() {
+        return special::respond(args, given, &surface, out);
+    }
+    if given.has_role(Role::Friction) && given.one_of(Role::Spring)?.is_none() && !given.has(Input::Omega) {
+        let missing = given.missing(&Input::of_role(Role::Spring));
+        return Err(format!("{missing}. A body without a spring has --no-spring").into());
+    }
     let given = input::with_any_mass(&given);
     let (scales, frictions @ [damping, static_friction]) = body(&given)?;
     let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };

@@ -61,7 +61,11 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
     let reader = args.answer.units.reader();
     let asked = AskedDesign::<F>::new(args, &reader)?;
     if let Some(target) = &args.target_amplitude {
+        asked.driven()?;
         return asked.frictions_for(target, out);
+    }
+    if asked.given.is_without_drive() && !matches!(question, Question::Bands(_) | Question::Hold(_)) {
+        asked.driven()?;
     }
     let answer = match question {
         Question::Force(_) if args.no_stop => asked.forces_without_stop(),
@@ -135,6 +139,7 @@ impl<F: Value> AskedDesign<'_, F> {
         }
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
         let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
+        let force = force * self.share;
         let (newton, length) = (self.system().force(), self.system().length());
         let unbalance = self.system().name(Kind::Unbalance);
         let mut fields = force_and_equals(&body, frequency, force);
@@ -155,8 +160,8 @@ impl<F: Value> AskedDesign<'_, F> {
         if body.static_friction_ratio() <= self.one {
             return Ok(answer);
         }
-        let scale = body.friction_bound();
-        let ratios = Drive::force(scale, frequency).and_then(|drive| drive.ratios(&body));
+        let scale = body.friction_bound() * self.share;
+        let ratios = Drive::force(body.friction_bound(), frequency).and_then(|drive| drive.ratios(&body));
         let names = ["release_force", "every_start_force"];
         let force = Divided { is_force: true, names, kind: Kind::Force, scale, unit: newton };
         Ok(answer.divided(&ratios.map_err(|e| self.fail(e))?, &force))
@@ -195,6 +200,10 @@ impl<F: Value> AskedDesign<'_, F> {
 
     fn bands(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Frequency)?;
+        if self.given.is_without_drive() {
+            let sentence = "Without a drive the body rests throughout that range.".to_owned();
+            return Ok(DesignAnswer { sentence, rows: Vec::new() });
+        }
         let found = if self.physical {
             let body = self.body(true, true)?;
             // The frequency of the drive is unknown: only its amplitude counts.
@@ -229,9 +238,16 @@ impl<F: Value> AskedDesign<'_, F> {
 
     fn holding(&self) -> Result<DesignAnswer<F>, Failure> {
         let body = self.body(true, true)?;
-        let drive = self.drive(&body, self.one)?;
-        let found = design::holding_frequency(&body, &drive).map_err(|e| self.fail(e))?;
+        let found = if self.given.is_without_drive() {
+            Holding::Always
+        } else if self.is_without_friction {
+            Holding::Never
+        } else {
+            let drive = self.drive(&body, self.one)?;
+            design::holding_frequency(&body, &drive).map_err(|e| self.fail(e))?
+        };
         let static_friction = body.static_friction_ratio() * body.friction_bound();
+        let static_friction = if self.is_without_friction { F::int(0) } else { static_friction };
         let force = format!("{} {}", digits(static_friction), self.system().force());
         let (holds, frequency, sentence) = match found {
             Holding::UpTo(frequency) => (
@@ -349,6 +365,7 @@ impl<F: Value> AskedDesign<'_, F> {
 
     fn bands_without_stop(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Frequency)?;
+        self.driven()?;
         let found = if self.physical {
             let body = self.body(true, true)?;
             // The frequency of the drive is unknown: only its amplitude counts.

@@ -150,7 +150,7 @@ pub(crate) struct Shaken<F> {
 }
 
 /// The inputs that do not need a mass, nor give one.
-const WITHOUT_MASS: [Input; 8] = [
+pub(crate) const WITHOUT_MASS: [Input; 8] = [
     Input::Period,
     Input::NaturalFrequency,
     Input::PendulumRadius,
@@ -201,6 +201,11 @@ pub(crate) struct Surface<F> {
 }
 
 impl<F: Value> Surface<F> {
+    /// Whether the body is no oscillator: without a spring, on a slope, or one that moves one way.
+    pub(crate) const fn is_special(&self) -> bool {
+        self.slope.is_some() || !self.has_spring || self.is_one_way
+    }
+
     pub(crate) fn read(args: &SurfaceArgs, reader: &Reader) -> Result<Self, Failure> {
         let slope = args.slope.as_ref().map(|text| {
             let slope = reader.value::<F>("--slope", text, Kind::Angle)?;

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use stickslip::inputs::units::{self, Kind, Reader, System, split};
 use stickslip::inputs::{Driven, Given, Input, Naming, Point, Role};
 use stickslip::motion::State;
-use stickslip::{Drive, Error, Excitation, Oscillator, Quantity, Ratios};
+use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
 
 /// The typed inputs, in the system of the reader.
 pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Result<Given<F>, Failure> {
@@ -135,48 +135,27 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
     Cow::Owned(given)
 }
 
-/// The inputs as the answers take them: with a mass where it cancels, and with a friction far below the rounding of every
-/// motion where it was given as 0.
-pub(crate) fn completed<F: Value>(given: &Given<F>) -> Result<Cow<'_, Given<F>>, Failure> {
-    let given = with_any_mass(given);
-    let is_zero = |input: Input| given.get(input) == Some(F::int(0));
-    let is_driven = !Input::of_role(Role::Drive).into_iter().any(is_zero);
-    if !(is_driven && (is_zero(Input::Friction) || is_zero(Input::FrictionCoefficient))) {
-        return Ok(given);
+/// Says that there is no friction, where it was given as 0.
+pub(crate) fn note_frictionless<F: Value>(given: &Given<F>) {
+    if given.is_without_friction() {
+        progress::note(
+            "without friction: α, and values in B and r_y, are those of a friction far below the rounding of the motion",
+        );
     }
-    let mut given = given.into_owned();
-    given.take(Input::FrictionCoefficient);
-    given.set(Input::Friction, F::int(1));
-    let machine = given.driven()?;
-    given.set(Input::Friction, machine.drive.force_amplitude(&machine.oscillator) * nothing());
-    progress::note(
-        "without friction: α, and values in B and r_y, are those of a friction far below the rounding of the motion",
-    );
-    Ok(Cow::Owned(given))
 }
 
-/// A share far below the rounding of a motion.
-pub(crate) fn nothing<F: Value>() -> F {
-    F::epsilon().square()
-}
-
-/// The inputs of a simulation, in which a drive of 0 is one far below the rounding of the motion, too: the free vibration
-/// from the start.
-pub(crate) fn completed_at_rest<F: Value>(given: &Given<F>) -> Result<Given<F>, Failure> {
-    let mut given = completed(given)?.into_owned();
-    let drives = Input::of_role(Role::Drive);
-    match drives.into_iter().find(|input| given.get(*input) == Some(F::int(0))) {
-        None => {}
-        Some(Input::Alpha) => given.set(Input::Alpha, nothing()),
-        Some(input) => {
-            let body = given.oscillator()?;
-            let frequency = given.frequency(&body)?;
-            let excitation = input.excitation().unwrap_or(Excitation::Force);
-            let unit = Drive::new(excitation, F::int(1), frequency).map_err(|e| given.at_fault(&e))?;
-            given.set(input, body.friction_bound() * nothing() / unit.force_amplitude(&body));
-        }
+/// Refuses friction 0 where limits are searched by their starts: a linear motion has but one.
+pub(crate) fn refuse_frictionless<F: Value>(given: &Given<F>) -> Result<(), Failure> {
+    if !given.is_without_friction() {
+        return Ok(());
     }
-    Ok(given)
+    let inputs = Input::of_role(Role::Friction);
+    let label = inputs.into_iter().find(|input| given.has(*input)).map(|input| given.label(input));
+    let label = label.unwrap_or_default();
+    Err(format!(
+        "{label}: must be > 0. Without friction the motion is linear, and has only the limit of steady"
+    )
+    .into())
 }
 
 /// A note where a friction pendulum leaves the displacements for which its stiffness is m g/R.
@@ -199,6 +178,7 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
                     --friction (or --friction-coefficient), --frequency and --force";
         return Err(text.into());
     }
+    note_frictionless(given);
     Ok(given.point()?)
 }
 
@@ -214,7 +194,19 @@ fn border_point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
         let ratios = Ratios::new(given.required(Input::Omega)?, F::int(1)).map_err(named)?;
         return Ok(Point { ratios: given.completed(ratios)?, machine: None });
     }
-    let machine = given.on_border()?;
+    if !given.is_without_friction() {
+        let machine = given.on_border()?;
+        return Ok(Point { ratios: machine.ratios, machine: Some(machine) });
+    }
+    progress::note("without friction no force is needed: the minimum is 0 times r_y = 0");
+    let mut any = given.clone();
+    Input::of_role(Role::Friction).into_iter().for_each(|input| _ = any.take(input));
+    any.take(Input::FrictionBackward);
+    any.set(Input::Friction, F::int(1));
+    let mut machine = any.on_border()?;
+    // Lengths and forces of a border are multiples of the friction.
+    let (scales, zero) = (&mut machine.scales, F::int(0));
+    (scales.length, scales.velocity, scales.force) = (zero, zero, zero);
     Ok(Point { ratios: machine.ratios, machine: Some(machine) })
 }
 

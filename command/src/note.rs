@@ -131,7 +131,10 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
     line(out, "natural frequency ω_n", frequency(oscillator.natural_frequency()))?;
     line(out, "mass m", mass(oscillator.mass(), system))?;
     line(out, "stiffness k", with_unit(oscillator.stiffness(), &system.name(Kind::Stiffness)))?;
-    let bound = digits(oscillator.friction_bound());
+    // A friction or a drive of 0 is computed as one far below the rounding.
+    let or_zero = |is_zero: bool, value: F| if is_zero { F::int(0) } else { value };
+    let bound = digits(or_zero(given.is_without_friction(), oscillator.friction_bound()));
+    let of_drive = |value: F| or_zero(given.is_without_drive(), value);
     match given.directional_friction() {
         Ok(Some((forward, backward))) => {
             let (forward, backward) = (digits(forward), digits(backward));
@@ -147,9 +150,9 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
         line(out, "damping constant c", with_unit(oscillator.damping(), &system.name(Kind::Damping)))?;
     }
     if drive.excitation() == Excitation::Unbalance {
-        line(out, "unbalance m_e e", unbalance(drive.amplitude(), system))?;
+        line(out, "unbalance m_e e", unbalance(of_drive(drive.amplitude()), system))?;
     }
-    line(out, "force amplitude p₀", with_unit(drive.force_amplitude(oscillator), force))?;
+    line(out, "force amplitude p₀", with_unit(of_drive(drive.force_amplitude(oscillator)), force))?;
     line(out, "friction displacement B", with_unit(scales.length, length))?;
     if let Some(force) = given.get(Input::MeanForce) {
         writeln!(out, "  mean force p̄             {} {}", digits(force), system.force())?;

@@ -33,7 +33,7 @@ stickslip::define! {
     pub(crate) REST_FROM("rest_from", Length, "lowest position of rest, or middle of a member of a family");
     pub(crate) REST_TO("rest_to", Length, "highest position of rest");
     pub(crate) KIND("kind", Plain, "slide-forward, slide-backward or stick");
-    pub(crate) ENDS_BY("ends_by", Plain, "reversal, stop, grazing, release or never");
+    pub(crate) ENDS_BY("ends_by", Plain, "reversal, stop, grazing, release, never, or end (of the time that was asked for)");
     pub(crate) START_CYCLE("start_cycle", Plain, "whole cycles of the drive before the start, likewise end_cycle and cycle");
     pub(crate) START_PHASE("start_phase", Angle, "phase ω_d t of the start in its cycle, likewise end_phase and phase");
     pub(crate) DURATION("duration", Angle, "length of the segment, in ω_d t");

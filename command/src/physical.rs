@@ -1,7 +1,6 @@
 //! The answer in the machine's units: the physical names of the values, and their units.
 
 use crate::bits::Value;
-use crate::input::nothing;
 use crate::outputs::{Key, plain};
 use crate::record::{Cell, Number};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -58,7 +57,8 @@ impl<F: Value> Physical<F> {
     /// The machine and its drive: the given quantities and those that follow from them.
     pub(crate) fn of_machine(given: &Given<F>, machine: &Driven<F>) -> Self {
         let Driven { oscillator, drive, scales, .. } = machine;
-        let p0 = drive.force_amplitude(oscillator);
+        // A friction or a drive of 0 is computed as one far below the rounding.
+        let p0 = if given.is_without_drive() { F::int(0) } else { drive.force_amplitude(oscillator) };
         let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(given.system) };
         let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
         let turn = F::int(2) * F::pi();
@@ -68,10 +68,7 @@ impl<F: Value> Physical<F> {
         add("period", Kind::Time, turn / oscillator.natural_frequency());
         add("mass", Kind::Mass, oscillator.mass());
         add("stiffness", Kind::Stiffness, oscillator.stiffness());
-        // A friction of 0 is computed as one far below the rounding.
-        let (bound, none) = (oscillator.friction_bound(), p0 * nothing());
-        let is_none = (bound - none).abs() <= F::int(8) * F::epsilon() * none;
-        let bound = if is_none { F::int(0) } else { bound };
+        let bound = if given.is_without_friction() { F::int(0) } else { oscillator.friction_bound() };
         match given.directional_friction() {
             Ok(Some((forward, backward))) => {
                 add("friction", Kind::Force, forward);
@@ -91,12 +88,13 @@ impl<F: Value> Physical<F> {
             add("static_friction", Kind::Force, ratio * oscillator.friction_bound());
         }
         add("force_amplitude", Kind::Force, p0);
+        let amplitude = if given.is_without_drive() { F::int(0) } else { drive.amplitude() };
         match drive.excitation() {
             Excitation::Force => {}
-            Excitation::Unbalance => add("unbalance", Kind::Unbalance, drive.amplitude()),
-            Excitation::FootMotion => add("foot_displacement", Kind::Length, drive.amplitude()),
+            Excitation::Unbalance => add("unbalance", Kind::Unbalance, amplitude),
+            Excitation::FootMotion => add("foot_displacement", Kind::Length, amplitude),
             Excitation::DampedFootMotion => {
-                add("damped_foot_displacement", Kind::Length, drive.amplitude());
+                add("damped_foot_displacement", Kind::Length, amplitude);
                 add("lead_time", Kind::Time, drive.phase_lead(oscillator) * scales.time);
             }
             Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {

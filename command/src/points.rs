@@ -44,11 +44,7 @@ impl AskedPoints<'_> {
         let reader = self.output.units.reader();
         let given = input::read::<F>(machine, &reader)?;
         let answer = |given: &Given<F>| {
-            let given = if self.question == Swept::Border {
-                input::with_any_mass(given)
-            } else {
-                input::completed(given)?
-            };
+            let given = input::with_any_mass(given);
             let point = input::problem(self.question, &given)?;
             answer(&given, &point, &reader).map(|found| (point, found))
         };
@@ -61,11 +57,7 @@ impl AskedPoints<'_> {
         if self.output.is_json()? {
             return output::json(&record, out);
         }
-        let given = if self.question == Swept::Border {
-            input::with_any_mass(&given)
-        } else {
-            input::completed(&given)?
-        };
+        let given = input::with_any_mass(&given);
         Ok(note(&point, &found, &given, out)?)
     }
 }

@@ -10,6 +10,7 @@ use crate::{input, output};
 use std::io::Write;
 use stickslip::Quantity;
 use stickslip::inputs::units::Kind;
+use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::Pull;
 
 pub(crate) fn run(args: &PullArgs, out: &mut impl Write) -> Outcome {
@@ -19,6 +20,8 @@ pub(crate) fn run(args: &PullArgs, out: &mut impl Write) -> Outcome {
 fn respond<F: Value>(args: &PullArgs, out: &mut impl Write) -> Outcome {
     let reader = args.answer.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
+    let is_without_friction = given.is_without_friction();
+    let given = without_friction(given);
     let body = given.oscillator()?;
     let speed: F = reader.value("--speed", &args.speed, Kind::Velocity)?;
     let pull = Pull::new(&body, speed).map_err(|e| match e.quantity() {
@@ -52,10 +55,28 @@ fn respond<F: Value>(args: &PullArgs, out: &mut impl Write) -> Outcome {
             out,
             "Stick-slip: the body sticks and slips in turn, at every speed, since there is no damper.\n"
         )?,
+        (None, _) if body.damping() == F::int(0) => {
+            let why =
+                if is_without_friction { " Without friction and a damper" } else { " Without a damper" };
+            writeln!(
+                out,
+                "Smooth: the body never stops.{why} its speed swings between 0 and twice that of the pull.\n"
+            )?;
+        }
         (None, _) => writeln!(out, "Smooth: the body slides on, and its speed tends to that of the pull.\n")?,
     }
     for (name, kind, cell) in row.iter().filter(|(_, _, cell)| *cell != Cell::Number(None)) {
         line(out, &name.replace('_', " "), format!("{} {}", cell.text(), given.system.name(*kind)))?;
     }
     Ok(())
+}
+
+/// The inputs with a friction of 1 and no static friction in place of a friction of 0: a smooth pull does not depend on it.
+fn without_friction<F: Value>(mut given: Given<F>) -> Given<F> {
+    if given.is_without_friction() {
+        let inputs = [Role::Friction, Role::StaticFriction].map(Input::of_role).concat();
+        inputs.into_iter().chain([Input::FrictionBackward]).for_each(|input| _ = given.take(input));
+        given.set(Input::Friction, F::int(1));
+    }
+    given
 }

@@ -1,6 +1,8 @@
 //! `stickslip simulate`.
 
-use crate::args::{Header, SimulateArgs, StreamFormat};
+mod shaped;
+
+use crate::args::{Header, ShapeArg, SimulateArgs, StreamFormat};
 use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::input;
@@ -17,8 +19,8 @@ use indicatif::ProgressDrawTarget;
 use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
-use stickslip::inputs::Driven;
 use stickslip::inputs::units::{Kind as Quantity, Reader, System};
+use stickslip::inputs::{Driven, Input};
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, State, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
@@ -45,8 +47,25 @@ fn follow<F: Value>(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
 fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Write) -> Outcome {
     let mut sink = Sink::new(format, out, Header::Names)?;
     let reader = args.units.reader();
+    if let Some(shape) = args.shape.filter(|shape| *shape != ShapeArg::Sine) {
+        shaped::write::<F>(args, shape, &mut sink, &reader)?;
+        return sink.finish();
+    }
+    let of_shapes = [
+        ("--rise", args.rise.is_some()),
+        ("--speed", args.speed.is_some()),
+        ("--no-spring", args.surface.no_spring),
+        ("--slope", args.surface.slope.is_some()),
+        ("--one-way", args.surface.one_way),
+    ];
+    if let Some((option, _)) = of_shapes.into_iter().find(|(_, is_typed)| *is_typed) {
+        return Err(format!("{option}: needs --shape step, ramp, pull or free").into());
+    }
     let given = input::read::<F>(&args.machine, &reader)?;
-    let given = input::completed_at_rest(&given)?;
+    let mut given = input::with_any_mass(&given).into_owned();
+    if given.get(Input::Alpha) == Some(F::int(0)) {
+        given.set(Input::Alpha, F::epsilon().square());
+    }
     let point = input::point(&given)?;
     let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;
     extent.refuse_years(point.ratios.omega().to_f64())?;

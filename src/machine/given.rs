@@ -1,5 +1,7 @@
 //! The given inputs, and the rules by which they determine a machine.
 
+mod nothing;
+
 use super::input::{Input, Naming, Role};
 use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity};
@@ -414,17 +416,19 @@ impl<F: Float + FromStr> Given<F> {
         self.get(Input::MeanForce).map_or(Ok(drive), |force| drive.with_mean_force(force))
     }
 
-    /// The machine, or the ratios alone.
+    /// The machine, or the ratios alone. A friction or a drive of 0 is one far below the rounding
+    /// ([`Given::without_zeros`]).
     ///
     /// # Errors
     /// As for [`Given::driven`].
     pub fn point(&self) -> Result<Point<F>, InputError> {
-        if self.is_physical() {
-            let machine = self.driven()?;
+        let given = self.without_zeros()?;
+        if given.is_physical() {
+            let machine = given.driven()?;
             return Ok(Point { ratios: machine.ratios, machine: Some(machine) });
         }
-        let ratios = Ratios::new(self.required(Input::Omega)?, self.required(Input::Alpha)?);
-        let ratios = self.completed(ratios.map_err(|e| self.at_fault(&e))?)?;
+        let ratios = Ratios::new(given.required(Input::Omega)?, given.required(Input::Alpha)?);
+        let ratios = given.completed(ratios.map_err(|e| given.at_fault(&e))?)?;
         Ok(Point { ratios, machine: None })
     }
 

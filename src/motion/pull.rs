@@ -51,7 +51,8 @@ pub struct Pull<F> {
     pub stick_time: Option<F>,
     /// The distance of a slip over the surface; `None` where the body slides smoothly.
     pub slip_distance: Option<F>,
-    /// The maximum velocity over the surface: of the steady motion, V where the body slides smoothly.
+    /// The maximum velocity over the surface: of the steady motion, V where the body slides smoothly; 2V where it does and
+    /// has no damper, since it then swings between 0 and 2V for ever.
     pub max_velocity: F,
     /// The speed from which on the body slides smoothly; `None` where no speed does so: without a damper, where static
     /// friction exceeds the kinetic one.
@@ -76,7 +77,7 @@ impl<F: Float> Pull<F> {
             slip_time: None,
             stick_time: None,
             slip_distance: None,
-            max_velocity: speed,
+            max_velocity: if zeta == F::int(0) { F::int(2) * speed } else { speed },
             smooth_above: if scale > F::int(0) { smooth_above } else { Some(F::int(0)) },
         };
         if smooth.smooth_above.is_some_and(|least| speed >= least) {
@@ -294,6 +295,9 @@ mod tests {
             assert!((pull.stick_time.unwrap() / (2.0 * a / 15.0) - 1.0).abs() < 1e-13, "{speed}");
             assert_eq!(pull.smooth_above, None);
         }
+        // With one friction and no damper w = cos τ, and the velocity V(1 − cos τ).
+        assert_eq!(Pull::new(&body_of(0.0, 1.0), 0.25).unwrap().max_velocity, 0.5);
+        assert_eq!(Pull::new(&body_of(0.1, 1.0), 0.25).unwrap().max_velocity, 0.25);
         // With one friction, or critical damping, every speed is smooth.
         for (zeta, eta) in [(0.0, 1.0), (0.1, 1.0), (1.0, 2.0), (3.0, 2.0), (1.0 - 1e-9, 2.0)] {
             let pull = Pull::new(&body_of(zeta, eta), 1e-30).unwrap();

@@ -1,6 +1,8 @@
 //! The arguments of what the exact motion answers.
 
-use super::{AnswerArgs, BodyArgs, LookArgs, MachineArgs, OutputArgs, StartArgs, SweepFormat, UnitArgs};
+use super::{
+    AnswerArgs, BodyArgs, LookArgs, MachineArgs, OutputArgs, StartArgs, SurfaceArgs, SweepFormat, UnitArgs,
+};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -39,18 +41,47 @@ pub(crate) enum StreamFormat {
     Parquet,
 }
 
+/// The drive over the time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ShapeArg {
+    Sine,
+    Step,
+    Ramp,
+    Pull,
+    Free,
+}
+
 #[derive(Debug, Args)]
 #[command(after_help = "\
+Under a step, a ramp, a pull or no drive the motion needs no frequency, and the body no spring. Its displacements are from
+the unstretched spring.
+
 Examples:
   stickslip simulate --omega 0.4 --alpha 6 --cycles 2
   stickslip simulate --omega 0.4 --alpha 6 --cycles 2 --samples 200 --format csv > motion.csv
   stickslip simulate --omega 1.5 --alpha 2.5 --cycles 100 --x0 4 --v0 -1 --format jsonl
-  stickslip simulate --mass 2kg --stiffness 800N/m --friction 4N --force 12N --frequency 2Hz --phase 90deg --duration 1s")]
+  stickslip simulate --mass 2kg --stiffness 800N/m --friction 4N --force 12N --frequency 2Hz --phase 90deg --duration 1s
+  stickslip simulate --mass 2kg --stiffness 800N/m --friction 4N --static-friction 5N --force 12N --shape step --duration 2s
+  stickslip simulate --mass 2kg --no-spring --friction 4N --force 12N --shape ramp --rise 0.5s --duration 2s
+  stickslip simulate --mass 2kg --stiffness 450N/m --friction 3N --static-friction 4N --shape pull --speed 20mm/s --duration 2s
+  stickslip simulate --no-spring --friction-coefficient 0.3 --v0 2m/s --shape free --duration 1s")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) start: StartArgs,
+    /// The drive over the time: sine, step (its amplitude from the start on), ramp (it grows to its amplitude in the time
+    /// --rise, and stays), pull (the spring's end moves at --speed) or free (none) [default: sine]
+    #[arg(long, value_enum, value_name = "SHAPE", hide_possible_values = true)]
+    pub(crate) shape: Option<ShapeArg>,
+    /// Time in which a ramp grows to its amplitude
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub(crate) rise: Option<String>,
+    /// Speed of the spring's end in a pull
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) speed: Option<String>,
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArgs,
     /// Phase of the drive at the start, such as 90deg for a drive with the cosine of the time [default: 0]
     #[arg(long, value_name = "θ", allow_hyphen_values = true)]
     pub(crate) phase: Option<String>,
@@ -103,10 +134,14 @@ impl SimulateArgs {
 Examples:
   stickslip decay --x0 12 --v0 6
   stickslip decay --mass 2 --stiffness 800 --friction 4 --x0 0.3 --v0 0 --format json
-  stickslip decay --mass 800kg --period 2.2s --friction-coefficient 0.06 --static-friction 600N --x0 200mm")]
+  stickslip decay --mass 800kg --period 2.2s --friction-coefficient 0.06 --static-friction 600N --x0 200mm
+  stickslip decay --no-spring --friction-coefficient 0.3 --v0 2m/s
+  stickslip decay --no-spring --friction-coefficient 0.3 --slope 5deg --v0 2m/s")]
 pub(crate) struct DecayArgs {
     #[command(flatten)]
     pub(crate) machine: BodyArgs,
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArgs,
     /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
     #[arg(long, value_name = "X", allow_hyphen_values = true, required_unless_present = "v0")]
     pub(crate) x0: Option<String>,

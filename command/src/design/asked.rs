@@ -18,6 +18,10 @@ pub(super) struct AskedDesign<'a, F> {
     pub(super) given: Given<F>,
     pub(super) physical: bool,
     pub(super) one: F,
+    /// 0 where the answer is a share of a friction of 0; else 1.
+    pub(super) share: F,
+    /// Whether friction was given as 0.
+    pub(super) is_without_friction: bool,
 }
 
 impl<'a, F: Value> AskedDesign<'a, F> {
@@ -29,7 +33,66 @@ impl<'a, F: Value> AskedDesign<'a, F> {
             let text = "--omega and --alpha: must be left out in physical units, where --frequency and --force take their place";
             return Err(text.into());
         }
-        Ok(Self { args, reader, given, physical, one: F::int(1) })
+        let mut asked = Self {
+            args,
+            reader,
+            given,
+            physical,
+            one: F::int(1),
+            share: F::int(1),
+            is_without_friction: false,
+        };
+        asked.make_friction()?;
+        Ok(asked)
+    }
+
+    /// A friction of 0 becomes one far below the rounding of the motion; where no drive and no target give its size, as
+    /// for the minimum force, it becomes 1, of which the answer is a share of 0.
+    fn make_friction(&mut self) -> Outcome {
+        if !self.given.is_without_friction() {
+            return Ok(());
+        }
+        self.is_without_friction = true;
+        let inputs = Input::of_role(Role::Friction);
+        let label = inputs.iter().find(|input| self.given.has(**input)).map(|input| self.given.label(*input));
+        inputs.into_iter().chain([Input::FrictionBackward]).for_each(|input| _ = self.given.take(input));
+        let is_typed = |input: Input| self.given.has(input);
+        if !(is_typed(Input::PendulumRadius) || is_typed(Input::Weight)) {
+            self.given.take(Input::Gravity);
+        }
+        self.given.set(Input::Friction, self.one);
+        let body = self.body(false, false)?;
+        let frequency = self.given.get(Input::Frequency);
+        let of_drive = self.given.has_role(Role::Drive).then(|| {
+            let drive = self.drive(&body, frequency.unwrap_or(self.one))?;
+            Ok::<F, Failure>(drive.force_amplitude(&body))
+        });
+        let target = self.args.target.as_ref().map(|text| -> Result<F, Failure> {
+            // The target is a displacement or a velocity, and its unit one of the two.
+            let read = |kind| self.reader.value::<F>("--target", text, kind);
+            let far = read(Kind::Length).or_else(|_| read(Kind::Velocity));
+            Ok(body.stiffness() * far?.abs())
+        });
+        match of_drive.or(target).transpose()? {
+            Some(force) => self.given.set(Input::Friction, force * F::epsilon().square()),
+            None => self.share = F::int(0),
+        }
+        if let (Some(label), true) = (label, self.args.no_stop) {
+            return Err(
+                format!("{label}: without friction the body never stops, and is never at rest").into()
+            );
+        }
+        Ok(())
+    }
+
+    /// Refuses a drive of 0, under which the body rests whatever is asked for.
+    pub(super) fn driven(&self) -> Outcome {
+        if !self.given.is_without_drive() {
+            return Ok(());
+        }
+        let drive = Input::of_role(Role::Drive).into_iter().find(|input| self.given.has(*input));
+        let label = drive.map_or_else(String::new, |input| self.given.label(input));
+        Err(format!("{label}: must be > 0. Without a drive the body rests with every friction").into())
     }
 
     /// The sentence, the kind of base motion, and a line for each number with its unit.

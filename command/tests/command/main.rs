@@ -39,6 +39,7 @@ mod parquet;
 mod points;
 mod records;
 mod round_trips;
+mod shapes;
 mod shell;
 mod starts;
 mod static_friction;

@@ -28,7 +28,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
             "response --mass 1 --stiffness 1 --friction 1 --frequency 0 --force 1",
             vec!["--frequency 0", "> 0"],
         ),
-        ("response --mass 1 --stiffness 1 --friction 1 --frequency 1 --force 0", vec!["--force 0", "> 0"]),
+        ("response --mass 1 --stiffness 1 --friction 1 --frequency 1 --force=-1", vec!["--force -1", "> 0"]),
         (
             "response --mass 1 --stiffness 1 --friction 1 --frequency 1 --base-motion -1",
             vec!["--foot-displacement -1", "> 0"],

@@ -71,7 +71,7 @@ fn a_wrong_unbalance_is_refused() {
     let at = "response --mass 120kg --stiffness 60kN/m --friction 150N --frequency 480rpm";
     for (arguments, parts) in [
         ("--unbalance 3kg", vec!["--unbalance 3kg", "an unbalance (kg*m", "“kg” is a unit of mass"]),
-        ("--unbalance 0kg*m", vec!["--unbalance 0kg*m", "must be > 0"]),
+        ("--unbalance=-1kg*m", vec!["--unbalance -1kg*m", "must be > 0"]),
         ("--eccentricity 12mm", vec!["--eccentric-mass is missing"]),
         ("--eccentric-mass 3kg", vec!["--eccentric-mass 3kg", "--eccentricity"]),
         ("--eccentric-mass -3kg --eccentricity 1mm", vec!["--eccentric-mass -3kg", "> 0"]),

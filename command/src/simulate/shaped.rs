@@ -1,0 +1,264 @@
+//! A motion under a step, a ramp, a pull or no drive: segments or samples of the exact motion under a record.
+
+use crate::args::{ShapeArg, SimulateArgs};
+use crate::bits::Value;
+use crate::failure::{Failure, Outcome};
+use crate::follow::{Surface, WITHOUT_MASS};
+use crate::input::{behind_all, read};
+use crate::outputs::{ENDS_BY, KIND};
+use crate::physical::Physical;
+use crate::record::{Cell, Record as Cells, Row};
+use crate::sink::Sink;
+use std::io::Write;
+use stickslip::Excitation;
+use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::inputs::{Given, Input, Role};
+use stickslip::motion::record::{After, Record, RecordMotion};
+
+/// The most samples, and the most half turns of the body's own vibration.
+const MOST: f64 = 1e6;
+
+/// Writes the motion under another drive than a harmonic one.
+pub(super) fn write<F: Value>(
+    args: &SimulateArgs,
+    shape: ShapeArg,
+    sink: &mut Sink<impl Write>,
+    reader: &Reader,
+) -> Outcome {
+    let name = format!("--shape {}", named(shape));
+    let unused = [
+        ("--phase", args.phase.is_some()),
+        ("--cycles", args.cycles.is_some()),
+        ("--samples", args.samples.is_some()),
+    ];
+    if let Some((option, _)) = unused.into_iter().find(|(_, is_typed)| *is_typed) {
+        return Err(format!("{option}: must be left out with {name}, which has no cycles").into());
+    }
+    let mut given = read::<F>(&args.machine, reader)?;
+    for input in [Input::Omega, Input::Frequency] {
+        if given.has(input) {
+            return Err(format!("{}: must be left out with {name}", given.label(input)).into());
+        }
+    }
+    let positive = |option: &str, text: &Option<String>, kind: Kind| -> Result<F, Failure> {
+        let Some(text) = text else { return Err(format!("{option} is missing, for {name}").into()) };
+        let value = reader.value::<F>(option, text, kind)?;
+        if value > F::int(0) && value.is_finite() {
+            return Ok(value);
+        }
+        Err(format!("{option} {text}: must be > 0").into())
+    };
+    let duration = positive("--duration", &args.duration, Kind::Time)?;
+    let rate = args.rate.as_ref().map(|_| positive("--rate", &args.rate, Kind::Frequency)).transpose()?;
+    let hertz = rate.map(|rate| rate / (F::int(2) * F::pi()));
+    let load = Load::read(args, shape, &given, (duration, &positive))?;
+    let is_free_of_mass = |input: &Input| WITHOUT_MASS.contains(input) || input.role() == Role::Drive;
+    let is_force = load.excitation == Excitation::Force && shape != ShapeArg::Free;
+    let has_mass = is_force || !args.machine.iter().all(|(input, _)| is_free_of_mass(input));
+    if !has_mass {
+        given.set(Input::Mass, F::int(1));
+    }
+    let body = Surface::read(&args.surface, reader)?.body(&given)?;
+    if load.excitation.moves_foot() && body.stiffness() == F::int(0) {
+        return Err(format!("{name}: the spring's foot moves, and there is no spring").into());
+    }
+    let start = |input: Input| match args.start.text(input) {
+        Some(text) => reader.value(input.option(), text, input.kind()),
+        None => Ok(F::int(0)),
+    };
+    let start = [start(Input::X0)?, start(Input::V0)?];
+    let turns = ((body.stiffness() / body.mass()).sqrt() * duration / F::pi()).to_f64();
+    let samples = hertz.map_or(0.0, |hertz| (duration * hertz).to_f64());
+    for (count, things) in [(turns, "half cycles of the body"), (samples, "samples")] {
+        if count > MOST {
+            let text = args.duration.as_deref().unwrap_or_default();
+            return Err(format!("--duration {text}: about {count:.1e} {things}, must be ≤ {MOST:.0e}").into());
+        }
+    }
+    let record = load.record(shape, duration, hertz).map_err(|e| behind_all(&given, Failure::from(e)))?;
+    let motion = body.motion(&record, start[0], start[1], duration);
+    let motion = motion.map_err(|e| behind_all(&given, Failure::from(e)))?;
+    let rows = match hertz {
+        Some(hertz) => samples_of(&motion, (duration, hertz), (given.system, has_mass)),
+        None => segments_of(&motion, (duration, start), given.system),
+    };
+    rows.into_iter().try_for_each(|row| sink.write(&row.finite()?))
+}
+
+const fn named(shape: ShapeArg) -> &'static str {
+    match shape {
+        ShapeArg::Sine => "sine",
+        ShapeArg::Step => "step",
+        ShapeArg::Ramp => "ramp",
+        ShapeArg::Pull => "pull",
+        ShapeArg::Free => "free",
+    }
+}
+
+/// A load with one bend: from `first` at the start to `last` at the time `rise`, where it stays.
+struct Load<F> {
+    excitation: Excitation,
+    first: F,
+    last: F,
+    rise: F,
+}
+
+impl<F: Value> Load<F> {
+    fn read(
+        args: &SimulateArgs,
+        shape: ShapeArg,
+        given: &Given<F>,
+        (duration, positive): (F, &impl Fn(&str, &Option<String>, Kind) -> Result<F, Failure>),
+    ) -> Result<Self, Failure> {
+        let name = format!("--shape {}", named(shape));
+        let zero = F::int(0);
+        let left_out = [
+            ("--rise", args.rise.is_some() && shape != ShapeArg::Ramp),
+            ("--speed", args.speed.is_some() && shape != ShapeArg::Pull),
+        ];
+        if let Some((option, _)) = left_out.into_iter().find(|(_, is_wrong)| *is_wrong) {
+            return Err(format!("{option}: must be left out with {name}").into());
+        }
+        let drive = given.one_of(Role::Drive)?;
+        let (input, amplitude) = match (shape, drive) {
+            (ShapeArg::Free | ShapeArg::Pull, Some((input, _))) => {
+                return Err(format!("{}: must be left out with {name}", given.label(input)).into());
+            }
+            (ShapeArg::Free, None) => {
+                return Ok(Self { excitation: Excitation::Force, first: zero, last: zero, rise: duration });
+            }
+            (ShapeArg::Pull, None) => {
+                let far = positive("--speed", &args.speed, Kind::Velocity)? * duration;
+                return Ok(Self {
+                    excitation: Excitation::FootMotion,
+                    first: zero,
+                    last: far,
+                    rise: duration,
+                });
+            }
+            (ShapeArg::Sine | ShapeArg::Step | ShapeArg::Ramp, _) => given.amplitude()?,
+        };
+        let excitation = match input {
+            Input::Force => Excitation::Force,
+            Input::FootDisplacement => Excitation::FootMotion,
+            Input::DampedFootDisplacement if shape == ShapeArg::Ramp => Excitation::DampedFootMotion,
+            Input::BaseAcceleration => Excitation::SurfaceAcceleration,
+            _ => {
+                let allowed = "--force, --foot-displacement or --base-acceleration";
+                return Err(format!("{}: must be {allowed} with {name}", given.label(input)).into());
+            }
+        };
+        let (first, rise) = if shape == ShapeArg::Ramp {
+            (zero, positive("--rise", &args.rise, Kind::Time)?)
+        } else {
+            (amplitude, duration)
+        };
+        Ok(Self { excitation, first, last: amplitude, rise })
+    }
+
+    fn at(&self, time: F, shape: ShapeArg) -> F {
+        if time >= self.rise && shape != ShapeArg::Pull {
+            return self.last;
+        }
+        self.first + (self.last - self.first) * (time / self.rise)
+    }
+
+    /// The load up to the duration and a little further, with samples at the rate, at the bend and at the duration.
+    fn record(&self, shape: ShapeArg, duration: F, hertz: Option<F>) -> Result<Record<F>, stickslip::Error> {
+        let mut times = vec![F::int(0)];
+        if let Some(hertz) = hertz {
+            let grid = (1..).map(|i| F::int(i) / hertz).take_while(|time| *time < duration);
+            times.extend(grid);
+        }
+        if self.rise < duration {
+            let place = times.partition_point(|time| *time < self.rise);
+            if times.get(place) != Some(&self.rise) {
+                times.insert(place, self.rise);
+            }
+        }
+        times.extend([duration, duration * F::ratio(65, 64)]);
+        let samples = times.iter().map(|time| self.at(*time, shape)).collect();
+        Ok(Record::at_times(self.excitation, times, samples)?.followed_by(After::Hold))
+    }
+}
+
+/// A row of each sample.
+fn samples_of<F: Value>(
+    motion: &RecordMotion<F>,
+    (duration, hertz): (F, F),
+    (system, has_mass): (System, bool),
+) -> Vec<Row> {
+    let count = (duration * hertz * (F::int(1) + F::int(4) * F::epsilon())).floor().to_f64() as i32;
+    let number = |x: F| Cell::Number(Some(x));
+    let mut states = motion.states.iter().peekable();
+    let rows = (0..=count).filter_map(|i| {
+        let time = F::int(i) / hertz;
+        let last = if time < duration { time } else { duration };
+        while states.peek().is_some_and(|state| state.time < last) {
+            states.next();
+        }
+        let mut found = *states.peek()?;
+        // After an event at this time it is the motion to come.
+        while let Some(state) = states.next_if(|state| state.time == last) {
+            found = state;
+        }
+        let mut values = vec![
+            ("time", Kind::Time, number(last)),
+            ("displacement", Kind::Length, number(found.displacement)),
+            ("velocity", Kind::Velocity, number(found.velocity)),
+            ("acceleration", Kind::Acceleration, number(found.acceleration)),
+        ];
+        values.extend(has_mass.then(|| ("friction_force", Kind::Force, number(found.friction))));
+        Some(Cells::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())
+    });
+    rows.collect()
+}
+
+/// A row of each slide and stick up to the duration.
+fn segments_of<F: Value>(
+    motion: &RecordMotion<F>,
+    (duration, start): (F, [F; 2]),
+    system: System,
+) -> Vec<Row> {
+    let number = |x: F| Cell::Number(Some(x));
+    let zero = F::int(0);
+    // Each beginning: its time, its displacement, its velocity and its direction.
+    let mut beginnings: Vec<(F, F, F, i8)> = Vec::new();
+    let mut events = motion.events.iter().peekable();
+    match events.peek() {
+        Some(event) if event.time <= zero => {}
+        _ => beginnings.push((zero, start[0], start[1], 0)),
+    }
+    for event in events.filter(|event| event.time <= duration) {
+        let velocity = if event.time <= zero { start[1] } else { zero };
+        beginnings.push((event.time, event.displacement, velocity, event.direction));
+    }
+    let last = motion.states.iter().rev().find(|state| state.time <= duration);
+    let at_end = last.map_or(start[0], |state| state.displacement);
+    let ends = beginnings.iter().skip(1).map(|next| (next.0, next.1, Some(next.3)));
+    let ends: Vec<_> = ends.chain([(duration, at_end, None)]).collect();
+    let rows = beginnings.iter().zip(ends).filter(|((from, ..), (to, ..))| to > from);
+    let rows = rows.map(|(&(from, x, v, direction), (to, end, next))| {
+        let kind = match direction {
+            1 => "slide-forward",
+            -1 => "slide-backward",
+            _ => "stick",
+        };
+        let ends_by = match (direction, next) {
+            (_, None) => "end",
+            (0, Some(_)) => "release",
+            (_, Some(0)) => "stop",
+            (_, Some(_)) => "reversal",
+        };
+        let values = vec![
+            ("start_time", Kind::Time, number(from)),
+            ("end_time", Kind::Time, number(to)),
+            ("start_displacement", Kind::Length, number(x)),
+            ("start_velocity", Kind::Velocity, number(v)),
+            ("end_displacement", Kind::Length, number(end)),
+        ];
+        let fields = vec![(KIND, Cell::Text(kind)), (ENDS_BY, Cell::Text(ends_by))];
+        Cells::of(fields).with_physical(Physical::beside(system, values)).shown()
+    });
+    rows.collect()
+}
