@@ -1,6 +1,7 @@
 //! `stickslip identify`: friction and damping from a measured response curve.
 
 mod decay;
+mod motion;
 
 use crate::args::IdentifyArgs;
 use crate::bits::digits;
@@ -33,6 +34,9 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let given = input::read::<f64>(&args.machine, &reader)?;
     if args.decay {
         return decay::run(args, &given, &reader, is_json, out);
+    }
+    if args.motion {
+        return motion::run(args, &given, &reader, is_json, out);
     }
     let question = Asked::of(&given)?;
     let name = args.file.display().to_string();
@@ -139,13 +143,13 @@ fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
 }
 
 /// The columns of a header that are read, and the names of the others.
-fn columns(
+fn columns<const N: usize>(
     header: &StringRecord,
     file: &str,
     reader: &Reader,
-    known: [(&'static str, Kind); 3],
-) -> Result<([Option<Column>; 3], Vec<String>), Failure> {
-    let (mut found, mut others) = ([None, None, None], Vec::new());
+    known: [(&'static str, Kind); N],
+) -> Result<([Option<Column>; N], Vec<String>), Failure> {
+    let (mut found, mut others) = ([const { None }; N], Vec::new());
     for (place, text) in header.iter().enumerate() {
         let (own, unit) = name_and_unit(text);
         let refused = |what: &str| Err(format!("{file}: column {own} {what}").into());

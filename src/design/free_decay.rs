@@ -21,7 +21,7 @@
 //! that explains it. The fit does not know that B and ζ are not negative, so that its intervals contain the truth as often
 //! as they say. An estimate below 0 by chance is given as 0, and one below 0 by more than chance is refused.
 
-mod fit;
+pub(super) mod fit;
 mod guess;
 mod peaks;
 mod samples;

@@ -232,6 +232,20 @@ pub enum Error {
         /// The standard error of one amplitude beside the best fit, relative to it.
         noise: Number,
     },
+    /// A measured motion from which friction and damping do not follow.
+    #[error(
+        "motion: friction and damping do not follow from it. The body must slide, and turn or stop several times"
+    )]
+    MotionNotIdentified,
+    /// A measured motion that no friction and damping explain.
+    #[error(
+        "motion: no friction and damping explain it. The best fit is off by {noise} of the spread of the displacements. The \
+         load must be that of this body, and the mass and the stiffness its own"
+    )]
+    MotionUnexplained {
+        /// The root mean square of the residuals, relative to that of the displacements from their mean.
+        noise: Number,
+    },
     /// A drive whose force changes with the frequency, in a question over a range of frequencies.
     #[error(
         "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the \

@@ -979,3 +979,29 @@ pub(crate) fn watched(
     let found = found.unwrap_or_else(Found::new);
     Recorded { found, end, rest, counts, last: follower.state[0], is_over, creeps }
 }
+
+/// The displacements at the times of a record.
+#[allow(dead_code, reason = "the command's tests include this file, too")]
+pub(crate) fn positions(
+    machine: Machine,
+    load: Load,
+    [times, samples]: [&[f64]; 2],
+    start: [f64; 2],
+    parts: f64,
+) -> Vec<f64> {
+    let equation = Equation { machine, load, law: [[0.0, 1.0], [0.0, 0.0]], surface: 0.0 };
+    let part = machine.period() / parts;
+    let slope = |i: usize| (samples[i + 1] - samples[i]) / (times[i + 1] - times[i]);
+    let mut follower = Follower::new(equation, start, [samples[0], slope(0)], times[0], 1.0);
+    let mut found = vec![start[0]];
+    for i in 0..samples.len() - 1 {
+        let length = times[i + 1] - times[i];
+        let count = (length / part).ceil().max(8.0);
+        follower.set_step(length / count);
+        follower.set_load([samples[i], slope(i)]);
+        follower.time = times[i];
+        (0..count as u64).for_each(|_| follower.advance(&mut None));
+        found.push(follower.state[0]);
+    }
+    found
+}

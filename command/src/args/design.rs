@@ -122,9 +122,10 @@ Examples:
   stickslip identify curve.csv --mass 800kg --period 2.2s --base-acceleration 0.15g
   stickslip identify curve.csv --mass 800kg --period 2.2s --force 1.2kN --amplitude rms --phase transfer-function
   stickslip identify curve.csv --mass 50t --stiffness 1kN/mm --force 12kN --units kN,mm --format json
-  stickslip identify curve.csv --mass 800kg --force 1.2kN")]
+  stickslip identify curve.csv --mass 800kg --force 1.2kN
+  stickslip identify --motion test.csv --mass 800kg --stiffness 12kN/m")]
 pub(crate) struct IdentifyArgs {
-    /// CSV of a measured response curve, or of a free decay, - for standard input
+    /// CSV of a measured response curve, of a free decay, or of a load and a motion, - for standard input
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     #[command(flatten)]
@@ -140,6 +141,10 @@ pub(crate) struct IdentifyArgs {
     /// The file is a free decay: columns time and displacement, or peak and optionally time. No machine is needed
     #[arg(long)]
     pub(crate) decay: bool,
+    /// The file is a measured load and the motion under it: columns time, displacement, and force, acceleration or
+    /// foot-displacement. Needs the mass and the spring
+    #[arg(long, conflicts_with = "decay")]
+    pub(crate) motion: bool,
     /// With --decay: the peaks are those of both sides without their signs. Otherwise peaks of one sign are one in every
     /// cycle, and peaks whose signs alternate one in every half cycle
     #[arg(long, requires = "decay")]

@@ -44,6 +44,7 @@ map | RATIOS | DRIVEN | quantity m:units out overwrite title size range
 response-curve | omega alpha damping-ratio | omega alpha BODY frequency DRIVE | what m:units out overwrite title size x_range y_range linear
 motion-plot | RATIOS | DRIVEN | x0 v0 m:units out overwrite title size
 identify | | MASS SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
+identify | | MASS SPRING gravity | file motion format units
 identify | decay half_cycles | decay half_cycles MASS SPRING gravity | file format units
 record | | BODY yield-acceleration STATIC mean-force | file no_spring slope one_way time_step column skip record_units scale from to after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
 spectrum | | BODY yield-acceleration STATIC mean-force | files no_spring slope one_way time_step column skip record_units scale from to after units format out resume shard header no_header picture title size overwrite

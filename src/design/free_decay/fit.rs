@@ -10,18 +10,18 @@ pub(super) const EXACT: f64 = 1e-14;
 
 /// A least-squares fit.
 #[derive(Debug, Clone)]
-pub(super) struct Fit {
+pub(in crate::design) struct Fit {
     /// The parameters.
-    pub(super) at: Vec<f64>,
+    pub(in crate::design) at: Vec<f64>,
     /// The covariance over the variance of one measurement, by rows.
     covariance: Vec<Vec<f64>>,
-    pub(super) sum: f64,
-    pub(super) residuals: Vec<f64>,
+    pub(in crate::design) sum: f64,
+    pub(in crate::design) residuals: Vec<f64>,
 }
 
 impl Fit {
     /// The best fit from several starts, if one of them leads to any; it ends where a step gains less than a part of the sum.
-    pub(super) fn best(
+    pub(in crate::design) fn best(
         measured: &[f64],
         model: &impl Fn(&[f64]) -> Vec<f64>,
         starts: &[Vec<f64>],
@@ -37,17 +37,17 @@ impl Fit {
         fits.min_by(|a, b| a.sum.total_cmp(&b.sum))
     }
 
-    pub(super) fn degrees_of_freedom(&self) -> f64 {
+    pub(in crate::design) fn degrees_of_freedom(&self) -> f64 {
         self.residuals.len().saturating_sub(self.at.len()).max(1) as f64
     }
 
     /// The standard error of one measurement.
-    pub(super) fn noise(&self) -> f64 {
+    pub(in crate::design) fn noise(&self) -> f64 {
         (self.sum / self.degrees_of_freedom()).sqrt()
     }
 
     /// The standard error of a parameter.
-    fn error(&self, i: usize) -> f64 {
+    pub(in crate::design) fn error(&self, i: usize) -> f64 {
         self.covariance.get(i).and_then(|row| row.get(i)).map_or(f64::NAN, |v| v.sqrt()) * self.noise()
     }
 
@@ -58,7 +58,7 @@ impl Fit {
     }
 
     /// The correlation of neighbouring residuals, where it is above chance, and otherwise 0.
-    pub(super) fn correlation(&self) -> f64 {
+    pub(in crate::design) fn correlation(&self) -> f64 {
         let pairs = self.residuals.iter().zip(self.residuals.iter().skip(1));
         let found = pairs.map(|(a, b)| a * b).sum::<f64>() / self.sum;
         if found > 3.0 / (self.residuals.len() as f64).sqrt() { found } else { 0.0 }
@@ -84,7 +84,7 @@ impl Alike {
         Some(Self { fits, wider: ((1.0 + correlation) / (1.0 - correlation)).sqrt() })
     }
 
-    pub(super) fn best(&self) -> &Fit {
+    pub(in crate::design) fn best(&self) -> &Fit {
         &self.fits[0].1
     }
 

@@ -1,0 +1,232 @@
+//! Friction and damping from a measured load and the motion under it.
+//!
+//! The motion of a body with the friction r and the damping ratio ζ under the load is exact ([`crate::motion::record`]), so
+//! that measured less computed displacements have no error of a method. Their squares are least at the estimates of r, ζ, the
+//! displacement at which the spring is relaxed, and the start. The fit does not know that r and ζ are not negative: beyond 0
+//! the motion goes on in a straight line, x(−r) = 2 x(0) − x(r).
+
+use super::free_decay::fit::Fit;
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::ratios::{finite, positive};
+use crate::motion::record::{Body, Record};
+use crate::uncertainty::Estimate;
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
+
+/// Friction and damping estimated from a load and the motion under it.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+#[must_use]
+pub struct MotionIdentified {
+    /// The friction r_y.
+    pub friction: Estimate,
+    /// The damping ratio ζ.
+    pub damping_ratio: Estimate,
+    /// The displacement, as it was measured, at which the spring is relaxed under no load.
+    pub offset: Estimate,
+    /// The displacement at the start, as it would have been measured without noise.
+    pub start_displacement: Estimate,
+    /// The velocity at the start; `None` where the body starts at rest.
+    pub start_velocity: Option<Estimate>,
+    /// The standard error of one displacement, estimated from the residuals.
+    pub noise: f64,
+    /// Measured minus computed, of each displacement.
+    pub residuals: Vec<f64>,
+}
+
+/// The places of the parameters.
+const FRICTION: usize = 0;
+const ZETA: usize = 1;
+const OFFSET: usize = 2;
+const PLACE: usize = 3;
+const VELOCITY: usize = 4;
+
+/// The least number of samples.
+const LEAST: usize = 20;
+/// The frictions of the starts, as parts of the greatest force on the body.
+const FRICTIONS: [f64; 5] = [0.02, 0.08, 0.2, 0.4, 0.7];
+/// The damping ratios of the starts.
+const DAMPINGS: [f64; 3] = [0.003, 0.03, 0.15];
+/// The starts from which the descent begins.
+const STARTS: usize = 3;
+/// The gain of a step, as a part of the sum of squares, below which the descent ends.
+const TOLERANCE: f64 = 1e-12;
+/// The rise of the sum of squares, over its standard error, with which a start at rest is not refused.
+const CHANCE: f64 = 12.0;
+/// The noise over the spread of the displacements above which the model explains nothing.
+const MOST_NOISE: f64 = 0.5;
+
+/// The friction and the damping ratio of a body of this mass on a spring of this stiffness, from a measured load and the
+/// displacements at the times of its samples.
+///
+/// Friction is one, static and kinetic. The displacements may be from any zero, and a constant error of the load is a part of
+/// this offset. Errors of the displacements count as independent and normal; where neighbouring residuals are alike, the
+/// intervals are wider accordingly. The load counts as exact.
+///
+/// # Errors
+/// Where the mass or the stiffness is not > 0, the displacements are not as many as the samples, fewer than 20, or not finite;
+/// [`Error::MotionNotIdentified`] where friction and damping do not follow from them, as from a body at rest;
+/// [`Error::MotionUnexplained`] where no friction and damping explain them.
+pub fn identify_motion(
+    mass: f64,
+    stiffness: f64,
+    load: &Record<f64>,
+    displacements: &[f64],
+) -> Result<MotionIdentified, Error> {
+    let (mass, stiffness) = (positive(Quantity::Mass, mass)?, positive(Quantity::Stiffness, stiffness)?);
+    let (found, expected) = (displacements.len(), load.samples().len());
+    if found != expected {
+        return Err(Error::LengthMismatch { name: "displacements", found, expected });
+    }
+    if found < LEAST {
+        return Err(Error::TooFewSamples { count: found });
+    }
+    for (index, &x) in displacements.iter().enumerate() {
+        finite(Quantity::Displacement, x)
+            .map_err(|error| Error::InMeasurement { index, error: Box::new(error) })?;
+    }
+    let known = Known { mass, stiffness, load };
+    let mean = displacements.iter().sum::<f64>() / found as f64;
+    let spread = (displacements.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / found as f64).sqrt();
+    if !(spread > 0.0 && spread.is_finite()) {
+        return Err(Error::MotionNotIdentified);
+    }
+    let force = load.samples().iter().fold(stiffness * spread, |most, sample| {
+        let force = if load.excitation().carries_surface() { mass } else { 1.0 };
+        let force = if load.excitation().moves_foot() { stiffness } else { force };
+        most.max((force * sample).abs())
+    });
+    let natural = (stiffness / mass).sqrt();
+    let scales = [force, 1.0, spread, spread, spread * natural];
+    let first = displacements.first().copied().unwrap_or_default();
+    let rough = known.rough_velocity(displacements);
+    let fit = |moves: bool| {
+        let count = if moves { VELOCITY + 1 } else { VELOCITY };
+        let mut starts = Vec::new();
+        for friction in FRICTIONS {
+            for zeta in DAMPINGS {
+                for offset in [0.0, mean] {
+                    let mut at = vec![friction * force, zeta, offset, first, rough];
+                    at.truncate(count);
+                    let model = known.model(&at);
+                    let sum: f64 = model.iter().zip(displacements).map(|(c, m)| (m - c) * (m - c)).sum();
+                    if sum.is_finite() {
+                        starts.push((sum, at));
+                    }
+                }
+            }
+        }
+        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let starts: Vec<_> = starts.into_iter().take(STARTS).map(|(_, at)| at).collect();
+        Fit::best(displacements, &|at: &[f64]| known.model(at), &starts, scales.get(..count)?, TOLERANCE)
+    };
+    let (rests, moves) = (fit(false), fit(true));
+    let found = match (rests, moves) {
+        (Some(rests), Some(moves)) => {
+            let alike = rests.sum <= moves.sum * (1.0 + CHANCE / moves.degrees_of_freedom());
+            if alike { rests } else { moves }
+        }
+        (Some(fit), None) | (None, Some(fit)) => fit,
+        (None, None) => return Err(Error::MotionNotIdentified),
+    };
+    let noise = found.noise();
+    if noise > MOST_NOISE * spread {
+        return Err(Error::MotionUnexplained { noise: written(noise / spread) });
+    }
+    let correlation = found.correlation().min(0.98);
+    let wider = ((1.0 + correlation) / (1.0 - correlation)).sqrt();
+    let any = |place: usize| {
+        Some(Estimate {
+            value: *found.at.get(place)?,
+            standard_error: wider * found.error(place),
+            degrees_of_freedom: found.degrees_of_freedom(),
+            range: (f64::NEG_INFINITY, f64::INFINITY),
+        })
+    };
+    let not_negative = |place: usize| {
+        let estimate = any(place)?;
+        Some(Estimate { value: estimate.value.max(0.0), range: (0.0, f64::INFINITY), ..estimate })
+    };
+    let all = || {
+        Some(MotionIdentified {
+            friction: not_negative(FRICTION)?,
+            damping_ratio: not_negative(ZETA)?,
+            offset: any(OFFSET)?,
+            start_displacement: any(PLACE)?,
+            start_velocity: any(VELOCITY),
+            noise,
+            residuals: found.residuals.clone(),
+        })
+    };
+    all().filter(|found| found.friction.standard_error.is_finite()).ok_or(Error::MotionNotIdentified)
+}
+
+/// What is known of the body, and its load.
+struct Known<'a> {
+    mass: f64,
+    stiffness: f64,
+    load: &'a Record<f64>,
+}
+
+impl Known<'_> {
+    /// The computed displacements at the times of the load; not numbers where there is no motion.
+    fn model(&self, at: &[f64]) -> Vec<f64> {
+        // Beyond 0 in a straight line: the part of each size, with its sign.
+        let value = |place: usize| at.get(place).copied().unwrap_or(0.0);
+        let (friction, zeta) = (value(FRICTION), value(ZETA));
+        let mut parts = vec![(1.0, friction.abs(), zeta.abs())];
+        if friction < 0.0 {
+            parts = vec![(2.0, 0.0, zeta.abs()), (-1.0, -friction, zeta.abs())];
+        }
+        if zeta < 0.0 {
+            let mirrored = parts.iter().flat_map(|&(part, r, z)| [(2.0 * part, r, 0.0), (-part, r, z)]);
+            parts = mirrored.collect();
+        }
+        let mut sum = vec![0.0; self.load.samples().len()];
+        for (part, r, z) in parts {
+            let found = self.displacements(r, z, value(OFFSET), [value(PLACE), value(VELOCITY)]);
+            for (i, total) in sum.iter_mut().enumerate() {
+                *total += part * found.as_ref().and_then(|found| found.get(i)).copied().unwrap_or(f64::NAN);
+            }
+        }
+        sum
+    }
+
+    fn displacements(&self, friction: f64, zeta: f64, offset: f64, [x, v]: [f64; 2]) -> Option<Vec<f64>> {
+        let damping = 2.0 * zeta * (self.stiffness * self.mass).sqrt();
+        let body = Body::new(self.mass, friction).ok()?.with_stiffness(self.stiffness).ok()?;
+        let body = body.with_damping(damping).ok()?.with_mean_force(self.stiffness * offset).ok()?;
+        let length = self.load.end() - self.load.time(0);
+        let motion = body.motion(self.load, x, v, length).ok()?;
+        let mut states = motion.states.iter().peekable();
+        let (mut found, mut last) = (Vec::new(), (self.load.time(0), x));
+        for index in 0..self.load.samples().len() {
+            let time = self.load.time(index);
+            while let Some(state) = states.next_if(|state| state.time <= time) {
+                last = (state.time, state.displacement);
+            }
+            found.push(if last.0 < time && time >= self.load.end() {
+                motion.answer.end_displacement
+            } else {
+                last.1
+            });
+        }
+        Some(found)
+    }
+
+    /// The slope of the first samples.
+    fn rough_velocity(&self, displacements: &[f64]) -> f64 {
+        let count = (displacements.len() / 50).clamp(3, 10);
+        let places: Vec<_> = (0..count).map(|i| self.load.time(i)).zip(displacements).collect();
+        let n = places.len() as f64;
+        let (t, x) = places.iter().fold((0.0, 0.0), |(t, x), (a, b)| (t + a / n, x + **b / n));
+        let (over, under) = places.iter().fold((0.0, 0.0), |(over, under), (a, b)| {
+            (over + (a - t) * (**b - x), under + (a - t) * (a - t))
+        });
+        if under > 0.0 { over / under } else { 0.0 }
+    }
+}
