@@ -55,6 +55,7 @@ impl Columns {
             damping: or(self.damping.as_ref(), 0.0),
             static_friction: or(self.static_friction.as_ref(), 1.0),
             n: self.omega.len(),
+            start: [Values::One(0.0, &[]); 3],
         }
     }
 }

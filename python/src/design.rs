@@ -1,62 +1,141 @@
 //! Design of a machine, its identification from a measured curve, and figures.
 
-use crate::machine::{Body, body, excitation};
+use crate::machine::{Bodies, Body, body, excitation};
+use crate::points::{Given, Values};
 use crate::refused;
-use interrupt::left_behind;
-use numpy::PyReadonlyArray1;
+use interrupt::{interruptible, left_behind};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use rayon::prelude::*;
 use stickslip::design::{
-    self, Aim, AmplitudeKind, Edge, Measurement, OptimumKind, PhaseKind, Reading, TurningPoints,
+    self, Aim, AmplitudeKind, Edge, Holding, Measurement, OptimumKind, PhaseKind, Reading, TurningPoints,
 };
 use stickslip::uncertainty::Estimate;
-use stickslip::{Drive, Error};
+use stickslip::{Drive, Error, Excitation, Oscillator};
 use stickslip_figures as figures;
 
-/// The minimum amplitude of an excitation at which the body does not stick, at a given frequency.
-#[pyfunction]
-fn min_amplitude(of: Body, kind: &str, angular_frequency: f64) -> PyResult<f64> {
-    let kind = excitation(kind)?;
-    body(of).and_then(|body| design::min_amplitude(&body, kind, angular_frequency)).map_err(refused)
+/// A question of design about one body under one drive, with an answer in a few numbers.
+#[derive(Clone, Copy)]
+enum Question {
+    MinAmplitude,
+    MaxFriction,
+    BestFriction,
+    BestFrictionOfAll,
+    ForceForDisplacement,
+    ForceForVelocity,
+    Holding,
 }
 
-/// The force whose cycle has a given maximum displacement or velocity.
+impl Question {
+    const ALL: [(&str, Self); 7] = [
+        ("min_amplitude", Self::MinAmplitude),
+        ("max_friction", Self::MaxFriction),
+        ("best_friction", Self::BestFriction),
+        ("best_friction_of_all", Self::BestFrictionOfAll),
+        ("force_for_displacement", Self::ForceForDisplacement),
+        ("force_for_velocity", Self::ForceForVelocity),
+        ("hold", Self::Holding),
+    ];
+
+    /// The answer: its numbers, and the number of a word.
+    fn answer(
+        self,
+        body: &Oscillator<f64>,
+        kind: Excitation,
+        target: f64,
+        frequency: f64,
+    ) -> Result<([f64; 3], u8), Error> {
+        let drive = || Drive::new(kind, target, frequency);
+        let alone = |value| ([value, f64::NAN, f64::NAN], 0);
+        let of_kind = |kind| match kind {
+            OptimumKind::Interior => 0,
+            OptimumKind::Border => 1,
+            _ => 2,
+        };
+        Ok(match self {
+            Self::MinAmplitude => alone(design::min_amplitude(body, kind, frequency)?),
+            Self::MaxFriction => alone(design::max_friction(body, &drive()?)?),
+            Self::BestFriction => {
+                let best = design::most_dissipating_friction(body, &drive()?)?;
+                ([best.at, best.value, f64::NAN], of_kind(best.kind))
+            }
+            Self::BestFrictionOfAll => {
+                let best = design::most_dissipating_friction_of_all(body, &drive()?, 1e-4)?;
+                ([best.at, best.value, best.bound], of_kind(best.kind))
+            }
+            Self::ForceForDisplacement => alone(design::force_for_displacement(body, frequency, target)?),
+            Self::ForceForVelocity => alone(design::force_for_velocity(body, frequency, target)?),
+            Self::Holding => match design::holding_frequency(body, &drive()?)? {
+                Holding::UpTo(frequency) => alone(frequency),
+                Holding::Always => alone(f64::INFINITY),
+                _ => alone(0.0),
+            },
+        })
+    }
+}
+
+/// The answers to a question of design at `n` places, each of a body, of an amplitude, a displacement or a velocity, and of an
+/// angular frequency: three columns of numbers, and the number of a word. A place outside the domain has NaN if it is one of
+/// `many`.
 #[pyfunction]
-fn force_for(of: Body, angular_frequency: f64, target: f64, is_velocity: bool) -> PyResult<f64> {
-    let force = |body| {
-        if is_velocity {
-            design::force_for_velocity(&body, angular_frequency, target)
-        } else {
-            design::force_for_displacement(&body, angular_frequency, target)
-        }
-    };
-    body(of).and_then(force).map_err(refused)
+#[expect(clippy::too_many_arguments, reason = "the question and where it is asked")]
+fn design_each<'py>(
+    py: Python<'py>,
+    question: &str,
+    of: [Given<'py>; 6],
+    excited: &str,
+    target: Given<'py>,
+    frequency: Given<'py>,
+    n: usize,
+    many: bool,
+) -> PyResult<([Bound<'py, PyArray1<f64>>; 3], Bound<'py, PyArray1<u8>>)> {
+    let (_, asked) = kind("question", question, &Question::ALL, |(name, _)| name)?;
+    let (bodies, excited) = (Bodies::of(&of)?, excitation(excited)?);
+    let (target, frequency) = (Values::of(&target)?, Values::of(&frequency)?);
+    let found = interruptible(py, |stop| {
+        (0..n)
+            .into_par_iter()
+            .map(|place| {
+                let at = bodies.at(place).zip(target.at(place).zip(frequency.at(place)));
+                let Some((body, (target, frequency))) = at else { return Err(Error::Interrupted) };
+                if stop.asked().is_break() {
+                    return Err(Error::Interrupted);
+                }
+                match body.and_then(|body| asked.answer(&body, excited, target, frequency)) {
+                    Err(_) if many => Ok(([f64::NAN; 3], u8::MAX)),
+                    answer => answer,
+                }
+            })
+            .collect::<Result<Vec<_>, Error>>()
+    })?;
+    let found = found.map_err(refused)?;
+    let numbers = [0, 1, 2].map(|part: usize| {
+        let column = found.iter().map(|(numbers, _)| numbers.get(part).copied().unwrap_or(f64::NAN));
+        column.collect::<Vec<_>>().into_pyarray(py)
+    });
+    Ok((numbers, found.iter().map(|(_, word)| *word).collect::<Vec<_>>().into_pyarray(py)))
+}
+
+/// The friction bounds with which the steady motion has a greatest displacement: bound, regime and displacement.
+#[pyfunction]
+fn frictions_for_displacement(
+    py: Python<'_>,
+    of: Body,
+    kind: &str,
+    amplitude: f64,
+    angular_frequency: f64,
+    target: f64,
+) -> PyResult<Vec<(f64, &'static str, f64)>> {
+    let (drive, body) = (drive(kind, amplitude, angular_frequency)?, body(of).map_err(refused)?);
+    let found = left_behind(py, move || design::frictions_for_displacement(&body, &drive, target))?;
+    let found = found.map_err(refused)?;
+    Ok(found.into_iter().map(|own| (own.friction, own.regime.name(), own.max_displacement)).collect())
 }
 
 /// The drive of a body by kind, amplitude and angular frequency.
 fn drive(kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<Drive<f64>> {
     Drive::new(excitation(kind)?, amplitude, angular_frequency).map_err(refused)
-}
-
-/// The maximum friction bound with which the body does not stick.
-#[pyfunction]
-fn max_friction(of: Body, kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<f64> {
-    let drive = drive(kind, amplitude, angular_frequency)?;
-    body(of).and_then(|body| design::max_friction(&body, &drive)).map_err(refused)
-}
-
-/// The friction bound that dissipates most, the energy of a cycle, and the kind of optimum.
-#[pyfunction]
-fn best_friction(
-    of: Body,
-    kind: &str,
-    amplitude: f64,
-    angular_frequency: f64,
-) -> PyResult<(f64, f64, &'static str)> {
-    let drive = drive(kind, amplitude, angular_frequency)?;
-    let best = body(of).and_then(|body| design::most_dissipating_friction(&body, &drive)).map_err(refused)?;
-    let why = if best.kind == OptimumKind::Interior { "interior" } else { "border" };
-    Ok((best.at, best.value, why))
 }
 
 /// The bands of angular frequency without sticking: both ends, and whether each is an end of the requested
@@ -151,14 +230,16 @@ fn kind<K: Copy>(argument: &str, text: &str, kinds: &[K], name: impl Fn(K) -> &'
 fn identify<'py>(
     py: Python<'py>,
     of: Body,
-    force: f64,
+    force: Option<f64>,
     angular_frequency: PyReadonlyArray1<'py, f64>,
     amplitude: PyReadonlyArray1<'py, f64>,
     phase: Option<PyReadonlyArray1<'py, f64>>,
     amplitude_kind: &str,
     phase_kind: Option<&str>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let body = body(of).map_err(refused)?;
+    // Without a stiffness the natural frequency is fitted, too; without a force its amplitude.
+    let mass = of.1.is_nan().then_some(of.0);
+    let body = body(if mass.is_some() { (of.0, 1.0, of.2, of.3, of.4, of.5) } else { of }).map_err(refused)?;
     let phase = phase.as_ref().map(|p| p.as_slice()).transpose()?;
     let points = angular_frequency.as_slice()?.iter().zip(amplitude.as_slice()?).enumerate();
     let curve: Vec<Measurement> = points
@@ -174,9 +255,23 @@ fn identify<'py>(
         amplitude: kind("amplitude_kind", amplitude_kind, &amplitudes, AmplitudeKind::name)?,
         phase: phase_kind.map(|text| kind("phase_kind", text, &phases, PhaseKind::name)).transpose()?,
     };
-    let work = move || design::identify_as(&body, force, &curve, reading);
-    let found = left_behind(py, work)?.map_err(refused)?;
+    let work = move || match (mass, force) {
+        (None, Some(force)) => Ok((design::identify_as(&body, force, &curve, reading)?, None)),
+        (None, None) => {
+            let (found, force) = design::identify_force(&body, &curve, reading)?;
+            Ok((found, Some(("force", force))))
+        }
+        (Some(mass), force) => {
+            let force = force.unwrap_or(f64::NAN);
+            let (found, natural) = design::identify_natural_frequency(mass, force, &curve, reading)?;
+            Ok::<_, Error>((found, Some(("natural_angular_frequency", natural))))
+        }
+    };
+    let (found, fitted) = left_behind(py, work)?.map_err(refused)?;
     let dict = PyDict::new(py);
+    if let Some((name, estimate)) = fitted {
+        dict.set_item(name, (estimate.value, estimate.standard_error, estimate.interval()))?;
+    }
     for (name, estimate) in [("friction", found.friction_bound), ("damping_ratio", found.damping_ratio)] {
         dict.set_item(name, (estimate.value, estimate.standard_error, estimate.interval()))?;
     }
@@ -209,10 +304,8 @@ fn figure(py: Python<'_>, name: &str) -> PyResult<(String, String, String)> {
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("FIGURES", figures::NAMES.to_vec())?;
-    module.add_function(wrap_pyfunction!(min_amplitude, module)?)?;
-    module.add_function(wrap_pyfunction!(max_friction, module)?)?;
-    module.add_function(wrap_pyfunction!(best_friction, module)?)?;
-    module.add_function(wrap_pyfunction!(force_for, module)?)?;
+    module.add_function(wrap_pyfunction!(design_each, module)?)?;
+    module.add_function(wrap_pyfunction!(frictions_for_displacement, module)?)?;
     module.add_function(wrap_pyfunction!(bands, module)?)?;
     module.add_function(wrap_pyfunction!(best_friction_over, module)?)?;
     module.add_function(wrap_pyfunction!(identify, module)?)?;

@@ -3,6 +3,7 @@
 use crate::points::{self, Values};
 use crate::refused;
 use crate::table::Table;
+use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
@@ -57,6 +58,22 @@ fn system(reader: &Reader, units: Option<&str>) -> Option<String> {
     (units.is_some() || reader.has_converted()).then(|| reader.system().to_string())
 }
 
+/// The body of the given values, and its damping ratio if it was given.
+fn of_given(given: &Given<f64>) -> Result<(Body, Option<f64>), InputError> {
+    let forward = given.friction()?.unwrap_or(f64::NAN);
+    let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
+    let body = if forward == 0.0 && given.has_role(Role::Spring) {
+        // The linear oscillator, for records: what needs friction refuses it.
+        let body = record::Body::given(given, None)?;
+        (body.mass(), body.stiffness(), forward, backward, body.damping(), body.static_friction_ratio())
+    } else {
+        let body = given.oscillator()?;
+        let (damping, ratio) = (body.damping(), body.static_friction_ratio());
+        (body.mass(), body.stiffness(), forward, backward, damping, ratio)
+    };
+    Ok((body, given.get(Input::DampingRatio)))
+}
+
 /// The body of the given values, the damping ratio if it was given, and the system of units.
 #[pyfunction]
 fn machine(
@@ -64,18 +81,78 @@ fn machine(
     units: Option<&str>,
 ) -> PyResult<(Body, Option<f64>, Option<String>)> {
     let (given, system) = given(values, units)?;
-    let forward = given.friction().map_err(refused)?.unwrap_or(f64::NAN);
-    let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
-    let body = if forward == 0.0 && given.has_role(Role::Spring) {
-        // The linear oscillator, for records: what needs friction refuses it.
-        let body = record::Body::given(&given, None).map_err(refused)?;
-        (body.mass(), body.stiffness(), forward, backward, body.damping(), body.static_friction_ratio())
-    } else {
-        let body = given.oscillator().map_err(refused)?;
-        let (damping, ratio) = (body.damping(), body.static_friction_ratio());
-        (body.mass(), body.stiffness(), forward, backward, damping, ratio)
+    let (body, ratio) = of_given(&given).map_err(refused)?;
+    Ok((body, ratio, system))
+}
+
+/// The names of the columns of [`machines`].
+const OF_BODY: [&str; 7] = [
+    "mass",
+    "stiffness",
+    "friction",
+    "friction_backward",
+    "damping",
+    "static_friction_ratio",
+    "damping_ratio",
+];
+
+/// `n` bodies, each of the given values with those of the columns in the place of their own. A body outside the domain, or of
+/// a number that is none, has NaN throughout. Values that make no body at all are an error.
+pub(crate) fn each_given<const K: usize>(
+    mut given: Given<f64>,
+    columns: &[(String, PyReadonlyArray1<'_, f64>)],
+    n: usize,
+    of: impl Fn(&Given<f64>) -> Result<[f64; K], InputError>,
+) -> PyResult<[Vec<f64>; K]> {
+    let column = |(name, array): &(String, PyReadonlyArray1<'_, f64>)| {
+        let input = Input::named(name).ok_or_else(|| refused(format!("{name}: is unknown")))?;
+        Ok::<_, PyErr>((input, array.as_slice()?.to_vec()))
     };
-    Ok((body, given.get(Input::DampingRatio), system))
+    let columns = columns.iter().map(column).collect::<PyResult<Vec<_>>>()?;
+    let mut found = [const { Vec::new() }; K];
+    let mut is_any = false;
+    for place in 0..n {
+        let mut is_number = true;
+        for (input, column) in &columns {
+            let value = column.get(place).copied().unwrap_or(f64::NAN);
+            is_number &= !value.is_nan();
+            given.set(*input, value);
+        }
+        let row = of(&given).ok().filter(|_| is_number);
+        is_any |= row.is_some();
+        for (column, value) in found.iter_mut().zip(row.unwrap_or([f64::NAN; K])) {
+            column.push(value);
+        }
+    }
+    if !is_any {
+        // Values that no body can have together are refused; those outside the domain are not.
+        for (input, _) in &columns {
+            given.set(*input, if *input == Input::StaticFriction { 1e300 } else { 1.0 });
+        }
+        of(&given).map_err(refused)?;
+    }
+    Ok(found)
+}
+
+/// Bodies as columns, of values as texts and, in place of some of these, of columns of bare numbers.
+#[pyfunction]
+fn machines<'py>(
+    py: Python<'py>,
+    values: Vec<(String, String)>,
+    columns: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    n: usize,
+    units: Option<&str>,
+) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
+    let (given, system) = given(values, units)?;
+    let found = each_given(given, &columns, n, |given| {
+        let ((mass, stiffness, forward, backward, damping, eta), zeta) = of_given(given)?;
+        Ok([mass, stiffness, forward, backward, damping, eta, zeta.unwrap_or(f64::NAN)])
+    })?;
+    let mut table = Table::default();
+    for (name, column) in OF_BODY.into_iter().zip(found) {
+        table.number(name, column);
+    }
+    Ok((table.into_dict(py)?, system))
 }
 
 /// The excitation of the given values by its keyword, its amplitude and the constant force, and their system of units.
@@ -156,30 +233,65 @@ const OF_DRIVE: [(&str, OfDrive); 16] = [
     ("mean_friction", |under| under.scales.mean_friction),
 ];
 
-/// Ratios or scales of one body under `n` drives, by their names. A drive outside the domain has NaN if it is one of
-/// `many`.
+/// The values of one body or several, in the order of [`Body`].
+pub(crate) struct Bodies<'a>([Values<'a>; 6]);
+
+impl<'a> Bodies<'a> {
+    pub(crate) fn of(given: &'a [points::Given<'_>; 6]) -> PyResult<Self> {
+        let [mass, stiffness, friction, backward, damping, ratio] = given;
+        Ok(Self([
+            Values::of(mass)?,
+            Values::of(stiffness)?,
+            Values::of(friction)?,
+            Values::of(backward)?,
+            Values::of(damping)?,
+            Values::of(ratio)?,
+        ]))
+    }
+
+    /// Whether there is one body for all places.
+    pub(crate) fn is_one(&self) -> bool {
+        self.0.iter().all(|values| matches!(values, Values::One(..)))
+    }
+
+    /// The body at a place.
+    pub(crate) fn at(&self, place: usize) -> Option<Result<Oscillator<f64>, Error>> {
+        let [mass, stiffness, friction, backward, damping, ratio] = self.0.map(|values| values.at(place));
+        Some(body((mass?, stiffness?, friction?, backward?, damping?, ratio?)))
+    }
+}
+
+/// Ratios or scales of bodies under drives of these amplitudes, angular frequencies and mean forces at `n` places, by their
+/// names. A place outside the domain has NaN if it is one of `many`.
 #[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the body, its drives and the question")]
 fn machine_columns<'py>(
     py: Python<'py>,
-    of: Body,
+    of: [points::Given<'py>; 6],
     kind: &str,
-    drives: [points::Given<'py>; 2],
+    drives: [points::Given<'py>; 3],
     n: usize,
     many: bool,
-    mean_force: f64,
     names: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (body, kind) = (body(of).map_err(refused)?, excitation(kind)?);
-    let [amplitude, frequency] = &drives;
-    let (amplitude, frequency) = (Values::of(amplitude)?, Values::of(frequency)?);
+    let (bodies, kind) = (Bodies::of(&of)?, excitation(kind)?);
+    let [amplitude, frequency, mean_force] = &drives;
+    let amplitude = Values::of(amplitude)?;
+    let (frequency, mean_force) = (Values::of(frequency)?, Values::of(mean_force)?);
     let chosen: Vec<_> = OF_DRIVE.iter().filter(|(name, _)| names.iter().any(|own| own == name)).collect();
     let mut columns: Vec<_> = chosen.iter().map(|_| Vec::with_capacity(n)).collect();
+    let one = bodies.is_one().then(|| bodies.at(0)).flatten().transpose().map_err(refused)?;
     let filled = py.detach(|| {
-        for (amplitude, frequency) in (0..n).filter_map(|i| Some((amplitude.at(i)?, frequency.at(i)?))) {
+        for place in 0..n {
+            let at = || Some((amplitude.at(place)?, frequency.at(place)?, mean_force.at(place)?));
+            let (Some((amplitude, frequency, mean_force)), Some(body)) =
+                (at(), one.map(Ok).or_else(|| bodies.at(place)))
+            else {
+                continue;
+            };
             let drive =
                 Drive::new(kind, amplitude, frequency).and_then(|drive| drive.with_mean_force(mean_force));
-            let under = match drive.and_then(|drive| Under::new(&body, drive)) {
+            let bodies = body.as_ref().map_err(Clone::clone);
+            let under = match bodies.and_then(|body| Under::new(body, drive?)) {
                 Err(error) if !many => return Err(error),
                 under => under.ok(),
             };
@@ -235,6 +347,7 @@ fn physical_outputs(
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("EXCITATIONS", excitations())?;
     module.add_function(wrap_pyfunction!(machine, module)?)?;
+    module.add_function(wrap_pyfunction!(machines, module)?)?;
     module.add_function(wrap_pyfunction!(drive, module)?)?;
     module.add_function(wrap_pyfunction!(read_values, module)?)?;
     module.add_function(wrap_pyfunction!(unit_of, module)?)?;

@@ -3,7 +3,7 @@
 use crate::closed_forms::{REGIMES, under};
 use crate::columns::{self, Kind, Places, Row, Store, Target, halves, named};
 use crate::machine::excitation;
-use crate::points::{Given, Point, Points, ratios};
+use crate::points::{Given, Point, Points, Values, ratios};
 use crate::refused;
 use crate::table::Table;
 use core::ops::ControlFlow;
@@ -174,15 +174,17 @@ fn steady_into<'py>(
     kind: Option<&str>,
     outputs: Vec<String>,
     mut arrays: Vec<Target<'py>>,
-    start: Start,
+    start: [Given<'py>; 3],
     max_periods: u32,
 ) -> PyResult<()> {
     let kind = kind.map(excitation).transpose()?;
-    let points = Points::of(&points, n)?;
+    let points = Points::of(&points, n)?.from(&start)?;
     let places = Places::of(rows(&outputs)?, &mut arrays, n)?;
-    // An invalid start is one error; it does not mark every point as invalid.
-    State::new(start.0, start.1, start.2).map_err(refused)?;
-    interruptible(py, |stop| fill(points, places, kind, start, max_periods, stop))?.map_err(refused)
+    // An invalid start of all motions is one error; it does not mark every point as invalid.
+    if let Some((phase, x, v)) = points.one_start() {
+        State::new(phase, x, v).map_err(refused)?;
+    }
+    interruptible(py, |stop| fill(points, places, kind, max_periods, stop))?.map_err(refused)
 }
 
 /// The outputs at the given points, in memory of their own.
@@ -194,7 +196,9 @@ pub(crate) fn stored(
     stop: &Stop,
 ) -> Result<Store<Column>, Error> {
     let mut store = Store::new(rows.to_vec(), points.n);
-    fill(points, store.places(), None, start, max_periods, stop)?;
+    let (phase, x, v) = start;
+    let points = Points { start: [phase, x, v].map(|value| Values::One(value, &[])), ..points };
+    fill(points, store.places(), None, max_periods, stop)?;
     Ok(store)
 }
 
@@ -207,14 +211,13 @@ fn fill(
     points: Points<'_>,
     places: Places<'_, Column>,
     kind: Option<Excitation>,
-    start: Start,
     max_periods: u32,
     stop: &Stop,
 ) -> Result<(), Error> {
     let needs = Needs::of(places.0.iter().map(|(row, _)| row.definition));
     let keep_going = || stop.asked();
     halves(points, places, TASK, stop, &|points, mut places| {
-        for (i, point) in (0..points.n).filter_map(|i| Some((i, points.at(i)?))) {
+        for (i, point, start) in (0..points.n).filter_map(|i| Some((i, points.at(i)?, points.start_at(i)?))) {
             let found = match follow(point, kind, start, max_periods, &mut { keep_going }) {
                 Ok(found) => found,
                 Err(error) if error.quantity().is_some() => {
@@ -301,7 +304,8 @@ fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<B
     interruptible(py, work)?.map_err(refused)?.into_dict(py)
 }
 
-/// The motion at evenly spaced phases of the drive.
+/// The motion at evenly spaced phases of the drive: from its start, or from the next whole turn of the drive, whose phase is
+/// then 0.
 #[pyfunction]
 fn samples(
     py: Python<'_>,
@@ -309,9 +313,14 @@ fn samples(
     start: Start,
     cycles: f64,
     per_cycle: u32,
+    whole_turns: bool,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let until = last_phase(start.0, cycles)?;
-    let mut motion = trajectory(point, start)?.samples(per_cycle).map_err(refused)?;
+    use core::f64::consts::{PI, TAU};
+    let first = if whole_turns { TAU * (start.0 / TAU).ceil() } else { start.0 };
+    let until = last_phase(first, cycles)?;
+    let motion = trajectory(point, start)?.samples(per_cycle).map_err(refused)?;
+    // The start is the first sample, wherever it is.
+    let mut motion = if whole_turns { motion } else { motion.from_start() };
     if cycles * f64::from(per_cycle) > MOST_ROWS as f64 {
         return Err(refused(format!(
             "cycles {cycles:?}, samples {per_cycle}: more than {MOST_ROWS} samples"
@@ -319,8 +328,8 @@ fn samples(
     }
     let work = |stop: &Stop| -> Result<Table, String> {
         let mut columns: [Vec<f64>; 4] = Default::default();
-        // A tolerance of half a step keeps the last sample of whole cycles in spite of rounding.
-        let half_step = core::f64::consts::PI / f64::from(per_cycle);
+        // A tolerance of half a step keeps the first and the last sample of whole cycles in spite of rounding.
+        let half_step = PI / f64::from(per_cycle);
         while let Some(instant) = motion.next_while(|| stop.asked()) {
             let instant = match instant {
                 Ok(instant) => instant,
@@ -331,6 +340,10 @@ fn samples(
             if phase > until + half_step || stop.asked().is_break() {
                 break;
             }
+            if phase < first - half_step {
+                continue;
+            }
+            let phase = if whole_turns { phase - first } else { phase };
             for (column, value) in
                 columns.iter_mut().zip([phase, instant.state.x, instant.state.v, instant.friction])
             {
@@ -344,6 +357,26 @@ fn samples(
         Ok(table)
     };
     interruptible(py, work)?.map_err(refused)?.into_dict(py)
+}
+
+/// A state on the limit cycle that a start leads to, and the turns of the drive in a cycle; `None` where the motion tends to
+/// no cycle.
+#[pyfunction]
+fn on_limit(
+    py: Python<'_>,
+    point: Point,
+    kind: Option<&str>,
+    start: Start,
+    max_periods: u32,
+) -> PyResult<Option<(Start, u32)>> {
+    let kind = kind.map(excitation).transpose()?;
+    let found = interruptible(py, |stop| follow(point, kind, start, max_periods, &mut || stop.asked()))?;
+    let found = found.map_err(refused)?;
+    let of = |steady: &SteadyState<f64>| {
+        let State { phase, x, v, .. } = steady.state;
+        ((phase.reduced(), x, v), steady.turns_per_cycle)
+    };
+    Ok(found.limit.steady_state().map(of))
 }
 
 fn trajectory(point: Point, (phase, x, v): Start) -> PyResult<Trajectory<f64>> {
@@ -392,5 +425,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(steady_into, module)?)?;
     module.add_function(wrap_pyfunction!(phases, module)?)?;
     module.add_function(wrap_pyfunction!(samples, module)?)?;
+    module.add_function(wrap_pyfunction!(on_limit, module)?)?;
     module.add_function(wrap_pyfunction!(decay_at, module)?)
 }

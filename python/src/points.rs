@@ -83,6 +83,8 @@ pub(crate) struct Points<'a> {
     pub(crate) alpha: Values<'a>,
     pub(crate) damping: Values<'a>,
     pub(crate) static_friction: Values<'a>,
+    /// Phase, displacement and velocity at the start of a motion.
+    pub(crate) start: [Values<'a>; 3],
     pub(crate) n: usize,
 }
 
@@ -95,23 +97,49 @@ impl<'a> Points<'a> {
             alpha: Values::of(alpha)?,
             damping: Values::of(damping)?,
             static_friction: Values::of(static_friction)?,
+            start: [Values::One(0.0, &[]); 3],
             n,
         };
-        let columns = [points.omega, points.alpha, points.damping, points.static_friction];
-        if columns.into_iter().filter_map(Values::len).any(|len| len != n) {
+        points.checked()
+    }
+
+    /// These points with the starts of their motions.
+    pub(crate) fn from(self, start: &'a [Given<'_>; 3]) -> PyResult<Self> {
+        let [phase, displacement, velocity] = start;
+        Self { start: [Values::of(phase)?, Values::of(displacement)?, Values::of(velocity)?], ..self }.checked()
+    }
+
+    /// These points, if each column has their number.
+    fn checked(self) -> PyResult<Self> {
+        let columns = [self.omega, self.alpha, self.damping, self.static_friction].into_iter().chain(self.start);
+        if columns.filter_map(Values::len).any(|len| len != self.n) {
             return Err(refused("columns of different lengths"));
         }
-        Ok(points)
+        Ok(self)
     }
 
     pub(crate) fn split_at(self, place: usize) -> (Self, Self) {
         let (omega, alpha) = (self.omega.split_at(place), self.alpha.split_at(place));
         let (damping, friction) = (self.damping.split_at(place), self.static_friction.split_at(place));
-        let part =
-            |omega, alpha, damping, static_friction, n| Self { omega, alpha, damping, static_friction, n };
+        let part = |omega, alpha, damping, static_friction, start, n| Self {
+            omega,
+            alpha,
+            damping,
+            static_friction,
+            start,
+            n,
+        };
+        let start = self.start.map(|values| values.split_at(place));
         (
-            part(omega.0, alpha.0, damping.0, friction.0, place),
-            part(omega.1, alpha.1, damping.1, friction.1, self.n.saturating_sub(place)),
+            part(omega.0, alpha.0, damping.0, friction.0, start.map(|start| start.0), place),
+            part(
+                omega.1,
+                alpha.1,
+                damping.1,
+                friction.1,
+                start.map(|start| start.1),
+                self.n.saturating_sub(place),
+            ),
         )
     }
 
@@ -138,6 +166,20 @@ impl<'a> Points<'a> {
     /// The ratios at a point.
     pub(crate) fn at(self, i: usize) -> Option<Point> {
         Some((self.omega.at(i)?, self.alpha.at(i)?, self.damping.at(i)?, self.static_friction.at(i)?))
+    }
+
+    /// The start of the motion at a point.
+    pub(crate) fn start_at(&self, i: usize) -> Option<(f64, f64, f64)> {
+        let [phase, x, v] = self.start;
+        Some((phase.at(i)?, x.at(i)?, v.at(i)?))
+    }
+
+    /// The start of all motions, if it is one.
+    pub(crate) const fn one_start(&self) -> Option<(f64, f64, f64)> {
+        match self.start {
+            [Values::One(phase, _), Values::One(x, _), Values::One(v, _)] => Some((phase, x, v)),
+            _ => None,
+        }
     }
 }
 

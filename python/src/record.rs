@@ -1,16 +1,18 @@
 //! The motion under records.
 
-use crate::machine::given;
+use crate::machine::{each_given, given};
+use crate::points::{self, Values};
 use crate::refused;
 use crate::table::Table;
 use interrupt::{interruptible, left_behind};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use rayon::prelude::*;
 use std::fs::File;
 use std::io::BufReader;
-use stickslip::inputs::Role;
-use stickslip::inputs::units::{Kind, Reader, System};
+use stickslip::inputs::units::{InputError, Kind, Reader, System};
+use stickslip::inputs::{Given, Role};
 use stickslip::motion::record::{After, Body, Entry, FloorResponse, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
 use stickslip_front::record::{self as front, Options, Words};
@@ -135,6 +137,20 @@ fn record_check(
     load(of, times.as_slice()?, samples.as_slice()?, after).map(|record| record.after().name())
 }
 
+/// The numbers of a block of the given values on a surface that falls by `slope`.
+fn of_block(given: &Given<f64>, slope: Option<f64>) -> Result<[f64; 7], InputError> {
+    let body = Body::given(given, slope)?;
+    let (forward, backward) = body.directional_friction();
+    let ratio = body.static_friction_ratio();
+    Ok([body.mass(), 0.0, body.damping(), forward, backward, ratio, body.mean_force()])
+}
+
+/// The slope of a surface.
+fn slope_of(text: Option<&str>, units: Option<&str>) -> PyResult<Option<f64>> {
+    let reader = crate::machine::reader(units)?;
+    text.map(|text| reader.value("slope", text, Kind::Angle)).transpose().map_err(refused)
+}
+
 /// The body of the given values on a surface that falls by `slope`, and its system of units.
 #[pyfunction]
 fn block(
@@ -143,17 +159,44 @@ fn block(
     slope: Option<&str>,
     one_way: bool,
 ) -> PyResult<(Sliding, Option<String>)> {
-    let (given, system) = given(values, units)?;
-    let reader = crate::machine::reader(units)?;
-    let slope = slope.map(|text| reader.value("slope", text, Kind::Angle)).transpose().map_err(refused)?;
+    let ((given, system), slope) = (given(values, units)?, slope_of(slope, units)?);
     if given.has_role(Role::Spring) {
         return Err(refused("a block has no spring: see Machine"));
     }
-    let body = Body::given(&given, slope).map_err(refused)?;
-    let (forward, backward) = body.directional_friction();
-    let ratio = body.static_friction_ratio();
-    let block = (body.mass(), 0.0, body.damping(), forward, backward, ratio, body.mean_force(), one_way);
-    Ok((block, system))
+    let [mass, stiffness, damping, forward, backward, ratio, mean_force] =
+        of_block(&given, slope).map_err(refused)?;
+    Ok(((mass, stiffness, damping, forward, backward, ratio, mean_force, one_way), system))
+}
+
+/// Blocks as columns, of values as texts and, in place of some of these, of columns of bare numbers.
+#[pyfunction]
+fn blocks<'py>(
+    py: Python<'py>,
+    values: Vec<(String, String)>,
+    columns: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    n: usize,
+    units: Option<&str>,
+    slope: Option<&str>,
+) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
+    let ((given, system), slope) = (given(values, units)?, slope_of(slope, units)?);
+    if given.has_role(Role::Spring) {
+        return Err(refused("a block has no spring: see Machine"));
+    }
+    let found = each_given(given, &columns, n, |given| of_block(given, slope))?;
+    let names = [
+        "mass",
+        "stiffness",
+        "damping",
+        "friction",
+        "friction_backward",
+        "static_friction_ratio",
+        "mean_force",
+    ];
+    let mut table = Table::default();
+    for (name, column) in names.into_iter().zip(found) {
+        table.number(name, column);
+    }
+    Ok((table.into_dict(py)?, system))
 }
 
 /// The answers of bodies in columns.
@@ -282,51 +325,81 @@ fn record_floor_spectrum<'py>(
     table.into_dict(py)
 }
 
-/// The answers of many bodies from rest, given by their values in columns: mass, stiffness, damping constant, friction
-/// and static friction ratio.
+/// The answers of bodies in columns, and the places that have none there with the reasons.
+type Each<'py> = (Bound<'py, PyDict>, Vec<(usize, String)>);
+
+/// The answers of `n` bodies from starts: their mass, stiffness, damping constant, friction against forward and against
+/// backward motion, static friction ratio and constant force, and the displacement and the velocity of each start.
 #[pyfunction]
-fn record_spectrum<'py>(
+#[expect(clippy::too_many_arguments, reason = "the bodies, the record and the starts")]
+fn record_follow_each<'py>(
     py: Python<'py>,
-    columns: [PyReadonlyArray1<'py, f64>; 5],
+    columns: [points::Given<'py>; 7],
+    one_way: bool,
     kind: &str,
     times: PyReadonlyArray1<'py, f64>,
     samples: PyReadonlyArray1<'py, f64>,
     after: &str,
-) -> PyResult<Bound<'py, PyDict>> {
+    starts: [points::Given<'py>; 2],
+    n: usize,
+) -> PyResult<Each<'py>> {
     let record = load(kind, times.as_slice()?, samples.as_slice()?, Some(after))?;
-    let [mass, stiffness, damping, friction, ratio] = &columns;
-    let rows = mass.as_slice()?.iter().zip(stiffness.as_slice()?).zip(damping.as_slice()?);
-    let rows = rows.zip(friction.as_slice()?.iter().zip(ratio.as_slice()?));
-    let mut bodies = rows.map(|(((&mass, &stiffness), &damping), (&friction, &ratio))| {
-        body((mass, stiffness, damping, friction, friction, ratio, 0.0, false))
-    });
-    bodies.clone().try_for_each(|body| body.map(drop)).map_err(refused)?;
-    let n = bodies.len();
-    let answers = interruptible(py, |stop| -> Result<Answers, Error> {
-        let mut answers = Answers::default();
-        let mut some = Vec::with_capacity(AT_ONCE);
-        loop {
-            some.clear();
-            for body in bodies.by_ref().take(AT_ONCE) {
-                some.push(body?);
-            }
-            if some.is_empty() {
-                return Ok(answers);
-            }
-            for answer in follow_each_while(&some, &record, &|| stop.asked()) {
-                answers.push(&answer?, n);
+    let columns = columns.iter().map(Values::of).collect::<PyResult<Vec<_>>>()?;
+    let starts = starts.iter().map(Values::of).collect::<PyResult<Vec<_>>>()?;
+    let is_at_rest = starts.iter().all(|values| matches!(values, Values::One(0.0, _)));
+    let at = |values: &[Values<'_>], column: usize, place: usize| {
+        values.get(column).and_then(|values| values.at(place)).unwrap_or(f64::NAN)
+    };
+    let body_at = |place: usize| {
+        let [mass, stiffness, damping, forward, backward, ratio, mean] =
+            [0, 1, 2, 3, 4, 5, 6].map(|column| at(&columns, column, place));
+        // Friction backward that is no number is that forward, as long as the body is one.
+        let backward = if backward.is_nan() { forward } else { backward };
+        body((mass, stiffness, damping, forward, backward, ratio, mean, one_way))
+    };
+    let found = interruptible(py, |stop| -> Result<_, Error> {
+        let (mut answers, mut failed) = (Answers::default(), Vec::new());
+        for first in (0..n).step_by(AT_ONCE) {
+            let bodies: Vec<_> = (first..n.min(first.saturating_add(AT_ONCE))).map(body_at).collect();
+            let found: Vec<_> = if is_at_rest {
+                let some: Vec<_> = bodies.iter().filter_map(|body| body.clone().ok()).collect();
+                let mut found = follow_each_while(&some, &record, &|| stop.asked()).into_iter();
+                let each = |body| match body {
+                    Ok(_) => found.next().unwrap_or(Err(Error::Interrupted)),
+                    Err(error) => Err(error),
+                };
+                bodies.into_iter().map(each).collect()
+            } else {
+                let follow = |(own, body): (usize, Result<Body<f64>, Error>)| {
+                    let place = first.saturating_add(own);
+                    if stop.asked().is_break() {
+                        return Err(Error::Interrupted);
+                    }
+                    body?.follow_from(&record, at(&starts, 0, place), at(&starts, 1, place))
+                };
+                bodies.into_par_iter().enumerate().map(follow).collect()
+            };
+            for (own, answer) in found.into_iter().enumerate() {
+                match answer {
+                    Ok(answer) => answers.push(&answer, n),
+                    Err(Error::Interrupted) => return Ok((answers, failed)),
+                    Err(error) => failed.push((first.saturating_add(own), error.to_string())),
+                }
             }
         }
+        Ok((answers, failed))
     })?;
-    answers.map_err(refused)?.into_table().into_dict(py)
+    let (answers, failed) = found.map_err(refused)?;
+    Ok((answers.into_table().into_dict(py)?, failed))
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(block, module)?)?;
+    module.add_function(wrap_pyfunction!(blocks, module)?)?;
     module.add_function(wrap_pyfunction!(record_check, module)?)?;
     module.add_function(wrap_pyfunction!(record_read, module)?)?;
     module.add_function(wrap_pyfunction!(record_follow, module)?)?;
     module.add_function(wrap_pyfunction!(record_motion, module)?)?;
     module.add_function(wrap_pyfunction!(record_floor_spectrum, module)?)?;
-    module.add_function(wrap_pyfunction!(record_spectrum, module)?)
+    module.add_function(wrap_pyfunction!(record_follow_each, module)?)
 }

@@ -17,15 +17,13 @@ def test_a_point_has_the_values_of_the_formulae():
     assert found.max_displacement == pytest.approx(math.sqrt(2.5**2 - k**2) / 1.25, rel=1e-15)
     assert found.loop_size_stiffness == pytest.approx(8 * found.max_displacement / 2.5**2, rel=1e-15)
     assert (found.regime, found.reversals_per_cycle) == ("non-sticking", 2)
-    with pytest.raises(AttributeError, match="those of a machine"):
-        found.physical
 
 
 def test_what_does_not_exist_is_nan():
     assert math.isnan(ss.response(0.4, 6).max_displacement)
     assert math.isnan(ss.response(1.0, 2.0).best_loop_size)
     machine = ss.Machine(mass=1.0, stiffness=1.0, friction=1.0)
-    assert math.isnan(machine.response(ss.Drive(force=6.0, angular_frequency=0.4)).physical.max_displacement)
+    assert math.isnan(machine.response(ss.Drive(force=6.0, angular_frequency=0.4)).max_displacement)
     table = ss.response([0.4, 0.4, -1.0], [6.0, 7.0, 2.0])
     assert list(table.regime) == ["sticking", "non-sticking", "invalid"]
     assert list(np.isnan(table.max_displacement)) == [True, False, True]

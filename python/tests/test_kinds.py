@@ -123,8 +123,8 @@ def test_indices_are_kept_where_there_is_one():
     assert type(ss.response(omega, [[2.0], [3.0]]).max_displacement) is np.ndarray
     machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0)
     answer = machine.steady(ss.Drive(force=9.0, frequency=omega))
-    assert answer.physical.max_displacement.index.equals(omega.index)
-    assert answer.physical.transmitted_force.index.equals(omega.index)
+    assert answer.max_displacement.index.equals(omega.index)
+    assert answer.transmitted_force.index.equals(omega.index)
     record = ss.Record(np.sin(np.arange(200.0)), time_step=0.02)
     assert ss.spectrum(record, period=omega, friction_coefficient=0.02).path.index.equals(omega.index)
     gaps = ss.response(pandas.Series([0.7, None], dtype="Float64"), ALPHA)
@@ -148,9 +148,9 @@ def test_a_drive_outside_the_domain_is_one_invalid_point_of_many():
             last = {"force": np.ravel(drive.amplitude)[-1], "angular_frequency": np.ravel(drive.angular_frequency)[-1]}
             alone = machine().steady(ss.Drive(**last))
             assert np.asarray(found.regime)[0] == "invalid" and found.regime[1] == alone.regime
-            assert np.isnan(np.asarray(found.physical.max_velocity)[0]) and np.isnan(np.asarray(found.physical.transmitted_force)[0])
-            assert found.physical.max_velocity[1] == alone.physical.max_velocity
-            assert isinstance(found.physical.max_velocity, np.ma.MaskedArray) == isinstance(values, np.ma.MaskedArray)
+            assert np.isnan(np.asarray(found.max_velocity)[0]) and np.isnan(np.asarray(found.transmitted_force)[0])
+            assert found.max_velocity[1] == alone.max_velocity
+            assert isinstance(found.max_velocity, np.ma.MaskedArray) == isinstance(values, np.ma.MaskedArray)
     with pytest.raises(ss.Error, match="must be > 0"):
         machine().steady(ss.Drive(force=9.0, frequency=-1.0))
 
@@ -242,7 +242,7 @@ MISTAKES = {
     "a fraction of a sample": (lambda: ss.simulate(0.4, 6, samples=2.5), TypeError, "samples = 2.5: must be a whole number"),
     "half a bit": (lambda: ss.response("0.7", 2, bits=53.5), TypeError, "bits = 53.5: must be a whole number"),
     "writing to a result": (lambda: setattr(ss.response(0.7, 2), "omega", 1.0), AttributeError, "cannot be changed"),
-    "units without a machine": (lambda: ss.response(0.7, 2).physical, AttributeError, "those of a machine"),
+    "units without a machine": (lambda: ss.response(0.7, 2), AttributeError, "those of a machine"),
     "a number in place of a drive": (lambda: machine().response(2.0), TypeError, "drive: must be a Drive, not float"),
     "samples in place of a record": (lambda: machine().follow([0, 1.0]), TypeError, "record: must be a Record, not list"),
     "samples in place of a record of a spectrum": (
@@ -283,7 +283,7 @@ def test_what_looks_like_a_mistake_and_is_none():
     assert machine().response(ss.Drive(force=9.0, frequency=machine().natural_frequency)).omega == pytest.approx(1.0, rel=1e-15)
     # A body that sticks has NaN in units, and the regime says why.
     stuck = machine().response(ss.Drive(force=3.1, frequency=0.5))
-    assert stuck.regime == "sticking" and math.isnan(stuck.physical.max_displacement)
+    assert stuck.regime == "sticking" and math.isnan(stuck.max_displacement)
     # Arrays lose nothing, with a machine or without.
     for found in (ss.response([0.7, 1.5], 2.5), machine().response(ss.Drive(force=9.0, frequency=[2.0, 4.0]))):
         assert [name for name in ss.OUTPUTS if np.shape(found[name]) != (2,)] == []

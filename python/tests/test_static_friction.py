@@ -106,8 +106,8 @@ def test_free_vibration():
     assert np.isnan(ss.decay(3.0, damping_ratio=1.5).rest_time)
     machine = ss.Machine(mass=2.0, stiffness=8.0, friction=4.0, static_friction=6.0)
     found = machine.decay(5.0, 0.0)
-    assert found.physical.rest_position == pytest.approx(0.5 * ss.decay(10.0, static_friction_ratio=1.5).rest_position)
-    assert found.physical.rest_time == pytest.approx(found.rest_time / 2)
+    assert found.rest_position == pytest.approx(0.5 * ss.decay(10.0, static_friction_ratio=1.5).rest_position)
+    assert found.rest_time == pytest.approx(found.rest_time / 2)
 
 
 def test_machines_and_design():

@@ -26,8 +26,8 @@ array(['non-sticking', 'non-sticking'], dtype='<U16')
 import os as _os
 
 from . import _native, enclosed
-from ._attractors import Attractor, Attractors, attractors
-from ._closed_forms import OUTPUTS, Border, Response, border, response
+from ._attractors import Attractor, Attractors, Basins, MachineAttractors, attractors, basins
+from ._closed_forms import OUTPUTS, Border, MachineResponse, Response, border, response
 from ._design import (
     FIGURES,
     Band,
@@ -37,16 +37,17 @@ from ._design import (
     Estimate,
     Figure,
     Identified,
+    TargetFriction,
     figure,
     identify,
     identify_decay,
 )
 from ._drive import Drive
 from ._machine import Machine
-from ._motion import Decay, Phases, Samples, decay, simulate
+from ._motion import Decay, MachineDecay, MachinePhases, MachineSamples, Phases, Samples, decay, simulate
 from ._native import Error, __version__
 from ._record import Block, FloorSpectrum, Followed, Motion, Polarities, Record, Spectrum, spectrum
-from ._steady import STEADY_OUTPUTS, Steady, steady
+from ._steady import STEADY_OUTPUTS, MachineSteady, Steady, steady
 from ._system import (
     ElementMotion,
     System,
@@ -69,6 +70,7 @@ __all__ = [
     "Attractors",
     "Band",
     "BandFriction",
+    "Basins",
     "BestFriction",
     "Block",
     "Border",
@@ -83,6 +85,12 @@ __all__ = [
     "Followed",
     "Identified",
     "Machine",
+    "MachineAttractors",
+    "MachineDecay",
+    "MachinePhases",
+    "MachineResponse",
+    "MachineSamples",
+    "MachineSteady",
     "Motion",
     "Phases",
     "Polarities",
@@ -97,8 +105,10 @@ __all__ = [
     "SystemMotion",
     "SystemStates",
     "SystemSteady",
+    "TargetFriction",
     "__version__",
     "attractors",
+    "basins",
     "border",
     "decay",
     "enclosed",

@@ -6,10 +6,12 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Optional, Union
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._result import RATIOS, Result, WrongType, one, paired, whole_number
+from ._native import Error
+from ._physical import Driven, names_of, related
+from ._result import RATIOS, PhysicalResult, Result, WrongType, numbers, one, paired, whole_number
 from ._start import Start, state
 
 
@@ -89,9 +91,42 @@ class Attractors(Result):
     of_start: NDArray[np.int64]
     attractors: list[Attractor]
 
-    def to_dict(self) -> dict[str, Any]:
-        """All values by name, with the attractors as dictionaries."""
-        return {**super().to_dict(), "attractors": [found.to_dict() for found in self.attractors]}
+
+class MachineAttractors(PhysicalResult):
+    """The attractors of a machine that many starts lead to, in its units; see `Machine.attractors` and `Attractors`.
+
+    Attributes
+    ----------
+    starts, unsettled : int
+    reach : float
+        The largest displacement of the spread starts; NaN for a list of starts.
+    of_start : array of int
+    attractors : list of Attractor
+        With displacements and velocities in the machine's units.
+    """
+
+    starts: int
+    reach: float
+    unsettled: int
+    of_start: NDArray[np.int64]
+    attractors: list[Attractor]
+    _ratios: Attractors
+
+    @property
+    def ratios(self) -> Attractors:
+        """The same attractors in ratios."""
+        return self._ratios
+
+    @classmethod
+    def of(cls, found: Attractors, driven: Driven, length: float, velocity: float) -> "MachineAttractors":
+        sizes = {name: length for name in ("first_x", "max_displacement", "min_displacement", "rest_from", "rest_to")}
+        sizes["first_v"] = velocity
+        limits = [
+            Attractor({name: value * sizes[name] if name in sizes else value for name, value in limit.items()}) for limit in found.attractors
+        ]
+        values = {**found, "reach": found.reach * length, "attractors": limits}
+        kinds = {name: "velocity" if name == "first_v" else "length" for name in (*sizes, "reach")}
+        return related(cls(values, units=names_of(driven.units, kinds)), found, driven)
 
 
 def attractors(
@@ -143,6 +178,78 @@ def attractors(
     found = _native.attractors_at(point, asked, far, whole_number("max_periods", max_periods))
     limits = [Attractor(paired(_existing(limit, "mirror"))) for limit in found.pop("attractors")]
     return Attractors({**dict(zip(RATIOS, point)), **_existing(found), "attractors": limits})
+
+
+class Basins(Result):
+    """The limit that each start in a plane of starts leads to; see `basins`.
+
+    Attributes
+    ----------
+    displacement, velocity : array
+        The axes of the plane, in B and B w.
+    attractor : array of int
+        A row for each velocity and a column for each displacement: the index of the limit in ``attractors``; -1 if the motion had
+        not settled.
+    attractors : list of Attractor
+    """
+
+    displacement: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    attractor: NDArray[np.int64]
+    attractors: list[Attractor]
+
+    def _shape(self) -> tuple[int, ...]:
+        return self.attractor.shape
+
+    def _columns(self) -> tuple[tuple[int, ...], dict[str, NDArray[Any]]]:
+        x, v = np.broadcast_arrays(self.displacement, self.velocity[:, None])
+        return self.attractor.shape, {"displacement": x, "velocity": v, "attractor": self.attractor}
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the plane with matplotlib, a colour for each limit, and returns the axes."""
+        from ._plot import plane
+
+        return plane(ax, self.displacement, self.velocity, self.attractor, "displacement (B)", "velocity (B ω_d)")
+
+
+def basins(
+    omega: float,
+    alpha: float,
+    damping_ratio: float = 0.0,
+    static_friction_ratio: float = 1.0,
+    *,
+    displacement: ArrayLike,
+    velocity: ArrayLike,
+    phase: float = 0.0,
+    max_periods: int = 2000,
+) -> Basins:
+    """The limit that each start of a plane leads to, as ``stickslip basins``.
+
+    Parameters
+    ----------
+    omega, alpha, damping_ratio, static_friction_ratio : float
+    displacement, velocity : array
+        The axes of the plane of starts, in B and B w.
+    phase : float
+        The phase of the drive at the start.
+    max_periods : int
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> found = ss.basins(0.5, 4, 0.02, 1.3, displacement=np.linspace(-9, 9, 7), velocity=np.linspace(-9, 9, 5))
+    >>> found.attractor.shape, sorted(round(limit.max_displacement, 3) for limit in found.attractors)
+    ((5, 7), [5.186, 5.363])
+    """
+    axes = {name: np.atleast_1d(numbers(name, value)) for name, value in (("displacement", displacement), ("velocity", velocity))}
+    for name, axis in axes.items():
+        if axis.ndim != 1:
+            raise Error(f"{name}: must be an array of one dimension, not of shape {axis.shape}")
+    x, v = axes.values()
+    at = one("phase", phase)
+    starts = [(at, float(place), float(speed)) for speed in v for place in x]
+    found = attractors(omega, alpha, damping_ratio, static_friction_ratio, starts=starts, max_periods=max_periods)
+    return Basins({**axes, "attractor": found.of_start.reshape(v.size, x.size), "attractors": found.attractors})
 
 
 def _existing(values: dict[str, Any], *optional: str) -> dict[str, Any]:

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._native import Error
-from ._outputs import BorderOutputs, PhysicalResponse, ResponseOutputs
+from . import _rows
+from ._outputs import BorderOutputs, MachineResponseOutputs, ResponseOutput, ResponseOutputs
 from ._result import (
     RATIOS,
     Floats,
@@ -34,7 +35,7 @@ from ._wide import wide
 
 _ROWS: dict[str, Row] = {row[0]: row for row in _native.RESPONSE}
 #: Names of the outputs of `response`.
-OUTPUTS: tuple[str, ...] = tuple(_ROWS)
+OUTPUTS: tuple[ResponseOutput, ...] = tuple(_ROWS)  # type: ignore[arg-type, assignment]
 #: Those that are numbers of a definition of their own, which have enclosures.
 CLOSED_FORMS: tuple[str, ...] = tuple(_native.OUTPUTS)
 _WORDS = {"regime": _native.REGIMES}
@@ -80,17 +81,20 @@ class _Source(NamedTuple):
 class Response(ResponseOutputs[V, W]):
     """The closed-form response at one point or many; see `response`.
 
-    Its attributes are the ratios ``omega``, ``alpha``, ``damping_ratio`` and ``static_friction_ratio``, and the outputs.
+    Its attributes are the ratios ``omega``, ``alpha``, ``damping_ratio`` and ``static_friction_ratio``, and the outputs. Displacements
+    are in units of B = r_y/k, velocities in B ω_d, phases in radians of the drive; ``units`` has the unit of each.
     """
 
-    _physical: Optional[PhysicalResponse[V]]
+
+class MachineResponse(MachineResponseOutputs[V, W]):
+    """The closed-form response of a machine in its units; see `Machine.response`. ``units`` has the unit of each value."""
+
+    _ratios: Response[V, W]
 
     @property
-    def physical(self) -> PhysicalResponse[V]:
-        """The outputs in the machine's units, for the answer of a machine."""
-        if self._physical is None:
-            raise AttributeError("physical")
-        return self._physical
+    def ratios(self) -> Response[V, W]:
+        """The same response in ratios."""
+        return self._ratios
 
 
 class Border(BorderOutputs[V]):
@@ -104,7 +108,7 @@ def response(
     damping_ratio: float = 0.0,
     static_friction_ratio: float = 1.0,
     *,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[ResponseOutput]] = None,
 ) -> Response[float, str]: ...
 
 
@@ -115,7 +119,7 @@ def response(
     damping_ratio: ArrayLike = 0.0,
     static_friction_ratio: ArrayLike = 1.0,
     *,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[ResponseOutput]] = None,
     out: Optional[Mapping[str, NDArray[np.float64]]] = None,
 ) -> Response[Floats, Words]: ...
 
@@ -127,7 +131,7 @@ def response(
     damping_ratio: Any = 0.0,
     static_friction_ratio: Any = 1.0,
     *,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[ResponseOutput]] = None,
     bits: int,
 ) -> Response[Decimal, str]: ...
 
@@ -138,7 +142,7 @@ def response(
     damping_ratio: Any = 0.0,
     static_friction_ratio: Any = 1.0,
     *,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[ResponseOutput]] = None,
     out: Optional[Mapping[str, NDArray[np.float64]]] = None,
     bits: Optional[int] = None,
 ) -> Response[Any, Any]:
@@ -317,3 +321,8 @@ def _flat(out: Mapping[str, Any], shape: tuple[int, ...], given: Iterable[Any]) 
     if any(np.may_share_memory(a, b) for i, a in enumerate(arrays) for b in arrays[:i]):
         raise Error("out: the arrays must not overlap")
     return [array.reshape(-1) for array in arrays]
+
+
+for _kind, _outputs in ((Response, _rows.RESPONSE), (Border, _rows.BORDER), (MachineResponse, _rows.MACHINE_RESPONSE)):
+    _shown = {name: row for name, row in _outputs.items() if name in _kind._names}
+    _kind.__doc__ = f"{_kind.__doc__}\n\n    Outputs\n    -------\n{_rows.explained(_shown)}\n\n    In the formulae {_rows.SYMBOLS}\n    "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, Optional
+from typing import Any, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,13 +28,21 @@ class Band(NamedTuple):
 
 
 class BestFriction(NamedTuple):
-    """The friction bound that dissipates most."""
+    """The friction bound that dissipates most: numbers, or arrays for several machines or drives."""
+
+    friction: Any
+    #: The energy that friction dissipates in a cycle.
+    energy: Any
+    #: ``"interior"``, ``"border"`` where more friction would make the body stick, or ``"sticking"`` where the body stops.
+    optimum: Any
+
+
+class TargetFriction(NamedTuple):
+    """A friction bound with which the steady motion has a given displacement; see `Machine.frictions_for_displacement`."""
 
     friction: float
-    #: The energy that friction dissipates in a cycle.
-    energy: float
-    #: ``"interior"``, or ``"border"`` where more friction would make the body stick.
-    optimum: str
+    regime: str
+    max_displacement: float
 
 
 class BandFriction(NamedTuple):

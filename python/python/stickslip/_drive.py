@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Generic, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
+from ._labels import Like, aligned, is_labelled, shape_of
 from ._native import Error
-from ._result import Floats, Like, V, Value, are_equal, numbers, one, points
+from ._result import Floats, V, Value, WrongType, are_equal, numbers, one, short
 
 #: The kind of the amplitude of each excitation.
 _KINDS = dict(_native.EXCITATIONS)
 #: A number, or text with a unit such as ``"12 kN"``.
 Quantity = Union[float, str]
+#: The excitations of which `Drive` has a keyword.
+EXCITATIONS: tuple[str, ...] = tuple(_KINDS)
 
 
 def texts(given: Mapping[str, Any]) -> list[tuple[str, str]]:
@@ -31,9 +34,44 @@ def read(given: Mapping[str, tuple[Any, str]], units: Optional[str]) -> tuple[di
     return dict(zip(given, values)), system
 
 
-@dataclass(frozen=True, init=False, eq=False)
+def is_array(value: Any) -> bool:
+    """Whether a value is an array of any kind rather than a number or a text."""
+    return is_labelled(value) and bool(value.shape) or not isinstance(value, (str, bytes)) and np.ndim(value) > 0
+
+
+def relabelled(values: Mapping[str, Any]) -> tuple[dict[str, Any], Optional[Like]]:
+    """The values as numbers and arrays, aligned by their labels, in the kind in which they were given."""
+    given, like = aligned(values)
+    shape = shape_of(given)
+    found: dict[str, Any] = {}
+    for name, array in given.items():
+        if array.ndim == 0:
+            found[name] = float(array)
+        elif like is None:
+            found[name] = array
+        else:
+            found[name] = like.dressed(name, np.broadcast_to(array, shape), {})
+    return found, like
+
+
+def system_of(what: str, units: Optional[str], is_named: bool, own: Optional[str], is_bare: bool, machine: str = "the machine") -> None:
+    """The one rule for values beside a machine: a bare number is in the system that the machine names, and a value with a unit
+    needs a machine with units."""
+    if own is not None and units is None:
+        bare, other = machine, what
+    elif own is None and units is not None and is_bare and not is_named:
+        bare, other = what, machine
+    else:
+        return
+    raise Error(
+        f"{bare}: has no unit beside {other}. Give every value a unit, or name the system of bare numbers, "
+        'as by units="kN,m"'
+    )
+
+
+@dataclass(frozen=True, init=False, eq=False, repr=False)
 class Drive(Generic[V]):
-    """A harmonic drive: one amplitude and a frequency, numbers or arrays.
+    """A harmonic drive: an amplitude and a frequency, numbers or arrays that broadcast.
 
     Parameters
     ----------
@@ -53,7 +91,7 @@ class Drive(Generic[V]):
         In hertz, or as text such as ``"2 Hz"`` or ``"120 rpm"``.
     angular_frequency : float or array
         The same in radians per second; give one of the two.
-    mean_force : float or str
+    mean_force : float, str or array
         A constant force in addition to the harmonic one; it shifts the motion.
     units : str, optional
         The system of units of bare numbers, such as ``"kN,mm"``; values with units are converted to it.
@@ -69,16 +107,18 @@ class Drive(Generic[V]):
     Examples
     --------
     >>> import stickslip as ss
-    >>> ss.Drive(force="12 kN", frequency="2 Hz")
-    Drive(excitation='force', amplitude=12000.0, angular_frequency=12.566370614359172, mean_force=0.0, units='N,m')
+    >>> drive = ss.Drive(force="12 kN", frequency="2 Hz")
+    >>> drive
+    Drive(force=12000.0, frequency=2.0, units='N,m')
+    >>> drive.replace(frequency="3 Hz").frequency
+    3.0
     """
 
     excitation: str
-    amplitude: Value
-    angular_frequency: Value
-    mean_force: float
+    amplitude: V
+    angular_frequency: V
+    mean_force: Value
     units: Optional[str]
-    _like: Optional[Like] = field(repr=False, compare=False)
 
     @overload
     def __init__(
@@ -110,7 +150,7 @@ class Drive(Generic[V]):
         base_acceleration: Optional[ArrayLike] = None,
         frequency: Optional[ArrayLike] = None,
         angular_frequency: Optional[ArrayLike] = None,
-        mean_force: Quantity = 0.0,
+        mean_force: ArrayLike = 0.0,
         units: Optional[str] = None,
     ) -> None: ...
 
@@ -126,7 +166,7 @@ class Drive(Generic[V]):
         base_acceleration: Optional[ArrayLike] = None,
         frequency: Optional[ArrayLike] = None,
         angular_frequency: Optional[ArrayLike] = None,
-        mean_force: Quantity = 0.0,
+        mean_force: ArrayLike = 0.0,
         units: Optional[str] = None,
     ) -> None:
         amplitudes = {
@@ -140,25 +180,48 @@ class Drive(Generic[V]):
         }
         given = {name: value for name, value in amplitudes.items() if value is not None}
         angular = angular_of(frequency, angular_frequency)
-        object.__setattr__(self, "angular_frequency", angular)
         # An amplitude that is not text is a number or an array, for which any number stands when it is read.
-        arrays = {name: numbers(name, value) for name, value in given.items() if not isinstance(value, str)}
-        values = {**given, **{name: 1.0 if array.ndim else array for name, array in arrays.items()}}
-        if isinstance(mean_force, str) or one("mean_force", mean_force) != 0.0:
-            values["mean_force"] = mean_force
+        arrays = {name: value for name, value in {**given, "mean_force": mean_force}.items() if not isinstance(value, str)}
+        values = {name: 1.0 if name in arrays and is_array(value) else value for name, value in given.items()}
+        if isinstance(mean_force, str) or is_array(mean_force) or one("mean_force", mean_force) != 0.0:
+            values["mean_force"] = 1.0 if is_array(mean_force) else mean_force
         name, amplitude, mean, system = _native.drive(texts(values), units)
-        of_pandas_or_masked = {
-            "amplitude": given[name] if name in arrays else amplitude,
-            "frequency": frequency if angular_frequency is None else angular_frequency,
-        }
-        like: dict[str, Any] = {
-            key: angular if isinstance(value, str) else value for key, value in of_pandas_or_masked.items()
-        }
-        object.__setattr__(self, "_like", points(**like).like)
-        object.__setattr__(self, "excitation", name)
-        object.__setattr__(self, "amplitude", _plain(arrays[name]) if name in arrays else amplitude)
-        object.__setattr__(self, "mean_force", mean)
-        object.__setattr__(self, "units", system)
+        columns, like = relabelled(
+            {
+                "amplitude": arrays[name] if name in arrays else amplitude,
+                "angular_frequency": angular,
+                "mean_force": arrays["mean_force"] if is_array(mean_force) else mean,
+            }
+        )
+        fields = {**columns, "excitation": name, "units": system, "_named": units is not None}
+        keywords = {**given, "frequency": frequency, "angular_frequency": angular_frequency, "mean_force": mean_force}
+        fields["_keywords"] = {key: value for key, value in keywords.items() if value is not None}
+        for key, value in fields.items():
+            object.__setattr__(self, key, value)
+
+    @property
+    def frequency(self) -> V:
+        """The frequency in hertz."""
+        found: Any = self.angular_frequency
+        return found / (2 * np.pi)  # type: ignore[no-any-return]
+
+    def replace(self, **changes: Any) -> "Drive[Any]":
+        """This drive with other values, by the keywords of `Drive`; another amplitude takes the place of this one."""
+        kept = dict(vars(self)["_keywords"])
+        if any(name in _KINDS for name in changes):
+            kept = {name: value for name, value in kept.items() if name not in _KINDS}
+        if "frequency" in changes or "angular_frequency" in changes:
+            kept = {name: value for name, value in kept.items() if name not in ("frequency", "angular_frequency")}
+        if vars(self)["_named"]:
+            kept["units"] = self.units
+        return Drive(**{**kept, **changes})
+
+    __replace__ = replace
+
+    def __repr__(self) -> str:
+        mean = {} if not is_array(self.mean_force) and self.mean_force == 0 else {"mean_force": self.mean_force}
+        given = {self.excitation: self.amplitude, "frequency": self.frequency, **mean, "units": self.units}
+        return f"Drive({', '.join(f'{name}={short(value)}' for name, value in given.items())})"
 
     def __eq__(self, other: object) -> bool:
         return are_equal(self, other)
@@ -166,34 +229,24 @@ class Drive(Generic[V]):
     def __hash__(self) -> int:
         return hash((self.excitation, self.amplitude, self.angular_frequency, self.mean_force, self.units))
 
-    def _in(self, units: Optional[str]) -> "Drive[V]":
-        """The same drive in a machine's system of units."""
+    def _in(self, units: Optional[str], is_named: bool) -> dict[str, Any]:
+        """The amplitude, the angular frequency and the mean force in a machine's system of units."""
+        found = {"amplitude": self.amplitude, "angular_frequency": self.angular_frequency, "mean_force": self.mean_force}
         if units == self.units:
-            return self
-        if units is None or self.units is None:
-            bare, other = ("the machine", "the drive") if units is None else ("the drive", "the machine")
-            raise Error(
-                f"{bare}: has no unit beside {other}. Give every value a unit, or name the system of bare numbers, "
-                'as by units="kN,m"'
-            )
-        factors = {}
-        for kind in (_KINDS[self.excitation], "force"):
+            return found
+        system_of("the drive", units, is_named, self.units, True)
+        if self.units is None:
+            return found
+        for name, kind in (("amplitude", _KINDS[self.excitation]), ("mean_force", "force")):
             text = f"1 {_native.unit_of(self.units, kind)}"
-            factors[kind] = read({self.excitation: (text, kind)}, units)[0][self.excitation]
-        new: Drive[V] = object.__new__(Drive)
-        amplitude = np.asarray(self.amplitude) * factors[_KINDS[self.excitation]]
-        values = {"amplitude": _plain(amplitude), "mean_force": self.mean_force * factors["force"], "units": units}
-        for name in ("excitation", "amplitude", "angular_frequency", "mean_force", "units", "_like"):
-            object.__setattr__(new, name, values.get(name, getattr(self, name)))
-        return new
+            factor = read({name: (text, kind)}, units)[0][name]
+            found[name] = found[name] * factor
+        return found
 
 
-def _plain(array: Floats) -> Value:
-    return float(array) if array.ndim == 0 else array
-
-
-def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> Value:
-    """The angular frequency of one given in hertz or in radians per second; it is the same in all systems of units."""
+def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> Any:
+    """The angular frequency of one given in hertz or in radians per second, with its labels; it is the same in all systems of
+    units."""
     if (frequency is None) == (angular_frequency is None):
         raise Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
     for name, value in (("frequency", frequency), ("angular_frequency", angular_frequency)):
@@ -202,6 +255,50 @@ def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[Array
             # A bare number as text has no unit.
             return values[name] * (2 * np.pi if system is None and name == "frequency" else 1.0)
     if frequency is not None:
-        return _plain(numbers("frequency", frequency) * (2 * np.pi))
+        return _times("frequency", frequency, 2 * np.pi)
     assert angular_frequency is not None
-    return _plain(numbers("angular_frequency", angular_frequency))
+    return _times("angular_frequency", angular_frequency, 1.0)
+
+
+def _times(name: str, value: Any, factor: float) -> Any:
+    """Numbers times a factor, in the kind of array in which they are."""
+    array = numbers(name, value) * factor
+    if array.ndim == 0:
+        return float(array)
+    if is_labelled(value):
+        return value.copy(data=array) if hasattr(value, "dims") else type(value)(array, index=value.index, **_columns(value))
+    return np.ma.MaskedArray(array, np.ma.getmaskarray(value)) if isinstance(value, np.ma.MaskedArray) else array
+
+
+def _columns(value: Any) -> dict[str, Any]:
+    return {"columns": value.columns} if hasattr(value, "columns") else {"name": value.name}
+
+
+def one_value(name: str, value: Any, kind: str, units: Optional[str], is_named: bool) -> float:
+    """A single value as a number in a machine's system of units."""
+    if isinstance(value, str):
+        system = read({name: (value, kind)}, None)[1]
+        if system is not None:
+            system_of(f"{name} {value}", units, is_named, system, False)
+            return read({name: (value, kind)}, units)[0][name]
+        value = float(value)
+    number = one(name, value)
+    if not np.isnan(number):
+        system_of(f"{name} {value}", units, is_named, None, number != 0.0)
+    return number
+
+
+def values_of(name: str, value: Any, kind: str, units: Optional[str], is_named: bool) -> Any:
+    """A value or an array of numbers in a machine's system of units."""
+    if not is_array(value):
+        return one_value(name, value, kind, units, is_named)
+    array = numbers(name, value)
+    system_of(name, units, is_named, None, bool(np.any(array != 0.0)))
+    return value
+
+
+def of_number(name: str, value: Any) -> float:
+    """A number that is no flag."""
+    if isinstance(value, (bool, np.bool_)):
+        raise WrongType(f"{name} = {value}: must be a number")
+    return one(name, value)

@@ -2,53 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Optional, TypeVar, Union, overload
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Generic, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _closed_forms, _native, _steady
-from ._attractors import Attractors, attractors
-from ._closed_forms import OUTPUTS, Border, Response
-from ._drive import Drive, Quantity, angular_of, read, texts
-from ._motion import Decay, Phases, PhysicalDecay, PhysicalPhases, PhysicalSamples, Samples, decay, simulate
+from . import _closed_forms, _native, _rows, _steady
+from ._attractors import Attractors, MachineAttractors, attractors
+from ._closed_forms import OUTPUTS, Border, MachineResponse
+from ._drive import Drive, Quantity, angular_of, is_array, one_value, relabelled, texts, values_of
+from ._labels import aligned, shape_of
+from ._motion import Decay, MachineDecay, MachinePhases, MachineSamples, decay, simulate
 from ._native import Error
-from ._outputs import PhysicalResponse, PhysicalSteady
-from ._physical import Driven, Scaled, names_of
-from ._record import (
-    FloorSpectrum,
-    Followed,
-    Motion,
-    Polarities,
-    Record,
-    floor_spectrum,
-    follow,
-    motion,
-    polarities,
-)
-from ._result import RATIOS, Floats, PhysicalResult, Result, Words, WrongType, named, of_type, one, whole_number
-from ._start import REST, Start, state
-from ._steady import STEADY_OUTPUTS, Steady
+from ._outputs import MachineResponseOutput, MachineSteadyOutput
+from ._physical import OF_BODY, Driven, Scaled, names_of, outputs_of, related
+from ._record import FloorSpectrum, Followed, Motion, Polarities, Record, Sliding, floor_spectrum, follow, motion, polarities
+from ._result import RATIOS, Floats, PhysicalResult, Points, Result, V, Words, WrongType, are_equal, named, of_type, one, points, short, whole_number
+from ._start import REST, STATE, Starts, three
+from ._steady import STEADY_OUTPUTS, MachineSteady
 
 if TYPE_CHECKING:
-    from ._design import Band, BandFriction, BestFriction
+    from ._design import Band, BandFriction, BestFriction, TargetFriction
 
 
-_R = TypeVar("_R", bound=Result)
+_R = TypeVar("_R", bound=PhysicalResult)
+#: Keywords that determine each other: one of a group takes the place of the others.
+_GROUPS = (
+    ("mass", "weight"),
+    ("stiffness", "natural_frequency", "period", "pendulum_radius"),
+    ("friction", "friction_coefficient"),
+    ("damping", "damping_ratio"),
+    ("static_friction", "static_friction_ratio"),
+)
 
 
-def angular(frequency: Optional[Quantity]) -> Optional[Quantity]:
-    """The angular frequency of a number in hertz; text with a unit as it is."""
-    return frequency if frequency is None or isinstance(frequency, str) else 2 * np.pi * one("natural_frequency", frequency)
+@dataclass(frozen=True, init=False, eq=False, repr=False)
+class Machine(Generic[V]):
+    """A body on its spring and friction surface, or several of them.
 
-
-@dataclass(frozen=True, init=False)
-class Machine:
-    """A body on its spring and friction surface.
-
-    Values are text with units, such as ``"12 kN/mm"``, in any mixture, or numbers in one consistent system.
+    Values are text with units, such as ``"12 kN/mm"``, in any mixture, or numbers in one consistent system. Arrays of numbers
+    that broadcast make as many machines: ``Machine(mass=50, stiffness=1000, friction=np.linspace(1, 9, 100))``. Arrays of
+    pandas and xarray are aligned by their labels. A machine of an array outside the domain has NaN for its answers.
 
     Parameters
     ----------
@@ -98,24 +94,30 @@ class Machine:
     >>> import stickslip as ss
     >>> machine = ss.Machine(mass="50 t", stiffness="1000 kN/m", friction="5 kN")
     >>> answer = machine.response(ss.Drive(force="12 kN", frequency="1 Hz"))
-    >>> answer.regime, round(answer.physical.max_displacement, 9), answer.physical.units["max_displacement"]
+    >>> answer.regime, round(answer.max_displacement, 9), answer.units["max_displacement"]
     ('non-sticking', 0.009914465, 'm')
     >>> ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
-    Machine(mass=800.0, stiffness=6525.3..., friction=392.2..., friction_backward=None, damping=0.0, static_friction_ratio=1.0, units='N,m')
+    Machine(mass=800.0, stiffness=6525.3..., friction=392.2..., units='N,m')
+    >>> machine.replace(friction=["4 kN", "6 kN"])
+    Traceback (most recent call last):
+        ...
+    stickslip._labels.WrongType: friction: must be numbers, not ['4 kN', '6 kN']
+    >>> many = ss.Machine(mass=50, stiffness=1000, friction=[4, 6], units="kN,m")
+    >>> many.response(ss.Drive(force="12 kN", frequency="1 Hz")).max_displacement.round(6)
+    array([0.011..., 0.007...])
     """
 
-    mass: float
-    stiffness: float
-    friction: float
-    friction_backward: Optional[float]
-    damping: float
-    static_friction_ratio: float
+    mass: V
+    stiffness: V
+    friction: V
+    friction_backward: Optional[V]
+    damping: V
+    static_friction_ratio: V
     units: Optional[str]
-    #: The damping ratio as given; None if the damping constant was.
-    _damping_ratio: Optional[float] = field(repr=False, compare=False)
 
+    @overload
     def __init__(
-        self,
+        self: "Machine[float]",
         mass: Optional[Quantity] = None,
         stiffness: Optional[Quantity] = None,
         friction: Optional[Quantity] = None,
@@ -132,12 +134,52 @@ class Machine:
         static_friction: Optional[Quantity] = None,
         static_friction_ratio: Optional[Quantity] = None,
         units: Optional[str] = None,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: "Machine[Floats]",
+        mass: Optional[ArrayLike] = None,
+        stiffness: Optional[ArrayLike] = None,
+        friction: Optional[ArrayLike] = None,
+        *,
+        friction_backward: Optional[ArrayLike] = None,
+        damping: Optional[ArrayLike] = None,
+        weight: Optional[ArrayLike] = None,
+        natural_frequency: Optional[ArrayLike] = None,
+        period: Optional[ArrayLike] = None,
+        pendulum_radius: Optional[ArrayLike] = None,
+        friction_coefficient: Optional[ArrayLike] = None,
+        gravity: Optional[ArrayLike] = None,
+        damping_ratio: Optional[ArrayLike] = None,
+        static_friction: Optional[ArrayLike] = None,
+        static_friction_ratio: Optional[ArrayLike] = None,
+        units: Optional[str] = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        mass: Optional[ArrayLike] = None,
+        stiffness: Optional[ArrayLike] = None,
+        friction: Optional[ArrayLike] = None,
+        *,
+        friction_backward: Optional[ArrayLike] = None,
+        damping: Optional[ArrayLike] = None,
+        weight: Optional[ArrayLike] = None,
+        natural_frequency: Optional[ArrayLike] = None,
+        period: Optional[ArrayLike] = None,
+        pendulum_radius: Optional[ArrayLike] = None,
+        friction_coefficient: Optional[ArrayLike] = None,
+        gravity: Optional[ArrayLike] = None,
+        damping_ratio: Optional[ArrayLike] = None,
+        static_friction: Optional[ArrayLike] = None,
+        static_friction_ratio: Optional[ArrayLike] = None,
+        units: Optional[str] = None,
     ) -> None:
         given = {
             "mass": mass,
             "weight": weight,
-            # A bare frequency is in hertz here, and an angular one in the library.
-            "natural_frequency": angular(natural_frequency),
+            "natural_frequency": natural_frequency,
             "stiffness": stiffness,
             "period": period,
             "pendulum_radius": pendulum_radius,
@@ -150,75 +192,155 @@ class Machine:
             "static_friction": static_friction,
             "static_friction_ratio": static_friction_ratio,
         }
-        values = texts({name: value for name, value in given.items() if value is not None})
-        body, ratio, system = _native.machine(values, units)
-        names = ("mass", "stiffness", "friction", "friction_backward", "damping", "static_friction_ratio")
-        for name, value in zip(names, body):
-            object.__setattr__(self, name, value)
+        given = {name: value for name, value in given.items() if value is not None}
+        own, system = _bodies(given, units)
         if friction_backward is None:
-            object.__setattr__(self, "friction_backward", None)
-        object.__setattr__(self, "_damping_ratio", ratio)
-        object.__setattr__(self, "units", system)
+            own["friction_backward"] = float("nan")
+        hidden = {"_own": own, "_keywords": given, "_named": units is not None}
+        shown: dict[str, Any] = {name: own[name] for name in OF_BODY}
+        if friction_backward is None:
+            shown["friction_backward"] = None
+        for name, value in {**shown, "units": system, **hidden}.items():
+            object.__setattr__(self, name, value)
+
+    def replace(self, **changes: Any) -> "Machine[Any]":
+        """This machine with other values, by the keywords of `Machine`. Values that it takes the place of are left out, such as the
+        coefficient of friction for ``friction``; all others stay as they were given.
+
+        >>> import numpy as np, stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+        >>> machine.replace(friction="300 N")
+        Machine(mass=800.0, stiffness=6525.3..., friction=300.0, units='N,m')
+        >>> machine.replace(friction_coefficient=np.linspace(0.02, 0.1, 5)).friction.round(1)
+        array([156.9, 313.8, 470.7, 627.6, 784.5])
+        """
+        kept = dict(vars(self)["_keywords"])
+        for group in _GROUPS:
+            if any(name in changes for name in group):
+                kept = {name: value for name, value in kept.items() if name not in group}
+        if "friction" in changes and not {"weight", "pendulum_radius"} & set(kept):
+            kept.pop("gravity", None)
+        if vars(self)["_named"]:
+            kept["units"] = self.units
+        return Machine(**{**kept, **changes})
+
+    __replace__ = replace
+
+    def __repr__(self) -> str:
+        shown = {name: getattr(self, name) for name in OF_BODY}
+        none = {"friction_backward": None, "damping": 0.0, "static_friction_ratio": 1.0}
+        texts = [
+            f"{name}={short(value)}" for name, value in shown.items() if is_array(value) or name not in none or value != none[name]
+        ]
+        return f"Machine({', '.join(texts)}, units={self.units!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return are_equal(self, other)
+
+    def __hash__(self) -> int:
+        return hash((*(getattr(self, name) for name in OF_BODY), self.units))
 
     @property
-    def natural_angular_frequency(self) -> float:
+    def natural_angular_frequency(self) -> V:
         """Natural angular frequency ``sqrt(k/m)``, in radians per second."""
-        return float(np.sqrt(self.stiffness / self.mass))
+        stiffness: Any = self.stiffness
+        ratio = stiffness / self.mass
+        found: V = np.sqrt(ratio) if is_array(ratio) else float(np.sqrt(ratio))  # type: ignore[assignment]
+        return found
 
     @property
-    def natural_frequency(self) -> float:
+    def natural_frequency(self) -> V:
         """Natural frequency ``sqrt(k/m)/(2 pi)``, in hertz, as the frequency of a `Drive`."""
-        return self.natural_angular_frequency / (2 * np.pi)
+        found: Any = self.natural_angular_frequency
+        return found / (2 * np.pi)  # type: ignore[no-any-return]
+
+    @property
+    def period(self) -> V:
+        """Natural period in seconds."""
+        found: Any = self.natural_angular_frequency
+        return 2 * np.pi / found  # type: ignore[no-any-return]
+
+    @property
+    def damping_ratio(self) -> V:
+        """Damping ratio ``c/(2 sqrt(k m))``."""
+        own = vars(self)["_own"]
+        if "damping_ratio" in own:
+            return own["damping_ratio"]  # type: ignore[no-any-return]
+        damping: Any = self.damping
+        natural: Any = self.natural_angular_frequency
+        return damping / (2 * (self.mass * natural))  # type: ignore[no-any-return]
+
+    @property
+    def friction_displacement(self) -> V:
+        """Friction bound over stiffness, B, with the mean of both directions."""
+        friction: Any = self.friction
+        backward: Any = friction if self.friction_backward is None else self.friction_backward
+        return (friction + backward) / 2 / self.stiffness  # type: ignore[no-any-return]
 
     @property
     def _body(self) -> tuple[float, float, float, float, float, float]:
-        backward = float("nan") if self.friction_backward is None else self.friction_backward
-        return (self.mass, self.stiffness, self.friction, backward, self.damping, self.static_friction_ratio)
+        own = vars(self)["_own"]
+        if any(is_array(own[name]) for name in OF_BODY):
+            raise Error("this question takes one machine, not an array of machines")
+        return tuple(own[name] for name in OF_BODY)  # type: ignore[return-value]
 
     @overload
-    def response(self, drive: Drive[float], *, outputs: Optional[Iterable[str]] = None) -> Response[float, str]: ...
+    def response(
+        self: "Machine[float]", drive: Drive[float], *, outputs: Optional[Iterable[MachineResponseOutput]] = None
+    ) -> MachineResponse[float, str]: ...
 
     @overload
-    def response(self, drive: Drive[Floats], *, outputs: Optional[Iterable[str]] = None) -> Response[Floats, Words]: ...
+    def response(
+        self: "Machine[Any]", drive: Drive[Any], *, outputs: Optional[Iterable[MachineResponseOutput]] = None
+    ) -> MachineResponse[Floats, Words]: ...
 
-    def response(self, drive: Drive[Any], *, outputs: Optional[Iterable[str]] = None) -> Response[Any, Any]:
-        """The response in closed form, in ratios and, as ``physical``, in the machine's units; see `response`."""
-        chosen = None if outputs is None else named(outputs, OUTPUTS)
+    def response(self, drive: Drive[Any], *, outputs: Optional[Iterable[str]] = None) -> MachineResponse[Any, Any]:
+        """The response in closed form, in the machine's units; ``ratios`` has the same one in ratios. See `response`.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="50 t", stiffness="1000 kN/m", friction="5 kN", units="kN,mm")
+        >>> found = machine.response(ss.Drive(force="12 kN", frequency="1 Hz"))
+        >>> round(found.max_displacement, 3), found.units["max_displacement"], round(found.ratios.max_displacement, 6)
+        (9.914, 'mm', 1.982893)
+        """
+        chosen = None if outputs is None else named(outputs, (*_rows.MACHINE_RESPONSE, *OUTPUTS))
         driven = self._driven(drive)
-        answer = _closed_forms.of_points(driven.ratios(), chosen, driven.excitation)
-        return _with_units(answer, PhysicalResponse, driven, chosen)
+        asked = None if chosen is None else tuple(outputs_of(chosen, _rows.RESPONSE_SOURCES))
+        answer = _closed_forms.of_points(driven.ratios(), without(asked), driven.excitation)
+        return _with_units(answer, MachineResponse, driven, _rows.MACHINE_RESPONSE, _rows.RESPONSE_SOURCES, chosen)
 
     @overload
     def steady(
-        self,
+        self: "Machine[float]",
         drive: Drive[float],
         *,
-        start: Start = REST,
+        start: Starts = REST,
         max_periods: int = _native.MAX_PERIODS,
-        outputs: Optional[Iterable[str]] = None,
-    ) -> Steady[float, str]: ...
+        outputs: Optional[Iterable[MachineSteadyOutput]] = None,
+    ) -> MachineSteady[float, str]: ...
 
     @overload
     def steady(
-        self,
-        drive: Drive[Floats],
+        self: "Machine[Any]",
+        drive: Drive[Any],
         *,
-        start: Start = REST,
+        start: Starts = REST,
         max_periods: int = _native.MAX_PERIODS,
-        outputs: Optional[Iterable[str]] = None,
-    ) -> Steady[Floats, Words]: ...
+        outputs: Optional[Iterable[MachineSteadyOutput]] = None,
+    ) -> MachineSteady[Floats, Words]: ...
 
     def steady(
         self,
         drive: Drive[Any],
         *,
-        start: Start = REST,
+        start: Any = REST,
         max_periods: int = _native.MAX_PERIODS,
         outputs: Optional[Iterable[str]] = None,
-    ) -> Steady[Any, Any]:
-        """The steady state, in ratios and, as ``physical``, in the machine's units; see `steady`.
+    ) -> MachineSteady[Any, Any]:
+        """The steady state, stops included, in the machine's units; ``ratios`` has the same one in ratios. See `steady`.
 
-        The start is given in radians, B and B w. Transmissibility over frequency, stops included:
+        The start is a phase of the drive (rad), and a displacement and a velocity in the machine's units, from the mean
+        displacement. Transmissibility over frequency, stops included:
 
         >>> import numpy as np, stickslip as ss
         >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05, damping_ratio="5%")
@@ -226,11 +348,18 @@ class Machine:
         >>> machine.steady(drive).transmissibility.round(3)
         array([1.943, 0.48 , 0.38 , 0.358])
         """
-        chosen = None if outputs is None else named(outputs, STEADY_OUTPUTS)
+        chosen = None if outputs is None else named(outputs, (*_rows.MACHINE_STEADY, *STEADY_OUTPUTS))
         periods = whole_number("max_periods", max_periods)
-        driven = self._driven(drive)
-        answer = _steady.of_points(driven.ratios(), chosen, state(start), periods, driven.excitation)
-        return _with_units(answer, PhysicalSteady, driven, chosen)
+        driven = self._driven(drive, start)
+        ratios, given = driven.ratios(), driven.at.given
+        scales = (1.0, driven.scale("length"), driven.scale("velocity"))
+        starts = {
+            name: given[name] / scale if np.any(given[name]) else np.asarray(0.0) for name, scale in zip(STATE, map(np.asarray, scales))
+        }
+        asked = None if chosen is None else tuple(outputs_of(chosen, _rows.STEADY_SOURCES))
+        at = Points(ratios.shape, {**ratios.given, **starts}, ratios.like)
+        answer = _steady.of_points(at, without(asked), periods, driven.excitation)
+        return _with_units(answer, MachineSteady, driven, _rows.MACHINE_STEADY, _rows.STEADY_SOURCES, chosen)
 
     @overload
     def simulate(
@@ -242,7 +371,7 @@ class Machine:
         velocity: Quantity = 0.0,
         cycles: float = 1.0,
         samples: None = None,
-    ) -> Phases: ...
+    ) -> MachinePhases: ...
 
     @overload
     def simulate(
@@ -254,7 +383,7 @@ class Machine:
         velocity: Quantity = 0.0,
         cycles: float = 1.0,
         samples: int,
-    ) -> Samples: ...
+    ) -> MachineSamples: ...
 
     def simulate(
         self,
@@ -265,77 +394,90 @@ class Machine:
         velocity: Quantity = 0.0,
         cycles: float = 1.0,
         samples: Optional[int] = None,
-    ) -> Union[Phases, Samples]:
-        """The exact motion from a start, in ratios and, as ``physical``, in the machine's units; see `simulate`.
+    ) -> Union[MachinePhases, MachineSamples]:
+        """The exact motion from a start, in the machine's units; ``ratios`` has the same one in ratios. See `simulate`.
 
         The start is a phase of the drive (rad), a displacement and a velocity. Displacements are measured from
-        ``physical.mean_displacement``, the shift due to a mean force or to friction that depends on the direction.
+        ``mean_displacement``, the shift due to a mean force or to friction that depends on the direction.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="50 kg", stiffness="1 kN/mm", friction="5 kN")
         >>> drive = ss.Drive(force="12 kN", angular_frequency="20 Hz")
         >>> found = machine.simulate(drive, displacement="1 mm", samples=2)
-        >>> found.physical.displacement.round(6), found.physical.units["displacement"]
+        >>> found.displacement.round(6), found.units["displacement"]
         (array([ 0.001   ,  0.008907, -0.018173]), 'm')
         """
         driven = self._driven(drive)
         point = driven.ratios()
         if point.shape is not None:
-            raise Error("a motion takes a drive of one amplitude and one frequency")
+            raise Error("a motion takes one machine and a drive of one amplitude and one frequency")
         x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
         start = (one("phase", phase), x / one("length", driven.scale("length")), v / one("velocity", driven.scale("velocity")))
         ratios: dict[str, Any] = dict(zip(RATIOS, point.columns))
         if samples is None:
-            phases: Phases = simulate(**ratios, start=start, cycles=cycles)
-            return _with_units(phases, PhysicalPhases, driven)
-        found: Samples = simulate(**ratios, start=start, cycles=cycles, samples=samples)
-        return _with_units(found, PhysicalSamples, driven)
+            return MachinePhases.of(simulate(**ratios, start=start, cycles=cycles), driven)
+        return MachineSamples.of(simulate(**ratios, start=start, cycles=cycles, samples=samples), driven)
 
     def attractors(
         self, drive: Drive[float], *, starts: Any = 1000, reach: Optional[float] = None, max_periods: int = 2000
-    ) -> Attractors:
-        """All attractors that many starts lead to, in ratios; see `attractors`."""
-        at = self._driven(drive).ratios()
-        if at.shape is not None:
-            raise Error("attractors take a drive of one amplitude and one frequency")
-        ratios: dict[str, Any] = dict(zip(RATIOS, at.columns))
-        return attractors(**ratios, starts=starts, reach=reach, max_periods=max_periods)
+    ) -> MachineAttractors:
+        """All attractors that many starts lead to, in the machine's units; see `attractors`.
 
-    def decay(self, displacement: Quantity, velocity: Quantity = 0.0) -> Decay:
-        """Free vibration to rest, in ratios and, as ``physical``, in the machine's units; see `decay`.
+        Starts that are given, and the reach, are in the machine's units, too: a phase (rad), a displacement and a velocity.
+        """
+        driven = self._driven(drive)
+        at = driven.ratios()
+        if at.shape is not None:
+            raise Error("attractors take one machine and a drive of one amplitude and one frequency")
+        ratios: dict[str, Any] = dict(zip(RATIOS, at.columns))
+        length, velocity = one("length", driven.scale("length")), one("velocity", driven.scale("velocity"))
+        if isinstance(starts, Iterable) and not isinstance(starts, str):
+            given = (three(start) for start in starts)
+            starts = [
+                (phase, self._value("displacement", x, "length") / length, self._value("velocity", v, "velocity") / velocity)
+                for phase, x, v in given
+            ]
+        far = None if reach is None else self._value("reach", reach, "length") / length
+        found = attractors(**ratios, starts=starts, reach=far, max_periods=max_periods)
+        return MachineAttractors.of(found, driven, length, velocity)
+
+    def decay(self, displacement: Quantity, velocity: Quantity = 0.0) -> MachineDecay:
+        """Free vibration to rest, in the machine's units; ``ratios`` has the same one in ratios. See `decay`.
 
         The start is a displacement and a velocity of the machine.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="2 kg", stiffness="800 N/m", friction="3 N")
         >>> found = machine.decay("50 mm")
-        >>> found.half_cycles, round(found.physical.rest_position, 6), found.physical.units["rest_position"]
+        >>> found.half_cycles, round(found.rest_position, 6), found.units["rest_position"]
         (7, 0.0025, 'm')
         """
         x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
-        time = 1.0 / self.natural_angular_frequency
-        driven = self._driven(Drive(force=self.friction, angular_frequency=1.0, units=self.units))
-        length = driven.constant("length")
-        ratios = driven.constant("damping_ratio"), driven.constant("static_friction_ratio")
+        time = 1.0 / one("natural_angular_frequency", self.natural_angular_frequency)
+        _ = self._body
+        driven = self._driven(Drive(force=1.0, angular_frequency=1.0, units=self.units))
+        length = one("length", driven.constant("length"))
+        ratios = one("damping_ratio", driven.constant("damping_ratio")), one("ratio", driven.constant("static_friction_ratio"))
         found = decay(x / length, v * time / length, *ratios)
         sizes = {"first_turn": ("length", length), "rest_position": ("length", length), "path": ("length", length), "rest_time": ("time", time)}
-        values = {name: found[name] * size for name, (_, size) in sizes.items()}
+        values = {"half_cycles": found.half_cycles, **{name: found[name] * size for name, (_, size) in sizes.items()}}
         units = names_of(self.units, {name: kind for name, (kind, _) in sizes.items()})
-        return Decay(dict(found), physical=PhysicalDecay(values, units=units))
+        return related(MachineDecay(values, units=units), found, driven)
 
     def follow(
         self,
         record: Record,
         *,
-        displacement: Quantity = 0.0,
-        velocity: Quantity = 0.0,
-        mean_force: Quantity = 0.0,
-    ) -> Followed:
+        displacement: ArrayLike = 0.0,
+        velocity: ArrayLike = 0.0,
+        mean_force: ArrayLike = 0.0,
+    ) -> Followed[Any]:
         """The exact motion under a record and after it, until the body rests, in the machine's units.
 
         No stop is missed: between samples the load is a straight line, under which slides and stops are closed forms.
         With a record of a base acceleration, displacements and velocities are those in relation to the base.
-        Displacements are from the position of the relaxed spring, also with a mean force.
+        Displacements are from the position of the relaxed spring, also with a mean force. Several machines or starts are followed
+        at once, on all cores.
 
         >>> import numpy as np, stickslip as ss
         >>> t = np.arange(0, 12, 0.01)
@@ -344,8 +486,10 @@ class Machine:
         >>> found = isolator.follow(record)
         >>> found.slides == found.stops + found.reversals, found.units["residual_displacement"]
         (True, 'm')
+        >>> isolator.replace(friction_coefficient=[0.03, 0.06, 0.12]).follow(record).path.shape
+        (3,)
         """
-        return follow(self._sliding(mean_force), self.units, record, self._start(displacement, velocity))
+        return follow(self._sliding(mean_force), record, self._start(displacement, velocity))
 
     def motion(
         self,
@@ -354,14 +498,14 @@ class Machine:
         displacement: Quantity = 0.0,
         velocity: Quantity = 0.0,
         mean_force: Quantity = 0.0,
-        interval: Optional[float] = None,
+        interval: Optional[Quantity] = None,
     ) -> Motion:
         """The states and events of the motion under a record, and its answers; see `follow`.
 
         The states are at most ``interval`` seconds apart; by default the longest step of the record.
         """
         start = self._start(displacement, velocity)
-        return motion(self._sliding(mean_force), self.units, record, start, interval)
+        return motion(self._sliding(mean_force), record, start, interval)
 
     def polarities(
         self,
@@ -373,7 +517,7 @@ class Machine:
     ) -> Polarities:
         """The answers to a record and to its mirror image, and which of them moves the body further."""
         start = self._start(displacement, velocity)
-        return polarities(self._sliding(mean_force), self.units, record, start)
+        return polarities(self._sliding(mean_force), record, start)
 
     def floor_spectrum(
         self,
@@ -397,62 +541,132 @@ class Machine:
         ((3,), 'm/s²')
         """
         start = self._start(displacement, velocity)
-        return floor_spectrum(self._sliding(mean_force), self.units, record, start, period, damping_ratio)
+        return floor_spectrum(self._sliding(mean_force), record, start, period, damping_ratio)
 
-    def _start(self, displacement: Quantity, velocity: Quantity) -> tuple[float, float]:
-        return self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
+    def _start(self, displacement: ArrayLike, velocity: ArrayLike) -> tuple[Any, Any]:
+        return self._values("displacement", displacement, "length"), self._values("velocity", velocity, "velocity")
 
-    def _sliding(self, mean_force: Quantity) -> tuple[float, float, float, float, float, float, float, bool]:
-        backward = self.friction if self.friction_backward is None else self.friction_backward
-        force = self._value("mean_force", mean_force, "force")
-        ratio = self.static_friction_ratio
-        return (self.mass, self.stiffness, self.damping, self.friction, backward, ratio, force, False)
+    def _sliding(self, mean_force: ArrayLike) -> Sliding:
+        own = vars(self)["_own"]
+        names = ("mass", "stiffness", "damping", "friction", "friction_backward", "static_friction_ratio")
+        values = {**{name: own[name] for name in names}, "mean_force": self._values("mean_force", mean_force, "force")}
+        return Sliding(values, False, self.units, vars(self)["_named"])
 
     @overload
     def border(
-        self, *, frequency: Optional[Quantity] = None, angular_frequency: Optional[Quantity] = None
+        self: "Machine[float]", *, frequency: Optional[Quantity] = None, angular_frequency: Optional[Quantity] = None
     ) -> Border[float]: ...
 
     @overload
     def border(
-        self, *, frequency: Optional[ArrayLike] = None, angular_frequency: Optional[ArrayLike] = None
+        self: "Machine[Any]", *, frequency: Optional[ArrayLike] = None, angular_frequency: Optional[ArrayLike] = None
     ) -> Border[Floats]: ...
 
     def border(
         self, *, frequency: Optional[ArrayLike] = None, angular_frequency: Optional[ArrayLike] = None
     ) -> Border[Any]:
-        """The border at a frequency, in ratios; `min_force` gives it as a force."""
-        given: dict[str, Any] = {"frequency": frequency, "angular_frequency": angular_frequency}
-        drive: Drive[Any] = Drive(force=self.friction, units=self.units, **given)
-        at = self._driven(drive).ratios()
-        return _closed_forms.border_of(at)
+        """The border at a frequency, in ratios; `min_force` gives it as a force.
 
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+        >>> round(machine.border(frequency="2 Hz").min_force_ratio, 4)
+        1.4...
+        """
+        given: dict[str, Any] = {"frequency": frequency, "angular_frequency": angular_frequency}
+        # The border does not depend on the force, so any value serves.
+        drive: Drive[Any] = Drive(force=1.0, units=self.units, **given)
+        return _closed_forms.border_of(self._driven(drive).ratios())
+
+    @overload
     def min_force(
-        self,
+        self: "Machine[float]",
         *,
         frequency: Optional[Quantity] = None,
         angular_frequency: Optional[Quantity] = None,
         excitation: str = "force",
-    ) -> float:
-        """The minimum amplitude of an excitation at which the cycle without a stop exists, at a frequency.
+    ) -> float: ...
+
+    @overload
+    def min_force(
+        self: "Machine[Any]",
+        *,
+        frequency: Optional[ArrayLike] = None,
+        angular_frequency: Optional[ArrayLike] = None,
+        excitation: str = "force",
+    ) -> Floats: ...
+
+    def min_force(
+        self,
+        *,
+        frequency: Optional[ArrayLike] = None,
+        angular_frequency: Optional[ArrayLike] = None,
+        excitation: str = "force",
+    ) -> Any:
+        """The minimum amplitude of an excitation at which the cycle without a stop exists, at a frequency or several.
 
         With one friction the body then never sticks. With a static friction above the kinetic one the cycle attracts
         its neighbourhood, and a body at rest is released only by a force above the static friction.
 
         The excitation is the force, or another amplitude by its name in `Drive`.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+        >>> machine.min_force(frequency=[1.0, 2.0]).round(2)
+        array([595.98, 714.98])
         """
-        return _native.min_amplitude(self._body, excitation, _one_frequency(frequency, angular_frequency))
+        given = {"amplitude": 1.0, "angular_frequency": angular_of(frequency, angular_frequency)}
+        return self._design("min_amplitude", excitation, given)[0]
 
-    def max_friction(self, drive: Drive[float]) -> float:
-        """The maximum friction bound with which the cycle without a stop exists under a drive; see `min_force`."""
-        return _native.max_friction(self._body, *self._single(drive))
+    def max_friction(self, drive: Drive[Any]) -> Any:
+        """The maximum friction bound with which the cycle without a stop exists under a drive; see `min_force`.
 
-    def best_friction(self, drive: Drive[float]) -> "BestFriction":
-        """The friction bound that dissipates most under a drive, among those at which the body does not stick."""
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+        >>> round(machine.max_friction(ss.Drive(force="900 N", frequency="2 Hz")), 2)
+        493.77
+        """
+        return self._designed("max_friction", drive)[0]
+
+    def best_friction(self, drive: Drive[Any], *, sticking: bool = False) -> "BestFriction":
+        """The friction bound that dissipates most under a drive: among those at which the body does not stick, or of all, stops
+        included.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+        >>> best = machine.best_friction(ss.Drive(force="900 N", frequency="0.2 Hz"), sticking=True)
+        >>> best.optimum, round(best.friction, 1)
+        ('sticking', 4...)
+        """
         from ._design import BestFriction
 
-        friction, energy, optimum = _native.best_friction(self._body, *self._single(drive))
+        friction, energy, _, optimum = self._designed("best_friction_of_all" if sticking else "best_friction", drive)
         return BestFriction(friction, energy, optimum)
+
+    def frictions_for_displacement(self, max_displacement: Quantity, drive: Drive[float]) -> "list[TargetFriction]":
+        """The friction bounds with which the steady motion under a drive has a given maximum displacement, stops included; none
+        where no friction gives it.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass=50.0, stiffness=1000.0, friction=1.0)
+        >>> [(round(found.friction, 3), found.regime) for found in machine.frictions_for_displacement(0.01, ss.Drive(force=12.0, angular_frequency=6.0))]
+        [(4.9..., 'non-sticking')]
+        """
+        from ._design import TargetFriction
+
+        target = self._value("max_displacement", max_displacement, "length")
+        return [TargetFriction(*found) for found in _native.frictions_for_displacement(self._body, *self._single(drive), target)]
+
+    def hold(self, drive: Drive[Any], *, angular: bool = False) -> Any:
+        """The frequency up to which friction holds the body at rest under the amplitude of a drive, in hertz or in radians per second:
+        infinite where it does at every frequency, 0 where it does at none.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass=20.0, stiffness=2e4, friction=80.0)
+        >>> machine.hold(ss.Drive(base_displacement=0.01, frequency=1.0), angular=True)
+        20.0
+        """
+        found = self._designed("hold", drive)[0]
+        return found if angular else found / (2 * np.pi)
 
     def best_friction_over(
         self,
@@ -505,7 +719,7 @@ class Machine:
         from ._design import Band
 
         amplitudes = (force, foot_displacement, unbalance, base_displacement, base_velocity, base_acceleration)
-        units = self.units if not any(isinstance(x, str) for x in amplitudes) else None
+        units = self.units if vars(self)["_named"] and not any(isinstance(x, str) for x in amplitudes) else None
         drive = Drive(
             force=force,
             foot_displacement=foot_displacement,
@@ -523,42 +737,123 @@ class Machine:
 
     def force_for_displacement(
         self,
-        max_displacement: Quantity,
+        max_displacement: ArrayLike,
         *,
-        frequency: Optional[Quantity] = None,
-        angular_frequency: Optional[Quantity] = None,
-    ) -> float:
-        """The force amplitude at which the cycle has a given maximum displacement, at a frequency."""
-        target = self._value("max_displacement", max_displacement, "length")
-        return _native.force_for(self._body, _one_frequency(frequency, angular_frequency), target, False)
+        frequency: Optional[ArrayLike] = None,
+        angular_frequency: Optional[ArrayLike] = None,
+    ) -> Any:
+        """The force amplitude at which the cycle has a given maximum displacement, at a frequency.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+        >>> round(machine.force_for_displacement("10 mm", frequency="1.7 Hz"), 2)
+        10...
+        """
+        target = self._values("max_displacement", max_displacement, "length")
+        given = {"amplitude": target, "angular_frequency": angular_of(frequency, angular_frequency)}
+        return self._design("force_for_displacement", "force", given)[0]
 
     def force_for_velocity(
         self,
-        max_velocity: Quantity,
+        max_velocity: ArrayLike,
         *,
-        frequency: Optional[Quantity] = None,
-        angular_frequency: Optional[Quantity] = None,
-    ) -> float:
-        """The force amplitude at which the cycle has a given maximum velocity, at a frequency."""
-        target = self._value("max_velocity", max_velocity, "velocity")
-        return _native.force_for(self._body, _one_frequency(frequency, angular_frequency), target, True)
+        frequency: Optional[ArrayLike] = None,
+        angular_frequency: Optional[ArrayLike] = None,
+    ) -> Any:
+        """The force amplitude at which the cycle has a given maximum velocity, at a frequency; as `force_for_displacement`."""
+        target = self._values("max_velocity", max_velocity, "velocity")
+        given = {"amplitude": target, "angular_frequency": angular_of(frequency, angular_frequency)}
+        return self._design("force_for_velocity", "force", given)[0]
+
+    def _designed(self, question: str, drive: Drive[Any]) -> tuple[Any, Any, Any, Any]:
+        of_type("drive", drive, Drive)
+        given = drive._in(self.units, vars(self)["_named"])
+        return self._design(question, drive.excitation, {name: given[name] for name in ("amplitude", "angular_frequency")})
+
+    def _design(self, question: str, excitation: str, given: Mapping[str, Any]) -> tuple[Any, Any, Any, Any]:
+        """The answers to a question of design, for each machine, amplitude and frequency."""
+        own = vars(self)["_own"]
+        at = points(**given, **{name: own[name] for name in OF_BODY})
+        target, frequency, *body = at.columns
+        size, many = (1, False) if at.shape is None else (at.size, True)
+        columns, words = _native.design_each(question, body, excitation, target, frequency, size, many)
+        if at.shape is None:
+            first, second, third = (float(column[0]) for column in columns)
+            return first, second, third, _OPTIMA[int(words[0])]
+        shape, like = at.shape, at.like
+        dressed = [column.reshape(shape) for column in (*columns, np.asarray(_OPTIMA)[np.minimum(words, 3)])]
+        if like is not None:
+            dressed = [like.dressed(question, column, {}) for column in dressed]
+        return dressed[0], dressed[1], dressed[2], dressed[3]
 
     def _value(self, name: str, value: Quantity, kind: str) -> float:
         """A value as a number in the machine's system of units, to which bare numbers belong."""
-        if isinstance(value, str) and self.units is None:
-            raise Error(f"{name} {value}: has a unit, and the machine's values have none")
-        return read({name: (value, kind)}, self.units)[0][name]
+        return one_value(name, value, kind, self.units, vars(self)["_named"])
 
-    def _driven(self, drive: Drive[Any]) -> Driven:
+    def _values(self, name: str, value: ArrayLike, kind: str) -> Any:
+        """The same for an array of numbers."""
+        return values_of(name, value, kind, self.units, vars(self)["_named"])
+
+    def _driven(self, drive: Drive[Any], start: Any = None) -> Driven:
         of_type("drive", drive, Drive)
-        return Driven.by(self._body, self._damping_ratio, drive._in(self.units))
+        own = vars(self)["_own"]
+        given = drive._in(self.units, vars(self)["_named"])
+        if start is not None:
+            phase, x, v = three(start)
+            values = (phase, self._values(STATE[1], x, "length"), self._values(STATE[2], v, "velocity"))
+            given |= dict(zip(STATE, values))
+        return Driven.by(own, given, drive.excitation, self.units)
 
     def _single(self, drive: Drive[Any]) -> tuple[str, float, float]:
-        at = self._driven(drive)
-        if at.drives.shape is not None:
-            raise Error("a design takes a drive of one amplitude and one frequency")
-        amplitude, frequency = (float(column) for column in at.drives.columns)
-        return at.excitation, amplitude, frequency
+        of_type("drive", drive, Drive)
+        given = drive._in(self.units, vars(self)["_named"])
+        if any(is_array(given[name]) for name in ("amplitude", "angular_frequency")):
+            raise Error("this design takes a drive of one amplitude and one frequency")
+        return drive.excitation, float(given["amplitude"]), float(given["angular_frequency"])
+
+
+#: Kinds of an optimum, by the numbers of the compiled part; the last is for a place without an answer.
+_OPTIMA = ("interior", "border", "sticking", "invalid")
+
+
+def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, Any], Optional[str]]:
+    """The values of one body or several by name, with the damping ratio if it was given, and their system of units."""
+    arrays = {name: value for name, value in given.items() if is_array(value)}
+    if not arrays:
+        # A bare frequency is in hertz here, and an angular one in the library.
+        single = {name: value if name != "natural_frequency" or isinstance(value, str) else 2 * np.pi * one(name, value) for name, value in given.items()}
+        body, ratio, system = _native.machine(texts(single), units)
+        own: dict[str, Any] = dict(zip(OF_BODY, body))
+        return own if ratio is None else {**own, "damping_ratio": ratio}, system
+    numbered, like = aligned(arrays)
+    if "natural_frequency" in numbered:
+        numbered["natural_frequency"] = numbered["natural_frequency"] * (2 * np.pi)
+    shape = shape_of(numbered)
+    # One of its numbers stands for an array when units are checked.
+    single = {name: _any_of(numbered[name]) if name in numbered else value for name, value in given.items()}
+    if "natural_frequency" in single and "natural_frequency" not in numbered and not isinstance(single["natural_frequency"], str):
+        single["natural_frequency"] = 2 * np.pi * one("natural_frequency", single["natural_frequency"])
+    columns = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in numbered.items()]
+    found, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
+    own = {}
+    for name, column in found.items():
+        if name == "damping_ratio" and name not in given:
+            continue
+        array = column.reshape(shape)
+        own[name] = like.dressed(name, array, {}) if like is not None else array
+    if "friction_backward" not in given:
+        own["friction_backward"] = float("nan")
+    return own, system
+
+
+def _any_of(array: Floats) -> float:
+    usable = array[np.isfinite(array) & (array > 0)]
+    return float(usable.flat[0]) if usable.size else 1.0
+
+
+def without(asked: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:
+    """The chosen outputs but for the ratios, which every answer has."""
+    return None if asked is None else tuple(name for name in asked if name not in RATIOS)
 
 
 def _one_frequency(frequency: Optional[Quantity], angular_frequency: Optional[Quantity]) -> float:
@@ -582,11 +877,27 @@ def _range(frequency: _Range, angular_frequency: _Range) -> tuple[tuple[float, f
     return (_one_frequency(None, low), _one_frequency(None, high)), 1.0
 
 
-def _with_units(answer: _R, physical: type[PhysicalResult], driven: Driven, chosen: Optional[Iterable[str]] = None) -> _R:
+def _with_units(
+    answer: Result,
+    kind: type[_R],
+    driven: Driven,
+    rows: Mapping[str, tuple[str, str]],
+    sources: Mapping[str, str],
+    chosen: Optional[tuple[str, ...]],
+) -> _R:
     """The answer with its values in the machine's units."""
-    kinds = driven.kinds(answer._names if chosen is None else chosen)
-    names = [name for name in physical._names if name in kinds]
+    here = driven.names(rows, sources)
+    if chosen is not None:
+        by_output = {output: name for name, output in reversed(sources.items())}
+        asked = [name if name in rows else by_output[name] for name in chosen]
+        # The name of an output stands for all its values.
+        values = [name for name in here if name in _rows.DRIVE_ROWS or name in asked or sources[name] in chosen and name in here]
+        here = [*values, *RATIOS]
+    elif driven.at.shape is not None:
+        here = [name for name in here if name != "multipliers"]
+    kinds = {name: of for name, (of, _) in rows.items() if of not in ("", "1", "rad", "2π/ω_d")}
     units = names_of(driven.units, kinds)
-    values = physical({}, Scaled(answer, driven), units=units, chosen=names, like=answer._like)
-    object.__setattr__(answer, "_physical", values)
-    return answer
+    if units is not None:
+        units |= {name: "rad" for name, (of, _) in rows.items() if of == "rad"}
+    found = kind({}, Scaled(answer, driven, sources), units=units, chosen=dict.fromkeys(here), like=answer._like)
+    return related(found, answer, driven)

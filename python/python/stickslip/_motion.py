@@ -2,43 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Union, overload
+from collections.abc import Sequence
+from typing import Any, Optional, TypeVar, Union, overload
+
+import numpy as np
 
 from . import _native
-from ._result import RATIOS, Codes, Floats, Physical, PhysicalResult, Result, Words, one, whole_number
+from ._drive import of_number
+from ._physical import OF_SIMULATION, Driven, Scaled, names_of, related
+from ._result import RATIOS, Codes, Floats, PhysicalResult, Result, Words, one, whole_number
 from ._start import REST, Start, state
 
 _KINDS = ("slide-forward", "slide-backward", "stick")
 _ENDS = ("reversal", "stop", "grazing", "release", "never")
-
-
-class PhysicalPhases(Physical[float]):
-    """The segments of a motion in the machine's units."""
-
-    start_time: Floats
-    end_time: Floats
-    duration: Floats
-    start_displacement: Floats
-    start_velocity: Floats
-    end_displacement: Floats
-
-
-class PhysicalSamples(Physical[float]):
-    """The samples of a motion in the machine's units."""
-
-    time: Floats
-    displacement: Floats
-    velocity: Floats
-    friction_force: Floats
-
-
-class PhysicalDecay(PhysicalResult):
-    """Free vibration to rest in the machine's units."""
-
-    first_turn: float
-    rest_position: float
-    path: float
-    rest_time: float
 
 
 class Phases(Result):
@@ -54,10 +30,9 @@ class Phases(Result):
         In radians of the drive; NaN for a segment that never ends.
     start_displacement, start_velocity, end_displacement : array
         In B and B w.
-    physical : of a machine alone
-        The same in the machine's units.
     """
 
+    _along = "start_phase"
     kind: Words
     ends_by: Words
     start_phase: Floats
@@ -66,13 +41,6 @@ class Phases(Result):
     start_displacement: Floats
     start_velocity: Floats
     end_displacement: Floats
-    _physical: Optional[PhysicalPhases]
-
-    @property
-    def physical(self) -> PhysicalPhases:
-        if self._physical is None:
-            raise AttributeError("physical")
-        return self._physical
 
 
 class Samples(Result):
@@ -86,21 +54,30 @@ class Samples(Result):
         In B and B w.
     friction : array
         Friction force in units of the kinetic friction: -1 or 1 while the body slides.
-    physical : of a machine alone
-        The same in the machine's units.
     """
 
+    _along = "phase"
+    _rows = {
+        "phase": ("rad", "Phase of the drive"),
+        "displacement": ("B", "Displacement"),
+        "velocity": ("B ω_d", "Velocity"),
+        "friction": ("r_y", "Force of friction on the body"),
+    }
     phase: Floats
     displacement: Floats
     velocity: Floats
     friction: Floats
-    _physical: Optional[PhysicalSamples]
 
-    @property
-    def physical(self) -> PhysicalSamples:
-        if self._physical is None:
-            raise AttributeError("physical")
-        return self._physical
+    def loop(self, *, spring: bool = False) -> tuple[Floats, Floats]:
+        """The hysteresis loop: displacements, and the force against friction, with that of the spring if asked.
+
+        >>> import stickslip as ss
+        >>> x, force = ss.steady(0.7, 3).waveform(1000).loop()
+        >>> round(float(np.trapezoid(force, x)), 1), round(ss.steady(0.7, 3).energy_out, 1)
+        (22.3, 22.3)
+        """
+        force = -self.friction
+        return self.displacement, force + self.displacement if spring else force
 
 
 class Decay(Result):
@@ -116,8 +93,6 @@ class Decay(Result):
         Length of the path to rest (B).
     rest_time : float
         Time until rest, in units of ``sqrt(m/k)``; NaN if the body creeps for ever.
-    physical : of a machine alone
-        The same in the machine's units.
     """
 
     half_cycles: int
@@ -125,13 +100,106 @@ class Decay(Result):
     rest_position: float
     path: float
     rest_time: float
-    _physical: Optional[PhysicalDecay]
+
+
+class MachinePhases(PhysicalResult):
+    """The motion of a machine segment by segment; see `Machine.simulate` and `Phases`."""
+
+    _along = "start_time"
+    kind: Words
+    ends_by: Words
+    start_phase: Floats
+    start_time: Floats
+    end_phase: Floats
+    end_time: Floats
+    duration: Floats
+    start_displacement: Floats
+    start_velocity: Floats
+    end_displacement: Floats
+    mean_displacement: float
+    _ratios: Phases
 
     @property
-    def physical(self) -> PhysicalDecay:
-        if self._physical is None:
-            raise AttributeError("physical")
-        return self._physical
+    def ratios(self) -> Phases:
+        """The same motion in ratios."""
+        return self._ratios
+
+    @classmethod
+    def of(cls, found: Phases, driven: Driven) -> "MachinePhases":
+        return _in_units(cls, found, driven)
+
+
+class MachineSamples(PhysicalResult):
+    """The motion of a machine at equal distances of time; see `Machine.simulate` and `MachineSteady.waveform`.
+
+    Displacements are measured from ``mean_displacement``, the shift due to a mean force or to friction that depends on the
+    direction.
+    """
+
+    _along = "time"
+    _rows = {
+        "phase": ("rad", "Phase of the drive"),
+        "time": ("", "Time"),
+        "displacement": ("", "Displacement"),
+        "velocity": ("", "Velocity"),
+        "friction_force": ("", "Force of friction on the body"),
+        "mean_displacement": ("", "Displacement from which the others are measured"),
+    }
+    time: Floats
+    phase: Floats
+    displacement: Floats
+    velocity: Floats
+    friction_force: Floats
+    mean_displacement: float
+    _ratios: Samples
+    _driven: Driven
+
+    @property
+    def ratios(self) -> Samples:
+        """The same samples in ratios."""
+        return self._ratios
+
+    @classmethod
+    def of(cls, found: Samples, driven: Driven) -> "MachineSamples":
+        return _in_units(cls, found, driven)
+
+    def loop(self, *, spring: bool = False) -> tuple[Floats, Floats]:
+        """The hysteresis loop: displacements, and the force against friction, with that of the spring if asked."""
+        stiffness = float(self._driven.at.given["stiffness"])
+        force = -self.friction_force
+        return self.displacement, force + stiffness * self.displacement if spring else force
+
+
+class MachineDecay(PhysicalResult):
+    """Free vibration of a machine to rest, in its units; see `Machine.decay` and `Decay`."""
+
+    half_cycles: int
+    first_turn: float
+    rest_position: float
+    path: float
+    rest_time: float
+    _ratios: Decay
+
+    @property
+    def ratios(self) -> Decay:
+        """The same motion in ratios."""
+        return self._ratios
+
+
+_M = TypeVar("_M", bound=PhysicalResult)
+
+
+def _in_units(kind: type[_M], found: Result, driven: Driven) -> _M:
+    """A motion in the units of a machine."""
+    sources = {own: name for name, (own, _, _) in OF_SIMULATION.items()}
+    scaled = Scaled(found, driven, {**{name: name for name in kind._names}, **sources})
+    kinds = {own: of for own, _, of in OF_SIMULATION.values() if own in kind._names}
+    units = names_of(driven.units, {**kinds, "mean_displacement": "length"})
+    values = {name: scaled.value(name) for name in kind._names if name not in ("kind", "ends_by")}
+    words = {name: found._values[name] for name in ("kind", "ends_by") if name in kind._names}
+    if units is not None:
+        units |= {name: "rad" for name in kind._names if name.endswith("phase")}
+    return related(kind({**words, **values}, units=units), found, driven)
 
 
 @overload
@@ -200,12 +268,16 @@ def simulate(
     given = (omega, alpha, damping_ratio, static_friction_ratio)
     point = tuple(one(name, value) for name, value in zip(RATIOS, given))
     if samples is None:
-        table: dict[str, Any] = _native.phases(point, state(start), one("cycles", cycles))
+        table: dict[str, Any] = _native.phases(point, state(start), of_number("cycles", cycles))
         table["kind"] = Codes(table["kind"], _KINDS)
         table["ends_by"] = Codes(table["ends_by"], _ENDS)
         return Phases(table)
-    number = whole_number("samples", samples)
-    return Samples(_native.samples(point, state(start), one("cycles", cycles), number))
+    return sampled(point, state(start), of_number("cycles", cycles), whole_number("samples", samples))
+
+
+def sampled(point: Sequence[float], start: Start, cycles: float, per_cycle: int, whole_turns: bool = False) -> Samples:
+    """The samples of a motion from its start, or from the next whole turn of the drive."""
+    return Samples(_native.samples(point, start, cycles, per_cycle, whole_turns))
 
 
 def decay(

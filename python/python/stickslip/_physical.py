@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Mapping, NamedTuple, Optional
+from collections.abc import Iterable, Mapping
+from typing import Any, NamedTuple, Optional, TypeVar
 
 import numpy as np
 
-from . import _native
-from ._drive import Drive
-from ._result import RATIOS, Points, Result, Value, points
+from . import _native, _rows
+from ._result import RATIOS, PhysicalResult, Points, Result, Value, points
 
-#: Mass, stiffness, friction forward and backward, damping constant and static friction ratio.
-Body = tuple[float, float, float, float, float, float]
-#: The names of every answer in units.
-_OF_DRIVE = {
-    "angular_frequency": "frequency",
-    "force_amplitude": "force",
-    "friction_displacement": "length",
-    "mean_displacement": "length",
-}
-#: Physical name, scale and kind of the values of `simulate`.
+#: The values of a body, in the order of the compiled part.
+OF_BODY = ("mass", "stiffness", "friction", "friction_backward", "damping", "static_friction_ratio")
+_OF_DRIVE = ("amplitude", "angular_frequency", "mean_force")
+#: Scales that do not depend on the drive.
+_CONSTANT = ("length", "force", "mean_displacement", "mean_friction", "damping_ratio", "static_friction_ratio")
+#: Name in units, scale and kind of the values of `simulate`, `waveform` and `decay`; a phase stays beside its time.
 OF_SIMULATION = {
     "phase": ("time", "time", "time"),
     "start_phase": ("start_time", "time", "time"),
@@ -40,40 +36,49 @@ def names_of(system: Optional[str], kinds: Mapping[str, str]) -> Optional[dict[s
 
 
 class Driven(NamedTuple):
-    """A body under one drive or many, in one system of units."""
+    """A body or several under one drive or many, in one system of units."""
 
-    body: Body
     excitation: str
-    drives: Points
-    mean_force: float
+    #: The amplitude, the angular frequency and the mean force, and the values of the body.
+    at: Points
     units: Optional[str]
-    #: The damping ratio as given; None if the damping constant was.
-    damping_ratio: Optional[float]
 
     @classmethod
-    def by(cls, body: Body, damping_ratio: Optional[float], drive: Drive[Any]) -> "Driven":
-        at = points(amplitude=drive.amplitude, angular_frequency=drive.angular_frequency)
-        return cls(body, drive.excitation, at._replace(like=drive._like), drive.mean_force, drive.units, damping_ratio)
+    def by(cls, body: Mapping[str, Any], drive: Mapping[str, Any], excitation: str, units: Optional[str]) -> "Driven":
+        values: dict[str, Any] = {**drive, **body}
+        return cls(excitation, points(**values), units)
+
+    @property
+    def is_one(self) -> bool:
+        """Whether there is one body under one mean force."""
+        given = self.at.given
+        return all(given[name].size == 1 for name in ("mean_force", *OF_BODY))
 
     def columns(self, *names: str) -> list[Any]:
-        """Ratios or scales by their names, in the shape of the drives."""
-        at = self.drives
-        size = at.size if at.shape is not None else 1
-        many = at.shape is not None
-        found = _native.machine_columns(self.body, self.excitation, at.columns, size, many, self.mean_force, list(names))
+        """Ratios or scales by their names, in the shape of the points."""
+        at = self.at
+        columns = dict(zip(at.given, at.columns))
+        size, many = (at.size, True) if at.shape is not None else (1, False)
+        body, drive = ([columns[name] for name in group] for group in (OF_BODY, _OF_DRIVE))
+        found = _native.machine_columns(body, self.excitation, drive, size, many, list(names))
         return [found[name].item() if at.shape is None else found[name].reshape(at.shape) for name in names]
 
-    def constant(self, name: str) -> float:
-        """A ratio or a scale that is the same under all drives."""
-        if name == "damping_ratio" and self.damping_ratio is not None:
-            return self.damping_ratio
-        found = _native.machine_columns(self.body, self.excitation, (1.0, 1.0), 1, False, self.mean_force, [name])
+    def constant(self, name: str) -> Value:
+        """A ratio or a scale that is the same under all amplitudes and frequencies."""
+        if name == "damping_ratio" and "damping_ratio" in self.at.given:
+            return self.at.given["damping_ratio"]
+        if not self.is_one:
+            value: Value = self.columns(name)[0]
+            return value
+        columns = dict(zip(self.at.given, self.at.columns))
+        body, mean = [columns[key] for key in OF_BODY], columns["mean_force"]
+        found = _native.machine_columns(body, self.excitation, [1.0, 1.0, mean], 1, False, [name])
         return float(found[name][0])
 
     def ratios(self) -> Points:
         omega, alpha = self.columns("omega", "alpha")
         given = (omega, alpha, self.constant("damping_ratio"), self.constant("static_friction_ratio"))
-        return Points(self.drives.shape, dict(zip(RATIOS, map(np.asarray, given))), self.drives.like)
+        return Points(self.at.shape, dict(zip(RATIOS, map(np.asarray, given))), self.at.like)
 
     def scale(self, name: str) -> Value:
         """The size of one unit of a measure, or a ratio."""
@@ -81,16 +86,17 @@ class Driven(NamedTuple):
             return self.constant("force") * self.constant("length")
         if name == "period":
             return 2 * np.pi * self.scale("time")
-        if name in ("length", "force", "mean_displacement", "mean_friction"):
+        if name in _CONSTANT:
             return self.constant(name)
         value: Value = self.columns(name)[0]
         return value
 
-    def kinds(self, outputs: Iterable[str]) -> dict[str, str]:
-        """The kind of each value in units by its physical name, for these outputs."""
-        known = {**_native.physical_outputs(self.excitation), **OF_SIMULATION}
-        own = {known[name][0]: known[name][2] for name in outputs if name in known}
-        return {**_OF_DRIVE, **own}
+    def names(self, rows: Mapping[str, Any], sources: Mapping[str, str]) -> list[str]:
+        """The values that exist under this excitation."""
+        known = _native.physical_outputs(self.excitation)
+        units = {own for own, _, _ in _rows.physical_names().values()}
+        here = {own for own, _, _ in known.values()}
+        return [name for name in rows if name not in units or name in here]
 
 
 class Scaled(NamedTuple):
@@ -98,45 +104,58 @@ class Scaled(NamedTuple):
 
     answer: Result
     driven: Driven
+    #: The output of the answer that each value follows from.
+    sources: Mapping[str, str]
 
     def __call__(self, names: Iterable[str]) -> dict[str, Any]:
         return {name: self.value(name) for name in names}
 
     def value(self, name: str) -> Any:
-        driven = self.driven
-        shape = driven.drives.shape
+        driven, shape = self.driven, self.driven.at.shape
         if name == "angular_frequency":
-            return driven.drives.in_shape()[name]
+            return driven.at.in_shape()[name]
         if name == "force_amplitude":
             return driven.scale(name)
         if name in ("friction_displacement", "mean_displacement"):
             constant = driven.scale("length" if name == "friction_displacement" else name)
             return constant if shape is None else np.broadcast_to(constant, shape)
-        found = self.outputs(name)
-        if not found:
+        output = self.sources[name]
+        known = {**_native.physical_outputs(driven.excitation), **OF_SIMULATION}
+        own, scale, _ = known.get(output, (output, "", ""))
+        if name == own and scale:
+            if name == "best_force_energy":
+                # The loop is that of the best force, not of the given one.
+                best = self.raw("best_force_ratio") * driven.scale("force")
+                return self.raw(output) * (0.5 * best * (best / driven.at.in_shape()["stiffness"]))
+            value = self.raw(output) * driven.scale(scale)
+            # Friction that differs by direction is symmetric about its mean.
+            return value + driven.scale("mean_friction") if output == "friction" else value
+        if name != output or name in {own for own, _, _ in _rows.physical_names().values()}:
             # No such value exists under this excitation.
             return float("nan") if shape is None else np.full(shape, np.nan)
-        output, scale = next(iter(found.items()))
-        if name == "best_force_energy":
-            # The loop is that of the best force, not of the given one.
-            best = self.raw("best_force_ratio") * driven.scale("force")
-            return self.raw(output) * (0.5 * best * (best / driven.body[1]))
-        value = self.raw(output) * driven.scale(scale)
-        # Friction that differs by direction is symmetric about its mean.
-        return value + driven.scale("mean_friction") if output == "friction" else value
+        return self.raw(output)
 
     def is_at_hand(self, name: str) -> bool:
         """Whether the value of the answer is there."""
-        return name in _OF_DRIVE or any(output in self.answer._values for output in self.outputs(name))
-
-    def outputs(self, name: str) -> dict[str, str]:
-        """The output of this physical name and its scale, if there is one under this excitation."""
-        known = {**_native.physical_outputs(self.driven.excitation), **OF_SIMULATION}
-        found = ((output, scale) for output, (own, scale, _) in known.items() if own == name)
-        return {output: scale for output, scale in found if output in self.answer._names}
+        return name in _rows.DRIVE_ROWS or self.sources.get(name) in self.answer._values
 
     def raw(self, name: str) -> Any:
         """A value of the answer as a number or an array of NumPy."""
         if name not in self.answer._values:
             getattr(self.answer, name)
         return self.answer._values[name]
+
+
+_R = TypeVar("_R", bound=PhysicalResult)
+
+
+def related(answer: _R, ratios: Result, driven: Driven) -> _R:
+    """An answer in units with the same one in ratios, and with its machine."""
+    object.__setattr__(answer, "_ratios", ratios)
+    object.__setattr__(answer, "_driven", driven)
+    return answer
+
+
+def outputs_of(chosen: Iterable[str], sources: Mapping[str, str]) -> list[str]:
+    """The outputs that chosen values of a machine follow from; the name of an output stands for its value."""
+    return list(dict.fromkeys(sources.get(name, name) for name in chosen if name not in _rows.DRIVE_ROWS))

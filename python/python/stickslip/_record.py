@@ -5,16 +5,31 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Generic, Optional, Union, overload
+from typing import Any, Generic, NamedTuple, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._drive import Quantity, read, texts
+from ._drive import Quantity, is_array, of_number, read, system_of, texts, values_of
+from ._labels import WrongType, aligned, is_labelled, module, shape_of
 from ._native import Error
 from ._physical import names_of
-from ._result import Floats, Result, V, are_equal, numbers, of_type, one, points, shaped
+from ._result import (
+    Floats,
+    Meaning,
+    PhysicalResult,
+    Points,
+    Result,
+    V,
+    Value,
+    are_equal,
+    numbers,
+    of_type,
+    one,
+    points,
+    short,
+)
 
 #: The kind of the samples of each record.
 _KINDS = {
@@ -48,17 +63,57 @@ _UNITS = {
     "damper_work": "energy",
     "load_work": "energy",
 }
-#: Answers that do not depend on the mass, where friction is a coefficient and the damper a ratio.
-_WITHOUT_MASS = tuple(name for name, kind in _UNITS.items() if kind not in ("force", "energy", "stiffness"))
+#: The kinds of the states of a motion.
+_OF_STATES = {
+    "time": "time",
+    "displacement": "length",
+    "velocity": "velocity",
+    "acceleration": "acceleration",
+    "absolute_acceleration": "acceleration",
+    "friction": "force",
+    "transmitted_force": "force",
+    "load": "force",
+    "event_time": "time",
+    "event_displacement": "length",
+}
+_ANSWERS = {
+    "max_displacement": "Greatest displacement from the position of the relaxed spring, and over the surface where that moves",
+    "min_displacement": "Least displacement",
+    "peak_displacement": "Greatest displacement, regardless of sign",
+    "max_velocity": "Greatest velocity, over the surface where that moves",
+    "min_velocity": "Least velocity",
+    "max_absolute_acceleration": "Greatest acceleration in space, regardless of sign",
+    "max_transmitted_force": "Greatest force of spring, damper and friction together on their support",
+    "end_displacement": "Displacement at the end of the record",
+    "end_velocity": "Velocity at the end of the record",
+    "residual_displacement": "Displacement at rest after the record, or its limit",
+    "path": "Length of the way to rest",
+    "slides": "Slides",
+    "stops": "Slides that end with a rest",
+    "reversals": "Slides that a slide back follows at once",
+    "stick_time": "Time at rest during the record",
+    "cycle_amplitude": "Half the way of the longest swing from one turning point to the next",
+    "friction_work": "Work against friction",
+    "damper_work": "Work against the damper",
+    "load_work": "Work of the load",
+}
 
 
-@dataclass(frozen=True, init=False, eq=False)
+def _meanings(texts: Mapping[str, str]) -> dict[str, Meaning]:
+    return {name: ("", text) for name, text in texts.items()}
+
+
+@dataclass(frozen=True, init=False, eq=False, repr=False)
 class Record:
-    """A measured load: samples, and straight lines between them.
+    """A measured load: samples, and straight lines between them. It cannot be changed.
+
+    ``record * 2``, ``-record``, ``record / 9.81`` and the sum of two records of the same times are records, as is a slice such
+    as ``record[100:]``, whose samples keep their times.
 
     Parameters
     ----------
     samples : array
+        A series of pandas or a data array of xarray has the times as its labels, if neither ``time_step`` nor ``times`` is given.
     time_step : float or str
         Time between the samples, the first of which is at the time 0.
     times : array
@@ -67,7 +122,7 @@ class Record:
         ``"base_acceleration"`` of the surface that the body slides on, ``"force"`` on the body,
         ``"foot_displacement"`` of the spring's foot, or ``"damped_foot_displacement"`` if the damper stands on it, too.
     unit : str, optional
-        Unit of the samples, such as ``"g"``. Without it they are in the system of units of the machine.
+        Unit of the samples, such as ``"g"``. Without it they are in the system of units that the machine names.
     after : str, optional
         The load after the last sample: ``"zero"``, ``"hold"`` (it stays at the last sample) or ``"free"`` (a foot lets go of
         the spring). By default a force or an acceleration is zero, and a foot stays.
@@ -75,16 +130,24 @@ class Record:
     Examples
     --------
     >>> import stickslip as ss
-    >>> ss.Record([0, -0.3, -0.3, 0], time_step=0.5, unit="g")
+    >>> record = ss.Record([0, -0.3, -0.3, 0], time_step=0.5, unit="g")
+    >>> record
     Record(4 samples of base_acceleration in g, 1.5 s)
+    >>> record.times, record.duration, (record * 2).peak
+    (array([0. , 0.5, 1. , 1.5]), 1.5, 0.6)
+    >>> record[1:]
+    Record(3 samples of base_acceleration in g, 1 s)
     """
 
     samples: Floats
-    times: Floats
     of: str
     unit: Optional[str]
     after: str
+    #: The times, or one number, the step.
+    _times: Floats
     summary: Optional[dict[str, Any]] = field(default=None, compare=False)
+    #: Numbers of NumPy leave ``2.0 * record`` to the record.
+    __array_ufunc__ = None
 
     @classmethod
     def read(
@@ -130,12 +193,7 @@ class Record:
         named = None if column is None else str(column)
         found, summary = _native.record_read(str(name), data, step, named, skip, record_units)
         of, times, samples, unit = found
-        new = object.__new__(cls)
-        values = {"samples": np.array(samples), "times": np.array(times), "of": of, "unit": unit, "summary": summary}
-        for name, value in values.items():
-            object.__setattr__(new, name, value)
-        object.__setattr__(new, "after", _native.record_check(of, new.times, new.samples, after))
-        return new
+        return cls._of(np.array(samples), np.array(times), of, unit, after, summary)
 
     def __init__(
         self,
@@ -147,26 +205,121 @@ class Record:
         unit: Optional[str] = None,
         after: Optional[str] = None,
     ) -> None:
+        if time_step is None and times is None and is_labelled(samples) and np.ndim(samples) == 1:
+            labelled: Any = samples
+            index = labelled.index if hasattr(labelled, "index") else labelled.indexes.get(labelled.dims[0])
+            if index is not None and index.dtype.kind in "iuf" and index.name is not None:
+                times, samples = index.to_numpy(), labelled.to_numpy()
         if (time_step is None) == (times is None):
-            raise Error("a record needs either time_step or times")
-        values = _column("samples", samples)
+            raise Error("a record needs either time_step or times; or samples whose labels are times, as the index with a name")
         if times is None:
+            values = _column("samples", samples)
             at = np.array([read({"time_step": (time_step, "time")}, None)[0]["time_step"]])
         else:
-            at = _column("times", times)
+            columns, _ = aligned({"samples": samples, "times": times})
+            values, at = _column("samples", columns["samples"]), _column("times", columns["times"])
             if len(at) == 1:
                 raise Error("record: the number of samples = 1 must be >= 2")
-        follows = _native.record_check(of, at, values, after)
         if unit is not None:
             _factor(of, unit, None)
-        named = {"samples": values, "times": at, "of": of, "unit": unit, "after": follows, "summary": None}
-        for name, value in named.items():
+        new = self._of(values, at, of, unit, after, None)
+        for name, value in vars(new).items():
             object.__setattr__(self, name, value)
 
+    @classmethod
+    def _of(
+        cls,
+        samples: Floats,
+        times: Floats,
+        of: str,
+        unit: Optional[str],
+        after: Optional[str],
+        summary: Optional[dict[str, Any]],
+    ) -> "Record":
+        new = object.__new__(cls)
+        after = _native.record_check(of, times, samples, after)
+        for array in (samples, times):
+            array.flags.writeable = False
+        values = {"samples": samples, "_times": times, "of": of, "unit": unit, "after": after, "summary": summary}
+        for name, value in values.items():
+            object.__setattr__(new, name, value)
+        return new
+
+    def __setstate__(self, state: Mapping[str, Any]) -> None:
+        for name, value in state.items():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+            object.__setattr__(self, name, value)
+
+    @property
+    def time_step(self) -> Optional[float]:
+        """The time between the samples; None where they are at times of their own."""
+        return float(self._times[0]) if len(self._times) == 1 else None
+
+    @property
+    def times(self) -> Floats:
+        """The time of each sample, in seconds."""
+        return self._times if self.time_step is None else np.arange(len(self.samples)) * self.time_step
+
+    @property
+    def duration(self) -> float:
+        """The time from the first sample to the last, in seconds."""
+        step = self.time_step
+        return float(self._times[-1] - self._times[0]) if step is None else step * (len(self.samples) - 1)
+
+    @property
+    def peak(self) -> float:
+        """The greatest sample, regardless of sign."""
+        return float(np.max(np.abs(self.samples)))
+
+    def to_frame(self) -> Any:
+        """A frame of pandas with the samples over the time."""
+        pandas = module("pandas")
+        frame = pandas.DataFrame({self.of: self.samples}, index=pandas.Index(self.times, name="time"))
+        frame.attrs["units"] = {"time": "s", **({} if self.unit is None else {self.of: self.unit})}
+        return frame
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draws the samples over the time with matplotlib, and returns the axes."""
+        from ._plot import lines
+
+        unit = "" if self.unit is None else f" ({self.unit})"
+        return lines(ax, self.times, {self.of: self.samples}, "time (s)", f"{self.of.replace('_', ' ')}{unit}", style)
+
     def __repr__(self) -> str:
-        end = self.times[0] * (len(self.samples) - 1) if len(self.times) == 1 else self.times[-1] - self.times[0]
         unit = "" if self.unit is None else f" in {self.unit}"
-        return f"Record({len(self.samples)} samples of {self.of}{unit}, {end:.6g} s)"
+        return f"Record({len(self.samples)} samples of {self.of}{unit}, {self.duration:.6g} s)"
+
+    def __getitem__(self, part: slice) -> "Record":
+        if not isinstance(part, slice):
+            raise WrongType(f"record[{part!r}]: takes a slice; samples[{part!r}] is a sample")
+        return self._of(self.samples[part].copy(), np.ascontiguousarray(self.times[part]), self.of, self.unit, self.after, self.summary)
+
+    def between(self, start: float, end: float) -> "Record":
+        """The samples from one time to another, both included, in seconds."""
+        times = self.times
+        low, high = np.searchsorted(times, [of_number("start", start), of_number("end", end)])
+        return self[int(low) : int(high) + int(high < len(times) and times[high] == end)]
+
+    def __mul__(self, factor: float) -> "Record":
+        return self.scaled(factor)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: float) -> "Record":
+        number = of_number("divisor", divisor)
+        if number == 0:
+            raise Error(f"record / {divisor}: must be other than 0")
+        return self._of(self.samples / number, self._times, self.of, self.unit, self.after, self.summary)
+
+    def __neg__(self) -> "Record":
+        return self.scaled(-1.0)
+
+    def __add__(self, other: "Record") -> "Record":
+        of_type("other record", other, Record)
+        if (self.of, self.unit) != (other.of, other.unit) or not np.array_equal(self.times, other.times):
+            raise Error("records can be added if they are of one kind, in one unit and at the same times")
+        return self._of(self.samples + other.samples, self._times, self.of, self.unit, self.after, None)
 
     def __len__(self) -> int:
         return len(self.samples)
@@ -178,17 +331,13 @@ class Record:
 
     def scaled(self, factor: float) -> "Record":
         """This record with every sample multiplied by a factor."""
-        new = object.__new__(Record)
-        for name in ("times", "of", "unit", "after", "summary"):
-            object.__setattr__(new, name, getattr(self, name))
-        object.__setattr__(new, "samples", self.samples * one("factor", factor))
-        _native.record_check(new.of, new.times, new.samples, new.after)
-        return new
+        return self._of(self.samples * of_number("factor", factor), self._times, self.of, self.unit, self.after, self.summary)
 
-    def _in(self, units: Optional[str]) -> tuple[str, Floats, Floats]:
+    def _in(self, units: Optional[str], is_named: bool = True, machine: str = "the machine") -> tuple[str, Floats, Floats]:
         """The record for a body in a system of units."""
+        system_of("the record", units, is_named, None if self.unit is None else "N,m", True, machine)
         factor = 1.0 if self.unit is None else _factor(self.of, self.unit, units)
-        return self.of, self.times, self.samples * factor if factor != 1.0 else self.samples
+        return self.of, self._times, self.samples * factor if factor != 1.0 else self.samples
 
 
 def _column(name: str, values: ArrayLike) -> Floats:
@@ -202,8 +351,8 @@ def _factor(of: str, unit: str, units: Optional[str]) -> float:
     return read({"unit": (f"1 {unit}", _KINDS[of])}, units)[0]["unit"]
 
 
-class Followed(Result):
-    """The motion of a body under a record, to its rest; see `Machine.follow`.
+class Followed(PhysicalResult, Generic[V]):
+    """The motion of a body under a record, to its rest; see `Machine.follow`. Of several bodies each value is an array.
 
     Attributes
     ----------
@@ -231,41 +380,46 @@ class Followed(Result):
     cycle_amplitude, equivalent_stiffness, equivalent_damping_ratio : float
         Half the way of the longest swing from one turning point to the next, and the stiffness and the damping ratio of the
         oscillator with the forces at these points and the energy of the cycle; NaN without a swing.
-    friction_work, damper_work, load_work : float
-    units : dict of str to str, or None
-        The unit of each value; None if the machine was given in numbers without units.
+    friction_work, damper_work, load_work : V
+    errors : dict of int to str
+        Of several bodies: the places without an answer, counted in the order of NumPy, and the reasons; their values are NaN.
     """
 
-    max_displacement: float
-    max_displacement_time: float
-    min_displacement: float
-    min_displacement_time: float
-    peak_displacement: float
-    max_velocity: float
-    max_velocity_time: float
-    min_velocity: float
-    min_velocity_time: float
-    max_absolute_acceleration: float
-    max_transmitted_force: float
-    end_displacement: float
-    end_velocity: float
-    residual_displacement: float
-    cut_time: float
-    path: float
-    slides: int
-    stops: int
-    reversals: int
-    stick_time: float
-    cycle_amplitude: float
-    equivalent_stiffness: float
-    equivalent_damping_ratio: float
-    friction_work: float
-    damper_work: float
-    load_work: float
-    units: Optional[Mapping[str, str]]
+    _rows = _meanings(_ANSWERS)
+    max_displacement: V
+    max_displacement_time: V
+    min_displacement: V
+    min_displacement_time: V
+    peak_displacement: V
+    max_velocity: V
+    max_velocity_time: V
+    min_velocity: V
+    min_velocity_time: V
+    max_absolute_acceleration: V
+    max_transmitted_force: V
+    end_displacement: V
+    end_velocity: V
+    residual_displacement: V
+    cut_time: V
+    path: V
+    slides: V
+    stops: V
+    reversals: V
+    stick_time: V
+    cycle_amplitude: V
+    equivalent_stiffness: V
+    equivalent_damping_ratio: V
+    friction_work: V
+    damper_work: V
+    load_work: V
+    _errors: Mapping[int, str]
+
+    @property
+    def errors(self) -> Mapping[int, str]:
+        return self._errors
 
 
-class Motion(Result):
+class Motion(PhysicalResult):
     """States of a body under a record, and its events; see `Machine.motion`.
 
     Attributes
@@ -284,6 +438,20 @@ class Motion(Result):
     answer : Followed
     """
 
+    _along = "time"
+    _rows = _meanings(
+        {
+            "time": "Time",
+            "displacement": "Displacement",
+            "velocity": "Velocity",
+            "acceleration": "Acceleration",
+            "absolute_acceleration": "Acceleration in space",
+            "friction": "Force of friction on the body",
+            "transmitted_force": "Force of spring, damper and friction on the support",
+            "load": "Force of the load on the body",
+            "direction": "1 or -1 while the body slides, 0 at rest",
+        }
+    )
     time: Floats
     displacement: Floats
     velocity: Floats
@@ -296,7 +464,16 @@ class Motion(Result):
     event_time: Floats
     event_displacement: Floats
     event_direction: NDArray[Any]
-    answer: Followed
+    answer: Followed[float]
+
+    def events(self) -> Any:
+        """The events as a frame of pandas: time, displacement, and the direction of a release or 0 of a stop."""
+        names = ("event_time", "event_displacement", "event_direction")
+        return module("pandas").DataFrame({name.removeprefix("event_"): self[name] for name in names})
+
+    def loop(self) -> tuple[Floats, Floats]:
+        """The hysteresis loop: displacements, and the force against friction."""
+        return self.displacement, -self.friction
 
 
 class Polarities(Result):
@@ -309,17 +486,17 @@ class Polarities(Result):
         The record that moves the body further, by the peak displacement: ``"recorded"`` or ``"mirrored"``.
     """
 
-    recorded: Followed
-    mirrored: Followed
+    recorded: Followed[float]
+    mirrored: Followed[float]
     polarity: str
 
     @property
-    def greater(self) -> Followed:
+    def greater(self) -> Followed[float]:
         """The answers of the record that moves the body further."""
         return self.mirrored if self.polarity == "mirrored" else self.recorded
 
 
-class FloorSpectrum(Result):
+class FloorSpectrum(PhysicalResult):
     """The greatest responses of linear oscillators that stand on a body; see `Machine.floor_spectrum`.
 
     Attributes
@@ -332,102 +509,147 @@ class FloorSpectrum(Result):
     max_absolute_acceleration : array
         Acceleration in space, regardless of sign.
     damping_ratio : float
-    units : dict of str to str, or None
     """
 
+    _along = "period"
+    _rows = _meanings({"period": "Natural period", "max_displacement": "Greatest displacement in relation to the body", "max_absolute_acceleration": "Greatest acceleration in space"})
     period: Floats
     max_displacement: Floats
     pseudo_acceleration: Floats
     max_absolute_acceleration: Floats
     damping_ratio: float
-    units: Optional[Mapping[str, str]]
 
 
-class Spectrum(Result, Generic[V]):
+class Spectrum(Followed[V]):
     """The answers of many bodies under a record; see `spectrum`. Each is an array, or a number for one body."""
 
     period: V
     friction_coefficient: V
     damping_ratio: V
     static_friction_ratio: V
-    max_displacement: V
-    max_displacement_time: V
-    min_displacement: V
-    min_displacement_time: V
-    peak_displacement: V
-    max_velocity: V
-    max_velocity_time: V
-    min_velocity: V
-    min_velocity_time: V
-    max_absolute_acceleration: V
-    end_displacement: V
-    end_velocity: V
-    residual_displacement: V
-    cut_time: V
-    path: V
-    slides: V
-    stops: V
-    reversals: V
-    stick_time: V
-    cycle_amplitude: V
-    equivalent_damping_ratio: V
 
 
-_Sliding = tuple[float, float, float, float, float, float, float, bool]
+_F = TypeVar("_F", bound=Followed[Any])
 
 
-def _answer(found: Mapping[str, NDArray[Any]], units: Optional[str]) -> Followed:
+class Sliding(NamedTuple):
+    """A body or several under a record."""
+
+    #: The mass, the stiffness, the damping constant, the friction forward and backward, the static friction ratio and the mean force.
+    values: Mapping[str, Any]
+    one_way: bool
+    units: Optional[str]
+    #: Whether bare numbers are in the system of units, which is named.
+    is_named: bool
+
+    def one(self) -> tuple[Any, ...]:
+        """One body, for the compiled part."""
+        if any(is_array(value) for value in self.values.values()):
+            raise Error("this takes one body, not an array of bodies")
+        values = dict(self.values)
+        if np.isnan(values["friction_backward"]):
+            values["friction_backward"] = values["friction"]
+        return (*values.values(), self.one_way)
+
+    def load(self, record: Record) -> tuple[str, Floats, Floats, str]:
+        of_type("record", record, Record)
+        return (*record._in(self.units, self.is_named), record.after)
+
+
+def _answer(found: Mapping[str, NDArray[Any]], units: Optional[str]) -> Followed[float]:
     values: dict[str, Any] = {name: column.item() for name, column in found.items()}
-    return Followed({**values, "units": names_of(units, _UNITS)})
+    return _with_errors(Followed(values, units=names_of(units, _UNITS)), {})
 
 
-def follow(of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float]) -> Followed:
-    of_type("record", record, Record)
-    return _answer(_native.record_follow(of, *record._in(units), record.after, start), units)
+def _with_errors(found: _F, errors: Mapping[int, str]) -> _F:
+    object.__setattr__(found, "_errors", errors)
+    return found
 
 
-def motion(
-    of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float], interval: Optional[float]
-) -> Motion:
-    of_type("record", record, Record)
-    distance = float("nan") if interval is None else one("interval", interval)
-    answer, states, events = _native.record_motion(of, *record._in(units), record.after, start, distance)
+def follow(of: Sliding, record: Record, start: tuple[Any, Any]) -> Followed[Any]:
+    load = of.load(record)
+    given = {**of.values, "displacement": start[0], "velocity": start[1]}
+    at = points(**given)
+    if at.shape is None:
+        x, v = (float(at.given[name]) for name in ("displacement", "velocity"))
+        return _answer(_native.record_follow(of.one(), *load, (x, v)), of.units)
+    found, errors = each(at, of.one_way, load)
+    return _with_errors(Followed(found, units=names_of(of.units, _UNITS), like=at.like), errors)
+
+
+def each(at: Points, one_way: bool, load: tuple[str, Floats, Floats, str]) -> tuple[dict[str, Any], dict[int, str]]:
+    """The answers of many bodies from their starts in the shape of the bodies, and the places without one."""
+    size = at.size
+    columns = at.columns
+    if size == 0:
+        # Without a body, one of any values has the names of the answers.
+        some = (1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0)
+        names, _ = _native.record_follow_each(some, one_way, *load, (0.0, 0.0), 1)
+        return {name: column[:0].reshape(at.shape or ()) for name, column in names.items()}, {}
+    found, failed = _native.record_follow_each(columns[:7], one_way, *load, columns[7:], size)
+    if failed:
+        if len(failed) == size:
+            raise Error(failed[0][1])
+        there = np.ones(size, dtype=bool)
+        there[[place for place, _ in failed]] = False
+        for name, column in found.items():
+            whole = np.full(size, np.nan)
+            whole[there] = column
+            found[name] = whole
+    return {name: column.reshape(at.shape or ()) for name, column in found.items()}, dict(failed)
+
+
+def motion(of: Sliding, record: Record, start: tuple[Any, Any], interval: Optional[Quantity]) -> Motion:
+    if interval is None:
+        distance = float("nan")
+    else:
+        distance = read({"interval": (interval, "time")}, None)[0]["interval"]
+        if not distance > 0:
+            raise Error(f"interval = {interval}: must be > 0")
+    load = of.load(record)
+    answer, states, events = _native.record_motion(of.one(), *load, (one("displacement", start[0]), one("velocity", start[1])), distance)
     named = {f"event_{name}": column for name, column in events.items()}
-    return Motion({**states, **named, "answer": _answer(answer, units)})
+    found = Motion({**states, **named, "answer": _answer(answer, of.units)}, units=names_of(of.units, _OF_STATES))
+    return found
 
 
-def polarities(of: _Sliding, units: Optional[str], record: Record, start: tuple[float, float]) -> Polarities:
+def polarities(of: Sliding, record: Record, start: tuple[Any, Any]) -> Polarities:
     of_type("record", record, Record)
-    recorded, mirrored = (follow(of, units, load, start) for load in (record, record.scaled(-1.0)))
+    of.one()
+    recorded, mirrored = (follow(of, load, start) for load in (record, -record))
     is_further = mirrored.peak_displacement > recorded.peak_displacement
     polarity = "mirrored" if is_further else "recorded"
     return Polarities({"recorded": recorded, "mirrored": mirrored, "polarity": polarity})
 
 
-def floor_spectrum(
-    of: _Sliding,
-    units: Optional[str],
-    record: Record,
-    start: tuple[float, float],
-    period: ArrayLike,
-    damping_ratio: float,
-) -> FloorSpectrum:
-    of_type("record", record, Record)
-    periods = _column("period", np.atleast_1d(np.asarray(numbers("period", period))))
+def floor_spectrum(of: Sliding, record: Record, start: tuple[Any, Any], period: ArrayLike, damping_ratio: float) -> FloorSpectrum:
+    given = points(period=period)
+    periods = np.atleast_1d(given.given["period"])
+    if periods.ndim != 1:
+        raise Error(f"period: must be an array of one dimension, not of shape {periods.shape}")
     ratio = one("damping_ratio", damping_ratio)
-    found = _native.record_floor_spectrum(of, *record._in(units), record.after, start, periods, ratio)
+    x, v = one("displacement", start[0]), one("velocity", start[1])
+    is_there = np.isfinite(periods) & (periods > 0)
+    if not is_there.any() and periods.size:
+        raise Error(f"period = {periods[0]}: must be > 0 and finite")
+    found = _native.record_floor_spectrum(of.one(), *of.load(record), (x, v), np.ascontiguousarray(periods[is_there]), ratio)
+    for name, column in found.items():
+        whole = np.full(periods.shape, np.nan)
+        whole[is_there] = column
+        found[name] = whole
     kinds = {
         "period": "time",
         "max_displacement": "length",
         "pseudo_acceleration": "acceleration",
         "max_absolute_acceleration": "acceleration",
     }
-    return FloorSpectrum({**found, "damping_ratio": ratio, "units": names_of(units, kinds)})
+    found["period"] = periods
+    return FloorSpectrum({**found, "damping_ratio": ratio}, units=names_of(of.units, kinds), like=given.like)
 
 
-@dataclass(frozen=True, init=False)
+@dataclass(frozen=True, init=False, eq=False, repr=False)
 class Block:
-    """A body without a spring on a surface, such as Newmark's sliding block.
+    """A body without a spring on a surface, such as Newmark's sliding block, or several by arrays that broadcast.
 
     Parameters
     ----------
@@ -455,22 +677,28 @@ class Block:
     (0.3, 'm')
     """
 
+    mass: Value
+    friction: Value
+    friction_backward: Value
+    damping: Value
+    static_friction_ratio: Value
+    mean_force: Value
+    one_way: bool
     units: Optional[str]
-    _of: _Sliding
 
     def __init__(
         self,
-        mass: Quantity,
-        friction: Optional[Quantity] = None,
+        mass: ArrayLike,
+        friction: Optional[ArrayLike] = None,
         *,
-        friction_coefficient: Optional[Quantity] = None,
-        yield_acceleration: Optional[Quantity] = None,
-        gravity: Optional[Quantity] = None,
-        friction_backward: Optional[Quantity] = None,
-        damping: Optional[Quantity] = None,
-        static_friction: Optional[Quantity] = None,
-        static_friction_ratio: Optional[Quantity] = None,
-        mean_force: Optional[Quantity] = None,
+        friction_coefficient: Optional[ArrayLike] = None,
+        yield_acceleration: Optional[ArrayLike] = None,
+        gravity: Optional[ArrayLike] = None,
+        friction_backward: Optional[ArrayLike] = None,
+        damping: Optional[ArrayLike] = None,
+        static_friction: Optional[ArrayLike] = None,
+        static_friction_ratio: Optional[ArrayLike] = None,
+        mean_force: Optional[ArrayLike] = None,
         slope: Optional[Quantity] = None,
         one_way: bool = False,
         units: Optional[str] = None,
@@ -487,41 +715,79 @@ class Block:
             "static_friction_ratio": static_friction_ratio,
             "mean_force": mean_force,
         }
-        values = texts({name: value for name, value in given.items() if value is not None})
+        given = {name: value for name, value in given.items() if value is not None}
         angle = None if slope is None else texts({"slope": slope})[0][1]
-        of, system = _native.block(values, units, angle, bool(one_way))
-        object.__setattr__(self, "_of", of)
-        object.__setattr__(self, "units", system)
+        if not isinstance(one_way, (bool, np.bool_)):
+            raise WrongType(f"one_way = {one_way!r}: must be True or False")
+        columns, like = aligned({name: value for name, value in given.items() if is_array(value)})
+        values: dict[str, Any]
+        if columns:
+            shape = shape_of(columns)
+            single = {name: 1.0 if name in columns else value for name, value in given.items()}
+            flat = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in columns.items()]
+            found, system = _native.blocks(texts(single), flat, int(np.prod(shape)), units, angle)
+            arrays = {name: column.reshape(shape) for name, column in found.items()}
+            values = {name: array if like is None else like.dressed(name, array, {}) for name, array in arrays.items()}
+        else:
+            body, system = _native.block(texts(given), units, angle, bool(one_way))
+            values = dict(zip(_OF_BLOCK, body))
+        hidden = {"_keywords": {**given, "slope": slope, "one_way": one_way}, "_named": units is not None, "_stiffness": 0.0}
+        shown = {name: value for name, value in values.items() if name != "stiffness"}
+        for name, value in {**shown, "one_way": bool(one_way), "units": system, **hidden}.items():
+            object.__setattr__(self, name, value)
+
+    def replace(self, **changes: Any) -> "Block":
+        """This block with other values, by the keywords of `Block`; see `Machine.replace`.
+
+        >>> import stickslip as ss
+        >>> ss.Block(mass="1 t", friction_coefficient=0.1).replace(yield_acceleration="0.2 g")
+        Block(mass=1000.0, friction=1961.33, units='N,m')
+        """
+        kept = dict(vars(self)["_keywords"])
+        for group in (("friction", "friction_coefficient", "yield_acceleration"), ("static_friction", "static_friction_ratio")):
+            if any(name in changes for name in group):
+                kept = {name: value for name, value in kept.items() if name not in group}
+        if vars(self)["_named"]:
+            kept["units"] = self.units
+        return Block(**{**kept, **changes})
+
+    __replace__ = replace
 
     def __repr__(self) -> str:
-        mass, _, damping, forward, backward, ratio, mean_force, one_way = self._of
-        given = {
-            "mass": mass,
-            "friction": forward,
-            "friction_backward": backward,
-            "damping": damping,
-            "static_friction_ratio": ratio,
-            "mean_force": mean_force,
-            "one_way": one_way,
-            "units": self.units,
-        }
-        return f"Block({', '.join(f'{name}={value!r}' for name, value in given.items())})"
+        none: dict[str, Any] = {"damping": 0.0, "static_friction_ratio": 1.0, "mean_force": 0.0, "one_way": False}
+        if not is_array(self.friction) and self.friction_backward == self.friction:
+            none["friction_backward"] = self.friction
+        shown = {name: getattr(self, name) for name in (*_OF_BLOCK, "one_way") if name != "stiffness"}
+        told = [f"{name}={short(value)}" for name, value in shown.items() if is_array(value) or name not in none or value != none[name]]
+        return f"Block({', '.join(told)}, units={self.units!r})"
 
-    def follow(self, record: Record, *, displacement: float = 0.0, velocity: float = 0.0) -> Followed:
+    def __eq__(self, other: object) -> bool:
+        return are_equal(self, other)
+
+    def __hash__(self) -> int:
+        return hash((self.mass, self.friction, self.friction_backward, self.units))
+
+    def _sliding(self) -> Sliding:
+        values = {name: 0.0 if name == "stiffness" else getattr(self, name) for name in _OF_BLOCK}
+        return Sliding(values, self.one_way, self.units, vars(self)["_named"])
+
+    def _start(self, displacement: ArrayLike, velocity: ArrayLike) -> tuple[Any, Any]:
+        units, is_named = self.units, vars(self)["_named"]
+        return values_of("displacement", displacement, "length", units, is_named), values_of("velocity", velocity, "velocity", units, is_named)
+
+    def follow(self, record: Record, *, displacement: ArrayLike = 0.0, velocity: ArrayLike = 0.0) -> Followed[Any]:
         """The motion under a record from a start; see `Machine.follow`."""
-        return follow(self._of, self.units, record, (one("displacement", displacement), one("velocity", velocity)))
+        return follow(self._sliding(), record, self._start(displacement, velocity))
 
     def motion(
-        self, record: Record, *, displacement: float = 0.0, velocity: float = 0.0, interval: Optional[float] = None
+        self, record: Record, *, displacement: Quantity = 0.0, velocity: Quantity = 0.0, interval: Optional[Quantity] = None
     ) -> Motion:
         """The states and events of the motion under a record; see `Machine.motion`."""
-        start = (one("displacement", displacement), one("velocity", velocity))
-        return motion(self._of, self.units, record, start, interval)
+        return motion(self._sliding(), record, self._start(displacement, velocity), interval)
 
-    def polarities(self, record: Record, *, displacement: float = 0.0, velocity: float = 0.0) -> Polarities:
+    def polarities(self, record: Record, *, displacement: Quantity = 0.0, velocity: Quantity = 0.0) -> Polarities:
         """The answers to a record and to its mirror image; see `Machine.polarities`."""
-        start = (one("displacement", displacement), one("velocity", velocity))
-        return polarities(self._of, self.units, record, start)
+        return polarities(self._sliding(), record, self._start(displacement, velocity))
 
     def floor_spectrum(
         self,
@@ -529,23 +795,28 @@ class Block:
         *,
         period: ArrayLike,
         damping_ratio: float = 0.05,
-        displacement: float = 0.0,
-        velocity: float = 0.0,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
     ) -> FloorSpectrum:
         """The greatest responses of oscillators that stand on the block; see `Machine.floor_spectrum`."""
-        start = (one("displacement", displacement), one("velocity", velocity))
-        return floor_spectrum(self._of, self.units, record, start, period, damping_ratio)
+        return floor_spectrum(self._sliding(), record, self._start(displacement, velocity), period, damping_ratio)
+
+
+#: The values of a block, in the order of the compiled part.
+_OF_BLOCK = ("mass", "stiffness", "damping", "friction", "friction_backward", "static_friction_ratio", "mean_force")
 
 
 @overload
 def spectrum(
     record: Record,
     *,
-    period: float,
+    period: Quantity,
     friction_coefficient: float,
     damping_ratio: float = 0.0,
     static_friction_ratio: float = 1.0,
-    gravity: float = 9.80665,
+    mass: Optional[Quantity] = None,
+    gravity: Optional[Quantity] = None,
+    units: Optional[str] = None,
 ) -> Spectrum[float]: ...
 
 
@@ -557,7 +828,9 @@ def spectrum(
     friction_coefficient: ArrayLike,
     damping_ratio: ArrayLike = 0.0,
     static_friction_ratio: ArrayLike = 1.0,
-    gravity: float = 9.80665,
+    mass: Optional[Quantity] = None,
+    gravity: Optional[Quantity] = None,
+    units: Optional[str] = None,
 ) -> Spectrum[Floats]: ...
 
 
@@ -568,20 +841,27 @@ def spectrum(
     friction_coefficient: ArrayLike,
     damping_ratio: ArrayLike = 0.0,
     static_friction_ratio: ArrayLike = 1.0,
-    gravity: float = 9.80665,
+    mass: Optional[Quantity] = None,
+    gravity: Optional[Quantity] = None,
+    units: Optional[str] = None,
 ) -> Spectrum[Any]:
-    """The answers of many bodies on springs under a record, in SI, on all cores.
+    """The answers of many bodies on springs under a record, on all cores.
 
-    Each body has the bits of `Machine.follow`. A record without a unit is in m/s**2 or m.
+    Each body has the bits of `Machine.follow`. Bodies outside the domain, and masked ones, have NaN; ``errors`` says why.
 
     Parameters
     ----------
     record : Record
-        Of a base acceleration or of a displacement of the foot.
+        Of a base acceleration or of a displacement of the foot; with a mass also of a force.
     period, friction_coefficient, damping_ratio, static_friction_ratio : float or array
-        Natural periods in seconds and the others, broadcast to a common shape.
-    gravity : float
-        Of the coefficient of friction.
+        Natural periods in seconds and the others, aligned by their labels and broadcast to a common shape.
+    mass : float or str, optional
+        The mass of each body. It is needed for ``max_transmitted_force``, for the equivalent stiffness and for the works, which
+        are left out without it.
+    gravity : float or str, optional
+        Of the coefficient of friction, by default 9.80665 m/s**2.
+    units : str, optional
+        The system of units of the answers and of bare numbers, such as ``"kN,mm"``; SI by default.
 
     Returns
     -------
@@ -592,31 +872,58 @@ def spectrum(
     >>> import numpy as np, stickslip as ss
     >>> t = np.arange(0, 12, 0.01)
     >>> record = ss.Record(0.3 * np.exp(-(((t - 4) / 2) ** 2)) * np.sin(9 * t), time_step=0.01, unit="g")
-    >>> found = ss.spectrum(record, period=np.linspace(0.5, 3, 6)[:, None], friction_coefficient=[0.02, 0.1])
-    >>> found.max_displacement.shape
-    (6, 2)
+    >>> found = ss.spectrum(record, period=np.linspace(0.5, 3, 6)[:, None], friction_coefficient=[0.02, 0.1], mass="2 t", units="kN,mm")
+    >>> found.max_displacement.shape, found.units["max_transmitted_force"]
+    ((6, 2), 'kN')
     """
     of_type("record", record, Record)
-    if record.of == "force":
-        raise Error("spectrum: a record of a force needs masses. Use Machine.follow")
+    if record.of == "force" and mass is None:
+        raise Error("spectrum: a record of a force needs the mass of the bodies")
+    system = "N,m" if units is None else units
+    values = {"gravity": ("9.80665 m/s^2" if gravity is None else gravity, "acceleration"), "mass": (1.0 if mass is None else mass, "mass")}
+    known, _ = read(values, system)
+    if isinstance(period, str):
+        period = read({"period": (period, "time")}, None)[0]["period"]
     at = points(
         period=period,
         friction_coefficient=friction_coefficient,
         damping_ratio=damping_ratio,
         static_friction_ratio=static_friction_ratio,
     )
-    size = at.size if at.shape is not None else 1
-    # Without a body, one of any values has the names of the answers.
-    given = at.columns if size else (1.0, 1.0, 0.0, 1.0)
-    columns = [np.ascontiguousarray(np.broadcast_to(np.asarray(column), (max(size, 1),))) for column in given]
-    periods, coefficients, zeta, eta = columns
-    if not np.all((periods > 0) & np.isfinite(periods)):
-        wrong = periods[~((periods > 0) & np.isfinite(periods))][0]
-        raise Error(f"period = {wrong}: must be > 0 and finite")
-    omega = 2 * np.pi / periods
-    bodies = [np.ones_like(omega), omega**2, 2 * zeta * omega, coefficients * one("gravity", gravity), eta]
-    found = {name: column[:size] for name, column in _native.record_spectrum(bodies, *record._in("N,m"), record.after).items()}
-    values: dict[str, Any] = (
-        {name: column.item() for name, column in found.items()} if at.shape is None else shaped(found, at.shape)
-    )
-    return Spectrum({**at.in_shape(), **values}, like=at.like)
+    periods, coefficients, zeta, eta = at.given.values()
+    with np.errstate(all="ignore"):
+        omega = np.where((periods > 0) & np.isfinite(periods), 2 * np.pi / periods, np.nan)
+        friction = coefficients * known["gravity"] * known["mass"]
+        own = {
+            "mass": np.asarray(known["mass"]),
+            "stiffness": known["mass"] * omega**2,
+            "damping": 2 * zeta * omega * known["mass"],
+            "friction": friction,
+            "friction_backward": friction,
+            "static_friction_ratio": eta,
+            "mean_force": np.asarray(0.0),
+            "displacement": np.asarray(0.0),
+            "velocity": np.asarray(0.0),
+        }
+    load = (*record._in(system, True, "the spectrum"), record.after)
+    if at.shape is None:
+        if not np.isfinite(omega):
+            raise Error(f"period = {float(periods)}: must be > 0 and finite")
+        one_body = (*(float(own[name]) for name in _OF_BLOCK), False)
+        columns = _native.record_follow(one_body, *load, (0.0, 0.0))
+        found: dict[str, Any] = {name: column.item() for name, column in columns.items()}
+        errors: dict[int, str] = {}
+    else:
+        found, errors = each(Points(at.shape, own, None), False, load)
+        errors = {place: _of_period(text, at, place) for place, text in errors.items()}
+    kinds = {"period": "time", **_UNITS}
+    if mass is None:
+        found = {name: value for name, value in found.items() if _UNITS.get(name) not in ("force", "energy", "stiffness")}
+        kinds = {name: kind for name, kind in kinds.items() if name in found or name == "period"}
+    answer = Spectrum({**at.in_shape(), **found}, units=names_of(system, kinds), like=at.like)
+    return _with_errors(answer, errors)
+
+
+def _of_period(text: str, at: Points, place: int) -> str:
+    period = float(np.broadcast_to(at.given["period"], at.shape or ()).reshape(-1)[place])
+    return text if np.isfinite(period) and period > 0 else f"period = {period}: must be > 0 and finite"

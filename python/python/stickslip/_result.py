@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
-import importlib
+import html
 import inspect
 import operator
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, ItemsView, Iterable, Iterator, KeysView, Mapping, Sequence, ValuesView
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, Optional, Protocol, TypeVar, Union
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, NoReturn, Optional, Protocol, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._labels import Like, WrongType, aligned, is_labelled, is_pandas, module, numbers, shape_of
 from ._native import Error
 
 Floats = NDArray[np.float64]
@@ -23,12 +25,12 @@ Value = Union[float, Floats]
 V = TypeVar("V")
 #: The words of a result: `str` or an array.
 W = TypeVar("W")
+#: The unit and the meaning of an output.
+Meaning = tuple[str, str]
+#: The values that a result shows on one screen.
+_MOST_SHOWN = 12
 #: The ratios that determine the motion.
 RATIOS = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
-
-
-class WrongType(Error, TypeError):
-    """An argument is of a type that has no meaning here."""
 
 
 class Codes(NamedTuple):
@@ -41,54 +43,49 @@ class Codes(NamedTuple):
         return np.asarray(self.names)[self.places]
 
 
-class Like(NamedTuple):
-    """The kind of array in which the arguments were given: masked, or of pandas."""
-
-    shape: tuple[int, ...]
-    mask: Optional[NDArray[np.bool_]] = None
-    #: The index and the columns of a series or a frame of pandas.
-    index: Any = None
-    columns: Any = None
-
-    def dressed(self, name: str, array: NDArray[Any]) -> Any:
-        """An array of results in the kind of the arguments."""
-        if array.shape != self.shape:
-            return array
-        if self.columns is not None:
-            return _pandas().DataFrame(array, index=self.index, columns=self.columns, copy=False)
-        if self.index is not None:
-            return _pandas().Series(array, index=self.index, name=name, copy=False)
-        # Each output has a mask of its own, so that a change of one is none of the others.
-        return array if self.mask is None else np.ma.MaskedArray(array, self.mask.copy())
-
-
-def _pandas() -> Any:
-    return importlib.import_module("pandas")
-
-
 class Source(Protocol):
     """Computes further values of a result by their names."""
 
     def __call__(self, names: tuple[str, ...]) -> Mapping[str, Any]: ...
 
 
-class Result(Mapping[str, Any]):
+class Output:
+    """A value of a result, which is computed when it is first read."""
+
+    def __init__(self, name: str, text: str) -> None:
+        self.__name__ = name
+        self.__doc__ = text
+
+    def __get__(self, result: Optional[Result], owner: type) -> Any:
+        return self if result is None else result._read(self.__name__)
+
+    def __set__(self, result: Result, value: Any) -> None:
+        raise AttributeError(f"{type(result).__name__} cannot be changed")
+
+
+class Result(dict[str, Any]):
     """Named values, read as attributes or as items. A value that is not there yet is computed when it is read."""
 
     #: The names of all values, in order: those annotated.
     _names: ClassVar[tuple[str, ...]] = ()
+    #: The unit and the meaning of each value, where a class has one for all answers.
+    _rows: ClassVar[Mapping[str, Meaning]] = {}
+    #: The value along which those of a history lie, such as the time.
+    _along: ClassVar[Optional[str]] = None
     _values: dict[str, Any]
+    _seen: dict[str, Any]
     _source: Optional[Source]
     _chosen: tuple[str, ...]
     _like: Optional[Like]
-    #: The same values in units, for the answer of a machine.
-    _physical: Optional[Result]
 
     def __init_subclass__(cls, **options: Any) -> None:
         super().__init_subclass__(**options)
         if "_names" not in cls.__dict__:
             annotated = (name for base in reversed(cls.__mro__) for name in inspect.get_annotations(base))
-            cls._names = tuple(name for name in annotated if not name.startswith("_"))
+            cls._names = tuple(dict.fromkeys(name for name in annotated if not name.startswith("_")))
+        for name in cls._names:
+            unit, text = cls._rows.get(name, ("", ""))
+            setattr(cls, name, Output(name, f"{text} ({unit})" if unit not in ("", "1") else text))
 
     def __init__(
         self,
@@ -97,23 +94,35 @@ class Result(Mapping[str, Any]):
         *,
         chosen: Optional[Iterable[str]] = None,
         like: Optional[Like] = None,
-        physical: Optional[Result] = None,
     ) -> None:
         kept = {name: values[name] for name in self._names if name in values}
         known = self._names if source is not None else kept
-        object.__setattr__(self, "_values", kept)
-        object.__setattr__(self, "_source", source)
-        object.__setattr__(self, "_chosen", tuple(known if chosen is None else chosen))
-        object.__setattr__(self, "_like", like)
-        object.__setattr__(self, "_physical", physical)
+        fields = {
+            "_values": kept,
+            "_seen": {},
+            "_source": source,
+            "_chosen": tuple(known if chosen is None else chosen),
+            "_like": like,
+        }
+        self._restore(fields)
 
-    if not TYPE_CHECKING:
+    def _restore(self, fields: Mapping[str, Any]) -> None:
+        for name, value in fields.items():
+            object.__setattr__(self, name, value)
+        # The names alone, so that everything that counts or lists them sees them; values are read by `__getitem__`.
+        dict.update(self, dict.fromkeys(self._chosen))
 
-        def __getattr__(self, name: str) -> Any:
-            if name == "physical":
-                raise AttributeError("values in units are those of a machine; see Machine")
-            if name.startswith("_") or name not in self._names:
-                raise AttributeError(f"{type(self).__name__} has no value {name}. Its values are {', '.join(self._names)}")
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        return _restored, (type(self), dict(self.__dict__))
+
+    def __copy__(self) -> Any:
+        return _restored(type(self), dict(self.__dict__))
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        return _restored(type(self), copy.deepcopy(dict(self.__dict__), memo))
+
+    def _read(self, name: str) -> Any:
+        if name not in self._seen:
             if name not in self._values and self._source is not None:
                 self._values.update(self._source((name,)))
             if name not in self._values:
@@ -121,9 +130,16 @@ class Result(Mapping[str, Any]):
             value = self._values[name]
             value = value.words() if isinstance(value, Codes) else value
             if self._like is not None and isinstance(value, np.ndarray):
-                value = self._like.dressed(name, value)
-            object.__setattr__(self, name, value)
-            return value
+                value = self._like.dressed(name, value, self._attributes(name))
+            self._seen[name] = value
+        return self._seen[name]
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("_"):
+                raise AttributeError(name)
+            raise AttributeError(f"{type(self).__name__} has no value {name}. Its values are {', '.join(self._names)}")
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
@@ -131,19 +147,37 @@ class Result(Mapping[str, Any]):
     def __delattr__(self, name: str) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
 
+    def _unchanged(self, *arguments: Any, **keywords: Any) -> NoReturn:
+        raise TypeError(f"{type(self).__name__} cannot be changed")
+
+    __setitem__ = __delitem__ = clear = pop = popitem = setdefault = update = __ior__ = _unchanged  # type: ignore[assignment]
+
     def __getitem__(self, name: str) -> Any:
         if name not in self._names:
             raise KeyError(name)
         return getattr(self, name)
 
-    def __contains__(self, name: object) -> bool:
-        return name in self._chosen
+    def get(self, name: str, default: Any = None) -> Any:
+        return self[name] if name in self else default
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._chosen)
 
-    def __len__(self) -> int:
-        return len(self._chosen)
+    # A view of a dictionary would not see values that are computed when they are read.
+    def keys(self) -> KeysView[str]:  # type: ignore[override]
+        return KeysView(self)
+
+    def values(self) -> ValuesView[Any]:  # type: ignore[override]
+        return ValuesView(self)
+
+    def items(self) -> ItemsView[str, Any]:  # type: ignore[override]
+        return ItemsView(self)
+
+    def copy(self) -> dict[str, Any]:
+        return dict(self)
+
+    def __or__(self, other: Mapping[str, Any]) -> dict[str, Any]:  # type: ignore[override]
+        return {**self, **other}
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._names})
@@ -151,18 +185,172 @@ class Result(Mapping[str, Any]):
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self) or not isinstance(other, Result):
             return NotImplemented
-        same = self._chosen == other._chosen and self._physical == other._physical
-        return same and all(_are_same(self._at_hand(name), other._at_hand(name)) for name in self)
+        return self._chosen == other._chosen and all(_are_same(self._at_hand(name), other._at_hand(name)) for name in self)
+
+    def __ne__(self, other: object) -> bool:
+        same = self.__eq__(other)
+        return same if same is NotImplemented else not same
 
     __hash__ = None  # type: ignore[assignment]
 
+    @property
+    def units(self) -> Optional[Mapping[str, str]]:
+        """The unit of each value that has one."""
+        return {name: unit for name, (unit, _) in self._rows.items() if unit not in ("", "1")}
+
+    def _attributes(self, name: str) -> dict[str, str]:
+        """The unit and the meaning of a value, as attributes of xarray."""
+        unit, text = (self.units or {}).get(name, ""), self._rows.get(name, ("", ""))[1]
+        return {key: value for key, value in (("units", unit), ("long_name", text)) if value}
+
+    def _shape(self) -> tuple[int, ...]:
+        """The common shape of the values; those of a history have that of its time."""
+        if self._like is not None:
+            return self._like.shape
+        names = (self._along,) if self._along is not None else self._chosen
+        arrays = (self._array(name) for name in names if self._is_at_hand(name))
+        return next((array.shape for array in arrays if array.ndim), ())
+
+    def _array(self, name: str) -> NDArray[Any]:
+        self._read(name)
+        value = self._values[name]
+        return value.words() if isinstance(value, Codes) else np.asarray(value)
+
+    def _columns(self) -> tuple[tuple[int, ...], dict[str, NDArray[Any]]]:
+        """The common shape, and the values of that shape by name: for each point one, two, or the same one for all."""
+        shape = self._shape()
+        found: dict[str, NDArray[Any]] = {}
+        for name in self._chosen:
+            array = self._array(name)
+            if array.dtype.kind == "O" or self._along is not None and array.shape != shape:
+                continue
+            if array.ndim == 0:
+                found[name] = np.broadcast_to(array, shape)
+            elif array.shape == shape:
+                found[name] = array
+            elif array.shape[: len(shape)] == shape and array.ndim == len(shape) + 1:
+                found.update({f"{name}_{part + 1}": array[..., part] for part in range(array.shape[-1])})
+        return shape, found
+
+    def to_frame(self) -> Any:
+        """A frame of pandas with a row for each point, in the order of NumPy, and a column for each value.
+
+        The labels of the arguments are its index. ``frame.attrs["units"]`` has the units.
+        """
+        pandas = module("pandas")
+        shape, columns = self._columns()
+        axes: Any = None
+        like = self._like
+        if like is not None and like.dims:
+            axes = [like.coords[dim].to_index() if dim in like.coords else pandas.RangeIndex(n, name=dim) for dim, n in zip(like.dims, shape)]
+        elif like is not None and like.axes and len(like.axes) == len(shape):
+            axes = like.axes
+        if axes is None:
+            index = None
+        elif len(axes) == 1:
+            index = axes[0]
+        else:
+            index = pandas.MultiIndex.from_product(axes, names=[axis.name for axis in axes])
+        frame = pandas.DataFrame({name: array.reshape(-1) for name, array in columns.items()}, index=index)
+        units = self.units
+        frame.attrs["units"] = {} if units is None else {name: units[name] for name in columns if name in units}
+        return frame
+
+    def to_xarray(self) -> Any:
+        """A data set of xarray with a variable for each value, whose attributes are its unit and its meaning."""
+        xarray = module("xarray")
+        shape, columns = self._columns()
+        like = self._like
+        coords: dict[str, Any] = {}
+        if like is not None and like.dims:
+            dims, coords = like.dims, dict(like.coords)
+        elif self._along is not None:
+            dims = (self._along,)
+        elif like is not None and like.axes:
+            unlabelled = len(shape) - len(like.axes)
+            names = ("index",) if len(like.axes) == 1 else ("row", "column")
+            own = [str(axis.name) if axis.name is not None else name for axis, name in zip(like.axes, names)]
+            dims = (*(f"dim_{axis}" for axis in range(unlabelled)), *own)
+            coords = {dim: (dim, axis) for dim, axis in zip(own, like.axes)}
+        else:
+            dims = tuple(f"dim_{axis}" for axis in range(len(shape)))
+        variables = {name: (dims, array, self._attributes(name)) for name, array in columns.items() if name not in coords}
+        return xarray.Dataset(variables, coords=coords)
+
+    def _titled(self, name: str) -> str:
+        from ._plot import titled
+
+        return titled(name, (self.units or {}).get(name, ""))
+
+    def plot(self, *names: str, over: Optional[str] = None, ax: Any = None, **style: Any) -> Any:
+        """Draws values with matplotlib, and returns its axes.
+
+        Parameters
+        ----------
+        names : str
+            The values: by default the displacement of a motion, and the maximum displacement of many points.
+        over : str, optional
+            The value along the axis: by default the time of a motion, or the first ratio or frequency that varies. Points in a
+            plane are a map over the two that vary along its columns and its rows.
+        ax : matplotlib axes, optional
+        style
+            Of the lines, for matplotlib.
+        """
+        from ._plot import lines, plane
+
+        shown = names or (next(name for name in ("displacement", "max_displacement", "min_force_ratio", *self) if name in self._names),)
+        for name in (*shown, *([] if over is None else [over])):
+            if name not in self._names:
+                raise Error(f"{name!r} is none of {', '.join(self._names)}")
+        shape = self._shape()
+        if len(shape) == 1:
+            x = over or self._along or next((name for name in self._axes() if np.ptp(self._array(name)) > 0), None)
+            if x is None:
+                raise Error("over: name the value along the axis")
+            curves = {name: self._array(name) for name in shown}
+            return lines(ax, self._array(x), curves, self._titled(x), self._titled(shown[0]), style)
+        if len(shape) == 2 and len(shown) == 1:
+            along: list[Optional[str]] = [None, None]
+            for name in self._axes():
+                array = np.broadcast_to(self._array(name), shape)
+                for axis in (0, 1):
+                    if along[axis] is None and np.array_equal(array, np.broadcast_to(array.take([0], 1 - axis), shape)) and np.ptp(array) > 0:
+                        along[axis] = name
+            if along[0] is not None and along[1] is not None:
+                rows, columns = self._array(along[0])[:, 0], self._array(along[1])[0]
+                return plane(ax, columns, rows, self._array(shown[0]), self._titled(along[1]), self._titled(along[0]), self._titled(shown[0]))
+        raise Error(f"plot: draws values along one axis, or one value over a plane, not of shape {shape}")
+
+    def _axes(self) -> list[str]:
+        """The values that others may be drawn over."""
+        known = ("angular_frequency", "period", "omega", "alpha", "force_amplitude", "friction_coefficient", "damping_ratio", "static_friction_ratio")
+        return [name for name in known if name in self._names]
+
+    def to_dict(self) -> dict[str, Any]:
+        """All values by name as numbers, texts and lists of them, for ``json.dumps`` as well; a complex number is a pair. A value that
+        does not exist is NaN."""
+        return {name: _plain(self[name]) for name in self}
+
     def __repr__(self) -> str:
         values = ((name, self._at_hand(name)) for name in self._chosen if self._is_at_hand(name))
-        texts = (f"{name}={self._text(name, value)}" for name, value in values if not _is_nothing(value))
+        texts = [f"{name}={self._text(name, value)}" for name, value in values if not _is_nothing(value)]
+        if len(texts) > _MOST_SHOWN:
+            texts = [*texts[:_MOST_SHOWN], f"… {len(texts) - _MOST_SHOWN} more"]
         return f"{type(self).__name__}({', '.join(texts)})"
 
+    def _repr_html_(self) -> str:
+        """A table of the values at hand, with their units and meanings, for notebooks."""
+        rows = []
+        for name in self._chosen:
+            if not self._is_at_hand(name) or _is_nothing(self._at_hand(name)):
+                continue
+            attributes = self._attributes(name)
+            cells = (name, short(self._at_hand(name)), attributes.get("units", ""), attributes.get("long_name", ""))
+            rows.append("<tr>" + "".join(f"<td style='text-align:left'>{html.escape(cell)}</td>" for cell in cells) + "</tr>")
+        return f"<table><caption>{type(self).__name__}</caption>{''.join(rows)}</table>"
+
     def _text(self, name: str, value: Any) -> str:
-        return _short(value)
+        return short(value)
 
     def _is_at_hand(self, name: str) -> bool:
         """Whether a value takes no further computation."""
@@ -173,21 +361,44 @@ class Result(Mapping[str, Any]):
         value = self._values.get(name)
         return value if isinstance(value, Codes) and self._like is None else self[name]
 
-    def to_dict(self) -> dict[str, Any]:
-        """All values by name, or those named by ``outputs``. A value that does not exist is NaN."""
-        return dict(self)
+
+def _restored(kind: type[Result], fields: Mapping[str, Any]) -> Result:
+    new: Result = dict.__new__(kind)
+    new._restore(fields)
+    return new
+
+
+def _plain(value: Any) -> Any:
+    """A value for JSON."""
+    if isinstance(value, Result):
+        return value.to_dict()
+    if isinstance(value, Mapping):
+        return {name: _plain(inner) for name, inner in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(inner) for inner in value]
+    if isinstance(value, complex):
+        return [value.real, value.imag]
+    if isinstance(value, np.ma.MaskedArray) and value.dtype.kind in "fiu":
+        value = value.filled(np.nan)
+    if is_labelled(value):
+        value = value.to_numpy()
+    if isinstance(value, np.ndarray):
+        return _plain(value.tolist()) if value.dtype.kind == "c" else value.tolist()
+    return value
 
 
 def _is_nothing(value: Any) -> bool:
     return value is None or isinstance(value, (float, Decimal)) and value != value
 
 
-def _short(value: Any) -> str:
+def short(value: Any) -> str:
     """A value for reading; of a long array its shape and its range."""
     if isinstance(value, Codes):
         value = value.words() if value.places.size <= 6 else value.places.astype("S1")
-    if _is_pandas(value):
+    if is_labelled(value):
         value = value.to_numpy()
+    if isinstance(value, Result):
+        return f"<{type(value).__name__}>"
     if isinstance(value, np.ma.MaskedArray) and value.dtype.kind in "iuf" and value.size > 6:
         value = value.filled(np.nan)
     if not isinstance(value, np.ndarray):
@@ -213,7 +424,7 @@ def _are_same(one: Any, other: Any) -> bool:
     """Whether two values are equal, NaN included."""
     if isinstance(one, Codes) and isinstance(other, Codes):
         return one.names == other.names and np.array_equal(one.places, other.places)
-    if _is_pandas(one):
+    if is_labelled(one):
         return type(one) is type(other) and bool(one.equals(other))
     if isinstance(one, (np.ndarray, float)) and isinstance(other, (np.ndarray, float)):
         a, b = np.ma.getdata(one), np.ma.getdata(other)
@@ -222,11 +433,6 @@ def _are_same(one: Any, other: Any) -> bool:
     if isinstance(one, Decimal) and isinstance(other, Decimal) and one.is_nan():
         return other.is_nan()
     return bool(one == other)
-
-
-def _is_pandas(value: Any) -> bool:
-    """Whether a value is a series or a frame of pandas."""
-    return type(value).__module__.partition(".")[0] == "pandas" and hasattr(value, "index") and hasattr(value, "iloc")
 
 
 class PhysicalResult(Result):
@@ -252,24 +458,11 @@ class PhysicalResult(Result):
         return self._units
 
     def _text(self, name: str, value: Any) -> str:
-        return f"{_short(value)} {(self.units or {}).get(name, '')}".rstrip()
+        return f"{short(value)} {(self.units or {}).get(name, '')}".rstrip()
 
     def _is_at_hand(self, name: str) -> bool:
         is_at_hand = getattr(self._source, "is_at_hand", None)
         return super()._is_at_hand(name) or is_at_hand is not None and is_at_hand(name)
-
-
-class Physical(PhysicalResult, Generic[V]):
-    """Values in the machine's units under a drive."""
-
-    angular_frequency: V
-    """Angular frequency of the drive."""
-    force_amplitude: V
-    """Amplitude of the drive as a force."""
-    friction_displacement: V
-    """Friction bound over stiffness, B."""
-    mean_displacement: V
-    """The shift due to a mean force or to friction that depends on the direction."""
 
 
 #: The points whose columns are in memory at once, where arrays are broadcast.
@@ -327,28 +520,6 @@ class Points(NamedTuple):
         return {name: np.broadcast_to(array, self.shape) for name, array in self.given.items()}
 
 
-def numbers(name: str, value: ArrayLike) -> Floats:
-    """A number or an array of any numeric type as 64-bit floats in new memory, with NaN for masked elements."""
-    try:
-        array = np.ma.asarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
-        if array.dtype.kind == "O" and array.ndim:
-            # This is a column of numbers of another library, or with gaps, as in pandas.
-            if any(isinstance(element, (str, bytes)) for element in array.flat):
-                raise TypeError
-            column: Any = value
-            array = column.to_numpy(np.float64, na_value=np.nan) if _is_pandas(value) else array.astype(np.float64)
-        elif array.dtype.kind in "OUS" and array.ndim == 0 and value is not None:
-            # This is a number as text, or of another library.
-            array = array.astype(np.float64)
-    except (TypeError, ValueError, OverflowError):
-        kind = Error if isinstance(value, str) else WrongType
-        raise kind(f"{name}: must be numbers, not {' '.join(repr(value).split()):.60}") from None
-    if array.dtype.kind not in "iuf":
-        raise WrongType(f"{name}: must be numbers, not of type {array.dtype}")
-    floats = array.astype(np.float64)
-    return np.ma.filled(floats, np.nan) if isinstance(floats, np.ma.MaskedArray) else floats
-
-
 def of_type(name: str, value: object, kind: type) -> None:
     """Fails where an argument is not of its class."""
     if not isinstance(value, kind):
@@ -375,36 +546,11 @@ def whole_number(name: str, value: Any, most: int = 2**32) -> int:
 
 
 def points(**values: ArrayLike) -> Points:
-    """The points of ratios, broadcast to a common shape."""
-    given = {name: numbers(name, value) for name, value in values.items()}
-    try:
-        shape = np.broadcast_shapes(*(array.shape for array in given.values()))
-    except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items() if array.ndim)
-        raise Error(f"the shapes do not broadcast: {shapes}") from None
+    """The points of ratios, aligned by their labels and broadcast to a common shape."""
+    given, like = aligned(values)
     if all(array.ndim == 0 for array in given.values()):
         return Points(None, given, None)
-    return Points(shape, given, _like(values, shape))
-
-
-def _like(values: Mapping[str, Any], shape: tuple[int, ...]) -> Optional[Like]:
-    """The kind of arrays that results have: of pandas where an argument of their shape is, masked where any is."""
-    frames = {name: value for name, value in values.items() if _is_pandas(value) and np.shape(value) == shape}
-    if frames:
-        (first, like), *others = frames.items()
-        columns = getattr(like, "columns", None)
-        for name, other in others:
-            theirs = getattr(other, "columns", None)
-            if not like.index.equals(other.index) or columns is not None and not columns.equals(theirs):
-                raise Error(f"{first} and {name}: have different indices. Align them, or pass them by to_numpy()")
-        return Like(shape, index=like.index, columns=columns)
-    masked = [value for value in values.values() if isinstance(value, np.ma.MaskedArray)]
-    if not masked:
-        return None
-    mask = np.zeros(shape, dtype=bool)
-    for value in masked:
-        mask |= np.ma.getmaskarray(value)
-    return Like(shape, mask)
+    return Points(shape_of(given), given, like)
 
 
 #: A row of the table of an answer's outputs: name, kind, unit, meaning, and whether it needs a search of its own.

@@ -1,16 +1,20 @@
-"""Where a motion starts, and how long it is followed."""
+"""Where a motion starts."""
 
 from __future__ import annotations
 
 from typing import Any
+
+from numpy.typing import ArrayLike
 
 from ._native import Error
 from ._result import one
 
 #: Displacement and velocity at a phase of the drive, as (phase, displacement, velocity).
 Start = tuple[float, float, float]
+#: The same for many points, as numbers or arrays that broadcast with the others.
+Starts = tuple[ArrayLike, ArrayLike, ArrayLike]
 REST: Start = (0.0, 0.0, 0.0)
-STATE = ("phase", "displacement", "velocity")
+STATE = ("start: phase", "start: displacement", "start: velocity")
 
 
 def three(start: Any) -> tuple[Any, Any, Any]:
@@ -23,5 +27,5 @@ def three(start: Any) -> tuple[Any, Any, Any]:
 
 def state(start: Any) -> Start:
     """A start for the compiled part."""
-    phase, displacement, velocity = (one(f"start: {name}", value) for name, value in zip(STATE, three(start)))
+    phase, displacement, velocity = (one(name, value) for name, value in zip(STATE, three(start)))
     return phase, displacement, velocity

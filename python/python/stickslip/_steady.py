@@ -10,7 +10,10 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._closed_forms import wide_ratios
-from ._outputs import PhysicalSteady, SteadyOutputs
+from . import _rows
+from ._motion import MachineSamples, Samples, sampled
+from ._outputs import MachineSteadyOutputs, SteadyOutput, SteadyOutputs
+from ._native import Error
 from ._result import (
     RATIOS,
     Floats,
@@ -28,12 +31,12 @@ from ._result import (
     precision,
     whole_number,
 )
-from ._start import REST, STATE, Start, state, three
+from ._start import REST, STATE, Starts, three
 from ._wide import wide
 
 _ROWS: dict[str, Row] = {row[0]: row for row in _native.STEADY}
 #: Names of the outputs of `steady`.
-STEADY_OUTPUTS: tuple[str, ...] = tuple(_ROWS)
+STEADY_OUTPUTS: tuple[SteadyOutput, ...] = tuple(_ROWS)  # type: ignore[arg-type, assignment]
 _WORDS = {"regime": _native.REGIMES, "limit": _native.LIMITS}
 #: The measures of asymmetry, for which the cycle is followed once more.
 _OF_ASYMMETRY = ("error_1", "error_2", "error_3", "error_4")
@@ -46,8 +49,8 @@ AT_ONCE = tuple(name for name in _ROWS if name not in (*_OF_ASYMMETRY, *_OF_PEAK
 class _Source(NamedTuple):
     """The question, for outputs that are computed when they are read."""
 
+    #: The ratios and the starts.
     at: Points
-    start: Start
     max_periods: int
     excitation: Optional[str] = None
 
@@ -57,26 +60,70 @@ class _Source(NamedTuple):
         for group in (_OF_PEAKS, _OF_ASYMMETRY):
             if len(asked) == 1 and asked[0] in group:
                 asked = group
-        more = (self.start, self.max_periods)
         if self.at.shape is None:
-            return paired(_native.steady_at(self.at.columns, self.excitation, list(asked), *more))
-        return filled(_native.steady_into, _ROWS, _WORDS, self.at, asked, self.excitation, *more)
+            ratios, start = self.split(self.at.columns)
+            return paired(_native.steady_at(ratios, self.excitation, list(asked), start, self.max_periods))
+        return filled(_into, _ROWS, _WORDS, self.at, asked, self.excitation, self.max_periods)
+
+    @staticmethod
+    def split(columns: Any) -> tuple[Any, Any]:
+        return columns[: len(RATIOS)], columns[len(RATIOS) :]
+
+
+def _into(columns: Any, n: int, excitation: Optional[str], names: list[str], parts: list[Any], max_periods: int) -> None:
+    ratios, starts = _Source.split(columns)
+    _native.steady_into(ratios, n, excitation, names, parts, starts, max_periods)
 
 
 class Steady(SteadyOutputs[V, W]):
     """The steady state of the motion from a start; see `steady`.
 
-    Its attributes are the ratios ``omega``, ``alpha``, ``damping_ratio`` and ``static_friction_ratio``, and the outputs.
+    Its attributes are the ratios ``omega``, ``alpha``, ``damping_ratio`` and ``static_friction_ratio``, and the outputs. Displacements
+    are in units of B = r_y/k, velocities in B ω_d, phases in radians of the drive; ``units`` has the unit of each.
     """
 
-    _physical: Optional[PhysicalSteady[V]]
+    def waveform(self, n: int = 256) -> Samples:
+        """One cycle of the motion at one point: ``n`` samples for each turn of the drive, from phase 0, and the first one again.
+
+        >>> import stickslip as ss
+        >>> cycle = ss.steady(0.4, 6).waveform(4)
+        >>> cycle.displacement.round(3)
+        array([-2.109,  6.748,  2.109, -6.748, -2.109])
+        """
+        source = self._source
+        if not isinstance(source, _Source) or source.at.shape is not None:
+            raise Error("a waveform is that of one point, in floats")
+        number = whole_number("n", n)
+        ratios, start = source.split(source.at.columns)
+        found = _native.on_limit(ratios, source.excitation, start, source.max_periods)
+        if found is None:
+            raise Error(f"the motion tends to no cycle, but to: {self.limit}")
+        state, turns = found
+        # The samples are those at phase 0 and at equal distances from it.
+        return sampled(ratios, state, float(turns), number, True)
+
+
+class MachineSteady(MachineSteadyOutputs[V, W]):
+    """The steady state of a machine in its units; see `Machine.steady`. ``units`` has the unit of each value."""
+
+    _ratios: Steady[V, W]
 
     @property
-    def physical(self) -> PhysicalSteady[V]:
-        """The outputs in the machine's units, for the answer of a machine."""
-        if self._physical is None:
-            raise AttributeError("physical")
-        return self._physical
+    def ratios(self) -> Steady[V, W]:
+        """The same motion in ratios."""
+        return self._ratios
+
+    def waveform(self, n: int = 256) -> MachineSamples:
+        """One cycle of the motion in units, as of `Steady.waveform`.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="12 kg", stiffness="30 kN/m", friction="15 N", units="N,mm")
+        >>> cycle = machine.steady(ss.Drive(force="40 N", frequency="2.5 Hz")).waveform(4)
+        >>> cycle.displacement.round(3), cycle.units["displacement"]
+        (array([-0.5  ,  0.962,  0.5  , -0.962, -0.5  ]), 'mm')
+        """
+        driven: Any = self._driven
+        return MachineSamples.of(self.ratios.waveform(n), driven)
 
 
 @overload
@@ -86,9 +133,9 @@ def steady(
     damping_ratio: float = 0.0,
     static_friction_ratio: float = 1.0,
     *,
-    start: Start = REST,
+    start: Starts = REST,
     max_periods: int = _native.MAX_PERIODS,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[SteadyOutput]] = None,
 ) -> Steady[float, str]: ...
 
 
@@ -99,9 +146,9 @@ def steady(
     damping_ratio: ArrayLike = 0.0,
     static_friction_ratio: ArrayLike = 1.0,
     *,
-    start: Start = REST,
+    start: Starts = REST,
     max_periods: int = _native.MAX_PERIODS,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[SteadyOutput]] = None,
 ) -> Steady[Floats, Words]: ...
 
 
@@ -114,7 +161,7 @@ def steady(
     *,
     start: Any = REST,
     max_periods: int = _native.MAX_PERIODS,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[SteadyOutput]] = None,
     bits: int,
 ) -> Steady[Decimal, str]: ...
 
@@ -127,7 +174,7 @@ def steady(
     *,
     start: Any = REST,
     max_periods: int = _native.MAX_PERIODS,
-    outputs: Optional[Iterable[str]] = None,
+    outputs: Optional[Iterable[SteadyOutput]] = None,
     bits: Optional[int] = None,
 ) -> Steady[Any, Any]:
     """The steady state of the exact motion from a start, stops included.
@@ -143,7 +190,7 @@ def steady(
     static_friction_ratio : float or array
         Ratio of static to kinetic friction, >= 1. Above 1 the steady state may depend on the start; see `attractors`.
     start : (phase, displacement, velocity)
-        In radians of the drive, B and B w; at rest by default.
+        In radians of the drive, B and B w; at rest by default. Each may be an array that broadcasts with the ratios.
     max_periods : int
         Periods of the drive to follow; a motion that has not settled by then is ``"not-converged"``.
     outputs : names, optional
@@ -179,14 +226,23 @@ def steady(
         ratios = dict(zip(RATIOS, map(Decimal, texts)))
         return Steady({**found, **ratios}, chosen=None if chosen is None else (*RATIOS, *chosen))
     given = (omega, alpha, damping_ratio, static_friction_ratio)
-    return of_points(points(**dict(zip(RATIOS, given))), chosen, state(start), periods)
+    values = {**dict(zip(RATIOS, given)), **dict(zip(STATE, three(start)))}
+    return of_points(points(**values), chosen, periods)
 
 
 def of_points(
-    at: Points, chosen: Optional[tuple[str, ...]], start: Start, max_periods: int, excitation: Optional[str] = None
+    at: Points, chosen: Optional[tuple[str, ...]], max_periods: int, excitation: Optional[str] = None
 ) -> Steady[Any, Any]:
-    """The steady state at points, under an excitation."""
-    source = _Source(at, start, max_periods, excitation)
+    """The steady state at points with their starts, under an excitation."""
+    source = _Source(at, max_periods, excitation)
     names = None if chosen is None else (*RATIOS, *chosen)
     values = source(AT_ONCE) if chosen is None else source(chosen)
+    # Of many points every value is a column of a table; the two multipliers of each are read by their name.
+    if names is None and at.shape is not None:
+        names = tuple(name for name in Steady._names if name != "multipliers")
     return Steady({**at.in_shape(), **values}, source, chosen=names, like=at.like)
+
+
+for _kind, _outputs in ((Steady, _rows.STEADY), (MachineSteady, _rows.MACHINE_STEADY)):
+    _shown = {name: row for name, row in _outputs.items() if name in _kind._names}
+    _kind.__doc__ = f"{_kind.__doc__}\n\n    Outputs\n    -------\n{_rows.explained(_shown)}\n    "
