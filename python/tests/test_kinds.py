@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import stickslip as ss
-from stickslip import _native
+from stickslip import _native, _rows
 
 OMEGA = [0.5, 0.75, 1.5, 2.0]
 ALPHA = 2.5
@@ -117,8 +117,12 @@ def test_indices_are_kept_where_there_is_one():
     frame = pandas.DataFrame(dict(ss.steady(omega, ALPHA, outputs=["regime", "transmissibility"])))
     assert frame.index.equals(omega.index) and found.transmissibility.equals(frame["transmissibility"])
     assert found.stick_fraction.name == "stick_fraction"
-    with pytest.raises(ss.Error, match="omega and alpha: have different indices"):
-        ss.steady(omega, pandas.Series(ALPHA, index=[1, 2, 3, 4]))
+    with pytest.raises(ss.Error, match="omega and alpha: have different labels"):
+        ss.steady(omega, pandas.Series(ALPHA, index=[1, 2, 3, 5]))
+    # Labels in another order are put in order.
+    alpha = pandas.Series([2.0, 3.0, 4.0, 5.0], index=[1, 2, 3, 4])
+    due = ss.steady(OMEGA, [4.0, 2.0, 5.0, 3.0]).max_displacement
+    assert ss.steady(omega, alpha).max_displacement.tolist() == due.tolist()
     # A series that is broadcast has no place in the shape of the result.
     assert type(ss.response(omega, [[2.0], [3.0]]).max_displacement) is np.ndarray
     machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0)
@@ -242,7 +246,7 @@ MISTAKES = {
     "a fraction of a sample": (lambda: ss.simulate(0.4, 6, samples=2.5), TypeError, "samples = 2.5: must be a whole number"),
     "half a bit": (lambda: ss.response("0.7", 2, bits=53.5), TypeError, "bits = 53.5: must be a whole number"),
     "writing to a result": (lambda: setattr(ss.response(0.7, 2), "omega", 1.0), AttributeError, "cannot be changed"),
-    "units without a machine": (lambda: ss.response(0.7, 2), AttributeError, "those of a machine"),
+    "ratios of ratios": (lambda: ss.response(0.7, 2).ratios, AttributeError, "Response has no value ratios"),
     "a number in place of a drive": (lambda: machine().response(2.0), TypeError, "drive: must be a Drive, not float"),
     "samples in place of a record": (lambda: machine().follow([0, 1.0]), TypeError, "record: must be a Record, not list"),
     "samples in place of a record of a spectrum": (
@@ -257,7 +261,7 @@ MISTAKES = {
     "a number beyond all floats": (lambda: ss.response(10**400, 2), TypeError, "omega: must be numbers"),
     "text in a column": (lambda: ss.response([0.7, "1.5"], 2), TypeError, "omega: must be numbers"),
     "a period of no length": (
-        lambda: ss.spectrum(ss.Record([0, 1.0], time_step=0.1), period=[1.0, 0.0], friction_coefficient=0.1),
+        lambda: ss.spectrum(ss.Record([0, 1.0], time_step=0.1), period=0.0, friction_coefficient=0.1),
         ss.Error,
         "period = 0.0: must be > 0 and finite",
     ),
@@ -285,10 +289,13 @@ def test_what_looks_like_a_mistake_and_is_none():
     stuck = machine().response(ss.Drive(force=3.1, frequency=0.5))
     assert stuck.regime == "sticking" and math.isnan(stuck.max_displacement)
     # Arrays lose nothing, with a machine or without.
-    for found in (ss.response([0.7, 1.5], 2.5), machine().response(ss.Drive(force=9.0, frequency=[2.0, 4.0]))):
+    drive = ss.Drive(force=9.0, frequency=[2.0, 4.0])
+    for found in (ss.response([0.7, 1.5], 2.5), machine().response(drive).ratios):
         assert [name for name in ss.OUTPUTS if np.shape(found[name]) != (2,)] == []
-    for found in (ss.steady([0.7, 1.5], 2.5), machine().steady(ss.Drive(force=9.0, frequency=[2.0, 4.0]))):
+    for found in (ss.steady([0.7, 1.5], 2.5), machine().steady(drive).ratios):
         assert [name for name in ss.STEADY_OUTPUTS if np.shape(found[name])[:1] != (2,)] == []
+    for found in (machine().response(drive), machine().steady(drive)):
+        assert len(found) > 35 and [name for name in type(found)._names if np.shape(found[name])[:1] != (2,)] == []
     # A damping ratio above 1 is one of a strong damper, as for the command.
     assert ss.response(0.7, 2.0, damping_ratio=3).damping_ratio == 3.0
     # One name in place of a list of names; whole numbers of NumPy.
@@ -307,9 +314,9 @@ def test_the_types_are_those_of_the_table():
 
     with open(module.__file__, encoding="utf-8") as file:
         assert file.read() == outputs.text(), "run tests/outputs.py --write python/stickslip/_outputs.py"
-    assert set(ss.Response._names) == {*ss.OUTPUTS, *outputs.RATIOS}
-    assert set(ss.Steady._names) == {*ss.STEADY_OUTPUTS, *outputs.RATIOS}
+    assert set(ss.Response._names) == {*ss.OUTPUTS, *_rows.RATIO_ROWS}
+    assert set(ss.Steady._names) == {*ss.STEADY_OUTPUTS, *_rows.RATIO_ROWS}
     for excitation, _ in _native.EXCITATIONS:
         for name, (physical, _, _) in _native.physical_outputs(excitation).items():
-            in_units = module.PhysicalSteady if name in ss.STEADY_OUTPUTS else module.PhysicalResponse
+            in_units = ss.MachineSteady if name in ss.STEADY_OUTPUTS else ss.MachineResponse
             assert physical in in_units._names, (name, physical)

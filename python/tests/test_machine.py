@@ -179,13 +179,13 @@ def test_a_motion_in_units_is_that_in_ratios_times_its_scales():
         found = machine.simulate(drive, **begin, cycles=2, samples=samples)
         scales = {"phase": 1 / rate, "duration": 1 / rate, "displacement": 0.005, "velocity": 0.005 * rate, "friction": 5e3}
         names = {"phase": "time", "friction": "friction_force"}
-        assert not hasattr(bare, "physical") and found.mean_displacement == pytest.approx(0.002)
+        assert not hasattr(bare, "ratios") and found.mean_displacement == pytest.approx(0.002)
         for name in bare:
             values, kind = getattr(bare, name), name.removeprefix("start_").removeprefix("end_")
             if kind not in scales:
                 assert (getattr(found, name) == values).all()
                 continue
-            np.testing.assert_allclose(getattr(found, name), values, rtol=1e-12, atol=1e-12)
+            np.testing.assert_allclose(getattr(found.ratios, name), values, rtol=1e-12, atol=1e-12)
             physical = getattr(found, names.get(name, name.replace("_phase", "_time")))
             np.testing.assert_allclose(physical, values * scales[kind], rtol=1e-12, atol=1e-15)
         assert found.units["velocity" if samples else "start_velocity"] == "m/s"

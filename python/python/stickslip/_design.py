@@ -174,7 +174,7 @@ def identify(
     >>> import numpy as np, stickslip as ss
     >>> machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0, damping_ratio=0.05)
     >>> frequency = machine.natural_frequency * np.linspace(0.7, 1.4, 20)
-    >>> measured = machine.response(ss.Drive(force=9.0, frequency=frequency)).physical.max_displacement
+    >>> measured = machine.response(ss.Drive(force=9.0, frequency=frequency)).max_displacement
     >>> found = ss.identify(2.0, 800.0, 9.0, frequency=frequency, amplitude=measured)
     >>> round(found.friction.value, 6), round(found.damping_ratio.value, 6)
     (3.0, 0.05)

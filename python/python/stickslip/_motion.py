@@ -61,7 +61,7 @@ class Samples(Result):
         "phase": ("rad", "Phase of the drive"),
         "displacement": ("B", "Displacement"),
         "velocity": ("B ω_d", "Velocity"),
-        "friction": ("r_y", "Force of friction on the body"),
+        "friction": ("r_y", "Friction, with the sign of the velocity"),
     }
     phase: Floats
     displacement: Floats
@@ -74,9 +74,9 @@ class Samples(Result):
         >>> import stickslip as ss
         >>> x, force = ss.steady(0.7, 3).waveform(1000).loop()
         >>> round(float(np.trapezoid(force, x)), 1), round(ss.steady(0.7, 3).energy_out, 1)
-        (22.3, 22.3)
+        (22.4, 22.4)
         """
-        force = -self.friction
+        force = self.friction
         return self.displacement, force + self.displacement if spring else force
 
 
@@ -142,7 +142,7 @@ class MachineSamples(PhysicalResult):
         "time": ("", "Time"),
         "displacement": ("", "Displacement"),
         "velocity": ("", "Velocity"),
-        "friction_force": ("", "Force of friction on the body"),
+        "friction_force": ("", "Friction, with the sign of the velocity"),
         "mean_displacement": ("", "Displacement from which the others are measured"),
     }
     time: Floats
@@ -166,7 +166,7 @@ class MachineSamples(PhysicalResult):
     def loop(self, *, spring: bool = False) -> tuple[Floats, Floats]:
         """The hysteresis loop: displacements, and the force against friction, with that of the spring if asked."""
         stiffness = float(self._driven.at.given["stiffness"])
-        force = -self.friction_force
+        force = self.friction_force
         return self.displacement, force + stiffness * self.displacement if spring else force
 
 

@@ -88,7 +88,7 @@ class Steady(SteadyOutputs[V, W]):
         >>> import stickslip as ss
         >>> cycle = ss.steady(0.4, 6).waveform(4)
         >>> cycle.displacement.round(3)
-        array([-2.109,  6.748,  2.109, -6.748, -2.109])
+        array([-2.001,  6.793,  2.001, -6.793, -2.001])
         """
         source = self._source
         if not isinstance(source, _Source) or source.at.shape is not None:
@@ -120,7 +120,7 @@ class MachineSteady(MachineSteadyOutputs[V, W]):
         >>> machine = ss.Machine(mass="12 kg", stiffness="30 kN/m", friction="15 N", units="N,mm")
         >>> cycle = machine.steady(ss.Drive(force="40 N", frequency="2.5 Hz")).waveform(4)
         >>> cycle.displacement.round(3), cycle.units["displacement"]
-        (array([-0.5  ,  0.962,  0.5  , -0.962, -0.5  ]), 'mm')
+        (array([-0.903,  1.2  ,  0.903, -1.2  , -0.903]), 'mm')
         """
         driven: Any = self._driven
         return MachineSamples.of(self.ratios.waveform(n), driven)
