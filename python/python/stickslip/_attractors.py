@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from ._native import Error
 from ._physical import Driven, names_of, related
-from ._result import RATIOS, PhysicalResult, Result, WrongType, numbers, one, paired, whole_number
+from ._labels import WrongType, numbers
+from ._result import RATIOS, PhysicalResult, Result, one, paired, whole_number
 from ._start import Start, state
 
 
@@ -205,7 +206,7 @@ class Basins(Result):
         x, v = np.broadcast_arrays(self.displacement, self.velocity[:, None])
         return self.attractor.shape, {"displacement": x, "velocity": v, "attractor": self.attractor}
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, *names: str, over: Optional[str] = None, ax: Any = None, **style: Any) -> Any:
         """Draws the plane with matplotlib, a colour for each limit, and returns the axes."""
         from ._plot import plane
 

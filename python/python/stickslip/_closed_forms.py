@@ -13,6 +13,7 @@ from . import _native
 from ._native import Error
 from . import _rows
 from ._outputs import BorderOutputs, MachineResponseOutputs, ResponseOutput, ResponseOutputs
+from ._labels import WrongType
 from ._result import (
     RATIOS,
     Floats,
@@ -21,7 +22,6 @@ from ._result import (
     V,
     W,
     Words,
-    WrongType,
     decimals,
     digits,
     filled,
@@ -35,7 +35,7 @@ from ._wide import wide
 
 _ROWS: dict[str, Row] = {row[0]: row for row in _native.RESPONSE}
 #: Names of the outputs of `response`.
-OUTPUTS: tuple[ResponseOutput, ...] = tuple(_ROWS)  # type: ignore[arg-type, assignment]
+OUTPUTS: tuple[ResponseOutput, ...] = tuple(_ROWS)  # type: ignore[arg-type]
 #: Those that are numbers of a definition of their own, which have enclosures.
 CLOSED_FORMS: tuple[str, ...] = tuple(_native.OUTPUTS)
 _WORDS = {"regime": _native.REGIMES}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any, NamedTuple, Optional
 
 import numpy as np
@@ -10,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._drive import Quantity, angular_of, read
+from ._labels import Like, aligned
 from ._native import Error
-from ._result import Floats, numbers
+from ._result import Floats
 
 #: Names of the figures that `figure` draws.
 FIGURES: tuple[str, ...] = tuple(_native.FIGURES)
@@ -68,6 +70,13 @@ class Estimate(NamedTuple):
     interval: tuple[float, float]
 
 
+def _in_hertz(angular: Optional[Estimate]) -> Optional[Estimate]:
+    if angular is None:
+        return None
+    value, error, (low, high) = (np.array(part) / (2 * np.pi) for part in angular)
+    return Estimate(float(value), float(error), (float(low), float(high)))
+
+
 class Identified(NamedTuple):
     """Friction and damping from a measured response curve; see `identify`."""
 
@@ -89,6 +98,15 @@ class Identified(NamedTuple):
     phase_kind: Optional[str]
     #: The kind of amplitude that fits better by more than chance, if any.
     better_amplitude_kind: Optional[str]
+    #: Natural angular frequency in radians per second, where no stiffness was given.
+    natural_angular_frequency: Optional[Estimate] = None
+    #: Amplitude of the force, where it was not given.
+    force: Optional[Estimate] = None
+
+    @property
+    def natural_frequency(self) -> Optional[Estimate]:
+        """Natural frequency in hertz, where no stiffness was given."""
+        return _in_hertz(self.natural_angular_frequency)
 
 
 class DecayIdentified(NamedTuple):
@@ -112,10 +130,7 @@ class DecayIdentified(NamedTuple):
     @property
     def natural_frequency(self) -> Optional[Estimate]:
         """Natural frequency in hertz; None without times."""
-        if self.natural_angular_frequency is None:
-            return None
-        value, error, (low, high) = (np.array(part) / (2 * np.pi) for part in self.natural_angular_frequency)
-        return Estimate(float(value), float(error), (float(low), float(high)))
+        return _in_hertz(self.natural_angular_frequency)
 
 
 class Figure(NamedTuple):
@@ -131,8 +146,8 @@ class Figure(NamedTuple):
 
 def identify(
     mass: Quantity,
-    stiffness: Quantity,
-    force: Quantity,
+    stiffness: Optional[Quantity] = None,
+    force: Optional[Quantity] = None,
     *,
     amplitude: ArrayLike,
     phase: Optional[ArrayLike] = None,
@@ -144,16 +159,18 @@ def identify(
 ) -> Identified:
     """Friction bound and damping ratio from a measured response curve, by robust least squares.
 
-    Motion with stops counts, too. Wrong values do not move the answer: they are left out and marked as suspect.
+    Motion with stops counts, too. Wrong values do not move the answer: they are left out and marked as suspect. Points that
+    are NaN or masked are left out, and have NaN among the residuals.
 
     Parameters
     ----------
     mass, stiffness, force : float or str
-        Mass and stiffness of the machine, and amplitude of the harmonic force, with or without units.
+        Mass and stiffness of the machine, and amplitude of the harmonic force, with or without units. Without the stiffness
+        the natural frequency is found, too; without the force, its amplitude.
     amplitude : array
         The amplitude of the displacement measured at each frequency.
     frequency, angular_frequency : array
-        The frequencies, in hertz or in radians per second: one of the two.
+        The frequencies, in hertz or in radians per second: one of the two. Series are aligned by their labels.
     phase : array, optional
         Phases in radians, from -2π to 2π; NaN where they were not measured.
     amplitude_kind : str
@@ -178,35 +195,59 @@ def identify(
     >>> found = ss.identify(2.0, 800.0, 9.0, frequency=frequency, amplitude=measured)
     >>> round(found.friction.value, 6), round(found.damping_ratio.value, 6)
     (3.0, 0.05)
+    >>> found = ss.identify(2.0, force=9.0, frequency=frequency, amplitude=measured)
+    >>> round(found.natural_frequency.value / machine.natural_frequency, 6), round(found.friction.value, 4)
+    (1.0, 3.0)
     """
+    if stiffness is None and force is None:
+        raise Error("give the stiffness or the force: one of them can be found")
     angular = angular_of(frequency, angular_frequency)
     given = {"angular_frequency": angular, "amplitude": amplitude, "phase": phase}
-    columns = {
-        name: np.ascontiguousarray(numbers(name, column)).reshape(-1) for name, column in given.items() if column is not None
-    }
-    lengths = {column.size for column in columns.values()}
-    if len(lengths) != 1:
-        raise Error(f"columns of the curve have different lengths: {sorted(lengths)}")
+    columns, like = _curve({name: column for name, column in given.items() if column is not None})
+    is_there = np.isfinite(columns["amplitude"]) & np.isfinite(columns["angular_frequency"])
     # The first amplitude stands for the columns when units are checked. The friction bound is the unknown, so that
     # its value here has no effect.
     texts = {"mass": (mass, "mass"), "stiffness": (stiffness, "stiffness"), "force": (force, "force")}
-    first = {"amplitude": (columns["amplitude"][0], "length")} if columns["amplitude"].size else {}
+    texts = {name: value for name, value in texts.items() if value[0] is not None}
+    first = {"amplitude": (columns["amplitude"][is_there][0], "length")} if is_there.any() else {}
     values, _ = read({**texts, **first}, units)
-    body = (values["mass"], values["stiffness"], 1.0, math.nan, 0.0, 1.0)
-    measured = (columns["angular_frequency"], columns["amplitude"], columns.get("phase"))
-    found = _native.identify(body, values["force"], *measured, amplitude_kind, phase_kind)
+    body = (values["mass"], values.get("stiffness", math.nan), 1.0, math.nan, 0.0, 1.0)
+    measured = [np.ascontiguousarray(column[is_there]) for column in columns.values()]
+    angular, sizes, *phases = measured
+    found = _native.identify(body, values.get("force"), angular, sizes, phases[0] if phases else None, amplitude_kind, phase_kind)
+
+    def placed(values: Any, none: Any) -> Any:
+        column = np.full(is_there.shape, none)
+        column[is_there] = values
+        return column if like is None else like.dressed("residuals", column, {})
+
+    natural, fitted = found.get("natural_angular_frequency"), found.get("force")
     return Identified(
         friction=Estimate(*found["friction"]),
         damping_ratio=Estimate(*found["damping_ratio"]),
         noise=found["noise"],
-        residuals=np.array(found["residuals"]),
+        residuals=placed(found["residuals"], np.nan),
         phase_noise=found["phase_noise"],
-        phase_residuals=np.array(found["phase_residuals"]),
-        suspect=np.array(found["suspect"], dtype=bool),
-        stops=np.array(found["stops"], dtype=bool),
+        phase_residuals=placed(found["phase_residuals"], np.nan),
+        suspect=placed(found["suspect"], False),
+        stops=placed(found["stops"], False),
         phase_kind=found["phase_kind"],
         better_amplitude_kind=found["better_amplitude_kind"],
+        natural_angular_frequency=None if natural is None else Estimate(*natural),
+        force=None if fitted is None else Estimate(*fitted),
     )
+
+
+def _curve(given: Mapping[str, Any]) -> tuple[dict[str, Floats], Optional[Like]]:
+    """The columns of a curve, aligned by their labels, and how columns of results are dressed."""
+    columns, like = aligned(given)
+    shapes = {name: column.shape for name, column in columns.items()}
+    if any(len(shape) != 1 for shape in shapes.values()):
+        name, shape = next((name, shape) for name, shape in shapes.items() if len(shape) != 1)
+        raise Error(f"{name}: must be an array of one dimension, not of shape {shape}")
+    if len(set(shapes.values())) != 1:
+        raise Error(f"columns of the curve have different lengths: {', '.join(f'{name} {shape[0]}' for name, shape in shapes.items())}")
+    return {name: np.ascontiguousarray(column) for name, column in columns.items()}, like
 
 
 def identify_decay(
@@ -214,14 +255,15 @@ def identify_decay(
 ) -> DecayIdentified:
     """Friction and damping from a free vibration that comes to rest, by least squares.
 
-    A damper takes the same part of every amplitude, friction the same amount.
+    A damper removes a fixed fraction per cycle, friction a fixed amount; four peaks tell them apart.
 
     Parameters
     ----------
     displacement : array
         The sampled displacement from any zero, or with ``every`` the turning points from the rest of the spring.
     time : array, optional
-        The times in seconds, which samples need.
+        The times in seconds, which samples need. Series are aligned by their labels; samples that are NaN or masked are left
+        out.
     every : str, optional
         ``"cycle"`` for the peaks of one side, ``"half-cycle"`` for those of both sides, with their signs or without.
 
@@ -236,12 +278,20 @@ def identify_decay(
     >>> round(found.friction_displacement.value, 3), round(found.damping_ratio.value, 4)
     (1.337, 0.0067)
     """
-    values = np.ascontiguousarray(numbers("displacement", displacement)).reshape(-1)
-    times = None if time is None else np.ascontiguousarray(numbers("time", time)).reshape(-1)
-    if times is None and every is None:
+    columns, like = _curve({"displacement": displacement, **({} if time is None else {"time": time})})
+    if time is None and every is None:
         raise Error('give the times of samples, or every="cycle" or every="half-cycle" for turning points')
-    found = _native.identify_decay(values, times, every)
+    is_there = np.all([np.isfinite(column) for column in columns.values()], axis=0)
+    if every is not None and not is_there.all():
+        raise Error("displacement: turning points that are NaN or masked cannot be left out, because they are counted")
+    values, *times = (np.ascontiguousarray(column[is_there]) for column in columns.values())
+    found = _native.identify_decay(values, times[0] if times else None, every)
     natural = found["natural_frequency"]
+    residuals: Any = np.array(found["residuals"])
+    if residuals.shape == values.shape:
+        placed = np.full(is_there.shape, np.nan)
+        placed[is_there] = residuals
+        residuals = placed if like is None else like.dressed("residuals", placed, {})
     return DecayIdentified(
         friction_displacement=Estimate(*found["friction_displacement"]),
         damping_ratio=Estimate(*found["damping_ratio"]),
@@ -250,7 +300,7 @@ def identify_decay(
         noise=found["noise"],
         turning_points=np.array(found["turning_points"]),
         times=np.array(found["times"]),
-        residuals=np.array(found["residuals"]),
+        residuals=residuals,
     )
 
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._labels import Like, aligned, is_labelled, shape_of
+from ._labels import Like, WrongType, aligned, is_labelled, numbers, shape_of
 from ._native import Error
-from ._result import Floats, V, Value, WrongType, are_equal, numbers, one, short
+from ._result import Floats, V, Value, are_equal, one, short
 
 #: The kind of the amplitude of each excitation.
 _KINDS = dict(_native.EXCITATIONS)
@@ -231,7 +231,7 @@ class Drive(Generic[V]):
 
     def _in(self, units: Optional[str], is_named: bool) -> dict[str, Any]:
         """The amplitude, the angular frequency and the mean force in a machine's system of units."""
-        found = {"amplitude": self.amplitude, "angular_frequency": self.angular_frequency, "mean_force": self.mean_force}
+        found: dict[str, Any] = {"amplitude": self.amplitude, "angular_frequency": self.angular_frequency, "mean_force": self.mean_force}
         if units == self.units:
             return found
         system_of("the drive", units, is_named, self.units, True)

@@ -196,7 +196,7 @@ def _in_units(kind: type[_M], found: Result, driven: Driven) -> _M:
     kinds = {own: of for own, _, of in OF_SIMULATION.values() if own in kind._names}
     units = names_of(driven.units, {**kinds, "mean_displacement": "length"})
     values = {name: scaled.value(name) for name in kind._names if name not in ("kind", "ends_by")}
-    words = {name: found._values[name] for name in ("kind", "ends_by") if name in kind._names}
+    words: dict[str, Any] = {name: found._values[name] for name in ("kind", "ends_by") if name in kind._names}
     if units is not None:
         units |= {name: "rad" for name in kind._names if name.endswith("phase")}
     return related(kind({**words, **values}, units=units), found, driven)

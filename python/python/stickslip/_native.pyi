@@ -38,11 +38,16 @@ def steady_into(
     kind: Optional[str],
     outputs: list[str],
     arrays: list[NDArray[Any]],
-    start: _Start,
+    start: _Ratios,
     max_periods: int,
 ) -> None: ...
 def phases(point: Sequence[float], start: _Start, cycles: float) -> dict[str, NDArray[Any]]: ...
-def samples(point: Sequence[float], start: _Start, cycles: float, per_cycle: int) -> dict[str, NDArray[Any]]: ...
+def samples(
+    point: Sequence[float], start: _Start, cycles: float, per_cycle: int, whole_turns: bool
+) -> dict[str, NDArray[Any]]: ...
+def on_limit(
+    point: Sequence[float], kind: Optional[str], start: _Start, max_periods: int
+) -> Optional[tuple[_Start, int]]: ...
 def attractors_at(point: Sequence[float], starts: Any, reach: Optional[float], max_periods: int) -> dict[str, Any]: ...
 def decay_at(
     displacement: float, velocity: float, damping_ratio: float, static_friction_ratio: float
@@ -50,6 +55,9 @@ def decay_at(
 def machine(
     values: list[tuple[str, str]], units: Optional[str]
 ) -> tuple[_Body, Optional[float], Optional[str]]: ...
+def machines(
+    values: list[tuple[str, str]], columns: list[tuple[str, _Column]], n: int, units: Optional[str]
+) -> tuple[dict[str, _Column], Optional[str]]: ...
 def drive(
     values: list[tuple[str, str]], units: Optional[str]
 ) -> tuple[str, float, float, Optional[str]]: ...
@@ -57,6 +65,13 @@ def read_values(values: list[tuple[str, str, str]], units: Optional[str]) -> tup
 def block(
     values: list[tuple[str, str]], units: Optional[str], slope: Optional[str], one_way: bool
 ) -> tuple[_Sliding, Optional[str]]: ...
+def blocks(
+    values: list[tuple[str, str]],
+    columns: list[tuple[str, _Column]],
+    n: int,
+    units: Optional[str],
+    slope: Optional[str],
+) -> tuple[dict[str, _Column], Optional[str]]: ...
 def record_read(
     name: str,
     bytes: Optional[bytes],
@@ -88,18 +103,33 @@ def record_floor_spectrum(
     periods: _Column,
     damping_ratio: float,
 ) -> dict[str, NDArray[Any]]: ...
-def record_spectrum(
-    columns: Sequence[_Column], kind: str, times: _Column, samples: _Column, after: str
-) -> dict[str, NDArray[Any]]: ...
+def record_follow_each(
+    columns: _Ratios,
+    one_way: bool,
+    kind: str,
+    times: _Column,
+    samples: _Column,
+    after: str,
+    starts: _Ratios,
+    n: int,
+) -> tuple[dict[str, NDArray[Any]], list[tuple[int, str]]]: ...
 def unit_of(units: str, of: str) -> str: ...
 def physical_outputs(excited: str) -> dict[str, tuple[str, str, str]]: ...
 def machine_columns(
-    of: _Body, kind: str, drives: _Ratios, n: int, many: bool, mean_force: float, names: list[str]
+    of: _Ratios, kind: str, drives: _Ratios, n: int, many: bool, names: list[str]
 ) -> dict[str, _Column]: ...
-def min_amplitude(of: _Body, kind: str, angular_frequency: float) -> float: ...
-def max_friction(of: _Body, kind: str, amplitude: float, angular_frequency: float) -> float: ...
-def best_friction(of: _Body, kind: str, amplitude: float, angular_frequency: float) -> tuple[float, float, str]: ...
-def force_for(of: _Body, angular_frequency: float, target: float, is_velocity: bool) -> float: ...
+def design_each(
+    question: str,
+    of: _Ratios,
+    excited: str,
+    target: Union[float, _Column],
+    frequency: Union[float, _Column],
+    n: int,
+    many: bool,
+) -> tuple[list[_Column], NDArray[np.uint8]]: ...
+def frictions_for_displacement(
+    of: _Body, kind: str, amplitude: float, angular_frequency: float, target: float
+) -> list[tuple[float, str, float]]: ...
 def bands(
     of: _Body, kind: str, amplitude: float, low: float, high: float
 ) -> list[tuple[float, float, bool, bool]]: ...
@@ -109,7 +139,7 @@ def best_friction_over(
 def identify_decay(displacement: _Column, time: Optional[_Column], turns: Optional[str]) -> dict[str, Any]: ...
 def identify(
     of: _Body,
-    force: float,
+    force: Optional[float],
     angular_frequency: _Column,
     amplitude: _Column,
     phase: Optional[_Column],

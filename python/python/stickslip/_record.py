@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._drive import Quantity, is_array, of_number, read, system_of, texts, values_of
-from ._labels import WrongType, aligned, is_labelled, module, shape_of
+from ._labels import WrongType, aligned, is_labelled, module, numbers, shape_of
 from ._native import Error
 from ._physical import names_of
 from ._result import (
@@ -24,7 +24,6 @@ from ._result import (
     V,
     Value,
     are_equal,
-    numbers,
     of_type,
     one,
     points,
@@ -216,7 +215,7 @@ class Record:
             values = _column("samples", samples)
             at = np.array([read({"time_step": (time_step, "time")}, None)[0]["time_step"]])
         else:
-            columns, _ = aligned({"samples": samples, "times": times})
+            columns, _ = aligned({"times": times, "samples": samples})
             values, at = _column("samples", columns["samples"]), _column("times", columns["times"])
             if len(at) == 1:
                 raise Error("record: the number of samples = 1 must be >= 2")
@@ -259,7 +258,9 @@ class Record:
     @property
     def times(self) -> Floats:
         """The time of each sample, in seconds."""
-        return self._times if self.time_step is None else np.arange(len(self.samples)) * self.time_step
+        step = self.time_step
+        found: Floats = self._times if step is None else np.arange(len(self.samples), dtype=np.float64) * step
+        return found
 
     @property
     def duration(self) -> float:
@@ -909,7 +910,7 @@ def spectrum(
     if at.shape is None:
         if not np.isfinite(omega):
             raise Error(f"period = {float(periods)}: must be > 0 and finite")
-        one_body = (*(float(own[name]) for name in _OF_BLOCK), False)
+        one_body: Any = (*(float(own[name]) for name in _OF_BLOCK), False)
         columns = _native.record_follow(one_body, *load, (0.0, 0.0))
         found: dict[str, Any] = {name: column.item() for name, column in columns.items()}
         errors: dict[int, str] = {}
@@ -920,7 +921,7 @@ def spectrum(
     if mass is None:
         found = {name: value for name, value in found.items() if _UNITS.get(name) not in ("force", "energy", "stiffness")}
         kinds = {name: kind for name, kind in kinds.items() if name in found or name == "period"}
-    answer = Spectrum({**at.in_shape(), **found}, units=names_of(system, kinds), like=at.like)
+    answer: Spectrum[Any] = Spectrum({**at.in_shape(), **found}, units=names_of(system, kinds), like=at.like)
     return _with_errors(answer, errors)
 
 

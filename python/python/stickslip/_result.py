@@ -150,7 +150,7 @@ class Result(dict[str, Any]):
     def _unchanged(self, *arguments: Any, **keywords: Any) -> NoReturn:
         raise TypeError(f"{type(self).__name__} cannot be changed")
 
-    __setitem__ = __delitem__ = clear = pop = popitem = setdefault = update = __ior__ = _unchanged  # type: ignore[assignment]
+    __setitem__ = __delitem__ = clear = pop = popitem = setdefault = update = __ior__ = _unchanged
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._names:
@@ -191,7 +191,7 @@ class Result(dict[str, Any]):
         same = self.__eq__(other)
         return same if same is NotImplemented else not same
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None
 
     @property
     def units(self) -> Optional[Mapping[str, str]]:
@@ -209,7 +209,7 @@ class Result(dict[str, Any]):
             return self._like.shape
         names = (self._along,) if self._along is not None else self._chosen
         arrays = (self._array(name) for name in names if self._is_at_hand(name))
-        return next((array.shape for array in arrays if array.ndim), ())
+        return next((array.shape for array in arrays), ())
 
     def _array(self, name: str) -> NDArray[Any]:
         self._read(name)

@@ -12,6 +12,7 @@ from . import _native
 from ._closed_forms import wide_ratios
 from . import _rows
 from ._motion import MachineSamples, Samples, sampled
+from ._physical import Driven
 from ._outputs import MachineSteadyOutputs, SteadyOutput, SteadyOutputs
 from ._native import Error
 from ._result import (
@@ -36,7 +37,7 @@ from ._wide import wide
 
 _ROWS: dict[str, Row] = {row[0]: row for row in _native.STEADY}
 #: Names of the outputs of `steady`.
-STEADY_OUTPUTS: tuple[SteadyOutput, ...] = tuple(_ROWS)  # type: ignore[arg-type, assignment]
+STEADY_OUTPUTS: tuple[SteadyOutput, ...] = tuple(_ROWS)  # type: ignore[arg-type]
 _WORDS = {"regime": _native.REGIMES, "limit": _native.LIMITS}
 #: The measures of asymmetry, for which the cycle is followed once more.
 _OF_ASYMMETRY = ("error_1", "error_2", "error_3", "error_4")
@@ -107,6 +108,7 @@ class MachineSteady(MachineSteadyOutputs[V, W]):
     """The steady state of a machine in its units; see `Machine.steady`. ``units`` has the unit of each value."""
 
     _ratios: Steady[V, W]
+    _driven: Driven
 
     @property
     def ratios(self) -> Steady[V, W]:
@@ -122,8 +124,7 @@ class MachineSteady(MachineSteadyOutputs[V, W]):
         >>> cycle.displacement.round(3), cycle.units["displacement"]
         (array([-0.903,  1.2  ,  0.903, -1.2  , -0.903]), 'mm')
         """
-        driven: Any = self._driven
-        return MachineSamples.of(self.ratios.waveform(n), driven)
+        return MachineSamples.of(self.ratios.waveform(n), self._driven)
 
 
 @overload
