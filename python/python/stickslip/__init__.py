@@ -57,6 +57,7 @@ from ._system import (
     SystemStates,
     SystemSteady,
 )
+from ._uncertainty import MonteCarlo, Sensitivity, monte_carlo, sensitivities
 
 if hasattr(_os, "register_at_fork"):
     # A forked child inherits the memory of the worker threads, but not the threads themselves.
@@ -91,12 +92,14 @@ __all__ = [
     "MachineResponse",
     "MachineSamples",
     "MachineSteady",
+    "MonteCarlo",
     "Motion",
     "Phases",
     "Polarities",
     "Record",
     "Response",
     "Samples",
+    "Sensitivity",
     "Spectrum",
     "Steady",
     "System",
@@ -115,7 +118,9 @@ __all__ = [
     "figure",
     "identify",
     "identify_decay",
+    "monte_carlo",
     "response",
+    "sensitivities",
     "simulate",
     "spectrum",
     "steady",

@@ -295,10 +295,3 @@ def values_of(name: str, value: Any, kind: str, units: Optional[str], is_named: 
     array = numbers(name, value)
     system_of(name, units, is_named, None, bool(np.any(array != 0.0)))
     return value
-
-
-def of_number(name: str, value: Any) -> float:
-    """A number that is no flag."""
-    if isinstance(value, (bool, np.bool_)):
-        raise WrongType(f"{name} = {value}: must be a number")
-    return one(name, value)

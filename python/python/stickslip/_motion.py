@@ -8,9 +8,8 @@ from typing import Any, Optional, TypeVar, Union, overload
 import numpy as np
 
 from . import _native
-from ._drive import of_number
 from ._physical import OF_SIMULATION, Driven, Scaled, names_of, related
-from ._result import RATIOS, Codes, Floats, PhysicalResult, Result, Words, one, whole_number
+from ._result import RATIOS, Codes, Floats, PhysicalResult, Result, Words, of_number, one, whole_number
 from ._start import REST, Start, state
 
 _KINDS = ("slide-forward", "slide-backward", "stick")

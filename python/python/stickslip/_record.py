@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._drive import Quantity, is_array, of_number, read, system_of, texts, values_of
+from ._drive import Quantity, is_array, read, system_of, texts, values_of
 from ._labels import WrongType, aligned, is_labelled, module, numbers, shape_of
 from ._native import Error
 from ._physical import names_of
@@ -24,6 +24,7 @@ from ._result import (
     V,
     Value,
     are_equal,
+    of_number,
     of_type,
     one,
     points,

@@ -534,9 +534,18 @@ def one(name: str, value: Any) -> float:
     return float(array)
 
 
+def of_number(name: str, value: Any) -> float:
+    """A single number that is no flag."""
+    if isinstance(value, (bool, np.bool_)):
+        raise WrongType(f"{name} = {value}: must be a number")
+    return one(name, value)
+
+
 def whole_number(name: str, value: Any, most: int = 2**32) -> int:
     """A number of things, at least 1 and less than `most`."""
     try:
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
         number = operator.index(value)
     except TypeError:
         raise WrongType(f"{name} = {value!r}: must be a whole number") from None
