@@ -5,7 +5,9 @@ use interrupt::left_behind;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::enclosed::{self, Enclosure, Known, Regime, Response};
-use stickslip::{Error, Output};
+use stickslip::float::{Float, Mp};
+use stickslip::motion::record::{After, Body, Entry, Record};
+use stickslip::{Error, Excitation, Output};
 
 fn known(name: &str, text: &str) -> PyResult<Known> {
     text.parse().map_err(|error| refused(format!("{name} = {text}: {error}")))
@@ -85,8 +87,72 @@ fn enclosed_steady<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyRe
     Ok(dict)
 }
 
+/// The precision at which numbers are read, in words of 64 bits: that of the widest computation.
+const WORDS: usize = 65;
+
+/// What an answer of a record is in Python: its midpoint and radius, its number, or none.
+#[derive(IntoPyObject)]
+enum Answer {
+    Value(Option<(String, String)>),
+    Count(u64),
+}
+
+/// The motion of a body under a record, enclosed: mass, stiffness, damping constant, friction forward and backward, static
+/// friction ratio and constant force, and the start.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the body, the record and the start")]
+fn enclosed_record<'py>(
+    py: Python<'py>,
+    body: [f64; 7],
+    one_way: bool,
+    of: &str,
+    times: Vec<f64>,
+    samples: Vec<f64>,
+    after: &str,
+    start: [f64; 2],
+    bits: u32,
+) -> PyResult<Bound<'py, PyDict>> {
+    let number = |value: f64| <Mp<WORDS> as Float>::from_f64(value);
+    let excitation = match of {
+        "force" => Excitation::Force,
+        "foot_displacement" => Excitation::FootMotion,
+        "damped_foot_displacement" => Excitation::DampedFootMotion,
+        _ => Excitation::SurfaceAcceleration,
+    };
+    let after = [After::Zero, After::Hold, After::Free].into_iter().find(|own| own.name() == after);
+    let found = left_behind(py, move || -> Result<_, Error> {
+        let samples: Vec<_> = samples.into_iter().map(number).collect();
+        let record = match times.as_slice() {
+            [step] => Record::new(excitation, number(*step), samples)?,
+            times => Record::at_times(excitation, times.iter().copied().map(number).collect(), samples)?,
+        };
+        let record = record.followed_by(after.unwrap_or_else(|| record.after()));
+        let [mass, stiffness, damping, forward, backward, ratio, mean_force] = body.map(number);
+        let body = Body::new(mass, forward)?
+            .with_directional_friction(forward, backward)?
+            .with_stiffness(stiffness)?
+            .with_damping(damping)?
+            .with_static_friction_ratio(ratio)?
+            .with_mean_force(mean_force)?;
+        let body = if one_way { body.one_way() } else { body };
+        let [x, v] = start.map(number);
+        let found = enclosed::follow(&body, &record, x, v, bits)?;
+        let answer = |(name, _, entry): (&'static str, _, Entry<'_, Enclosure>)| match entry {
+            Entry::Value(value) => (name, Answer::Value(value.map(Enclosure::decimal))),
+            Entry::Count(count) => (name, Answer::Count(count)),
+        };
+        Ok(found.entries().into_iter().map(answer).collect::<Vec<_>>())
+    })?;
+    let dict = PyDict::new(py);
+    for (name, answer) in found.map_err(refused)? {
+        dict.set_item(name, answer)?;
+    }
+    Ok(dict)
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(enclosed_response, module)?)?;
     module.add_function(wrap_pyfunction!(enclosed_border, module)?)?;
+    module.add_function(wrap_pyfunction!(enclosed_record, module)?)?;
     module.add_function(wrap_pyfunction!(enclosed_steady, module)?)
 }

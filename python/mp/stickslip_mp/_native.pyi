@@ -12,3 +12,13 @@ def wide_steady(
 def enclosed_response(ratios: list[str], bits: int) -> dict[str, Any]: ...
 def enclosed_border(ratios: list[str], bits: int) -> dict[str, Any]: ...
 def enclosed_steady(ratios: list[str], bits: int) -> dict[str, Any]: ...
+def enclosed_record(
+    body: tuple[float, ...],
+    one_way: bool,
+    of: str,
+    times: list[float],
+    samples: list[float],
+    after: str,
+    start: tuple[float, float],
+    bits: int,
+) -> dict[str, Any]: ...

@@ -39,7 +39,7 @@ _KINDS = {
     "damped_foot_displacement": "length",
 }
 #: The kind of each answer; those without one are numbers.
-_UNITS = {
+UNITS_OF_ANSWERS = {
     "max_displacement": "length",
     "max_displacement_time": "time",
     "min_displacement": "length",
@@ -560,7 +560,7 @@ class Sliding(NamedTuple):
 
 def _answer(found: Mapping[str, NDArray[Any]], units: Optional[str]) -> Followed[float]:
     values: dict[str, Any] = {name: column.item() for name, column in found.items()}
-    return _with_errors(Followed(values, units=names_of(units, _UNITS)), {})
+    return _with_errors(Followed(values, units=names_of(units, UNITS_OF_ANSWERS)), {})
 
 
 def _with_errors(found: _F, errors: Mapping[int, str]) -> _F:
@@ -576,7 +576,7 @@ def follow(of: Sliding, record: Record, start: tuple[Any, Any]) -> Followed[Any]
         x, v = (float(at.given[name]) for name in ("displacement", "velocity"))
         return _answer(_native.record_follow(of.one(), *load, (x, v)), of.units)
     found, errors = each(at, of.one_way, load)
-    return _with_errors(Followed(found, units=names_of(of.units, _UNITS), like=at.like), errors)
+    return _with_errors(Followed(found, units=names_of(of.units, UNITS_OF_ANSWERS), like=at.like), errors)
 
 
 def each(at: Points, one_way: bool, load: tuple[str, Floats, Floats, str]) -> tuple[dict[str, Any], dict[int, str]]:
@@ -918,9 +918,9 @@ def spectrum(
     else:
         found, errors = each(Points(at.shape, own, None), False, load)
         errors = {place: _of_period(text, at, place) for place, text in errors.items()}
-    kinds = {"period": "time", **_UNITS}
+    kinds = {"period": "time", **UNITS_OF_ANSWERS}
     if mass is None:
-        found = {name: value for name, value in found.items() if _UNITS.get(name) not in ("force", "energy", "stiffness")}
+        found = {name: value for name, value in found.items() if UNITS_OF_ANSWERS.get(name) not in ("force", "energy", "stiffness")}
         kinds = {name: kind for name, kind in kinds.items() if name in found or name == "period"}
     answer: Spectrum[Any] = Spectrum({**at.in_shape(), **found}, units=names_of(system, kinds), like=at.like)
     return _with_errors(answer, errors)

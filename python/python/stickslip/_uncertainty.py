@@ -181,7 +181,7 @@ def sensitivities(
     for name, value in at.items():
         if value == 0:
             raise Error(f"{name} = 0: a relative step needs another value")
-    steps: Floats = np.exp2(-np.arange(4.0, 12.0))
+    steps: Floats = np.exp2(-np.arange(7.0, 15.0))
     factors = np.concatenate([1 + steps, 1 - steps])
     size = factors.size
     drawn = {}

@@ -9,10 +9,17 @@ from decimal import Decimal, localcontext
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from ._closed_forms import CLOSED_FORMS as _OUTPUTS
-from ._result import Result, digits, precision
+from ._machine import Machine
+from ._native import Error
+from ._physical import names_of
+from ._record import UNITS_OF_ANSWERS, Block, Record
+from ._record import Followed as _OfRecord
+from ._result import PhysicalResult, Result, digits, of_type, one, precision
 from ._wide import wide
 
-__all__ = ["Enclosure", "Response", "Steady", "Unproved", "border", "response", "steady"]
+_ANSWERS_OF_RECORD = _OfRecord._names
+
+__all__ = ["Enclosure", "Followed", "Response", "Steady", "Unproved", "border", "follow", "response", "steady"]
 
 
 class Enclosure(NamedTuple):
@@ -205,3 +212,72 @@ def steady(
     enclosures = {name: _enclosure(found[name]) for name in pairs}
     multipliers = [(_enclosure(re), _enclosure(im)) for re, im in found["multipliers"]]
     return Steady({**found, **enclosures, "multipliers": multipliers})
+
+
+class Followed(PhysicalResult):
+    """The motion of a body under a record, enclosed; see `follow`.
+
+    Its values are those of `stickslip.Followed`, each an `Enclosure`, a number for a count, or None where it does not exist.
+    """
+
+    _names = _ANSWERS_OF_RECORD
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
+
+
+def follow(
+    body: Union[Machine[float], Block],
+    record: Record,
+    *,
+    displacement: Any = 0.0,
+    velocity: Any = 0.0,
+    mean_force: Any = 0.0,
+    bits: int = 64,
+) -> Followed:
+    """The motion of one machine or block under a record, each answer with its error bound, and every stop proved.
+
+    The numbers of the body and the samples are taken exactly as the floats that they are, in the units of the body.
+
+    Parameters
+    ----------
+    body : Machine or Block
+    record : Record
+    displacement, velocity, mean_force
+        As of `Machine.follow`; a block has its own mean force.
+    bits : int
+        The number of bits asked for in the greatest displacement and velocity.
+
+    Raises
+    ------
+    Error
+        Where a sign stays uncertain: the load is at the bound of friction, or the velocity grazes zero.
+
+    Examples
+    --------
+    A pulse of 3 m/s**2 for 1 s moves a block of yield acceleration 1 m/s**2 by a(a - r)t**2/(2r) = 3 m:
+
+    >>> import stickslip as ss
+    >>> from stickslip import enclosed
+    >>> block = ss.Block(mass=2.0, friction=2.0)
+    >>> found = enclosed.follow(block, ss.Record([-3.0, -3.0], time_step=1.0))
+    >>> 3 in found.residual_displacement, found.residual_displacement.rad < 1e-18, found.slides
+    (True, True, 1)
+    """
+    of_type("record", record, Record)
+    if isinstance(body, Block):
+        sliding = body._sliding()
+        start = body._start(displacement, velocity)
+        if isinstance(mean_force, str) or mean_force != 0.0:
+            raise Error("mean_force: a block has its own. Give it to Block")
+    else:
+        of_type("body", body, Machine)
+        sliding, start = body._sliding(mean_force), body._start(displacement, velocity)
+    of, times, samples, after = sliding.load(record)
+    *values, one_way = sliding.one()
+    numbers = tuple(one(name, value) for name, value in zip(sliding.values, values))
+    x, v = one("displacement", start[0]), one("velocity", start[1])
+    found = wide("enclosed_record", numbers, one_way, of, times.tolist(), samples.tolist(), after, (x, v), precision(bits))
+    answers = {name: _enclosure(value) if isinstance(value, tuple) else value for name, value in found.items()}
+    return Followed(answers, units=names_of(sliding.units, UNITS_OF_ANSWERS))
