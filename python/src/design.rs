@@ -239,7 +239,8 @@ fn identify<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     // Without a stiffness the natural frequency is fitted, too; without a force its amplitude.
     let mass = of.1.is_nan().then_some(of.0);
-    let body = body(if mass.is_some() { (of.0, 1.0, of.2, of.3, of.4, of.5) } else { of }).map_err(refused)?;
+    let body =
+        body(if mass.is_some() { (of.0, 1.0, of.2, of.3, of.4, of.5) } else { of }).map_err(refused)?;
     let phase = phase.as_ref().map(|p| p.as_slice()).transpose()?;
     let points = angular_frequency.as_slice()?.iter().zip(amplitude.as_slice()?).enumerate();
     let curve: Vec<Measurement> = points

@@ -106,12 +106,14 @@ impl<'a> Points<'a> {
     /// These points with the starts of their motions.
     pub(crate) fn from(self, start: &'a [Given<'_>; 3]) -> PyResult<Self> {
         let [phase, displacement, velocity] = start;
-        Self { start: [Values::of(phase)?, Values::of(displacement)?, Values::of(velocity)?], ..self }.checked()
+        Self { start: [Values::of(phase)?, Values::of(displacement)?, Values::of(velocity)?], ..self }
+            .checked()
     }
 
     /// These points, if each column has their number.
     fn checked(self) -> PyResult<Self> {
-        let columns = [self.omega, self.alpha, self.damping, self.static_friction].into_iter().chain(self.start);
+        let columns =
+            [self.omega, self.alpha, self.damping, self.static_friction].into_iter().chain(self.start);
         if columns.filter_map(Values::len).any(|len| len != self.n) {
             return Err(refused("columns of different lengths"));
         }

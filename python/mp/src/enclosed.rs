@@ -126,7 +126,8 @@ fn enclosed_record<'py>(
             [step] => Record::new(excitation, number(*step), samples)?,
             times => Record::at_times(excitation, times.iter().copied().map(number).collect(), samples)?,
         };
-        let record = record.followed_by(after.unwrap_or_else(|| record.after()));
+        let after = after.unwrap_or_else(|| record.after());
+        let record = record.followed_by(after);
         let [mass, stiffness, damping, forward, backward, ratio, mean_force] = body.map(number);
         let body = Body::new(mass, forward)?
             .with_directional_friction(forward, backward)?
