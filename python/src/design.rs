@@ -75,6 +75,9 @@ impl Question {
     }
 }
 
+/// Three columns of numbers and one of the numbers of words.
+type Columns<'py> = ([Bound<'py, PyArray1<f64>>; 3], Bound<'py, PyArray1<u8>>);
+
 /// The answers to a question of design at `n` places, each of a body, of an amplitude, a displacement or a velocity, and of an
 /// angular frequency: three columns of numbers, and the number of a word. A place outside the domain has NaN if it is one of
 /// `many`.
@@ -89,7 +92,7 @@ fn design_each<'py>(
     frequency: Given<'py>,
     n: usize,
     many: bool,
-) -> PyResult<([Bound<'py, PyArray1<f64>>; 3], Bound<'py, PyArray1<u8>>)> {
+) -> PyResult<Columns<'py>> {
     let (_, asked) = kind("question", question, &Question::ALL, |(name, _)| name)?;
     let (bodies, excited) = (Bodies::of(&of)?, excitation(excited)?);
     let (target, frequency) = (Values::of(&target)?, Values::of(&frequency)?);

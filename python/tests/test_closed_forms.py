@@ -84,11 +84,11 @@ def test_the_border_is_where_the_regime_changes():
 @pytest.mark.parametrize(
     "call, words",
     [
-        (lambda: ss.response(-1, 2), "Ω = -1 must be > 0"),
-        (lambda: ss.response(1, math.nan), "α = NaN must be finite"),
-        (lambda: ss.response(1, 2, -0.1), "ζ = -0.1 must be ≥ 0"),
+        (lambda: ss.response(-1, 2), "omega = -1 must be > 0"),
+        (lambda: ss.response(1, math.nan), "alpha = NaN must be finite"),
+        (lambda: ss.response(1, 2, -0.1), "damping_ratio = -0.1 must be >= 0"),
         (lambda: ss.response([1], 2, outputs=["max_speed"]), "'max_speed' is none of"),
-        (lambda: ss.border(0), "Ω = 0 must be > 0"),
+        (lambda: ss.border(0), "omega = 0 must be > 0"),
     ],
 )
 def test_bad_input_is_refused_in_words(call, words):

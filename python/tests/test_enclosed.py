@@ -70,5 +70,5 @@ def test_bad_input():
         enclosed.border(-1)
     with pytest.raises(ss.Error, match="bits"):
         enclosed.border("0.4", bits=0)
-    with pytest.raises(ss.Error, match="0.9 must be ≥ 1"):
+    with pytest.raises(ss.Error, match="0.9 must be >= 1"):
         enclosed.steady("0.5", 3, 0, "0.9")

@@ -180,3 +180,23 @@ def test_processes_after_threads_were_used(way, tmp_path):
     script.write_text(FORKED.format(way=way))
     run = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=60)
     assert run.stdout == "done\n", run.stderr
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: ss.response(-1, 2),
+        lambda: ss.response(1, 2, -0.1),
+        lambda: ss.response(1, 2, 0, 0.5),
+        lambda: ss.Machine("3 stone", "1 N/m", "1 N"),
+        lambda: ss.Machine("1 kg", "1 N/m", "1 N", damping="-2 N*s/m"),
+        lambda: ss.Record([1.0], time_step=1.0),
+        lambda: ss.steady(1e-9, 2),
+        lambda: ss.Machine(1, 2, 3, friction_coefficient=-1),
+        lambda: ss.Block(1, 1, slope=2.0),
+    ],
+)
+def test_errors_print_on_any_stream(call):
+    with pytest.raises(ss.Error) as caught:
+        call()
+    str(caught.value).encode("ascii")

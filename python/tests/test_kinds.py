@@ -241,7 +241,7 @@ MISTAKES = {
     "an unknown output": (lambda: ss.response(0.7, 2).stroke, AttributeError, "has no value stroke. Its values are omega,"),
     "an unknown name": (lambda: ss.steady([0.7], 2, outputs="stroke"), ss.Error, "'stroke' is none of regime"),
     "a unit in a ratio": (lambda: ss.response("2 Hz", 2), ss.Error, "omega: must be numbers, not '2 Hz'"),
-    "a ratio of the wrong sign": (lambda: ss.response(-0.7, 2), ss.Error, "Ω = -0.7 must be > 0"),
+    "a ratio of the wrong sign": (lambda: ss.response(-0.7, 2), ss.Error, "omega = -0.7 must be > 0"),
     "shapes that do not fit": (lambda: ss.steady([0.7, 1.0], [1.0, 2.0, 3.0]), ss.Error, "omega .2,., alpha .3,."),
     "a fraction of a sample": (lambda: ss.simulate(0.4, 6, samples=2.5), TypeError, "samples = 2.5: must be a whole number"),
     "half a bit": (lambda: ss.response("0.7", 2, bits=53.5), TypeError, "bits = 53.5: must be a whole number"),

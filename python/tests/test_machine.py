@@ -153,10 +153,10 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
         (lambda: ss.Machine(1, 2, 3, damping=math.nan), "damping constant c = NaN"),
         (lambda: ss.Drive(angular_frequency=1), "force .or unbalance, base_acceleration, .*, damped_foot_displacement. is missing"),
         (lambda: ss.Drive(angular_frequency=1, force=1, base_velocity=2), "force and base_velocity: give one of the two, because"),
-        (lambda: ss.Machine(1, 2, 3, friction_backward=0), "friction_backward 0.0: backward friction r₋ = 0 must be > 0"),
+        (lambda: ss.Machine(1, 2, 3, friction_backward=0), "friction_backward 0.0: backward friction r- = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=0, friction=1), "period 0.0: natural period T = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=1), "friction .or friction_coefficient. is missing"),
-        (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "ω_d = -1 must be > 0"),
+        (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "w_d = -1 must be > 0"),
         (lambda: ss.figure("11"), "figure 11: is none"),
     ],
 )
@@ -263,7 +263,7 @@ def test_a_decay_gives_friction_and_damping():
     assert one_side.friction_displacement.value == pytest.approx(1.5, rel=1e-6) and one_side.natural_frequency is None
     with pytest.raises(ss.Error, match="times of samples"):
         ss.identify_decay(turns)
-    with pytest.raises(ss.Error, match="must be ≥ 4"):
+    with pytest.raises(ss.Error, match="must be >= 4"):
         ss.identify_decay([3.0, 2.0, 1.0], every="cycle")
     with pytest.raises(ss.Error, match="every third"):
         ss.identify_decay(turns, every="third")

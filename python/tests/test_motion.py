@@ -98,7 +98,7 @@ def test_free_vibration_ends_where_friction_holds():
 @pytest.mark.parametrize(
     "call, words",
     [
-        (lambda: ss.steady(1e-9, 2), "Ω = 1e-9 must be"),
+        (lambda: ss.steady(1e-9, 2), "omega = 1e-9 must be"),
         (lambda: ss.steady(0.4, 6, max_periods=0), "max_periods = 0 must be >= 1"),
         (lambda: ss.steady([0.4], 6, start=(0.0, math.inf, 0.0)), "must be finite"),
         (lambda: ss.simulate(0.4, 6, cycles=-1), "cycles = -1 must be > 0"),

@@ -69,7 +69,7 @@ def test_every_output_is_there_and_nan_where_it_does_not_exist():
         (lambda: ss.response("0.7", 2, bits=10**6), "bits = 1000000 must be"),
         (lambda: ss.response("0,7", 2, bits=100), "0,7"),
         (lambda: ss.response([0.7], 2, bits=100), "give one number"),
-        (lambda: ss.border("-1", bits=100), "Ω = -1 must be > 0"),
+        (lambda: ss.border("-1", bits=100), "omega = -1 must be > 0"),
     ],
 )
 def test_bad_input_is_refused_in_words(call, words):

@@ -65,7 +65,7 @@ def test_states_and_events_are_those_of_the_answer():
 @pytest.mark.parametrize(
     "make, said",
     [
-        (lambda: ss.Record([1.0], time_step=1.0), "number of samples = 1 must be ≥ 2"),
+        (lambda: ss.Record([1.0], time_step=1.0), "number of samples = 1 must be >= 2"),
         (lambda: ss.Record([1.0, np.nan], time_step=1.0), "sample 2"),
         (lambda: ss.Record([1.0, 2.0], time_step=0.0), "time step = 0"),
         (lambda: ss.Record([1.0, 2.0], times=[1.0, 1.0]), "sample 2"),

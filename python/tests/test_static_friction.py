@@ -139,9 +139,9 @@ def test_any_precision():
 @pytest.mark.parametrize(
     "call, words",
     [
-        (lambda: ss.response(1.5, 2, 0, 0.5), "η = 0.5 must be ≥ 1"),
-        (lambda: ss.steady(1.5, 2, 0, float("nan")), "η = NaN must be finite"),
-        (lambda: ss.Machine(1, 2, 3, static_friction=1), "η = 0.333"),
+        (lambda: ss.response(1.5, 2, 0, 0.5), "static_friction_ratio = 0.5 must be >= 1"),
+        (lambda: ss.steady(1.5, 2, 0, float("nan")), "static_friction_ratio = NaN must be finite"),
+        (lambda: ss.Machine(1, 2, 3, static_friction=1), "static_friction_ratio = 0.333"),
         (lambda: ss.Machine(1, 2, 3, static_friction=4, static_friction_ratio=2), "give one of the two"),
         (lambda: ss.attractors(0.5, 4, starts=0), "starts = 0 must be >= 1"),
         (lambda: ss.attractors(0.5, 4, starts=[]), "give one or more"),

@@ -6,7 +6,7 @@ import importlib
 import os
 from typing import Any
 
-from ._native import Error
+from ._native import Error, plain
 
 
 class MissingExtra(Error, ImportError):
@@ -39,4 +39,4 @@ def wide(name: str, *arguments: Any) -> Any:
     try:
         return getattr(module, name)(*arguments)
     except module.Error as error:
-        raise Error(str(error)) from None
+        raise Error(plain(str(error))) from None
