@@ -13,7 +13,7 @@ from . import _native
 from ._native import Error
 from . import _rows
 from ._outputs import BorderOutputs, MachineResponseOutputs, ResponseOutput, ResponseOutputs
-from ._labels import WrongType
+from ._labels import Labelled, WrongType
 from ._result import (
     RATIOS,
     Floats,
@@ -110,6 +110,28 @@ def response(
     *,
     outputs: Optional[Iterable[ResponseOutput]] = None,
 ) -> Response[float, str]: ...
+
+
+@overload
+def response(
+    omega: Labelled,
+    alpha: Any,
+    damping_ratio: Any = 0.0,
+    static_friction_ratio: Any = 1.0,
+    *,
+    outputs: Optional[Iterable[ResponseOutput]] = None,
+) -> Response[Any, Any]: ...
+
+
+@overload
+def response(
+    omega: ArrayLike,
+    alpha: Labelled,
+    damping_ratio: Any = 0.0,
+    static_friction_ratio: Any = 1.0,
+    *,
+    outputs: Optional[Iterable[ResponseOutput]] = None,
+) -> Response[Any, Any]: ...
 
 
 @overload

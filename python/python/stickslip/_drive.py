@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._labels import Like, WrongType, aligned, is_labelled, numbers, shape_of
+from ._labels import Labelled, Like, WrongType, aligned, is_labelled, numbers, shape_of
 from ._native import Error
 from ._result import Floats, V, Value, are_equal, one, short
 
@@ -139,6 +139,38 @@ class Drive(Generic[V]):
 
     @overload
     def __init__(
+        self: "Drive[Any]",
+        *,
+        force: Optional[Any] = None,
+        unbalance: Optional[Any] = None,
+        foot_displacement: Optional[Any] = None,
+        damped_foot_displacement: Optional[Any] = None,
+        base_displacement: Optional[Any] = None,
+        base_velocity: Optional[Any] = None,
+        base_acceleration: Optional[Any] = None,
+        frequency: Labelled,
+        mean_force: Any = 0.0,
+        units: Optional[str] = None,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: "Drive[Any]",
+        *,
+        force: Optional[Labelled] = None,
+        unbalance: Optional[Labelled] = None,
+        foot_displacement: Optional[Labelled] = None,
+        damped_foot_displacement: Optional[Labelled] = None,
+        base_displacement: Optional[Labelled] = None,
+        base_velocity: Optional[Labelled] = None,
+        base_acceleration: Optional[Labelled] = None,
+        frequency: ArrayLike,
+        mean_force: Any = 0.0,
+        units: Optional[str] = None,
+    ) -> None: ...
+
+    @overload
+    def __init__(
         self: "Drive[Floats]",
         *,
         force: Optional[ArrayLike] = None,
@@ -157,16 +189,16 @@ class Drive(Generic[V]):
     def __init__(
         self,
         *,
-        force: Optional[ArrayLike] = None,
-        unbalance: Optional[ArrayLike] = None,
-        foot_displacement: Optional[ArrayLike] = None,
-        damped_foot_displacement: Optional[ArrayLike] = None,
-        base_displacement: Optional[ArrayLike] = None,
-        base_velocity: Optional[ArrayLike] = None,
-        base_acceleration: Optional[ArrayLike] = None,
-        frequency: Optional[ArrayLike] = None,
-        angular_frequency: Optional[ArrayLike] = None,
-        mean_force: ArrayLike = 0.0,
+        force: Any = None,
+        unbalance: Any = None,
+        foot_displacement: Any = None,
+        damped_foot_displacement: Any = None,
+        base_displacement: Any = None,
+        base_velocity: Any = None,
+        base_acceleration: Any = None,
+        frequency: Any = None,
+        angular_frequency: Any = None,
+        mean_force: Any = 0.0,
         units: Optional[str] = None,
     ) -> None:
         amplitudes = {
@@ -204,6 +236,12 @@ class Drive(Generic[V]):
         """The frequency in hertz."""
         found: Any = self.angular_frequency
         return found / (2 * np.pi)  # type: ignore[no-any-return]
+
+    @overload
+    def replace(self: "Drive[float]", **changes: Union[float, str, None]) -> "Drive[float]": ...
+
+    @overload
+    def replace(self, **changes: Any) -> "Drive[Floats]": ...
 
     def replace(self, **changes: Any) -> "Drive[Any]":
         """This drive with other values, by the keywords of `Drive`; another amplitude takes the place of this one."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Mapping
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple, Optional, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from ._native import Error
 
 Floats = NDArray[np.float64]
+
+
+class Labelled(Protocol):
+    """An array with labels of its own, such as a series or a frame of pandas or a data array of xarray."""
+
+    def to_numpy(self) -> Any: ...
 
 
 class WrongType(Error, TypeError):

@@ -199,6 +199,12 @@ class Machine(Generic[V]):
         for name, value in {**shown, "units": system, **hidden}.items():
             object.__setattr__(self, name, value)
 
+    @overload
+    def replace(self: "Machine[float]", **changes: Union[float, str, None]) -> "Machine[float]": ...
+
+    @overload
+    def replace(self, **changes: Any) -> "Machine[Floats]": ...
+
     def replace(self, **changes: Any) -> "Machine[Any]":
         """This machine with other values, by the keywords of `Machine`. Values that it takes the place of are left out, such as the
         coefficient of friction for ``friction``; all others stay as they were given.

@@ -14,6 +14,7 @@ from . import _rows
 from ._motion import MachineSamples, Samples, sampled
 from ._physical import Driven
 from ._outputs import MachineSteadyOutputs, SteadyOutput, SteadyOutputs
+from ._labels import Labelled
 from ._native import Error
 from ._result import (
     RATIOS,
@@ -138,6 +139,32 @@ def steady(
     max_periods: int = _native.MAX_PERIODS,
     outputs: Optional[Iterable[SteadyOutput]] = None,
 ) -> Steady[float, str]: ...
+
+
+@overload
+def steady(
+    omega: Labelled,
+    alpha: Any,
+    damping_ratio: Any = 0.0,
+    static_friction_ratio: Any = 1.0,
+    *,
+    start: Any = REST,
+    max_periods: int = _native.MAX_PERIODS,
+    outputs: Optional[Iterable[SteadyOutput]] = None,
+) -> Steady[Any, Any]: ...
+
+
+@overload
+def steady(
+    omega: ArrayLike,
+    alpha: Labelled,
+    damping_ratio: Any = 0.0,
+    static_friction_ratio: Any = 1.0,
+    *,
+    start: Any = REST,
+    max_periods: int = _native.MAX_PERIODS,
+    outputs: Optional[Iterable[SteadyOutput]] = None,
+) -> Steady[Any, Any]: ...
 
 
 @overload
