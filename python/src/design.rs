@@ -61,7 +61,7 @@ impl Question {
                 ([best.at, best.value, f64::NAN], of_kind(best.kind))
             }
             Self::BestFrictionOfAll => {
-                let best = design::most_dissipating_friction_of_all(body, &drive()?, 1e-4)?;
+                let best = design::most_dissipating_friction_of_all(body, &drive()?, 1e-6)?;
                 ([best.at, best.value, best.bound], of_kind(best.kind))
             }
             Self::ForceForDisplacement => alone(design::force_for_displacement(body, frequency, target)?),
@@ -118,6 +118,28 @@ fn design_each<'py>(
         column.collect::<Vec<_>>().into_pyarray(py)
     });
     Ok((numbers, found.iter().map(|(_, word)| *word).collect::<Vec<_>>().into_pyarray(py)))
+}
+
+/// The stiffness in a range that dissipates most without sticking, the energy of a cycle, and the kind of optimum.
+#[pyfunction]
+fn best_stiffness(
+    py: Python<'_>,
+    of: Body,
+    kind: &str,
+    amplitude: f64,
+    angular_frequency: f64,
+    low: f64,
+    high: f64,
+) -> PyResult<(f64, f64, &'static str)> {
+    let (drive, body) = (drive(kind, amplitude, angular_frequency)?, body(of).map_err(refused)?);
+    let best = left_behind(py, move || design::most_dissipating_stiffness(&body, &drive, low, high))?;
+    let best = best.map_err(refused)?;
+    let why = match best.kind {
+        OptimumKind::Interior => "interior",
+        OptimumKind::RangeEnd => "range-end",
+        _ => "border",
+    };
+    Ok((best.at, best.value, why))
 }
 
 /// The friction bounds with which the steady motion has a greatest displacement: bound, regime and displacement.
@@ -309,6 +331,7 @@ fn figure(py: Python<'_>, name: &str) -> PyResult<(String, String, String)> {
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("FIGURES", figures::NAMES.to_vec())?;
     module.add_function(wrap_pyfunction!(design_each, module)?)?;
+    module.add_function(wrap_pyfunction!(best_stiffness, module)?)?;
     module.add_function(wrap_pyfunction!(frictions_for_displacement, module)?)?;
     module.add_function(wrap_pyfunction!(bands, module)?)?;
     module.add_function(wrap_pyfunction!(best_friction_over, module)?)?;

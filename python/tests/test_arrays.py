@@ -402,11 +402,31 @@ def test_a_curve_gives_the_natural_frequency_or_the_force():
         ss.identify(2.0, 800.0, 9.0, frequency=3.0, amplitude=0.1)
 
 
+def machine_in_units():
+    return ss.Machine(**BARE, units="N,m")
+
+
+def test_basins_and_best_stiffness_in_units():
+    machine = ss.Machine("2 kg", "8 N/m", "4 N", damping_ratio=0.02, static_friction_ratio=1.3)
+    drive = ss.Drive(force="16 N", angular_frequency=1.0)
+    found = machine.replace(units="N,mm").basins(drive, displacement=[-4500.0, 0.0, 4500.0], velocity=[0.0, 2000.0])
+    bare = ss.basins(0.5, 4, 0.02, 1.3, displacement=[-9.0, 0.0, 9.0], velocity=[0.0, 4.0])
+    assert found.attractor.tolist() == bare.attractor.tolist() and found.units["displacement"] == "mm"
+    assert [own.max_displacement for own in found.attractors] == pytest.approx([500 * own.max_displacement for own in bare.attractors])
+    drive = ss.Drive(force=12.0, frequency=1.0)
+    machine = ss.Machine(mass=50.0, stiffness=1000.0, friction=5.0)
+    best = machine.best_stiffness(drive, stiffness=(500.0, 1500.0))
+    tried = machine.replace(stiffness=np.linspace(500, 1500, 2001)).response(drive)
+    energies = np.where(tried.regime == "non-sticking", tried.energy_per_cycle, 0.0)
+    assert best.energy == pytest.approx(energies.max(), rel=1e-4) and best.energy >= energies.max()
+
+
 @pytest.mark.parametrize(
     "call",
     [
         lambda: ss.simulate(0.4, 6, samples=True),
-        lambda: ss.simulate(0.4, 6, cycles="2x"),
+        lambda: ss.simulate(0.4, 6, cycles="2"),
+        lambda: machine_in_units().floor_spectrum(ss.Record([0, 1.0], time_step=1.0), period=[[1.0]]),
         lambda: ss.Drive(force=9.0, frequency=b"5"),
         lambda: ss.simulate(0.4, 6, cycles=True),
         lambda: ss.steady(0.4, 6, max_periods=True),

@@ -72,3 +72,30 @@ def test_bad_input():
         enclosed.border("0.4", bits=0)
     with pytest.raises(ss.Error, match="0.9 must be >= 1"):
         enclosed.steady("0.5", 3, 0, "0.9")
+
+
+def test_the_motion_under_a_record_is_enclosed():
+    import numpy as np
+
+    # A pulse of 4 m/s² for 2 s and a yield acceleration of 1 m/s²: a(a − r)t²/(2r) = 24 m.
+    block = ss.Block(mass=3.0, friction=3.0, units="N,m")
+    pulse = ss.Record([-4.0, -4.0], time_step=2.0)
+    found = enclosed.follow(block, pulse)
+    assert 24 in found.residual_displacement and found.residual_displacement.rad < 1e-17
+    assert 25 not in found.residual_displacement and (found.slides, found.stops) == (1, 1)
+    assert found.units["residual_displacement"] == "m"
+    # Answers of 64-bit floats differ from the enclosures by their rounding.
+    machine = ss.Machine("2 kg", "800 N/m", "3 N", damping_ratio=0.03, units="N,mm")
+    record = ss.Record(0.4 * np.sin(np.arange(80) * 0.35), time_step="20 ms", unit="g")
+    exact, floats = enclosed.follow(machine, record, displacement="1 mm"), machine.follow(record, displacement="1 mm")
+    compared = 0
+    for name, value in exact.items():
+        if isinstance(value, enclosed.Enclosure):
+            assert float(value.mid) == pytest.approx(floats[name], rel=1e-10, abs=1e-10), name
+            compared += 1
+        elif value is not None:
+            assert value == floats[name], name
+            compared += 1
+    assert compared > 18
+    with pytest.raises(ss.Error, match="uncertain|bound|undecided|certain"):
+        enclosed.follow(ss.Block(mass=1.0, friction=1.0), ss.Record([0.0, 1.0, 1.0], time_step=1.0))

@@ -181,13 +181,13 @@ def attractors(
     return Attractors({**dict(zip(RATIOS, point)), **_existing(found), "attractors": limits})
 
 
-class Basins(Result):
+class Basins(PhysicalResult):
     """The limit that each start in a plane of starts leads to; see `basins`.
 
     Attributes
     ----------
     displacement, velocity : array
-        The axes of the plane, in B and B w.
+        The axes of the plane, in B and B w, or in the units of a machine.
     attractor : array of int
         A row for each velocity and a column for each displacement: the index of the limit in ``attractors``; -1 if the motion had
         not settled.
@@ -210,7 +210,11 @@ class Basins(Result):
         """Draws the plane with matplotlib, a colour for each limit, and returns the axes."""
         from ._plot import plane
 
-        return plane(ax, self.displacement, self.velocity, self.attractor, "displacement (B)", "velocity (B ω_d)")
+        return plane(ax, self.displacement, self.velocity, self.attractor, self._titled("displacement"), self._titled("velocity"))
+
+    @classmethod
+    def of(cls, values: dict[str, Any], units: Optional[dict[str, str]]) -> "Basins":
+        return cls(values, units=units)
 
 
 def basins(
@@ -250,7 +254,8 @@ def basins(
     at = one("phase", phase)
     starts = [(at, float(place), float(speed)) for speed in v for place in x]
     found = attractors(omega, alpha, damping_ratio, static_friction_ratio, starts=starts, max_periods=max_periods)
-    return Basins({**axes, "attractor": found.of_start.reshape(v.size, x.size), "attractors": found.attractors})
+    values = {**axes, "attractor": found.of_start.reshape(v.size, x.size), "attractors": found.attractors}
+    return Basins.of(values, {"displacement": "B", "velocity": "B ω_d"})
 
 
 def _existing(values: dict[str, Any], *optional: str) -> dict[str, Any]:

@@ -39,6 +39,16 @@ class BestFriction(NamedTuple):
     optimum: Any
 
 
+class BestStiffness(NamedTuple):
+    """The stiffness that dissipates most without sticking; see `Machine.best_stiffness`."""
+
+    stiffness: float
+    #: The energy that friction dissipates in a cycle.
+    energy: float
+    #: ``"interior"``, ``"border"`` where another stiffness would make the body stick, or ``"range-end"``.
+    optimum: str
+
+
 class TargetFriction(NamedTuple):
     """A friction bound with which the steady motion has a given displacement; see `Machine.frictions_for_displacement`."""
 

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _closed_forms, _native, _rows, _steady
-from ._attractors import Attractors, MachineAttractors, attractors
+from ._attractors import Attractors, Basins, MachineAttractors, attractors
 from ._closed_forms import OUTPUTS, Border, MachineResponse
 from ._drive import Drive, Quantity, angular_of, is_array, one_value, relabelled, texts, values_of
-from ._labels import WrongType, aligned, shape_of
+from ._labels import WrongType, aligned, numbers, shape_of
 from ._motion import Decay, MachineDecay, MachinePhases, MachineSamples, decay, simulate
 from ._native import Error
 from ._outputs import MachineResponseOutput, MachineSteadyOutput
@@ -24,7 +24,7 @@ from ._start import REST, STATE, Starts, three
 from ._steady import STEADY_OUTPUTS, MachineSteady
 
 if TYPE_CHECKING:
-    from ._design import Band, BandFriction, BestFriction, TargetFriction
+    from ._design import Band, BandFriction, BestFriction, BestStiffness, TargetFriction
 
 
 _R = TypeVar("_R", bound=PhysicalResult)
@@ -443,6 +443,36 @@ class Machine(Generic[V]):
         found = attractors(**ratios, starts=starts, reach=far, max_periods=max_periods)
         return MachineAttractors.of(found, driven, length, velocity)
 
+    def basins(
+        self,
+        drive: Drive[float],
+        *,
+        displacement: ArrayLike,
+        velocity: ArrayLike,
+        phase: float = 0.0,
+        max_periods: int = 2000,
+    ) -> Basins:
+        """The limit that each start of a plane leads to, with the axes and the limits in the machine's units; see `basins`.
+
+        >>> import numpy as np, stickslip as ss
+        >>> machine = ss.Machine(mass=2.0, stiffness=8.0, friction=4.0, damping_ratio=0.02, static_friction_ratio=1.3)
+        >>> drive = ss.Drive(force=16.0, angular_frequency=1.0)
+        >>> found = machine.basins(drive, displacement=np.linspace(-4, 4, 7), velocity=np.linspace(-4, 4, 5))
+        >>> found.attractor.shape, sorted(round(limit.max_displacement, 3) for limit in found.attractors)
+        ((5, 7), [2.593, 2.681])
+        """
+        axes = (self._values("displacement", displacement, "length"), self._values("velocity", velocity, "velocity"))
+        x, v = (np.atleast_1d(numbers(name, axis)) for name, axis in zip(("displacement", "velocity"), axes))
+        starts = [(phase, place, speed) for speed in v.reshape(-1) for place in x.reshape(-1)]
+        if x.ndim != 1 or v.ndim != 1:
+            raise Error("displacement, velocity: must be arrays of one dimension")
+        # The numbers are in the machine's units already.
+        own = self if self.units is None or vars(self)["_named"] else self.replace(units=self.units)
+        found = own.attractors(drive, starts=starts, max_periods=max_periods)
+        units = names_of(self.units, {"displacement": "length", "velocity": "velocity"})
+        values = {"displacement": x, "velocity": v, "attractor": found.of_start.reshape(v.size, x.size), "attractors": found.attractors}
+        return Basins.of(values, units)
+
     def decay(self, displacement: Quantity, velocity: Quantity = 0.0) -> MachineDecay:
         """Free vibration to rest, in the machine's units; ``ratios`` has the same one in ratios. See `decay`.
 
@@ -643,6 +673,20 @@ class Machine(Generic[V]):
 
         friction, energy, _, optimum = self._designed("best_friction_of_all" if sticking else "best_friction", drive)
         return BestFriction(friction, energy, optimum)
+
+    def best_stiffness(self, drive: Drive[float], *, stiffness: tuple[Quantity, Quantity]) -> "BestStiffness":
+        """The stiffness in a range that dissipates most under a drive, among those with which the body does not stick.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass=50.0, stiffness=1000.0, friction=5.0)
+        >>> best = machine.best_stiffness(ss.Drive(force=12.0, frequency=1.0), stiffness=(500.0, 1500.0))
+        >>> best.energy > machine.steady(ss.Drive(force=12.0, frequency=1.0)).energy_out
+        True
+        """
+        from ._design import BestStiffness
+
+        ends = [self._value("stiffness", end, "stiffness") for end in stiffness]
+        return BestStiffness(*_native.best_stiffness(self._body, *self._single(drive), ends[0], ends[1]))
 
     def frictions_for_displacement(self, max_displacement: Quantity, drive: Drive[float]) -> "list[TargetFriction]":
         """The friction bounds with which the steady motion under a drive has a given maximum displacement, stops included; none

@@ -128,6 +128,9 @@ def design_each(
     n: int,
     many: bool,
 ) -> tuple[list[_Column], NDArray[np.uint8]]: ...
+def best_stiffness(
+    of: _Body, kind: str, amplitude: float, angular_frequency: float, low: float, high: float
+) -> tuple[float, float, str]: ...
 def frictions_for_displacement(
     of: _Body, kind: str, amplitude: float, angular_frequency: float, target: float
 ) -> list[tuple[float, str, float]]: ...

@@ -625,6 +625,8 @@ def polarities(of: Sliding, record: Record, start: tuple[Any, Any]) -> Polaritie
 
 
 def floor_spectrum(of: Sliding, record: Record, start: tuple[Any, Any], period: ArrayLike, damping_ratio: float) -> FloorSpectrum:
+    if isinstance(period, str):
+        period = read({"period": (period, "time")}, None)[0]["period"]
     given = points(period=period)
     periods = np.atleast_1d(given.given["period"])
     if periods.ndim != 1:

@@ -536,8 +536,8 @@ def one(name: str, value: Any) -> float:
 
 def of_number(name: str, value: Any) -> float:
     """A single number that is no flag."""
-    if isinstance(value, (bool, np.bool_)):
-        raise WrongType(f"{name} = {value}: must be a number")
+    if isinstance(value, (bool, np.bool_, str, bytes)):
+        raise WrongType(f"{name} = {value!r}: must be a number")
     return one(name, value)
 
 
