@@ -247,7 +247,7 @@ class ResponseOutputs(Result, Generic[V, W]):
     contraction: V
     """Fraction of a disturbance that remains after half a cycle."""
     margin: V
-    """Force over the minimum force without sticking, α/α_min: α/α_min."""
+    """Force over the minimum force without sticking, α/α_min."""
     min_force_ratio: V
     """Minimum force ratio α_min without sticking: q hypot(S, H)."""
     min_force_ratio_turning_point: V
@@ -458,7 +458,7 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     contraction: V
     """Fraction of a disturbance that remains after half a cycle."""
     margin: V
-    """Force over the minimum force without sticking, α/α_min: α/α_min."""
+    """Force over the minimum force without sticking, α/α_min."""
     min_force_ratio: V
     """Minimum force ratio α_min without sticking: q hypot(S, H)."""
     min_force: V

@@ -29,7 +29,6 @@ FORMULAE: dict[str, str] = {
     "loop_size_inertia": "Ω² A₁",
     "best_force_ratio": "√(2 Q (Q + q G)), and not below α_min",
     "min_force_ratio": "q hypot(S, H)",
-    "margin": "α/α_min",
     "dynamic_amplification": "(Δ₀/B)/α",
     "equivalent_damping_ratio": "c_eq/(2√(k m))",
 }
