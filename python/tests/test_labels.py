@@ -131,7 +131,6 @@ def tried(seed, bounds, call, alone, names, groups=()):
         kind = ("numpy", "pandas", "xarray")[number % 3]
         values = ratios(random, bounds)
         arguments = given(random, values, kind)
-        all_labels = [(rows, columns) for _, rows, columns in values.values() if rows or columns]
         try:
             found = call(**arguments)
         except ss.Error as error:

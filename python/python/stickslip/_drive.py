@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._labels import Labelled, Like, WrongType, aligned, is_labelled, numbers, shape_of
+from ._labels import Labelled, Like, aligned, is_labelled, numbers, shape_of
 from ._native import Error
 from ._result import Floats, V, Value, are_equal, one, short
 

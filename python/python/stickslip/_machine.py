@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _closed_forms, _native, _rows, _steady
-from ._attractors import Attractors, Basins, MachineAttractors, attractors
+from ._attractors import Basins, MachineAttractors, attractors
 from ._closed_forms import OUTPUTS, Border, MachineResponse
-from ._drive import Drive, Quantity, angular_of, is_array, one_value, relabelled, texts, values_of
+from ._drive import Drive, Quantity, angular_of, is_array, one_value, texts, values_of
 from ._labels import WrongType, aligned, numbers, shape_of
-from ._motion import Decay, MachineDecay, MachinePhases, MachineSamples, decay, simulate
+from ._motion import MachineDecay, MachinePhases, MachineSamples, decay, simulate
 from ._native import Error
 from ._outputs import MachineResponseOutput, MachineSteadyOutput
 from ._physical import OF_BODY, Driven, Scaled, names_of, outputs_of, related

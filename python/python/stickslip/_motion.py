@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Optional, TypeVar, Union, overload
 
-import numpy as np
-
 from . import _native
 from ._physical import OF_SIMULATION, Driven, Scaled, names_of, related
 from ._result import RATIOS, Codes, Floats, PhysicalResult, Result, Words, of_number, one, whole_number

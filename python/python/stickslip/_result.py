@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, NoReturn, Optional,
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._labels import Like, WrongType, aligned, is_labelled, is_pandas, module, numbers, shape_of
+from ._labels import Like, WrongType, aligned, is_labelled, module, numbers, shape_of
 from ._native import Error
 
 Floats = NDArray[np.float64]
