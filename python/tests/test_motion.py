@@ -171,7 +171,9 @@ peak = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.pl
 ss.steady([0.4, 0.7], 6)
 before = peak()
 {work}
-values = [getattr(value, "places", value) for value in (*found._values.values(), *getattr(found._physical, "_values", {{}}).values())]
+ratios = getattr(getattr(found, "_ratios", None), "_values", {{}})
+values = [getattr(value, "places", value) for value in (*found._values.values(), *ratios.values())]
+values = [value for value in values if isinstance(value, np.ndarray)]
 size = sum(value.nbytes for value in values if value.flags.writeable)
 print((peak() - before) / size, size)
 """
