@@ -106,6 +106,20 @@ def test_a_machine_can_be_varied_in_one_value():
         ss.Machine(mass="800 kg", period="2.2 s", friction="1 N").replace(friction=30.0)
 
 
+def test_a_machine_is_varied_from_the_values_that_it_was_given():
+    friction = np.array([3.0, 4.0])
+    machine, drive, block = ss.Machine(2.0, 800.0, friction), ss.Drive(force=friction, frequency=1.0), ss.Block(1.0, friction)
+    friction[0] = 99.0
+    assert machine.replace(mass=1.0).friction.tolist() == drive.replace(frequency=2.0).amplitude.tolist() == block.replace(mass=2.0).friction.tolist() == [3.0, 4.0]
+    for array in (machine.friction, drive.amplitude, block.friction):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1.0
+    # The mass follows from the stiffness and the period.
+    by_period = ss.Machine(stiffness=800.0, period=0.5, friction=3.0)
+    assert by_period.replace(stiffness=1600.0).mass == pytest.approx(2 * by_period.mass)
+    assert by_period.replace(period=1.0).mass == pytest.approx(4 * by_period.mass)
+
+
 def test_only_mass_stiffness_and_friction_go_by_their_places():
     with pytest.raises(TypeError, match="positional"):
         ss.Machine(2.0, 800.0, 3.0, 1.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Generic, Optional, Union, overload
@@ -37,6 +38,11 @@ def read(given: Mapping[str, tuple[Any, str]], units: Optional[str]) -> tuple[di
 def is_array(value: Any) -> bool:
     """Whether a value is an array of any kind rather than a number or a text."""
     return is_labelled(value) and bool(value.shape) or not isinstance(value, (str, bytes)) and np.ndim(value) > 0
+
+
+def kept(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The given values in memory of their own, which later changes of the arguments do not reach."""
+    return {name: copy.deepcopy(value) if is_array(value) else value for name, value in given.items() if value is not None}
 
 
 def relabelled(values: Mapping[str, Any]) -> tuple[dict[str, Any], Optional[Like]]:
@@ -227,8 +233,10 @@ class Drive(Generic[V]):
         )
         fields = {**columns, "excitation": name, "units": system, "_named": units is not None}
         keywords = {**given, "frequency": frequency, "angular_frequency": angular_frequency, "mean_force": mean_force}
-        fields["_keywords"] = {key: value for key, value in keywords.items() if value is not None}
+        fields["_keywords"] = kept(keywords)
         for key, value in fields.items():
+            if type(value) is np.ndarray:
+                value.flags.writeable = False
             object.__setattr__(self, key, value)
 
     @property
@@ -245,14 +253,14 @@ class Drive(Generic[V]):
 
     def replace(self, **changes: Any) -> "Drive[Any]":
         """This drive with other values, by the keywords of `Drive`; another amplitude takes the place of this one."""
-        kept = dict(vars(self)["_keywords"])
+        own = dict(vars(self)["_keywords"])
         if any(name in _KINDS for name in changes):
-            kept = {name: value for name, value in kept.items() if name not in _KINDS}
+            own = {name: value for name, value in own.items() if name not in _KINDS}
         if "frequency" in changes or "angular_frequency" in changes:
-            kept = {name: value for name, value in kept.items() if name not in ("frequency", "angular_frequency")}
+            own = {name: value for name, value in own.items() if name not in ("frequency", "angular_frequency")}
         if vars(self)["_named"]:
-            kept["units"] = self.units
-        return Drive(**{**kept, **changes})
+            own["units"] = self.units
+        return Drive(**{**own, **changes})
 
     __replace__ = replace
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _closed_forms, _native, _rows, _steady
 from ._attractors import Basins, MachineAttractors, attractors
 from ._closed_forms import OUTPUTS, Border, MachineResponse
-from ._drive import Drive, Quantity, angular_of, is_array, one_value, texts, values_of
+from ._drive import Drive, Quantity, angular_of, is_array, kept, one_value, texts, values_of
 from ._labels import WrongType, aligned, numbers, shape_of
 from ._motion import MachineDecay, MachinePhases, MachineSamples, decay, simulate
 from ._native import Error
@@ -192,11 +192,13 @@ class Machine(Generic[V]):
         own, system = _bodies(given, units)
         if friction_backward is None:
             own["friction_backward"] = float("nan")
-        hidden = {"_own": own, "_keywords": given, "_named": units is not None}
+        hidden = {"_own": own, "_keywords": kept(given), "_named": units is not None}
         shown: dict[str, Any] = {name: own[name] for name in OF_BODY}
         if friction_backward is None:
             shown["friction_backward"] = None
         for name, value in {**shown, "units": system, **hidden}.items():
+            if type(value) is np.ndarray:
+                value.flags.writeable = False
             object.__setattr__(self, name, value)
 
     @overload
@@ -216,15 +218,17 @@ class Machine(Generic[V]):
         >>> machine.replace(friction_coefficient=np.linspace(0.02, 0.1, 5)).friction.round(1)
         array([156.9, 313.8, 470.7, 627.6, 784.5])
         """
-        kept = dict(vars(self)["_keywords"])
+        own = dict(vars(self)["_keywords"])
         for group in _GROUPS:
-            if any(name in changes for name in group):
-                kept = {name: value for name, value in kept.items() if name not in group}
-        if "friction" in changes and not {"weight", "pendulum_radius"} & set(kept):
-            kept.pop("gravity", None)
+            # The stiffness and the period take the place of the mass, so that each of them is varied alone.
+            is_of_mass = group == _GROUPS[1] and not {"mass", "weight"} & {*own, *changes}
+            if any(name in changes for name in group) and not is_of_mass:
+                own = {name: value for name, value in own.items() if name not in group}
+        if "friction" in changes and not {"weight", "pendulum_radius"} & set(own):
+            own.pop("gravity", None)
         if vars(self)["_named"]:
-            kept["units"] = self.units
-        return Machine(**{**kept, **changes})
+            own["units"] = self.units
+        return Machine(**{**own, **changes})
 
     __replace__ = replace
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._drive import Quantity, is_array, read, system_of, texts, values_of
+from ._drive import Quantity, is_array, kept, read, system_of, texts, values_of
 from ._labels import WrongType, aligned, is_labelled, module, numbers, shape_of
 from ._native import Error
 from ._physical import names_of
@@ -735,9 +735,11 @@ class Block:
         else:
             body, system = _native.block(texts(given), units, angle, bool(one_way))
             values = dict(zip(_OF_BLOCK, body))
-        hidden = {"_keywords": {**given, "slope": slope, "one_way": one_way}, "_named": units is not None, "_stiffness": 0.0}
+        hidden = {"_keywords": {**kept(given), "slope": slope, "one_way": one_way}, "_named": units is not None, "_stiffness": 0.0}
         shown = {name: value for name, value in values.items() if name != "stiffness"}
         for name, value in {**shown, "one_way": bool(one_way), "units": system, **hidden}.items():
+            if type(value) is np.ndarray:
+                value.flags.writeable = False
             object.__setattr__(self, name, value)
 
     def replace(self, **changes: Any) -> "Block":
@@ -747,13 +749,13 @@ class Block:
         >>> ss.Block(mass="1 t", friction_coefficient=0.1).replace(yield_acceleration="0.2 g")
         Block(mass=1000.0, friction=1961.33, units='N,m')
         """
-        kept = dict(vars(self)["_keywords"])
+        own = dict(vars(self)["_keywords"])
         for group in (("friction", "friction_coefficient", "yield_acceleration"), ("static_friction", "static_friction_ratio")):
             if any(name in changes for name in group):
-                kept = {name: value for name, value in kept.items() if name not in group}
+                own = {name: value for name, value in own.items() if name not in group}
         if vars(self)["_named"]:
-            kept["units"] = self.units
-        return Block(**{**kept, **changes})
+            own["units"] = self.units
+        return Block(**{**own, **changes})
 
     __replace__ = replace
 
