@@ -51,15 +51,23 @@ pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<Strin
         Some(place) => (inside, place),
         None => {
             let layout = fitted(legend::width(figure))?;
+            if let Some((layout, place)) = size.and_then(|size| layout.legend_below(figure, size)) {
+                return drawn(figure, &layout, place);
+            }
             (layout, (layout.panels_width() + BESIDE, TOP - 5))
         }
     };
+    drawn(figure, &layout, place)
+}
+
+/// The drawing in a layout, with the upper left corner of the legend.
+fn drawn(figure: &Figure, layout: &Layout, place: (i32, i32)) -> io::Result<String> {
     let (width, height) = layout.size();
     let mut text = String::new();
     {
         let size = ((width * UNITS).unsigned_abs(), (height * UNITS).unsigned_abs());
         let canvas = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        paint(figure, &layout, place, &canvas).map_err(|e| io::Error::other(e.to_string()))?;
+        paint(figure, layout, place, &canvas).map_err(|e| io::Error::other(e.to_string()))?;
     }
     let full = format!("width=\"{}\" height=\"{}\"", width * UNITS, height * UNITS);
     let text = text.replacen(&full, &format!("width=\"{width}\" height=\"{height}\""), 1);
@@ -101,6 +109,8 @@ pub(super) struct Layout {
     panels: i32,
     /// Width of the legend beside the plots; 0 where it is inside.
     legend: i32,
+    /// Height of the legend below the plots; 0 where it is not there.
+    below: i32,
     /// What is left of a given size to the right and below.
     spare: (i32, i32),
 }
@@ -116,7 +126,7 @@ impl Layout {
         let shown = figure.panels.iter().map(|panel| &panel.y).filter(|axis| !axis.label.is_empty());
         let widest = shown.flat_map(placed).map(|(_, text)| letters::width(&text, frame::LABEL)).max();
         let left = LEFT.max(widest.unwrap_or(0) + frame::BESIDE_LABELS);
-        Self { plot, left, columns, panels, legend, spare: (0, 0) }
+        Self { plot, left, columns, panels, legend, below: 0, spare: (0, 0) }
     }
 
     /// The least size of the figure in pixels.
@@ -148,6 +158,18 @@ impl Layout {
         places.into_iter().find(|&place| frame.is_free(place, legend::size(figure)))
     }
 
+    /// The layout of a picture of this size with the legend below the plots, and its place, where beside them it would take half of the width.
+    fn legend_below(&self, figure: &Figure, size: (u32, u32)) -> Option<(Self, (i32, i32))> {
+        let (width, height) = legend::size(figure);
+        if self.legend < self.columns * self.plot.0 || !legend::is_of_series(figure) {
+            return None;
+        }
+        let layout = Self { below: height + 2 * legend::ROOM, ..Self::of(figure, 0) }.fitted(size)?;
+        let bottom = layout.size().1 - layout.spare.1;
+        let fits = layout.left + width + legend::ROOM <= layout.size().0;
+        fits.then_some((layout, (layout.left, bottom - layout.below + legend::ROOM / 2)))
+    }
+
     fn step(&self) -> (i32, i32) {
         (self.plot.0 + self.left, self.plot.1 + BELOW + 30)
     }
@@ -159,12 +181,12 @@ impl Layout {
     fn size(&self) -> (i32, i32) {
         let rows = (self.panels + self.columns - 1) / self.columns;
         let width = self.panels_width() + BESIDE + self.legend + RIGHT;
-        (width + self.spare.0, TOP - 30 + rows * self.step().1 + 6 + self.spare.1)
+        (width + self.spare.0, TOP - 30 + rows * self.step().1 + 6 + self.below + self.spare.1)
     }
 
     /// The height of all panels, from the top of the first.
     pub(super) fn plots_height(&self) -> i32 {
-        self.size().1 - TOP - BELOW
+        self.size().1 - self.below - TOP - BELOW
     }
 
     /// The upper left corner of each plot.

@@ -11,7 +11,7 @@ use plotters::style::{Color, RGBColor, WHITE};
 /// Pixels between two entries.
 const LINE: i32 = 22;
 /// Pixels between the legend and the frame around it.
-const ROOM: i32 = 14;
+pub(super) const ROOM: i32 = 14;
 
 /// Draws the legend downwards from an upper left corner, in pixels.
 pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
@@ -88,6 +88,11 @@ fn entries(figure: &Figure) -> Vec<&Series> {
         }
     }
     shown
+}
+
+/// Whether the legend has series, and no planes.
+pub(super) fn is_of_series(figure: &Figure) -> bool {
+    keys(figure).is_empty() && !entries(figure).is_empty()
 }
 
 /// The planes in the legend, each label once.
