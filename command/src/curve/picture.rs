@@ -92,7 +92,7 @@ impl AskedCurve {
             series.push(Series::new("with stops (exact)", Style::Dashed, 0, []));
         }
         if !border.is_empty() {
-            series.push(Series::new("border of sticking", Style::Marks, 0, border));
+            series.push(Series::new("sticking threshold", Style::Marks, 0, border));
         }
         let places = || lines.iter().flat_map(|line| &line.places);
         let unbounded: Vec<f64> =

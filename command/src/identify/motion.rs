@@ -143,7 +143,7 @@ impl MotionAnswer {
             self.measurements
         )?;
         let lines = [
-            ("friction bound r_y", Some(&self.friction)),
+            ("friction force r_y", Some(&self.friction)),
             ("coefficient µ", Some(&self.friction_coefficient)),
             ("friction r_y/k", Some(&self.friction_displacement)),
             ("damping ratio ζ", Some(&self.damping_ratio)),

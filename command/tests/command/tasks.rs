@@ -76,7 +76,7 @@ fn a_response_curve_of_ones_own_machine() {
         "Transmissibility against frequency",
         "natural frequency",
         "with stops (exact)",
-        "border of sticking",
+        "sticking threshold",
     ] {
         assert!(drawing.contains(due), "{due}");
     }
