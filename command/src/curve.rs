@@ -20,7 +20,8 @@ use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Naming, Point, Role};
 use stickslip::motion::Amplitude;
 use stickslip::{Error, Regime};
-use stickslip_figures::{Figure, Origin, resolved};
+use stickslip_figures::Figure;
+use stickslip_front::curve::{Axis, Place, Source};
 
 /// The greatest number of curves in a picture.
 const MOST_CURVES: u64 = 40;
@@ -40,24 +41,6 @@ struct CurvePoint {
     /// The margin to the border, α/α_min.
     margin: f64,
     value: Option<f64>,
-}
-
-/// The reason why a frequency is in a curve.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Source {
-    /// The frequency was requested.
-    Grid,
-    /// The frequency is the natural one.
-    Natural,
-    /// The curve has a maximum at this frequency.
-    Peak,
-    /// The frequency is next to a maximum or an onset, where a line through the other points would be inaccurate.
-    Flank,
-    /// The body begins to move from rest at this frequency, or ends.
-    Onset,
-    /// The frequency was tried in search of maxima, and is not in the curve.
-    #[value(skip)]
-    Probe,
 }
 
 struct Line {
@@ -119,15 +102,26 @@ pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
     target.fill(out, |mut out| asked.rows(&lines, &mut out), || asked.figure(&lines))
 }
 
-impl CurvePoint {
+impl Place for CurvePoint {
+    fn x(&self) -> f64 {
+        self.x
+    }
+
+    fn height(&self) -> f64 {
+        let otherwise = if self.regime == UNBOUNDED { f64::INFINITY } else { f64::NAN };
+        self.value.unwrap_or(otherwise)
+    }
+
     fn is_stuck(&self) -> bool {
         self.regime == STUCK
     }
 
-    /// The value at this place; infinite where the motion is unbounded, and NaN where it is undecided.
-    fn height(&self) -> f64 {
-        let otherwise = if self.regime == UNBOUNDED { f64::INFINITY } else { f64::NAN };
-        self.value.unwrap_or(otherwise)
+    fn source(&self) -> Source {
+        self.source
+    }
+
+    fn because(self, source: Source) -> Self {
+        Self { source, ..self }
     }
 }
 
@@ -235,31 +229,20 @@ impl AskedCurve {
             Some(machine) if self.axis == Input::Frequency => machine.oscillator.natural_frequency(),
             Some(_) | None => 1.0,
         };
-        let mut xs: Vec<(f64, Source)> = self.grid.values().map(|x| (x, Source::Grid)).collect();
-        let falls = xs.first().map(|first| first.0) > xs.last().map(|last| last.0);
-        xs.extend(self.probes(natural).into_iter().map(|x| (x, Source::Probe)));
-        self.refuse_slow(given, &xs)?;
-        let places = xs.into_par_iter().map(|(x, source)| self.place(given, x, source));
-        let mut places = places.collect::<Result<Vec<_>, Failure>>()?;
-        let (low, high) = self.grid.ends();
-        if low < natural && natural < high && places.iter().all(|place| place.x != natural) {
-            places.push(self.place(given, natural, Source::Natural)?);
-        }
-        places.sort_by(|a, b| a.x.total_cmp(&b.x));
-        for (i, pair) in places.clone().windows(2).enumerate().rev() {
-            if let [a, b] = pair
-                && a.is_stuck() != b.is_stuck()
-            {
-                let onset = self.onset(given, (a, b))?;
-                places.splice(i + 1..=i, onset);
-            }
-        }
-        // The peaks among all places first, and then the curve through those that are drawn.
-        let places = self.resolved(given, &places, |_| false)?;
-        let is_drawn = |place: &&CurvePoint| !matches!(place.source, Source::Probe | Source::Flank);
-        let places: Vec<CurvePoint> = places.iter().filter(is_drawn).copied().collect();
-        let is_corner = |place: &CurvePoint| matches!(place.source, Source::Onset | Source::Peak);
-        let mut places = self.resolved(given, &places, is_corner)?;
+        let xs: Vec<f64> = self.grid.values().collect();
+        let falls = xs.first() > xs.last();
+        let axis = Axis {
+            values: &xs,
+            at: |share| self.grid.at(share),
+            is_logarithmic: self.grid.is_logarithmic(),
+            natural,
+        };
+        let at = |x, source| self.place(given, x, source);
+        let each = |all: Vec<(f64, Source)>| {
+            self.refuse_slow(given, &all)?;
+            all.into_par_iter().map(|(x, source)| at(x, source)).collect::<Result<Vec<_>, Failure>>()
+        };
+        let mut places = axis.through(each, at)?;
         let mut border = Vec::new();
         for pair in places.windows(2) {
             if let [a, b] = pair
@@ -310,67 +293,6 @@ impl AskedCurve {
         Ok(CurvePoint { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
     }
 
-    /// The curve through these places, resolved at its peaks and beside its corners.
-    fn resolved(
-        &self,
-        given: &Given<f64>,
-        places: &[CurvePoint],
-        is_corner: impl Fn(&CurvePoint) -> bool,
-    ) -> Result<Vec<CurvePoint>, Failure> {
-        let at = |x: f64| self.place(given, x, Source::Flank);
-        let of = |place: &CurvePoint| (place.x, place.height());
-        let all = resolved(places, self.grid.is_logarithmic(), of, is_corner, at)?;
-        let named = |(place, origin): (CurvePoint, Origin)| match (origin, place.source) {
-            (Origin::Peak, Source::Flank | Source::Probe) => CurvePoint { source: Source::Peak, ..place },
-            _ => place,
-        };
-        Ok(all.into_iter().map(named).collect())
-    }
-
-    /// Frequencies between those of the grid, so that no peak wider than a five-hundredth of the axis is missed. Below
-    /// the natural frequency the peaks of a motion with stops follow each other in equal steps of 1/Ω, and so do these.
-    /// Those next to a frequency of the curve would only repeat it.
-    fn probes(&self, natural: f64) -> Vec<f64> {
-        let (low, high) = self.grid.ends();
-        if self.grid.len() >= PROBES {
-            return Vec::new();
-        }
-        let mut own: Vec<f64> = self.grid.values().chain(Some(natural).filter(|x| x.is_finite())).collect();
-        own.sort_by(f64::total_cmp);
-        let evenly = (1..PROBES).map(|i| self.grid.at(i as f64 / PROBES as f64));
-        let longest = 1.0 / SLOWEST;
-        let (from, to) = ((natural / high).max(1.0), (natural / low).min(longest));
-        let inverse = (1..(longest * PER_PERIOD) as u32).map(|i| f64::from(i) / PER_PERIOD);
-        let slowly = inverse.filter(|period| *period > from && *period < to).map(|period| natural / period);
-        let is_other = |&x: &f64| {
-            let after = own.partition_point(|own| *own < x);
-            let beside = [after.checked_sub(1), Some(after)];
-            let away = (high - low).abs().min(x.abs()) * 1e-6;
-            beside.into_iter().flatten().filter_map(|i| own.get(i)).all(|own| (own - x).abs() > away)
-        };
-        let mut found: Vec<f64> = evenly.chain(slowly).filter(is_other).collect();
-        found.sort_by(f64::total_cmp);
-        found.dedup_by(|a, b| (*a - *b).abs() <= a.abs() * 1e-6);
-        found
-    }
-
-    /// The last place at rest and the first in motion, or the other way round, between two places.
-    fn onset(
-        &self,
-        given: &Given<f64>,
-        (a, b): (&CurvePoint, &CurvePoint),
-    ) -> Result<[CurvePoint; 2], Failure> {
-        let (mut a, mut b) = (*a, *b);
-        loop {
-            let x = a.x + (b.x - a.x) / 2.0;
-            if x <= a.x || x >= b.x {
-                return Ok([a, b].map(|place| CurvePoint { source: Source::Onset, ..place }));
-            }
-            let middle = self.place(given, x, Source::Onset)?;
-            if middle.is_stuck() == a.is_stuck() { a = middle } else { b = middle }
-        }
-    }
-
     /// The point where the curve meets the border, between two frequencies on either side of it: by
     /// bisection, to the last bit.
     fn crossing(&self, given: &Given<f64>, (from, to): (f64, f64)) -> Result<Option<(f64, f64)>, Failure> {
@@ -407,8 +329,7 @@ impl AskedCurve {
             for place in &line.places {
                 let value = place.value.map_or(String::new(), |x| x.to_string());
                 let (frequency, margin) = (place.frequency.to_string(), place.margin.to_string());
-                let source = place.source.to_possible_value();
-                let source = source.as_ref().map_or("", |source| source.get_name());
+                let source = place.source.name();
                 writer.write_record([&line.name, &frequency, place.regime, &value, &margin, source])?;
             }
         }
@@ -499,11 +420,6 @@ const UNBOUNDED: &str = Regime::Unbounded.name();
 const UNDECIDED: &str = "undecided";
 /// The regime of a body at rest.
 const STUCK: &str = Regime::Stuck.name();
-/// The number of intervals into which a curve is divided in search of its peaks.
-const PROBES: u64 = 512;
-/// The number of places tried in a unit of 1/Ω, and the least Ω for which they are.
-const PER_PERIOD: f64 = 24.0;
-const SLOWEST: f64 = 0.03;
 
 #[cfg(test)]
 mod tests {

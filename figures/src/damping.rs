@@ -1,6 +1,6 @@
 //! The effect of viscous damping on the response curve, the border, and the time at rest.
 
-use super::resolve::resonant;
+use super::resonant::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Border, Ratios};

@@ -1,6 +1,6 @@
 //! Figures 9 and 10: the size of the dissipation loop.
 
-use super::resolve::resonant;
+use super::resonant::resonant;
 use super::{Axis, Figure, Series, Style, evenly, inverse_force_ratios, of_cycle};
 use stickslip::{Cycle, Ratios, Response};
 

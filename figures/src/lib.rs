@@ -12,7 +12,7 @@
 //! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | the rate at which the motion settles |
 //! | `damping` | the effect of viscous damping |
-//! | `resolve` | curves resolved at their peaks |
+//! | `resonant` | curves over Ω, resolved at their resonances |
 //! | `draw` | a figure as SVG or PNG |
 //!
 //! A figure is data first: [`Figure::write_csv`] writes the data that [`Figure::svg`] draws.
@@ -44,7 +44,7 @@ mod multipliers;
 mod oscillator;
 mod plane;
 mod portrait;
-mod resolve;
+mod resonant;
 mod response;
 mod stops;
 mod symmetry;
@@ -52,8 +52,6 @@ mod symmetry;
 #[doc(hidden)]
 pub use plane::{Plane, Scale};
 #[doc(hidden)]
-pub use resolve::{Origin, resolved};
-
 use std::io::{self, Write};
 use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Cycle, Error, Ratios};

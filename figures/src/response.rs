@@ -1,6 +1,6 @@
 //! Figures 4 to 7: maximum displacement, phases and maximum velocity.
 
-use super::resolve::resonant;
+use super::resonant::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly, from_rest, inverse_force_ratios, of_cycle};
 use stickslip::Cycle;
 use stickslip::cycle::printed;

@@ -3,6 +3,7 @@
 //! | module | content |
 //! |---|---|
 //! | [`record`] | the file of a record, of an agency or of columns, as a [`Record`](stickslip::motion::record::Record) |
+//! | [`curve`] | a response curve, resolved at its peaks and where the body begins to slide |
 //! | [`names`] | the names of columns with their units |
 //! | `system` (a feature) | the file of several bodies, and the answers about them |
 
@@ -18,6 +19,7 @@
     )
 )]
 
+pub mod curve;
 pub mod names;
 pub mod record;
 #[cfg(feature = "system")]

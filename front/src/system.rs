@@ -11,6 +11,7 @@ mod file;
 mod grid;
 mod named;
 mod node;
+mod sentence;
 
 pub use answer::{Answer, OfBorder, Samples, kind_of};
 pub use built::NamedSystem;
@@ -18,3 +19,4 @@ pub use described::Described;
 pub use description::{Description, OfElement};
 pub use file::{LONGEST, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
+pub use sentence::{border_verdict, plural, steady_verdict, with_unit};

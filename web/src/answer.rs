@@ -1,28 +1,30 @@
 //! The answer at one point: the verdicts, the closed forms, the steady state, and the machine in its units.
 
-use crate::asked::Asked;
+use crate::asked::{Asked, Problem};
+use crate::map::place;
 use serde_json::{Map, Value, json};
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input, Point, Role};
-use stickslip::motion::{LongRun, State, SteadyAnswer};
+use stickslip::motion::{LongRun, SteadyAnswer};
 use stickslip::words::{self, digits};
 use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAnswer, When};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
-    let given = asked.given(&asked.reader()?)?;
-    let point = given.point()?;
+    let problem = asked.problem()?;
+    let Problem { given, point, start, .. } = &problem;
     let named = |e: stickslip::Error| String::from(given.at_fault(&e));
     let response = Response::guarded(point.ratios);
     let found = ResponseAnswer { response: &response, peaks: true };
-    let values = Values { given: &given, point: &point, best: response.best_force_ratio };
-    let limit = LongRun::from_start(point.ratios, State::default()).map_err(named);
-    let steady = match &limit {
+    let values = Values { given, point, best: response.best_force_ratio };
+    let limit = LongRun::from_start(point.ratios, *start);
+    let place = place(point.ratios, &limit);
+    let steady = match limit.map_err(named) {
         Ok(limit) => {
-            let answer = SteadyAnswer::new(point.ratios, limit, true).map_err(named)?;
+            let answer = SteadyAnswer::new(point.ratios, &limit, true).map_err(named)?;
             json!({
-                "verdict": words::limit(point.ratios, limit, |x| length(x, &point, &given.system), ""),
-                "origin": words::origin(point.ratios, limit),
+                "verdict": words::limit(point.ratios, &limit, |x| length(x, point, &given.system), ""),
+                "origin": words::origin(point.ratios, &limit),
                 "values": values.of(&answer, SteadyAnswer::COLUMNS),
             })
         }
@@ -37,10 +39,15 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         "verdict": words::verdict(&response),
         "values": values.of(&found, ResponseAnswer::COLUMNS),
         "steady": steady,
-        "notes": notes(&given, &point),
-        "kinds": kinds(&point, &given.system),
+        "place": place,
+        "start": [start.x, start.v],
+        "has_start": problem.has_start,
+        "is_frictionless": problem.is_frictionless,
+        "is_free": problem.is_free,
+        "notes": notes(&problem),
+        "kinds": kinds(point, &given.system),
         "six_reversals": NoStop::of(&point.ratios).six_reversals.map(|(low, high)| [low, high]),
-        "machine": machine(&point, &given.system),
+        "machine": machine(&problem),
     }))
 }
 
@@ -54,15 +61,18 @@ pub(crate) fn length(x: f64, point: &Point<f64>, system: &System) -> String {
     }
 }
 
-/// The meaning of the displacement: of a moving base, and of a shifted motion.
-fn notes(given: &Given<f64>, point: &Point<f64>) -> Vec<String> {
-    let Some(machine) = &point.machine else { return Vec::new() };
+/// What the inputs leave out, and the meaning of the displacement: of a moving base, and of a shifted motion.
+fn notes(problem: &Problem) -> Vec<String> {
+    let Problem { given, point, .. } = problem;
+    let left_out =
+        problem.notes.iter().filter(|note| note.starts_with("mass")).map(|note| format!("The {note}."));
+    let Some(machine) = &point.machine else { return left_out.collect() };
     let base = words::base_motion(machine.drive.excitation()).map(|base| format!("Base motion {base}."));
     let mean = digits(machine.scales.mean_displacement);
     let shifted = given.is_shifted().then(|| {
         format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())
     });
-    base.into_iter().chain(shifted).collect()
+    left_out.chain(base).chain(shifted).collect()
 }
 
 /// The value of each kind of input that the machine could be given by instead.
@@ -97,8 +107,9 @@ fn kinds(point: &Point<f64>, system: &System) -> Value {
 }
 
 /// The quantities of a machine that follow from its inputs.
-fn machine(point: &Point<f64>, system: &System) -> Value {
-    let Some(machine) = &point.machine else { return Value::Null };
+fn machine(problem: &Problem) -> Value {
+    let system = &problem.given.system;
+    let Some(machine) = &problem.point.machine else { return Value::Null };
     let (body, drive) = (&machine.oscillator, &machine.drive);
     let turn = 2.0 * std::f64::consts::PI;
     let mut all = vec![
@@ -108,10 +119,12 @@ fn machine(point: &Point<f64>, system: &System) -> Value {
         ("period", Kind::Time, turn / body.natural_frequency()),
         ("mass", Kind::Mass, body.mass()),
         ("stiffness", Kind::Stiffness, body.stiffness()),
-        ("friction", Kind::Force, body.friction_bound()),
-        ("force_amplitude", Kind::Force, drive.force_amplitude(body)),
-        ("friction_displacement", Kind::Length, machine.scales.length),
+        ("friction", Kind::Force, if problem.is_frictionless { 0.0 } else { body.friction_bound() }),
+        ("force_amplitude", Kind::Force, if problem.is_free { 0.0 } else { drive.force_amplitude(body) }),
     ];
+    if !problem.is_frictionless {
+        all.push(("friction_displacement", Kind::Length, machine.scales.length));
+    }
     if machine.scales.mean_displacement != 0.0 {
         all.push(("mean_displacement", Kind::Length, machine.scales.mean_displacement));
     }

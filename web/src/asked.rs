@@ -1,8 +1,9 @@
-//! The inputs of a question: a machine in units, or its ratios.
+//! The inputs of a question: a machine in units, or its ratios, and the start of its motion.
 
 use serde_json::Value;
-use stickslip::inputs::units::{Reader, System};
+use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Naming, Point};
+use stickslip::motion::State;
 
 /// A question as the page asks it.
 pub struct Asked<'a>(pub(crate) &'a Value);
@@ -10,6 +11,21 @@ pub struct Asked<'a>(pub(crate) &'a Value);
 /// The size of B, or 1 for ratios.
 pub(crate) fn length(point: &Point<f64>) -> f64 {
     point.machine.map_or(1.0, |machine| machine.scales.length)
+}
+
+/// A machine with the start of its motion.
+pub(crate) struct Problem {
+    /// The inputs, with a friction and a drive of 0 as ones far below the rounding of every motion.
+    pub(crate) given: Given<f64>,
+    pub(crate) point: Point<f64>,
+    /// At rest at the origin, unless x₀ or v₀ is given.
+    pub(crate) start: State<f64>,
+    /// Whether x₀ or v₀ is given.
+    pub(crate) has_start: bool,
+    /// Whether the friction is given as 0.
+    pub(crate) is_frictionless: bool,
+    /// Whether the drive is given as 0: the vibration is free.
+    pub(crate) is_free: bool,
 }
 
 impl Asked<'_> {
@@ -21,17 +37,49 @@ impl Asked<'_> {
         Ok(Reader::new(system.as_ref(), "units, such as kN,m"))
     }
 
-    /// The typed inputs.
+    /// The typed inputs that are not blank, without the start.
+    fn typed(&self) -> impl Iterator<Item = (&str, &str)> {
+        let all = self.0.get("inputs").and_then(Value::as_object).into_iter().flatten();
+        all.map(|(name, text)| (name.as_str(), text.as_str().unwrap_or_default().trim()))
+            .filter(|(_, text)| !text.is_empty())
+    }
+
+    /// The typed inputs of the machine.
     pub(crate) fn given(&self, reader: &Reader) -> Result<Given<f64>, String> {
         let mut given = Given::empty(reader, Naming::Field);
-        for (name, text) in self.0.get("inputs").and_then(Value::as_object).into_iter().flatten() {
+        for (name, text) in self.typed() {
             let input = Input::named(name).ok_or_else(|| format!("{name}: is unknown"))?;
-            let text = text.as_str().unwrap_or_default().trim();
-            if !text.is_empty() {
+            if !matches!(input, Input::X0 | Input::V0) {
                 given.read(input, text, reader)?;
             }
         }
         Ok(given)
+    }
+
+    /// The machine and its start.
+    pub(crate) fn problem(&self) -> Result<Problem, String> {
+        let reader = self.reader()?;
+        let typed = self.given(&reader)?;
+        let (is_frictionless, is_free) = (typed.is_without_friction(), typed.is_without_drive());
+        let given = typed.without_zeros()?.into_owned();
+        let point = given.point()?;
+        let mut start = [0.0; 2];
+        let mut has_start = false;
+        for (place, input) in start.iter_mut().zip([Input::X0, Input::V0]) {
+            let name = input.column();
+            let Some((_, text)) = self.typed().find(|(own, _)| *own == name) else { continue };
+            let kind = if point.machine.is_some() { input.kind() } else { Kind::Ratio };
+            *place = reader.value(&name, text, kind)?;
+            has_start = true;
+        }
+        if let Some(machine) = &point.machine {
+            start = [start[0] / machine.scales.length, start[1] / machine.scales.velocity];
+        }
+        let start = State::new(0.0, start[0], start[1]).map_err(|e| {
+            let is_velocity = e.quantity() == Some(stickslip::Quantity::Velocity);
+            format!("{}: {e}", if is_velocity { "v0" } else { "x0" })
+        })?;
+        Ok(Problem { given, point, start, has_start, is_frictionless, is_free })
     }
 
     /// A number of the question.

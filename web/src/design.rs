@@ -1,6 +1,6 @@
 //! The answers to design: the least force, the greatest friction, and the friction that dissipates most.
 
-use crate::asked::Asked;
+use crate::asked::{Asked, Problem};
 use serde_json::{Value, json};
 use stickslip::design;
 use stickslip::inputs::Input;
@@ -19,8 +19,10 @@ fn row(name: &str, found: Result<f64, Error>, unit: &str) -> Value {
 /// friction and force. With a static friction above the kinetic one, the cycle without a stop, the release of a body at
 /// rest, and every start have forces of their own.
 pub(crate) fn design(asked: &Asked<'_>) -> Result<Value, String> {
-    let given = asked.given(&asked.reader()?)?;
-    let point = given.point()?;
+    let Problem { given, point, is_free, is_frictionless, .. } = asked.problem()?;
+    if is_free || is_frictionless {
+        return Ok(json!([]));
+    }
     let ratios = &point.ratios;
     let least = Border::of(ratios).min_force_ratio;
     let (force, size) = match &point.machine {

@@ -12,6 +12,7 @@ mod limits;
 mod map;
 mod motion;
 mod record;
+mod system;
 
 use asked::Asked;
 use serde_json::{Value, json};
@@ -21,7 +22,7 @@ use std::cell::RefCell;
 type Answer = fn(&Asked<'_>) -> Result<Value, String>;
 
 /// The questions by their names.
-pub const QUESTIONS: [(&str, Answer); 8] = [
+pub const QUESTIONS: [(&str, Answer); 10] = [
     ("answer", answer::answer),
     ("curve", curve::curve),
     ("motion", motion::motion),
@@ -30,6 +31,8 @@ pub const QUESTIONS: [(&str, Answer); 8] = [
     ("design", design::design),
     ("record", record::record),
     ("spectrum", record::spectrum),
+    ("system", system::system),
+    ("system-curve", system::curve),
 ];
 
 /// The answer to a question, as text.

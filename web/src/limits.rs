@@ -1,6 +1,6 @@
 //! The limits of several starts, which static friction makes many.
 
-use crate::asked::{Asked, length};
+use crate::asked::{Asked, Problem, length};
 use serde_json::{Value, json};
 use stickslip::motion::{LongRun, Starts, attractors};
 use stickslip::words;
@@ -10,8 +10,7 @@ const PERIODS: u32 = 2000;
 
 /// The limits that `count` starts lead to, as `stickslip attractors` finds them.
 pub(crate) fn limits(asked: &Asked<'_>) -> Result<Value, String> {
-    let given = asked.given(&asked.reader()?)?;
-    let point = given.point()?;
+    let Problem { given, point, .. } = asked.problem()?;
     let spread = Starts::around(&point.ratios);
     let starts: Vec<_> = (0..asked.count("count", 64, 4096)).map(|number| spread.get(number)).collect();
     let found = attractors(point.ratios, &starts, PERIODS).map_err(|e| String::from(given.at_fault(&e)))?;

@@ -1,38 +1,62 @@
-//! The map of stops over Ω and α.
+//! The map of stops over Ω and α, and the place of a machine in it.
 
 use crate::asked::Asked;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use stickslip::motion::{DEFAULT_BUDGET, LongRun, State};
-use stickslip::{Border, Error, Ratios, observed};
+use stickslip::{Border, Error, Ratios, Regime, observed};
 
-/// The regime and the stops in a cycle at every pair of `omegas` and `alphas`, row by row of α, for the motion from rest;
-/// −1 where there is no cycle, −2 where the stops cannot be counted, with static friction in 300 periods; and the border over the list `border` of frequency ratios.
+/// The names of the places without a number of stops, by their codes −1, −2, …
+pub(crate) const NAMES: [&str; 6] = [
+    "at rest",
+    "irregular",
+    "not settled",
+    "not computed",
+    "grows without bound",
+    "stops too short to count",
+];
+
+/// The stops in a cycle of a limit, as its verdict counts them; a negative number is the code of one of [`NAMES`].
+pub(crate) fn place(ratios: Ratios<f64>, limit: &Result<LongRun<f64>, Error>) -> i64 {
+    let Ok(limit) = limit else { return -4 };
+    match limit {
+        LongRun::Rest(_) => -1,
+        LongRun::Irregular(_) => -2,
+        LongRun::NotConverged { .. } => -3,
+        LongRun::Unbounded { .. } => -5,
+        LongRun::Periodic(_) | LongRun::Family(_) => {
+            let seen = observed(ratios, limit);
+            match seen.sticks {
+                None => -6,
+                Some(0) if seen.regime == Regime::Sticking => -6,
+                Some(stops) => i64::from(stops),
+            }
+        }
+    }
+}
+
+/// The place of every pair of `omegas` and `alphas`, row by row of α, or of every pair of the flat list `points`, for the
+/// motion from the displacement `x` and the velocity `v` + `w`/Ω, within `periods` periods; and the border over the list
+/// `border` of frequency ratios.
 pub(crate) fn map(asked: &Asked<'_>) -> Result<Value, String> {
-    let (omegas, alphas) = (asked.numbers("omegas"), asked.numbers("alphas"));
     let (zeta, eta) = (asked.number("damping_ratio", 0.0), asked.number("static_friction_ratio", 1.0));
+    let (x, v, w) = (asked.number("x", 0.0), asked.number("v", 0.0), asked.number("w", 0.0));
+    let periods = asked.count("periods", u64::from(DEFAULT_BUDGET), u64::from(DEFAULT_BUDGET)) as u32;
     let ratios =
         |omega, alpha| Ratios::new(omega, alpha)?.with_damping_ratio(zeta)?.with_static_friction_ratio(eta);
     let stops = |omega, alpha| -> Result<i64, Error> {
         let ratios = ratios(omega, alpha)?;
-        // A motion that depends on its start may never repeat itself; a picture does not wait for its last word.
-        let periods = if eta > 1.0 { 300 } else { DEFAULT_BUDGET };
-        let limit = LongRun::within(ratios, State::default(), periods, &mut || ControlFlow::Continue(()));
-        let Ok(limit) = limit else { return Ok(-2) };
-        Ok(match limit.steady_state() {
-            Some(_) => observed(ratios, &limit).sticks.map_or(-2, i64::from),
-            None if matches!(limit, LongRun::NotConverged { .. } | LongRun::Irregular(_)) => -2,
-            None => -1,
-        })
+        let start = State::new(0.0, x, v + w / omega)?;
+        let limit = LongRun::within(ratios, start, periods.max(1), &mut || ControlFlow::Continue(()));
+        Ok(place(ratios, &limit))
     };
-    let mut all = Vec::with_capacity(omegas.len() * alphas.len());
-    for &alpha in &alphas {
-        for &omega in &omegas {
-            all.push(stops(omega, alpha).map_err(|e| e.to_string())?);
-        }
-    }
+    let (omegas, alphas, points) =
+        (asked.numbers("omegas"), asked.numbers("alphas"), asked.numbers("points"));
+    let grid = alphas.iter().flat_map(|&alpha| omegas.iter().map(move |&omega| (omega, alpha)));
+    let pairs = points.chunks_exact(2).filter_map(|pair| Some((*pair.first()?, *pair.last()?)));
+    let all = grid.chain(pairs).map(|(omega, alpha)| stops(omega, alpha)).collect::<Result<Vec<_>, _>>();
     let border = asked.numbers("border").into_iter();
     let border = border.map(|omega| Ok(Border::of(&ratios(omega, 1.0)?).min_force_ratio));
     let border: Vec<f64> = border.collect::<Result<_, Error>>().map_err(|e| e.to_string())?;
-    Ok(json!({ "stops": all, "border": border }))
+    Ok(json!({ "stops": all.map_err(|e| e.to_string())?, "border": border, "names": NAMES }))
 }

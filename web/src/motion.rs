@@ -1,33 +1,40 @@
-//! The motion over a cycle of its steady state, or from rest where there is none.
+//! The motion over a cycle of its steady state, or from its start.
 
-use crate::asked::Asked;
+use crate::asked::{Asked, Problem};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use stickslip::Error;
 use stickslip::inputs::units::Kind;
-use stickslip::motion::{LongRun, State, Trajectory};
+use stickslip::motion::{LongRun, Trajectory};
 
-/// The most turns of the drive in a cycle that is shown whole.
-const MOST_TURNS: u32 = 8;
+/// The most turns of the drive that are shown.
+const MOST_TURNS: u32 = 60;
+/// The turns of a motion from its start, where no rest ends it before.
+const FIRST_TURNS: u32 = 12;
 
-/// Samples of the motion, `count` in a turn of the drive: of its cycle, or of the first turns from rest.
+/// Samples of the motion, `count` in a turn of the drive: of its cycle, or with `from_start`, and where there is no
+/// cycle, from its start, to its rest.
 pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
-    let given = asked.given(&asked.reader()?)?;
-    let point = given.point()?;
+    let problem = asked.problem()?;
+    let Problem { given, point, start, .. } = &problem;
     let named = |e: Error| String::from(given.at_fault(&e));
-    let start = State::default();
-    let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
-    let (begin, turns, is_steady) = match limit.steady_state() {
-        Some(steady) => (steady.state, steady.turns_per_cycle.min(MOST_TURNS), true),
-        None => (start, MOST_TURNS, false),
+    let limit = LongRun::from_start(point.ratios, *start).map_err(named)?;
+    let from_start = asked.0.get("from_start").and_then(Value::as_bool).unwrap_or(false);
+    let (begin, turns, is_steady) = match (limit.steady_state(), &limit) {
+        (Some(steady), _) if !from_start => (steady.state, steady.turns_per_cycle.min(MOST_TURNS), true),
+        (None, LongRun::Rest(rest)) => {
+            let turns = (rest.periods + 1.0).clamp(2.0, f64::from(MOST_TURNS));
+            (*start, turns.ceil() as u32, false)
+        }
+        _ => (*start, FIRST_TURNS, false),
     };
     let per_turn = u32::try_from(asked.count("count", 240, 10_000)).unwrap_or(240).max(8);
     let scales = point.machine.map(|machine| machine.scales);
     let of = |scale: fn(&stickslip::Scales<f64>) -> f64| scales.as_ref().map_or(1.0, scale);
     let (size, speed, force) = (of(|s| s.length), of(|s| s.velocity), of(|s| s.force));
     let mean_friction = scales.map_or(0.0, |s| s.mean_friction);
-    let (mut times, mut x, mut v, mut r, mut rests) =
-        (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut times, mut x, mut v, mut r, mut loads, mut rests) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let samples =
         Trajectory::new(point.ratios, begin).and_then(|motion| motion.samples(per_turn)).map_err(named)?;
     // The drive begins its cycle at t = 0.
@@ -37,7 +44,9 @@ pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
         times.push(TAU * place as f64 / f64::from(per_turn) * of(|s| s.time));
         x.push(sample.state.x * size);
         v.push(sample.state.v * speed);
-        r.push(sample.friction * force + mean_friction);
+        r.push(if problem.is_frictionless { 0.0 } else { sample.friction * force + mean_friction });
+        let load = if problem.is_free { 0.0 } else { point.ratios.alpha() * force };
+        loads.push(load * sample.state.phase.reduced().sin());
         rests.push(sample.state.v == 0.0 && sample.acceleration == 0.0);
     }
     let unit = |kind: Kind, ratio: &str| match scales {
@@ -45,10 +54,30 @@ pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
         None => ratio.to_owned(),
     };
     Ok(json!({
-        "time": times, "displacement": x, "velocity": v, "friction": r, "rest": rests, "turns": turns, "steady": is_steady,
+        "time": times, "displacement": x, "velocity": v, "friction": r, "load": loads, "rest": rests, "turns": turns,
+        "steady": is_steady, "support": support(&problem),
+        "bound": if problem.is_frictionless { 0.0 } else { point.ratios.static_friction_ratio() * force },
         "units": {
             "time": unit(Kind::Time, "rad"), "displacement": unit(Kind::Length, "B"),
             "velocity": unit(Kind::Velocity, "B ω_d"), "friction": unit(Kind::Force, "r_y"),
         },
     }))
+}
+
+/// The part of the support that moves, and its amplitude in the unit of displacements: the load is
+/// `p₀ sin ω_d t` where the motion is `u₀ sin (ω_d t − lead)`.
+fn support(problem: &Problem) -> Value {
+    let Some(machine) = &problem.point.machine else { return Value::Null };
+    let (body, drive) = (&machine.oscillator, &machine.drive);
+    let excitation = drive.excitation();
+    let force = if problem.is_free { 0.0 } else { drive.force_amplitude(body) };
+    if excitation.carries_surface() {
+        let size = body.mass() * drive.angular_frequency().powi(2);
+        json!({ "moves": "base", "amplitude": force / size, "lead": 0.0 })
+    } else if excitation.moves_foot() {
+        let amplitude = if problem.is_free { 0.0 } else { drive.amplitude() };
+        json!({ "moves": "foot", "amplitude": amplitude, "lead": drive.phase_lead(body) })
+    } else {
+        Value::Null
+    }
 }

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::map::capital;
 use stickslip::inputs::Input;
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_front::curve::Place;
 
 /// The part of the usual value below which a curve is cut off.
 const LEAST: f64 = 1e-4;

@@ -9,11 +9,9 @@ use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Border, Cycle, Element, Kind, Law, Motion, Steady, SteadyKind};
-use stickslip_front::system::{Described, Description, NamedSystem, kind_of};
-
-fn plural(count: usize, one: &str, several: &str) -> String {
-    if count == 1 { format!("one {one}") } else { format!("{count} {several}") }
-}
+use stickslip_front::system::{
+    Described, Description, NamedSystem, border_verdict, kind_of, plural, steady_verdict, with_unit,
+};
 
 /// A frequency in words: in hertz where the units are known.
 fn frequency(units: Option<&Units>, omega: f64) -> String {
@@ -106,10 +104,6 @@ fn capital(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-fn with_unit(x: f64, units: Option<&Units>, kind: Of) -> String {
-    units.map_or_else(|| digits(x), |system| format!("{} {}", digits(x), system.name(kind)))
-}
-
 fn of_element(element: &Element<f64>, described: &Described, units: Option<&Units>) -> String {
     let ends = |sign: f64| {
         let place = element.direction.iter().position(|b| *b == sign);
@@ -147,34 +141,10 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
 
 /// The verdict on a steady motion.
 pub(super) fn steady(described: &Described, found: &Steady<f64>, out: &mut impl Write) -> Outcome {
-    let units = described.units.as_ref();
-    let period = with_unit(found.period, units, Of::Time);
-    let kinds = described.model.elements.iter().map(kind_of);
-    let rests = found.motion.elements.iter().zip(kinds).filter(|(_, kind)| *kind != "stop");
-    let stops: usize = rests.map(|(element, _)| element.stops).sum();
-    match found.kind {
-        SteadyKind::Periodic => {
-            let multiple = if found.periods == 1 {
-                String::new()
-            } else {
-                format!(", {} periods of the loads", found.periods)
-            };
-            writeln!(
-                out,
-                "Periodic: it repeats itself after {period}{multiple}, with {} in it.\n",
-                if stops == 0 { "no rest".to_owned() } else { plural(stops, "rest", "rests") }
-            )?;
-            let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
-            line(out, "a disturbance", format!("is multiplied by at most {} in this time", digits(largest)))?;
-        }
-        SteadyKind::Rest => writeln!(out, "Rest: nothing moves in the end.\n")?,
-        SteadyKind::Growing => writeln!(out, "Growing: the motion grows without bound.\n")?,
-        SteadyKind::Unsettled => writeln!(
-            out,
-            "Not settled after {} periods: the last of them changed the motion by {} of its size.\n",
-            found.followed,
-            digits(found.change)
-        )?,
+    writeln!(out, "{}\n", steady_verdict(described, found))?;
+    if found.kind == SteadyKind::Periodic {
+        let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
+        line(out, "a disturbance", format!("is multiplied by at most {} in this time", digits(largest)))?;
     }
     Ok(())
 }
@@ -187,8 +157,7 @@ pub(super) fn border(
     out: &mut impl Write,
 ) -> Outcome {
     let units = described.units.as_ref();
-    let factor = digits(found.least_load_factor);
-    writeln!(out, "The contact does not stick from {factor} times the load of the file on.\n")?;
+    writeln!(out, "{}\n", border_verdict(found))?;
     for harmonic in &described.model.harmonics {
         for (i, name) in described.coordinates.iter().enumerate() {
             let part = |list: &[f64]| list.get(i).copied().unwrap_or(0.0);

@@ -3,8 +3,6 @@
 //! Samples cut off a resonance peak, or give a finite height to an unbounded one. Around each local maximum
 //! of the samples the maximum itself is searched, and points are added until a line through them is accurate.
 
-use core::convert::Infallible;
-
 /// The source of a point of a resolved curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
@@ -107,20 +105,6 @@ pub fn resolved<T: Clone, E>(
     Ok(all)
 }
 
-/// A curve over Ω, with these places of resonance among its points and resolved there.
-pub(super) fn resonant(
-    omegas: impl Iterator<Item = f64>,
-    resonances: &[f64],
-    of: impl Fn(f64) -> f64,
-) -> Vec<(f64, f64)> {
-    let mut omegas: Vec<f64> = omegas.chain(resonances.iter().copied()).collect();
-    omegas.sort_by(f64::total_cmp);
-    let points: Vec<(f64, f64)> = omegas.into_iter().map(|omega| (omega, of(omega))).collect();
-    let Ok::<_, Infallible>(all) =
-        resolved(&points, false, |&point| point, |_| false, |omega| Ok((omega, of(omega))));
-    all.into_iter().map(|(point, _)| point).collect()
-}
-
 struct SampledCurve<P, A> {
     logarithmic: bool,
     /// The length of the axis.
@@ -200,8 +184,26 @@ fn along(logarithmic: bool, from: f64, to: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Origin, resolved, resonant};
+    use super::{Origin, resolved};
     use core::convert::Infallible;
+
+    /// A curve over Ω, with these places of resonance among its points and resolved there.
+    fn resonant(
+        omegas: impl Iterator<Item = f64>,
+        resonances: &[f64],
+        of: impl Fn(f64) -> f64,
+    ) -> Vec<(f64, f64)> {
+        let mut omegas: Vec<f64> = omegas.chain(resonances.iter().copied()).collect();
+        omegas.sort_by(f64::total_cmp);
+        let points: Vec<(f64, f64)> = omegas.into_iter().map(|omega| (omega, of(omega))).collect();
+        let Ok::<_, Infallible>(all) =
+            resolved(&points, false, |&point| point, |_| false, |omega| Ok((omega, of(omega))));
+        all.into_iter().map(|(point, _)| point).collect()
+    }
+
+    fn evenly(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> {
+        (0..count).map(move |i| from + (to - from) * f64::from(i) / f64::from(count - 1))
+    }
 
     /// The value of the line through some points.
     fn on_line(points: &[(f64, f64)], x: f64) -> f64 {
@@ -216,7 +218,7 @@ mod tests {
             let of = |omega: f64| 1.0 / (1.0 - omega * omega).hypot(2.0 * zeta * omega);
             let top: f64 = 1.0 / (2.0 * zeta * (1.0 - zeta * zeta).sqrt());
             for count in [2, 3, 10, 200, 2000] {
-                let even = super::super::evenly(0.2, 2.0, count);
+                let even = evenly(0.2, 2.0, count);
                 let points = resonant(even, &[1.0], of);
                 let found = points.iter().map(|point| point.1).fold(0.0, f64::max);
                 assert!((found / top - 1.0).abs() < 1e-8, "{zeta} {count}: {found} for {top}");
@@ -229,7 +231,7 @@ mod tests {
                 let gap = 1.8 / f64::from(count - 1);
                 let (low, high) = ((1.0 - gap).max(0.2), (1.0 + gap).min(2.0));
                 let pixel = 1.8 / 640.0;
-                for x in super::super::evenly(low, high, 1000) {
+                for x in evenly(low, high, 1000) {
                     let around = [x - pixel, x, x + pixel].map(of);
                     let (least, most) =
                         (around[0].min(around[1]).min(around[2]), around[0].max(around[1]).max(around[2]));

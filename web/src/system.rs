@@ -1,0 +1,101 @@
+//! Several bodies, described as in a file of `stickslip system`.
+
+use crate::asked::Asked;
+use serde_json::{Map, Value, json};
+use std::path::Path;
+use stickslip::inputs::units::Kind;
+use stickslip_front::system::{
+    Answer, Description, NamedSystem, OfBorder, Samples, border_verdict, parsed, steady_verdict,
+};
+
+/// The most samples of a motion, and the most places of a curve.
+const MOST: u64 = 10_000;
+
+/// The system of the question: its `text` as in a file.
+fn named(asked: &Asked<'_>) -> Result<NamedSystem, String> {
+    let value = parsed(asked.text("text").unwrap_or_default(), "system")?;
+    NamedSystem::new(&value, [], Path::new(""), None)
+}
+
+/// A value as JSON.
+fn as_json(value: &impl serde::Serialize) -> Result<Value, String> {
+    serde_json::to_value(value).map_err(|e| e.to_string())
+}
+
+/// What the system is, its steady motion, or with `until` the motion from its start to that time, with `count` samples,
+/// and the least load without sticking, as `stickslip system` answers.
+pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
+    let system = named(asked)?;
+    let (engine, described) = (&system.system, &system.described);
+    let count = asked.count("count", 400, MOST).max(1);
+    let times = |until: f64| -> Vec<f64> { (0..=count).map(|i| until * (i as f64 / count as f64)).collect() };
+    let failed = |e: stickslip::system::Error| e.to_string();
+    let mut found = Map::new();
+    let mut add = |name: &str, value: Value| found.insert(name.to_owned(), value);
+    add("description", as_json(&Description::new(&system))?);
+    let samples = |start: &stickslip::system::State<f64>, until: f64| -> Result<Value, String> {
+        let times = times(until);
+        let states = engine.states(start, &times).map_err(failed)?;
+        as_json(&Samples::new(described, &times, &states))
+    };
+    if let Some(text) = asked.text("until") {
+        let until: f64 = system.reader().value("until", text, Kind::Time)?;
+        system.check_until(until, &format!("until {text}"))?;
+        let motion = engine.simulate(&described.start, until).map_err(failed)?;
+        add("verdict", json!(format!("The motion from the start to {} s.", stickslip::words::digits(until))));
+        add("motion", as_json(&Answer::transient(described, &motion))?);
+        add("samples", samples(&described.start, until)?);
+    } else {
+        let steady = engine.steady(&described.start).map_err(failed)?;
+        add("verdict", json!(steady_verdict(described, &steady)));
+        add("motion", as_json(&Answer::steady(described, &steady))?);
+        add(
+            "samples",
+            if steady.period > 0.0 { samples(&steady.start, steady.period)? } else { Value::Null },
+        );
+    }
+    match engine.border() {
+        Ok(border) => {
+            let cycle = engine.cycle().map_err(failed)?.filter(|cycle| cycle.margin >= 1.0);
+            add("border", as_json(&OfBorder::new(&border, cycle.as_ref()))?);
+            add("border_verdict", json!(border_verdict(&border)));
+        }
+        Err(error) => {
+            add("border", Value::Null);
+            add("border_verdict", json!(format!("No least load without sticking: {error}.")));
+        }
+    }
+    Ok(Value::Object(found))
+}
+
+/// The greatest displacements and the rests of the steady motion over the `frequencies` of the loads in Hz; null where a
+/// frequency has no answer.
+pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
+    let system = named(asked)?;
+    let coordinates = system.described.coordinates.clone();
+    let frequencies = asked.numbers("frequencies");
+    let mut sizes: Vec<Vec<Option<f64>>> = coordinates.iter().map(|_| Vec::new()).collect();
+    let (mut rests, mut kinds) = (Vec::new(), Vec::new());
+    for &frequency in frequencies.iter().take(MOST as usize) {
+        let at = system.clone().at_frequency(frequency * std::f64::consts::TAU)?;
+        let steady = at.system.steady(&at.described.start).ok();
+        for (i, column) in sizes.iter_mut().enumerate() {
+            column.push(steady.as_ref().and_then(|steady| {
+                let of = |list: &[f64]| list.get(i).map(|x| x.abs());
+                Some(of(&steady.motion.max_displacement)?.max(of(&steady.motion.min_displacement)?))
+            }));
+        }
+        let contacts = steady.as_ref().map(|steady| {
+            let kinds = at.described.model.elements.iter().map(stickslip_front::system::kind_of);
+            let held = steady.motion.elements.iter().zip(kinds).filter(|(_, kind)| *kind != "stop");
+            held.map(|(element, _)| element.stops).sum::<usize>()
+        });
+        rests.push(contacts);
+        kinds.push(steady.map(|steady| steady.kind.name()));
+    }
+    let unit = system.described.units.map_or_else(String::new, |units| units.name(Kind::Length));
+    Ok(json!({
+        "frequency": frequencies, "coordinates": coordinates, "displacement": sizes, "rests": rests, "kind": kinds,
+        "unit": unit,
+    }))
+}
