@@ -80,17 +80,67 @@ class Chart {
     this.left = left;
     this.svg = node("svg", { role: "img", "aria-label": label || title });
     host.append(this.svg);
+    // The values under the pointer, for a chart that has some.
+    this.read = null;
+    this.svg.addEventListener("pointermove", (event) => this.cross(event));
+    this.svg.addEventListener("pointerdown", (event) => this.cross(event));
+    this.svg.addEventListener("pointerleave", () => this.uncross());
+  }
+
+  // The place of an event in the units of the axes, if it is within the frame.
+  at(event) {
+    if (!this.box) return null;
+    const box = this.svg.getBoundingClientRect();
+    const part = this.svg.viewBox.baseVal.width / box.width;
+    const [x, y] = [(event.clientX - box.left) * part, (event.clientY - box.top) * part];
+    const { left, right, top, bottom } = this.box;
+    return x < left || x > right || y < top || y > bottom ? null : { x, y };
+  }
+
+  // A line at the pointer, with the values there: `read` gives the place on the x-axis and a text.
+  cross(event) {
+    const place = this.read && this.at(event);
+    if (!place) return this.uncross();
+    const found = this.read(this.x.back(place.x), this.y.back(place.y));
+    if (!found) return this.uncross();
+    if (!this.hair) {
+      this.hair = node("g", { class: "cursor", "pointer-events": "none" });
+      this.hair.append(node("path", { "stroke-width": 1, fill: "none" }), node("rect", { height: 17, rx: 3, "fill-opacity": 0.92 }), node("text", { "font-size": 11, "font-family": "system-ui, sans-serif" }));
+    }
+    if (this.hair.parentNode !== this.svg) this.svg.append(this.hair);
+    const [line, back, text] = this.hair.children;
+    const { left, right, top, bottom } = this.box;
+    const x = Math.min(Math.max(this.x(found.x), left), right);
+    line.setAttribute("d", `M${x} ${top}V${bottom}`);
+    line.setAttribute("stroke", this.ink.border);
+    text.textContent = found.text;
+    text.setAttribute("fill", this.ink.text);
+    const width = 6.1 * found.text.length + 8;
+    const from = Math.max(left, Math.min(x + 6, right - width));
+    back.setAttribute("x", from);
+    back.setAttribute("y", top + 2);
+    back.setAttribute("width", width);
+    back.setAttribute("fill", this.ink.paper);
+    text.setAttribute("x", from + 4);
+    text.setAttribute("y", top + 14);
+  }
+
+  uncross() {
+    this.hair?.remove();
   }
 
   // Begins a picture with its axes.
-  begin({ x, y, xlabel, ylabel, xlog = false, ylog = false, legend = false }) {
+  begin({ x, y, xlabel, ylabel, xlog = false, ylog = false, legend = [] }) {
     const width = Math.max(200, this.host.clientWidth);
-    const { height, left } = this;
-    // A legend stands above the frame, where it covers nothing.
-    const [right, top, bottom] = [14, legend ? 30 : 12, 40];
+    const { left } = this;
+    // A legend stands above the frame, where it covers nothing, in as many lines as it needs.
+    const places = this.arrange(legend, width - left - 14);
+    const height = this.height + Math.max(0, places.lines - 1) * 17;
+    const [right, top, bottom] = [14, legend.length ? 14 + 17 * places.lines : 12, 40];
     this.box = { left, top, right: width - right, bottom: height - bottom };
     this.x = scale(x[0], x[1], left, width - right, xlog);
     this.y = scale(y[0], y[1], height - bottom, top, ylog);
+    this.hair = null;
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.svg.setAttribute("width", width);
     this.svg.setAttribute("height", height);
@@ -116,6 +166,21 @@ class Chart {
     this.marks = node("g");
     this.svg.replaceChildren(node("title", {}, this.title), all, this.marks);
     this.ink = ink;
+    this.legend(legend, places);
+  }
+
+  // The places of the rows of a legend within a width.
+  arrange(rows, width) {
+    const places = [];
+    let [x, line] = [8, 0];
+    for (const [text] of rows) {
+      const length = 33 + 6.2 * text.length;
+      if (x > 8 && x + length > width) [x, line] = [8, line + 1];
+      places.push([x, line]);
+      x += length;
+    }
+    places.lines = line + 1;
+    return places;
   }
 
   // The line through points; it breaks where one is not a number, and is cut at the frame.
@@ -164,16 +229,14 @@ class Chart {
     return this.add("circle", { cx: this.x(x).toFixed(1), cy: at.toFixed(1), r: radius, fill: colour, stroke: this.ink.paper, "stroke-width": 1.5 });
   }
 
-  legend(rows) {
-    const length = (of) => of.reduce((sum, [text]) => sum + 33 + 6.2 * text.length, 8);
-    rows = rows.slice();
-    while (length(rows) > this.box.right - this.box.left) rows.pop();
-    let x = this.box.left + 8;
-    for (const [text, colour, dash] of rows) {
-      this.add("path", { d: `M${x} ${this.box.top - 12}h18`, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash || "" });
-      this.add("text", { x: x + 23, y: this.box.top - 8, "font-size": 11, "font-family": "system-ui, sans-serif", fill: this.ink.text }, text);
-      x += 33 + 6.2 * text.length;
-    }
+  // Each row has a text, a colour, and a dash, or else a picture of its own.
+  legend(rows, places) {
+    rows.forEach(([text, colour, dash, picture], i) => {
+      const [x, y] = [this.box.left + places[i][0], 9 + 17 * places[i][1]];
+      if (picture) this.add("image", { x, y: y - 6, width: 18, height: 12, href: picture });
+      else this.add("path", { d: `M${x} ${y}h18`, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash || "" });
+      this.add("text", { x: x + 23, y: y + 4, "font-size": 11, "font-family": "system-ui, sans-serif", fill: this.ink.text }, text);
+    });
   }
 }
 
@@ -181,8 +244,8 @@ class Chart {
 function palette() {
   const dark = document.documentElement.dataset.theme === "dark";
   return dark
-    ? { text: "#e6e6e6", grid: "#3a3f47", paper: "#1b1e23", slide: "#6cb6ff", stick: "#ffb454", border: "#c9c9c9", here: "#ff7b72", stuck: "#3d444d", odd: "#d2a8ff", second: "#a5d6a7" }
-    : { text: "#24292f", grid: "#dfe3e8", paper: "#ffffff", slide: "#0b61a4", stick: "#c65d00", border: "#444444", here: "#c1121f", stuck: "#c8cdd3", odd: "#8250df", second: "#2e7d32" };
+    ? { text: "#e6e6e6", grid: "#3a3f47", paper: "#1b1e23", slide: "#6cb6ff", stick: "#ffb454", border: "#c9c9c9", here: "#ff7b72", second: "#a5d6a7", ghost: "#8b949e" }
+    : { text: "#24292f", grid: "#dfe3e8", paper: "#ffffff", slide: "#0b61a4", stick: "#c65d00", border: "#444444", here: "#c1121f", second: "#2e7d32", ghost: "#6e7781" };
 }
 
 function saved(name, type, text) {
@@ -193,14 +256,26 @@ function saved(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-// The picture as a file of its own.
+// The picture as a file of its own, without what moves in it.
 function svgText(svg, paper) {
   const copy = svg.cloneNode(true);
   copy.setAttribute("xmlns", SVG);
+  for (const moving of copy.querySelectorAll(".cursor")) moving.remove();
   const width = svg.getAttribute("width");
   const height = svg.getAttribute("height");
   copy.insertBefore(node("rect", { width, height, fill: paper }), copy.firstChild);
   return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
+}
+
+// The index of the entry of a rising list that is nearest to a number.
+function nearest(list, x) {
+  let [low, high] = [0, list.length - 1];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (list[middle] <= x) low = middle;
+    else high = middle;
+  }
+  return Math.abs(list[low] - x) <= Math.abs(list[high] - x) ? low : high;
 }
 
 function csvText(columns) {

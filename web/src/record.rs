@@ -6,7 +6,7 @@ use stickslip::Excitation;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Entry, RecordAnswer};
-use stickslip_front::record::{Options, Reading, Words, read};
+use stickslip_front::record::{Options, Reading, Words, follows, read};
 
 /// The most points of a curve that is drawn.
 const DRAWN: f64 = 4000.0;
@@ -85,7 +85,7 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
         "velocity": column(|state| state.velocity), "rest": rests,
         "load": { "time": times, "value": samples, "unit": load_unit },
         "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity) },
-        "unused": unused,
+        "unused": unused, "channel": summary.channel, "follows": follows(&record),
         "read": summary.sentence(stickslip::words::digits),
     }))
 }

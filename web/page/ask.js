@@ -1,0 +1,161 @@
+// The questions to the workers, and the answers, which wait for the next frame.
+"use strict";
+
+// A worker with the module. Of several questions of one kind that wait, only the last is asked. A worker that is still
+// busy with an old question after a second is replaced when a new one comes.
+const PATIENCE = 1000;
+
+class Asker {
+  constructor(module) {
+    this.module = module;
+    this.waiting = new Map();
+    this.start();
+  }
+
+  start() {
+    const source = $("module-source").textContent + $("worker-source").textContent;
+    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    this.running = null;
+    this.worker = new Worker(address);
+    this.worker.postMessage({ module: this.module });
+    this.worker.onmessage = ({ data }) => {
+      URL.revokeObjectURL(address);
+      const done = this.running;
+      this.running = null;
+      // The next question runs while this answer is drawn.
+      this.next();
+      done.done(data);
+    };
+  }
+
+  ask(kind, question, done) {
+    this.waiting.delete(kind);
+    this.waiting.set(kind, { question, done });
+    if (this.running && performance.now() - this.since > PATIENCE) {
+      this.worker.terminate();
+      this.start();
+    }
+    if (!this.running) this.next();
+  }
+
+  next() {
+    for (const [kind, request] of this.waiting) {
+      this.waiting.delete(kind);
+      this.running = request;
+      this.since = performance.now();
+      this.worker.postMessage({ id: kind, question: request.question });
+      return;
+    }
+  }
+}
+
+let live = null;
+let slow = null;
+// The map has a worker of its own, which may be busy for long.
+let mapper = null;
+let settled = 0;
+let late = 0;
+
+// Asks anew whatever depends on the inputs.
+function changed(isLink = false) {
+  if (!isLink) $("note").textContent = "";
+  if (!live) return;
+  const asked = question("answer");
+  clearTimeout(late);
+  late = setTimeout(() => {
+    $("verdict").textContent = "Computing …";
+    stale(true);
+  }, 1000);
+  live.ask("answer", asked, ({ ok, error }) => later("answer", ok && { ...ok, inputs: asked.inputs, units: asked.units }, error));
+  live.ask("motion", question("motion", { from_start: $("from-start").checked }), ({ ok }) => later("motion", ok));
+  live.ask("curve", question("curve", span()), ({ ok }) => later("curve", ok));
+  soon();
+}
+
+// The range of the curve, with the present point.
+function span() {
+  const omega = shown.answer?.omega ?? 1;
+  return { from: Math.min(0.1, omega / 1.5), to: Math.max(5, 1.5 * omega), count: 240 };
+}
+
+function soon() {
+  clearTimeout(settled);
+  settled = setTimeout(still, 150);
+}
+
+// What takes longer is asked when the inputs are still.
+function still() {
+  if (tab === "one") history.replaceState(null, "", hash(embedded ? { embed: 1 } : {}));
+  const asked = JSON.stringify(question("slow"));
+  if (!shown.answer || asked === still.asked) return;
+  still.asked = asked;
+  // The curve whose range has the present point, with its peaks.
+  slow.ask("curve", question("curve", { ...span(), resolved: true }), ({ ok }) => still.asked === asked && later("curve", ok));
+  askGhost();
+  slow.ask("design", question("design"), ({ ok, error }) => showDesign(ok, error));
+  const isMany = shown.answer.static_friction_ratio > 1;
+  $("limits-section").hidden = !isMany;
+  if (isMany) {
+    $("limits-text").textContent = "Computing …";
+    $("limits").replaceChildren();
+    slow.ask("limits", question("limits", { count: 64 }), ({ ok, error }) => {
+      // The inputs may have changed meanwhile.
+      if (still.asked === asked) showLimits(ok, error);
+    });
+  }
+  if (record) askRecord();
+  askMap();
+}
+
+// Answers wait for the next frame, and are drawn there.
+const drawn = new Map();
+let frame = 0;
+
+function later(kind, ok, error) {
+  drawn.set(kind, [ok, error]);
+  if (!frame) frame = requestAnimationFrame(draw);
+}
+
+// Dims what belongs to other inputs than those of now.
+function stale(on) {
+  for (const section of document.querySelectorAll("#one section")) section.classList.toggle("stale", on && !section.contains($("error")) && !section.contains($("drop")));
+}
+
+function draw() {
+  frame = 0;
+  const all = [...drawn];
+  drawn.clear();
+  for (const [kind, [ok, error]] of all) {
+    if (kind === "answer") {
+      clearTimeout(late);
+      failed(error);
+    }
+    if (ok === undefined) continue;
+    shown[kind] = ok;
+    // The slow questions depend on the answer, which may be late.
+    if (kind === "answer") soon();
+    ({ answer: showAnswer, motion: showMotion, curve: showCurve, map: showMap })[kind](ok);
+  }
+}
+
+// Says what is wrong with an input, and leaves no number of another machine.
+function failed(error) {
+  const isFailed = error !== undefined;
+  $("error").textContent = isFailed ? error : "";
+  document.body.classList.toggle("failed", isFailed);
+  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed;
+  for (const typed of document.querySelectorAll("[data-input]")) {
+    const name = label(typed.dataset.input);
+    const isNamed = isFailed && error.startsWith(name);
+    if (isNamed) typed.setAttribute("aria-invalid", "true");
+    else typed.removeAttribute("aria-invalid");
+  }
+  stale(isFailed);
+  if (!isFailed) return;
+  for (const id of ["key", "all"]) $(id).replaceChildren();
+  for (const id of ["verdict", "notes", "bar-text", "map-here"]) $(id).textContent = "";
+  $("bar-text").textContent = error;
+  $("limits-section").hidden = true;
+  shown.answer = undefined;
+  still.asked = "";
+}

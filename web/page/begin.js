@@ -1,0 +1,229 @@
+// Presets, links, downloads, themes, and the beginning.
+"use strict";
+
+let tab = "one";
+let embedded = false;
+
+function show(name) {
+  tab = name;
+  for (const own of ["one", "two"]) {
+    $(own).hidden = own !== name;
+    $(`tab-${own}`).setAttribute("aria-selected", String(own === name));
+    $(`tab-${own}`).tabIndex = own === name ? 0 : -1;
+  }
+  $("bar").hidden = name !== "one";
+  if (name === "two") {
+    changedSystem();
+    placeSystem(0);
+  } else redraw();
+}
+
+for (const own of ["one", "two"]) {
+  $(`tab-${own}`).onclick = () => {
+    show(own);
+    history.replaceState(null, "", own === "two" ? systemHash() : hash());
+  };
+  $(`tab-${own}`).onkeydown = (event) => {
+    if (!["ArrowLeft", "ArrowRight"].includes(event.key)) return;
+    const other = own === "one" ? "two" : "one";
+    $(`tab-${other}`).click();
+    $(`tab-${other}`).focus();
+  };
+}
+
+for (const [name, [words, link, about]] of Object.entries(PRESETS)) {
+  const button = Object.assign(document.createElement("button"), { type: "button", textContent: words, title: about });
+  button.dataset.preset = name;
+  button.onclick = () => {
+    remember();
+    from(link);
+    fields();
+    $("about").textContent = about;
+    changed();
+    remember();
+  };
+  $("presets").append(button, " ");
+}
+for (const [words, changes] of Object.values(SYSTEM_PRESETS)) {
+  const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
+  button.onclick = () => {
+    two = { ...BASE_SYSTEM, ...changes };
+    systemFields();
+    changedSystem();
+  };
+  $("system-presets").append(button, " ");
+}
+
+$("mode").onchange = () => changeMode($("mode").value);
+$("units").oninput = () => {
+  state.units = $("units").value;
+  changed();
+};
+$("units").onchange = remember;
+for (const form of document.querySelectorAll("form")) form.onsubmit = (event) => event.preventDefault();
+$("undo").onclick = () => step(past, future);
+$("redo").onclick = () => step(future, past);
+$("reset").onclick = () => {
+  remember();
+  [state, chosen] = [{ ...START }, {}];
+  back.clear();
+  fields();
+  changed();
+  remember();
+};
+addEventListener("keydown", (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || tab !== "one" || /^(text|)$/.test(event.target.type ?? "no")) return;
+  event.preventDefault();
+  if (event.shiftKey) step(future, past);
+  else step(past, future);
+});
+
+// ---- links
+
+// A page that was opened from a file has no address for others: they have the file.
+const address = (tail) => (location.protocol === "file:" ? `stickslip.html${tail}` : `${location.href.split("#")[0]}${tail}`);
+
+async function copied(button, text) {
+  const words = button.textContent;
+  try {
+    await navigator.clipboard.writeText(text);
+    button.textContent = "Copied";
+  } catch {
+    button.textContent = "Not allowed";
+  }
+  setTimeout(() => (button.textContent = words), 1500);
+}
+
+const currentHash = (more) => (tab === "two" ? systemHash() : hash(more));
+$("link").onclick = () => {
+  history.replaceState(null, "", currentHash());
+  copied($("link"), address(currentHash()));
+};
+$("embed").onclick = () => copied($("embed"), `<iframe src="${address(hash({ embed: 1 })).replaceAll("&", "&amp;")}" width="760" height="620" style="border:0" title="stickslip"></iframe>`);
+$("copy-command").onclick = () => copied($("copy-command"), commandLine());
+
+addEventListener("hashchange", () => {
+  if (location.hash === currentHash()) return;
+  if (systemFromHash(location.hash.slice(1))) {
+    systemFields();
+    show("two");
+    return;
+  }
+  remember();
+  from(location.hash.slice(1));
+  if (tab !== "one") show("one");
+  fields();
+  changed(true);
+  remember();
+});
+
+// ---- downloads
+
+const FILES = {
+  curve: [["curve"], () => ({ [`frequency[${state.mode === "machine" ? "Hz" : "1"}]`]: shown.curve.frequency, [`displacement[${shown.curve.unit}]`]: shown.curve.displacement, regime: shown.curve.regime, [`border[${shown.curve.unit}]`]: shown.curve.border, point: shown.curve.point })],
+  motion: [["displacement", "velocity", "friction", "loop", "phase"], () => Object.fromEntries(["time", "displacement", "velocity", "friction", "load"].map((name) => [`${name}[${shown.motion.units[name] ?? shown.motion.units.friction}]`, shown.motion[name]]))],
+  map: [["map"], () => {
+    const { omega, alpha, width, height, stops } = shown.map;
+    const [omegas, alphas] = [centres(width, omega), centres(height, alpha)];
+    return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((own) => omegas.map(() => own)), sticks_per_cycle: stops.map((n) => (n < 0 ? NAMED[n] : n)) };
+  }],
+  record: [["load", "shaken", "speed", "spectrum"], () => ({ "time[s]": shown.record.time, [`displacement[${shown.record.units.displacement}]`]: shown.record.displacement, [`velocity[${shown.record.units.velocity}]`]: shown.record.velocity })],
+};
+
+// Draws in the light theme, so that a file prints in black, and comes back to the theme that was.
+function inLight(then) {
+  const was = document.documentElement.dataset.theme;
+  document.documentElement.dataset.theme = "light";
+  drawAll();
+  then();
+  document.documentElement.dataset.theme = was;
+  drawAll();
+}
+
+for (const host of document.querySelectorAll(".files")) {
+  const [names, columns] = FILES[host.dataset.of];
+  const csv = Object.assign(document.createElement("button"), { type: "button", textContent: "CSV", onclick: () => saved(`stickslip-${host.dataset.of}.csv`, "text/csv", csvText(columns())) });
+  csv.setAttribute("aria-label", `${host.dataset.of} as CSV`);
+  const svg = Object.assign(document.createElement("button"), { type: "button", textContent: "SVG", onclick: () => inLight(() => names.forEach((name) => saved(`stickslip-${name}.svg`, "image/svg+xml", svgText(charts[name].svg, palette().paper)))) });
+  svg.setAttribute("aria-label", `${host.dataset.of} as SVG`);
+  host.append(csv, " ", svg);
+}
+
+// ---- theme, size, print, begin
+
+function theme(name) {
+  document.documentElement.dataset.theme = name;
+  $("theme").textContent = name === "dark" ? "Light" : "Dark";
+  $("theme").setAttribute("aria-pressed", String(name === "dark"));
+  try {
+    localStorage.setItem("theme", name);
+  } catch {
+    // A page from a file may have no storage.
+  }
+  redraw();
+}
+
+const DRAWERS = () => ({ answer: showAnswer, motion: showMotion, curve: showCurve, map: showMap });
+
+// Draws all that is shown at once.
+function drawAll() {
+  if (tab === "one") {
+    for (const [kind, show] of Object.entries(DRAWERS())) if (shown[kind]) show(shown[kind]);
+    if (shown.record && !$("record-shown").hidden) showRecord(shown.record);
+    if (shown.spectrum && !$("record-shown").hidden) showSpectrum(shown.spectrum);
+  } else {
+    if (twoAnswer) showSystem(twoAnswer);
+    if (shown.systemCurve) showSystemCurve(shown.systemCurve);
+  }
+}
+
+const redraw = () => requestAnimationFrame(drawAll);
+
+$("theme").onclick = () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+let width = innerWidth;
+addEventListener("resize", () => {
+  if (innerWidth !== width) redraw();
+  width = innerWidth;
+});
+let printed = null;
+addEventListener("beforeprint", () => {
+  printed = document.documentElement.dataset.theme;
+  document.documentElement.dataset.theme = "light";
+  drawAll();
+});
+addEventListener("afterprint", () => {
+  document.documentElement.dataset.theme = printed;
+  drawAll();
+});
+
+async function begin() {
+  const text = location.hash.slice(1);
+  embedded = new URLSearchParams(text).has("embed");
+  document.body.classList.toggle("embedded", embedded);
+  from(text);
+  present = snapshot();
+  history_buttons();
+  fields();
+  const isTwo = systemFromHash(text);
+  systemFields();
+  let kept = null;
+  try {
+    kept = localStorage.getItem("theme");
+  } catch {
+    // As above.
+  }
+  theme(kept || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+  try {
+    const module = await WebAssembly.compile(await unpacked($("wasm").textContent.trim()));
+    [live, slow, mapper] = [new Asker(module), new Asker(module), new Asker(module)];
+  } catch (error) {
+    $("error").textContent = `This browser cannot run the page: ${error.message}`;
+    return;
+  }
+  if (isTwo) show("two");
+  changed(true);
+  if (playing) requestAnimationFrame(animate);
+  else play(false);
+}
+
+begin();

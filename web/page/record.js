@@ -1,0 +1,189 @@
+// A record as the load: its file with the first lines, and the motion under it on one time axis.
+"use strict";
+
+let record = null;
+
+// A record to try: a shake that grows and dies away.
+function sampleRecord() {
+  const rows = Array.from({ length: 1501 }, (_, i) => {
+    const t = i / 100;
+    return `${t.toFixed(2)};${(0.3 * Math.exp(-(((t - 6) / 3) ** 2)) * Math.sin(12 * t) * Math.cos(2 * t)).toFixed(6)}`;
+  });
+  return `Time (s);Acc (g)\n${rows.join("\n")}\n`;
+}
+
+function take(name, text) {
+  record = { name, text };
+  $("record-name").textContent = name;
+  // The first lines, as they are, without what no screen shows.
+  const lines = text.slice(0, 4000).split(/\r?\n/).slice(0, 8);
+  $("record-preview").textContent = lines.map((line) => line.replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\ufffd]/g, "·").slice(0, 120)).join("\n");
+  $("record-preview").hidden = false;
+  const rows = text.slice(0, 20000).split(/\r?\n/).filter((line) => /\d.*\d/.test(line));
+  const last = rows.at(Math.min(rows.length - 2, 30)) || "";
+  const sign = last.includes(";") ? "semicolons" : last.includes("\t") ? "tabs" : last.includes(",") ? "commas" : "blanks";
+  record.sign = sign;
+  $("columns").replaceChildren();
+  askRecord();
+}
+
+function askRecord() {
+  $("record-fields").hidden = false;
+  if (state.mode !== "machine") {
+    $("record-error").textContent = "A record needs a machine in units, with its mass: choose “a machine” above.";
+    $("record-shown").hidden = true;
+    return;
+  }
+  const more = { text: record.text, name: record.name, time_step: $("step").value, column: $("column").value, record_units: $("record-units").value };
+  slow.ask("record", question("record", more), ({ ok, error }) => {
+    $("record-error").textContent = error ?? "";
+    $("record-shown").hidden = error !== undefined;
+    $("record-read").textContent = ok ? `${ok.read} ${ok.follows}${ok.read.startsWith("Record (columns") ? ` Columns are separated by ${record.sign}.` : ""}${ok.unused.length ? ` Columns not used: ${ok.unused.join(", ")}.` : ""}` : "";
+    for (const [id, name] of [["step", "Time step"], ["column", "Column"], ["record-units", "Unit"]]) {
+      if (error !== undefined && error.includes(`the field ${name}`)) $(id).setAttribute("aria-invalid", "true");
+      else $(id).removeAttribute("aria-invalid");
+    }
+    if (ok) {
+      const names = [...(ok.channel ? [ok.channel] : []), ...ok.unused];
+      if (names.length > $("columns").children.length) $("columns").replaceChildren(...names.map((name) => new Option(name)));
+      shown.record = { ...ok, most: largest(ok.displacement) };
+      showRecord(shown.record);
+    }
+  });
+  const periods = Array.from({ length: 60 }, (_, i) => 0.05 * 100 ** (i / 59));
+  slow.ask("spectrum", question("spectrum", { ...more, periods }), ({ ok }) => {
+    if (ok) {
+      shown.spectrum = ok;
+      showSpectrum(ok);
+    }
+  });
+}
+
+const RECORD_KEY = ["max_displacement", "min_displacement", "residual_displacement", "max_absolute_acceleration", "max_transmitted_force", "slides", "stops", "reversals", "stick_time", "friction_work"];
+
+function showRecord(found) {
+  const { load, shaken, speed } = charts;
+  const axis = [Math.min(found.load.time[0], found.time[0]), Math.max(found.time.at(-1), found.load.time.at(-1))];
+  const rows = [[load, found.load.time, fitted(found.load.value, found.load.unit), "load"], [shaken, found.time, fitted(found.displacement, found.units.displacement), "displacement"], [speed, found.time, fitted(found.velocity, found.units.velocity), "velocity"]];
+  rows.forEach(([chart, times, { values, unit }, words], i) => {
+    chart.begin({ x: axis, y: range(values), xlabel: i === 2 ? "time (s)" : "", ylabel: `${words} (${unit})` });
+    if (chart === load) chart.line(times, values, chart.ink.second, { width: 1.2 });
+    else withRests(chart, times, values, found.rest);
+    cursor(chart, times, values);
+    chart.cursor.setAttribute("cx", -20);
+    chart.read = (x) => {
+      const at = nearest(times, x);
+      return { x: times[at], text: `${four(times[at])} s: ${four(values[at])} ${unit}${chart !== load && found.rest[at] ? ", at rest" : ""}` };
+    };
+  });
+  if (!playingRecord) recordSketch(found, 0);
+  const value = (name) => found.values.find((row) => row.name === name)?.value;
+  const [slides, rest] = [value("slides"), value("residual_displacement")];
+  const times = slides === 1 ? "once" : `${slides} times`;
+  const isFrictionless = isZero(state[inRole(ROLES.machine[2])]);
+  $("record-verdict").textContent = slides === 0 ? "The body rests throughout."
+    : rest === null || rest === undefined ? `The body slides ${times}, and never comes to rest; its motion is cut at ${readable(value("cut_time"), "s")}.`
+      : `The body slides ${times}, and ${isFrictionless ? "its vibration dies away" : "comes to rest"} at ${readable(rest, found.units.displacement)}.`;
+  const list = $("record-values");
+  list.replaceChildren();
+  for (const { name, value, unit } of found.values) if (RECORD_KEY.includes(name) && value !== null) entry(list, label(name), readable(value, unit), `${value} ${unit}`);
+}
+
+function showSpectrum(found) {
+  const chart = charts.spectrum;
+  const most = found.answers.max_displacement.map((x, i) => Math.max(Math.abs(x), Math.abs(found.answers.min_displacement[i])));
+  const { values, unit } = fitted(most, found.unit);
+  const positive = values.filter((x) => x > 0);
+  chart.begin({
+    x: [found.periods[0], found.periods.at(-1)], y: positive.length ? [Math.min(...positive) / 1.4, Math.max(...positive) * 1.4] : [0.1, 1],
+    xlog: true, ylog: true, xlabel: "natural period (s)", ylabel: `peak displacement (${unit})`,
+  });
+  chart.line(found.periods, values, chart.ink.slide);
+  chart.read = (x) => {
+    const i = nearest(found.periods, x);
+    return { x: found.periods[i], text: `${four(found.periods[i])} s: ${four(values[i])} ${unit}` };
+  };
+}
+
+// ---- the record plays in its own time, stops, and begins anew where it is to be repeated
+
+let recordTime = 0;
+
+function recordAt(time) {
+  const found = shown.record;
+  const i = nearest(found.time, time);
+  charts.shaken.put(i);
+  charts.speed.put(i);
+  if (time <= found.load.time.at(-1)) charts.load.put(nearest(found.load.time, time));
+  recordSketch(found, i);
+}
+
+// The body of the record's motion, in a sketch of its own.
+const recordBar = (() => {
+  const svg = node("svg", { viewBox: "0 0 520 34", "aria-hidden": "true", height: 34, width: "100%" });
+  const floor = node("path", { d: "M10 30H510M260 24v6", fill: "none", "stroke-width": 1.5 });
+  const body = node("rect", { y: 6, width: 36, height: 22, rx: 3 });
+  svg.append(floor, body);
+  $("record-body").append(svg);
+  return { floor, body };
+})();
+
+function recordSketch(found, i) {
+  const ink = palette();
+  recordBar.floor.setAttribute("stroke", ink.border);
+  recordBar.body.setAttribute("x", 242 + (found.most ? (220 * found.displacement[i]) / found.most : 0));
+  recordBar.body.setAttribute("fill", found.rest[i] ? ink.stick : ink.slide);
+}
+
+function playRecord(on) {
+  playingRecord = on;
+  $("play-record").textContent = on ? "Pause" : "Play";
+  $("play-record").setAttribute("aria-pressed", String(on));
+  if (!on) return;
+  const [begin, end] = [shown.record.time[0], shown.record.time.at(-1)];
+  if (recordTime >= end || recordTime < begin) recordTime = begin;
+  let before = performance.now();
+  const step = (now) => {
+    if (!playingRecord || $("record-shown").hidden) {
+      playRecord(false);
+      return;
+    }
+    recordTime += (now - before) / 1000;
+    before = now;
+    if (recordTime > end) {
+      if (!$("repeat").checked) {
+        recordAt(end);
+        playRecord(false);
+        return;
+      }
+      recordTime = begin;
+    }
+    recordAt(recordTime);
+    requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+}
+
+$("play-record").onclick = () => playRecord(!playingRecord);
+$("file").onchange = async () => {
+  const [file] = $("file").files;
+  if (!file) return;
+  take(file.name, await file.text());
+  // So that the same file can be chosen again after a change.
+  $("file").value = "";
+};
+$("sample").onclick = () => take("sample.csv", sampleRecord());
+for (const id of ["step", "column", "record-units"]) $(id).oninput = () => record && askRecord();
+document.body.addEventListener("dragover", (event) => {
+  event.preventDefault();
+  $("drop").classList.add("over");
+});
+document.body.addEventListener("dragleave", () => $("drop").classList.remove("over"));
+document.body.addEventListener("drop", async (event) => {
+  event.preventDefault();
+  $("drop").classList.remove("over");
+  const [file] = event.dataTransfer.files;
+  if (!file) return;
+  show("one");
+  take(file.name, await file.text());
+});
