@@ -189,7 +189,8 @@ fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<
     scaled(&scaled(&coupling).pseudo_inverse())
 }
 
-/// The spectral radius of the leading part of a matrix of numbers ≥ 0, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64.
+/// The spectral radius of the leading part of a matrix of numbers ≥ 0, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64. It sets
+/// the steps, so that its logarithm must be the same on every processor: that of libm.
 fn spectral_radius<F: Float>(sizes: &Matrix<F>, free: usize) -> f64 {
     let rows: Vec<Vec<f64>> =
         sizes.rows().take(free).map(|r| r.iter().take(free).map(|x| x.to_f64()).collect()).collect();
@@ -200,10 +201,10 @@ fn spectral_radius<F: Float>(sizes: &Matrix<F>, free: usize) -> f64 {
         if largest <= 0.0 {
             return 0.0;
         }
-        log += num_traits::Float::ln(largest) / exponent;
+        log += libm::log(largest) / exponent;
         let scaled = power.map(|x| x / largest);
         power = scaled.times(&scaled);
         exponent *= 2.0;
     }
-    num_traits::Float::exp(log)
+    libm::exp(log)
 }

@@ -29,19 +29,20 @@ function askMap() {
   const key = JSON.stringify([omega, alpha, same]);
   if (key === mapOf) return;
   mapOf = key;
-  const [omegas, alphas] = [centres(ACROSS, omega), centres(UP, alpha)];
   // The border has poles, and needs more points than the colours.
   const border = centres(1000, omega);
   $("map-note").textContent = shown.map ? "" : "Computing …";
   charts.map.host.classList.add("stale");
-  mapper.ask("map", { ...same, omegas, alphas, border, periods: FEW }, ({ ok }) => {
-    if (key !== mapOf) return;
+  const cells = Array.from({ length: ACROSS * UP }, (_, cell) => cell);
+  // Every eighth row first, then those between.
+  const row = (cell) => Math.floor(cell / ACROSS);
+  const turn = (cell) => [0, 4, 2, 6, 1, 5, 3, 7].indexOf(row(cell) % 8);
+  cells.sort((a, b) => turn(a) - turn(b) || a - b);
+  const grid = { omega, alpha, key, same, width: ACROSS, height: UP, places: border, border: [], stops: new Array(ACROSS * UP).fill(OPEN), open: new Set(cells) };
+  answerCells(grid, cells, FEW, () => {
     charts.map.host.classList.remove("stale");
     $("map-note").textContent = "";
-    if (!ok) return;
-    const grid = { omega, alpha, key, same, width: ACROSS, height: UP, places: border, border: ok.border, stops: ok.stops };
-    later("map", grid);
-    refine(grid);
+    refine({ ...grid, open: undefined });
   });
 }
 
@@ -61,6 +62,7 @@ function refine(grid) {
     }
   }
   const fine = { ...grid, width, height, stops };
+  // The rough cells that the first periods left open stay so for now.
   answerCells(fine, asked, FEW, () => {
     const open = fine.stops.flatMap((n, cell) => (n === -2 || n === -3 ? [cell] : []));
     fine.open = new Set(open);
@@ -74,15 +76,17 @@ function refine(grid) {
 
 // Asks some cells in parts, as long as the map is of the same machine, and draws what is there.
 function answerCells(grid, cells, periods, done) {
-  const part = cells.slice(0, periods ? 4000 : MANY);
+  const part = cells.slice(0, periods ? (grid.same.static_friction_ratio > 1 ? 800 : 6200) : MANY);
   if (grid.key !== mapOf) return;
   if (!part.length) {
     done();
     return;
   }
+  const isFirst = !grid.border.length;
   const points = part.flatMap((cell) => [(((cell % grid.width) + 0.5) / grid.width) * grid.omega, ((Math.floor(cell / grid.width) + 0.5) / grid.height) * grid.alpha]);
-  mapper.ask("map", { ...grid.same, points, ...(periods ? { periods } : {}) }, ({ ok }) => {
+  mapper.ask("map", { ...grid.same, points, ...(isFirst ? { border: grid.places } : {}), ...(periods ? { periods } : {}) }, ({ ok }) => {
     if (grid.key !== mapOf) return;
+    if (isFirst) grid.border = ok?.border ?? grid.places.map(() => null);
     part.forEach((cell, i) => {
       grid.stops[cell] = ok ? ok.stops[i] : -4;
       grid.open?.delete(cell);

@@ -148,7 +148,7 @@ test("curves, maps and limits are those of the command", () => {
       assert.equal(map.border[i], JSON.parse(run("border", "--omega", String(omega), "--damping-ratio", String(zeta), "--format", "json")).min_force_ratio);
     });
   }
-  assert.ok(points > 250, String(points));
+  assert.ok(points > 230, String(points));
   for (const [omega, alpha, zeta, eta] of [[0.5, 4, 0.02, 1.3], [0.5, 4, 0, 5], [0.3, 1.2, 0, 1.5], [2, 3, 0.1, 1.8], [1.2, 8, 0.01, 2]]) {
     const inputs = { omega: String(omega), alpha: String(alpha), damping_ratio: String(zeta), static_friction_ratio: String(eta) };
     const options = Object.entries(inputs).flatMap(([name, value]) => [`--${name.replaceAll("_", "-")}`, value]);
@@ -163,6 +163,99 @@ test("curves, maps and limits are those of the command", () => {
       assert.equal(row.mirror === null ? null : row.mirror + 1, own.mirror);
     });
   }
+});
+
+test("a curve is resolved where the command resolves it", (t) => {
+  let [peaks, onsets, most] = [0, 0, 0];
+  const machines = [
+    [{ omega: "0.7", alpha: "1.3", damping_ratio: "0.002" }, [0.2, 3]], [{ omega: "0.7", alpha: "4", damping_ratio: "0" }, [0.1, 5]],
+    [{ omega: "0.7", alpha: "20", damping_ratio: "0.01" }, [0.1, 5]], [{ omega: "0.7", alpha: "1.2", damping_ratio: "0.01", static_friction_ratio: "1.1" }, [0.2, 3]],
+    [{ mass: "53.27", stiffness: "86.8", friction: "1.263", damping: "2.72", damped_foot_displacement: "0.0873", frequency: "1" }, [0.05, 3]],
+    [{ mass: "800", stiffness: "6525", friction: "392", damping: "40", base_displacement: "0.01", frequency: "12" }, [0.1, 8]],
+  ];
+  for (const [inputs, [from, to]] of machines) {
+    const plain = ask({ ask: "curve", inputs, from, to, count: 40 });
+    const found = ask({ ask: "curve", inputs, omegas: plain.omega, from, to, resolved: true });
+    const given = Object.entries(inputs).filter(([name]) => name !== "frequency" && name !== "omega");
+    const options = given.flatMap(([name, value]) => [`--${name.replaceAll("_", "-")}`, value]);
+    const isMachine = "mass" in inputs;
+    const natural = 2 * Math.PI * found.natural;
+    const axis = isMachine ? ["--frequency", `${from * natural}:${to * natural}:40:log`] : ["--omega", `${from}:${to}:40:log`];
+    const ran = spawnSync(command, ["response-curve", "displacement", ...axis, ...options], { encoding: "utf8" });
+    assert.equal(ran.status, 0, ran.stderr);
+    const rows = ran.stdout.trimEnd().split("\n").slice(1).map((line) => line.split(","));
+    const scale = isMachine ? 1 : Number(inputs.alpha);
+    const of = (name) => rows.filter((row) => row[5] === name).map((row) => [isMachine ? Number(row[1]) / found.natural : Number(row[1]), row[3] === "" ? Infinity : Number(row[3]) * scale]);
+    const own = (name) => found.omega.flatMap((omega, i) => (found.point[i] === name ? [[omega, found.displacement[i] ?? Infinity]] : []));
+    for (const name of ["peak", "onset"]) {
+      const [due, here] = [of(name), own(name)];
+      assert.equal(here.length, due.length, `${name} of ${JSON.stringify(inputs)}`);
+      due.forEach(([omega, value], i) => {
+        // The place of a smooth maximum is known to the root of its height's rounding.
+        assert.ok(Math.abs(here[i][0] / omega - 1) < 1e-4, `${name} ${omega} ${here[i][0]}`);
+        if (Number.isFinite(value) && value > 0) {
+          const off = Math.abs(here[i][1] / value - 1);
+          // A value at an onset is that of a neighbouring number; a peak agrees to the search's tolerance.
+          if (name === "peak") most = Math.max(most, off);
+          assert.ok(off < (name === "peak" ? 1e-8 : 1e-3), `${name} ${value} ${here[i][1]}`);
+        }
+        if (name === "peak") peaks += 1;
+        else onsets += 1;
+      });
+    }
+  }
+  assert.ok(peaks > 8 && onsets >= 2, `${peaks} ${onsets}`);
+  t.diagnostic(`${peaks} peaks and ${onsets} onsets; heights agree to ${most}`);
+});
+
+test("friction of 0, a force of 0 and a start are ordinary", () => {
+  const run = (name, inputs, ...more) => {
+    const options = Object.entries(inputs).flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text.replaceAll(" ", "")]);
+    const ran = spawnSync(command, [name, ...options, "--units", "kN,m", ...more], { encoding: "utf8" });
+    assert.equal(ran.status, 0, ran.stderr);
+    return ran.stdout;
+  };
+  const base = { mass: "50 t", stiffness: "1000 kN/m", friction: "5 kN", damping_ratio: "2 %", force: "12 kN", frequency: "1 Hz" };
+  let values = 0;
+  for (const change of [{ friction: "0" }, { friction: "0", frequency: "0.7 Hz" }, { x0: "30 mm" }, { x0: "30 mm", v0: "1 m/s", static_friction_ratio: "1.6" }, { static_friction_ratio: "2.2", v0: "0.2 m/s", frequency: "0.5 Hz" }]) {
+    const inputs = { ...base, ...change };
+    const due = JSON.parse(run("steady", inputs, "--format", "json"));
+    const found = ask({ ask: "answer", inputs, units: "kN,m" });
+    assert.equal(found.is_frictionless, change.friction === "0");
+    for (const { name, value, physical } of found.steady.values) {
+      assert.deepEqual(value, due[name], `${JSON.stringify(change)} ${name}`);
+      if (physical) assert.deepEqual(physical.value, due.physical[physical.name]);
+      values += 1;
+    }
+  }
+  assert.ok(values > 150, String(values));
+  // Without friction the motion is the linear oscillator's: p₀/k over the hypotenuse of 1 − Ω² and 2ζΩ.
+  const linear = ask({ ask: "answer", inputs: { ...base, friction: "0" }, units: "kN,m" });
+  const omega = 2 * Math.PI / Math.sqrt(1000 / 50);
+  const due = 12 / 1000 / Math.hypot(1 - omega ** 2, 2 * 0.02 * omega);
+  const peak = linear.steady.values.find(({ name }) => name === "max_displacement").physical.value;
+  assert.ok(Math.abs(peak / due - 1) < 1e-14, `${peak} ${due}`);
+  // A free vibration comes to rest where the command says.
+  const free = { mass: "2 kg", stiffness: "1.5 N/mm", friction: "1 N", damping_ratio: "1 %", x0: "12 mm" };
+  const decay = JSON.parse(run("decay", free, "--format", "json"));
+  const rest = ask({ ask: "answer", inputs: { ...free, force: "0", frequency: "4 Hz" }, units: "kN,m" });
+  assert.ok(rest.is_free && rest.place === -1);
+  const place = rest.steady.values.find(({ name }) => name === "max_displacement").physical.value;
+  assert.ok(Math.abs(place / decay.physical.rest_position - 1) < 1e-12, `${place} ${JSON.stringify(decay)}`);
+  assert.match(rest.steady.verdict, new RegExp(`after ${decay.half_cycles} slides`));
+  // The motion begins at its start, and ends at this rest.
+  const motion = ask({ ask: "motion", inputs: { ...free, force: "0", frequency: "4 Hz" }, units: "kN,m" });
+  assert.equal(motion.displacement[0], 0.012);
+  assert.equal(motion.displacement.at(-1), place);
+  assert.ok(motion.rest.at(-1) && motion.load.every((x) => x === 0));
+  // Neither friction nor a force: the vibration is a cosine that the damper lets die away.
+  const bare = ask({ ask: "motion", inputs: { mass: "2 kg", stiffness: "1.5 N/mm", friction: "0", damping_ratio: "1 %", force: "0", frequency: "4 Hz", x0: "12 mm" }, units: "kN,m" });
+  const [w, z] = [Math.sqrt(1500 / 2), 0.01];
+  const d = w * Math.sqrt(1 - z * z);
+  bare.time.slice(0, 400).forEach((t, i) => {
+    const x = 0.012 * Math.exp(-z * w * t) * (Math.cos(d * t) + (z / Math.sqrt(1 - z * z)) * Math.sin(d * t));
+    assert.ok(Math.abs(bare.displacement[i] - x) < 1e-14, `${t} ${bare.displacement[i]} ${x}`);
+  });
 });
 
 test("a record is followed as the command follows it", () => {

@@ -2,7 +2,7 @@
 // or without.
 
 // A number in [0, 1) by its place (SplitMix, 32 bits).
-function random(seed) {
+export function random(seed) {
   let state = seed >>> 0;
   return () => {
     state = (state + 0x9e3779b9) >>> 0;

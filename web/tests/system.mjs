@@ -1,0 +1,101 @@
+// Two masses in the module against the command at $STICKSLIP_COMMAND: every number at $STICKSLIP_SYSTEMS random systems
+// (1,000), digit for digit.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test from "node:test";
+import { random } from "./machines.mjs";
+import { asker } from "./module.mjs";
+
+const command = process.env.STICKSLIP_COMMAND || "stickslip";
+const count = Number(process.env.STICKSLIP_SYSTEMS || 1000);
+const ask = await asker();
+const folder = mkdtempSync(join(tmpdir(), "stickslip-system-"));
+test.after(() => rmSync(folder, { recursive: true }));
+
+// The description that the page writes.
+const source = readFileSync(new URL("../page/system.js", import.meta.url), "utf8");
+const body = /function systemText\(of = two\) {[^]*?\n}\n/.exec(source)[0];
+const zero = (text) => Number.parseFloat(text) === 0;
+const systemText = new Function("two", "isZero", `${body}; return systemText;`)({}, zero);
+
+function run(words) {
+  const ran = spawnSync(command, words, { encoding: "utf8", maxBuffer: 1 << 28 });
+  return ran.status === 0 ? ran.stdout : `error ${ran.stderr}`;
+}
+
+test("two masses are those of the command", (t) => {
+  const next = random(7);
+  const between = (low, high) => Number((low * (high / low) ** next()).toPrecision(6));
+  const some = (part, text) => (next() < part ? text() : "");
+  let [numbers, steady, borders, kinds] = [0, 0, 0, new Map()];
+  for (let i = 0; i < count; i++) {
+    const force = next() < 0.7;
+    const of = {
+      units: "N,mm", m1: `${between(50, 5000)} kg`, m2: `${between(50, 5000)} kg`, k1: some(0.85, () => `${between(20, 2000)} N/mm`), k2: `${between(20, 2000)} N/mm`,
+      c1: some(0.7, () => `${between(0.02, 5)} N*s/mm`), c2: `${between(0.02, 5)} N*s/mm`, contact: ["ground,lower", "lower,upper", "ground,upper"][Math.floor(3 * next())],
+      friction: `${between(20, 2000)} N`, elastic: some(0.3, () => `${between(50, 5000)} N/mm`), peak: "", stop: ["lower,upper", "ground,lower"][Math.floor(2 * next())],
+      gap: some(0.25, () => `${between(0.1, 5)} mm`), stop_stiffness: `${between(500, 20000)} N/mm`, load: force ? ["lower", "upper"][Math.floor(2 * next())] : "base",
+      amplitude: force ? `${between(100, 5000)} N` : `${between(0.02, 0.5)} g`, frequency: `${between(0.5, 12)} Hz`,
+    };
+    if (!of.elastic && next() < 0.25) of.peak = String(between(1.01, 1.8));
+    const text = systemText(of);
+    const file = join(folder, "two.toml");
+    writeFileSync(file, text);
+    const due = run(["system", file, "steady", "--format", "json"]);
+    let found;
+    try {
+      found = ask({ ask: "system", text, count: 3 });
+    } catch (error) {
+      assert.ok(due.startsWith("error") && due.includes(error.message.replace(/^system/, "").slice(0, 40)), `${error.message}\n${due}\n${text}`);
+      continue;
+    }
+    const own = JSON.parse(due);
+    assert.deepEqual(found.motion, own, text);
+    kinds.set(own.kind, (kinds.get(own.kind) || 0) + 1);
+    numbers += 4 * own.coordinates.length + 3 * own.elements.length + 2 * own.events.length + 2 * (own.multipliers?.length || 0) + 8;
+    steady += 1;
+    if (i % 10 === 0) {
+      assert.ok(run(["system", file, "steady"]).startsWith(found.verdict), found.verdict);
+      const border = run(["system", file, "border", "--format", "json"]);
+      if (found.border === null) assert.ok(border.startsWith("error"), border);
+      else {
+        assert.deepEqual(found.border, JSON.parse(border), text);
+        assert.ok(run(["system", file, "border"]).startsWith(found.border_verdict));
+        borders += 1;
+      }
+    }
+  }
+  assert.ok(steady > 0.9 * count, `${steady} of ${count}`);
+  assert.ok(borders > count / 40, String(borders));
+  t.diagnostic(`${numbers} numbers of ${steady} systems, ${borders} borders; ${[...kinds].map(([kind, n]) => `${kind}: ${n}`).join(", ")}`);
+});
+
+test("a curve of two masses is that of the command", () => {
+  const text = 'units = "kN,mm"\nmasses = { first = "20 t", second = "20 t" }\n[[springs]]\nbetween = ["ground", "first"]\nstiffness = "20 kN/mm"\ndamping = "0.02 kN*s/mm"\n[[springs]]\nbetween = ["first", "second"]\nstiffness = "20 kN/mm"\n[[contacts]]\nname = "damper"\nbetween = ["first", "second"]\nfriction = "100 kN"\nstiffness = "40 kN/mm"\n[base]\nacceleration = { amplitude = "0.2 g", frequency = "3 Hz" }\n';
+  const file = join(folder, "curve.toml");
+  writeFileSync(file, text);
+  const rows = run(["system", file, "curve", "--frequency", "2Hz:5Hz:13"]).trimEnd().split("\n").map((line) => line.split(","));
+  const column = (name) => rows[0].indexOf(name);
+  const found = ask({ ask: "system-curve", text, frequencies: rows.slice(1).map((row) => Number(row[0])) });
+  assert.equal(found.frequency.length, 13);
+  found.coordinates.forEach((name, k) => {
+    rows.slice(1).forEach((row, i) => {
+      const [most, least] = [`${name}.max_displacement[mm]`, `${name}.min_displacement[mm]`].map((of) => Math.abs(Number(row[column(of)])));
+      const due = Math.max(most, least);
+      // Hertz become rad/s by another product of π.
+      assert.ok(Math.abs(found.displacement[k][i] / due - 1) < 1e-9, `${name} ${row[0]}: ${found.displacement[k][i]} ${due}`);
+    });
+  });
+});
+
+test("what is wrong with two masses is said by name", () => {
+  const of = (change) => () => ask({ ask: "system", text: systemText({ units: "N,mm", m1: "1 t", m2: "1 t", k1: "1 N/mm", k2: "1 N/mm", c1: "", c2: "", contact: "ground,lower", friction: "1 N", elastic: "", peak: "", gap: "", stop: "lower,upper", stop_stiffness: "", load: "upper", amplitude: "2 N", frequency: "1 Hz", ...change }) });
+  assert.throws(of({ m1: "-1 t" }), /masses\.lower -1 t: must be > 0/);
+  assert.throws(of({ friction: "1 kg" }), /friction 1 kg/);
+  assert.throws(of({ peak: "0.5" }), /static_ratio 0\.5/);
+  assert.throws(of({ m2: "1,200 kg" }), /1,200 kg/);
+  assert.throws(() => ask({ ask: "system", text: "nonsense" }), /system/);
+});
