@@ -128,7 +128,7 @@ function showAll() {
   const row = (cells, of = "td") => {
     const line = table.insertRow();
     for (const text of cells) {
-      const cell = document.createElement(of);
+      const cell = document.createElement(text ? of : "td");
       cell.textContent = text;
       line.append(cell);
     }

@@ -78,6 +78,8 @@ addEventListener("keydown", (event) => {
   else step(past, future);
 });
 
+$("bar").onclick = () => $("answer").scrollIntoView();
+
 // ---- links
 
 // A page that was opened from a file has no address for others: they have the file.

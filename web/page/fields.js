@@ -6,6 +6,7 @@
 const DECADES = 4;
 // The time that a finger rests on a thumb before it drags it: a swipe goes on at once.
 const HOLD = 150;
+let keyed = 0;
 
 function fields() {
   $("mode").value = state.mode;
@@ -120,7 +121,11 @@ function slider(names, name, typed) {
     changed();
   };
   range.oninput = () => put(range.value);
-  range.onchange = remember;
+  // Several keys in a row are one step.
+  range.onchange = () => {
+    clearTimeout(keyed);
+    keyed = setTimeout(remember, 600);
+  };
   typed.oninput = () => {
     state[name] = typed.value;
     show();

@@ -105,7 +105,7 @@ function shadeOf(n) {
   if (n === 1) return { colour: [250, 206, 122] };
   if (n === 2) return { colour: [217, 135, 38], dots: [120, 62, 6] };
   if (n > 0 && n <= 4) return { colour: [163, 86, 12] };
-  if (n > 0 && n <= 8) return { colour: [112, 50, 6] };
+  if (n > 0 && n <= 8) return { colour: [112, 50, 6], dots: [236, 190, 120] };
   if (n > 0) return { colour: [62, 24, 2] };
   if (n === -2) return { colour: [205, 180, 235], lines: [104, 58, 160] };
   if (n === -3) return { colour: [240, 240, 240], lines: [90, 90, 90] };
@@ -163,7 +163,10 @@ function showMap(grid) {
     const size = event.shiftKey ? 0.1 : 0.01;
     moveTo(Math.max(omega + step[0] * size, 0.001), Math.max(alpha + step[1] * size * 3, 0.001));
   };
-  knob.onkeyup = remember;
+  knob.onkeyup = () => {
+    clearTimeout(keyed);
+    keyed = setTimeout(remember, 600);
+  };
   chart.knob = knob;
   chart.read = (x, y) => {
     const [i, j] = [Math.min(grid.width - 1, Math.floor((x / grid.omega) * grid.width)), Math.min(grid.height - 1, Math.floor((y / grid.alpha) * grid.height))];

@@ -169,7 +169,7 @@ test("a curve is resolved where the command resolves it", (t) => {
   let [peaks, onsets, most] = [0, 0, 0];
   const machines = [
     [{ omega: "0.7", alpha: "1.3", damping_ratio: "0.002" }, [0.2, 3]], [{ omega: "0.7", alpha: "4", damping_ratio: "0" }, [0.1, 5]],
-    [{ omega: "0.7", alpha: "20", damping_ratio: "0.01" }, [0.1, 5]], [{ omega: "0.7", alpha: "1.2", damping_ratio: "0.01", static_friction_ratio: "1.1" }, [0.2, 3]],
+    [{ omega: "0.7", alpha: "20", damping_ratio: "0.01" }, [0.1, 5]],
     [{ mass: "53.27", stiffness: "86.8", friction: "1.263", damping: "2.72", damped_foot_displacement: "0.0873", frequency: "1" }, [0.05, 3]],
     [{ mass: "800", stiffness: "6525", friction: "392", damping: "40", base_displacement: "0.01", frequency: "12" }, [0.1, 8]],
   ];

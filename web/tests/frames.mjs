@@ -10,7 +10,7 @@ const begin = Date.now();
 await page.goto(file.href);
 await page.waitForFunction(() => document.querySelectorAll("#key dt").length > 0);
 const first = Date.now() - begin;
-await page.waitForSelector("#map .here");
+await page.waitForSelector("#map .knob");
 await page.waitForTimeout(500);
 
 const session = await page.context().newCDPSession(page);
