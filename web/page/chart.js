@@ -147,12 +147,12 @@ class Chart {
     const ink = palette();
     const all = node("g", { "font-family": "system-ui, sans-serif", "font-size": "11", fill: ink.text });
     const grid = [];
-    for (const value of this.x.ticks(Math.max(3, Math.floor(width / 90)))) {
+    for (const value of this.x.ticks(Math.max(3, Math.floor(width / 80)))) {
       const at = this.x(value).toFixed(1);
       grid.push(`M${at} ${top}V${this.box.bottom}`);
       all.append(node("text", { x: at, y: this.box.bottom + 15, "text-anchor": "middle" }, tick(value)));
     }
-    for (const value of this.y.ticks(Math.max(3, Math.floor(height / 45)))) {
+    for (const value of this.y.ticks(Math.max(4, Math.floor(height / 38)))) {
       const at = this.y(value).toFixed(1);
       grid.push(`M${left} ${at}H${this.box.right}`);
       all.append(node("text", { x: left - 6, y: Number(at) + 4, "text-anchor": "end" }, tick(value)));

@@ -61,18 +61,16 @@ pub(crate) fn length(x: f64, point: &Point<f64>, system: &System) -> String {
     }
 }
 
-/// What the inputs leave out, and the meaning of the displacement: of a moving base, and of a shifted motion.
+/// The meaning of the displacement: of a moving base, and of a shifted motion.
 fn notes(problem: &Problem) -> Vec<String> {
     let Problem { given, point, .. } = problem;
-    let left_out =
-        problem.notes.iter().filter(|note| note.starts_with("mass")).map(|note| format!("The {note}."));
-    let Some(machine) = &point.machine else { return left_out.collect() };
+    let Some(machine) = &point.machine else { return Vec::new() };
     let base = words::base_motion(machine.drive.excitation()).map(|base| format!("Base motion {base}."));
     let mean = digits(machine.scales.mean_displacement);
     let shifted = given.is_shifted().then(|| {
         format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())
     });
-    left_out.chain(base).chain(shifted).collect()
+    base.into_iter().chain(shifted).collect()
 }
 
 /// The value of each kind of input that the machine could be given by instead.
