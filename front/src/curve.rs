@@ -177,3 +177,67 @@ fn onset<P: Place, E>(mut a: P, mut b: P, at: &impl Fn(f64, Source) -> Result<P,
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Place, Source};
+    use std::convert::Infallible;
+
+    #[derive(Clone, Copy)]
+    struct At {
+        x: f64,
+        source: Source,
+    }
+
+    /// At rest below 0.6, then a resonance at 1 that is narrower than the steps of the grid.
+    const ONSET: f64 = 0.6;
+    const ZETA: f64 = 0.01;
+
+    impl Place for At {
+        fn x(&self) -> f64 {
+            self.x
+        }
+
+        fn height(&self) -> f64 {
+            if self.is_stuck() {
+                return 0.0;
+            }
+            (self.x - ONSET) / (1.0 - self.x * self.x).hypot(2.0 * ZETA * self.x)
+        }
+
+        fn is_stuck(&self) -> bool {
+            self.x < ONSET
+        }
+
+        fn source(&self) -> Source {
+            self.source
+        }
+
+        fn because(self, source: Source) -> Self {
+            Self { source, ..self }
+        }
+    }
+
+    #[test]
+    fn peaks_and_onsets_are_found_between_the_samples() {
+        let values = [0.2, 0.5, 0.9, 1.7, 2.0];
+        let axis =
+            Axis { values: &values, at: |share| 0.2 * 10f64.powf(share), is_logarithmic: true, natural: 1.0 };
+        let at = |x, source| Ok::<_, Infallible>(At { x, source });
+        let each = |all: Vec<(f64, Source)>| all.into_iter().map(|(x, source)| at(x, source)).collect();
+        let Ok(places) = axis.through(each, at);
+        assert!(places.windows(2).all(|pair| pair[0].x <= pair[1].x));
+        let of = |source| places.iter().filter(move |place| place.source == source).collect::<Vec<_>>();
+        // The two numbers between which the body begins to move.
+        let onset: Vec<f64> = of(Source::Onset).iter().map(|place| place.x).collect();
+        assert_eq!(onset, [ONSET.next_down(), ONSET]);
+        let [peak] = of(Source::Peak)[..] else { panic!("{}", of(Source::Peak).len()) };
+        let y = peak.height();
+        let dense = (0..200_000).map(|i| At { x: 0.9 + 1e-6 * f64::from(i), source: Source::Grid }.height());
+        assert!(dense.fold(0.0, f64::max) <= y * (1.0 + 1e-9), "{y}");
+        assert!(
+            values.iter().all(|x| places.iter().any(|place| place.x == *x && place.source == Source::Grid))
+        );
+        assert!(!places.iter().any(|place| place.source == Source::Probe));
+    }
+}
