@@ -203,9 +203,9 @@ async function begin() {
   embedded = new URLSearchParams(text).has("embed");
   document.body.classList.toggle("embedded", embedded);
   from(text);
-  present = snapshot();
-  history_buttons();
   fields();
+  present = snapshot();
+  historyButtons();
   const isTwo = systemFromHash(text);
   systemFields();
   let kept = null;

@@ -82,8 +82,8 @@ const question = (ask, more = {}) => ({ ask, inputs: inputs(), units: state.mode
 
 // ---- the history: a step is a machine that stood still for a moment
 
-let past = [];
-let future = [];
+const past = [];
+const future = [];
 const snapshot = () => JSON.stringify({ state, chosen });
 let present = snapshot();
 
@@ -92,13 +92,13 @@ function remember() {
   const now = snapshot();
   if (now === present) return;
   past.push(present);
-  past = past.slice(-200);
-  future = [];
+  if (past.length > 200) past.shift();
+  future.length = 0;
   present = now;
-  history_buttons();
+  historyButtons();
 }
 
-function history_buttons() {
+function historyButtons() {
   $("undo").disabled = !past.length;
   $("redo").disabled = !future.length;
 }
@@ -111,7 +111,9 @@ function step(from, to) {
   ({ state, chosen } = JSON.parse(present));
   back.clear();
   fields();
-  history_buttons();
+  // The form adds the fields that were not there yet.
+  present = snapshot();
+  historyButtons();
   changed();
 }
 
