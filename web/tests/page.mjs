@@ -571,7 +571,9 @@ test("curves are compared, and read under the pointer", async () => {
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   assert.match(await page.textContent("#curve .cursor text"), /Hz: .*mm, (slides|stops)/);
   // The point is dragged along the frequencies.
-  await page.locator("#curve .here").scrollIntoViewIfNeeded();
+  // The point is drawn anew with each answer.
+  await page.waitForTimeout(1500);
+  await page.locator("#curve").scrollIntoViewIfNeeded();
   const dot = await page.locator("#curve .here").boundingBox();
   const before = await page.inputValue("#in-frequency");
   await page.mouse.move(dot.x + dot.width / 2, dot.y + dot.height / 2);
