@@ -148,8 +148,9 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     };
     let is_machine = given.iter().filter_map(|option| Input::named(option)).any(Input::is_physical);
     let fits = |mode: Mode| given.contains(&"points") == (mode == Points) && (mode != Machine || is_machine);
-    // The file of a free decay asks another question than a response curve.
-    let is_asked = |used: &[&str]| used.contains(&"decay") == given.contains(&"decay");
+    // The file of a free decay, or of a motion, asks another question than a response curve.
+    let is_asked =
+        |used: &[&str]| ["decay", "motion"].iter().all(|kind| used.contains(kind) == given.contains(kind));
     let asked = modes(&command).filter(|(mode, used)| fits(*mode) && is_asked(used));
     let Some((mode, used)) = asked.min_by_key(|(_, used)| unused(used).len()) else { return Ok(()) };
     if let Some(id) = unused(&used).first() {

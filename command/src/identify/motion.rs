@@ -74,7 +74,7 @@ pub(super) fn run(
         offset: of(offset, 1.0, Kind::Length),
         start_displacement: of(start_displacement, 1.0, Kind::Length),
         start_velocity: start_velocity.as_ref().map(|estimate| of(estimate, 1.0, Kind::Velocity)),
-        load: file.excitation.name(),
+        load: file.load,
         noise: found.noise,
         noise_unit: unit(Kind::Length),
         measurements: found.residuals.len(),
@@ -89,6 +89,7 @@ struct MotionFile {
     times: Vec<f64>,
     displacements: Vec<f64>,
     samples: Vec<f64>,
+    load: &'static str,
     excitation: Excitation,
     lines: Vec<u64>,
     others: Vec<String>,
@@ -107,12 +108,13 @@ impl MotionFile {
         ];
         let ([time, displacement, force, acceleration, foot], others) =
             columns(&header, name, reader, known)?;
+        let [_, _, of_force, of_surface, of_foot] = known.map(|(name, _)| name);
         let loads = [
-            (force, Excitation::Force),
-            (acceleration, Excitation::SurfaceAcceleration),
-            (foot, Excitation::FootMotion),
+            (force, of_force, Excitation::Force),
+            (acceleration, of_surface, Excitation::SurfaceAcceleration),
+            (foot, of_foot, Excitation::FootMotion),
         ];
-        let mut loads = loads.into_iter().filter_map(|(column, kind)| Some((column?, kind)));
+        let mut loads = loads.into_iter().filter_map(|(column, name, kind)| Some((column?, name, kind)));
         let missing = |what: &str| {
             let found = header.iter().collect::<Vec<_>>().join(",");
             Failure::Input(format!("{name}: {what} must be in the header “{found}”"))
@@ -120,7 +122,7 @@ impl MotionFile {
         let time = time.ok_or_else(|| missing("the column time"))?;
         let displacement = displacement.ok_or_else(|| missing("the column displacement"))?;
         let one = "one of the columns force, acceleration and foot-displacement";
-        let (load, excitation) = loads.next().ok_or_else(|| missing(one))?;
+        let (load, load_name, excitation) = loads.next().ok_or_else(|| missing(one))?;
         if loads.next().is_some() {
             return Err(missing(&format!("only {one}")));
         }
@@ -131,7 +133,7 @@ impl MotionFile {
             samples.push(load.value(row, at, reader)?);
             Ok(())
         })?;
-        Ok(Self { times, displacements, samples, excitation, lines, others })
+        Ok(Self { times, displacements, samples, load: load_name, excitation, lines, others })
     }
 }
 

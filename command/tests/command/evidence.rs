@@ -1,10 +1,10 @@
 //! Every output of every command: it has its row in docs/development/evidence.md, and a number of another origin beside it.
 
-use crate::command_line::{json, stdout, stickslip};
+use crate::command_line::{json, refused, stdout, stickslip};
 use crate::machines::{DRIVES, Driven};
 use crate::random::Random;
-use crate::sampled::{Cycle, Harmonic, Limit, Load, Machine, Of, record};
-use serde_json::Value;
+use crate::sampled::{Cycle, Harmonic, Limit, Load, Machine, Of, positions, record};
+use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 use stickslip::Excitation;
@@ -50,6 +50,7 @@ fn every_output_of_every_command_has_its_row() {
     let load = file(&folder, "load.csv", "time[s],force[kN]\n0,0\n0.1,12\n0.3,12\n0.4,0\n");
     let curve = file(&folder, "curve.csv", &curve_of_samples(&mut Random(1), 0.0));
     let peaks = file(&folder, "peaks.csv", "peak[mm]\n40\n33.1\n26.5\n20.2\n14.1\n");
+    let motion = file(&folder, "motion.csv", &load_and_motion());
     let turns = folder.path().join("turns.csv").display().to_string();
     let system = file(&folder, "system.toml", crate::systems::MACHINE);
     let machine =
@@ -84,6 +85,10 @@ fn every_output_of_every_command_has_its_row() {
                 format!("identify {curve} --mass 5kg --force 100N --format json"),
                 format!("identify {curve} --mass 5kg --stiffness 2kN/m --format json"),
             ],
+        ),
+        (
+            "identify --motion",
+            &[format!("identify --motion {motion} --mass 2kg --stiffness 50N/m --format json")],
         ),
         ("identify --decay", &[format!("identify --decay {peaks} --stiffness 12kN/m --format json")]),
         (
@@ -757,6 +762,69 @@ fn a_decay_of_the_samples_is_identified() {
     // Peaks of both sides with signs; they end before the rest, which alone shows static friction.
     assert_eq!(answer["read_as"], "every-half-cycle", "{answer}");
     assert!(answer["half_cycles"].is_null() && answer["static_friction_displacement"].is_null(), "{answer}");
+}
+
+/// A load of two sines on a body of 2 kg, 50 N/m, 3 N and ζ = 2 %, and the displacements of the samples, from another zero.
+fn load_and_motion() -> String {
+    let machine = Machine::new([2.0, 50.0, 2.0 * 0.02 * 10.0], [3.0, 0.0, 1.0], 0.0);
+    let times: Vec<f64> = (0..250).map(|i| f64::from(i) * 0.03).collect();
+    let load: Vec<f64> = times.iter().map(|t| 6.0 * (4.0 * t).sin() + 4.0 * (6.5 * t).sin()).collect();
+    let found = positions(machine, Load::Force, [&times, &load], [0.0, 0.4], 128.0);
+    let rows = times.iter().zip(&load).zip(&found);
+    rows.fold("time[s],force[N],displacement[mm],temperature\n".to_owned(), |text, ((t, p), x)| {
+        text + &format!("{t},{p},{},20\n", 1e3 * x + 7.0)
+    })
+}
+
+/// `identify --motion` of a motion of the samples.
+#[test]
+fn a_motion_of_the_samples_is_identified() {
+    let folder = tempfile::tempdir().unwrap();
+    let motion = file(&folder, "motion.csv", &load_and_motion());
+    let line = format!("identify --motion {motion} --mass 2kg --stiffness 50N/m");
+    let answer = json(&format!("{line} --format json"));
+    let value = |name: &str| answer[name]["value"].as_f64().unwrap();
+    for (name, due) in [
+        ("friction", 3.0),
+        ("friction_coefficient", 3.0 / 2.0 / 9.80665),
+        ("friction_displacement", 0.06),
+        ("damping_ratio", 0.02),
+        ("damping", 0.4),
+        ("offset", 0.007),
+        ("start_displacement", 0.007),
+        ("start_velocity", 0.4),
+    ] {
+        assert!((value(name) / due - 1.0).abs() < 1e-6, "{name}: {answer}");
+        let interval = &answer[name]["interval_95"];
+        assert!(
+            interval[0].as_f64() <= Some(due * (1.0 + 1e-6))
+                && interval[1].as_f64() >= Some(due * (1.0 - 1e-6))
+        );
+    }
+    assert_eq!((answer["measurements"].as_u64(), &answer["load"]), (Some(250), &json!("force")));
+    assert_eq!(answer["residuals"].as_array().map(Vec::len), Some(250));
+    assert!(answer["noise"].as_f64().unwrap() < 1e-8 && answer["noise_unit"] == "m", "{answer}");
+    assert_eq!(answer["ignored_columns"], json!(["temperature"]));
+    let text = stdout(&line);
+    assert!(
+        text.contains("friction bound r_y  3 N") && text.contains("offset              0.007 m"),
+        "{text}"
+    );
+    let bare = file(&folder, "bare.csv", "time[s],displacement[mm]\n0,1\n");
+    for (line, said) in [
+        (format!("identify --motion {motion} --stiffness 50N/m"), "--mass is missing"),
+        (format!("identify --motion {motion} --mass 2kg"), "--stiffness (or --period"),
+        (
+            format!("identify --motion {motion} --mass 2kg --stiffness 50N/m --force 3N"),
+            "--force 3N: identify does not use it",
+        ),
+        (
+            format!("identify --motion {bare} --mass 2kg --stiffness 50N/m"),
+            "one of the columns force, acceleration and",
+        ),
+    ] {
+        refused(&line, &[said]);
+    }
 }
 
 /// Designs by the command: the samples stop on one side of each answer only.

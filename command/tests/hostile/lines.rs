@@ -19,6 +19,12 @@ const ORDINARY: &[&str] = &[
     "basins --omega 0.5 --alpha 4 --static-friction-ratio 1.5 --x0=-5:5:6 --v0=-5:5:6 --out basins.svg",
     "simulate --omega 0.5 --alpha 4 --cycles 3",
     "simulate --mass 50 --stiffness 1000 --friction 5 --frequency 2Hz --force 12 --rate 100Hz --duration 2s",
+    "simulate --mass 2kg --stiffness 800N/m --friction 4N --static-friction 5N --force 12N --shape step --duration 2s",
+    "simulate --mass 2kg --no-spring --friction 4N --force 12N --shape ramp --rise 0.5s --duration 2s --rate 20Hz",
+    "simulate --mass 2kg --stiffness 450N/m --friction 3N --static-friction 4N --shape pull --speed 20mm/s --duration 2s",
+    "simulate --no-spring --friction-coefficient 0.3 --slope 5deg --v0 2m/s --shape free --duration 1s",
+    "response --mass 1kg --stiffness 100N/m --friction 0N --frequency 1Hz --force 3N",
+    "border --mass 1kg --stiffness 100N/m --friction 0N --frequency 1Hz",
     "design force --omega 0.6",
     "design friction --mass 50 --stiffness 1000 --frequency 6 --force 12",
     "design friction --mass 1 --stiffness 1 --base-displacement 1 --over 0.5:2 --of displacement",
@@ -29,7 +35,10 @@ const ORDINARY: &[&str] = &[
     "design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500",
     "identify --decay decay.csv",
     "identify curve.csv --mass 5kg --stiffness 20kN/m --force 100N",
+    "identify --motion motion.csv --mass 2kg --stiffness 50N/m",
     "decay --x0 9.5",
+    "decay --no-spring --friction-coefficient 0.3 --v0 2m/s",
+    "decay --mass 1kg --stiffness 100N/m --friction 0N --damping-ratio 2% --x0 10mm",
     "decay --mass 50 --stiffness 1000 --friction 5 --x0 0.2 --out decay.svg",
     "record record.csv --mass 800kg --period 2.5s --friction-coefficient 0.06",
     "record record.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --out motion.csv --interval 0.01s",
@@ -122,6 +131,7 @@ const UNITS: &[&str] = &[
 const WORDS: &[&str] = &[
     "record.csv",
     "force.csv",
+    "motion.csv",
     "curve.csv",
     "decay.csv",
     "points.csv",
@@ -192,6 +202,14 @@ pub(crate) fn write_files(folder: &Path) {
         ("empty.csv", String::new()),
         ("points.csv", "omega,alpha\n0.5,3\n1e-6,2\n0.7,1e300\n1,1\n".to_owned()),
         ("decay.csv", "peak[mm]\n40\n33\n27\n22\n18\n".to_owned()),
+        (
+            "motion.csv",
+            rows(
+                "time[s],force[N],displacement[mm]",
+                &|i| format!("{},{},{}", 0.05 * f64::from(i), 3.0 * wave(i), 9.0 * wave(i + 3)),
+                60,
+            ),
+        ),
         (
             "curve.csv",
             rows(
