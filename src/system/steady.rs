@@ -240,7 +240,11 @@ impl<F: Float> Search<'_, F> {
         let mut x = from.to_vec();
         let mut best: Option<(F, Vec<F>, Mapped<F>)> = None;
         for round in 0..12 {
-            let Ok(mapped) = self.map(&x, multiple) else { return Ok(None) };
+            let mapped = match self.map(&x, multiple) {
+                Ok(mapped) => mapped,
+                Err(Error::Interrupted) => return Err(Error::Interrupted),
+                Err(_) => return Ok(None),
+            };
             let by = self.distance(&mapped.to, &x, &mapped.sizes);
             let mut matrix: Matrix<F> = Matrix::identity(free);
             for (j, column) in mapped.tangent.iter().enumerate() {
@@ -380,14 +384,20 @@ pub(crate) fn steady<'a, F: Float>(
             if multiple > 8 && back(multiple) > F::ratio(1, 1000) {
                 continue;
             }
-            let Some((x, mapped)) = search.newton(&from, multiple)? else { continue };
-            if multiple > 1 {
-                // It may be one of fewer.
-                let once = search.map(&x, 1)?;
-                if search.distance(&once.to, &x, &once.sizes) <= F::epsilon() * F::int(65_536) {
-                    continue;
+            let Some((x, mut mapped)) = search.newton(&from, multiple)? else { continue };
+            // It may be one of fewer periods, which divide these.
+            let mut found = multiple;
+            for fewer in (1..multiple).filter(|&fewer| multiple.is_multiple_of(fewer)) {
+                let part = search.map(&x, fewer)?;
+                if search.distance(&part.to, &x, &part.sizes) <= F::epsilon() * F::int(65_536) {
+                    (found, mapped) = (fewer, part);
+                    break;
                 }
             }
+            if found < multiple && found == 1 {
+                continue;
+            }
+            let multiple = found;
             let lasts = events.get(followed - multiple..).unwrap_or(&[]).concat();
             let multipliers = multipliers(&mapped.tangent, system.free);
             let unstable = multipliers.first().is_some_and(|&(re, im)| re.hypot(im) > 1.0 + 1e-6);

@@ -73,7 +73,7 @@ fn one_body_is_the_papers() {
 }
 
 /// A chain of bodies with springs and dampers, all of them different, and a contact somewhere.
-fn structure(draw: &mut Draw) -> Model<f64> {
+pub(crate) fn structure(draw: &mut Draw) -> Model<f64> {
     let n = 2 + usize::from(draw.unit() < 0.5) + usize::from(draw.unit() < 0.3);
     let mut zero = vec![vec![0.0; n]; n];
     let (mut mass, mut damping) = (zero.clone(), zero.clone());

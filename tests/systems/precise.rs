@@ -172,3 +172,149 @@ fn transient_motions() {
     }
     assert_eq!(count, 6);
 }
+
+/// A matrix by rows, for the search below.
+type Rows<F> = Vec<Vec<F>>;
+
+fn product<F: Float>(a: &Rows<F>, b: &Rows<F>) -> Rows<F> {
+    let zero = F::int(0);
+    let entry = |row: &Vec<F>, j: usize| row.iter().zip(b).fold(zero, |sum, (&x, other)| sum + x * other[j]);
+    a.iter().map(|row| (0..b[0].len()).map(|j| entry(row, j)).collect()).collect()
+}
+
+fn applied<F: Float>(a: &Rows<F>, x: &[F]) -> Vec<F> {
+    a.iter().map(|row| row.iter().zip(x).fold(F::int(0), |sum, (&a, &x)| sum + a * x)).collect()
+}
+
+/// e^{At}: the series at t/2¹⁶, squared sixteen times.
+fn exponential<F: Float>(a: &Rows<F>, time: F) -> Rows<F> {
+    let d = a.len();
+    let unit = |i: usize, j: usize| F::int(i32::from(i == j));
+    let mut sum: Rows<F> = (0..d).map(|i| (0..d).map(|j| unit(i, j)).collect()).collect();
+    let mut term = sum.clone();
+    let small = time * F::exp2i(-16);
+    for k in 1..=24 {
+        term = product(a, &term);
+        for (row, total) in term.iter_mut().zip(&mut sum) {
+            for (x, y) in row.iter_mut().zip(total) {
+                *x = *x * small / F::int(k);
+                *y = *y + *x;
+            }
+        }
+    }
+    (0..16).for_each(|_| sum = product(&sum, &sum));
+    sum
+}
+
+/// Gauss's elimination with the largest pivot of each column.
+fn solution<F: Float>(mut a: Rows<F>, mut y: Vec<F>) -> Vec<F> {
+    let d = y.len();
+    for k in 0..d {
+        let size = |i: usize| Field::abs(a[i][k]).to_f64();
+        let best = (k..d).max_by(|&i, &j| size(i).total_cmp(&size(j))).expect("a row");
+        a.swap(k, best);
+        y.swap(k, best);
+        for i in (0..d).filter(|&i| i != k) {
+            let factor = a[i][k] / a[k][k];
+            for j in k..d {
+                a[i][j] = a[i][j] - factor * a[k][j];
+            }
+            y[i] = y[i] - factor * y[k];
+        }
+    }
+    (0..d).map(|k| y[k] / a[k][k]).collect()
+}
+
+/// The least load of a structure with diagonal masses, by dense samples of `[v(τ) − v_f cos ωτ]/(ω sin ωτ)` and of ever
+/// denser ones about the greatest.
+fn sampled_border<F: Float>(given: &Model<f64>) -> F {
+    let model = model::<F>(given);
+    let (n, zero) = (model.mass.len(), F::int(0));
+    let (b, omega) = (&model.elements[0].direction, model.harmonics[0].frequency);
+    let Kind::Contact { law, peak, .. } = &model.elements[0].kind else { panic!("a contact") };
+    let friction = law.points[0].1;
+    let dot = |x: &[F]| b.iter().zip(x).fold(zero, |sum, (&b, &x)| sum + b * x);
+    let d = 2 * n + 1;
+    let mut a = vec![vec![zero; d]; d];
+    for i in 0..n {
+        a[i][n + i] = F::int(1);
+        for j in 0..n {
+            a[n + i][j] = -model.stiffness[i][j] / model.mass[i][i];
+            a[n + i][n + j] = -model.damping[i][j] / model.mass[i][i];
+        }
+        // After the reversal at which y is greatest the friction pushes on.
+        a[n + i][2 * n] = b[i] * friction / model.mass[i][i];
+    }
+    let half = F::pi() / omega;
+    // Half a period turns the friction's part round.
+    let whole = exponential(&a, half);
+    let sum = |i: usize, j: usize| F::int(i32::from(i == j)) + whole[i][j];
+    let matrix = (0..2 * n).map(|i| (0..2 * n).map(|j| sum(i, j)).collect()).collect();
+    let mut start = solution(matrix, (0..2 * n).map(|i| -whole[i][2 * n]).collect());
+    start.push(F::int(1));
+    let turned = dot(&start[n..2 * n]);
+    let mut stiff = vec![vec![zero; 2 * n]; 2 * n];
+    for i in 0..n {
+        for j in 0..n {
+            let elastic = model.stiffness[i][j] - omega * omega * model.mass[i][j];
+            (stiff[i][j], stiff[n + i][n + j]) = (elastic, elastic);
+            (stiff[i][n + j], stiff[n + i][j]) = (-omega * model.damping[i][j], omega * model.damping[i][j]);
+        }
+    }
+    let waves = solution(stiff, [&model.harmonics[0].sin[..], &model.harmonics[0].cos[..]].concat());
+    let amplitude = dot(&waves[..n]).hypot(dot(&waves[n..]));
+    let quotient = |time: F, state: &[F]| {
+        let (sin, cos) = (omega * time).sin_cos();
+        (dot(&state[n..2 * n]) - turned * cos) / (omega * sin)
+    };
+    let rate = applied(&a, &start);
+    let inertia = b.iter().zip(0..n).fold(zero, |sum, (&b, i)| sum + b * b / model.mass[i][i]);
+    let mut least = (dot(&rate[n..2 * n]) + (*peak - F::int(1)) * friction * inertia) / (omega * omega);
+    let (mut from, mut at, mut step, mut count) = (zero, start, half / F::int(400), 400);
+    for _ in 0..34 {
+        let on = exponential(&a, step);
+        let mut best: Option<(F, F, Vec<F>)> = None;
+        let mut state = at.clone();
+        for i in 1..count {
+            let next = applied(&on, &state);
+            let value = quotient(from + step * F::int(i), &next);
+            if best.as_ref().is_none_or(|(most, ..)| value > *most) {
+                best = Some((value, from + step * F::int(i - 1), state.clone()));
+            }
+            state = next;
+        }
+        let Some((value, place, state)) = best else { break };
+        least = if value > least { value } else { least };
+        (from, at, step, count) = (place, state, step / F::int(4), 8);
+    }
+    least.hypot(turned / omega) / amplitude
+}
+
+/// The border at 128 bits is that of a dense search at 256 bits, and that of doubles to their rounding: at the reversal, within
+/// the half period, and with a static friction of its own.
+#[test]
+fn the_border_at_128_bits() {
+    use crate::closed_form::{Draw, structure};
+    let mut draw = Draw(12);
+    let mut seen = [0; 2];
+    while seen.iter().any(|&count| count < 3) {
+        let mut given = structure(&mut draw);
+        if let Kind::Contact { peak, .. } = &mut given.elements[0].kind {
+            *peak = if draw.unit() < 0.5 { 1.0 } else { 1.25 };
+        }
+        let double = System::new(&given).and_then(|s| s.border()).expect("one contact");
+        let place = usize::from(double.touching_time > 0.0);
+        if seen[place] == 3 {
+            continue;
+        }
+        seen[place] += 1;
+        let narrow = System::new(&model::<Wide>(&given)).and_then(|s| s.border()).expect("one contact");
+        let due = sampled_border::<Mp<4>>(&given);
+        let wide = narrow.least_load_factor.to_string().parse::<Mp<4>>().expect("digits");
+        let by = (Field::abs(wide - due) / due).to_f64();
+        // 2⁻¹²⁸ is 3e-39; the sums of the half period and the solutions lose some digits.
+        assert!(by < 1e-33, "{seen:?}: 128 bits by {by:e}");
+        let by = double.least_load_factor / due.to_f64() - 1.0;
+        assert!(by.abs() < 1e-11, "{seen:?}: doubles by {by:e}");
+    }
+}

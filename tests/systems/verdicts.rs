@@ -96,6 +96,84 @@ fn a_motion_of_nine_periods_is_found() {
     );
 }
 
+/// Two bodies, the second of which meets a wall.
+fn before_a_wall(frequency: f64, gap: f64, friction: f64) -> Model<f64> {
+    let wall = Element {
+        name: "wall".into(),
+        direction: vec![0.0, 1.0],
+        moves: Signal::constant(0.0),
+        kind: Kind::Stop { gap, stiffness: 30.0, damping: 0.5 },
+    };
+    Model {
+        mass: vec![vec![1.0, 0.0], vec![0.0, 0.5]],
+        damping: vec![vec![0.2, -0.1], vec![-0.1, 0.1]],
+        stiffness: vec![vec![2.0, -1.0], vec![-1.0, 1.0]],
+        elements: vec![wall, contact(vec![1.0, 0.0], friction, 1.0)],
+        harmonics: vec![Harmonic { frequency, sin: vec![0.0, 1.0], cos: vec![] }],
+        ..Model::default()
+    }
+}
+
+/// The states of these bodies at the ends of some periods, by Runge and Kutta's method of fourth order; the friction is
+/// `r v/|v|`, smoothed below 10⁻⁶ of the largest velocities.
+fn stepped(frequency: f64, gap: f64, friction: f64, start: &State<f64>, periods: usize) -> Vec<[f64; 4]> {
+    let slope = |t: f64, [x, y, v, w]: [f64; 4]| {
+        let depth = y - gap;
+        let wall = if depth > 0.0 { (30.0 * depth + 0.5 * w).max(0.0) } else { 0.0 };
+        let drag = friction * (v / 1e-5).clamp(-1.0, 1.0);
+        let first = -2.0 * x + y - 0.2 * v + 0.1 * w - drag;
+        let second = x - y + 0.1 * v - 0.1 * w - wall + (frequency * t).sin();
+        [v, w, first, second / 0.5]
+    };
+    let steps = 200_000;
+    let h = TAU / frequency / f64::from(steps);
+    let mut z = [start.displacement[0], start.displacement[1], start.velocity[0], start.velocity[1]];
+    let plus = |z: [f64; 4], k: [f64; 4], s: f64| std::array::from_fn(|i| z[i] + s * k[i]);
+    (0..periods)
+        .map(|_| {
+            for i in 0..steps {
+                let t = f64::from(i) * h;
+                let a = slope(t, z);
+                let b = slope(t + h / 2.0, plus(z, a, h / 2.0));
+                let c = slope(t + h / 2.0, plus(z, b, h / 2.0));
+                let d = slope(t + h, plus(z, c, h));
+                z = std::array::from_fn(|k| z[k] + h / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]));
+            }
+            z
+        })
+        .collect()
+}
+
+/// Motions of two and of three periods, and two stable motions of one system, from different starts. Small steps from the
+/// state that is found come back to it after as many periods, and not before.
+#[test]
+fn motions_of_several_periods_and_several_motions_of_one_system() {
+    let from = |velocity: f64| State { velocity: vec![0.0, velocity], ..State::rest(2) };
+    for (frequency, gap, friction, velocity, periods, greatest) in [
+        (2.1, 0.5, 0.0, 0.0, 2, 0.791458),
+        (3.1, 0.2, 0.0, 0.0, 3, 0.337753),
+        // The wall is out of reach from rest.
+        (1.6, 1.0, 0.05, 0.0, 1, 0.666163),
+        (1.6, 1.0, 0.05, 6.0, 2, 1.060555),
+        // Newton's method finds this one from four and from six of its periods, too.
+        (2.5, 0.5, 0.0, 3.0, 2, 0.589921),
+        (2.5, 0.5, 0.0, 6.0, 2, 0.589921),
+    ] {
+        let name = format!("{frequency}, {gap}, {friction} from {velocity}");
+        let system = System::new(&before_a_wall(frequency, gap, friction)).unwrap();
+        let steady = system.steady(&from(velocity)).unwrap();
+        assert_eq!((steady.kind, steady.periods), (SteadyKind::Periodic, periods), "{name}");
+        let most: f64 = steady.motion.max_displacement[1];
+        assert!((most - greatest).abs() < 1e-6, "{name}: {most}");
+        let start = [&steady.start.displacement[..], &steady.start.velocity[..]].concat();
+        let ends = stepped(frequency, gap, friction, &steady.start, periods);
+        let apart = |end: &[f64; 4]| end.iter().zip(&start).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let back: Vec<f64> = ends.iter().map(apart).collect();
+        let (last, before) = back.split_last().unwrap();
+        assert!(*last < 2e-4 && before.iter().all(|by| *by > 1e-2), "{name}: {back:?}");
+    }
+}
+
 /// A constant load shifts a body on a spring, and drives one without a spring away.
 #[test]
 fn a_border_needs_a_spring_for_a_constant_load() {
