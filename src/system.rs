@@ -56,6 +56,7 @@ mod zero;
 use crate::float::Float;
 use alloc::vec::Vec;
 use assembly::{Assembly, finite, vector};
+use core::ops::ControlFlow;
 use follow::Follower;
 use motion::{Observer, state};
 
@@ -82,6 +83,24 @@ impl<F: Float> System<F> {
     /// definite, laws begin at 0 and increase, frictions are ≥ 0, stiffnesses > 0, peaks ≥ 1.
     pub fn new(model: &Model<F>) -> Result<Self, Error> {
         Assembly::new(model).map(|assembly| Self { assembly })
+    }
+
+    /// The same system, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`]; they ask it at least
+    /// once in 512 steps. Otherwise they end with [`Error::Interrupted`].
+    ///
+    /// ```
+    /// use core::ops::ControlFlow;
+    /// use stickslip::system::{Error, Model, State, System};
+    /// let one = || vec![vec![1.0]];
+    /// let model = Model { mass: one(), damping: vec![vec![0.0]], stiffness: one(), ..Model::default() };
+    /// let system = System::new(&model)?.while_allowed(|| ControlFlow::Break(()));
+    /// assert_eq!(system.simulate(&State::rest(1), 1e4), Err(Error::Interrupted));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub const fn while_allowed(mut self, keep_going: fn() -> ControlFlow<()>) -> Self {
+        self.assembly.keep_going = keep_going;
+        self
     }
 
     /// The number of coordinates.

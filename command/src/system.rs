@@ -8,6 +8,7 @@ mod words;
 use crate::args::{Format, Header, LoadArgs, StreamFormat, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
+use crate::interrupt;
 use crate::measured::Described as OfRecord;
 use crate::output::{self, PendingFile};
 use crate::record::{Cell, Record as Named};
@@ -72,14 +73,16 @@ fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shakin
     let set = args.set.iter().map(|text| path_and_value(text)).collect::<Result<Vec<_>, _>>()?;
     let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = NamedSystem::new(value, set, folder(args), args.units.units.as_ref()).map_err(about)?;
-    match args.records.first() {
+    let (mut found, read) = match args.records.first() {
         Some(file) => {
             let (record, summary) =
                 crate::measured::read::<f64>(file, &LoadArgs::default(), &found.reader())?;
-            Ok((found.with_record(&record, &file.display().to_string())?, Some((summary, record))))
+            (found.with_record(&record, &file.display().to_string())?, Some((summary, record)))
         }
-        None => Ok((found, None)),
-    }
+        None => (found, None),
+    };
+    found.system = found.system.while_allowed(interrupt::keep_going);
+    Ok((found, read))
 }
 
 /// The two parts of `PATH=VALUE`.
@@ -273,11 +276,17 @@ fn border(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outco
 
 /// An error of the engine, with the name of the file.
 fn of_file(args: &SystemArgs, error: &stickslip::system::Error) -> Failure {
+    if *error == stickslip::system::Error::Interrupted {
+        return Failure::Interrupted;
+    }
     Failure::Input(format!("{}: {error}", args.file.display()))
 }
 
 impl From<stickslip::system::Error> for Failure {
     fn from(error: stickslip::system::Error) -> Self {
-        Self::Input(error.to_string())
+        match error {
+            stickslip::system::Error::Interrupted => Self::Interrupted,
+            _ => Self::Input(error.to_string()),
+        }
     }
 }

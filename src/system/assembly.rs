@@ -13,6 +13,7 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::ControlFlow;
 
 /// A straight piece of a law: `r = force + slope (w − from)` from the speed `from` on.
 #[derive(Debug, Clone)]
@@ -74,6 +75,8 @@ pub(crate) struct Assembly<F> {
     pub(crate) records: Vec<Record<F>>,
     /// All instants at which a record has a sample, in order.
     pub(crate) instants: Vec<F>,
+    /// Whether motions are followed further.
+    pub(crate) keep_going: fn() -> ControlFlow<()>,
 }
 
 impl<F: Float> Assembly<F> {
@@ -129,6 +132,7 @@ impl<F: Float> Assembly<F> {
             frequencies: model.harmonics.iter().map(|h| h.frequency).collect(),
             records: model.records.clone(),
             instants,
+            keep_going: || ControlFlow::Continue(()),
         };
         let mut place = 2 * n;
         for (i, element) in model.elements.iter().enumerate() {

@@ -99,6 +99,9 @@ pub enum Error {
         /// The number of steps.
         limit: u64,
     },
+    /// A motion that was not followed to its end, because [`System::while_allowed`](super::System::while_allowed) said so.
+    #[error("interrupted")]
+    Interrupted,
     /// A motion that left the range of numbers.
     #[error("the motion must stay finite, but does not after time {time}")]
     Unbounded {

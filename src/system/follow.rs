@@ -107,6 +107,9 @@ fn most_steps<F>(system: &Assembly<F>) -> u64 {
     (512_000_000 / size).max(20_000).saturating_add(4 * system.instants.len() as u64)
 }
 
+/// After so many steps a motion asks whether to go on.
+const STEPS_BETWEEN_QUESTIONS: u64 = 512;
+
 /// The motion at one instant.
 pub(crate) struct Follower<'a, F> {
     system: &'a Assembly<F>,
@@ -393,6 +396,9 @@ impl<'a, F: Float> Follower<'a, F> {
             self.steps += 1;
             if self.steps > self.most_steps {
                 return Err(Error::TooLong { time: written(self.time), limit: self.most_steps });
+            }
+            if self.steps.is_multiple_of(STEPS_BETWEEN_QUESTIONS) && (self.system.keep_going)().is_break() {
+                return Err(Error::Interrupted);
             }
             let fired = self.step(rest, end, watch)?;
             if !fired.is_empty() {

@@ -106,14 +106,66 @@ fn answers(grid: &Grid<'_>) -> Result<Vec<Vec<Cell<'static>>>, Failure> {
     (0..grid.len()).into_par_iter().map(answer).collect()
 }
 
-/// The greatest displacement of each coordinate over the one axis of a grid, thick where a contact sticks.
-pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Result<Figure, Failure> {
-    let rows: Vec<u64> = (0..grid.len()).collect();
-    let number = |cell: Option<&Cell<'_>>| match cell {
+const fn number(cell: Option<&Cell<'_>>) -> f64 {
+    match cell {
         Some(Cell::Number(Some(x))) => *x,
         Some(Cell::Count(Some(n))) => *n as f64,
         _ => f64::NAN,
-    };
+    }
+}
+
+/// The greatest distance of a coordinate from zero in an answer.
+fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
+    let [most, least] = ends.map(|place| number(place.and_then(|place| answer.get(place))).abs());
+    most.max(least)
+}
+
+/// The most answers that the peaks of one coordinate ask for.
+const MOST_ADDED: usize = 200;
+
+/// A place on the axis, with its answer.
+type Placed = (f64, Vec<Cell<'static>>);
+
+/// The curve with further places beside the peaks of each coordinate, in ascending order.
+fn resolved_for_all(
+    grid: &Grid<'_>,
+    described: &Described,
+    mut places: Vec<Placed>,
+    place_of: &impl Fn(&str) -> Option<usize>,
+) -> Result<Vec<Placed>, Failure> {
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let is_log = is_logarithmic(places.first().map_or(0.0, |p| p.0), places.last().map_or(0.0, |p| p.0));
+    for name in described.coordinates.iter().take(SHOWN) {
+        let ends = ["max", "min"].map(|end| place_of(&format!("{name}.{end}_displacement")));
+        // A motion that has not settled has no height of its own, and its scatter has no end of peaks.
+        let kind = place_of("kind");
+        let of = |(x, answer): &Placed| match kind.and_then(|place| answer.get(place)) {
+            Some(Cell::Text("periodic" | "rest")) | None => (*x, height(answer, ends)),
+            _ => (*x, f64::NAN),
+        };
+        let added = std::cell::Cell::new(0);
+        let at = |x: f64| {
+            interrupt::check()?;
+            added.set(added.get() + 1);
+            if added.get() > MOST_ADDED {
+                return Ok((x, grid.blank().to_vec()));
+            }
+            Ok::<Placed, Failure>((x, grid.answer_at(0, x).unwrap_or_else(|_| grid.blank().to_vec())))
+        };
+        let found = stickslip_figures::resolved(&places, is_log, of, |_| false, at)?;
+        places = found.into_iter().map(|(place, _)| place).collect();
+    }
+    Ok(places)
+}
+
+/// Whether an axis with these ends has equal steps for equal ratios.
+fn is_logarithmic(low: f64, high: f64) -> bool {
+    low > 0.0 && high / low > 20.0
+}
+
+/// The greatest displacement of each coordinate over the one axis of a grid, thick where a contact sticks.
+pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Result<Figure, Failure> {
+    let rows: Vec<u64> = (0..grid.len()).collect();
     let given = |row: &u64| grid.given(*row);
     let varies = |place: &usize| rows.iter().any(|row| given(row).get(*place) != given(&0).get(*place));
     let axes: Vec<usize> = (0..given(&0).len()).filter(varies).collect();
@@ -125,11 +177,18 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
     if !places.iter().all(|x| x.is_finite()) {
         return Err(format!("--picture: {name} must be a number in each row").into());
     }
-    let answers = answers(grid)?;
     let before = given(&0).len();
-    let column = |name: &str| {
+    let place_of = |name: &str| {
         let place = grid.names().iter().position(|own| own.split('[').next() == Some(name));
-        let place = place.and_then(|place| place.checked_sub(before));
+        place.and_then(|place| place.checked_sub(before))
+    };
+    let places: Vec<(f64, Vec<Cell<'static>>)> = places.into_iter().zip(answers(grid)?).collect();
+    // Only the last axis has values between those of the grid.
+    let places =
+        if *place + 1 == before { resolved_for_all(grid, described, places, &place_of)? } else { places };
+    let (places, answers): (Vec<f64>, Vec<_>) = places.into_iter().unzip();
+    let column = |name: &str| {
+        let place = place_of(name);
         answers
             .iter()
             .map(move |answer| place.map_or(f64::NAN, |place| number(answer.get(place))))
@@ -140,7 +199,7 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
     let sticks: Vec<bool> = {
         let contacts = described.model.elements.iter().filter(|e| matches!(e.kind, Kind::Contact { .. }));
         let rests: Vec<Vec<f64>> = contacts.map(|e| column(&format!("{}.rest_fraction", e.name))).collect();
-        (0..rows.len()).map(|i| rests.iter().any(|of| of.get(i).is_some_and(|x| *x > 0.0))).collect()
+        (0..places.len()).map(|i| rests.iter().any(|of| of.get(i).is_some_and(|x| *x > 0.0))).collect()
     };
     let beside = |i: usize| {
         let at = |i: Option<usize>| i.and_then(|i| sticks.get(i)).copied().unwrap_or(false);
@@ -166,7 +225,7 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
     if low >= high {
         return Err("--picture: needs two values on its axis".into());
     }
-    let is_log = low > 0.0 && high / low > 20.0;
+    let is_log = is_logarithmic(low, high);
     let name = name.replace('[', " (").replace(']', ")");
     let x = Axis::new(&name, (low, high), is_log);
     let (least, most) = ends(&values);

@@ -70,6 +70,7 @@ fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
     };
     let units = args.units.units.map(kept);
     Grid::new(kept(value.clone()), kept(folder(args).to_owned()), units, axes, kept(records), asked)
+        .map(|grid| grid.while_allowed(interrupt::keep_going))
         .map_err(about)
 }
 
@@ -152,6 +153,7 @@ impl Table for Rows {
         }
         let row = match self.grid.answer(point) {
             Ok(answer) => self.row(point, &answer),
+            Err(_) if interrupt::asked() => return vec![Err(Failure::Interrupted)],
             Err(why) => {
                 self.failed.say(&format!(" in row {}", point + 1), &why.into());
                 self.row(point, self.grid.blank())

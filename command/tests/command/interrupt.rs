@@ -81,7 +81,14 @@ fn interrupted(arguments: &str, after: u64, name: &str) -> Child {
 fn an_interrupt_is_heard_in_the_middle_of_work_that_takes_long() {
     let picture = place("interrupted.svg");
     let map = format!("map stops --omega 0.0001:0.001:500 --alpha 1.5:8:500 --out {}", picture.display());
+    let file = place("interrupted.toml");
+    std::fs::write(&file, crate::systems::MACHINE).unwrap();
+    // A motion of 900,000 steps, alone and in each row of a grid.
+    let motion = format!("system {} simulate --until 20000s", file.display());
+    let grid = format!("{motion} --set bearing.friction=300N,450N,600N");
     for (arguments, name) in [
+        (motion.as_str(), "-INT"),
+        (grid.as_str(), "-INT"),
         ("sweep steady --omega 1e-6:2e-6:600 --alpha 2", "-INT"),
         ("design bands --alpha 1e10 --from 1e-8 --to 1e10", "-TERM"),
         (map.as_str(), "-HUP"),

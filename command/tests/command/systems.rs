@@ -230,6 +230,16 @@ fn each_mistake_is_one_line_with_its_place() {
             vec!["contacts[1].peak 0.5: must be ≥ 1"],
         ),
         ("friction = \"450 N\"", "friction = nan", vec!["contacts[1].friction NaN: must be finite"]),
+        (
+            "stiffness = \"200 N/mm\"",
+            "stiffness = \"-200 N/mm\"",
+            vec!["springs[1].stiffness -200 N/mm: must be ≥ 0", "by matrices"],
+        ),
+        (
+            "damping = \"0.3 N*s/mm\"",
+            "damping = -0.3",
+            vec!["springs[1].damping -0.3: must be ≥ 0", "by matrices"],
+        ),
         ("damping = \"0.3 N*s/mm\"", "damping = inf", vec!["springs[1].damping inf: must be finite"]),
         (
             "friction = \"450 N\"",
@@ -379,6 +389,38 @@ fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
         &["--picture: shows one axis"],
     );
     refused(&format!("system {} border --picture x.svg", file.display()), &["--picture: this question"]);
+}
+
+/// The least pixel of a picture's lines of a colour, and the greatest: the top of the curve, and its foot.
+fn heights(svg: &str, is_line: impl Fn(&str) -> bool) -> (f64, f64) {
+    let lines = svg.split("<polyline ").skip(1).filter_map(|line| line.split("/>").next());
+    let points = lines.filter(|line| is_line(line)).filter_map(|line| line.split("points=\"").nth(1));
+    let ys = points.flat_map(|points| {
+        let pairs = points.trim_end_matches('"').split_whitespace();
+        pairs.filter_map(|pair| pair.split(',').nth(1)?.parse::<f64>().ok()).collect::<Vec<_>>()
+    });
+    ys.fold((f64::INFINITY, 0.0), |(low, high), y| (low.min(y), f64::max(high, y)))
+}
+
+/// Six frequencies, none at the peak of a lightly damped body, draw as high a peak as 601.
+#[test]
+fn a_drawn_curve_shows_its_peaks() {
+    let folder = place("peaks-of-systems");
+    std::fs::create_dir(&*folder).unwrap();
+    let file = folder.join("one.toml");
+    let text = "units = \"N,mm\"\n[masses]\nbody = \"1 t\"\n[[springs]]\nbetween = [\"ground\", \"body\"]\n\
+                stiffness = \"200 N/mm\"\ndamping = \"0.2 N*s/mm\"\n[[contacts]]\nbetween = [\"ground\", \"body\"]\n\
+                friction = \"10 N\"\n[[forces]]\non = \"body\"\namplitude = \"100 N\"\nfrequency = \"1 Hz\"\n";
+    std::fs::write(&file, text).unwrap();
+    let top = |count: usize| {
+        let picture = folder.join(format!("{count}.svg"));
+        let line = format!("system {} curve --frequency 1.5Hz:3Hz:{count}", file.display());
+        stdout(&format!("{line} --picture {}", picture.display()));
+        let svg = std::fs::read_to_string(&picture).unwrap();
+        heights(&svg, |line| !line.contains("#DEDEDE") && line.split(',').count() > 8)
+    };
+    let (coarse, fine) = (top(6), top(601));
+    assert!((coarse.0 - fine.0).abs() <= 4.0 && fine.1 - fine.0 > 1000.0, "{coarse:?} {fine:?}");
 }
 
 #[cfg(feature = "parquet")]

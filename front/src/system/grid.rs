@@ -3,6 +3,7 @@
 use super::built::NamedSystem;
 use super::described::Described;
 use serde_json::Value;
+use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::inputs::units::{Kind as Of, System as Units, split};
 use stickslip::motion::record::Record;
@@ -188,6 +189,7 @@ pub struct Grid<'a> {
     /// A row without an answer, which has a cell of its kind for each name.
     blank: Vec<Cell<'static>>,
     count: u64,
+    keep_going: fn() -> ControlFlow<()>,
 }
 
 /// The place of a row on each axis, and its record.
@@ -210,7 +212,8 @@ impl<'a> Grid<'a> {
         let count = lengths.into_iter().try_fold(1u64, u64::checked_mul).filter(|n| *n <= MOST_ROWS);
         let count = count.ok_or_else(|| format!("the grid must have ≤ {MOST_ROWS} rows"))?;
         let (names, blank) = (Vec::new(), Vec::new());
-        let mut grid = Self { value, folder, units, axes, records, asked, names, blank, count };
+        let keep_going = || ControlFlow::Continue(());
+        let mut grid = Self { value, folder, units, axes, records, asked, names, blank, count, keep_going };
         let described = grid.described()?;
         let answers = columns(&described, asked);
         let mut names: Vec<String> = grid.records.first().map(|_| "record".to_owned()).into_iter().collect();
@@ -221,6 +224,12 @@ impl<'a> Grid<'a> {
         }
         grid.names = names;
         Ok(grid)
+    }
+
+    /// The same grid, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`].
+    #[must_use]
+    pub fn while_allowed(self, keep_going: fn() -> ControlFlow<()>) -> Self {
+        Self { keep_going, ..self }
     }
 
     /// The number of rows.
@@ -254,9 +263,14 @@ impl<'a> Grid<'a> {
         (places, self.records.get(next(self.records.len())))
     }
 
-    /// The system of a row.
-    fn system(&self, (places, record): &Place<'a>) -> Result<NamedSystem, String> {
-        let typed: Vec<String> = self.axes.iter().zip(places).map(|(axis, at)| axis.typed(*at)).collect();
+    /// The system of a row, with another value on the last axis, if there is one.
+    fn system(&self, (places, record): &Place<'a>, other: Option<f64>) -> Result<NamedSystem, String> {
+        let mut typed: Vec<String> = self.axes.iter().zip(places).map(|(axis, at)| axis.typed(*at)).collect();
+        if let (Some(x), Some(typed), Some(Values::Numbers(_, unit))) =
+            (other, typed.last_mut(), self.axes.last().map(|axis| &axis.values))
+        {
+            *typed = format!("{x}{unit}");
+        }
         let chosen = || self.axes.iter().zip(&typed);
         let set = chosen().filter_map(|(axis, text)| Some((axis.path.as_deref()?, text.as_str())));
         let mut found = NamedSystem::new(self.value, set, self.folder, self.units)?;
@@ -275,7 +289,7 @@ impl<'a> Grid<'a> {
     /// # Errors
     /// What is wrong with the first row, where none of the first rows is right.
     pub fn described(&self) -> Result<Described, String> {
-        let system = |row: u64| self.system(&self.place(row)).map(|found| found.described);
+        let system = |row: u64| self.system(&self.place(row), None).map(|found| found.described);
         let first = system(0).map_err(|e| if self.count > 1 { format!("row 1: {e}") } else { e });
         first.or_else(|why| (1..self.count.min(TRIED)).find_map(|row| system(row).ok()).ok_or(why))
     }
@@ -299,7 +313,19 @@ impl<'a> Grid<'a> {
     /// # Errors
     /// The reason why there is none, on one line.
     pub fn answer(&self, row: u64) -> Result<Vec<Cell<'static>>, String> {
-        let of = self.system(&self.place(row))?;
+        self.answer_of(self.system(&self.place(row), None)?)
+    }
+
+    /// The cells of an answer between rows: that of a row with another value on the last axis, in the unit of the axis.
+    ///
+    /// # Errors
+    /// As [`Grid::answer`].
+    pub fn answer_at(&self, row: u64, last: f64) -> Result<Vec<Cell<'static>>, String> {
+        self.answer_of(self.system(&self.place(row), Some(last))?)
+    }
+
+    fn answer_of(&self, mut of: NamedSystem) -> Result<Vec<Cell<'static>>, String> {
+        of.system = of.system.while_allowed(self.keep_going);
         let (described, system) = (&of.described, &of.system);
         let because = |e: stickslip::system::Error| e.to_string();
         let number = |x: f64| Cell::Number(Some(x));

@@ -157,8 +157,18 @@ impl Builder<'_> {
 
     fn spring(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (_, ends) = self.direction(fields)?;
-        let stiffness = fields.quantity_or("stiffness", Of::Stiffness, 0.0)?;
-        let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
+        let value = |name: &'static str, kind: Of| {
+            let Some(node) = fields.get(name) else { return Ok(0.0) };
+            let value = node.quantity(kind)?;
+            if value < 0.0 {
+                return Err(
+                    node.wrong("must be ≥ 0 (a negative one, as of a buckled strut, is given by matrices)")
+                );
+            }
+            Ok(value)
+        };
+        let stiffness = value("stiffness", Of::Stiffness)?;
+        let damping = value("damping", Of::Damping)?;
         let _ = fields.get("name");
         fields.end()?;
         for (matrix, value) in [(&mut self.model.stiffness, stiffness), (&mut self.model.damping, damping)] {
