@@ -152,7 +152,7 @@ fn resolved_for_all(
             }
             Ok::<Placed, Failure>((x, grid.answer_at(0, x).unwrap_or_else(|_| grid.blank().to_vec())))
         };
-        let found = stickslip_figures::resolved(&places, is_log, of, |_| false, at)?;
+        let found = stickslip_front::curve::resolved(&places, is_log, of, |_| false, at)?;
         places = found.into_iter().map(|(place, _)| place).collect();
     }
     Ok(places)
