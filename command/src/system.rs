@@ -284,9 +284,9 @@ fn of_file(args: &SystemArgs, error: &stickslip::system::Error) -> Failure {
 
 impl From<stickslip::system::Error> for Failure {
     fn from(error: stickslip::system::Error) -> Self {
-        match error {
-            stickslip::system::Error::Interrupted => Self::Interrupted,
-            _ => Self::Input(error.to_string()),
+        if error == stickslip::system::Error::Interrupted {
+            return Self::Interrupted;
         }
+        Self::Input(error.to_string())
     }
 }
