@@ -215,9 +215,10 @@ fn solution<F: Float>(mut a: Rows<F>, mut y: Vec<F>) -> Vec<F> {
         a.swap(k, best);
         y.swap(k, best);
         for i in (0..d).filter(|&i| i != k) {
-            let factor = a[i][k] / a[k][k];
-            for j in k..d {
-                a[i][j] = a[i][j] - factor * a[k][j];
+            let pivot = a[k].clone();
+            let factor = a[i][k] / pivot[k];
+            for (x, p) in a[i].iter_mut().zip(pivot).skip(k) {
+                *x = *x - factor * p;
             }
             y[i] = y[i] - factor * y[k];
         }

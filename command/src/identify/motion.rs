@@ -47,12 +47,10 @@ pub(super) fn run(
     let file = MotionFile::read(&args.file, &name, reader)?;
     let stiffness = given.stiffness()?.ok_or_else(|| given.missing(&Input::of_role(Role::Spring)))?;
     let (mass, lines) = (given.mass()?, &file.lines);
-    let of_sample = |e: stickslip::Error| match e {
-        stickslip::Error::InSample { index, error } => {
-            let line = lines.get(index).copied().unwrap_or_default();
-            format!("{name} line {line}: {error}")
-        }
-        e => format!("{name}: {e}"),
+    let of_sample = |e: stickslip::Error| {
+        let stickslip::Error::InSample { index, error } = e else { return format!("{name}: {e}") };
+        let line = lines.get(index).copied().unwrap_or_default();
+        format!("{name} line {line}: {error}")
     };
     let load = Record::at_times(file.excitation, file.times, file.samples).map_err(of_sample)?;
     let found =

@@ -138,15 +138,17 @@ impl<F: Value> Load<F> {
             }
             (ShapeArg::Sine | ShapeArg::Step | ShapeArg::Ramp, _) => given.amplitude()?,
         };
-        let excitation = match input {
-            Input::Force => Excitation::Force,
-            Input::FootDisplacement => Excitation::FootMotion,
-            Input::DampedFootDisplacement if shape == ShapeArg::Ramp => Excitation::DampedFootMotion,
-            Input::BaseAcceleration => Excitation::SurfaceAcceleration,
-            _ => {
-                let allowed = "--force, --foot-displacement or --base-acceleration";
-                return Err(format!("{}: must be {allowed} with {name}", given.label(input)).into());
-            }
+        let excitations = [
+            (Input::Force, Excitation::Force),
+            (Input::FootDisplacement, Excitation::FootMotion),
+            (Input::BaseAcceleration, Excitation::SurfaceAcceleration),
+            // A step of the support would give a damper a force without bound.
+            (Input::DampedFootDisplacement, Excitation::DampedFootMotion),
+        ];
+        let excitations = if shape == ShapeArg::Ramp { &excitations[..] } else { &excitations[..3] };
+        let Some(&(_, excitation)) = excitations.iter().find(|(known, _)| *known == input) else {
+            let allowed = "--force, --foot-displacement or --base-acceleration";
+            return Err(format!("{}: must be {allowed} with {name}", given.label(input)).into());
         };
         let (first, rise) = if shape == ShapeArg::Ramp {
             (zero, positive("--rise", &args.rise, Kind::Time)?)
