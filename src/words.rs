@@ -185,6 +185,10 @@ pub fn origin<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> String {
             return String::new();
         }
     };
+    // A friction of 0 is computed as one far below the rounding of the motion.
+    if !ratios.is_damped() && ratios.alpha() > F::exp2i(80) {
+        return "One periodic motion. Without friction and a damper, the free vibration of a start stays beside it.".to_owned();
+    }
     if !ratios.has_higher_static_friction() {
         return "One periodic motion, from every start.".to_owned();
     }

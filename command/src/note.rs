@@ -76,9 +76,15 @@ pub(crate) fn response<F: Value>(
     mut note: Note<'_, F, impl Write>,
 ) -> io::Result<()> {
     let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
-    writeln!(note.out, "{}\n", style::verdict(&words::verdict(response)))?;
+    let (has_drive, has_friction) = (!note.given.is_without_drive(), !note.given.is_without_friction());
+    let verdict = match (has_drive, has_friction, &response.cycle) {
+        (false, _, _) => "At rest: nothing shakes the body.".to_owned(),
+        (true, false, Some(_)) => "Non-sticking: without friction the body never stops.".to_owned(),
+        _ => words::verdict(response),
+    };
+    writeln!(note.out, "{}\n", style::verdict(&verdict))?;
     note.line("frequency ratio Ω", digits(omega))?;
-    note.line("force ratio α", digits(alpha))?;
+    note.line("force ratio α", digits(if has_drive { alpha } else { F::int(0) }))?;
     if response.ratios.is_damped() {
         note.line("damping ratio ζ", digits(response.ratios.damping_ratio()))?;
     }

@@ -191,7 +191,8 @@ impl Extent {
                 (positive("--duration", text, Quantity::Time)? * per_time, format!("--duration {text}"))
             }
             (cycles, None) => {
-                let text = cycles.as_deref().unwrap_or("1");
+                let missing = || Failure::Input("--cycles is missing, or --duration".to_owned());
+                let text = cycles.as_deref().ok_or_else(missing)?;
                 let cycles = input::count("--cycles", text, MOST_ROWS as u64)?;
                 (cycles as f64, format!("--cycles {cycles}"))
             }

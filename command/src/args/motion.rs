@@ -86,7 +86,7 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_name = "θ", allow_hyphen_values = true)]
     pub(crate) phase: Option<String>,
     /// Cycles of the drive to follow
-    #[arg(long, value_name = "N", allow_hyphen_values = true, required_unless_present = "duration")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, required_unless_present_any = ["duration", "shape"])]
     pub(crate) cycles: Option<String>,
     /// Time to follow, such as 2s, in place of the cycles
     #[arg(long, value_name = "T", allow_hyphen_values = true, conflicts_with = "cycles")]
@@ -143,7 +143,7 @@ pub(crate) struct DecayArgs {
     #[command(flatten)]
     pub(crate) surface: SurfaceArgs,
     /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
-    #[arg(long, value_name = "X", allow_hyphen_values = true, required_unless_present = "v0")]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, required_unless_present_any = ["v0", "no_spring"])]
     pub(crate) x0: Option<String>,
     /// Velocity at the start: in units of B ω_n, or of length per time [default: 0]
     #[arg(long, value_name = "V", allow_hyphen_values = true)]

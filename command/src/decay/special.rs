@@ -33,6 +33,9 @@ pub(super) fn respond<F: Value>(
         Some(text) => reader.value::<F>(option, text, kind),
         None => Ok(F::int(0)),
     };
+    if args.x0.is_none() && args.v0.is_none() {
+        return Err("--v0 is missing, or --x0".to_owned().into());
+    }
     let [x0, v0] = [start("--x0", &args.x0, Kind::Length)?, start("--v0", &args.v0, Kind::Velocity)?];
     if args.machine.iter().all(|(input, _)| WITHOUT_MASS.contains(input)) {
         given.set(Input::Mass, F::int(1));

@@ -210,7 +210,8 @@ fn samples_of<F: Value>(
             ("velocity", Kind::Velocity, number(found.velocity)),
             ("acceleration", Kind::Acceleration, number(found.acceleration)),
         ];
-        values.extend(has_mass.then(|| ("friction_force", Kind::Force, number(found.friction))));
+        // On the side of the spring's force, as under a harmonic drive.
+        values.extend(has_mass.then(|| ("friction_force", Kind::Force, number(-found.friction))));
         Some(Cells::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())
     });
     rows.collect()
