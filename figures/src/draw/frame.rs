@@ -1,7 +1,7 @@
 //! One pair of axes and its contents.
 
 use super::mark::{arrow, stroke, whole};
-use super::ticks::ticks;
+use super::ticks::{minor, ticks};
 use super::{Anchor, Canvas, Drawn, UNITS, letters, mark, title, write};
 use crate::{Axis, Panel, Plane, Series, Style};
 use plotters::element::{PathElement, Rectangle};
@@ -54,8 +54,26 @@ impl<'a> Frame<'a> {
             let corners = [(self.left, self.top), (right, self.top), (right, bottom), (self.left, bottom)];
             let round = corners.into_iter().chain([(self.left, self.top)]).map(whole).collect::<Vec<_>>();
             canvas.draw(&PathElement::new(round, BLACK.stroke_width(UNITS.unsigned_abs())))?;
+            self.minor_ticks(canvas)?;
         }
         self.words(&x_ticks, &y_ticks, margin, canvas)
+    }
+
+    /// Short lines within the frame at the values between the labels of a logarithmic axis.
+    fn minor_ticks(&self, canvas: &Canvas<'_>) -> Drawn {
+        const LENGTH: f64 = 5.0;
+        let (length, bottom) = (LENGTH * f64::from(UNITS), self.top + self.height);
+        let shown = |axis: &Axis| if axis.label.is_empty() { Vec::new() } else { minor(axis) };
+        let across = shown(&self.panel.x).into_iter().map(|value| {
+            let x = self.place((value, self.panel.y.low)).0;
+            [(x, bottom), (x, bottom - length)]
+        });
+        let up = shown(&self.panel.y).into_iter().map(|value| {
+            let y = self.place((self.panel.x.low, value)).1;
+            [(self.left, y), (self.left + length, y)]
+        });
+        let style = BLACK.stroke_width(UNITS.unsigned_abs());
+        across.chain(up).try_for_each(|line| canvas.draw(&PathElement::new(line.map(whole).to_vec(), style)))
     }
 
     fn words(

@@ -25,20 +25,45 @@ pub(super) fn ticks(axis: &Axis) -> Vec<(f64, String)> {
 /// 1, 2 and 5 times each power of ten; a linear scale where these are still too few.
 fn one_two_five(low: f64, high: f64) -> Vec<(f64, String)> {
     let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
-    let tick = |e: i32| {
-        [1, 2, 5].map(|m| {
-            let value = f64::from(m) * 10f64.powi(e);
-            let text = if (-4..6).contains(&e) {
-                format!("{value:.*}", usize::try_from(-e).unwrap_or(0))
-            } else {
-                format!("{m}·{}", power(e))
-            };
-            (value, text)
-        })
-    };
-    let within = |(value, _): &(f64, String)| *value >= low * (1.0 - 1e-9) && *value <= high * (1.0 + 1e-9);
+    let tick = |e: i32| [1, 2, 5].map(|m| (m, e, f64::from(m) * 10f64.powi(e)));
+    let within = |(_, _, value): &(i32, i32, f64)| is_within((low, high), *value);
     let found: Vec<_> = (first..=last).flat_map(tick).filter(within).collect();
-    if (3..=MOST).contains(&found.len()) { found } else { round_steps(low, high) }
+    if !(3..=MOST).contains(&found.len()) {
+        return round_steps(low, high);
+    }
+    let is_plain = found.iter().all(|(_, e, _)| (-4..6).contains(e));
+    let text = |(m, e, value): (i32, i32, f64)| {
+        let decimals = usize::try_from(-e).unwrap_or(0);
+        (value, if is_plain { format!("{value:.decimals$}") } else { format!("{m}·{}", raised(e)) })
+    };
+    found.into_iter().map(text).collect()
+}
+
+/// Whether a positive value lies between two ends, or on them but for rounding.
+fn is_within((low, high): (f64, f64), value: f64) -> bool {
+    value >= low * (1.0 - 1e-9) && value <= high * (1.0 + 1e-9)
+}
+
+/// The values without labels between the ticks of a logarithmic axis: the multiples of each power of ten or, where
+/// not each power has a label, the powers. None where the ticks are those of a linear axis.
+pub(super) fn minor(axis: &Axis) -> Vec<f64> {
+    let (low, high) = (axis.low.min(axis.high), axis.low.max(axis.high));
+    let found: Vec<_> = ticks(axis).into_iter().map(|(value, _)| value).collect();
+    let [first, second, ..] = found.as_slice() else { return Vec::new() };
+    if !axis.logarithmic {
+        return Vec::new();
+    }
+    let is_scale = powers_of_ten(low, high).len() > 2 || *second > first * 1.9 && found.len() < MOST;
+    if !is_scale {
+        return Vec::new();
+    }
+    let multiples = if second / first > 11.0 { 1..=1 } else { 1..=9 };
+    let exponents = low.log10().floor() as i32..=high.log10().floor() as i32;
+    let values = exponents.flat_map(|e| multiples.clone().map(move |m| f64::from(m) * 10f64.powi(e)));
+    let is_between = |value: &f64| {
+        is_within((low, high), *value) && !found.iter().any(|tick| (value / tick - 1.0).abs() < 1e-9)
+    };
+    values.filter(is_between).collect()
 }
 
 /// Powers of ten, at most nine of them.
@@ -46,17 +71,13 @@ fn powers_of_ten(low: f64, high: f64) -> Vec<(f64, String)> {
     let (first, last) = ((low.log10() - 1e-9).ceil() as i32, (high.log10() + 1e-9).floor() as i32);
     let step = ((last - first) / 8 + 1).max(1);
     let from = first + (step - first.rem_euclid(step)) % step;
-    let powers = (from..=last).step_by(step.unsigned_abs() as usize).map(|e| (10f64.powi(e), power(e)));
+    let exponents = || (from..=last).step_by(step.unsigned_abs() as usize);
+    // Numbers and powers side by side would be read as two scales.
+    let is_plain = exponents().all(|e| (-2..=3).contains(&e));
+    let text = |value: f64, e| if is_plain { value.to_string() } else { raised(e) };
+    let powers = exponents().map(|e| (10f64.powi(e), text(10f64.powi(e), e)));
     // The powers below 10⁻³⁰⁷ may be 0.
     powers.filter(|(value, _)| *value > 0.0).collect()
-}
-
-/// A power of ten in characters that need no markup.
-fn power(exponent: i32) -> String {
-    if (-2..=3).contains(&exponent) {
-        return 10f64.powi(exponent).to_string();
-    }
-    raised(exponent)
 }
 
 /// 10ᵉ.
@@ -79,14 +100,14 @@ fn round_steps(low: f64, high: f64) -> Vec<(f64, String)> {
     let finest = COARSE * (f64::EPSILON * low.abs().max(high.abs())).max(f64::MIN_POSITIVE);
     if step < finest || !step.is_finite() {
         let ends = if low < high { vec![low, high] } else { vec![low] };
-        return ends.into_iter().map(|value| (value, exponential(value, None))).collect();
+        return ends.into_iter().map(|value| (value, exponential(value))).collect();
     }
     let (first, last) = ((low / step - 1e-9).ceil() as i64, (high / step + 1e-9).floor() as i64);
     let values = (first..=last).take(MOST).map(|i| i as f64 * step).filter(|value| value.is_finite());
     labelled(values.collect(), step.log10().floor() as i32)
 }
 
-/// Values with their labels, all with decimals down to the place 10ᵉ or all with a power of ten.
+/// Values with their labels, all with decimals down to the place 10ᵉ or all with the same power of ten.
 fn labelled(values: Vec<f64>, place: i32) -> Vec<(f64, String)> {
     let decimals = usize::try_from(-place).unwrap_or(0);
     // The length is known without the text, which could have hundreds of letters.
@@ -97,28 +118,41 @@ fn labelled(values: Vec<f64>, place: i32) -> Vec<(f64, String)> {
     if values.iter().all(|value| letters(value) <= LETTERS) {
         return values.into_iter().map(|v| (v, format!("{v:.decimals$}").replace('-', "−"))).collect();
     }
-    values.into_iter().map(|value| (value, exponential(value, Some(place)))).collect()
+    let exponent = |value: f64| value.abs().log10().floor() as i32;
+    let common =
+        values.iter().filter(|value| **value != 0.0).map(|value| exponent(*value)).max().unwrap_or(0);
+    let decimals = usize::try_from(common - place).unwrap_or(0).min(16);
+    let text = |value: f64| {
+        if value == 0.0 {
+            return "0".to_owned();
+        }
+        // In two steps where the power itself would be subnormal.
+        let scaled =
+            if common < -300 { value * 1e300 / 10f64.powi(common + 300) } else { value / 10f64.powi(common) };
+        times(&format!("{scaled:.decimals$}"), common)
+    };
+    values.into_iter().map(|value| (value, text(value))).collect()
 }
 
-/// A number as m·10ᵉ with digits down to a place, or all its digits.
-fn exponential(value: f64, place: Option<i32>) -> String {
+/// All digits of a number, as m·10ᵉ.
+fn exponential(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let above = |place: i32| usize::try_from(value.abs().log10().floor() as i32 - place).unwrap_or(0);
-    let text = match place {
-        Some(place) => format!("{value:.*e}", above(place).min(16)),
-        None => format!("{value:e}"),
-    };
+    let text = format!("{value:e}");
     let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
+    times(digits, exponent.parse().unwrap_or(0))
+}
+
+/// These digits times 10ᵉ.
+fn times(digits: &str, exponent: i32) -> String {
     let digits = digits.replace('-', "−");
     if exponent == 0 { digits } else { format!("{digits}·{}", raised(exponent)) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST, ticks};
+    use super::{MOST, minor, ticks};
     use crate::{Axis, Figure, Panel, Plane, Scale, Series, Style};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
@@ -134,7 +168,7 @@ mod tests {
         assert_eq!(texts(&Axis::logarithmic("", 0.1, 1000.0)), ["0.1", "1", "10", "100", "1000"]);
         assert_eq!(
             texts(&Axis::logarithmic("", 1e-17, 1.0)),
-            ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "1"]
+            ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "10⁰"]
         );
         assert_eq!(texts(&Axis::logarithmic("", 0.05, 2.0)), ["0.05", "0.1", "0.2", "0.5", "1", "2"]);
         assert_eq!(texts(&Axis::logarithmic("", 30.0, 400.0)), ["50", "100", "200"]);
@@ -150,9 +184,50 @@ mod tests {
     fn long_labels_have_a_power_of_ten() {
         assert_eq!(
             texts(&Axis::linear("", 0.0, 1e-5)),
-            ["0", "2·10⁻⁶", "4·10⁻⁶", "6·10⁻⁶", "8·10⁻⁶", "1.0·10⁻⁵"]
+            ["0", "0.2·10⁻⁵", "0.4·10⁻⁵", "0.6·10⁻⁵", "0.8·10⁻⁵", "1.0·10⁻⁵"]
         );
-        assert_eq!(texts(&Axis::linear("", -1e9, 1e9)), ["−1.0·10⁹", "−5·10⁸", "0", "5·10⁸", "1.0·10⁹"]);
+        assert_eq!(texts(&Axis::linear("", -1e9, 1e9)), ["−1.0·10⁹", "−0.5·10⁹", "0", "0.5·10⁹", "1.0·10⁹"]);
+    }
+
+    /// Either all labels of an axis are powers of ten, or none is.
+    #[test]
+    fn an_axis_has_one_kind_of_labels() {
+        assert_eq!(texts(&Axis::logarithmic("", 1e-3, 0.1)), ["10⁻³", "10⁻²", "10⁻¹"]);
+        assert_eq!(
+            texts(&Axis::logarithmic("", 0.01, 1e4)),
+            ["10⁻²", "10⁻¹", "10⁰", "10¹", "10²", "10³", "10⁴"]
+        );
+        assert_eq!(texts(&Axis::logarithmic("", 3e-5, 3e-4)), ["5·10⁻⁵", "1·10⁻⁴", "2·10⁻⁴"]);
+        for (low, high) in [(1e-4, 2.0), (0.5, 2e5), (1e5, 3e6), (7e-6, 9e-4), (1e-17, 1e17)] {
+            let found = texts(&Axis::logarithmic("", low, high));
+            let raised =
+                found.iter().filter(|text| text.contains("10") && !text.ends_with(['0', '1'])).count();
+            assert!(found.len() > 2 && (raised == 0 || raised == found.len()), "{found:?}");
+        }
+        for (low, high) in [(0.0, 3e-7), (-4e8, 7e9), (0.0, 1.1e6), (-1e-300, 2e-303)] {
+            let found = texts(&Axis::linear("", low, high));
+            let powers: std::collections::BTreeSet<_> = found
+                .iter()
+                .filter(|text| *text != "0")
+                .map(|text| text.split_once('·').map(|t| t.1))
+                .collect();
+            assert!(found.len() > 3 && powers.len() == 1, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_logarithmic_axis_has_minor_ticks() {
+        let near = |found: Vec<f64>, due: &[f64]| {
+            assert_eq!(found.len(), due.len(), "{found:?}");
+            assert!(found.iter().zip(due).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{found:?}");
+        };
+        let hundred: Vec<f64> = (2..10).chain((20..100).step_by(10)).map(f64::from).collect();
+        near(minor(&Axis::logarithmic("", 1.0, 100.0)), &hundred);
+        near(minor(&Axis::logarithmic("", 100.0, 1.0)), &hundred);
+        near(minor(&Axis::logarithmic("", 30.0, 400.0)), &[30.0, 40.0, 60.0, 70.0, 80.0, 90.0, 300.0, 400.0]);
+        near(minor(&Axis::logarithmic("", 1e-4, 1e8)), &[1e-3, 1e-1, 1e1, 1e3, 1e5, 1e7]);
+        near(minor(&Axis::logarithmic("", 1.1, 1.9)), &[]);
+        near(minor(&Axis::linear("", 1.0, 100.0)), &[]);
     }
 
     #[test]
