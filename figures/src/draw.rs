@@ -38,10 +38,10 @@ pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
 pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
     let fitted = |legend| {
         let layout = Layout::of(figure, legend);
-        let fitted = size.map_or(Some(layout), |size| layout.fitted(size));
+        let fitted = size.map_or(Some(layout), |size| layout.fitted(figure, size));
         fitted.ok_or_else(|| {
             // With the legend beside the plots, where it has room in any case.
-            let (width, height) = Layout::of(figure, legend::width(figure)).least();
+            let (width, height) = Layout::of(figure, legend::width(figure)).least(figure);
             let text = format!("must be from {width}x{height}, for this picture, to {MOST}x{MOST}");
             io::Error::new(io::ErrorKind::InvalidInput, text)
         })
@@ -54,7 +54,7 @@ pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<Strin
             if let Some((layout, place)) = size.and_then(|size| layout.legend_below(figure, size)) {
                 return drawn(figure, &layout, place);
             }
-            (layout, (layout.panels_width() + BESIDE, TOP - 5))
+            (layout, (layout.panels_width() + BESIDE, layout.top - 5))
         }
     };
     drawn(figure, &layout, place)
@@ -76,8 +76,10 @@ fn drawn(figure: &Figure, layout: &Layout, place: (i32, i32)) -> io::Result<Stri
 
 fn paint(figure: &Figure, layout: &Layout, legend: (i32, i32), canvas: &Canvas<'_>) -> Drawn {
     canvas.fill(&WHITE)?;
-    let middle = layout.left + layout.panels_width() / 2 - layout.left / 2;
-    title(canvas, &figure.title, (middle, 12), 18, layout.panels_width())?;
+    let (lines, size) = layout.title(figure);
+    for (line, y) in lines.iter().zip((12..).step_by(TITLE_LINE as usize)) {
+        write(canvas, line, (layout.middle(), y), size, Anchor::Above)?;
+    }
     for (panel, origin) in figure.panels.iter().zip(layout.origins()) {
         Frame::new(panel, origin, layout.plot).draw(layout.left, canvas)?;
     }
@@ -85,7 +87,15 @@ fn paint(figure: &Figure, layout: &Layout, legend: (i32, i32), canvas: &Canvas<'
     canvas.present()
 }
 
-/// Margins in pixels: left of a plot, at least, above it and below it.
+/// The size of the title of a figure, and of the texts that give way last: 7 pt where a picture of 450 pixels is
+/// 85 mm wide.
+const TITLE: i32 = 18;
+pub(super) const TEXT: i32 = 14;
+/// The most lines of a title, and the height of one.
+const TITLE_LINES: usize = 3;
+const TITLE_LINE: i32 = 20;
+
+/// Margins in pixels: left of a plot, at least, above it below a title of one line, and below it.
 const LEFT: i32 = 76;
 const TOP: i32 = 66;
 const BELOW: i32 = 62;
@@ -93,8 +103,9 @@ const BELOW: i32 = 62;
 const RIGHT: i32 = 24;
 const BESIDE: i32 = 32;
 
-/// The least width and height of a plot.
+/// The least width and height of a plot, and the width below which plots are rather set one below the other.
 const LEAST: i32 = 120;
+const NARROW: i32 = 220;
 /// The greatest width and height of a figure.
 const MOST: i32 = 10_000;
 
@@ -105,6 +116,8 @@ pub(super) struct Layout {
     plot: (i32, i32),
     /// Margin left of a plot, with room for the labels of the widest vertical axis.
     left: i32,
+    /// Margin above the first plot, with room for the lines of the title.
+    top: i32,
     columns: i32,
     panels: i32,
     /// Width of the legend beside the plots; 0 where it is inside.
@@ -124,37 +137,70 @@ impl Layout {
             _ => ((400, 250), 2),
         };
         let shown = figure.panels.iter().map(|panel| &panel.y).filter(|axis| !axis.label.is_empty());
-        let widest = shown.flat_map(placed).map(|(_, text)| letters::width(&text, frame::LABEL)).max();
+        let widest = shown.flat_map(placed).map(|(_, text)| letters::width(&text, TEXT)).max();
         let left = LEFT.max(widest.unwrap_or(0) + frame::BESIDE_LABELS);
-        Self { plot, left, columns, panels, legend, below: 0, spare: (0, 0) }
+        Self { plot, left, top: TOP, columns, panels, legend, below: 0, spare: (0, 0) }.below_title(figure)
+    }
+
+    /// This layout with room for the title.
+    fn below_title(self, figure: &Figure) -> Self {
+        let lines = i32::try_from(self.title(figure).0.len()).unwrap_or(1).max(1);
+        Self { top: TOP + (lines - 1) * TITLE_LINE, ..self }
+    }
+
+    /// The middle of the title.
+    fn middle(&self) -> i32 {
+        (self.left + self.panels_width()) / 2
+    }
+
+    /// The lines of the title and their size.
+    fn title(&self, figure: &Figure) -> (Vec<String>, i32) {
+        let room = 2 * self.middle().min(self.size().0 - self.middle()) - 8;
+        let size = (TITLE * room / letters::width(&figure.title, TITLE).max(1)).clamp(TEXT, TITLE);
+        (letters::lines(&figure.title, size, room, TITLE_LINES), size)
+    }
+
+    fn rows(&self) -> i32 {
+        (self.panels + self.columns - 1) / self.columns
     }
 
     /// The least size of the figure in pixels.
-    fn least(&self) -> (i32, i32) {
-        let (width, height) = self.size();
-        let rows = (self.panels + self.columns - 1) / self.columns;
-        (width - self.columns * (self.plot.0 - LEAST), height - rows * (self.plot.1 - LEAST))
+    fn least(&self, figure: &Figure) -> (i32, i32) {
+        Self { plot: (LEAST, LEAST), ..*self }.below_title(figure).size()
     }
 
     /// The layout of a figure of a given size in pixels; `None` where the plots would have no room.
-    fn fitted(self, (width, height): (u32, u32)) -> Option<Self> {
-        let (own, given) = (self.size(), (i32::try_from(width).ok()?, i32::try_from(height).ok()?));
+    fn fitted(self, figure: &Figure, size: (u32, u32)) -> Option<Self> {
+        let beside = self.shared(figure, size);
+        if self.columns == 1 || beside.is_some_and(|layout| layout.plot.0 >= NARROW) {
+            return beside;
+        }
+        Self { columns: 1, ..self }.shared(figure, size).or(beside)
+    }
+
+    /// The plots with a share each of a given size; `None` where they would have no room.
+    fn shared(self, figure: &Figure, (width, height): (u32, u32)) -> Option<Self> {
+        let given = (i32::try_from(width).ok()?, i32::try_from(height).ok()?);
         if given.0 > MOST || given.1 > MOST {
             return None;
         }
-        let rows = (self.panels + self.columns - 1) / self.columns;
-        let more = (given.0 - own.0, given.1 - own.1);
-        let plot = (self.plot.0 + more.0.div_euclid(self.columns), self.plot.1 + more.1.div_euclid(rows));
         // What the plots cannot share stays empty, so that the picture has the size asked for.
-        let spare = (more.0.rem_euclid(self.columns), more.1.rem_euclid(rows));
-        (plot.0 >= LEAST && plot.1 >= LEAST).then_some(Self { plot, spare, ..self })
+        let more = given.0 - self.size().0;
+        let (across, spare) = (self.plot.0 + more.div_euclid(self.columns), more.rem_euclid(self.columns));
+        if across < LEAST {
+            return None;
+        }
+        let wide = Self { plot: (across, self.plot.1), spare: (spare, 0), ..self }.below_title(figure);
+        let more = given.1 - wide.size().1;
+        let (down, spare) = (wide.plot.1 + more.div_euclid(wide.rows()), more.rem_euclid(wide.rows()));
+        (down >= LEAST).then_some(Self { plot: (across, down), spare: (wide.spare.0, spare), ..wide })
     }
 
     /// The place of the legend in the plot of a single panel, where it covers nothing.
     fn legend_inside(&self, figure: &Figure) -> Option<(i32, i32)> {
         let [panel] = figure.panels.as_slice() else { return None };
-        let frame = Frame::new(panel, (self.left, TOP), self.plot);
-        let places = legend::places(figure, (self.left, TOP), self.plot)?;
+        let frame = Frame::new(panel, (self.left, self.top), self.plot);
+        let places = legend::places(figure, (self.left, self.top), self.plot)?;
         places.into_iter().find(|&place| frame.is_free(place, legend::size(figure)))
     }
 
@@ -164,7 +210,7 @@ impl Layout {
         if self.legend < self.columns * self.plot.0 || !legend::is_of_series(figure) {
             return None;
         }
-        let layout = Self { below: height + 2 * legend::ROOM, ..Self::of(figure, 0) }.fitted(size)?;
+        let layout = Self { below: height + 2 * legend::ROOM, ..Self::of(figure, 0) }.fitted(figure, size)?;
         let bottom = layout.size().1 - layout.spare.1;
         let fits = layout.left + width + legend::ROOM <= layout.size().0;
         fits.then_some((layout, (layout.left, bottom - layout.below + legend::ROOM / 2)))
@@ -179,20 +225,20 @@ impl Layout {
     }
 
     fn size(&self) -> (i32, i32) {
-        let rows = (self.panels + self.columns - 1) / self.columns;
         let width = self.panels_width() + BESIDE + self.legend + RIGHT;
-        (width + self.spare.0, TOP - 30 + rows * self.step().1 + 6 + self.below + self.spare.1)
+        (width + self.spare.0, self.top - 30 + self.rows() * self.step().1 + 6 + self.below + self.spare.1)
     }
 
     /// The height of all panels, from the top of the first.
     pub(super) fn plots_height(&self) -> i32 {
-        self.size().1 - self.below - TOP - BELOW
+        self.size().1 - self.below - self.top - BELOW
     }
 
     /// The upper left corner of each plot.
     fn origins(&self) -> impl Iterator<Item = (i32, i32)> + '_ {
         let (across, down) = self.step();
-        (0..self.panels).map(move |i| (self.left + i % self.columns * across, TOP + i / self.columns * down))
+        (0..self.panels)
+            .map(move |i| (self.left + i % self.columns * across, self.top + i / self.columns * down))
     }
 }
 
@@ -209,14 +255,6 @@ pub(super) enum Anchor {
     Middle,
     /// The middle of the text's lower edge; the text runs upwards.
     Upwards,
-}
-
-/// Writes a title around a place, in smaller letters where it would be too wide.
-fn title(canvas: &Canvas<'_>, text: &str, place: (i32, i32), size: i32, width: i32) -> Drawn {
-    // A letter is about half as wide as high; a title may be somewhat wider than its plots.
-    let count = i32::try_from(text.chars().count()).unwrap_or(i32::MAX).max(1);
-    let (text, size) = letters::fitted(text, size.min(2 * width / count).max(8), width + 44);
-    write(canvas, &text, place, size, Anchor::Above)
 }
 
 /// Writes text of the given size at a place, both in pixels.

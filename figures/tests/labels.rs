@@ -69,3 +69,69 @@ fn the_texts_of_any_axes_keep_apart_at_any_size() {
     }
     assert_eq!(tried, 11 * 11 * 4 * 3);
 }
+
+/// The sizes of all letters but those of indices, in pixels of a drawing that is this many pixels wide.
+fn letters(svg: &str, width: f64) -> Vec<f64> {
+    let (_, rest) = svg.split_once("viewBox=\"0 0 ").unwrap();
+    let units: f64 = rest.split(' ').next().unwrap().parse().unwrap();
+    let sizes = svg.split("<text ").skip(1).map(|text| {
+        let (_, rest) = text.split_once("font-size=\"").unwrap();
+        rest.split('"').next().unwrap().parse::<f64>().unwrap() * width / units
+    });
+    sizes.collect()
+}
+
+/// In a column of 85 mm a pixel of 450 is 0.535 pt, so that 14 of them are 7.5 pt.
+#[test]
+fn a_narrow_picture_is_read_in_a_column_of_85_mm() {
+    const POINTS: f64 = 85.0 / 25.4 * 72.0 / 450.0;
+    let time = || Axis::linear("time (s)", 0.0, 30.0);
+    let record = ["displacement of the support (mm)", "displacement (mm)", "absolute acceleration (m/s²)"]
+        .map(|y| {
+            let (title, _) = y.split_once(" (").unwrap();
+            let curve = Series::new("sliding", Style::Line, 2, [(0.0, -0.7), (30.0, 0.9)]);
+            let rest = Series::new("at rest", Style::Thick, 3, [(3.0, 0.1), (4.0, 0.1)]);
+            Panel::new(title, time(), Axis::linear(y, -1.0, 1.0), vec![curve, rest])
+        });
+    let title =
+        "Motion under quake.csv: mass 800 kg, period 2.5 s, friction coefficient 0.06, damping ratio 5 %";
+    let of_record = Figure::new("record", title, "", record);
+    let mut seen = 0;
+    for figure in ["4", "5", "8", "9a"].map(|name| figure(name).unwrap()).into_iter().chain([of_record]) {
+        let svg = figure.svg_of_size((450, 1400)).unwrap();
+        let (faults, _) = text_boxes::faults(&svg);
+        assert!(faults.is_empty(), "{}: {faults:#?}", figure.name);
+        assert!(!svg.contains('…'), "{}", figure.name);
+        for size in letters(&svg, 450.0) {
+            assert!(size * POINTS >= 7.0, "{}: {} pt", figure.name, size * POINTS);
+            seen += 1;
+        }
+    }
+    assert!(seen > 60, "{seen}");
+}
+
+#[test]
+fn an_empty_and_a_level_panel_say_so() {
+    let drawn = |points: [(f64, f64); 3], style| {
+        let panel = Panel::new(
+            "",
+            Axis::linear("time (s)", 0.0, 2.0),
+            Axis::linear("displacement (mm)", -1.0, 1.0),
+            vec![Series::new("sliding", style, 2, points)],
+        );
+        let svg = Figure::new("f", "At rest", "", [panel]).svg().unwrap();
+        let (faults, _) = text_boxes::faults(&svg);
+        assert!(faults.is_empty(), "{faults:#?}");
+        svg
+    };
+    for style in [Style::Line, Style::Marks, Style::Thick] {
+        let points = |y: f64| [(0.0, y), (1.0, y), (2.0, y)];
+        assert!(drawn(points(f64::NAN), style).contains("no values in this range"), "{style:?}");
+        assert!(drawn(points(7.0), style).contains("no values in this range"), "{style:?}");
+        let level = drawn(points(-0.0123456), style);
+        assert_eq!(level.contains("constant: −0.01235"), style != Style::Marks, "{style:?}");
+        let moves = drawn([(0.0, 0.2), (1.0, 0.3), (2.0, 0.2)], style);
+        assert!(!moves.contains("constant") && !moves.contains("no values"), "{style:?}");
+    }
+    assert!(drawn([(0.0, 1e-9), (1.0, 1e-9), (2.0, 1e-9)], Style::Line).contains("constant: 1·10⁻⁹"));
+}

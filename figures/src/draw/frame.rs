@@ -1,15 +1,11 @@
 //! One pair of axes and its contents.
 
 use super::mark::{arrow, stroke, whole};
-use super::ticks::{minor, ticks};
-use super::{Anchor, Canvas, Drawn, UNITS, letters, mark, title, write};
+use super::ticks::{minor, number, ticks};
+use super::{Anchor, Canvas, Drawn, TEXT, UNITS, letters, mark, write};
 use crate::{Axis, Panel, Plane, Series, Style};
 use plotters::element::{PathElement, Rectangle};
 use plotters::style::{BLACK, Color, RGBColor, WHITE};
-
-/// The size of the labels of ticks, and of the titles of axes.
-pub(super) const LABEL: i32 = 13;
-const TITLE: i32 = 14;
 
 /// Left of the labels of a vertical axis: the axis' title with its margins; right of them, the gap to the plot.
 pub(super) const BESIDE_LABELS: i32 = 30;
@@ -88,28 +84,36 @@ impl<'a> Frame<'a> {
         let (middle, bottom) = (left + pixels(self.width) / 2, top + pixels(self.height));
         let (width, height) = (pixels(self.width), pixels(self.height));
         let across = |(value, text): &(f64, String)| {
-            (pixels(self.place((*value, self.panel.y.low)).0), letters::width(text, LABEL))
+            (pixels(self.place((*value, self.panel.y.low)).0), letters::width(text, TEXT))
         };
         let places: Vec<_> = x_ticks.iter().map(across).collect();
         for (((_, text), (x, length)), shown) in x_ticks.iter().zip(&places).zip(letters::shown(&places, 6)) {
             // Beyond the plot there is as much room as between it and its neighbour.
             let is_within = x - length / 2 > left - margin && x + length / 2 < left + width + 50;
             if shown && is_within {
-                write(canvas, text, (*x, bottom + 7), LABEL, Anchor::Above)?;
+                write(canvas, text, (*x, bottom + 7), TEXT, Anchor::Above)?;
             }
         }
-        let down = |(value, _): &(f64, String)| (pixels(self.place((self.panel.x.low, *value)).1), LABEL);
+        let down = |(value, _): &(f64, String)| (pixels(self.place((self.panel.x.low, *value)).1), TEXT);
         let places: Vec<_> = y_ticks.iter().map(down).collect();
         for (((_, text), (y, _)), shown) in y_ticks.iter().zip(&places).zip(letters::shown(&places, 1)) {
             if shown {
-                write(canvas, text, (left - 7, *y), LABEL, Anchor::Right)?;
+                write(canvas, text, (left - 7, *y), TEXT, Anchor::Right)?;
             }
         }
-        let (label, size) = letters::fitted(&self.panel.x.label, TITLE, width + 50);
+        let (label, size) = letters::fitted(&self.panel.x.label, TEXT, width + 50);
         write(canvas, &label, (middle, bottom + 28), size, Anchor::Above)?;
-        let (label, size) = letters::fitted(&self.panel.y.label, TITLE, height + 10);
+        let (label, size) = letters::fitted(&self.panel.y.label, TEXT, height + 10);
         write(canvas, &label, (left - margin + 13, top + height / 2), size, Anchor::Upwards)?;
-        title(canvas, &self.panel.title, (middle, top - 22), 14, pixels(self.width))
+        let (title, size) = letters::fitted(&self.panel.title, TEXT, width + 44);
+        write(canvas, &title, (middle, top - 22), size, Anchor::Above)?;
+        match self.remark() {
+            Some(remark) => {
+                let (remark, size) = letters::fitted(&remark, TEXT, width - 8);
+                write(canvas, &remark, (middle, top + height / 5), size, Anchor::Middle)
+            }
+            None => Ok(()),
+        }
     }
 
     /// The place of a point of the plot, in units of the drawing; infinite values are on the upper edge.
@@ -117,6 +121,36 @@ impl<'a> Frame<'a> {
         let y = if y == f64::INFINITY { 1.0 } else { self.panel.y.share(y) };
         let x = self.panel.x.share(x);
         (self.left + self.width * x, self.top + self.height * (1.0 - y))
+    }
+
+    /// The words for a panel in which nothing is seen, or only a level line.
+    fn remark(&self) -> Option<String> {
+        let panel = self.panel;
+        let is_blank = |plane: &Plane| plane.values.iter().all(|&value| plane.scale.step(value).is_none());
+        if panel.x.label.is_empty() && panel.y.label.is_empty()
+            || panel.plane.as_ref().is_some_and(|p| !is_blank(p))
+        {
+            return None;
+        }
+        if !panel.series.iter().any(|series| self.shows(series)) {
+            return Some("no values in this range".to_owned());
+        }
+        let mut points = panel.series.iter().flat_map(|series| &series.points).filter(|(_, y)| !y.is_nan());
+        let (first, level) = *points.next()?;
+        let is_level = panel.series.iter().all(|series| series.style.is_line())
+            && panel.series.iter().flat_map(|series| &series.points).any(|(x, y)| !y.is_nan() && *x != first)
+            && points.all(|(_, y)| *y == level);
+        is_level.then(|| format!("constant: {}", number(level)))
+    }
+
+    /// Whether anything of a series lies within the frame.
+    fn shows(&self, series: &Series) -> bool {
+        let tip = |(x, y): (f64, f64)| (x, if series.style == Style::Beyond { f64::INFINITY } else { y });
+        let places: Vec<_> = series.points.iter().map(|&point| self.place(tip(point))).collect();
+        if series.style.is_line() {
+            return !self.clipped(&places).is_empty();
+        }
+        series.style != Style::Note && places.into_iter().any(|place| self.holds(place))
     }
 
     fn holds(&self, (x, y): (f64, f64)) -> bool {
@@ -130,7 +164,13 @@ impl<'a> Frame<'a> {
         let area = |room: i32| {
             ((units(x - room), units(y - room)), (units(width + 2 * room), units(height + 2 * room)))
         };
+        let remark = || {
+            let at = (self.left + self.width / 2.0, self.top + self.height / 5.0);
+            let (from, to) = ((at.0 - units(120), at.1), (at.0 + units(120), at.1));
+            within(area(12), from, to).is_none() || self.remark().is_none()
+        };
         self.panel.plane.is_none()
+            && remark()
             && self.panel.series.iter().all(|series| {
                 let is_tip = series.style == Style::Beyond;
                 let on_edge = |(x, y): (f64, f64)| (x, if is_tip { f64::INFINITY } else { y });

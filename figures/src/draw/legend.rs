@@ -3,7 +3,7 @@
 use super::frame::placed;
 use super::mark::stroke;
 use super::shade::{STEPS, shade};
-use super::{Anchor, Canvas, Drawn, Layout, UNITS, mark, write};
+use super::{Anchor, Canvas, Drawn, Layout, TEXT, UNITS, letters, mark, write};
 use crate::{Axis, Figure, Plane, Scale, Series, Style};
 use plotters::element::Rectangle;
 use plotters::style::{Color, RGBColor, WHITE};
@@ -28,7 +28,7 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
         y += LINE;
     }
     for plane in keys(figure) {
-        write(canvas, &plane.label, (left, y + 4), 13, Anchor::Left)?;
+        write(canvas, &plane.label, (left, y + 4), TEXT, Anchor::Left)?;
         match &plane.scale {
             Scale::Names(names) => y = named(plane, names, (left, y + LINE + 4), canvas)?,
             Scale::Shades { low, high, logarithmic } => {
@@ -42,15 +42,14 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
     Ok(())
 }
 
-/// The width of the legend in pixels, at seven and a half per letter.
+/// The width of the legend in pixels.
 pub(super) fn width(figure: &Figure) -> i32 {
-    let letters =
-        |text: &str| i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 32).saturating_mul(15) / 2;
+    let letters = |text: &str| letters::width(text, TEXT);
     let series = entries(figure).into_iter().map(|series| 42 + letters(&series.key));
     let planes = keys(figure).into_iter().flat_map(|plane| {
         let names = match &plane.scale {
             Scale::Names(names) => names.iter().map(|name| letters(name)).max(),
-            Scale::Shades { .. } => Some(60),
+            Scale::Shades { .. } => Some(80),
         };
         [letters(&plane.label), 28 + names.unwrap_or(0)]
     });
@@ -126,10 +125,10 @@ fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
             stroke(canvas, line, series.style, colour)?;
             mark::draw(canvas, series.index, centre)?;
         }
-        Style::Note => return write(canvas, &series.key, (left, y), 13, Anchor::Left),
+        Style::Note => return write(canvas, &series.key, (left, y), TEXT, Anchor::Left),
         Style::Arrow | Style::Named => {}
     }
-    write(canvas, &series.key, (left + 42, y), 13, Anchor::Left)
+    write(canvas, &series.key, (left + 42, y), TEXT, Anchor::Left)
 }
 
 /// Draws a square for each name that occurs.
@@ -141,7 +140,7 @@ fn named(plane: &Plane, names: &[String], (left, top): (i32, i32), canvas: &Canv
         }
         let corner = |dx: i32, dy: i32| ((left + dx) * UNITS, (y + dy) * UNITS);
         canvas.draw(&Rectangle::new([corner(0, -7), corner(20, 7)], plane.scale.colour(step).filled()))?;
-        write(canvas, name, (left + 28, y), 13, Anchor::Left)?;
+        write(canvas, name, (left + 28, y), TEXT, Anchor::Left)?;
         y += LINE;
     }
     Ok(y)
@@ -160,7 +159,7 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
     }
     for (value, text) in placed(axis) {
         let y = f64::from(top + height) - f64::from(height) * axis.share(value);
-        write(canvas, &text, (left + 28, y.round() as i32), 13, Anchor::Left)?;
+        write(canvas, &text, (left + 28, y.round() as i32), TEXT, Anchor::Left)?;
     }
     Ok(())
 }

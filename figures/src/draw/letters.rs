@@ -27,8 +27,32 @@ fn ems(letter: char) -> f64 {
 /// The text and the size, at most the given one and at least 8, with which it is no wider than the room; cut where even the least size is too wide.
 pub(super) fn fitted(text: &str, size: i32, room: i32) -> (String, i32) {
     let size = (size * room / width(text, size).max(1)).clamp(8, size);
+    (cut(text, size, room), size)
+}
+
+/// The text in lines of this width, at most so many; what remains is cut.
+pub(super) fn lines(text: &str, size: i32, room: i32, most: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if width(line, size) + width(" ", size) + width(word, size) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            Some(_) | None => lines.push(word.to_owned()),
+        }
+    }
+    if lines.len() > most {
+        let rest = lines.split_off(most.saturating_sub(1)).join(" ");
+        lines.push(rest);
+    }
+    lines.into_iter().map(|line| cut(&line, size, room)).collect()
+}
+
+/// The text, cut where it is wider than the room.
+fn cut(text: &str, size: i32, room: i32) -> String {
     if width(text, size) <= room {
-        return (text.to_owned(), size);
+        return text.to_owned();
     }
     let mut kept = String::new();
     for letter in text.chars() {
@@ -38,7 +62,7 @@ pub(super) fn fitted(text: &str, size: i32, room: i32) -> (String, i32) {
             break;
         }
     }
-    (kept + "…", size)
+    kept + "…"
 }
 
 /// Which of the texts at these places, each with the length that it takes there, are shown: all, or every second, third, … one, so that none meets another.
@@ -56,7 +80,7 @@ pub(super) fn shown(places: &[(i32, i32)], gap: i32) -> Vec<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::{fitted, shown, width};
+    use super::{fitted, lines, shown, width};
 
     #[test]
     fn a_text_fits_its_room() {
@@ -68,6 +92,17 @@ mod tests {
         let (text, size) = fitted("absolute acceleration (m/s²)", 14, 60);
         assert!(text.ends_with('…') && size == 8 && width(&text, size) <= 60, "{text}");
         assert_eq!(fitted("a", 14, 0).0, "…");
+    }
+
+    #[test]
+    fn a_long_text_is_set_in_lines() {
+        assert_eq!(lines("a block on a bench", 14, 1000, 3), ["a block on a bench"]);
+        assert_eq!(lines("a block on a bench", 14, 80, 3), ["a block", "on a", "bench"]);
+        let two = lines("a block on a bench", 14, 80, 2);
+        assert!(two.len() == 2 && two[1].starts_with("on a b") && two[1].ends_with('…'), "{two:?}");
+        assert_eq!(lines("", 14, 80, 3), [""]);
+        let one = lines("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", 14, 80, 3);
+        assert!(one.len() == 1 && one[0].ends_with('…') && width(&one[0], 14) <= 80, "{one:?}");
     }
 
     #[test]

@@ -144,6 +144,16 @@ fn exponential(value: f64) -> String {
     times(digits, exponent.parse().unwrap_or(0))
 }
 
+/// A number in four digits, as on an axis.
+pub(super) fn number(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+        let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+        return format!("{rounded}").replace('-', "−");
+    }
+    let text = format!("{value:.3e}");
+    exponential(text.parse().unwrap_or(value))
+}
+
 /// These digits times 10ᵉ.
 fn times(digits: &str, exponent: i32) -> String {
     let digits = digits.replace('-', "−");
