@@ -440,5 +440,5 @@ fn drawing<F: Value>(
     ];
     panels.extend(has_mass.then_some(force_loop));
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    Figure::new("record", format!("Motion under {name}: {machine}"), "", panels)
+    Figure::new("record", format!("Motion under {name}: {machine}"), "", panels).stacked()
 }

@@ -76,7 +76,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         .collect();
     panels.push(panel("friction loop", over(&friction_loop, &x, 0.08), &r, friction_loop, &rests));
     let title = format!("Steady motion: {}", input::line(&args.machine, |_| true, &given.system));
-    let figure = Figure::new("motion", title, "", panels);
+    let figure = Figure::new("motion", title, "", panels).stacked();
     target.draw(out, || Ok(figure))
 }
 

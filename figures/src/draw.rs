@@ -38,7 +38,7 @@ pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
 pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
     let fitted = |legend| {
         let layout = Layout::of(figure, legend);
-        let fitted = size.map_or(Some(layout), |size| layout.fitted(figure, size));
+        let fitted = size.map_or(Some(layout.by_itself(figure)), |size| layout.fitted(figure, size));
         fitted.ok_or_else(|| {
             // With the legend beside the plots, where it has room in any case.
             let (width, height) = Layout::of(figure, legend::width(figure)).least(figure);
@@ -106,6 +106,8 @@ const BESIDE: i32 = 32;
 /// The least width and height of a plot, and the width below which plots are rather set one below the other.
 const LEAST: i32 = 120;
 const NARROW: i32 = 220;
+/// The size of one of several plots that are one below the other.
+const STACKED: (i32, i32) = (640, 180);
 /// The greatest width and height of a figure.
 const MOST: i32 = 10_000;
 
@@ -172,10 +174,19 @@ impl Layout {
     /// The layout of a figure of a given size in pixels; `None` where the plots would have no room.
     fn fitted(self, figure: &Figure, size: (u32, u32)) -> Option<Self> {
         let beside = self.shared(figure, size);
-        if self.columns == 1 || beside.is_some_and(|layout| layout.plot.0 >= NARROW) {
+        let is_wide = beside.is_some_and(|layout| layout.plot.0 >= NARROW);
+        if self.columns == 1 || is_wide && !figure.is_stacked {
             return beside;
         }
         Self { columns: 1, ..self }.shared(figure, size).or(beside)
+    }
+
+    /// The layout of a figure that may choose its size.
+    fn by_itself(self, figure: &Figure) -> Self {
+        if figure.is_stacked && self.panels > 1 {
+            return Self { columns: 1, plot: STACKED, ..self }.below_title(figure);
+        }
+        self
     }
 
     /// The plots with a share each of a given size; `None` where they would have no room.

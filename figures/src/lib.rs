@@ -106,6 +106,9 @@ pub struct Figure {
     /// The panels, row by row.
     #[doc(hidden)]
     pub panels: Vec<Panel>,
+    /// Whether the panels are one below the other, as those over one axis of time.
+    #[doc(hidden)]
+    pub is_stacked: bool,
 }
 
 /// One pair of axes and its contents.
@@ -272,7 +275,15 @@ impl Figure {
         caption: impl Into<String>,
         panels: impl Into<Vec<Panel>>,
     ) -> Self {
-        Self { name: name.into(), title: title.into(), caption: caption.into(), panels: panels.into() }
+        let panels = panels.into();
+        Self { name: name.into(), title: title.into(), caption: caption.into(), panels, is_stacked: false }
+    }
+
+    /// This figure with its panels one below the other, where its height has room.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn stacked(self) -> Self {
+        Self { is_stacked: true, ..self }
     }
 
     /// A figure of one panel.

@@ -110,6 +110,29 @@ fn a_narrow_picture_is_read_in_a_column_of_85_mm() {
     assert!(seen > 60, "{seen}");
 }
 
+/// The places of the first letters of the titles of four panels, one below the other or two by two.
+#[test]
+fn panels_over_one_time_are_stacked_where_there_is_room() {
+    let panel = |title: &str| {
+        let curve = Series::new("sliding", Style::Line, 2, [(0.0, 0.0), (30.0, 1.0)]);
+        Panel::new(title, Axis::linear("time (s)", 0.0, 30.0), Axis::linear("a", 0.0, 1.0), vec![curve])
+    };
+    let titles = ["force", "displacement", "velocity", "acceleration"];
+    let figure = Figure::new("record", "Motion", "", titles.map(panel)).stacked();
+    let columns = |svg: &str| {
+        let (_, texts) = text_boxes::texts(svg);
+        let middles = texts.iter().filter(|text| titles.contains(&text.words.as_str()));
+        let middles: std::collections::BTreeSet<_> =
+            middles.map(|text| ((text.of[0] + text.of[2]) / 2.0).round() as i64).collect();
+        assert!(text_boxes::faults(svg).0.is_empty());
+        middles.len()
+    };
+    assert_eq!(columns(&figure.svg().unwrap()), 1);
+    assert_eq!(columns(&figure.svg_of_size((900, 1200)).unwrap()), 1);
+    assert_eq!(columns(&figure.svg_of_size((900, 600)).unwrap()), 2);
+    assert_eq!(columns(&Figure { is_stacked: false, ..figure }.svg().unwrap()), 2);
+}
+
 #[test]
 fn an_empty_and_a_level_panel_say_so() {
     let drawn = |points: [(f64, f64); 3], style| {

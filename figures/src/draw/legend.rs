@@ -197,6 +197,7 @@ mod tests {
             title: String::new(),
             caption: String::new(),
             panels: vec![panel("warm", 1.0), panel("warm", 1.0), panel("cold", 1.0), panel("cold", 2.0)],
+            is_stacked: false,
         };
         let labels: Vec<_> = keys(&figure).iter().map(|plane| plane.label.as_str()).collect();
         assert_eq!(labels, ["warm", "cold", "cold"]);
@@ -214,7 +215,7 @@ mod tests {
         let series = series.map(|(i, points)| Series::new(format!("curve {i}"), Style::Line, i, points));
         let panel =
             Panel { title: String::new(), x: axis("x"), y: axis("y"), plane: None, series: series.collect() };
-        Figure { name: "one".to_owned(), title: String::new(), caption: String::new(), panels: vec![panel] }
+        Figure::new("one", "", "", [panel])
     }
 
     /// The left edge of a text in the drawing, and its height, in units of the drawing.
