@@ -50,10 +50,15 @@ pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<Strin
     let (layout, place) = match inside.legend_inside(figure) {
         Some(place) => (inside, place),
         None => {
-            let layout = fitted(legend::width(figure))?;
-            if let Some((layout, place)) = size.and_then(|size| layout.legend_below(figure, size)) {
+            let beside = fitted(legend::width(figure));
+            // Beside the plots it would take half of the width, or more than there is.
+            let is_wide =
+                beside.as_ref().map_or(true, |layout| layout.legend >= layout.columns * layout.plot.0);
+            let below = size.filter(|_| is_wide).and_then(|size| Layout::legend_below(figure, size));
+            if let Some((layout, place)) = below {
                 return drawn(figure, &layout, place);
             }
+            let layout = beside?;
             (layout, (layout.panels_width() + BESIDE, layout.top - 5))
         }
     };
@@ -215,10 +220,10 @@ impl Layout {
         places.into_iter().find(|&place| frame.is_free(place, legend::size(figure)))
     }
 
-    /// The layout of a picture of this size with the legend below the plots, and its place, where beside them it would take half of the width.
-    fn legend_below(&self, figure: &Figure, size: (u32, u32)) -> Option<(Self, (i32, i32))> {
+    /// The layout of a picture of this size with the legend below the plots, and its place.
+    fn legend_below(figure: &Figure, size: (u32, u32)) -> Option<(Self, (i32, i32))> {
         let (width, height) = legend::size(figure);
-        if self.legend < self.columns * self.plot.0 || !legend::is_of_series(figure) {
+        if !legend::is_of_series(figure) {
             return None;
         }
         let layout = Self { below: height + 2 * legend::ROOM, ..Self::of(figure, 0) }.fitted(figure, size)?;

@@ -96,8 +96,15 @@ fn a_narrow_picture_is_read_in_a_column_of_85_mm() {
     let title =
         "Motion under quake.csv: mass 800 kg, period 2.5 s, friction coefficient 0.06, damping ratio 5 %";
     let of_record = Figure::new("record", title, "", record);
+    // Beside the plot this key would leave it less than its least width, and within it would cover the curve.
+    let wave = (0..200).map(|i| (f64::from(i) / 199.0 * 30.0, (f64::from(i) * 0.9).sin()));
+    let curve = Series::new("peak displacement of the block", Style::Line, 2, wave);
+    let of_curve = Panel::new("", time(), Axis::linear("displacement (mm)", -1.0, 1.0), vec![curve]);
+    let of_curve = Figure::new("curve", title, "", [of_curve]);
     let mut seen = 0;
-    for figure in ["4", "5", "8", "9a"].map(|name| figure(name).unwrap()).into_iter().chain([of_record]) {
+    for figure in
+        ["4", "5", "8", "9a"].map(|name| figure(name).unwrap()).into_iter().chain([of_record, of_curve])
+    {
         let svg = figure.svg_of_size((450, 1400)).unwrap();
         let (faults, _) = text_boxes::faults(&svg);
         assert!(faults.is_empty(), "{}: {faults:#?}", figure.name);
