@@ -109,7 +109,7 @@ const RIGHT: i32 = 24;
 const BESIDE: i32 = 32;
 
 /// The least width and height of a plot, and the width below which plots are rather set one below the other.
-const LEAST: i32 = 120;
+const LEAST: (i32, i32) = (90, 120);
 const NARROW: i32 = 220;
 /// The size of one of several plots that are one below the other.
 const STACKED: (i32, i32) = (640, 180);
@@ -173,7 +173,7 @@ impl Layout {
 
     /// The least size of the figure in pixels.
     fn least(&self, figure: &Figure) -> (i32, i32) {
-        Self { plot: (LEAST, LEAST), ..*self }.below_title(figure).size()
+        Self { plot: LEAST, ..*self }.below_title(figure).size()
     }
 
     /// The layout of a figure of a given size in pixels; `None` where the plots would have no room.
@@ -203,13 +203,13 @@ impl Layout {
         // What the plots cannot share stays empty, so that the picture has the size asked for.
         let more = given.0 - self.size().0;
         let (across, spare) = (self.plot.0 + more.div_euclid(self.columns), more.rem_euclid(self.columns));
-        if across < LEAST {
+        if across < LEAST.0 {
             return None;
         }
         let wide = Self { plot: (across, self.plot.1), spare: (spare, 0), ..self }.below_title(figure);
         let more = given.1 - wide.size().1;
         let (down, spare) = (wide.plot.1 + more.div_euclid(wide.rows()), more.rem_euclid(wide.rows()));
-        (down >= LEAST).then_some(Self { plot: (across, down), spare: (wide.spare.0, spare), ..wide })
+        (down >= LEAST.1).then_some(Self { plot: (across, down), spare: (wide.spare.0, spare), ..wide })
     }
 
     /// The place of the legend in the plot of a single panel, where it covers nothing.
