@@ -65,7 +65,7 @@ pub use error::Error;
 pub use follow::{Event, EventKind};
 #[cfg(feature = "rayon")]
 pub use grid::solve_each;
-pub use model::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+pub use model::{Base, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 pub use motion::{ElementMotion, Motion};
 pub use steady::{Steady, SteadyKind};
 
@@ -101,6 +101,31 @@ impl<F: Float> System<F> {
     pub const fn while_allowed(mut self, keep_going: fn() -> ControlFlow<()>) -> Self {
         self.assembly.keep_going = keep_going;
         self
+    }
+
+    /// The same system on a base that moves, so that its motions have [`Motion::max_absolute_acceleration`].
+    ///
+    /// # Errors
+    /// [`Error`] where the influence has another length than the coordinates, a list is longer than that of the loads, or a
+    /// number is not finite.
+    ///
+    /// ```
+    /// use stickslip::system::{Base, Harmonic, Model, Signal, State, System};
+    /// // A mass of 1 on a spring of 4, on a base with the acceleration sin t: the load is −sin t.
+    /// let load = Harmonic { frequency: 1.0, sin: vec![-1.0], cos: vec![] };
+    /// let (mass, damping, stiffness) = (vec![vec![1.0]], vec![vec![0.0]], vec![vec![4.0]]);
+    /// let model = Model { mass, damping, stiffness, harmonics: vec![load], ..Model::default() };
+    /// let acceleration = Signal { constant: 0.0, sin: vec![1.0], cos: vec![] };
+    /// let base = Base { influence: vec![1.0], acceleration, records: vec![] };
+    /// // x = −(sin t)/3, and x″ + sin t = 4/3 sin t.
+    /// let start = State { velocity: vec![-1.0 / 3.0], ..State::rest(1) };
+    /// let motion = System::new(&model)?.with_base(&base)?.simulate(&start, 7.0)?;
+    /// assert!((motion.max_absolute_acceleration[0] - 4.0 / 3.0).abs() < 1e-14);
+    /// # Ok::<(), stickslip::system::Error>(())
+    /// ```
+    pub fn with_base(mut self, base: &Base<F>) -> Result<Self, Error> {
+        self.assembly.base = self.assembly.rows_of_base(base)?;
+        Ok(self)
     }
 
     /// The number of coordinates.

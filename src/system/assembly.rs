@@ -6,7 +6,7 @@
 use super::dependent::{rank, too_many};
 use super::error::Error;
 use super::matrix::{Matrix, add_times};
-use super::model::{Element, Harmonic, Kind, Law, Model, Record, Signal};
+use super::model::{Base, Element, Harmonic, Kind, Law, Model, Record, Signal};
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::format;
@@ -75,6 +75,8 @@ pub(crate) struct Assembly<F> {
     pub(crate) records: Vec<Record<F>>,
     /// All instants at which a record has a sample, in order.
     pub(crate) instants: Vec<F>,
+    /// The row of the base's acceleration at each coordinate; none without a base.
+    pub(crate) base: Vec<Vec<F>>,
     /// Whether motions are followed further.
     pub(crate) keep_going: fn() -> ControlFlow<()>,
 }
@@ -132,6 +134,7 @@ impl<F: Float> Assembly<F> {
             frequencies: model.harmonics.iter().map(|h| h.frequency).collect(),
             records: model.records.clone(),
             instants,
+            base: Vec::new(),
             keep_going: || ControlFlow::Continue(()),
         };
         let mut place = 2 * n;
@@ -163,6 +166,23 @@ impl<F: Float> Assembly<F> {
             });
         }
         Ok(assembly)
+    }
+
+    /// The rows of `influence · acceleration` of a base.
+    pub(crate) fn rows_of_base(&self, base: &Base<F>) -> Result<Vec<Vec<F>>, Error> {
+        let influence = vector("base: influence", &base.influence, self.n)?;
+        let mut row = self.signal("base: acceleration", &base.acceleration)?;
+        let (found, expected) = (base.records.len(), self.records.len());
+        if found > expected {
+            return Err(Error::Length { name: "base: records".to_string(), found, expected });
+        }
+        for (i, &factor) in base.records.iter().enumerate() {
+            let factor = finite(&format!("base: records[{i}]"), factor)?;
+            if let Some(place) = row.get_mut(self.record(i)) {
+                *place = factor;
+            }
+        }
+        Ok(influence.iter().map(|&by| row.iter().map(|&x| x * by).collect()).collect())
     }
 
     /// bᵢ·M⁻¹bⱼ of some elements.

@@ -17,7 +17,7 @@ use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::matrix::absolute;
-use super::matrix::{Matrix, Sparse, add_times, dot};
+use super::matrix::{Matrix, Sparse, add_times, dot, size_of_dot};
 use super::zero::{bernstein_of_rows, integer};
 use crate::float::Float;
 use alloc::vec;
@@ -263,6 +263,11 @@ impl<F: Float> Branch<F> {
             Powers { transposed, step: *step, bound, degree: *degree }.error(velocity)
         };
         self.speed_errors.get(element).map_or(&[], |place| place.get_or_init(error))
+    }
+
+    /// The size of an entry of `A z`: `|A| |z|`.
+    pub(crate) fn size_of_slope(&self, place: usize, z: &[F]) -> F {
+        size_of_dot(self.sizes.row(place), z)
     }
 
     /// `A z`.

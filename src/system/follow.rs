@@ -102,9 +102,9 @@ impl<F> Watch<F> for () {
 
 /// The largest number of steps beside those that end at samples of records: some seconds of work, as a step of a large
 /// system multiplies large matrices.
-fn most_steps<F>(system: &Assembly<F>) -> u64 {
+pub(super) fn most_steps<F>(system: &Assembly<F>) -> u64 {
     let size = (system.size as u64).pow(2).max(256);
-    (512_000_000 / size).max(20_000).saturating_add(4 * system.instants.len() as u64)
+    (512_000_000 / size).max(20_000)
 }
 
 /// After so many steps a motion asks whether to go on.
@@ -174,7 +174,7 @@ impl<'a, F: Float> Follower<'a, F> {
             instant: 0,
             longest,
             steps: 0,
-            most_steps: most_steps(system),
+            most_steps: most_steps(system).saturating_add(4 * system.instants.len() as u64),
             sizes: Vec::new(),
             values: Vec::new(),
             errors: Vec::new(),

@@ -68,6 +68,19 @@ impl<F: Float> Signal<F> {
     }
 }
 
+/// The motion of the base over which the coordinates are measured: its acceleration is `acceleration + Σ records · p(t)`.
+///
+/// It adds no load: that of a base which moves with the acceleration a is `−M influence · a`, among the loads of the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Base<F> {
+    /// ι: the displacement of each coordinate where the base alone moves by 1.
+    pub influence: Vec<F>,
+    /// The part of the harmonics, and a constant one.
+    pub acceleration: Signal<F>,
+    /// The factors of the records of the model, in their order; zero where the list ends early.
+    pub records: Vec<F>,
+}
+
 /// An element between bodies, or between a body and the ground.
 ///
 /// Its force acts along a direction b: `y = b·q − Y(t)` is its stretch and `v = b·q′ − V(t)` its velocity.

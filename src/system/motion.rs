@@ -29,6 +29,9 @@ pub struct Motion<F> {
     pub max_velocity: Vec<F>,
     /// The least velocity of each coordinate.
     pub min_velocity: Vec<F>,
+    /// The greatest size of the absolute acceleration of each coordinate, `q″ + influence · acceleration`, on both sides of every
+    /// event; none without a [`Base`](super::Base).
+    pub max_absolute_acceleration: Vec<F>,
     /// All events in order.
     pub events: Vec<Event<F>>,
     /// The answers of the elements, in the order of the model.
@@ -62,6 +65,8 @@ pub(crate) struct Observer<F> {
     /// Greatest and least of q, q′.
     greatest: Vec<F>,
     least: Vec<F>,
+    /// The greatest absolute accelerations.
+    accelerations: Vec<F>,
     pub(crate) events: Vec<Event<F>>,
     at_rest: Vec<F>,
     work: Vec<F>,
@@ -84,6 +89,7 @@ impl<F: Float> Observer<F> {
             n: system.n,
             greatest: seen.clone(),
             least: seen,
+            accelerations: vec![zero; system.base.len()],
             events: Vec::new(),
             at_rest: vec![zero; system.parts.len()],
             work: vec![zero; system.parts.len()],
@@ -135,6 +141,7 @@ impl<F: Float> Observer<F> {
             min_displacement: part(&self.least, 0),
             max_velocity: part(&self.greatest, n),
             min_velocity: part(&self.least, n),
+            max_absolute_acceleration: self.accelerations,
             elements,
             events: self.events,
             load_work: self.load_work,
@@ -171,6 +178,37 @@ impl<F: Float> Observer<F> {
                 c.iter_mut().for_each(|c| *c = -*c);
                 *least = -greatest_above(c, -*least, rounding);
             }
+        }
+    }
+
+    /// The greatest absolute accelerations over a stretch, whose Taylor terms are known.
+    fn absolute_accelerations(&mut self, system: &Assembly<F>, branch: &Branch<F>, time: F) {
+        let Some(last) = self.terms.rchunks_exact(system.size.max(1)).next() else { return };
+        // z′ has the terms (k + 1)/t · (term k + 1), and the last by the equation.
+        let tail = branch.derivative(last);
+        let terms = || self.terms.chunks_exact(system.size.max(1));
+        let c = &mut self.polynomial;
+        for (i, (greatest, base)) in self.accelerations.iter_mut().zip(&system.base).enumerate() {
+            let place = system.n + i;
+            let entry = |list: &[F]| list.get(place).copied().unwrap_or(F::int(0));
+            c.clear();
+            let mut k = F::int(0);
+            for (term, next) in terms().zip(terms().skip(1)) {
+                k = k + F::int(1);
+                c.push(entry(next) * k / time + dot(base, term));
+            }
+            c.push(entry(&tail) + dot(base, last));
+            if c.iter().fold(F::int(0), |sum, c| sum + c.abs()) <= *greatest {
+                continue;
+            }
+            let size = terms().fold(F::int(0), |sum, term| {
+                sum + branch.size_of_slope(place, term) + size_of_dot(base, term)
+            });
+            let error = size * F::epsilon() * integer(system.size);
+            shorten(c, error);
+            *greatest = greatest_above(c, *greatest, error);
+            c.iter_mut().for_each(|c| *c = -*c);
+            *greatest = greatest_above(c, *greatest, error);
         }
     }
 
@@ -232,6 +270,9 @@ impl<F: Float> Watch<F> for Observer<F> {
         }
         branch.taylor(from, time, &mut self.terms);
         self.extremes(system.size, to);
+        if !system.base.is_empty() {
+            self.absolute_accelerations(system, branch, time);
+        }
         self.works(system, branch, time);
     }
 

@@ -3,10 +3,18 @@
 use super::System;
 use super::assembly::Rule;
 use super::equation::{Equation, Mode, fastest};
+use super::follow::most_steps;
 use crate::float::Float;
 use alloc::vec::Vec;
 
 impl<F: Float> System<F> {
+    /// The number of steps after which a motion ends with [`Error::TooLong`](super::Error::TooLong), beside those at samples of
+    /// records: some seconds of work, and the fewer the larger the state.
+    #[must_use]
+    pub fn most_steps(&self) -> u64 {
+        most_steps(&self.assembly)
+    }
+
     /// The number of steps of a motion in a unit of time, without events: the greatest over sliding in each piece of the
     /// laws and over rest, with elastic contacts that hold and stops in touch, of the spectral radius of |A|, and at most 1 % above it. Frequencies of
     /// springs, rates of dampers and of steep laws, and frequencies of the loads are below it.

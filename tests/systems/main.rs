@@ -4,6 +4,7 @@
 #[path = "../drawn/mod.rs"]
 mod drawn;
 
+mod base;
 mod cases;
 mod closed_form;
 mod clutches;

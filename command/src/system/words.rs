@@ -196,6 +196,9 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
         let range = |least: &[f64], most: &[f64], unit: &str| format!("{} to {}{unit}", at(least), at(most));
         line(out, "displacement", range(&motion.min_displacement, &motion.max_displacement, &length))?;
         line(out, "velocity", range(&motion.min_velocity, &motion.max_velocity, &velocity))?;
+        if let Some(&most) = motion.max_absolute_acceleration.get(i) {
+            line(out, "absolute acceleration", format!("up to {}{}", digits(most), unit(Of::Acceleration)))?;
+        }
     }
     for (element, found) in described.model.elements.iter().zip(&motion.elements) {
         writeln!(out, "{} ({})", element.name, kind_of(element))?;

@@ -53,6 +53,9 @@ pub struct Answer<'a> {
     min_displacement: &'a [f64],
     max_velocity: &'a [f64],
     min_velocity: &'a [f64],
+    /// On a base that moves.
+    #[serde(skip_serializing_if = "<[f64]>::is_empty")]
+    max_absolute_acceleration: &'a [f64],
     elements: Vec<OfElement<'a>>,
     events: Vec<OfEvent<'a>>,
     load_work: f64,
@@ -74,6 +77,8 @@ struct Units {
     time: &'static str,
     displacement: String,
     velocity: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    acceleration: Option<String>,
     work: String,
 }
 
@@ -96,6 +101,7 @@ impl<'a> Answer<'a> {
             time: "s",
             displacement: system.name(Of::Length),
             velocity: system.name(Of::Velocity),
+            acceleration: described.base.is_some().then(|| system.name(Of::Acceleration)),
             work: system.name(Of::Energy),
         });
         Self {
@@ -109,6 +115,7 @@ impl<'a> Answer<'a> {
             min_displacement: &motion.min_displacement,
             max_velocity: &motion.max_velocity,
             min_velocity: &motion.min_velocity,
+            max_absolute_acceleration: &motion.max_absolute_acceleration,
             elements: elements
                 .map(|(element, found)| OfElement {
                     name: &element.name,

@@ -1,6 +1,6 @@
 //! A described system with its motions.
 
-use super::described::Described;
+use super::described::{Described, base_of, shake};
 use super::{file, named};
 use serde_json::Value;
 use std::path::Path;
@@ -9,8 +9,9 @@ use stickslip::inputs::units::{Reader, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::{Error, System};
 
-/// The longest motion, in steps: a step is a radian of the fastest vibration, or the time of the fastest damper.
-const MOST_STEPS: f64 = 1e6;
+/// The longest motion, in steps: a step is a radian of the fastest vibration, or the time of the fastest damper. A large system
+/// has [`System::most_steps`].
+const MOST_STEPS: u64 = 1_000_000;
 
 /// A described system with its motions.
 #[derive(Debug, Clone)]
@@ -51,7 +52,11 @@ impl NamedSystem {
 
     /// A described system, if it has motions.
     fn of(described: Described) -> Result<Self, String> {
-        match System::new(&described.model) {
+        let on_base = |system: System<f64>| match &described.base {
+            Some(base) => system.with_base(base),
+            None => Ok(system),
+        };
+        match System::new(&described.model).and_then(on_base) {
             Ok(system) => Ok(Self { described, system }),
             Err(error) => Err(with_names(&described, &error)),
         }
@@ -65,8 +70,9 @@ impl NamedSystem {
         if record.excitation() != Excitation::SurfaceAcceleration {
             return Err(format!("{name}: must be a record of an acceleration"));
         }
-        let force = self.described.inertia.clone();
-        self.described.model.records.push(named::samples(record, force));
+        let Described { model, inertia, base, .. } = &mut self.described;
+        shake(base.get_or_insert_with(|| base_of(inertia.len())), model);
+        model.records.push(named::samples(record, inertia.clone()));
         Self::of(self.described)
     }
 
@@ -100,7 +106,7 @@ impl NamedSystem {
         ends.fold(0.0, |last: f64, &end| last.max(end))
     }
 
-    /// Fails where a motion to this time has more than 10⁶ steps, or no length.
+    /// Fails where a motion to this time has no length, or more steps than 10⁶ or the system's budget.
     ///
     /// # Errors
     /// Names the greatest time.
@@ -108,13 +114,15 @@ impl NamedSystem {
         if !(until > 0.0 && until.is_finite()) {
             return Err(format!("{typed}: must be > 0 and finite"));
         }
-        let most = MOST_STEPS / self.system.steps_per_time();
+        let steps = self.system.most_steps().min(MOST_STEPS);
+        let most = steps as f64 / self.system.steps_per_time();
         if until <= most {
             return Ok(());
         }
         let unit = if self.described.units.is_some() { " s" } else { "" };
         let most = stickslip::words::digits(most);
-        Err(format!("{typed}: must be ≤ {most}{unit}, 10⁶ steps of the fastest motion"))
+        let steps = if steps == MOST_STEPS { "10⁶".to_owned() } else { steps.to_string() };
+        Err(format!("{typed}: must be ≤ {most}{unit}, {steps} steps of the fastest motion"))
     }
 }
 

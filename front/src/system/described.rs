@@ -2,7 +2,7 @@
 
 use super::node::{Fields, Node};
 use stickslip::inputs::units::System as Units;
-use stickslip::system::{Law, Model, State};
+use stickslip::system::{Base, Law, Model, Signal, State};
 
 /// The greatest number of coordinates: the matrices are dense.
 pub(super) const MOST_COORDINATES: usize = 200;
@@ -23,6 +23,19 @@ pub struct Described {
     /// The force on each coordinate under a unit acceleration of the base, −M ι, where every coordinate is a
     /// displacement over the base.
     pub(super) inertia: Vec<f64>,
+    /// The motion of the base, if it moves.
+    pub base: Option<Base<f64>>,
+}
+
+/// The base of coordinates that are displacements over it, at rest so far.
+pub(super) fn base_of(coordinates: usize) -> Base<f64> {
+    Base { influence: vec![1.0; coordinates], acceleration: Signal::constant(0.0), records: Vec::new() }
+}
+
+/// Adds the record that comes next in the model to the acceleration of a base.
+pub(super) fn shake(base: &mut Base<f64>, model: &Model<f64>) {
+    base.records.resize(model.records.len(), 0.0);
+    base.records.push(1.0);
 }
 
 /// The static friction over the kinetic one, under either name.

@@ -150,7 +150,7 @@ fn by_matrices(fields: &Fields<'_>) -> Result<Described, String> {
     fields.end()?;
     let inertia = model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect();
     let coordinates = (1..=n).map(|i| format!("q{i}")).collect();
-    Ok(Described { model, coordinates, units: None, start, inertia })
+    Ok(Described { model, coordinates, units: None, start, inertia, base: None })
 }
 
 /// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.

@@ -386,6 +386,11 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
         columns.push((format!("{name}.stops"), Cell::Count(None)));
         columns.push(number(format!("{name}.work{}", unit(Of::Energy))));
     }
+    if described.base.is_some() {
+        let unit = unit(Of::Acceleration);
+        let names = described.coordinates.iter();
+        columns.extend(names.map(|name| number(format!("{name}.max_absolute_acceleration{unit}"))));
+    }
     columns
 }
 
@@ -403,5 +408,6 @@ fn of_motion(motion: &Motion<f64>, has_end: bool) -> Vec<Cell<'static>> {
         cells.push(Cell::Count(Some(element.stops as u64)));
         cells.push(Cell::Number(Some(element.work)));
     }
+    cells.extend(motion.max_absolute_acceleration.iter().map(|&most| Cell::Number(Some(most))));
     cells
 }

@@ -1,6 +1,6 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak, shake};
 use super::node::{Fields, Node, nearest};
 use crate::record::{self, Options, Words};
 use serde_json::Value;
@@ -10,7 +10,7 @@ use std::path::Path;
 use stickslip::Excitation;
 use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
 use stickslip::motion::record::Record as Measured;
-use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+use stickslip::system::{Base, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The name of the ground.
 const GROUND: &str = "ground";
@@ -20,6 +20,7 @@ struct Builder<'p> {
     names: Vec<String>,
     model: Model<f64>,
     folder: &'p Path,
+    base: Option<Base<f64>>,
 }
 
 /// The system of a file of named bodies.
@@ -41,6 +42,7 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
             ..Model::default()
         },
         folder,
+        base: None,
     };
     let mut start = State::rest(n);
     for (i, (name, node)) in bodies.iter().enumerate() {
@@ -93,7 +95,8 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
         return Err(format!("contacts and stops: {count} of them, must be ≤ {MOST_ELEMENTS}"));
     }
     let inertia = builder.inertia();
-    Ok(Described { model: builder.model, coordinates: builder.names, units: Some(units), start, inertia })
+    let Builder { model, names: coordinates, base, .. } = builder;
+    Ok(Described { model, coordinates, units: Some(units), start, inertia, base })
 }
 
 fn add(matrix: &mut [Vec<f64>], i: usize, j: usize, value: f64) {
@@ -388,14 +391,22 @@ impl Builder<'_> {
         let fields = node.fields()?;
         let acceleration = fields.required("acceleration")?;
         let force = self.inertia();
+        let mut base = base_of(force.len());
         if acceleration.value().is_object() {
             let wave = acceleration.fields()?;
             let (place, parts) = self.wave(&wave, Of::Acceleration)?;
             wave.end()?;
             self.load(place, parts, &force);
+            let Signal { sin, cos, .. } = &mut base.acceleration;
+            for (list, part) in [sin, cos].into_iter().zip(parts) {
+                list.resize(place, 0.0);
+                list.push(part);
+            }
         } else {
+            shake(&mut base, &self.model);
             self.record(&acceleration, Excitation::SurfaceAcceleration, force)?;
         }
+        self.base = Some(base);
         fields.end()
     }
 
