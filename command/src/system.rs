@@ -172,7 +172,11 @@ fn is_json(args: &SystemArgs) -> Result<bool, Failure> {
 
 /// The end of the motion: `--until`, or the end of the records.
 fn until(asked: &NamedSystem, args: &SystemArgs) -> Result<f64, Failure> {
-    let Some(text) = &args.until else { return Ok(asked.end_of_records()) };
+    let Some(text) = &args.until else {
+        let end = asked.end_of_records();
+        asked.check_until(end, &format!("end of the records {}", crate::bits::digits(end)))?;
+        return Ok(end);
+    };
     let until: f64 = asked.reader().value("--until", text, Of::Time)?;
     asked.check_until(until, &format!("--until {text}"))?;
     Ok(until)

@@ -53,6 +53,7 @@ fn every_output_of_every_command_has_its_row() {
     let motion = file(&folder, "motion.csv", &load_and_motion());
     let turns = folder.path().join("turns.csv").display().to_string();
     let system = file(&folder, "system.toml", crate::systems::MACHINE);
+    let shaken = file(&folder, "shaken.toml", &crate::systems::shaken());
     let machine =
         "--mass 800kg --period 2.2s --friction-coefficient 0.05 --damping-ratio 2% --static-ratio 1.2";
     let quake = "--frequency 2Hz --base-acceleration 0.15g --format json";
@@ -114,8 +115,14 @@ fn every_output_of_every_command_has_its_row() {
             &["design friction --mass 50kg --stiffness 1000N/m --frequency 6rad/s --force 12N --target-amplitude 10mm --format json".to_owned()],
         ),
         ("system", &[format!("system {system} --format json")]),
-        ("system steady", &[format!("system {system} steady --format json")]),
-        ("system simulate", &[format!("system {system} simulate --until 2s --format json")]),
+        ("system steady", &[format!("system {system} steady --format json"), format!("system {shaken} steady --format json")]),
+        (
+            "system simulate",
+            &[
+                format!("system {system} simulate --until 2s --format json"),
+                format!("system {shaken} simulate --until 2s --format json"),
+            ],
+        ),
         ("system border", &[format!("system {system} border --format json")]),
         (
             "pull",

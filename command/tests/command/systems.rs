@@ -9,6 +9,11 @@ const CASES: &str = include_str!("../../../tests/data/systems.json");
 /// Two masses, of which one slides.
 pub(crate) const MACHINE: &str = include_str!("../machine.toml");
 
+/// The machine on a base that moves.
+pub(crate) fn shaken() -> String {
+    format!("{MACHINE}[base]\nacceleration = {{ amplitude = \"0.2 g\", frequency = \"2 Hz\" }}\n")
+}
+
 fn numbers(list: &Value) -> Vec<f64> {
     let number = |x: &Value| x.as_f64().unwrap_or_else(|| x.as_str().unwrap().parse().unwrap());
     list.as_array().unwrap().iter().map(number).collect()
@@ -100,6 +105,67 @@ fn a_machine_by_names_is_the_same_as_by_matrices() {
 }
 
 /// Just below the least load the contact rests in each period, just above it never.
+/// On a base that moves, the forces on a body give its acceleration in space: the motion of the base is not among them.
+#[test]
+fn absolute_accelerations_are_the_forces_over_the_masses() {
+    let file = place("shaken.toml");
+    std::fs::write(&file, shaken()).unwrap();
+    let line = format!("system {}", file.display());
+    let found = json(&format!("{line} simulate --until 3s --format json"));
+    assert_eq!(found["units"]["acceleration"], "mm/s²");
+    let samples = json(&format!("{line} simulate --until 3s --samples 30000 --format json"));
+    let lists = ["displacement", "velocity", "force"].map(|name| samples[name].as_array().unwrap());
+    let mut due = [0.0f64; 2];
+    for (i, time) in numbers(&samples["time"]).into_iter().enumerate() {
+        let [x, v, force] = lists.map(|list| numbers(&list[i]));
+        let spring = 300.0 * (x[1] - x[0]);
+        let block = spring - 200.0 * x[0] - 0.3 * v[0] - force[0];
+        let roof = 1500.0 * (std::f64::consts::TAU * 3.0 * time).sin() - spring;
+        due = [due[0].max(block.abs()), due[1].max((roof / 0.5).abs())];
+    }
+    for (seen, due) in numbers(&found["max_absolute_acceleration"]).into_iter().zip(due) {
+        // A jump is up to 10⁻⁴ s from a sample.
+        let above = (seen - due) / due;
+        assert!((-1e-9..1e-3).contains(&above), "{seen} for {due}");
+    }
+    let most = |line: &str| numbers(&json(line)["max_absolute_acceleration"])[1].to_string();
+    let table = stdout(&format!("{line} steady --set bearing.friction=450N,500N"));
+    let ends: Vec<_> = table.lines().filter_map(|row| row.rsplit(',').next()).collect();
+    let steady = most(&format!("{line} steady --format json"));
+    assert_eq!(ends[..2], ["roof.max_absolute_acceleration[mm/s²]", steady.as_str()]);
+    let text = stdout(&format!("{line} simulate --until 3s"));
+    assert_eq!(text.matches("  absolute acceleration    up to ").count(), 2, "{text}");
+    std::fs::write(&file, MACHINE).unwrap();
+    let still = json(&format!("{line} simulate --until 3s --format json"));
+    assert!(still.get("max_absolute_acceleration").is_none() && still["units"].get("acceleration").is_none());
+}
+
+/// The foreseen steps of 60 bodies exceed their budget, which is below that of few bodies.
+#[test]
+fn a_long_motion_of_a_large_system_is_refused_at_once() {
+    let count = 60;
+    let mut bodies = vec![vec![0.0; count]; count];
+    for (i, row) in bodies.iter_mut().enumerate() {
+        row[i] = 1.0;
+    }
+    let zeros = vec![vec![0.0; count]; count];
+    let file = place("large.json");
+    let mut force = vec![0.0; count];
+    force[0] = 1.0;
+    let system = value!({
+        "mass": bodies, "damping": zeros, "stiffness": bodies,
+        "harmonics": [{"frequency": 1.0, "sin": force}],
+    });
+    std::fs::write(&file, system.to_string()).unwrap();
+    let line = format!("system {}", file.display());
+    // The state has 60 displacements, 60 velocities, sine, cosine and 1: 512·10⁶/123² steps.
+    refused(
+        &format!("{line} simulate --until 40000"),
+        &["--until 40000: must be ≤ 33", "33842 steps of the fastest"],
+    );
+    stdout(&format!("{line} simulate --until 1"));
+}
+
 #[test]
 fn the_border_is_between_sticking_and_not() {
     let file = place("machine.toml");
