@@ -814,7 +814,7 @@ fn a_motion_of_the_samples_is_identified() {
     assert_eq!(answer["ignored_columns"], json!(["temperature"]));
     let text = stdout(&line);
     assert!(
-        text.contains("friction bound r_y  3 N") && text.contains("offset              0.007 m"),
+        text.contains("friction force r_y  3 N") && text.contains("offset              0.007 m"),
         "{text}"
     );
     let bare = file(&folder, "bare.csv", "time[s],displacement[mm]\n0,1\n");
