@@ -373,4 +373,22 @@ def test_a_body_without_friction_follows_records() -> None:
     greatest = (1 + math.exp(-0.05 * math.pi / math.sqrt(1 - 0.05**2))) / 100
     assert machine.follow(record).max_displacement == pytest.approx(greatest, rel=1e-9)
     with pytest.raises(ss.Error, match="friction bound r_y = 0 must be > 0"):
-        machine.steady(ss.Drive(force=1.0, angular_frequency=5.0))
+        machine.bands(frequency=(1.0, 2.0), force=1.0)
+
+
+@pytest.mark.parametrize("excitation", ss._drive.EXCITATIONS)
+def test_a_body_without_friction_is_the_linear_oscillator(excitation):
+    body = {"mass": 12.0, "stiffness": 3e4, "damping_ratio": 0.05}
+    drive = ss.Drive(**{excitation: 3.0}, frequency=5.0)
+    free = ss.Machine(**body, friction=0.0)
+    w = drive.angular_frequency
+    for found in (free.response(drive), free.steady(drive), ss.Machine(**body, friction=0.0, friction_backward=0.0).steady(drive)):
+        impedance = abs(3e4 - 12.0 * w * w + 1j * w * free.damping)
+        assert found.max_displacement == pytest.approx(found.force_amplitude / impedance, rel=1e-12) and found.regime == "non-sticking"
+    # Beside bodies with friction, too; and a drive of 0 leaves each at rest.
+    many = ss.Machine(**body, friction=[0.0, 2.0]).steady(drive)
+    alone = [free.steady(drive), ss.Machine(**body, friction=2.0).steady(drive)]
+    assert many.max_displacement.tolist() == pytest.approx([one.max_displacement for one in alone], rel=1e-13)
+    still = drive.replace(**{excitation: 0.0})
+    for machine in (free, ss.Machine(**body, friction=2.0)):
+        assert machine.steady(still).regime == "stuck" and machine.steady(still).max_displacement == 0.0

@@ -1,7 +1,9 @@
 """Systems of several bodies, against the command, SciPy and closed forms."""
 
+import copy
 import json
 import os
+import pickle
 import shutil
 import subprocess
 
@@ -194,3 +196,29 @@ def test_each_mistake_is_one_line(wrong, parts):
         wrong()
     text = str(caught.value)
     assert "\n" not in text and all(part in text for part in parts), text
+
+
+def test_systems_are_copied_pickled_and_compared_by_value(machine):
+    record = ss.Record(np.sin(np.arange(50) * 0.3), time_step=0.05, unit="g")
+    whole = (by_names(), by_matrices(), ss.System.read(machine), by_names().with_values({"bearing.friction": "600 N"}), by_names().under(record))
+    for system in whole:
+        for twin in (pickle.loads(pickle.dumps(system)), copy.copy(system), copy.deepcopy({"of": system})["of"]):
+            assert twin == system and hash(twin) == hash(system) and repr(twin) == repr(system)
+            assert twin.simulate(2).max_displacement.tolist() == system.simulate(2).max_displacement.tolist()
+    assert by_names() == by_names() and by_names().under(record) == by_names().under(record)
+    for place, system in enumerate(whole):
+        assert [system == other for other in whole] == [place == own for own in range(len(whole))]
+    assert by_names() != by_names().under(record) != by_names().under(2 * record) and by_names() != "system"
+    softer = by_names().with_values({"bearing.friction": "500 N"})
+    assert softer != by_names().with_values({"bearing.friction": "600 N"})
+
+
+def test_states_take_times_with_units():
+    system = by_names()
+    due = system.states([0.1, 0.25])
+    for times in (["0.1 s", "250 ms"], ["100 ms", 0.25], ("0.1 s", "0.25")):
+        assert system.states(times).displacement.tolist() == due.displacement.tolist()
+    assert system.states("0.1 s").displacement.tolist() == system.states(0.1).displacement.tolist() == due.displacement[:1].tolist()
+    for times in ("0.1 N", "soon", ["0.1 s", "soon"], None, [True]):
+        with pytest.raises(ss.Error, match="times"):
+            system.states(times)

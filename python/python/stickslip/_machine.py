@@ -61,7 +61,8 @@ class Machine(Generic[V]):
         Radius of a friction pendulum in place of the stiffness: ``k = m gravity/radius``, for displacements far below
         the radius.
     friction : float or str
-        Friction bound: the force of friction while the body slides. A body without friction, 0, can follow records only.
+        Friction bound: the force of friction while the body slides; 0 for a body without friction, which no question of
+        design takes.
     friction_coefficient, gravity : float or str
         In place of the friction bound: ``friction_coefficient * mass * gravity``. The default gravity is
         9.80665 m/s**2; bare numbers without a known system of units are then in SI.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import difflib
 import html
 import inspect
 import operator
@@ -604,8 +605,14 @@ def named(outputs: Iterable[str], known: Iterable[str]) -> tuple[str, ...]:
     names = tuple(known)
     for name in chosen:
         if name not in names:
-            raise Error(f"output {name!r} is none of {', '.join(names)}")
+            raise unknown(f"output {name!r}", name, names)
     return tuple(dict.fromkeys(chosen))
+
+
+def unknown(what: str, name: object, known: Sequence[str]) -> Error:
+    """The refusal of a name that is none of the known ones, with the one that it resembles."""
+    near = difflib.get_close_matches(str(name), known, 1)
+    return Error(f"{what} is none of {', '.join(known)}" + (f". Did you mean {near[0]!r}?" if near else ""))
 
 
 def shaped(columns: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._labels import numbers
 from ._native import Error
 from ._record import Record
 from ._result import Floats, Result, of_type
@@ -231,6 +232,8 @@ class System:
     """
 
     _handle: _native.NativeSystem
+    #: The text, the name, the folder and the units of the description, and the changes made to it since.
+    _made: tuple[tuple[str, str, str, Optional[str]], tuple[tuple[Any, ...], ...]]
 
     def __init__(
         self,
@@ -270,7 +273,8 @@ class System:
             "start": start,
         }
         fields = {name: _plain(name, value) for name, value in given.items() if value is not None}
-        self._handle = _native.NativeSystem(json.dumps(fields), "", os.fspath(folder), None)
+        described = (json.dumps(fields), "", os.fspath(folder), None)
+        self._handle, self._made = _native.NativeSystem(*described), (described, ())
 
     @classmethod
     def read(cls, file: Union[str, os.PathLike[str]], *, units: Optional[str] = None) -> "System":
@@ -281,18 +285,51 @@ class System:
                 text = opened.read()
         except UnicodeDecodeError as error:
             raise Error(f"{name}: {error}") from None
-        return cls._of(_native.NativeSystem(text, str(name), os.path.dirname(name), units))
+        return cls._of((text, str(name), os.path.dirname(name), units))
 
     @classmethod
-    def _of(cls, native: _native.NativeSystem) -> "System":
+    def _of(cls, described: tuple[str, str, str, Optional[str]], changes: tuple[tuple[Any, ...], ...] = ()) -> "System":
         new = object.__new__(cls)
-        new._handle = native
+        new._handle, new._made = _native.NativeSystem(*described), (described, ())
+        for name, *arguments in changes:
+            new = new._changed(name, *arguments)
         return new
+
+    def _changed(self, name: str, *arguments: Any) -> "System":
+        """This system after a method of the compiled part."""
+        new = object.__new__(type(self))
+        described, changes = self._made
+        new._handle, new._made = getattr(self._handle, name)(*arguments), (described, (*changes, (name, *arguments)))
+        return new
+
+    def __reduce__(self) -> Any:
+        return type(self)._of, self._made
+
+    def __copy__(self) -> "System":
+        return self
+
+    def __deepcopy__(self, memo: Any) -> "System":
+        # Neither a system nor its description can be changed.
+        return self
+
+    def __eq__(self, other: object) -> bool:
+        """Whether another system has the same description, apart from the name of its file, and the same changes to it."""
+        if not isinstance(other, System):
+            return NotImplemented
+        (text, _, *place), changes = self._made
+        (other_text, _, *other_place), other_changes = other._made
+        if (text, place) != (other_text, other_place) or len(changes) != len(other_changes):
+            return False
+        pairs = zip(changes, other_changes)
+        return all(len(one) == len(two) and all(map(np.array_equal, one, two)) for one, two in pairs)
+
+    def __hash__(self) -> int:
+        return hash(self._made[0][0])
 
     def with_values(self, values: Mapping[str, Quantity]) -> "System":
         """This system with other values, such as ``{"bearing.friction": "600 N"}``."""
         typed = [(path, _typed(path, value)) for path, value in values.items()]
-        return System._of(self._handle.with_values(typed))
+        return self._changed("with_values", typed)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -347,11 +384,14 @@ class System:
     def under(self, record: Record) -> "System":
         """This system under a record of the base's acceleration, beside its loads."""
         of_type("record", record, Record)
-        return System._of(self._handle.with_record("record", *_load(record, self.units)))
+        return self._changed("with_record", "record", *_load(record, self.units))
 
-    def states(self, times: ArrayLike, *, steady: bool = False) -> SystemStates:
-        """The states at increasing times, from the start, or from the phase 0 of the steady motion."""
-        array = np.ascontiguousarray(times, dtype=float)
+    def states(self, times: Union[ArrayLike, Sequence[Quantity]], *, steady: bool = False) -> SystemStates:
+        """The states at increasing times, from the start, or from the phase 0 of the steady motion.
+
+        The times are numbers in seconds, or in the unit of time of matrices, or texts such as ``"0.1 s"``; one time is one row.
+        """
+        array = self._times(times)
         if array.ndim != 1:
             raise Error(f"times: must be an array of one dimension, not of shape {array.shape}")
         found = self._handle.states(array, steady)
@@ -421,6 +461,13 @@ class System:
     def curve(self, frequency: Values, values: Optional[Mapping[str, Values]] = None) -> SystemGrid:
         """The steady motion over the frequency of the loads, such as ``"1Hz:10Hz:100"``."""
         return self.grid(values, frequency=frequency)
+
+    def _times(self, times: Any) -> Floats:
+        if isinstance(times, str):
+            return np.array([self._time("times", times)])
+        if isinstance(times, Sequence) and any(isinstance(time, str) for time in times):
+            return np.array([self._time("times", time) for time in times])
+        return np.ascontiguousarray(np.atleast_1d(numbers("times", times)))
 
     def _time(self, name: str, value: Quantity) -> float:
         return self._handle.time(name, _typed(name, value))

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Optional, Union, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._design import Estimate
 from ._drive import EXCITATIONS, Drive, is_array
-from ._labels import WrongType, numbers
+from ._labels import WrongType, is_labelled, numbers
 from ._machine import Machine
-from ._native import Error
+from ._native import REGIMES, Error
 from ._record import Record
-from ._result import Floats, of_number, of_type, whole_number
+from ._physical import OF_BODY
+from ._result import Floats, Result, of_number, of_type, unknown, whole_number
 
 #: How a value is distributed: the relative standard deviation of a normal distribution, the ends of a uniform one, a function of
 #: a generator and a number of draws, a distribution of SciPy, or draws.
@@ -34,18 +36,48 @@ class MonteCarlo(NamedTuple):
     #: The answer of every draw, as an array for each value.
     answer: Any
 
+    def __repr__(self) -> str:
+        invalid = f", {self.invalid} invalid" if self.invalid else ""
+        return f"MonteCarlo({self.draws} draws of {', '.join(self.drawn) or 'nothing'}{invalid})"
+
+    @property
+    def draws(self) -> int:
+        """The number of draws, invalid ones included."""
+        return int(self._is_valid.size)
+
+    @property
+    def invalid(self) -> int:
+        """The number of draws outside the domain, which have no answer and count in no probability."""
+        return int(np.count_nonzero(~self._is_valid))
+
+    @property
+    def _is_valid(self) -> NDArray[np.bool_]:
+        if "regime" in self.answer._names:
+            found: NDArray[np.bool_] = np.asarray(self.answer.regime) != "invalid"
+            return np.atleast_1d(found)
+        return np.atleast_1d(~np.isnan(_column(self.answer, "path")))
+
     def _values(self, name: str) -> Floats:
-        values: Floats = np.asarray(self.answer[name], dtype=np.float64)
+        values = np.atleast_1d(_column(self.answer, name))
         values = values[~np.isnan(values)]
         if not values.size:
             raise Error(f"{name}: no draw has it")
         return values
 
-    def quantile(self, name: str, share: float) -> float:
-        """The value that this share of the draws does not exceed, among those that have it."""
-        if not 0 <= of_number("share", share) <= 1:
-            raise Error(f"share = {share}: must be >= 0 and <= 1")
-        return float(np.quantile(self._values(name), share))
+    @overload
+    def quantile(self, name: str, share: float) -> float: ...
+
+    @overload
+    def quantile(self, name: str, share: Union[Sequence[float], Floats]) -> Floats: ...
+
+    def quantile(self, name: str, share: Any) -> Union[float, Floats]:
+        """The value that this share of the draws does not exceed, among those that have it; an array for several shares."""
+        shares = numbers("share", share) if is_array(share) else np.asarray(of_number("share", share))
+        outside = shares[~((shares >= 0) & (shares <= 1))]
+        if outside.size:
+            raise Error(f"share = {outside.flat[0]}: must be >= 0 and <= 1")
+        found: Floats = np.quantile(self._values(name), shares)
+        return found if shares.ndim else float(found)
 
     def interval(self, name: str, share: float = 0.95) -> tuple[float, float]:
         """The middle interval that holds this share of the draws."""
@@ -60,20 +92,50 @@ class MonteCarlo(NamedTuple):
         mean = float(np.mean(values))
         return Estimate(mean, error, (mean - _QUANTILE * error, mean + _QUANTILE * error))
 
-    def probability(self, is_met: Any) -> Estimate:
-        """The probability of a regime by its name, or of a condition as an array of flags, with Wilson's 95 % interval.
+    def probability(self, is_met: Union[str, NDArray[np.bool_], Callable[[Any], Any]]) -> Estimate:
+        """The probability of a regime or of a condition among the valid draws, with Wilson's 95 % interval.
+
+        Parameters
+        ----------
+        is_met : str, array or function
+            The name of a regime; a flag, True or False, for each draw; or a function of ``answer`` that returns these flags.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass=50, stiffness=1000, friction=5)
         >>> found = ss.monte_carlo(machine, ss.Drive(force=12, frequency=1), {"friction": 0.3}, draws=2000, seed=7)
         >>> found.probability("sticking").value == found.probability(found.answer.regime == "sticking").value
         True
+        >>> found.probability(lambda answer: answer.max_displacement > 0.01).value
+        0.5075
         """
-        flags = np.asarray(self.answer.regime == is_met if isinstance(is_met, str) else is_met, dtype=bool)
-        n, share, z2 = flags.size, float(np.mean(flags)), _QUANTILE**2
+        is_valid = self._is_valid
+        flags = self._flags(is_met, is_valid.size)[is_valid]
+        n, met, z2 = flags.size, int(np.count_nonzero(flags)), _QUANTILE**2
+        if not n:
+            raise Error("probability: no draw is valid")
+        share = met / n
         middle = (share + z2 / (2 * n)) / (1 + z2 / n)
         half = _QUANTILE / (1 + z2 / n) * math.sqrt(share * (1 - share) / n + z2 / (4 * n * n))
-        return Estimate(share, math.sqrt(share * (1 - share) / n), (max(0.0, middle - half), min(1.0, middle + half)))
+        # The ends are exact where no draw or every draw meets the condition; rounding must not move them.
+        low, high = max(0.0, middle - half) if met else 0.0, min(1.0, middle + half) if met < n else 1.0
+        return Estimate(share, math.sqrt(share * (1 - share) / n), (low, high))
+
+    def _flags(self, is_met: Any, draws: int) -> NDArray[np.bool_]:
+        if isinstance(is_met, str):
+            if "regime" not in self.answer._names:
+                raise Error(f"is_met = {is_met!r}: the answers to a record have no regime. Give flags or a function")
+            regimes = [name for name in REGIMES if name != "invalid"]
+            if is_met not in regimes:
+                raise unknown(f"is_met = {is_met!r}", is_met, regimes)
+            return np.atleast_1d(np.asarray(self.answer.regime) == is_met)
+        given = is_met(self.answer) if callable(is_met) else is_met
+        flags = np.asarray(given)
+        if isinstance(given, np.ma.MaskedArray) or flags.dtype != np.bool_:
+            kind = f"type {flags.dtype}" if is_array(given) or is_labelled(given) else repr(given)
+            raise WrongType(f"is_met: must be a regime, flags (True or False), or a function of the answer that returns flags, not {kind}")
+        if flags.shape != (draws,):
+            raise Error(f"is_met: must have a flag for each of the {draws} draws, not the shape {flags.shape}")
+        return flags
 
 
 class Sensitivity(NamedTuple):
@@ -107,7 +169,8 @@ def monte_carlo(
         The values to vary, by their names: those of a machine (``mass``, ``stiffness``, ``friction``, ``damping_ratio``, …) and of
         a drive (``amplitude``, ``frequency``, ``mean_force``). Each by the relative standard deviation of a normal distribution
         about it, the ends (low, high) of a uniform one, a function of a generator and a number of draws, a distribution of
-        ``scipy.stats``, or an array of draws. Numbers are in the units of the machine, frequencies in hertz.
+        ``scipy.stats``, or an array of draws. Numbers are in the units of the machine, frequencies in hertz. Of the damper,
+        its ratio is held if it was given so, and otherwise its constant.
     draws : int
     seed : int or numpy.random.Generator
         The same seed gives the same draws.
@@ -119,7 +182,7 @@ def monte_carlo(
     Returns
     -------
     MonteCarlo
-        With quantiles, intervals, means and probabilities. A draw outside the domain has NaN.
+        With quantiles, intervals, means and probabilities. A draw outside the domain has NaN; ``invalid`` counts these.
 
     Examples
     --------
@@ -131,7 +194,7 @@ def monte_carlo(
     >>> bool(low < machine.steady(floor).max_displacement < high)
     True
     """
-    of_type("machine", machine, Machine)
+    _of_one(machine, load)
     n = whole_number("draws", draws)
     random = np.random.default_rng(seed)
     drawn = {name: _draws(name, of, _value(machine, load, name), random, n) for name, of in vary.items()}
@@ -151,6 +214,10 @@ def sensitivities(
 
     The accuracy is some 1e-10 where the output is smooth; at a border of sticking, where it has a corner, the error is large.
 
+    One value is varied while the others stay. Of the damper, ``damping_ratio`` stays if the machine was given by it, and
+    otherwise ``damping``. The stiffness, the friction and the static friction ratio stay, even if a period, a coefficient of
+    friction or a static friction was given.
+
     Parameters
     ----------
     machine : Machine
@@ -158,7 +225,7 @@ def sensitivities(
     of : str
         The output, such as ``"max_displacement"``.
     by : list of str, optional
-        The values, as of `monte_carlo`: by default all that are not zero.
+        The values, as of `monte_carlo`: by default all that are not zero, the damper by ``damping_ratio`` if it was given so.
     exact : bool
         As of `monte_carlo`.
 
@@ -172,25 +239,30 @@ def sensitivities(
     >>> round(found["mass"].elasticity, 6), round(found["friction"].elasticity, 4)
     (-2.084325, -0.5445)
     """
-    of_type("machine", machine, Machine)
+    _of_one(machine, load)
+    damper = _damper(machine)
     loads = (*_OF_LOAD[:2], "mean_force") if isinstance(load, Drive) else ()
-    names = list(by) if by is not None else [name for name in (*_OF_MACHINE[:3], "damping", "static_friction_ratio", *loads)]
+    names = list(by) if by is not None else [*_OF_MACHINE[:4], damper, "static_friction_ratio", *loads]
     at = {name: _value(machine, load, name) for name in names}
     if by is None:
-        at = {name: value for name, value in at.items() if value != 0 and not (name == "static_friction_ratio" and value == 1)}
+        is_default = {"static_friction_ratio": 1.0}
+        at = {name: value for name, value in at.items() if value not in (0, is_default.get(name)) and not math.isnan(value)}
     for name, value in at.items():
-        if value == 0:
-            raise Error(f"{name} = 0: a relative step needs another value")
+        if value == 0 or math.isnan(value):
+            raise Error(f"{name} = {'None' if math.isnan(value) else 0}: a relative step needs another value")
+    alone = _answered(machine, load, {}, exact, None)
+    here = float(_column(alone, of))
     steps: Floats = np.exp2(-np.arange(7.0, 15.0))
     factors = np.concatenate([1 + steps, 1 - steps])
     size = factors.size
-    drawn = {}
-    for place, (name, value) in enumerate(at.items()):
-        column = np.full(size * len(at), value)
+    drawn: dict[str, Floats] = {}
+    # Names of one value step the same column: the damper as it was given, and the frequency in radians per second.
+    same = {"damping": damper, "damping_ratio": damper, "frequency": "angular_frequency"}
+    for place, name in enumerate(at):
+        own = same.get(name, name)
+        column = drawn.setdefault(own, np.full(size * len(at), _value(machine, load, own)))
         column[place * size : (place + 1) * size] *= factors
-        drawn[name] = column
-    values = np.asarray(_answered(machine, load, drawn, exact, None)[of], dtype=float).reshape(len(at), 2, steps.size)
-    here = float(np.asarray(_answered(machine, load, {}, exact, None)[of]))
+    values = _column(_answered(machine, load, drawn, exact, None), of).reshape(len(at), 2, steps.size)
     found = {}
     for (name, value), (above, below) in zip(at.items(), values):
         slope, error = _extrapolated((above - below) / (2 * steps), steps)
@@ -212,6 +284,36 @@ def _extrapolated(differences: Floats, steps: Floats) -> tuple[float, float]:
                 best, error = value, change
         table = better
     return best, error
+
+
+def _damper(machine: Machine[float]) -> str:
+    """The value of the damper that was given, and that stays while others are varied."""
+    return "damping_ratio" if "damping_ratio" in vars(machine)["_own"] else "damping"
+
+
+def _of_one(machine: Any, load: Any) -> None:
+    """Fails where a machine or its drive is of arrays."""
+    of_type("machine", machine, Machine)
+    if any(is_array(getattr(machine, name)) for name in OF_BODY):
+        raise WrongType("machine: must be one machine, not an array of machines")
+    if isinstance(load, Record):
+        return
+    of_type("load", load, Drive)
+    if any(is_array(getattr(load, name)) for name in ("amplitude", "angular_frequency", "mean_force")):
+        raise WrongType("load: must be one drive, not an array of drives")
+
+
+def _column(answer: Result, name: str) -> Floats:
+    """The numbers of an output by its name."""
+    if name not in answer._names:
+        raise unknown(f"output {name!r}", name, answer._names)
+    try:
+        values = np.asarray(answer[name])
+    except AttributeError as error:
+        raise Error(f"output {name!r}: {error}") from None
+    if values.dtype.kind not in "biuf":
+        raise WrongType(f"output {name!r}: must be a number, not {'a word' if values.dtype.kind in 'UO' else values.dtype}")
+    return values.astype(np.float64)
 
 
 def _value(machine: Machine[float], load: Any, name: str) -> float:
@@ -247,6 +349,8 @@ def _draws(name: str, of: Any, value: float, random: np.random.Generator, n: int
         share = of_number(name, of)
         if not 0 <= share < math.inf:
             raise Error(f"{name}: the relative standard deviation = {share} must be >= 0 and finite")
+        if math.isnan(value):
+            raise Error(f"{name} = None: a relative standard deviation needs a value")
         drawn = value * (1 + share * random.standard_normal(n))
     found = numbers(name, drawn)
     if found.shape != (n,):
@@ -257,8 +361,10 @@ def _draws(name: str, of: Any, value: float, random: np.random.Generator, n: int
 def _answered(machine: Machine[float], load: Any, drawn: Mapping[str, Floats], exact: bool, outputs: Any) -> Any:
     names = ("mass", "stiffness", "friction", "friction_backward", "static_friction_ratio")
     body: dict[str, Any] = {name: getattr(machine, name) for name in names}
-    damper = "damping" if "damping" in drawn else "damping_ratio"
-    body = {**body, damper: getattr(machine, damper), **{name: column for name, column in drawn.items() if name in _OF_MACHINE}}
+    # A varied damper takes the place of the given one.
+    dampers = [name for name in ("damping", "damping_ratio") if name in drawn] or [_damper(machine)]
+    body |= {name: getattr(machine, name) for name in dampers}
+    body |= {name: column for name, column in drawn.items() if name in _OF_MACHINE}
     units = machine.units
     varied: Machine[Any] = Machine(**{name: value for name, value in body.items() if value is not None}, units=units)
     if isinstance(load, Record):
