@@ -200,3 +200,40 @@ def test_errors_print_on_any_stream(call):
     with pytest.raises(ss.Error) as caught:
         call()
     str(caught.value).encode("ascii")
+
+
+def test_texts_in_arrays_are_refused_with_the_way_out():
+    for friction in (["5 N", "6 N"], np.array(["5 N", "6 N"]), np.array(["5 N", 6.0], dtype=object)):
+        with pytest.raises(TypeError, match=r'friction: .* arrays are bare numbers. Pass floats, and their units as units="kN,m"'):
+            ss.Machine(mass=1.0, stiffness=10.0, friction=friction)
+
+
+def test_a_record_is_no_array():
+    record = ss.Record([0.0, 0.3, 0.0], time_step=0.5, unit="g")
+    with pytest.raises(TypeError, match="Take record.samples"):
+        np.asarray(record)
+    with pytest.raises(ss.Error, match="Take record.samples"):
+        ss.Machine(mass=1.0, stiffness=10.0, friction=record)
+
+
+def test_a_spectrum_takes_percentages():
+    record = ss.Record(np.sin(np.arange(100) * 0.2), time_step=0.05)
+    due = ss.spectrum(record, period=[1.0, 2.0], friction_coefficient=0.05, damping_ratio=0.02)
+    found = ss.spectrum(record, period=[1.0, 2.0], friction_coefficient="5%", damping_ratio="2 %", static_friction_ratio="100%")
+    assert found.max_displacement.tolist() == due.max_displacement.tolist()
+    assert ss.spectrum(record, period=1.0, friction_coefficient="5%").friction_coefficient == 0.05
+    for text in ("5 N", "much"):
+        with pytest.raises(ss.Error, match="friction_coefficient"):
+            ss.spectrum(record, period=1.0, friction_coefficient=text)
+
+
+def test_help_says_what_a_transmitted_force_leaves_out():
+    assert "without the mean force" in ss.MachineSteady.transmitted_force.__doc__
+    machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0)
+    pulled, free = (machine.steady(ss.Drive(force=9.0, frequency=3.0, mean_force=mean)) for mean in (1.0, 0.0))
+    assert pulled.transmitted_force == pytest.approx(free.transmitted_force, rel=1e-12)
+
+
+def test_a_free_vibration_without_friction_is_refused():
+    with pytest.raises(ss.Error, match="friction = 0: must be > 0"):
+        ss.Machine(mass=2.0, stiffness=800.0, friction=0.0).decay(1.0)

@@ -274,7 +274,7 @@ def test_results_become_frames_and_data_sets_with_units():
     assert found.to_frame()["energy_out"].equals(frame["energy_out"]) and found.to_frame().attrs["units"]["energy_out"] == "N·mm"
     assert pandas.DataFrame(ss.steady([0.4, 0.7], 6)).shape == (2, len(ss.STEADY_OUTPUTS) + 3)
     data = found.to_xarray()
-    assert data["max_displacement"].attrs == {"units": "mm", "long_name": "Maximum displacement Δ₀ (eq. 44), as a length"}
+    assert data["max_displacement"].attrs == {"units": "mm", "long_name": "Maximum displacement Δ₀, as a length"}
     assert data["max_displacement"].sel(index="worn") == found.max_displacement["worn"]
     grid = ss.response(xarray.DataArray([0.7, 1.5], dims="w", coords={"w": [0.7, 1.5]}), xarray.DataArray([2.0, 3.0, 4.0], dims="a"))
     assert grid.max_displacement.dims == ("w", "a") and grid.max_displacement.attrs["units"] == "B"
@@ -286,3 +286,30 @@ def test_results_become_frames_and_data_sets_with_units():
     assert len(one) == 1 and one["multipliers_1"][0] == ss.steady(0.4, 6).multipliers[0]
     waveform = ss.steady(0.4, 6).waveform(8)
     assert waveform.to_frame().shape == (9, 4) and waveform.to_xarray()["velocity"].dims == ("phase",)
+
+
+def test_a_frequency_in_hertz_has_a_column_of_its_own():
+    pandas = pytest.importorskip("pandas")
+    machine, hertz = ss.Machine(mass="2 kg", stiffness="800 N/m", friction="3 N"), [2.0, 3.0]
+    for drive in (ss.Drive(force="9 N", frequency=hertz), ss.Drive(force="9 N", frequency=pandas.Series(hertz, index=["a", "b"]))):
+        for found in (machine.steady(drive), machine.response(drive, outputs=["max_displacement"])):
+            frame = found.to_frame()
+            assert frame["frequency"].tolist() == pytest.approx(hertz, rel=1e-15) and frame.attrs["units"]["frequency"] == "Hz"
+    angular = machine.steady(ss.Drive(force="9 N", angular_frequency=hertz)).to_frame()
+    assert "frequency" not in angular and angular["angular_frequency"].tolist() == hertz
+
+
+def test_coordinates_that_contradict_each_other_are_left_out():
+    xarray = pytest.importorskip("xarray")
+
+    def along(values, labels, **coords):
+        own = {name: ("w", value) if isinstance(value, list) else value for name, value in coords.items()}
+        return xarray.DataArray(values, dims="w", coords={"w": labels, **own})
+
+    omega = along([0.7, 1.5], [1, 2], run=3, site="A", tag=["x", "y"], mark=["p", "q"])
+    alpha = along([4.0, 3.0], [2, 1], run=3, site="B", tag=["y", "x"], mark=["p", "q"])
+    found = ss.response(omega, alpha).max_displacement
+    # The labels of the second argument are in another order: its tags agree, and its marks do not.
+    assert set(found.coords) == {"w", "run", "tag"} and found.coords["tag"].values.tolist() == ["x", "y"]
+    assert "site" not in found.coords["run"].coords
+    assert set(ss.response(omega, 3.0).max_displacement.coords) == {"w", "run", "site", "tag", "mark"}

@@ -80,19 +80,28 @@ def numbers(name: str, value: ArrayLike) -> Floats:
         if array.dtype.kind == "O" and array.ndim:
             # This is a column of numbers of another library, or with gaps, as in pandas.
             if any(isinstance(element, (str, bytes)) for element in array.flat):
-                raise TypeError
+                raise _of_texts(name, value)
             column: Any = value
             array = column.to_numpy(np.float64, na_value=np.nan) if is_pandas(value) else array.astype(np.float64)
         elif array.dtype.kind in "OU" and array.ndim == 0 and value is not None:
             # This is a number as text, or of another library.
             array = array.astype(np.float64)
+    except WrongType:
+        raise
     except (TypeError, ValueError, OverflowError):
         kind = Error if isinstance(value, str) else WrongType
         raise kind(f"{name}: must be numbers, not {' '.join(repr(value).split()):.60}") from None
+    if array.dtype.kind in "US":
+        raise _of_texts(name, value)
     if array.dtype.kind not in "iuf":
         raise WrongType(f"{name}: must be numbers, not of type {array.dtype}")
     floats = array.astype(np.float64)
     return np.ma.filled(floats, np.nan) if isinstance(floats, np.ma.MaskedArray) else floats
+
+
+def _of_texts(name: str, value: Any) -> WrongType:
+    short = " ".join(repr(value).split())
+    return WrongType(f'{name}: must be numbers, not {short:.60}: arrays are bare numbers. Pass floats, and their units as units="kN,m"')
 
 
 def shape_of(given: Mapping[str, Floats]) -> tuple[int, ...]:
@@ -184,6 +193,7 @@ def _by_dims(values: Mapping[str, Any], labelled: Mapping[str, Any]) -> tuple[di
     dims: dict[str, int] = {}
     indexes: dict[str, tuple[str, Any]] = {}
     coordinates: dict[str, Any] = {}
+    conflicting: set[str] = set()
     arrays: dict[str, tuple[tuple[str, ...], Floats]] = {}
     for name, value in labelled.items():
         array, own_dims = numbers(name, value), tuple(map(str, value.dims))
@@ -195,9 +205,16 @@ def _by_dims(values: Mapping[str, Any], labelled: Mapping[str, Any]) -> tuple[di
                 order = _order(indexes.setdefault(dim, (name, own)), (name, own), dim)
                 array = array if order is None else array.take(order, axis)
         for key, coordinate in value.coords.items():
-            # A coordinate beside the labels, such as one of a single number, is kept as it comes first.
-            if key in value.dims or indexes.get(str(key)) is None:
-                coordinates.setdefault(str(key), coordinate)
+            # A coordinate beside the labels, such as one of a single number, is kept unless two arguments contradict each other.
+            if key not in value.dims and indexes.get(str(key)) is not None:
+                continue
+            if key not in value.dims:
+                # Its labels are put in the order of the result, as are the values.
+                along = {dim: indexes[dim][1] for dim in coordinate.dims if dim in indexes and dim in coordinate.indexes}
+                coordinate = coordinate.sel(along) if along else coordinate
+                if not coordinates.setdefault(str(key), coordinate).variable.equals(coordinate.variable):
+                    conflicting.add(str(key))
+            coordinates.setdefault(str(key), coordinate)
         arrays[name] = (own_dims, array)
     shape = tuple(dims.values())
     given: dict[str, Floats] = {}
@@ -212,10 +229,7 @@ def _by_dims(values: Mapping[str, Any], labelled: Mapping[str, Any]) -> tuple[di
     if shape_of(given) != shape:
         names = ", ".join(dims)
         raise Error(f"the dims are {names or 'none'}, of shape {shape}: an array without dims gives another shape {shape_of(given)}")
-    reordered = {key: value for key, value in coordinates.items() if key not in dims and set(value.dims) & set(indexes)}
-    for key, value in reordered.items():
-        # Its labels are put in the order of the result, as are the values.
-        coordinates[key] = value.sel({dim: indexes[dim][1] for dim in value.dims if dim in indexes and dim in value.indexes})
+    coordinates = {key: value.drop_vars(conflicting, errors="ignore") for key, value in coordinates.items() if key not in conflicting}
     if not shape:
         return given, None
     return given, Like(shape, dims=tuple(dims), coords=coordinates)

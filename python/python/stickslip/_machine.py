@@ -490,7 +490,8 @@ class Machine(Generic[V]):
         (7, 0.0025, 'm')
         """
         x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
-        _ = self._body
+        if self._body[2] == 0:
+            raise Error("friction = 0: must be > 0, as a free vibration without friction does not end")
         time = 1.0 / one("natural_angular_frequency", self.natural_angular_frequency)
         driven = self._driven(Drive(force=1.0, angular_frequency=1.0, units=self.units))
         length = one("length", driven.constant("length"))
@@ -853,7 +854,7 @@ class Machine(Generic[V]):
             phase, x, v = three(start)
             values = (phase, self._values(STATE[1], x, "length"), self._values(STATE[2], v, "velocity"))
             given |= dict(zip(STATE, values))
-        return Driven.by(own, given, drive.excitation, self.units)
+        return Driven.by(own, given, drive.excitation, self.units)._replace(is_in_hertz="frequency" in vars(drive)["_keywords"])
 
     def _single(self, drive: Drive[Any]) -> tuple[str, float, float]:
         of_type("drive", drive, Drive)

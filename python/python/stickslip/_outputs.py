@@ -265,7 +265,8 @@ class ResponseOutputs(Result, Generic[V, W]):
     max_acceleration: V
     """Maximum acceleration |x″| (B ω_d²)."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot (r_y)."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
+    force (r_y)."""
     transmissibility: V
     """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
     base."""
@@ -374,7 +375,8 @@ class SteadyOutputs(Result, Generic[V, W]):
     max_acceleration: V
     """Maximum acceleration |x″| (B ω_d²)."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot (r_y)."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
+    force (r_y)."""
     transmissibility: V
     """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
     base."""
@@ -486,7 +488,8 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     max_acceleration: V
     """Maximum acceleration |x″|, as an acceleration."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, as a force."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
+    force, as a force."""
     transmissibility: V
     """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
     base."""
@@ -591,7 +594,8 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     max_acceleration: V
     """Maximum acceleration |x″|, as an acceleration."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, as a force."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
+    force, as a force."""
     transmissibility: V
     """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
     base."""

@@ -44,6 +44,8 @@ class Driven(NamedTuple):
     #: The amplitude, the angular frequency and the mean force, and the values of the body.
     at: Points
     units: Optional[str]
+    #: Whether the frequency was given in hertz.
+    is_in_hertz: bool = False
 
     @classmethod
     def by(cls, body: Mapping[str, Any], drive: Mapping[str, Any], excitation: str, units: Optional[str]) -> "Driven":

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Generic, NamedTuple, Optional, TypeVar, Union, overload
+from typing import Any, Generic, NamedTuple, NoReturn, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -325,6 +325,9 @@ class Record:
 
     def __len__(self) -> int:
         return len(self.samples)
+
+    def __array__(self, *_: Any, **__: Any) -> NoReturn:
+        raise WrongType("record: has times and a unit, which an array has not. Take record.samples and record.times")
 
     def __eq__(self, other: object) -> bool:
         return are_equal(self, other)
@@ -813,13 +816,13 @@ _OF_BLOCK = ("mass", "stiffness", "damping", "friction", "friction_backward", "s
 
 
 @overload
-def spectrum(
+def spectrum(  # type: ignore[overload-overlap]
     record: Record,
     *,
     period: Quantity,
-    friction_coefficient: float,
-    damping_ratio: float = 0.0,
-    static_friction_ratio: float = 1.0,
+    friction_coefficient: Quantity,
+    damping_ratio: Quantity = 0.0,
+    static_friction_ratio: Quantity = 1.0,
     mass: Optional[Quantity] = None,
     gravity: Optional[Quantity] = None,
     units: Optional[str] = None,
@@ -860,7 +863,8 @@ def spectrum(
     record : Record
         Of a base acceleration or of a displacement of the foot; with a mass also of a force.
     period, friction_coefficient, damping_ratio, static_friction_ratio : float or array
-        Natural periods in seconds and the others, aligned by their labels and broadcast to a common shape.
+        Natural periods in seconds and the others, aligned by their labels and broadcast to a common shape; one value may be text,
+        such as ``"5%"``.
     mass : float or str, optional
         The mass of each body. It is needed for ``max_transmitted_force``, for the equivalent stiffness and for the works, which
         are left out without it.
@@ -890,12 +894,9 @@ def spectrum(
     known, _ = read(values, system)
     if isinstance(period, str):
         period = read({"period": (period, "time")}, None)[0]["period"]
-    at = points(
-        period=period,
-        friction_coefficient=friction_coefficient,
-        damping_ratio=damping_ratio,
-        static_friction_ratio=static_friction_ratio,
-    )
+    ratios = {"friction_coefficient": friction_coefficient, "damping_ratio": damping_ratio, "static_friction_ratio": static_friction_ratio}
+    plain = {name: read({name: (value, "ratio")}, None)[0][name] if isinstance(value, str) else value for name, value in ratios.items()}
+    at = points(period=period, **plain)
     periods, coefficients, zeta, eta = at.given.values()
     with np.errstate(all="ignore"):
         omega = np.where((periods > 0) & np.isfinite(periods), 2 * np.pi / periods, np.nan)

@@ -8,6 +8,7 @@ import difflib
 import html
 import inspect
 import operator
+import re
 from collections.abc import Callable, ItemsView, Iterable, Iterator, KeysView, Mapping, Sequence, ValuesView
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, NoReturn, Optional, Protocol, TypeVar, Union
@@ -30,6 +31,8 @@ W = TypeVar("W")
 Meaning = tuple[str, str]
 #: The values that a result shows on one screen.
 _MOST_SHOWN = 12
+#: The number of an equation, of no use on an axis.
+_NUMBER = re.compile(r" \(eq\. \d+\)")
 #: The ratios that determine the motion.
 RATIOS = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
 
@@ -201,7 +204,7 @@ class Result(dict[str, Any]):
 
     def _attributes(self, name: str) -> dict[str, str]:
         """The unit and the meaning of a value, as attributes of xarray."""
-        unit, text = (self.units or {}).get(name, ""), self._rows.get(name, ("", ""))[1]
+        unit, text = (self.units or {}).get(name, ""), _NUMBER.sub("", self._rows.get(name, ("", ""))[1])
         return {key: value for key, value in (("units", unit), ("long_name", text)) if value}
 
     def _shape(self) -> tuple[int, ...]:
@@ -236,7 +239,8 @@ class Result(dict[str, Any]):
     def to_frame(self) -> Any:
         """A frame of pandas with a row for each point, in the order of NumPy, and a column for each value.
 
-        The labels of the arguments are its index. ``frame.attrs["units"]`` has the units.
+        The labels of the arguments are its index. ``frame.attrs["units"]`` has the units. A frequency that was given in hertz has a
+        column in hertz, too.
         """
         pandas = module("pandas")
         shape, columns = self._columns()
@@ -252,9 +256,12 @@ class Result(dict[str, Any]):
             index = axes[0]
         else:
             index = pandas.MultiIndex.from_product(axes, names=[axis.name for axis in axes])
+        units = dict(self.units or {})
+        if getattr(getattr(self, "_driven", None), "is_in_hertz", False) and "angular_frequency" in columns:
+            columns = {"frequency": columns["angular_frequency"] / (2 * np.pi), **columns}
+            units["frequency"] = "Hz"
         frame = pandas.DataFrame({name: array.reshape(-1) for name, array in columns.items()}, index=index)
-        units = self.units
-        frame.attrs["units"] = {} if units is None else {name: units[name] for name in columns if name in units}
+        frame.attrs["units"] = {name: units[name] for name in columns if name in units}
         return frame
 
     def to_xarray(self) -> Any:

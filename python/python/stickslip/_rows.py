@@ -32,6 +32,8 @@ FORMULAE: dict[str, str] = {
     "dynamic_amplification": "(Δ₀/B)/α",
     "equivalent_damping_ratio": "c_eq/(2√(k m))",
 }
+#: Additions to the meanings of the table.
+NOTES: dict[str, str] = {"transmitted_force": ", without the mean force"}
 SYMBOLS = """T = π/Ω, d = √(1 − ζ²), q = √((1 − Ω²)² + 4 ζ² Ω²), δ = atan2(2 ζ Ω, 1 − Ω²), N = cosh ζT + cos dT,
     G = (sinh ζT − (ζ/d) sin dT)/N, H = sin dT/(d Ω N), K = q H, a = √(α² − K²)/q, Q = hypot(K, q G);
     S is the larger of (η + G + 2 ζ Ω H)/Ω² (eq. 61) and what the velocity needs to stay positive below Ω = 1/2."""
@@ -49,7 +51,7 @@ def ratio_rows(table: Iterable[Row]) -> dict[str, Meaning]:
     for name, kind, unit, text, _ in table:
         ending = {"count": " (a count)", "flag": " (True or False; 1 or 0 in an array)"}.get(kind, "")
         formula = f": {FORMULAE[name]}" if name in FORMULAE else ""
-        found[name] = (unit, f"{_sentence(text)}{formula}{ending}")
+        found[name] = (unit, f"{_sentence(text)}{NOTES.get(name, '')}{formula}{ending}")
     return found
 
 
