@@ -209,6 +209,8 @@ def test_systems_are_copied_pickled_and_compared_by_value(machine):
     for place, system in enumerate(whole):
         assert [system == other for other in whole] == [place == own for own in range(len(whole))]
     assert by_names() != by_names().under(record) != by_names().under(2 * record) and by_names() != "system"
+    grid, wider = (by_names().grid(frequency=axis) for axis in ("1Hz:2Hz:2", "1Hz:3Hz:2"))
+    assert pickle.loads(pickle.dumps(grid)) == grid == copy.deepcopy(grid) and not grid != copy.copy(grid) and grid != wider
     softer = by_names().with_values({"bearing.friction": "500 N"})
     assert softer != by_names().with_values({"bearing.friction": "600 N"})
 

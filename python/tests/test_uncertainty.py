@@ -1,6 +1,8 @@
 """Monte-Carlo and sensitivities: what is counted, what is refused, and which values are held."""
 
+import copy
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -50,6 +52,12 @@ def test_a_record_has_draws_outside_the_domain_too():
     assert moved.value == np.mean(np.asarray(found.answer.path)[found.drawn["friction"] > 0] > 0)
     with pytest.raises(ss.Error, match="no regime"):
         found.probability("sticking")
+
+
+def test_draws_are_copied_pickled_and_compared_by_value(drawn):
+    assert pickle.loads(pickle.dumps(drawn)) == drawn == copy.deepcopy(drawn) and not drawn != copy.copy(drawn)
+    other = ss.monte_carlo(MACHINE, DRIVE, {"friction": 0.9}, draws=400, seed=8)
+    assert drawn != other and not drawn == other and drawn != "draws"
 
 
 @pytest.mark.parametrize(

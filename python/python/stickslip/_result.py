@@ -189,7 +189,7 @@ class Result(dict[str, Any]):
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self) or not isinstance(other, Result):
             return NotImplemented
-        return self._chosen == other._chosen and all(_are_same(self._at_hand(name), other._at_hand(name)) for name in self)
+        return self._chosen == other._chosen and all(are_same(self._at_hand(name), other._at_hand(name)) for name in self)
 
     def __ne__(self, other: object) -> bool:
         same = self.__eq__(other)
@@ -425,11 +425,13 @@ def are_equal(one: Any, other: Any) -> bool:
     if type(other) is not type(one):
         return False
     names = (field.name for field in dataclasses.fields(one) if field.compare)
-    return all(_are_same(getattr(one, name), getattr(other, name)) for name in names)
+    return all(are_same(getattr(one, name), getattr(other, name)) for name in names)
 
 
-def _are_same(one: Any, other: Any) -> bool:
+def are_same(one: Any, other: Any) -> bool:
     """Whether two values are equal, NaN included."""
+    if type(one) is dict and type(other) is dict:
+        return list(one) == list(other) and all(are_same(one[name], other[name]) for name in one)
     if isinstance(one, Codes) and isinstance(other, Codes):
         return one.names == other.names and np.array_equal(one.places, other.places)
     if is_labelled(one):

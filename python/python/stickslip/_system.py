@@ -14,7 +14,7 @@ from . import _native
 from ._labels import numbers
 from ._native import Error
 from ._record import Record
-from ._result import Floats, Result, of_type
+from ._result import Floats, Result, are_same, of_type
 
 #: A number in the system's units, or a text with a unit.
 Quantity = Union[float, str]
@@ -166,6 +166,12 @@ class SystemGrid(dict[str, Any]):
     def __init__(self, columns: Mapping[str, Any], errors: Mapping[int, str]) -> None:
         super().__init__(columns)
         self.errors = dict(errors)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, SystemGrid) and are_same(dict(self), dict(other)) and self.errors == other.errors
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
 
     def __repr__(self) -> str:
         rows = len(next(iter(self.values()), ()))

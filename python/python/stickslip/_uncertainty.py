@@ -16,7 +16,7 @@ from ._machine import Machine
 from ._native import REGIMES, Error
 from ._record import Record
 from ._physical import OF_BODY
-from ._result import Floats, Result, of_number, of_type, unknown, whole_number
+from ._result import Floats, Result, are_same, of_number, of_type, unknown, whole_number
 
 #: How a value is distributed: the relative standard deviation of a normal distribution, the ends of a uniform one, a function of
 #: a generator and a number of draws, a distribution of SciPy, or draws.
@@ -35,6 +35,12 @@ class MonteCarlo(NamedTuple):
     drawn: Mapping[str, Floats]
     #: The answer of every draw, as an array for each value.
     answer: Any
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, MonteCarlo) and are_same(self.drawn, other.drawn) and are_same(self.answer, other.answer)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
 
     def __repr__(self) -> str:
         invalid = f", {self.invalid} invalid" if self.invalid else ""
@@ -92,7 +98,7 @@ class MonteCarlo(NamedTuple):
         mean = float(np.mean(values))
         return Estimate(mean, error, (mean - _QUANTILE * error, mean + _QUANTILE * error))
 
-    def probability(self, is_met: Union[str, NDArray[np.bool_], Callable[[Any], Any]]) -> Estimate:
+    def probability(self, is_met: Union[str, Sequence[bool], NDArray[np.bool_], Callable[[Any], Any]]) -> Estimate:
         """The probability of a regime or of a condition among the valid draws, with Wilson's 95 % interval.
 
         Parameters
