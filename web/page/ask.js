@@ -138,12 +138,20 @@ function draw() {
   }
 }
 
+// Files hold what is finished: nothing of a wrong input, and no map whose cells are still computed.
+function fileButtons() {
+  const isFailed = document.body.classList.contains("failed");
+  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed || (button.parentElement.dataset.of === "map" && !isMapFinal());
+  if ($("map-unfinished")) $("map-unfinished").hidden = isFailed || isMapFinal();
+}
+
 // Says what is wrong with an input, and leaves no number of another machine.
 function failed(error) {
   const isFailed = error !== undefined;
+  document.body.classList.remove("loading");
   $("error").textContent = isFailed ? error : "";
   document.body.classList.toggle("failed", isFailed);
-  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed;
+  fileButtons();
   for (const typed of document.querySelectorAll("[data-input]")) {
     const name = label(typed.dataset.input);
     const isNamed = isFailed && error.startsWith(name);

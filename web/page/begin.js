@@ -56,7 +56,9 @@ for (const [words, changes] of Object.values(SYSTEM_PRESETS)) {
 
 $("mode").onchange = () => changeMode($("mode").value);
 $("units").oninput = () => {
+  withUnits(state, state.units);
   state.units = $("units").value;
+  refresh();
   changed();
 };
 $("units").onchange = remember;
@@ -78,7 +80,7 @@ addEventListener("keydown", (event) => {
   else step(past, future);
 });
 
-$("bar").onclick = () => $("answer").scrollIntoView();
+$("bar").onclick = () => $("verdict").scrollIntoView();
 
 // ---- links
 
@@ -149,7 +151,9 @@ for (const host of document.querySelectorAll(".files")) {
   const svg = Object.assign(document.createElement("button"), { type: "button", textContent: "SVG", onclick: () => inLight(() => names.forEach((name) => saved(`stickslip-${name}.svg`, "image/svg+xml", svgText(charts[name].svg, palette().paper)))) });
   svg.setAttribute("aria-label", `${host.dataset.of} as SVG`);
   host.append(csv, " ", svg);
+  if (host.dataset.of === "map") host.append(Object.assign(document.createElement("span"), { id: "map-unfinished", className: "hint", textContent: " still computing" }));
 }
+fileButtons();
 
 // ---- theme, size, print, begin
 
@@ -219,6 +223,7 @@ async function begin() {
     const module = await WebAssembly.compile(await unpacked($("wasm").textContent.trim()));
     [live, slow, mapper] = [new Asker(module), new Asker(module), new Asker(module)];
   } catch (error) {
+    $("verdict").textContent = "";
     $("error").textContent = `This browser cannot run the page: ${error.message}`;
     return;
   }

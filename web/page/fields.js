@@ -91,14 +91,20 @@ function slider(names, name, typed) {
   const ends = document.createElement("div");
   ends.className = "ends";
   ends.setAttribute("aria-hidden", "true");
-  ends.append(low, high);
+  ends.append(low, ...(SIGNED.has(name) ? [Object.assign(document.createElement("span"), { textContent: "0" })] : []), high);
   host.append(range, ends);
   const hasZero = ZERO.has(name);
   let span = decades(state[name], name);
   const least = hasZero ? 40 : 0;
-  // The place of a number, and the number of a place.
-  const placed = (x) => (hasZero && x === 0 ? 0 : least + ((1000 - least) * Math.log(Math.abs(x) / span.low)) / Math.log(span.high / span.low));
-  const numbered = (at) => (hasZero && at < least / 2 ? 0 : span.low * (span.high / span.low) ** ((Math.max(at, least) - least) / (1000 - least)));
+  // The place of a number, and the number of a place; those of either sign lie on either side of a 0 in the middle.
+  const isSigned = SIGNED.has(name);
+  const placed = (x) => {
+    if (!isSigned) return placedUp(x);
+    return 500 + (Math.sign(x) * Math.min(placedUp(x), 1000)) / 2;
+  };
+  const numbered = (at) => (isSigned ? Math.sign(at - 500) * numberedUp(2 * Math.abs(at - 500)) : numberedUp(at));
+  const placedUp = (x) => (hasZero && x === 0 ? 0 : least + ((1000 - least) * Math.log(Math.abs(x) / span.low)) / Math.log(span.high / span.low));
+  const numberedUp = (at) => (hasZero && at < least / 2 ? 0 : span.low * (span.high / span.low) ** ((Math.max(at, least) - least) / (1000 - least)));
   const show = () => {
     const own = parts(state[name]);
     const text = (x) => `${short(x, 1)}${span.unit ? ` ${span.unit}` : ""}`;
@@ -106,14 +112,14 @@ function slider(names, name, typed) {
     range.disabled = !own && !empty;
     if (own && own[1] !== span.unit) span = decades(state[name], name);
     if (own && own[0] !== 0 && !(Math.abs(own[0]) >= span.low * 0.999 && Math.abs(own[0]) <= span.high * 1.001)) span = decades(state[name], name);
-    low.textContent = hasZero ? "0" : text(span.low);
+    low.textContent = isSigned ? text(-span.high) : hasZero ? "0" : text(span.low);
     high.textContent = text(span.high);
-    range.value = own ? placed(own[0]) : name === "static_friction_ratio" ? 0 : 0;
+    range.value = own ? placed(own[0]) : isSigned ? 500 : 0;
     range.setAttribute("aria-valuetext", empty ? (FIRST[name] ?? "empty") : state[name]);
   };
   const put = (at) => {
     const number = numbered(Number(at));
-    const sign = (parts(state[name])?.[0] ?? 1) < 0 ? -1 : 1;
+    const sign = !isSigned && (parts(state[name])?.[0] ?? 1) < 0 ? -1 : 1;
     const digits3 = short(sign * number, 3);
     state[name] = span.unit ? `${digits3} ${span.unit}` : digits3;
     typed.value = state[name];

@@ -29,6 +29,7 @@ function askMap() {
   const key = JSON.stringify([omega, alpha, same]);
   if (key === mapOf) return;
   mapOf = key;
+  fileButtons();
   // The border has poles, and needs more points than the colours.
   const border = centres(1000, omega);
   $("map-note").textContent = shown.map ? "" : "Computing …";
@@ -46,11 +47,12 @@ function askMap() {
   });
 }
 
-// Finer cells where neighbours differ, then the cells that the first periods left open.
+// Finer cells, first where neighbours differ and then the others, each by its own motion: a colour may have islands
+// smaller than a rough cell. Last come the cells that the first periods left open.
 function refine(grid) {
   const [width, height] = [ACROSS * FINER, UP * FINER];
   const stops = new Array(width * height);
-  const asked = [];
+  const [asked, inner] = [[], []];
   const of = (i, j) => grid.stops[Math.min(Math.max(j, 0), UP - 1) * ACROSS + Math.min(Math.max(i, 0), ACROSS - 1)];
   for (let j = 0; j < height; j++) {
     for (let i = 0; i < width; i++) {
@@ -58,17 +60,17 @@ function refine(grid) {
       const own = of(a, b);
       stops[j * width + i] = own;
       const isInner = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [1, 1], [-1, 1], [1, -1]].every(([x, y]) => of(a + x, b + y) === own);
-      if (!isInner && !(i % FINER === 1 && j % FINER === 1)) asked.push(j * width + i);
+      // The middle of a rough cell has its answer.
+      if (!(i % FINER === 1 && j % FINER === 1)) (isInner ? inner : asked).push(j * width + i);
     }
   }
   const fine = { ...grid, width, height, stops };
-  // The rough cells that the first periods left open stay so for now.
-  answerCells(fine, asked, FEW, () => {
+  answerCells(fine, [...asked, ...inner], FEW, () => {
     const open = fine.stops.flatMap((n, cell) => (n === -2 || n === -3 ? [cell] : []));
     fine.open = new Set(open);
-    // Beside a rough cell that is settled, its finer ones may be, too: each is asked.
     answerCells(fine, open, undefined, () => {
       fine.open = undefined;
+      fine.isFinal = true;
       later("map", fine);
     });
   });
@@ -95,6 +97,9 @@ function answerCells(grid, cells, periods, done) {
     answerCells(grid, cells.slice(part.length), periods, done);
   });
 }
+
+// A file has the answer of every cell, of the machine of now.
+const isMapFinal = () => Boolean(shown.map?.isFinal && shown.map.key === mapOf);
 
 // The colours: lighter and darker, so that grey tells them apart; patterns tell what is no count. A cell that is still
 // computed has a code of its own.
@@ -138,6 +143,7 @@ function painted(width, height, of) {
 }
 
 function showMap(grid) {
+  fileButtons();
   const chart = charts.map;
   const focused = document.activeElement?.classList.contains("knob");
   const codes = new Set();

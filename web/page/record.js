@@ -2,6 +2,8 @@
 "use strict";
 
 let record = null;
+// The panel of the record is to be shown when its answer is there.
+let isSought = false;
 
 // A record to try: a shake that grows and dies away.
 function sampleRecord() {
@@ -12,8 +14,9 @@ function sampleRecord() {
   return `Time (s);Acc (g)\n${rows.join("\n")}\n`;
 }
 
-function take(name, text) {
+function take(name, text, caption = "") {
   record = { name, text };
+  $("record-caption").textContent = caption;
   $("record-name").textContent = name;
   // The first lines, as they are, without what no screen shows.
   const lines = text.slice(0, 4000).split(/\r?\n/).slice(0, 8);
@@ -27,11 +30,17 @@ function take(name, text) {
   askRecord();
 }
 
+function seek() {
+  if (isSought) $("record-section").scrollIntoView({ behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
+  isSought = false;
+}
+
 function askRecord() {
   $("record-fields").hidden = false;
   if (state.mode !== "machine") {
     $("record-error").textContent = "A record needs a machine in units, with its mass: choose “a machine” above.";
     $("record-shown").hidden = true;
+    seek();
     return;
   }
   const more = { text: record.text, name: record.name, time_step: $("step").value, column: $("column").value, record_units: $("record-units").value };
@@ -49,6 +58,7 @@ function askRecord() {
       shown.record = { ...ok, most: largest(ok.displacement) };
       showRecord(shown.record);
     }
+    seek();
   });
   const periods = Array.from({ length: 60 }, (_, i) => 0.05 * 100 ** (i / 59));
   slow.ask("spectrum", question("spectrum", { ...more, periods }), ({ ok }) => {
@@ -172,7 +182,11 @@ $("file").onchange = async () => {
   // So that the same file can be chosen again after a change.
   $("file").value = "";
 };
-$("sample").onclick = () => take("sample.csv", sampleRecord());
+$("sample").onclick = () => {
+  isSought = true;
+  take("sample.csv", sampleRecord(), "The example: a shake of 15 s below 0.3 g, which grows and dies away, moves the base of the machine above in place of its vibration.");
+  $("about").textContent = "The record and the motion under it are at the end of the page.";
+};
 for (const id of ["step", "column", "record-units"]) $(id).oninput = () => record && askRecord();
 document.body.addEventListener("dragover", (event) => {
   event.preventDefault();

@@ -27,11 +27,12 @@ const WORDS = {
   mass: "mass m", stiffness: "stiffness k", period: "natural period", pendulum_radius: "pendulum radius", friction: "friction r_y",
   friction_coefficient: "coefficient µ", damping_ratio: "damping ratio ζ", damping: "damping c", static_friction_ratio: "static ratio η",
   static_friction: "static friction", force: "force p₀", unbalance: "unbalance", base_acceleration: "base acceleration",
-  base_velocity: "base velocity", base_displacement: "base displacement", foot_displacement: "support displacement",
-  damped_foot_displacement: "support with damper", frequency: "frequency", mean_force: "mean force", omega: "Ω = ω_d/ω_n", alpha: "α = p₀/r_y",
+  base_velocity: "base velocity", base_displacement: "base displacement", foot_displacement: "support motion",
+  damped_foot_displacement: "support, damper", frequency: "frequency", mean_force: "mean force", omega: "Ω = ω_d/ω_n", alpha: "α = p₀/r_y",
   x0: "start x₀", v0: "start v₀",
 };
-// Inputs that may be 0, and inputs of either sign.
+// Inputs of either sign, and inputs that may be 0.
+const SIGNED = new Set(["mean_force", "x0", "v0"]);
 const ZERO = new Set(["friction", "friction_coefficient", "damping_ratio", "damping", "mean_force", "x0", "v0", ...DRIVES]);
 // The power of the frequency that the force of a drive has.
 const POWERS = { unbalance: 2, base_velocity: 1, base_displacement: 2 };
@@ -46,6 +47,23 @@ const FIRST = {
 };
 // The sizes about which the slider of an empty field, or of one that is 0, is centred.
 const CENTRES = { ...FIRST, static_friction_ratio: "1", mean_force: "1 kN", x0: "10 mm", v0: "100 mm/s" };
+// The unit of a bare number by the units F of force and L of length. Ratios and times have the same in all units.
+const BARE = {
+  mass: "F*s^2/L", stiffness: "F/L", pendulum_radius: "L", friction: "F", damping: "F*s/L", static_friction: "F", force: "F", unbalance: "F*s^2",
+  base_acceleration: "L/s^2", base_velocity: "L/s", base_displacement: "L", foot_displacement: "L", damped_foot_displacement: "L", mean_force: "F",
+  x0: "L", v0: "L/s",
+};
+
+// Writes the unit after each bare number, so that a change of the units leaves the machine as it is.
+function withUnits(of, units, bare = BARE) {
+  const found = /^\s*([nµmkMG]?N|lbf|kip|kgf|tf|dyn)\s*,\s*([nµmck]?m|in|ft)\s*$/u.exec(units ?? "");
+  if (!found) return;
+  for (const [name, form] of Object.entries(bare)) {
+    const own = parts(of[name]);
+    if (own && !own[1] && own[0] !== 0) of[name] = `${of[name].trim()} ${form.replace("F", found[1]).replace("L", found[2])}`;
+  }
+}
+
 const RATIOS = ["omega", "alpha", "damping_ratio", "static_friction_ratio"];
 
 const PRESETS = {
@@ -53,7 +71,7 @@ const PRESETS = {
   dither: ["Dither", "mode=machine&units=N,mm&mass=0.4 kg&stiffness=20 N/mm&friction=3 N&damping_ratio=3 %&force=12 N&frequency=90 Hz", "A valve spool kept moving by a small fast force, so that friction cannot hold it."],
   feeder: ["Feeder", "mode=machine&units=N,mm&mass=12 kg&stiffness=140 N/mm&friction=25 N&damping_ratio=2 %&unbalance=0.02 kg*m&frequency=1500 rpm", "A feeder trough on leaf springs, driven by a rotating unbalance."],
   damper: ["Friction damper", "mode=machine&units=kN,mm&mass=20 t&period=0.5 s&friction=40 kN&damping_ratio=1 %&base_acceleration=0.3 g&frequency=2 Hz", "A storey with a friction brace at resonance: the brace holds what the spring cannot."],
-  slope: ["Slope", "mode=machine&units=N,mm&mass=2 kg&stiffness=1.5 N/mm&friction_coefficient=0.3&mean_force=3.4 N&force=9 N&frequency=3 Hz", "A block on a slope of 10°: gravity along it is a constant force beside the shaking."],
+  slope: ["Slope", "mode=machine&units=N,mm&mass=2 kg&stiffness=1.5 N/mm&friction=5.795 N&mean_force=3.406 N&force=9 N&frequency=3 Hz", "A block on a slope of 10° with µ = 0.3: the friction is µ m g cos 10°, and gravity along the slope, m g sin 10°, is a constant force beside the shaking."],
   decay: ["Free decay", "mode=machine&units=N,mm&mass=2 kg&stiffness=1.5 N/mm&friction=1 N&damping_ratio=1 %&force=0 N&frequency=4 Hz&x0=12 mm", "Pulled aside and let go: friction takes the same amount of every swing."],
   textbook: ["Textbook Ω = 0.4", "mode=ratios&omega=0.4&alpha=6", "Hong and Liu's case below half the natural frequency, where the printed border falls short."],
 };

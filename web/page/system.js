@@ -7,12 +7,15 @@ const SYSTEM_FIELDS = [
   ["Dampers", [["c1", "ground – lower", "0.3 N*s/mm"], ["c2", "lower – upper", ""]]],
   ["Contact", [["contact", "between", "ground,lower"], ["friction", "friction", "450 N"], ["elastic", "its stiffness, if elastic", ""], ["peak", "static ratio, if > 1", ""]]],
   ["End stop", [["stop", "between", "lower,upper"], ["gap", "gap, if there is one", ""], ["stop_stiffness", "stiffness", "10 kN/mm"]]],
-  ["Load", [["load", "on", "upper"], ["amplitude", "amplitude", "1.5 kN"], ["frequency", "frequency", "3 Hz"]]],
+  ["Load", [["load", "kind", "upper"], ["amplitude", "amplitude", "1.5 kN"], ["frequency", "frequency", "3 Hz"]]],
 ];
 const CHOICES = {
-  contact: [["ground,lower", "ground and lower"], ["lower,upper", "lower and upper"], ["ground,upper", "ground and upper"]],
-  stop: [["lower,upper", "lower and upper"], ["ground,lower", "ground and lower"], ["ground,upper", "ground and upper"]],
-  load: [["upper", "upper, a force"], ["lower", "lower, a force"], ["base", "the base, an acceleration"]],
+  contact: [["ground,lower", "ground, lower"], ["lower,upper", "lower, upper"], ["ground,upper", "ground, upper"]],
+  stop: [["lower,upper", "lower, upper"], ["ground,lower", "ground, lower"], ["ground,upper", "ground, upper"]],
+  load: [["upper", "force, upper"], ["lower", "force, lower"], ["base", "base moves"]],
+};
+const BARE_TWO = {
+  m1: "F*s^2/L", m2: "F*s^2/L", k1: "F/L", k2: "F/L", c1: "F*s/L", c2: "F*s/L", friction: "F", elastic: "F/L", gap: "L", stop_stiffness: "F/L", amplitude: "F",
 };
 const SYSTEM_PRESETS = {
   machine: ["Machine on a slide", {}],
@@ -36,6 +39,10 @@ function systemFields() {
     for (const [value, text] of CHOICES[name] || []) made.append(new Option(text, value, two[name] === value, two[name] === value));
     made.value = two[name];
     made.oninput = () => {
+      if (name === "units") {
+        withUnits(two, two.units, { ...BARE_TWO, amplitude: two.load === "base" ? "L/s^2" : "F" });
+        for (const own of Object.keys(BARE_TWO)) $(`two-${own}`).value = two[own];
+      }
       two[name] = made.value;
       // A force and an acceleration are not of one kind.
       if (name === "load" && (made.value === "base") !== /g$|m\/s/.test(two.amplitude)) {
@@ -151,10 +158,10 @@ function showSystem(found) {
   }
   const hertz = (own) => own.map((omega) => four(omega / (2 * Math.PI))).join(", ");
   entry(list, "natural frequencies, sliding", `${hertz(found.description.natural_frequencies)} Hz`);
-  entry(list, "contacts at rest", `${hertz(found.description.natural_frequencies_stuck)} Hz`);
+  entry(list, "natural frequency with the contact stuck", `${hertz(found.description.natural_frequencies_stuck)} Hz`);
   if (motion.multipliers?.length) {
     const most = Math.max(...motion.multipliers.map(([re, im]) => Math.hypot(re, im)));
-    entry(list, "a disturbance in a period", `× ${four(most)}`, String(most));
+    entry(list, "a disturbance", `${most < 1 ? "shrinks" : "grows"} to ${four(most)} of its size in each period`, String(most));
   }
   const isMoving = Boolean(samples);
   for (const host of ["two-motion", "two-force"]) $(host).hidden = !isMoving;

@@ -22,6 +22,19 @@ fn as_json(value: &impl serde::Serialize) -> Result<Value, String> {
     serde_json::to_value(value).map_err(|e| e.to_string())
 }
 
+/// Why a system has no least load without sticking.
+fn no_border(system: &NamedSystem, error: &stickslip::system::Error) -> String {
+    let model = &system.described.model;
+    let is_stop = |element| stickslip_front::system::kind_of(element) == "stop";
+    if model.elements.iter().all(is_stop) {
+        "There is no contact with friction, and nothing sticks.".to_owned()
+    } else if model.harmonics.iter().all(|load| load.cos.iter().chain(&load.sin).all(|&x| x == 0.0)) {
+        "There is no load, and no multiple of it keeps the contact from sticking.".to_owned()
+    } else {
+        format!("No least load without sticking is computed: {error}.")
+    }
+}
+
 /// What the system is, its steady motion, or with `until` the motion from its start to that time, with `count` samples,
 /// and the least load without sticking, as `stickslip system` answers.
 pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
@@ -62,7 +75,7 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
         }
         Err(error) => {
             add("border", Value::Null);
-            add("border_verdict", json!(format!("No least load without sticking: {error}.")));
+            add("border_verdict", json!(no_border(&system, &error)));
         }
     }
     Ok(Value::Object(found))

@@ -51,7 +51,7 @@ pub fn steady_verdict(described: &Described, found: &Steady<f64>) -> String {
 #[must_use]
 pub fn border_verdict(found: &Border<f64>) -> String {
     format!(
-        "The contact does not stick from {} times the load of the file on.",
+        "The contact never sticks if the load is at least {} times this one.",
         digits(found.least_load_factor)
     )
 }
