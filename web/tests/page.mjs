@@ -666,7 +666,7 @@ test("each cell of the finished map is the verdict at it, and no file has fewer"
 });
 
 test("a change of the units leaves the machine as it is", async () => {
-  const link = "#mode=machine&units=kN,m&mass=50&stiffness=1000&friction=5&damping=9&force=12&frequency=1&x0=0.01&v0=0.02&mean_force=1";
+  const link = "#mode=machine&units=kN,m&mass=50&stiffness=1000&friction=5&damping=9&force=12 kN&frequency=1&x0=0.01&v0=0.02&mean_force=1";
   const page = await opened(link);
   const before = await page.getAttribute("#key dd", "title");
   const number = (text) => text.split(", ").map(Number);
