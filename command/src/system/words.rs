@@ -218,7 +218,11 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     writeln!(out, "energy")?;
     line(out, "work of the loads", format!("{}{}", digits(motion.load_work), unit(Of::Energy)))?;
     line(out, "work on the dampers", format!("{}{}", digits(motion.damper_work), unit(Of::Energy)))?;
-    line(out, "stored", format!("{}{}", digits(motion.stored), unit(Of::Energy)))?;
+    // What is below the rounding of the works has no digit that is right.
+    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
+    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
+    let stored = if motion.stored.abs() < least { 0.0 } else { motion.stored };
+    line(out, "stored", format!("{}{}", digits(stored), unit(Of::Energy)))?;
     if motion.events.is_empty() {
         return Ok(writeln!(out, "no events")?);
     }
