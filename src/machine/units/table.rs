@@ -17,20 +17,22 @@ pub(super) struct Unit {
 type Row = (&'static str, Kind, u128, u128, i8);
 
 /// Symbol, kind, and numerator, denominator and power of π of the factor. `g` is the gram or standard
-/// gravity, and `lb` a mass or a force, depending on the quantity. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity
+/// gravity, and `lb` and `oz` a mass or a force, depending on the quantity. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity
 /// 9.80665 m/s².
 #[rustfmt::skip]
 const TABLE: &[Row] = &[
     ("%", Ratio, 1, 100, 0),
     ("kg", Mass, 1, 1, 0), ("g", Mass, 1, 1000, 0), ("mg", Mass, 1, 1_000_000, 0), ("t", Mass, 1000, 1, 0),
+    ("tonne", Mass, 1000, 1, 0),
     ("lb", Mass, 45_359_237, 100_000_000, 0), ("lbm", Mass, 45_359_237, 100_000_000, 0),
     ("lbs", Mass, 45_359_237, 100_000_000, 0),
     ("oz", Mass, 45_359_237, 1_600_000_000, 0),
-    ("slug", Mass, 8_896_443_230_521, 609_600_000_000, 0),
+    ("slug", Mass, 8_896_443_230_521, 609_600_000_000, 0), ("slugs", Mass, 8_896_443_230_521, 609_600_000_000, 0),
     ("m", Length, 1, 1, 0), ("km", Length, 1000, 1, 0), ("cm", Length, 1, 100, 0), ("mm", Length, 1, 1000, 0),
     ("um", Length, 1, 1_000_000, 0), ("µm", Length, 1, 1_000_000, 0), ("μm", Length, 1, 1_000_000, 0),
     ("nm", Length, 1, 1_000_000_000, 0),
     ("in", Length, 254, 10_000, 0), ("ft", Length, 3048, 10_000, 0), ("mil", Length, 254, 10_000_000, 0),
+    ("inch", Length, 254, 10_000, 0), ("mils", Length, 254, 10_000_000, 0), ("thou", Length, 254, 10_000_000, 0),
     ("s", Time, 1, 1, 0), ("sec", Time, 1, 1, 0), ("ms", Time, 1, 1000, 0), ("us", Time, 1, 1_000_000, 0), ("µs", Time, 1, 1_000_000, 0),
     ("μs", Time, 1, 1_000_000, 0), ("min", Time, 60, 1, 0), ("h", Time, 3600, 1, 0),
     ("rad", Angle, 1, 1, 0), ("deg", Angle, 1, 180, 1), ("°", Angle, 1, 180, 1), ("rev", Angle, 2, 1, 1),
@@ -40,9 +42,13 @@ const TABLE: &[Row] = &[
     ("g", Acceleration, 980_665, 100_000, 0), ("gn", Acceleration, 980_665, 100_000, 0),
     ("mg", Acceleration, 980_665, 100_000_000, 0), ("gal", Acceleration, 1, 100, 0), ("Gal", Acceleration, 1, 100, 0),
     ("N", Force, 1, 1, 0), ("mN", Force, 1, 1000, 0), ("kN", Force, 1000, 1, 0), ("MN", Force, 1_000_000, 1, 0),
+    ("daN", Force, 10, 1, 0),
     ("lbf", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
     ("lb", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
     ("lbs", Force, 44_482_216_152_605, 10_000_000_000_000, 0),
+    ("ozf", Force, 44_482_216_152_605, 160_000_000_000_000, 0),
+    ("oz", Force, 44_482_216_152_605, 160_000_000_000_000, 0),
+    ("klb", Force, 44_482_216_152_605, 10_000_000_000, 0),
     ("kip", Force, 44_482_216_152_605, 10_000_000_000, 0),
     ("kips", Force, 44_482_216_152_605, 10_000_000_000, 0),
     ("tf", Force, 980_665, 100, 0),
@@ -143,6 +149,12 @@ mod tests {
         assert_eq!((factor("kips"), factor("kips/in")), (factor("kip"), factor("kip/in")));
         assert_eq!(factor("rpm"), factor("rev/min"));
         assert_eq!(factor("J"), factor("N·m"));
+        assert_eq!(factor("lbf*ft"), factor("ozf*inch").and(Factor::new(192, 1, 0)).unwrap());
+        assert_eq!((factor("thou"), factor("klb")), (factor("mils"), factor("kips")));
+        assert_eq!(
+            (factor("daN"), factor("slugs/tonne")),
+            (factor("kN/%").and(Factor::new(1, 10_000, 0)).unwrap(), factor("slug/t"))
+        );
         assert_eq!(factor("Ns/m"), factor("N*s/m"));
         assert_eq!((factor("kNs/mm"), factor("kNm")), (factor("kN*s/mm"), factor("kN*m")));
         assert_eq!((factor("hz"), factor("cpm")), (factor("Hz"), factor("rev/min")));
@@ -151,11 +163,21 @@ mod tests {
     }
 
     #[test]
+    fn the_reference_lists_every_unit() {
+        let page = include_str!("../../../docs/outputs.md");
+        let (_, list) = page.split_once("## Units").unwrap();
+        let list = list.split("\n## ").next().unwrap();
+        for (symbol, ..) in TABLE {
+            assert!(list.contains(&format!("`{symbol}`")), "{symbol}");
+        }
+    }
+
+    #[test]
     fn symbols_with_two_meanings_are_those_of_gravity_and_the_pound() {
         for (i, (symbol, dimension, ..)) in TABLE.iter().enumerate() {
             let twins = TABLE.iter().enumerate().filter(|(j, (other, ..))| *j != i && other == symbol);
             for (_, (other, of, ..)) in twins {
-                assert!(["g", "mg", "lb", "lbs"].contains(other) && of != dimension, "{other}");
+                assert!(["g", "mg", "lb", "lbs", "oz"].contains(other) && of != dimension, "{other}");
             }
         }
     }
