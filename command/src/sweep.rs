@@ -18,6 +18,9 @@ use std::ops::Range;
 #[cfg(feature = "parquet")]
 use stickslip::inputs::Input;
 
+/// The greatest number of points, as of the segments of `simulate`: hours at some millions per second.
+const MOST_ROWS: u64 = 10_000_000_000;
+
 pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
     at_bits!(args.bits, compute(args: &SweepArgs, out))
 }
@@ -25,6 +28,10 @@ pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
 fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
     let format = args.table.format()?;
     let axes = Axes::new(&args.machine, &args.units.reader())?;
+    if axes.len() > MOST_ROWS {
+        let names: Vec<&str> = axes.grids().iter().map(|(parameter, _)| parameter.option()).collect();
+        return Err(format!("{}: the grid must have ≤ {MOST_ROWS} points", names.join(" ")).into());
+    }
     write_table(&args.table, format, &SweepRows::<F>::new(args, axes)?, out)
 }
 

@@ -84,8 +84,11 @@ impl Reader {
     pub fn value<F: Float + FromStr>(&self, name: &str, text: &str, kind: Kind) -> Result<F, InputError> {
         let (digits, unit) = split(text);
         if unit.is_empty() || digits.is_empty() || unit.starts_with(',') {
-            let value = number_of(name, text, text)?;
-            self.seen(name, text, kind, false)?;
+            let value: F = number_of(name, text, text)?;
+            // 0 is 0 in every system, and what is not finite is refused for that.
+            if value != F::int(0) && value.is_finite() {
+                self.seen(name, text, kind, false)?;
+            }
             return Ok(self.system.scale(kind).map_or(value, |factor| factor.times(value)));
         }
         let factor = self.factor(name, text, unit, kind)?;
@@ -323,6 +326,8 @@ mod tests {
         assert_eq!(reader.value::<f64>("--omega", "2", Kind::Ratio).unwrap(), 2.0);
         let error = reader.value::<f64>("--force", "12", Kind::Force).unwrap_err().to_string();
         assert!(error.starts_with("--force 12: has no unit beside --mass 800kg"), "{error}");
+        assert_eq!(reader.value::<f64>("--friction", "0", Kind::Force).unwrap(), 0.0);
+        assert!(reader.value::<f64>("--force", "nan", Kind::Force).unwrap().is_nan());
         let named = Reader::new(Some(&"kN,mm".parse().unwrap()), "--units kN,m");
         assert_eq!(named.value::<f64>("--force", "12", Kind::Force).unwrap(), 12.0);
         assert_eq!(named.value::<f64>("--force", "12N", Kind::Force).unwrap(), 0.012);
