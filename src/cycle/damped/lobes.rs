@@ -1,6 +1,6 @@
 //! The supremum of the border's condition below Ω = d/2 without a search: one lobe, and a bound of all others.
 //!
-//! In the notation of [`super::border`], g rises from 0 at an end of the half cycle while p < 0 there, so that the lobe after
+//! In the notation of [`super::border()`], g rises from 0 at an end of the half cycle while p < 0 there, so that the lobe after
 //! the first zero of p has a maximum unless g > 0 to its other end. Where p > 0 at an end, the lobe after the first zero
 //! has none. At one end at most p < 0, because `p(0) + p(T) = 4ζ`. In the rest, from t₁ to t₂,
 //!
