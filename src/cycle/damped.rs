@@ -28,6 +28,7 @@ pub(crate) mod rising;
 pub(crate) mod squared;
 mod summit;
 pub(crate) mod tangent;
+mod touch;
 mod wide;
 mod work;
 

@@ -33,6 +33,7 @@
 use super::half_period::HalfPeriod;
 use super::lobes;
 use super::rising::Moment;
+use super::touch::{End, Touch};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, at_precision, fused};
 use crate::root::newton_within;
@@ -43,35 +44,6 @@ struct Supremum<F> {
     amplitude: F,
     /// Where it is, if not at the turning point.
     touch: Option<Touch<F>>,
-}
-
-/// A time within the half cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Touch<F> {
-    from: End,
-    time: F,
-}
-
-/// The end of the half cycle that a time is counted from: from the nearer one it keeps its digits, however
-/// long the half cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum End {
-    First,
-    Last,
-}
-
-impl<F: Float> Touch<F> {
-    pub(super) const fn new(from: End, time: F) -> Self {
-        Self { from, time }
-    }
-
-    /// `Ωτ`.
-    pub(crate) fn phase(&self, omega: F) -> F {
-        match self.from {
-            End::First => omega * self.time,
-            End::Last => F::pi() - omega * self.time,
-        }
-    }
 }
 
 /// Whether the supremum may be away from the turning point.

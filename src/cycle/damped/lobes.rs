@@ -10,9 +10,9 @@
 //!
 //! with the maximum and the minimum at the ends.
 
-use super::border::{End, Touch};
 use super::free::Free;
 use super::half_period::HalfPeriod;
+use super::touch::{End, Touch};
 use crate::float::Float;
 use crate::float::circular::{SinCos, TO_HALF_PI};
 
