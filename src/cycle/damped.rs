@@ -28,7 +28,7 @@ pub(crate) mod rising;
 pub(crate) mod squared;
 mod summit;
 pub(crate) mod tangent;
-mod touch;
+pub(crate) mod touch;
 mod wide;
 mod work;
 

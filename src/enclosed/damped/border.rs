@@ -7,8 +7,9 @@
 
 use super::moment;
 use crate::cycle::border::border_force_ratio;
-use crate::cycle::damped::border::{End, rise, turning_point};
+use crate::cycle::damped::border::{rise, turning_point};
 use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::touch::End;
 use crate::enclosed::border::Border;
 use crate::enclosed::root::only_zero;
 use crate::float::ball::Ball;
