@@ -211,7 +211,7 @@ fn samples_of<F: Value>(
             ("acceleration", Kind::Acceleration, number(found.acceleration)),
         ];
         // On the side of the spring's force, as under a harmonic drive.
-        values.extend(has_mass.then(|| ("friction_force", Kind::Force, number(-found.friction))));
+        values.extend(has_mass.then(|| ("friction_force", Kind::Force, number(F::int(0) - found.friction))));
         Some(Cells::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())
     });
     rows.collect()
