@@ -1,9 +1,9 @@
 //! The effect of viscous damping on the response curve, the border, and the time at rest.
 
-use super::resonant::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Border, Ratios};
+use stickslip_front::curve::resonant;
 
 /// The damping ratios.
 const ZETA: [f64; 4] = [0.0, 0.01, 0.05, 0.2];

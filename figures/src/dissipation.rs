@@ -1,8 +1,8 @@
 //! Figures 9 and 10: the size of the dissipation loop.
 
-use super::resonant::resonant;
 use super::{Axis, Figure, Series, Style, evenly, inverse_force_ratios, of_cycle};
 use stickslip::{Cycle, Ratios, Response};
+use stickslip_front::curve::resonant;
 
 /// The response at Ω; only answers that depend on Ω alone are used.
 fn response_at(omega: f64) -> Option<Response<f64>> {

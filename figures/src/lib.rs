@@ -12,7 +12,6 @@
 //! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | the rate at which the motion settles |
 //! | `damping` | the effect of viscous damping |
-//! | `resonant` | curves over Ω, resolved at their resonances |
 //! | `draw` | a figure as SVG or PNG |
 //!
 //! A figure is data first: [`Figure::write_csv`] writes the data that [`Figure::svg`] draws.
@@ -44,7 +43,6 @@ mod multipliers;
 mod oscillator;
 mod plane;
 mod portrait;
-mod resonant;
 mod response;
 mod stops;
 mod symmetry;

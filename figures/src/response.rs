@@ -1,10 +1,10 @@
 //! Figures 4 to 7: maximum displacement, phases and maximum velocity.
 
-use super::resonant::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly, from_rest, inverse_force_ratios, of_cycle};
 use stickslip::Cycle;
 use stickslip::cycle::printed;
 use stickslip::motion::{LongRun, SteadyState};
+use stickslip_front::curve::resonant;
 
 /// Ω from 0.1025 to 2, 0.005 apart: between the frequencies 1/n, where the motion depends on its start.
 fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {

@@ -2,7 +2,7 @@
 
 mod resolve;
 
-pub use resolve::{Origin, resolved};
+pub use resolve::{Origin, resolved, resonant};
 
 /// The number of intervals into which a curve is divided in search of its peaks.
 const PROBES: u32 = 512;

@@ -3,6 +3,8 @@
 //! Samples cut off a resonance peak, or give a finite height to an unbounded one. Around each local maximum
 //! of the samples the maximum itself is searched, and points are added until a line through them is accurate.
 
+use core::convert::Infallible;
+
 /// The source of a point of a resolved curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
@@ -182,24 +184,23 @@ fn along(logarithmic: bool, from: f64, to: f64) -> f64 {
     if logarithmic { (to / from).ln() } else { to - from }
 }
 
+/// A curve over Ω, with these places of resonance among its points and resolved there.
+pub fn resonant(
+    omegas: impl Iterator<Item = f64>,
+    resonances: &[f64],
+    of: impl Fn(f64) -> f64,
+) -> Vec<(f64, f64)> {
+    let mut omegas: Vec<f64> = omegas.chain(resonances.iter().copied()).collect();
+    omegas.sort_by(f64::total_cmp);
+    let points: Vec<(f64, f64)> = omegas.into_iter().map(|omega| (omega, of(omega))).collect();
+    let Ok::<_, Infallible>(all) =
+        resolved(&points, false, |&point| point, |_| false, |omega| Ok((omega, of(omega))));
+    all.into_iter().map(|(point, _)| point).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Origin, resolved};
-    use core::convert::Infallible;
-
-    /// A curve over Ω, with these places of resonance among its points and resolved there.
-    fn resonant(
-        omegas: impl Iterator<Item = f64>,
-        resonances: &[f64],
-        of: impl Fn(f64) -> f64,
-    ) -> Vec<(f64, f64)> {
-        let mut omegas: Vec<f64> = omegas.chain(resonances.iter().copied()).collect();
-        omegas.sort_by(f64::total_cmp);
-        let points: Vec<(f64, f64)> = omegas.into_iter().map(|omega| (omega, of(omega))).collect();
-        let Ok::<_, Infallible>(all) =
-            resolved(&points, false, |&point| point, |_| false, |omega| Ok((omega, of(omega))));
-        all.into_iter().map(|(point, _)| point).collect()
-    }
+    use super::{Infallible, Origin, resolved, resonant};
 
     fn evenly(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> {
         (0..count).map(move |i| from + (to - from) * f64::from(i) / f64::from(count - 1))
