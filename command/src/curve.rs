@@ -239,7 +239,7 @@ impl AskedCurve {
         };
         let at = |x, source| self.place(given, x, source);
         let each = |all: Vec<(f64, Source)>| {
-            self.refuse_slow(given, &all)?;
+            self.refuse_slow(given, natural, &all)?;
             all.into_par_iter().map(|(x, source)| at(x, source)).collect::<Result<Vec<_>, Failure>>()
         };
         let mut places = axis.through(each, at)?;
@@ -258,8 +258,12 @@ impl AskedCurve {
     }
 
     /// Refuses a curve whose motions with stops have too many half turns in a cycle, of which there are some 1/Ω.
-    fn refuse_slow(&self, given: &Given<f64>, xs: &[(f64, Source)]) -> Outcome {
+    fn refuse_slow(&self, given: &Given<f64>, natural: f64, xs: &[(f64, Source)]) -> Outcome {
         let mut slides = 0.0;
+        // If all of them stuck there would be so many.
+        if xs.iter().map(|(x, _)| natural / x).sum::<f64>() <= MOST_SLIDES {
+            return Ok(());
+        }
         for (x, _) in xs {
             let ratios = self.point(given, *x)?.ratios;
             let sticks = margin(ratios) < 1.0 && ratios.alpha() > ratios.static_friction_ratio();
