@@ -280,10 +280,7 @@ fn border(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outco
 
 /// An error of the engine, with the name of the file.
 fn of_file(args: &SystemArgs, error: &stickslip::system::Error) -> Failure {
-    if *error == stickslip::system::Error::Interrupted {
-        return Failure::Interrupted;
-    }
-    Failure::Input(format!("{}: {error}", args.file.display()))
+    Failure::from(error.clone()).about(&args.file.display().to_string())
 }
 
 impl From<stickslip::system::Error> for Failure {
