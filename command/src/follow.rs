@@ -149,28 +149,12 @@ pub(crate) struct Shaken<F> {
     pub(crate) has_mass: bool,
 }
 
-/// The inputs that do not need a mass, nor give one.
-pub(crate) const WITHOUT_MASS: [Input; 8] = [
-    Input::Period,
-    Input::NaturalFrequency,
-    Input::PendulumRadius,
-    Input::FrictionCoefficient,
-    Input::Gravity,
-    Input::YieldAcceleration,
-    Input::DampingRatio,
-    Input::StaticFrictionRatio,
-];
-
 impl<F: Value> Shaken<F> {
     pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
         args.answer.format.is_json("record")?;
         let reader = args.answer.units.reader();
         let mut given = input::read::<F>(&args.machine, &reader)?;
-        let start = |option: &str, text: &Option<String>, kind: Kind| match text {
-            Some(text) => reader.value::<F>(option, text, kind),
-            None => Ok(F::int(0)),
-        };
-        let start = [start("--x0", &args.x0, Kind::Length)?, start("--v0", &args.v0, Kind::Velocity)?];
+        let start = input::start_in_units(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
         let interval = args.interval.as_ref().map(|text| {
             let interval = reader.value::<F>("--interval", text, Kind::Time)?;
             if interval > F::int(0) && interval.is_finite() {
@@ -183,11 +167,8 @@ impl<F: Value> Shaken<F> {
         let surface = Surface::read(&args.surface, &reader)?;
         let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
         // Where the mass cancels, it is a unit of mass.
-        let cancels = record.excitation() != Excitation::Force
-            && args.machine.iter().all(|(input, _)| WITHOUT_MASS.contains(input));
-        if cancels {
-            given.set(Input::Mass, F::int(1));
-        }
+        let cancels =
+            record.excitation() != Excitation::Force && input::has_unit_mass(&args.machine, &mut given);
         let body = surface.body(&given)?;
         Ok(Self { given, body, record, summary, start, interval, floor, has_mass: !cancels })
     }

@@ -135,6 +135,39 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
     Cow::Owned(given)
 }
 
+/// Whether the mass cancels, because all that is typed neither needs a mass nor gives one, so that it is a unit of mass from here on.
+pub(crate) fn has_unit_mass<F: Value>(typed: &[(Input, String)], given: &mut Given<F>) -> bool {
+    const WITHOUT_MASS: [Input; 8] = [
+        Input::Period,
+        Input::NaturalFrequency,
+        Input::PendulumRadius,
+        Input::FrictionCoefficient,
+        Input::Gravity,
+        Input::YieldAcceleration,
+        Input::DampingRatio,
+        Input::StaticFrictionRatio,
+    ];
+    let needs_none = |input: &Input| WITHOUT_MASS.contains(input) || input.role() == Role::Drive;
+    let cancels = typed.iter().all(|(input, _)| needs_none(input));
+    if cancels {
+        given.set(Input::Mass, F::int(1));
+    }
+    cancels
+}
+
+/// The displacement and the velocity at the start, typed in units; 0 where one is left out.
+pub(crate) fn start_in_units<F: Value>(
+    reader: &Reader,
+    typed: [Option<&str>; 2],
+) -> Result<[F; 2], units::InputError> {
+    let read = |input: Input, text: Option<&str>| match text {
+        Some(text) => reader.value(input.option(), text, input.kind()),
+        None => Ok(F::int(0)),
+    };
+    let [x0, v0] = typed;
+    Ok([read(Input::X0, x0)?, read(Input::V0, v0)?])
+}
+
 /// Says that there is no friction, where it was given as 0.
 pub(crate) fn note_frictionless<F: Value>(given: &Given<F>) {
     if given.is_without_friction() {
@@ -149,9 +182,7 @@ pub(crate) fn refuse_frictionless<F: Value>(given: &Given<F>) -> Result<(), Fail
     if !given.is_without_friction() {
         return Ok(());
     }
-    let inputs = Input::of_role(Role::Friction);
-    let label = inputs.into_iter().find(|input| given.has(*input)).map(|input| given.label(input));
-    let label = label.unwrap_or_default();
+    let label = given.first_of(Role::Friction).map_or_else(String::new, |input| given.label(input));
     Err(format!(
         "{label}: must be > 0. Without friction the motion is linear, and has only the limit of steady"
     )
@@ -200,9 +231,7 @@ fn border_point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     }
     progress::note("without friction no force is needed: the minimum is 0 times r_y = 0");
     let mut any = given.clone();
-    Input::of_role(Role::Friction).into_iter().for_each(|input| _ = any.take(input));
-    any.take(Input::FrictionBackward);
-    any.set(Input::Friction, F::int(1));
+    any.replace_friction(F::int(1));
     let mut machine = any.on_border()?;
     // Lengths and forces of a border are multiples of the friction.
     let (scales, zero) = (&mut machine.scales, F::int(0));

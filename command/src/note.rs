@@ -84,7 +84,7 @@ pub(crate) fn response<F: Value>(
     };
     writeln!(note.out, "{}\n", style::verdict(&verdict))?;
     note.line("frequency ratio Ω", digits(omega))?;
-    note.line("force ratio α", digits(if has_drive { alpha } else { F::int(0) }))?;
+    note.line("force ratio α", digits(note.given.drive_as_given(alpha)))?;
     if response.ratios.is_damped() {
         note.line("damping ratio ζ", digits(response.ratios.damping_ratio()))?;
     }
@@ -137,10 +137,7 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
     line(out, "natural frequency ω_n", frequency(oscillator.natural_frequency()))?;
     line(out, "mass m", mass(oscillator.mass(), system))?;
     line(out, "stiffness k", with_unit(oscillator.stiffness(), &system.name(Kind::Stiffness)))?;
-    // A friction or a drive of 0 is computed as one far below the rounding.
-    let or_zero = |is_zero: bool, value: F| if is_zero { F::int(0) } else { value };
-    let bound = digits(or_zero(given.is_without_friction(), oscillator.friction_bound()));
-    let of_drive = |value: F| or_zero(given.is_without_drive(), value);
+    let bound = digits(given.friction_as_given(oscillator.friction_bound()));
     match given.directional_friction() {
         Ok(Some((forward, backward))) => {
             let (forward, backward) = (digits(forward), digits(backward));
@@ -156,9 +153,13 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
         line(out, "damping constant c", with_unit(oscillator.damping(), &system.name(Kind::Damping)))?;
     }
     if drive.excitation() == Excitation::Unbalance {
-        line(out, "unbalance m_e e", unbalance(of_drive(drive.amplitude()), system))?;
+        line(out, "unbalance m_e e", unbalance(given.drive_as_given(drive.amplitude()), system))?;
     }
-    line(out, "force amplitude p₀", with_unit(of_drive(drive.force_amplitude(oscillator)), force))?;
+    line(
+        out,
+        "force amplitude p₀",
+        with_unit(given.drive_as_given(drive.force_amplitude(oscillator)), force),
+    )?;
     line(out, "friction displacement B", with_unit(scales.length, length))?;
     if let Some(force) = given.get(Input::MeanForce) {
         writeln!(out, "  mean force p̄             {} {}", digits(force), system.force())?;

@@ -57,8 +57,7 @@ impl<F: Value> Physical<F> {
     /// The machine and its drive: the given quantities and those that follow from them.
     pub(crate) fn of_machine(given: &Given<F>, machine: &Driven<F>) -> Self {
         let Driven { oscillator, drive, scales, .. } = machine;
-        // A friction or a drive of 0 is computed as one far below the rounding.
-        let p0 = if given.is_without_drive() { F::int(0) } else { drive.force_amplitude(oscillator) };
+        let p0 = given.drive_as_given(drive.force_amplitude(oscillator));
         let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(given.system) };
         let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
         let turn = F::int(2) * F::pi();
@@ -68,7 +67,7 @@ impl<F: Value> Physical<F> {
         add("period", Kind::Time, turn / oscillator.natural_frequency());
         add("mass", Kind::Mass, oscillator.mass());
         add("stiffness", Kind::Stiffness, oscillator.stiffness());
-        let bound = if given.is_without_friction() { F::int(0) } else { oscillator.friction_bound() };
+        let bound = given.friction_as_given(oscillator.friction_bound());
         match given.directional_friction() {
             Ok(Some((forward, backward))) => {
                 add("friction", Kind::Force, forward);
@@ -88,7 +87,7 @@ impl<F: Value> Physical<F> {
             add("static_friction", Kind::Force, ratio * oscillator.friction_bound());
         }
         add("force_amplitude", Kind::Force, p0);
-        let amplitude = if given.is_without_drive() { F::int(0) } else { drive.amplitude() };
+        let amplitude = given.drive_as_given(drive.amplitude());
         match drive.excitation() {
             Excitation::Force => {}
             Excitation::Unbalance => add("unbalance", Kind::Unbalance, amplitude),

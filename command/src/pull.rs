@@ -74,9 +74,8 @@ fn respond<F: Value>(args: &PullArgs, out: &mut impl Write) -> Outcome {
 /// The inputs with a friction of 1 and no static friction in place of a friction of 0: a smooth pull does not depend on it.
 fn without_friction<F: Value>(mut given: Given<F>) -> Given<F> {
     if given.is_without_friction() {
-        let inputs = [Role::Friction, Role::StaticFriction].map(Input::of_role).concat();
-        inputs.into_iter().chain([Input::FrictionBackward]).for_each(|input| _ = given.take(input));
-        given.set(Input::Friction, F::int(1));
+        Input::of_role(Role::StaticFriction).into_iter().for_each(|input| _ = given.take(input));
+        given.replace_friction(F::int(1));
     }
     given
 }

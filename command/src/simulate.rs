@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
 use stickslip::inputs::units::{Kind as Quantity, Reader, System};
-use stickslip::inputs::{Driven, Input};
+use stickslip::inputs::{Driven, Given, Input};
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, State, Trajectory};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
@@ -64,7 +64,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     let given = input::read::<F>(&args.machine, &reader)?;
     let mut given = input::with_any_mass(&given).into_owned();
     if given.get(Input::Alpha) == Some(F::int(0)) {
-        given.set(Input::Alpha, F::epsilon().square());
+        given.set(Input::Alpha, Given::<F>::nothing());
     }
     let point = input::point(&given)?;
     let extent = Extent::new::<F>(args, point.machine.as_ref(), &reader)?;

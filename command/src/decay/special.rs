@@ -3,8 +3,8 @@
 use crate::args::DecayArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
-use crate::follow::{Surface, WITHOUT_MASS};
-use crate::input::behind_all;
+use crate::follow::Surface;
+use crate::input::{behind_all, has_unit_mass, start_in_units};
 use crate::note::line;
 use crate::output;
 use crate::outputs::key;
@@ -12,8 +12,8 @@ use crate::physical::Physical;
 use crate::record::{Cell, Record as Cells};
 use std::io::Write;
 use stickslip::Excitation;
+use stickslip::inputs::Given;
 use stickslip::inputs::units::Kind;
-use stickslip::inputs::{Given, Input};
 use stickslip::motion::record::Record;
 
 pub(super) fn respond<F: Value>(
@@ -29,17 +29,11 @@ pub(super) fn respond<F: Value>(
         return Err(text.into());
     }
     let reader = args.answer.units.reader();
-    let start = |option: &str, text: &Option<String>, kind: Kind| match text {
-        Some(text) => reader.value::<F>(option, text, kind),
-        None => Ok(F::int(0)),
-    };
     if args.x0.is_none() && args.v0.is_none() {
         return Err("--v0 is missing, or --x0".to_owned().into());
     }
-    let [x0, v0] = [start("--x0", &args.x0, Kind::Length)?, start("--v0", &args.v0, Kind::Velocity)?];
-    if args.machine.iter().all(|(input, _)| WITHOUT_MASS.contains(input)) {
-        given.set(Input::Mass, F::int(1));
-    }
+    let [x0, v0] = start_in_units(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
+    has_unit_mass(&args.machine, &mut given);
     let body = surface.body(&given)?;
     let zero = F::int(0);
     // A record of no load, so short that the body hardly moves in it: the motion is that after it.

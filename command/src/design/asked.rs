@@ -53,14 +53,8 @@ impl<'a, F: Value> AskedDesign<'a, F> {
             return Ok(());
         }
         self.is_without_friction = true;
-        let inputs = Input::of_role(Role::Friction);
-        let label = inputs.iter().find(|input| self.given.has(**input)).map(|input| self.given.label(*input));
-        inputs.into_iter().chain([Input::FrictionBackward]).for_each(|input| _ = self.given.take(input));
-        let is_typed = |input: Input| self.given.has(input);
-        if !(is_typed(Input::PendulumRadius) || is_typed(Input::Weight)) {
-            self.given.take(Input::Gravity);
-        }
-        self.given.set(Input::Friction, self.one);
+        let label = self.given.first_of(Role::Friction).map(|input| self.given.label(input));
+        self.given.replace_friction(self.one);
         let body = self.body(false, false)?;
         let frequency = self.given.get(Input::Frequency);
         let of_drive = self.given.has_role(Role::Drive).then(|| {
@@ -74,7 +68,7 @@ impl<'a, F: Value> AskedDesign<'a, F> {
             Ok(body.stiffness() * far?.abs())
         });
         match of_drive.or(target).transpose()? {
-            Some(force) => self.given.set(Input::Friction, force * F::epsilon().square()),
+            Some(force) => self.given.replace_friction(force * Given::<F>::nothing()),
             None => self.share = F::int(0),
         }
         if let (Some(label), true) = (label, self.args.no_stop) {
@@ -90,7 +84,7 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         if !self.given.is_without_drive() {
             return Ok(());
         }
-        let drive = Input::of_role(Role::Drive).into_iter().find(|input| self.given.has(*input));
+        let drive = self.given.first_of(Role::Drive);
         let label = drive.map_or_else(String::new, |input| self.given.label(input));
         Err(format!("{label}: must be > 0. Without a drive the body rests with every friction").into())
     }

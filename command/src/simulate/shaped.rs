@@ -3,8 +3,8 @@
 use crate::args::{ShapeArg, SimulateArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::follow::{Surface, WITHOUT_MASS};
-use crate::input::{behind_all, read};
+use crate::follow::Surface;
+use crate::input::{behind_all, has_unit_mass, read, start_in_units};
 use crate::outputs::{ENDS_BY, KIND};
 use crate::physical::Physical;
 use crate::record::{Cell, Record as Cells, Row};
@@ -52,21 +52,13 @@ pub(super) fn write<F: Value>(
     let rate = args.rate.as_ref().map(|_| positive("--rate", &args.rate, Kind::Frequency)).transpose()?;
     let hertz = rate.map(|rate| rate / (F::int(2) * F::pi()));
     let load = Load::read(args, shape, &given, (duration, &positive))?;
-    let is_free_of_mass = |input: &Input| WITHOUT_MASS.contains(input) || input.role() == Role::Drive;
     let is_force = load.excitation == Excitation::Force && shape != ShapeArg::Free;
-    let has_mass = is_force || !args.machine.iter().all(|(input, _)| is_free_of_mass(input));
-    if !has_mass {
-        given.set(Input::Mass, F::int(1));
-    }
+    let has_mass = is_force || !has_unit_mass(&args.machine, &mut given);
     let body = Surface::read(&args.surface, reader)?.body(&given)?;
     if load.excitation.moves_foot() && body.stiffness() == F::int(0) {
         return Err(format!("{name}: the spring's foot moves, and there is no spring").into());
     }
-    let start = |input: Input| match args.start.text(input) {
-        Some(text) => reader.value(input.option(), text, input.kind()),
-        None => Ok(F::int(0)),
-    };
-    let start = [start(Input::X0)?, start(Input::V0)?];
+    let start = start_in_units(reader, [Input::X0, Input::V0].map(|input| args.start.text(input)))?;
     let turns = ((body.stiffness() / body.mass()).sqrt() * duration / F::pi()).to_f64();
     let samples = hertz.map_or(0.0, |hertz| (duration * hertz).to_f64());
     for (count, things) in [(turns, "half cycles of the body"), (samples, "samples")] {
@@ -138,15 +130,11 @@ impl<F: Value> Load<F> {
             }
             (ShapeArg::Sine | ShapeArg::Step | ShapeArg::Ramp, _) => given.amplitude()?,
         };
-        let excitations = [
-            (Input::Force, Excitation::Force),
-            (Input::FootDisplacement, Excitation::FootMotion),
-            (Input::BaseAcceleration, Excitation::SurfaceAcceleration),
-            // A step of the support would give a damper a force without bound.
-            (Input::DampedFootDisplacement, Excitation::DampedFootMotion),
-        ];
-        let excitations = if shape == ShapeArg::Ramp { &excitations[..] } else { &excitations[..3] };
-        let Some(&(_, excitation)) = excitations.iter().find(|(known, _)| *known == input) else {
+        let always = [Excitation::Force, Excitation::FootMotion, Excitation::SurfaceAcceleration];
+        // A step of the support would give a damper a force without bound.
+        let is_damped_ramp = |of| of == Excitation::DampedFootMotion && shape == ShapeArg::Ramp;
+        let has_answer = |of: &Excitation| always.contains(of) || is_damped_ramp(*of);
+        let Some(excitation) = input.excitation().filter(has_answer) else {
             let allowed = "--force, --foot-displacement or --base-acceleration";
             return Err(format!("{}: must be {allowed} with {name}", given.label(input)).into());
         };

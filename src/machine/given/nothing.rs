@@ -9,6 +9,45 @@ use alloc::borrow::Cow;
 use core::str::FromStr;
 
 impl<F: Float + FromStr> Given<F> {
+    /// ε²: what takes the place of a 0, as a share far below the rounding of every motion.
+    #[must_use]
+    pub fn nothing() -> F {
+        F::epsilon().square()
+    }
+
+    /// A friction that was computed, 0 where it is given as 0.
+    pub fn friction_as_given(&self, computed: F) -> F {
+        if self.is_without_friction() { F::int(0) } else { computed }
+    }
+
+    /// An amplitude of the drive that was computed, 0 where it is given as 0.
+    pub fn drive_as_given(&self, computed: F) -> F {
+        if self.is_without_drive() { F::int(0) } else { computed }
+    }
+
+    /// The input of a role that is given, the first if there are several.
+    pub fn first_of(&self, role: Role) -> Option<Input> {
+        Input::of_role(role).into_iter().find(|input| self.has(*input))
+    }
+
+    /// The words for an input, where it has words of its own.
+    fn own_label(&self, input: Input) -> Option<String> {
+        self.values.iter().find(|(own, ..)| *own == input)?.2.clone()
+    }
+
+    /// Puts a friction in the place of the given one, in both directions, under the words of that one.
+    pub fn replace_friction(&mut self, friction: F) {
+        self.take(Input::FrictionBackward);
+        let input = self.first_of(Role::Friction);
+        let label = input.and_then(|input| self.own_label(input));
+        input.map(|input| self.take(input));
+        // Gravity of a coefficient of friction has no other use.
+        if !(self.has(Input::PendulumRadius) || self.has(Input::Weight)) {
+            self.take(Input::Gravity);
+        }
+        self.put(Input::Friction, friction, label);
+    }
+
     /// Whether friction is given as 0, in both directions.
     pub fn is_without_friction(&self) -> bool {
         let is_zero = |input: Input| self.get(input) == Some(F::int(0));
@@ -32,31 +71,21 @@ impl<F: Float + FromStr> Given<F> {
     /// # Errors
     /// As for [`Given::oscillator`].
     pub fn without_zeros(&self) -> Result<Cow<'_, Self>, InputError> {
-        let nothing = F::epsilon().square();
+        let nothing = Self::nothing();
         let drive = self.drive_of_zero();
         if !self.is_without_friction() && drive.is_none() {
             return Ok(Cow::Borrowed(self));
         }
         let mut given = self.clone();
         if self.is_without_friction() {
-            given.take(Input::FrictionBackward);
-            let label = Input::of_role(Role::Friction).into_iter().find(|input| self.has(*input));
-            let label = label.and_then(|input| {
-                given.take(input);
-                self.values.iter().find(|(own, ..)| *own == input)?.2.clone()
-            });
-            // Gravity of a coefficient of friction has no other use.
-            if !(self.has(Input::PendulumRadius) || self.has(Input::Weight)) {
-                given.take(Input::Gravity);
-            }
-            given.put(Input::Friction, F::int(1), label.clone());
+            given.replace_friction(F::int(1));
             let friction = if drive.is_none() {
                 let Driven { drive, oscillator, .. } = given.driven()?;
                 drive.force_amplitude(&oscillator)
             } else {
                 given.oscillator()?.stiffness() * nothing
             };
-            given.put(Input::Friction, friction * nothing, label);
+            given.replace_friction(friction * nothing);
         }
         if let Some(input) = drive {
             let body = given.oscillator()?;
@@ -64,8 +93,7 @@ impl<F: Float + FromStr> Given<F> {
             let unit = Drive::new(excitation, F::int(1), given.frequency(&body)?);
             let unit = unit.map_err(|e| given.at_fault(&e))?.force_amplitude(&body);
             let amplitude = body.friction_bound() * nothing / unit;
-            let label =
-                given.values.iter().find(|(own, ..)| *own == input).and_then(|(.., text)| text.clone());
+            let label = given.own_label(input);
             given.put(input, amplitude, label);
         }
         Ok(Cow::Owned(given))
