@@ -31,7 +31,7 @@
 //! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `zero.rs` the search for a
 //! guard's first zero, `next.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
-//! can hold, `follow.rs` the motion from event to event,
+//! can hold, `follow.rs` the motion from event to event, `events.rs` what watches it,
 //! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, and `border.rs` the closed form for one contact.
 
 mod assembly;
@@ -40,6 +40,7 @@ mod branch;
 mod dependent;
 mod equation;
 mod error;
+mod events;
 mod follow;
 #[cfg(feature = "rayon")]
 mod grid;
@@ -62,7 +63,7 @@ use motion::{Observer, state};
 
 pub use border::{Border, Cycle};
 pub use error::Error;
-pub use follow::{Event, EventKind};
+pub use events::{Event, EventKind};
 #[cfg(feature = "rayon")]
 pub use grid::solve_each;
 pub use model::{Base, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};

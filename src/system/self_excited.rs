@@ -9,7 +9,8 @@
 
 use super::assembly::Assembly;
 use super::error::Error;
-use super::follow::{Event, Follower};
+use super::events::Event;
+use super::follow::Follower;
 use super::matrix::{Matrix, add_times, dot};
 use super::motion::Motion;
 use super::steady::{Mapped, Search, Steady, SteadyKind, multipliers};

@@ -11,7 +11,8 @@
 use super::assembly::{Assembly, Rule};
 use super::equation::Mode;
 use super::error::Error;
-use super::follow::{Event, EventKind, Follower, Stretch, Watch};
+use super::events::{Event, EventKind, Stretch, Watch};
+use super::follow::Follower;
 use super::matrix::{Matrix, add_times, dot};
 use super::model::State;
 use super::motion::{Motion, Observer, state};

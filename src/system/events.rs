@@ -1,0 +1,91 @@
+//! The events of a motion, and what watches them and the stretches between.
+
+use super::assembly::Assembly;
+use super::branch::Branch;
+
+/// The kind of an event.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
+pub enum EventKind {
+    /// A contact comes to rest.
+    Stick,
+    /// A contact begins to slide.
+    Slip,
+    /// A contact turns without a rest.
+    Reverse,
+    /// The velocity of a contact, or the force of a stop, touches zero and goes on.
+    Touch,
+    /// The slider of an elastic contact begins to slide.
+    Yield,
+    /// The slider of an elastic contact stops.
+    Lock,
+    /// A stop, or a contact's normal load, ends.
+    Open,
+    /// A stop, or a contact's normal load, begins.
+    Close,
+}
+
+impl EventKind {
+    /// The name: `stick`, `slip`, …
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stick => "stick",
+            Self::Slip => "slip",
+            Self::Reverse => "reverse",
+            Self::Touch => "touch",
+            Self::Yield => "yield",
+            Self::Lock => "lock",
+            Self::Open => "open",
+            Self::Close => "close",
+        }
+    }
+}
+
+impl core::fmt::Display for EventKind {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// An event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Event<F> {
+    /// Its time.
+    pub time: F,
+    /// The element's place in the model.
+    pub element: usize,
+    /// Its kind.
+    pub kind: EventKind,
+}
+
+/// What watches a motion.
+pub(crate) trait Watch<F> {
+    /// A part of the motion without an event.
+    fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>);
+    /// An event.
+    fn event(&mut self, event: Event<F>);
+    /// The branch changes where the guard's row is zero, from `before` with derivative `from` to `to`.
+    fn changes(&mut self, _guard: &[F], _from: &[F], _to: &[F]) {}
+    /// Whether it needs the changes.
+    fn needs_changes(&self) -> bool {
+        false
+    }
+}
+
+/// A part of the motion in one branch, within one step.
+pub(crate) struct Stretch<'a, F> {
+    pub(crate) branch: &'a Branch<F>,
+    /// The state at its start.
+    pub(crate) from: &'a [F],
+    /// The state at its end.
+    pub(crate) to: &'a [F],
+    pub(crate) time: F,
+}
+
+/// Watches nothing.
+impl<F> Watch<F> for () {
+    fn stretch(&mut self, _: &Assembly<F>, _: &Stretch<'_, F>) {}
+    fn event(&mut self, _: Event<F>) {}
+}
