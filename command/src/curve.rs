@@ -275,8 +275,8 @@ impl AskedCurve {
         let (name, low) =
             (self.axis.option(), digits(self.in_units(self.grid.ends().0.min(self.grid.ends().1))));
         Err(format!(
-            "{name} {low}…: a cycle of so low a frequency has too many stops, about {slides:.0e} slides along this curve, must \
-             be ≤ {MOST_SLIDES:.0e}. Single points are answered by steady"
+            "{name} {low}…: the cycles of this curve have about {slides:.0e} slides in all, must be ≤ {MOST_SLIDES:.0e}. A cycle of \
+             so low a frequency has many stops. Single points are answered by steady"
         )
         .into())
     }
