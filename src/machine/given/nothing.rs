@@ -6,6 +6,7 @@ use crate::machine::input::{Input, Role};
 use crate::machine::oscillator::{Drive, Excitation};
 use crate::machine::units::InputError;
 use alloc::borrow::Cow;
+use alloc::string::String;
 use core::str::FromStr;
 
 impl<F: Float + FromStr> Given<F> {
