@@ -57,6 +57,8 @@ pub use enclosure::Enclosure;
 pub use known::Known;
 pub use motion::{Event, Steady, Unproved, steady};
 pub use record::follow;
+#[doc(hidden)]
+pub use widen::{InBalls, PRECISIONS, with_more_bits};
 
 use crate::cycle::damped::best_of;
 use crate::cycle::regime::sliding_bound;
@@ -70,7 +72,7 @@ use crate::named::named;
 use crate::output::Output;
 use angle::Angle;
 use border::Border;
-use widen::{Answers, Question, sharpest};
+use widen::{Answers, sharpest};
 
 /// The greatest number of bits used in a computation.
 pub const MAX_BITS: u32 = widen::GREATEST;
@@ -229,8 +231,10 @@ impl<'a> AskedRatios<'a> {
     }
 }
 
-impl Question for AskedRatios<'_> {
-    fn at_width<const W: usize>(&self) -> Answers {
+impl InBalls for AskedRatios<'_> {
+    type Found = Answers;
+
+    fn run<const W: usize>(&self) -> Answers {
         let angle = Angle::<W>::new(self.omega);
         let half = damped::half_period(&angle, self.zeta, self.eta);
         let (border, best) = if self.is_undamped() {

@@ -1,9 +1,9 @@
 //! The motion under a record, enclosed: every answer with a bound of its error, and every stop proved.
 
+use super::widen::{InBalls, with_more_bits};
 use super::{Ball, Enclosure, valid};
 use crate::float::ball::Radius;
 use crate::float::mp::Mp;
-use crate::float::words::at_words;
 use crate::machine::error::{Error, written};
 use crate::motion::record::{Body, Record, RecordAnswer, follow_in_balls};
 
@@ -43,31 +43,45 @@ pub fn follow<const N: usize>(
     let bits = valid(bits)?;
     body.check_start(x, v)?;
     let mut last = Err(Error::UncertainEvent { time: written(record.time(0)) });
-    for words in
-        [3, 5, 9, 17, 33, WIDEST].into_iter().filter(|&words| 64 * words >= bits + 64 || words == WIDEST)
-    {
-        let found = at_words!(words, |CAPACITY| {
-            let found = follow_in_balls::<N, CAPACITY>(body, record, [x, v]);
-            found.map(|found| (is_sharp(&found, bits), answer(&found, bits)))
-        });
+    let motion = Motion { body, record, start: [x, v], bits };
+    let found = with_more_bits(&PRECISIONS, bits, &motion, |words, found| {
         match found {
-            Ok((true, Ok(found))) => return Ok(found),
+            Ok((true, Ok(found))) => return Some(Ok(found)),
             Ok((_, found)) => last = found,
             // More bits do not help where the motion is exactly on a bound: they end at the same time.
-            Err(error) if words >= DECIDED && last.as_ref().err() == Some(&error) => return Err(error),
+            Err(error) if words >= DECIDED && last.as_ref().err() == Some(&error) => return Some(Err(error)),
             Err(error) if last.is_err() => last = Err(error),
             // Fewer bits were enough.
             Err(_) => {}
         }
+        None
+    });
+    found.unwrap_or(last)
+}
+
+/// A motion under a record, to so many bits.
+struct Motion<'a, const N: usize> {
+    body: &'a Body<Mp<N>>,
+    record: &'a Record<Mp<N>>,
+    start: [Mp<N>; 2],
+    bits: u32,
+}
+
+impl<const N: usize> InBalls for Motion<'_, N> {
+    /// The answers, and whether they have so many bits.
+    type Found = Result<(bool, Result<RecordAnswer<Enclosure>, Error>), Error>;
+
+    fn run<const W: usize>(&self) -> Self::Found {
+        let found = follow_in_balls::<N, W>(self.body, self.record, self.start)?;
+        Ok((is_sharp(&found, self.bits), answer(&found, self.bits)))
     }
-    last
 }
 
 /// The precision from which on a sign that is uncertain at the same time as with half the bits is taken to stay so, in
 /// words of 64 bits.
 const DECIDED: u32 = 9;
-/// The greatest precision tried, in words of 64 bits.
-const WIDEST: u32 = 65;
+/// The precisions tried, in words of 64 bits.
+const PRECISIONS: [u32; 6] = [3, 5, 9, 17, 33, 65];
 
 /// Whether the greatest displacement and the greatest velocity have so many bits.
 fn is_sharp<const W: usize>(found: &RecordAnswer<Ball<W>>, bits: u32) -> bool {

@@ -10,10 +10,34 @@ use crate::output::Output;
 /// The greatest number of bits.
 pub(super) const GREATEST: u32 = 8256;
 
-/// A question that can be answered at any precision.
-pub(super) trait Question {
-    fn at_width<const W: usize>(&self) -> Answers;
+/// A computation in balls of any precision.
+#[doc(hidden)]
+pub trait InBalls {
+    /// The result at one precision.
+    type Found;
+    /// Runs it in balls of the precision that is set on this thread.
+    fn run<const W: usize>(&self) -> Self::Found;
 }
+
+/// Runs a computation at one precision after another, in words of 64 bits, until the result of one is accepted; from the
+/// first that has 64 bits more than asked for, or the last.
+#[doc(hidden)]
+pub fn with_more_bits<C: InBalls, T>(
+    precisions: &[u32],
+    bits: u32,
+    computation: &C,
+    mut accepted: impl FnMut(u32, C::Found) -> Option<T>,
+) -> Option<T> {
+    let enough =
+        precisions.iter().filter(|words| 64 * **words >= bits + 64 || Some(*words) == precisions.last());
+    enough
+        .copied()
+        .find_map(|words| accepted(words, at_words!(words, |CAPACITY| computation.run::<CAPACITY>())))
+}
+
+/// The precisions of the closed forms.
+#[doc(hidden)]
+pub const PRECISIONS: [u32; 5] = [2, 5, 17, 65, 129];
 
 /// The answers at one precision.
 #[derive(Debug, Clone)]
@@ -67,19 +91,17 @@ fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
 }
 
 /// The answers at the requested bits, recomputed with more bits where they are undecided or not sharp enough.
-pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, Error> {
+pub(super) fn sharpest(question: &impl InBalls<Found = Answers>, bits: u32) -> Result<Answers, Error> {
     let mut last: Option<Answers> = None;
-    for words in [2, 5, 17, 65, 129].into_iter().filter(|words| 64 * words >= bits + 64) {
-        let found = at_words!(words, |CAPACITY| question.at_width::<CAPACITY>());
+    let found = with_more_bits(&PRECISIONS, bits, question, |_, found| {
         // Two bits more than requested, so that the final rounding leaves one unit in the last place.
         let is_sharp = found.sharpness >= i64::from(bits) + 2;
         // With intervals for the ratios, further bits cannot reduce the width that the intervals cause.
         let is_final = !found.is_exact && last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness);
-        if found.is_decided && is_sharp || is_final {
-            return Ok(found.rounded(bits));
-        }
-        last = Some(found);
-    }
+        let is_enough = found.is_decided && is_sharp || is_final;
+        let found = last.insert(found);
+        is_enough.then(|| found.clone())
+    });
     // `valid` has made sure that there is such a precision.
     let nothing = Error::OutOfRange {
         quantity: crate::Quantity::Precision,
@@ -87,7 +109,7 @@ pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, E
         least: written(1.0),
         greatest: written(f64::from(GREATEST - 64)),
     };
-    last.map(|found| found.rounded(bits)).ok_or(nothing)
+    found.or(last).map(|found| found.rounded(bits)).ok_or(nothing)
 }
 
 #[cfg(test)]

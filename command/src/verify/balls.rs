@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use stickslip::cycle::equations::System;
 use stickslip::dependencies::rug::float::Round;
 use stickslip::dependencies::rug::{Float, Rational};
-use stickslip::enclosed::{self, Ball, Enclosure, Known, Steady};
+use stickslip::enclosed::{self, Ball, Enclosure, InBalls, Known, Steady};
 use stickslip::float::Mp;
 use stickslip::{Field, Output, Real};
 
@@ -35,11 +35,22 @@ fn known(x: &Rational) -> Known {
 impl ExactRatios {
     /// The point at α `over` hundredths of the border, rounded to 64 bits.
     fn above_border(omega: Rational, zeta: Rational, over: i32) -> Option<Self> {
-        let one = known(&Rational::from(1));
-        let border = enclosed::border(&known(&omega), &known(&zeta), &one, 64).ok()?;
+        let border = enclosed::border(&known(&omega), &known(&zeta), &known(&1.into()), 64).ok()?;
         let least = Float::with_val(64, &border.get(Output::MinForceRatio)?.mid);
         let alpha = (least * over / 100u32).to_rational()?;
         Some(Self { omega, alpha, zeta })
+    }
+
+    /// The enclosed answers here.
+    fn answers(&self, bits: u32) -> Option<enclosed::Response> {
+        let [omega, alpha, zeta] = [&self.omega, &self.alpha, &self.zeta].map(known);
+        enclosed::response(&omega, &alpha, &zeta, &known(&1.into()), bits).ok()
+    }
+
+    /// The motion at a force ratio, if it is proved.
+    fn motion(&self, alpha: &Rational, bits: u32) -> Option<Steady> {
+        let [omega, alpha, zeta] = [&self.omega, alpha, &self.zeta].map(known);
+        enclosed::steady(&omega, &alpha, &zeta, &known(&1.into()), bits).ok()?.ok()
     }
 
     fn is_damped(&self) -> bool {
@@ -104,37 +115,6 @@ fn count(is_right: bool, bits: u32) -> Residue {
     Residue { units: size * 2f64.powi(bits as i32), least: size, is_zero: is_right, is_off: !is_right }
 }
 
-/// The residuals of all statements at a point, with enough bits to bring them to one unit in the last of
-/// `bits`.
-fn residues(place: &ExactRatios, bits: u32) -> Vec<Option<Residue>> {
-    let count = statements::all::<Ball<2>>().len();
-    let mut last = vec![Some(UNKNOWN); count];
-    let one = known(&Rational::from(1));
-    macro_rules! at {
-        ($($width:literal)*) => {$(
-            let width = Mp::<$width>::BITS;
-            if width >= bits + 64
-                && let Ok(answers) = enclosed::response(
-                    &known(&place.omega), &known(&place.alpha), &known(&place.zeta), &one, width - 64,
-                )
-                && let Some(case) = case::<$width>(place, &answers)
-            {
-                let found = statements::all().into_iter().map(|statement: Statement<_, _>| {
-                    Some(residue((statement.residual)(&case)?, case.scale, bits))
-                });
-                let found: Vec<_> = found.collect();
-                // A residual that excludes 0 needs no more bits.
-                if found.iter().flatten().all(|residue| residue.units <= 1.0 || residue.is_off) {
-                    return found;
-                }
-                last = found;
-            }
-        )*};
-    }
-    at!(2 5 17 65 129);
-    last
-}
-
 /// Equations and statements about motions that are proved to exist from the equation of motion alone.
 const OF_MOTIONS: [(&str, &str); 7] = [
     ("44", "Δ₀ is that of a motion proved to exist"),
@@ -146,65 +126,85 @@ const OF_MOTIONS: [(&str, &str); 7] = [
     ("62", "just below the border a motion with stops is proved, and one without above"),
 ];
 
-fn motion(place: &ExactRatios, alpha: &Rational, bits: u32) -> Option<Steady> {
-    let one = known(&Rational::from(1));
-    enclosed::steady(&known(&place.omega), &known(alpha), &known(&place.zeta), &one, bits).ok()?.ok()
-}
-
-/// The residuals at a point, in the order of [`OF_MOTIONS`].
-fn residues_of_motions(point: &CheckPoint<ExactRatios>, bits: u32) -> Vec<Option<Residue>> {
-    if !point.with_motion {
-        return vec![None; OF_MOTIONS.len()];
-    }
-    macro_rules! at {
-        ($($width:literal)*) => {$(
-            if Mp::<$width>::BITS >= bits + 64 {
-                return against::<$width>(point, bits)
-                    .unwrap_or_else(|| vec![Some(UNKNOWN); OF_MOTIONS.len()]);
-            }
-        )*};
-    }
-    at!(5 17 65 129);
-    Vec::new()
-}
-
-fn against<const W: usize>(
-    &CheckPoint { ref place, with_border, .. }: &CheckPoint<ExactRatios>,
+/// The residuals of all statements at a point, in the order of [`statements::all`] and of [`OF_MOTIONS`].
+struct Residues<'a> {
+    point: &'a CheckPoint<ExactRatios>,
     bits: u32,
-) -> Option<Vec<Option<Residue>>> {
-    let one = known(&Rational::from(1));
-    let (omega, alpha, zeta) = (known(&place.omega), known(&place.alpha), known(&place.zeta));
-    let answers = enclosed::response(&omega, &alpha, &zeta, &one, Mp::<W>::BITS - 64).ok()?;
-    let case = case::<W>(place, &answers)?;
-    let motion = motion(place, &place.alpha, bits + 8)?;
-    let (u, ball) = (&case.unknowns, Enclosure::ball::<W>);
-    // The motion begins with a reversal: the sine of the remaining phase to t₂, or to t₂ and half a turn.
-    let late = (u.displacement_phase - ball(&motion.start.0)).sin();
-    // λ₁² + λ₂² = (λ₁ + λ₂)² − 2 λ₁λ₂
-    let (sum, determinant) = case.multipliers();
-    let [(a, b), (p, q)] = motion.multipliers.each_ref().map(|(re, im)| (ball(re), ball(im)));
-    let (trace, product) = (a + p, a * p - b * q);
-    let by_trace = sum.square() - Ball::int(2) * determinant - trace;
-    let by_product = determinant.square() - product;
-    let (first, second) = (a.hypot(b), p.hypot(q));
-    let largest = match case.is_below(first, second) {
-        Some(true) => second,
-        Some(false) => first,
-        // The two complex multipliers have the same modulus.
-        None => (first + second) / Ball::int(2),
-    };
-    let slides = motion.sticks_per_cycle == 0 && motion.velocity_zeros_per_cycle == 2;
-    let contraction = case.get(Output::Contraction)?;
-    let of = |residual| Some(residue(residual, case.scale, bits));
-    Some(vec![
-        of(ball(&motion.max_displacement) - u.max_displacement),
-        of(late * u.max_displacement),
-        of(ball(&motion.max_velocity) * case.omega - u.max_velocity),
-        Some(count(slides, bits)),
-        of(by_trace.abs() + by_product.abs()),
-        Some(residue(contraction.square() - largest, Ball::int(1), bits)),
-        with_border.then(|| beside_the_border(place, &answers, bits)).flatten(),
-    ])
+}
+
+impl InBalls for Residues<'_> {
+    /// `None` where this precision does not find the answers; and whether it brings each residual to one unit in the last
+    /// of the requested bits. One that excludes 0 needs no more bits.
+    type Found = Option<(Vec<Option<Residue>>, bool)>;
+
+    fn run<const W: usize>(&self) -> Self::Found {
+        let CheckPoint { place, with_motion, .. } = self.point;
+        let answers = place.answers(<Mp<W> as stickslip::Float>::precision() - 64)?;
+        let case = case::<W>(place, &answers)?;
+        let of =
+            |statement: Statement<_, _>| Some(residue((statement.residual)(&case)?, case.scale, self.bits));
+        let mut found: Vec<_> = statements::all().into_iter().map(of).collect();
+        let is_sharp = found.iter().flatten().all(|residue| residue.units <= 1.0 || residue.is_off);
+        if is_sharp {
+            let motion = with_motion.then(|| self.of_motion(&case, &answers).unwrap_or([Some(UNKNOWN); _]));
+            found.extend(motion.unwrap_or([None; OF_MOTIONS.len()]));
+        }
+        Some((found, is_sharp))
+    }
+}
+
+impl Residues<'_> {
+    /// With the highest precision that is needed; all unknown where none finds the answers.
+    fn found(&self) -> Vec<Option<Residue>> {
+        let mut last = Vec::new();
+        let found = enclosed::with_more_bits(&enclosed::PRECISIONS, self.bits, self, |_, found| {
+            let (found, is_sharp) = found?;
+            last.clone_from(&found);
+            is_sharp.then_some(found)
+        });
+        found.unwrap_or_else(|| {
+            last.resize(statements::all::<Ball<10>>().len() + OF_MOTIONS.len(), Some(UNKNOWN));
+            last
+        })
+    }
+
+    /// The residuals of [`OF_MOTIONS`]; `None` where no motion is proved.
+    fn of_motion<const W: usize>(
+        &self,
+        case: &Case<Ball<W>>,
+        answers: &enclosed::Response,
+    ) -> Option<[Option<Residue>; OF_MOTIONS.len()]> {
+        let &Self { point: CheckPoint { place, with_border, .. }, bits } = self;
+        let motion = place.motion(&place.alpha, bits + 8)?;
+        let (u, ball) = (&case.unknowns, Enclosure::ball::<W>);
+        // The motion begins with a reversal: the sine of the remaining phase to t₂, or to t₂ and half a turn.
+        let late = (u.displacement_phase - ball(&motion.start.0)).sin();
+        // λ₁² + λ₂² = (λ₁ + λ₂)² − 2 λ₁λ₂
+        let (sum, determinant) = case.multipliers();
+        let [(a, b), (p, q)] = motion.multipliers.each_ref().map(|(re, im)| (ball(re), ball(im)));
+        let (trace, product) = (a + p, a * p - b * q);
+        let by_trace = sum.square() - Ball::int(2) * determinant - trace;
+        let by_product = determinant.square() - product;
+        let (first, second) = (a.hypot(b), p.hypot(q));
+        let largest = match case.is_below(first, second) {
+            Some(true) => second,
+            Some(false) => first,
+            // The two complex multipliers have the same modulus.
+            None => (first + second) / Ball::int(2),
+        };
+        let slides = motion.sticks_per_cycle == 0 && motion.velocity_zeros_per_cycle == 2;
+        let contraction = case.get(Output::Contraction)?;
+        let of = |residual| Some(residue(residual, case.scale, bits));
+        Some([
+            of(ball(&motion.max_displacement) - u.max_displacement),
+            of(late * u.max_displacement),
+            of(ball(&motion.max_velocity) * case.omega - u.max_velocity),
+            Some(count(slides, bits)),
+            of(by_trace.abs() + by_product.abs()),
+            Some(residue(contraction.square() - largest, Ball::int(1), bits)),
+            with_border.then(|| beside_the_border(place, answers, bits)).flatten(),
+        ])
+    }
 }
 
 /// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), except next to a pole, where the body need not stop below
@@ -217,7 +217,7 @@ fn beside_the_border(place: &ExactRatios, answers: &enclosed::Response, bits: u3
     }
     let least = Float::with_val(64, &answers.get(Output::MinForceRatio)?.mid);
     let little = Float::with_val(64, &least >> 16u32);
-    let stops = |alpha: Float| Some(motion(place, &alpha.to_rational()?, 64)?.sticks_per_cycle);
+    let stops = |alpha: Float| Some(place.motion(&alpha.to_rational()?, 64)?.sticks_per_cycle);
     let (below, above) = (stops(Float::with_val(64, &least - &little)), stops(least + little));
     Some(count(below.is_some_and(|stops| stops > 0) && above == Some(0), bits))
 }
@@ -233,7 +233,7 @@ pub(super) fn verdicts(bits: u32) -> Result<Vec<StatementVerdict>, Failure> {
         let text = format!("--bits {bits}: number of bits {bits} must be ≥ 1 and ≤ {MOST}");
         return Err(text.into());
     }
-    let of_answers = statements::all::<Ball<2>>();
+    let of_answers = statements::all::<Ball<10>>();
     let of_motions =
         OF_MOTIONS.map(|(equation, words)| StatementVerdict::of(equation, words, Standing::Holds));
     let verdicts = of_answers.iter().map(Statement::verdict).chain(of_motions).collect();
@@ -242,9 +242,7 @@ pub(super) fn verdicts(bits: u32) -> Result<Vec<StatementVerdict>, Failure> {
         has_digits: |_| true,
         in_turn: [|_| true, |number| number % 5 == 0],
     };
-    let residues = |point: &CheckPoint<ExactRatios>| {
-        residues(&point.place, bits).into_iter().chain(residues_of_motions(point, bits)).collect()
-    };
+    let residues = |point: &CheckPoint<ExactRatios>| Residues { point, bits }.found();
     super::verdicts(verdicts, &numbers.points(ExactRatios::above_border), residues, |point| {
         point.place.written()
     })

@@ -1,15 +1,15 @@
 //! A proved steady motion: its box of uniqueness, extrema, stops and multipliers.
 
 use super::map::{Followed, Map, MapStart};
-use super::outline::outline;
+use super::outline::{Outline, outline};
 use super::slide::DrivenBody;
 use super::statistics::{fastest, multipliers};
 use super::unproved::Unproved;
+use crate::enclosed::widen::{InBalls, with_more_bits};
 use crate::enclosed::{Enclosure, Known, valid};
 use crate::float::Field;
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
-use crate::float::words::at_words;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::Ratios;
 
@@ -81,24 +81,36 @@ pub fn steady(
         Err(why) => return Ok(Err(why)),
     };
     let mut last: Option<Result<Steady, Unproved>> = None;
-    for words in [3, 5, 9, 17, WIDEST].into_iter().filter(|&words| 64 * words >= bits + 64 || words == WIDEST)
-    {
-        let found = at_words!(words, |CAPACITY| {
-            let (omega, alpha) = (omega.ball(), alpha.ball());
-            let machine = DrivenBody::<CAPACITY>::new(omega, alpha, damping_ratio.ball(), eta.ball());
-            proved(&Map { machine, outline: &outline }, bits)
-        });
+    let motion = OutlinedMotion { ratios: [omega, alpha, damping_ratio, eta], outline, bits };
+    let found = with_more_bits(&PRECISIONS, bits, &motion, |_, found| {
         let is_known = found.is_ok() && matches!(last, Some(Ok(_)));
-        match found {
-            Ok((found, is_sharp)) if is_sharp || is_known => return Ok(Ok(found)),
-            found => last = Some(found.map(|(found, _)| found)),
-        }
-    }
-    Ok(last.unwrap_or(Err(Unproved::NotAlone { bits })))
+        let is_sharp = matches!(found, Ok((_, true)));
+        let found = last.insert(found.map(|(found, _)| found));
+        (is_sharp || is_known).then(|| found.clone())
+    });
+    Ok(found.or(last).unwrap_or(Err(Unproved::NotAlone { bits })))
 }
 
-/// The greatest precision tried, in words of 64 bits.
-const WIDEST: u32 = 65;
+/// The precisions tried, in words of 64 bits.
+const PRECISIONS: [u32; 5] = [3, 5, 9, 17, 65];
+
+/// A motion to be proved at (Ω, α, ζ, η), to so many bits.
+struct OutlinedMotion<'a> {
+    ratios: [&'a Known; 4],
+    outline: Outline,
+    bits: u32,
+}
+
+impl InBalls for OutlinedMotion<'_> {
+    /// The motion, and whether it has so many bits.
+    type Found = Result<(Steady, bool), Unproved>;
+
+    fn run<const W: usize>(&self) -> Self::Found {
+        let [omega, alpha, zeta, eta] = self.ratios.map(Known::ball::<W>);
+        let machine = DrivenBody::new(omega, alpha, zeta, eta);
+        proved(&Map { machine, outline: &self.outline }, self.bits)
+    }
+}
 
 /// The motion whose start the map takes to its image, with the proof; and whether `bits` of it are certain.
 fn proved<const W: usize>(map: &Map<'_, W>, bits: u32) -> Result<(Steady, bool), Unproved> {
