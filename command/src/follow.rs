@@ -1,27 +1,25 @@
 //! `stickslip record`: the motion of a body under a record.
 
-use crate::args::{Header, RecordArgs, StreamFormat, SurfaceArgs};
+use crate::args::{Header, RecordArgs, StreamFormat};
 use crate::bits::{Value, at_bits, digits};
 use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::floor::{FloorSpectrum, Oscillators};
+use crate::floor::FloorSpectrum;
 use crate::input;
 use crate::measured::{self, Described};
 use crate::motion_plot;
 use crate::output::{self, PendingFile};
 use crate::physical::Physical;
 use crate::record::{Cell, Number, Record as Row};
+use crate::shaken::{Shaken, needs_mass};
 use crate::sink::Sink;
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
-use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Role};
-use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordMotion, RecordState};
+use stickslip::inputs::units::{Kind, System};
+use stickslip::motion::record::{Entry, Record, RecordAnswer, RecordMotion, RecordState};
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
-use stickslip_front::record::Summary;
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
@@ -135,101 +133,12 @@ fn refuse_many<F: Value>(record: &Record<F>, interval: F, text: &str) -> Outcome
     Err(format!("--interval {text}: about {count:.1e} states, must be ≤ {MOST:.0e}").into())
 }
 
-/// The body, the record and the start of a motion.
-pub(crate) struct Shaken<F> {
-    pub(crate) given: Given<F>,
-    pub(crate) body: Body<F>,
-    pub(crate) record: Record<F>,
-    pub(crate) summary: Summary,
-    pub(crate) start: [F; 2],
-    /// The greatest distance of the states of a motion, if it was given.
-    interval: Option<F>,
-    floor: Option<Oscillators<F>>,
-    /// Whether the mass is known, on which forces and works depend.
-    pub(crate) has_mass: bool,
-}
-
-impl<F: Value> Shaken<F> {
-    pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
-        args.answer.format.is_json("record")?;
-        let reader = args.answer.units.reader();
-        let mut given = input::read::<F>(&args.machine, &reader)?;
-        let start = input::start_in_units(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
-        let interval = args.interval.as_ref().map(|text| {
-            let interval = reader.value::<F>("--interval", text, Kind::Time)?;
-            if interval > F::int(0) && interval.is_finite() {
-                return Ok(interval);
-            }
-            Err(Failure::Input(format!("--interval {text}: must be > 0 and finite")))
-        });
-        let interval = interval.transpose()?;
-        let floor = Oscillators::read(args, &reader)?;
-        let surface = Surface::read(&args.surface, &reader)?;
-        let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
-        // Where the mass cancels, it is a unit of mass.
-        let cancels =
-            record.excitation() != Excitation::Force && input::has_unit_mass(&args.machine, &mut given);
-        let body = surface.body(&given)?;
-        Ok(Self { given, body, record, summary, start, interval, floor, has_mass: !cancels })
-    }
-}
-
-/// The surface that a body slides on.
-pub(crate) struct Surface<F> {
-    slope: Option<F>,
-    has_spring: bool,
-    is_one_way: bool,
-}
-
-impl<F: Value> Surface<F> {
-    /// Whether the body is no oscillator: without a spring, on a slope, or one that moves one way.
-    pub(crate) const fn is_special(&self) -> bool {
-        self.slope.is_some() || !self.has_spring || self.is_one_way
-    }
-
-    pub(crate) fn read(args: &SurfaceArgs, reader: &Reader) -> Result<Self, Failure> {
-        let slope = args.slope.as_ref().map(|text| {
-            let slope = reader.value::<F>("--slope", text, Kind::Angle)?;
-            // A bare number may be meant in degrees, in radians, or as a gradient.
-            if slope != F::int(0) && !Reader::has_unit(text) {
-                return Err(Failure::Input(format!(
-                    "--slope {text}: must have a unit, {text}deg or {text}rad"
-                )));
-            }
-            Ok(slope)
-        });
-        Ok(Self { slope: slope.transpose()?, has_spring: !args.no_spring, is_one_way: args.one_way })
-    }
-
-    /// The body of the given inputs on this surface.
-    pub(crate) fn body(&self, given: &Given<F>) -> Result<Body<F>, Failure> {
-        match (given.one_of(Role::Spring)?, self.has_spring) {
-            (None, true) if !given.has(Input::YieldAcceleration) => {
-                let missing = given.missing(&Input::of_role(Role::Spring));
-                return Err(format!("{missing}. A body without a spring has --no-spring").into());
-            }
-            (Some((spring, _)), false) => {
-                let spring = given.label(spring);
-                return Err(format!("{spring}: must be left out with --no-spring").into());
-            }
-            _ => {}
-        }
-        let body = Body::given(given, self.slope)?;
-        Ok(if self.is_one_way { body.one_way() } else { body })
-    }
-}
-
 /// The answers with their units, but for those that need a mass where none is known.
 fn physical<F: Value>(answer: &RecordAnswer<F>, system: System, has_mass: bool) -> Physical<Number> {
     let mut physical = Physical::of(system);
     physical.values =
         columns(answer, system).into_iter().filter(|(_, kind, _)| has_mass || !needs_mass(*kind)).collect();
     physical.shown()
-}
-
-/// Whether values of a kind are those of a mass.
-pub(crate) const fn needs_mass(kind: Kind) -> bool {
-    matches!(kind, Kind::Force | Kind::Energy | Kind::Stiffness)
 }
 
 /// The name, the kind and the cell of each answer.

@@ -1,5 +1,4 @@
-//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `design`, `decay`,
-//! `verify`, `figure`, `figures`, `sweep`, `map`, `completions`, `man`.
+//! The command over the library: [`args::Command`] has its subcommands, and each has a file of its own.
 
 #![cfg_attr(
     not(test),
@@ -49,6 +48,7 @@ mod pull;
 mod record;
 mod resume;
 mod rows;
+mod shaken;
 mod shell;
 mod simulate;
 mod sink;

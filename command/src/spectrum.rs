@@ -5,7 +5,7 @@ mod picture;
 use crate::args::{SpectrumArgs, SweepFormat};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::follow::{self, Surface};
+use crate::follow;
 use crate::grid::Axes;
 use crate::interrupt;
 use crate::measured;
@@ -13,6 +13,7 @@ use crate::outputs::key;
 use crate::physical::Physical;
 use crate::progress::Unanswered;
 use crate::record::{Cell, Record, Row};
+use crate::shaken::{Surface, needs_mass};
 use crate::sweep::{self, Table};
 use std::io::Write;
 use std::ops::Range;
@@ -120,7 +121,7 @@ impl<'a> Spectra<'a> {
             .map(|answer| answer.as_ref().map_or(self.blank, |answer| follow::columns(answer, self.system)));
         let answers = answers.into_iter().flatten();
         // Forces, works and stiffnesses are those of a mass.
-        values.extend(answers.filter(|(_, kind, _)| self.has_mass || !follow::needs_mass(*kind)));
+        values.extend(answers.filter(|(_, kind, _)| self.has_mass || !needs_mass(*kind)));
         let record = vec![(key!("record"), Cell::Text(name))];
         Record::of(record).with_physical(Physical::beside(self.system, values)).shown()
     }

@@ -3,13 +3,13 @@
 use crate::args::DecayArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
-use crate::follow::Surface;
 use crate::input::{behind_all, has_unit_mass, start_in_units};
 use crate::note::line;
 use crate::output;
 use crate::outputs::key;
 use crate::physical::Physical;
 use crate::record::{Cell, Record as Cells};
+use crate::shaken::Surface;
 use std::io::Write;
 use stickslip::Excitation;
 use stickslip::inputs::Given;

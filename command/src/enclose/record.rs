@@ -3,10 +3,10 @@
 use super::found::BITS;
 use crate::args::RecordArgs;
 use crate::failure::{Failure, Outcome};
-use crate::follow::{Shaken, needs_mass};
 use crate::measured::{self, Described};
 use crate::output;
 use crate::physical::Units;
+use crate::shaken::{Shaken, needs_mass};
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;

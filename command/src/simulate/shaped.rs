@@ -3,11 +3,11 @@
 use crate::args::{ShapeArg, SimulateArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::follow::Surface;
 use crate::input::{behind_all, has_unit_mass, read, start_in_units};
 use crate::outputs::{ENDS_BY, KIND};
 use crate::physical::Physical;
 use crate::record::{Cell, Record as Cells, Row};
+use crate::shaken::Surface;
 use crate::sink::Sink;
 use std::io::Write;
 use stickslip::Excitation;

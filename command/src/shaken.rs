@@ -1,0 +1,101 @@
+//! The body, the surface, the record and the start of `record`, and of its enclosure.
+
+use crate::args::{RecordArgs, SurfaceArgs};
+use crate::bits::Value;
+use crate::failure::Failure;
+use crate::floor::Oscillators;
+use crate::{input, measured};
+use stickslip::Excitation;
+use stickslip::inputs::units::{Kind, Reader};
+use stickslip::inputs::{Given, Input, Role};
+use stickslip::motion::record::{Body, Record};
+use stickslip_front::record::Summary;
+
+/// The body, the record and the start of a motion.
+pub(crate) struct Shaken<F> {
+    pub(crate) given: Given<F>,
+    pub(crate) body: Body<F>,
+    pub(crate) record: Record<F>,
+    pub(crate) summary: Summary,
+    pub(crate) start: [F; 2],
+    /// The greatest distance of the states of a motion, if it was given.
+    pub(crate) interval: Option<F>,
+    pub(crate) floor: Option<Oscillators<F>>,
+    /// Whether the mass is known, on which forces and works depend.
+    pub(crate) has_mass: bool,
+}
+
+impl<F: Value> Shaken<F> {
+    pub(crate) fn read(args: &RecordArgs) -> Result<Self, Failure> {
+        args.answer.format.is_json("record")?;
+        let reader = args.answer.units.reader();
+        let mut given = input::read::<F>(&args.machine, &reader)?;
+        let start = input::start_in_units(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
+        let interval = args.interval.as_ref().map(|text| {
+            let interval = reader.value::<F>("--interval", text, Kind::Time)?;
+            if interval > F::int(0) && interval.is_finite() {
+                return Ok(interval);
+            }
+            Err(Failure::Input(format!("--interval {text}: must be > 0 and finite")))
+        });
+        let interval = interval.transpose()?;
+        let floor = Oscillators::read(args, &reader)?;
+        let surface = Surface::read(&args.surface, &reader)?;
+        let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
+        // Where the mass cancels, it is a unit of mass.
+        let cancels =
+            record.excitation() != Excitation::Force && input::has_unit_mass(&args.machine, &mut given);
+        let body = surface.body(&given)?;
+        Ok(Self { given, body, record, summary, start, interval, floor, has_mass: !cancels })
+    }
+}
+
+/// The surface that a body slides on.
+pub(crate) struct Surface<F> {
+    slope: Option<F>,
+    has_spring: bool,
+    is_one_way: bool,
+}
+
+impl<F: Value> Surface<F> {
+    /// Whether the body is no oscillator: without a spring, on a slope, or one that moves one way.
+    pub(crate) const fn is_special(&self) -> bool {
+        self.slope.is_some() || !self.has_spring || self.is_one_way
+    }
+
+    pub(crate) fn read(args: &SurfaceArgs, reader: &Reader) -> Result<Self, Failure> {
+        let slope = args.slope.as_ref().map(|text| {
+            let slope = reader.value::<F>("--slope", text, Kind::Angle)?;
+            // A bare number may be meant in degrees, in radians, or as a gradient.
+            if slope != F::int(0) && !Reader::has_unit(text) {
+                return Err(Failure::Input(format!(
+                    "--slope {text}: must have a unit, {text}deg or {text}rad"
+                )));
+            }
+            Ok(slope)
+        });
+        Ok(Self { slope: slope.transpose()?, has_spring: !args.no_spring, is_one_way: args.one_way })
+    }
+
+    /// The body of the given inputs on this surface.
+    pub(crate) fn body(&self, given: &Given<F>) -> Result<Body<F>, Failure> {
+        match (given.one_of(Role::Spring)?, self.has_spring) {
+            (None, true) if !given.has(Input::YieldAcceleration) => {
+                let missing = given.missing(&Input::of_role(Role::Spring));
+                return Err(format!("{missing}. A body without a spring has --no-spring").into());
+            }
+            (Some((spring, _)), false) => {
+                let spring = given.label(spring);
+                return Err(format!("{spring}: must be left out with --no-spring").into());
+            }
+            _ => {}
+        }
+        let body = Body::given(given, self.slope)?;
+        Ok(if self.is_one_way { body.one_way() } else { body })
+    }
+}
+
+/// Whether values of a kind are those of a mass.
+pub(crate) const fn needs_mass(kind: Kind) -> bool {
+    matches!(kind, Kind::Force | Kind::Energy | Kind::Stiffness)
+}
