@@ -14,6 +14,7 @@ use std::io::Write;
 use stickslip::inputs::units::Kind;
 use stickslip::motion::{Attractors, State};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+use stickslip_front::grid::Range;
 
 /// The number of values of a grid that is not given.
 const COUNT: u64 = 101;
@@ -67,7 +68,7 @@ impl<F: Value> Basins<F> {
                 Some(text) => Grid::with_units(option, text, &reader, kind)?,
                 None => {
                     let (from, to) = (-reach * scale, reach * scale);
-                    Grid::Even { from, to, count: COUNT, logarithmic: false }
+                    Grid::Even(Range { from, to, count: COUNT, is_logarithmic: false })
                 }
             };
             let unit = if scales.is_some() { given.system.name(kind) } else { symbol.to_owned() };

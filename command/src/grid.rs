@@ -2,15 +2,16 @@
 
 use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
-use crate::input::{self, note_unusual};
+use crate::input::note_unusual;
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::inputs::{Given, Input, Naming};
 use stickslip_figures::Axis;
+use stickslip_front::grid::Range;
 
 /// The values of one argument.
 #[derive(Debug, Clone)]
 pub(crate) enum Grid<F> {
-    Even { from: F, to: F, count: u64, logarithmic: bool },
+    Even(Range<F>),
     List(Vec<F>),
 }
 
@@ -44,34 +45,19 @@ impl<F: Value> Grid<F> {
 
     fn read(name: &str, text: &str, number: impl Fn(&str) -> Result<F, Failure>) -> Result<Self, Failure> {
         let bad = |what: &str| Failure::Input(format!("{name} {text}: {what}"));
+        if let Some(range) = Range::typed(text, MOST).map_err(|what| bad(&what))? {
+            return range.between(number(range.from)?, number(range.to)?).map_err(bad).map(Self::Even);
+        }
         let value = |part: &str| -> Result<F, Failure> {
             let value: F = number(part)?;
             if value.is_finite() { Ok(value) } else { Err(bad("each value must be finite")) }
         };
-        let parts: Vec<&str> = text.split(':').collect();
-        let (from, to, count, logarithmic) = match parts.as_slice() {
-            [list] => return list.split(',').map(value).collect::<Result<_, _>>().map(Self::List),
-            [from, to, count] => (value(from)?, value(to)?, *count, false),
-            [from, to, count, "log"] => (value(from)?, value(to)?, *count, true),
-            _ => {
-                return Err(bad(
-                    "must be FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C, each number with a decimal point",
-                ));
-            }
-        };
-        let count = input::count(&format!("{name} {text}: count"), count, MOST)?;
-        if count == 1 && from != to {
-            return Err(bad("the count must be ≥ 2 where FROM and TO differ"));
-        }
-        if logarithmic && !(from > F::int(0) && to > F::int(0)) {
-            return Err(bad("FROM and TO must be > 0 for equal ratios"));
-        }
-        Ok(Self::Even { from, to, count, logarithmic })
+        text.split(',').map(value).collect::<Result<_, _>>().map(Self::List)
     }
 
     pub(crate) fn len(&self) -> u64 {
         match self {
-            Self::Even { count, .. } => *count,
+            Self::Even(range) => range.count,
             Self::List(values) => values.len() as u64,
         }
     }
@@ -80,23 +66,14 @@ impl<F: Value> Grid<F> {
     pub(crate) fn value(&self, place: u64) -> F {
         match self {
             Self::List(values) => values.get(place as usize).copied().unwrap_or(F::int(0)),
-            Self::Even { from, .. } if place == 0 => *from,
-            Self::Even { to, count, .. } if place + 1 >= *count => *to,
-            Self::Even { from, to, count, logarithmic } => {
-                let (place, last) = (place as f64, (count - 1) as f64);
-                let (place, last) = (F::from_f64(place), F::from_f64(last));
-                if *logarithmic {
-                    return as_typed(*from * (*to / *from).pow(place / last));
-                }
-                as_typed(*from + (*to - *from) * place / last)
-            }
+            Self::Even(range) => range.value(place),
         }
     }
 
     /// The least and the greatest value.
     pub(crate) fn ends(&self) -> (F, F) {
         let values = match self {
-            Self::Even { from, to, .. } => &[*from, *to],
+            Self::Even(range) => &[range.from, range.to],
             Self::List(values) => values.as_slice(),
         };
         let first = values.first().copied().unwrap_or(F::int(0));
@@ -107,7 +84,7 @@ impl<F: Value> Grid<F> {
 
     /// Whether the grid is logarithmic.
     pub(crate) const fn is_logarithmic(&self) -> bool {
-        matches!(self, Self::Even { logarithmic: true, .. })
+        matches!(self, Self::Even(Range { is_logarithmic: true, .. }))
     }
 
     /// An axis over the values.
@@ -132,16 +109,6 @@ impl Grid<f64> {
         let (low, high) = self.ends();
         if self.is_logarithmic() { from * (high / low).powf(share) } else { from + (high - low) * share }
     }
-}
-
-/// A double beside a decimal of up to twelve digits as that decimal, which a hand would have typed: 0.15 for
-/// 0.15000000000000002.
-fn as_typed<F: Value>(value: F) -> F {
-    if F::PRECISION != f64::MANTISSA_DIGITS {
-        return value;
-    }
-    let near = format!("{value:.11e}").parse().unwrap_or(value);
-    if (near - value).abs() <= F::int(2) * F::epsilon() * value.abs() { near } else { value }
 }
 
 /// The points of all grids, each computed from its number alone; the last grid varies fastest.

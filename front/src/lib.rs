@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`record`] | the file of a record, of an agency or of columns, as a [`Record`](stickslip::motion::record::Record) |
 //! | [`curve`] | a response curve, resolved at its peaks and where the body begins to slide |
+//! | [`grid`] | `FROM:TO:COUNT` and `FROM:TO:COUNT:log` in place of one value |
 //! | [`names`] | the names of columns with their units |
 //! | `system` (a feature) | the file of several bodies, and the answers about them |
 
@@ -20,6 +21,7 @@
 )]
 
 pub mod curve;
+pub mod grid;
 pub mod names;
 pub mod record;
 #[cfg(feature = "system")]

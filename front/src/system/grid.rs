@@ -2,6 +2,7 @@
 
 use super::built::NamedSystem;
 use super::described::Described;
+use crate::grid::Range;
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -40,12 +41,6 @@ pub struct Axis {
     /// The path in the file; `None` for the frequency of the loads.
     path: Option<String>,
     values: Values,
-}
-
-/// The number without the digits that rounding has left, at the size of the ends.
-fn decimal(x: f64, size: f64) -> f64 {
-    let short: f64 = format!("{x:.*e}", 13).parse().unwrap_or(x);
-    if (short - x).abs() <= 4.0 * f64::EPSILON * size { short } else { x }
 }
 
 impl Axis {
@@ -124,45 +119,16 @@ fn listed<'t>(texts: impl Iterator<Item = &'t str> + Clone) -> Values {
 /// The values of a text: one, a list, or a range.
 fn values(name: &str, text: &str) -> Result<Values, String> {
     let bad = |what: &str| format!("{name}{text}: {what}");
-    let parts: Vec<&str> = text.split(':').collect();
-    let (from, to, count, is_logarithmic) = match parts.as_slice() {
-        [list] if list.split(',').any(|part| part.trim().is_empty()) => {
-            return Err(bad("a value is missing"));
-        }
-        [list] => return Ok(listed(list.split(','))),
-        [from, to, count] => (*from, *to, *count, false),
-        [from, to, count, "log"] => (*from, *to, *count, true),
-        _ => return Err(bad("must be one value, a list A,B,C, FROM:TO:COUNT or FROM:TO:COUNT:log")),
+    let Some(range) = Range::typed(text, MOST_ROWS).map_err(|what| bad(&what))? else {
+        return Ok(listed(text.split(',')));
     };
-    let count = count.trim().parse::<u64>().ok().filter(|n| (1..=MOST_ROWS).contains(n));
-    let count =
-        count.ok_or_else(|| bad(&format!("the count must be a whole number ≥ 1 and ≤ {MOST_ROWS}")))?;
-    let ((first, unit), (last, other)) = (split(from), split(to));
+    let ((first, unit), (last, other)) = (split(range.from), split(range.to));
     if unit != other {
         return Err(bad("both ends must have the same unit"));
     }
-    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let (Some(first), Some(last)) = (number(first), number(last)) else {
-        return Err(bad("both ends must be finite numbers"));
-    };
-    if is_logarithmic && !(first > 0.0 && last > 0.0) {
-        return Err(bad("both ends must be > 0 for equal ratios"));
-    }
-    if count == 1 && first != last {
-        return Err(bad("the count must be ≥ 2 where the ends differ"));
-    }
-    let value = |i: u64| {
-        let end = count.saturating_sub(1);
-        let share = if end > 0 { i as f64 / end as f64 } else { 0.0 };
-        match i {
-            0 => first,
-            _ if i == end => last,
-            _ if is_logarithmic => first * (last / first).powf(share),
-            // A decimal step gives decimal values.
-            _ => decimal(first + (last - first) * share, last.abs().max(first.abs())),
-        }
-    };
-    Ok(Values::Numbers((0..count).map(value).collect(), unit.to_owned()))
+    let number = |text: &str| text.trim().parse::<f64>().map_err(|_| bad("each value must be a number"));
+    let range = range.between(number(first)?, number(last)?).map_err(bad)?;
+    Ok(Values::Numbers((0..range.count).map(|place| range.value(place)).collect(), unit.to_owned()))
 }
 
 /// The motion that a row is about.
