@@ -166,7 +166,7 @@ impl Batch {
     /// # Errors
     /// [`Error::LengthMismatch`] where the slices differ in length.
     pub fn steady(&self, omega: &[f64], alpha: &[f64]) -> Result<Vec<Result<LongRun<f64>, Error>>, Error> {
-        same_length(omega.len(), "force ratio α", alpha.len())?;
+        same_length(omega.len(), "alpha", alpha.len())?;
         let steady = |(&omega, &alpha)| LongRun::from_start(Ratios::new(omega, alpha)?, State::default());
         #[cfg(feature = "rayon")]
         if self.threads {

@@ -118,9 +118,7 @@ fn motion<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>)
         note.number(name, measure, extreme.value)?;
         note.number("  at ω_d t", Measure::Angle, extreme.phase.reduced())?;
     }
-    if let Ok(found) = steady.peaks() {
-        peaks(&found, note)?;
-    }
+    peaks(&steady.peaks().map_err(io::Error::other)?, note)?;
     note.line("velocity zeros in a cycle", steady.velocity_zeros_per_cycle)?;
     note.number("work of the excitation", Measure::Work, steady.energy_in)?;
     note.number("work against friction", Measure::Work, steady.energy_out)?;

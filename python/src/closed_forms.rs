@@ -17,14 +17,15 @@ use stickslip::{Error, Excitation, Output, Ratios, Regime, Response, ResponseAns
 const TASK: usize = 1 << 13;
 
 /// Names of the regimes by their codes; the last is for points outside the domain.
-pub(crate) const REGIMES: [&str; 6] = [
-    Regime::Stuck.name(),
-    Regime::Sticking.name(),
-    Regime::NonSticking.name(),
-    Regime::Unbounded.name(),
-    Regime::DependsOnStart.name(),
-    "invalid",
-];
+pub(crate) const REGIMES: [&str; Regime::ALL.len() + 1] = {
+    let mut names = ["invalid"; Regime::ALL.len() + 1];
+    let mut place = 0;
+    while place < Regime::ALL.len() {
+        names[place] = Regime::ALL[place].name();
+        place += 1;
+    }
+    names
+};
 
 /// The source of a column.
 #[derive(Clone, Copy)]
@@ -212,15 +213,10 @@ fn fill_task(
     Ok(())
 }
 
-const fn code(regime: Option<Regime>) -> u8 {
-    match regime {
-        Some(Regime::Stuck) => 0,
-        Some(Regime::Sticking) => 1,
-        Some(Regime::NonSticking) => 2,
-        Some(Regime::Unbounded) => 3,
-        Some(Regime::DependsOnStart) => 4,
-        None => 5,
-    }
+/// The place of a regime among [`REGIMES`].
+fn code(regime: Option<Regime>) -> u8 {
+    let place = Regime::ALL.iter().position(|own| Some(*own) == regime).unwrap_or(Regime::ALL.len());
+    place as u8
 }
 
 /// The intervals of the force ratio without any stop, as (least, greatest); the greatest is `None` if it does

@@ -55,6 +55,13 @@ named! {
     }
 }
 
+impl Regime {
+    /// All regimes, in the order of their numbers in lists and codes.
+    #[doc(hidden)]
+    pub const ALL: [Self; 5] =
+        [Self::Stuck, Self::Sticking, Self::NonSticking, Self::Unbounded, Self::DependsOnStart];
+}
+
 /// The regime at these ratios, where the border of the two-reversal cycle is `least`.
 #[inline(always)]
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, least: F) -> Regime {

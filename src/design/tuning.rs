@@ -83,7 +83,9 @@ fn best_frequency_ratio<F: Float>(alpha: F, gamma: F, low: F, high: F) -> Result
             alpha: written(alpha),
             least: match least {
                 Some(least) => written(least),
-                None if gamma > F::int(0) => Number::spelled(f64::NAN, "1/Ω² − 1"),
+                None if gamma > F::int(0) => {
+                    Number::spelled((one / high.square() - one).to_f64(), "1/Ω² − 1")
+                }
                 None => written(border_range(low, high)?.least),
             },
             low: written(low),
@@ -147,7 +149,7 @@ fn best_of_band<F: Float>(
 ///
 /// # Errors
 /// Those of [`most_dissipating_frequency_ratio`] (except that with a damper there is an answer at Ω = 1);
-/// [`Error::BaseMotion`], because the force of a base motion, k u_g0, is not fixed; and where a stiffness is
+/// [`Error::BaseMotion`], because the force of a moving foot, k u_g0, is not fixed; and where a stiffness is
 /// not finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,

@@ -105,7 +105,7 @@ pub struct MonteCarlo {
     /// Invalid draws: a parameter is not positive or not finite, or a ratio or scale is outside the domain of
     /// the number type.
     pub invalid: u32,
-    regimes: [(Regime, u32); 4],
+    regimes: [(Regime, u32); Regime::ALL.len()],
     /// The values of each output in increasing order, from the draws that have it.
     outputs: Vec<(Output, Vec<f64>)>,
 }
@@ -127,8 +127,7 @@ impl MonteCarlo {
             return Err(Error::NotPositive { quantity: Quantity::Draws, value: written(f64::from(draws)) });
         }
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let mut regimes =
-            [Regime::Stuck, Regime::Sticking, Regime::NonSticking, Regime::Unbounded].map(|r| (r, 0));
+        let mut regimes = Regime::ALL.map(|regime| (regime, 0));
         let mut outputs: Vec<_> = outputs.iter().map(|&output| (output, Vec::new())).collect();
         for _ in 0..draws {
             let p = machine.sample(&mut rng);
@@ -149,7 +148,7 @@ impl MonteCarlo {
 
     /// The number of valid draws in each regime.
     #[cfg(feature = "serde")]
-    pub(crate) const fn regimes(&self) -> &[(Regime, u32); 4] {
+    pub(crate) const fn regimes(&self) -> &[(Regime, u32); Regime::ALL.len()] {
         &self.regimes
     }
 

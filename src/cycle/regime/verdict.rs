@@ -7,8 +7,8 @@ use crate::machine::ratios::Ratios;
 
 /// The steady behaviour of the body, as far as the arithmetic can decide.
 ///
-/// **Undecided.** The border is known to 8 units in the last place, its error bound
-/// ([`Verdict::BORDER_ERROR`]). If α is closer to the border, the verdict is [`Verdict::Undecided`], and a
+/// **Undecided.** The border is known to 8 units in the last place, with a damper to 16: these are bounds of its error
+/// ([`Verdict::BORDER_ERROR`], [`Verdict::DAMPED_BORDER_ERROR`]). If α is closer to the border, the verdict is [`Verdict::Undecided`], and a
 /// wider number type decides. [`Verdict::new`] takes Ω and α as exact. [`Verdict::of`] and
 /// [`crate::uncertainty::RatioBox`] take them as intervals: their verdict holds for every Ω and α in these,
 /// over which the range of the border is known. Near a pole 1/(2n+1) that matters more than rounding: an
