@@ -77,9 +77,14 @@ pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -
 /// This is Newton's method with a bracket. Where a step leaves the bracket, or is longer than half of the
 /// last step but one, the bracket is halved instead. The number of steps is therefore at most twice the bits
 /// between the ends.
-pub(crate) fn newton_within<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
+pub(crate) fn newton_within<F: Float>(low: F, high: F, f: impl FnMut(F) -> (F, F)) -> F {
+    newton_from(low + (high - low) / F::int(2), low, high, f)
+}
+
+/// [`newton_within`] from a `start` in `[low, high]`.
+pub(crate) fn newton_from<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
     let (mut low, mut high, two) = (low, high, F::int(2));
-    let mut x = low + (high - low) / two;
+    let mut x = start;
     let (mut last, mut last_but_one) = (high - low, high - low);
     loop {
         let (value, slope) = f(x);

@@ -223,7 +223,8 @@ impl<F: Float> Friction<F> {
             z.copy_from_slice(&next);
             left = left - self.branch.step;
         }
-        self.branch.after(&z, left, terms)
+        self.branch.after(&z, left, terms, &mut next);
+        next
     }
 
     /// The greatest value of a row over the half period after the reversal, and its time.

@@ -17,7 +17,7 @@ use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::matrix::absolute;
-use super::matrix::{Matrix, Sparse, add_times, dot, size_of_dot};
+use super::matrix::{Matrix, Sparse, add_times, dot, is_small, size_of_dot};
 use super::zero::{bernstein_of_rows, integer};
 use crate::float::Float;
 use alloc::vec;
@@ -86,11 +86,12 @@ pub(crate) struct Hull<F> {
     /// Column by column: for each state the coefficients of all rows.
     coefficients: Matrix<F>,
     errors: Matrix<F>,
-    pub(crate) each: usize,
 }
 
 /// The degree of the polynomials that show most steps to be free of events.
 const LOW_DEGREE: usize = 9;
+/// How many coefficients they have.
+pub(crate) const LOW_COUNT: usize = LOW_DEGREE + 1;
 
 /// A branch.
 #[derive(Debug, Clone)]
@@ -105,6 +106,8 @@ pub(crate) struct Branch<F> {
     pub(crate) step: F,
     /// (e^{Ah})ᵀ.
     pub(crate) whole: Matrix<F>,
+    /// The terms `(Aᵏ hᵏ/k!)ᵀ` of a small matrix.
+    terms: Matrix<F>,
     /// e^{|A|h}.
     pub(crate) bound: Matrix<F>,
     /// The degree of full accuracy.
@@ -123,7 +126,7 @@ impl<F: Float> Hull<F> {
     where
         F: 'a,
     {
-        let each = LOW_DEGREE + 1;
+        let each = LOW_COUNT;
         let count = rows.len();
         let (mut coefficients, mut errors) = (Matrix::zero(size, count * each), Matrix::zero(size, count));
         let mut terms = Vec::new();
@@ -136,7 +139,7 @@ impl<F: Float> Hull<F> {
             }
             row.error.iter().enumerate().for_each(|(j, &x)| errors.set(j, i, x));
         }
-        Self { coefficients, errors, each }
+        Self { coefficients, errors }
     }
 
     /// The Bernstein coefficients of all rows at z, and their error bounds, by |z|.
@@ -202,16 +205,16 @@ impl<F: Float> Powers<'_, F> {
 
 /// Continues a list of vectors of a size with `Aᵏ x tᵏ/k!` up to k = `last`.
 fn series<F: Float>(a: &Sparse<F>, time: F, last: usize, size: usize, terms: &mut Vec<F>) {
-    terms.resize((last + 1) * size, F::int(0));
+    // A product writes whole blocks.
+    terms.resize((last + 1) * size + 8, F::int(0));
     let mut rest = terms.as_mut_slice();
     for k in 1..=last {
-        let Some((before, after)) = rest.split_at_mut_checked(size) else { return };
-        let to = after.get_mut(..size).unwrap_or(&mut []);
-        a.of(before, to);
+        let Some((before, after)) = rest.split_at_mut_checked(size) else { break };
         let factor = time / integer(k);
-        to.iter_mut().for_each(|x| *x = *x * factor);
+        a.times_of(|x| x * factor, before, after);
         rest = after;
     }
+    terms.truncate((last + 1) * size);
 }
 
 impl<F: Float> Branch<F> {
@@ -225,7 +228,7 @@ impl<F: Float> Branch<F> {
                 let most = F::int(1) / fastest(system, &sizes);
                 let step = if most < longest { most } else { longest };
                 // The series of e^{|A|h} is cut: what is left out is below a unit of its terms.
-                let bound = exponential(&sizes.sparse(), system.size, step, degree);
+                let bound = exponential(&sizes.sparse(), system.size, step, degree, |_| {});
                 (step, bound.map(|x| x + x * F::ratio(1, 64)))
             },
             |other| (other.step, other.bound.clone()),
@@ -246,14 +249,34 @@ impl<F: Float> Branch<F> {
             if let (Some(corner), Some(last)) = (corner(system, modes, guard), guard.error.last_mut()) {
                 *last = *last + corner * F::epsilon() * F::int(64);
             }
-            guard.taylor = Matrix::from_list(system.size, &terms, degree + 1).transposed();
+            guard.taylor = columns_of(&terms, system.size, degree + 1);
             all.push(terms);
         }
         let hull = Hull::new(system.size, all.iter().zip(low).map(|(terms, error)| Terms { terms, error }));
         let speed_errors = vec![OnceCell::new(); modes.len()];
-        let whole = exponential(&transposed, system.size, step, degree);
+        let mut terms = Matrix::zero(0, 0);
+        let is_small = is_small::<F>(system.size);
+        let whole = exponential(&transposed, system.size, step, degree, |term| {
+            if is_small {
+                terms.push(term);
+            }
+        });
         let modes = modes.to_vec();
-        Self { modes, a, transposed, sizes, step, whole, bound, degree, guards, speed_errors, hull, tension }
+        Self {
+            modes,
+            a,
+            transposed,
+            sizes,
+            step,
+            whole,
+            terms,
+            bound,
+            degree,
+            guards,
+            speed_errors,
+            hull,
+            tension,
+        }
     }
 
     /// The error bound of the velocity of the contact at this place, by the row of that velocity.
@@ -298,23 +321,43 @@ impl<F: Float> Branch<F> {
 
     /// (e^{At})ᵀ for the first states, which no others depend on, over a time t ≤ h.
     pub(crate) fn free_motion(&self, time: F, free: usize) -> Matrix<F> {
-        exponential(&self.transposed, free, time, self.degree_over(time))
+        exponential(&self.transposed, free, time, self.degree_over(time), |_| {})
+    }
+
+    /// (e^{At})ᵀ over a time t ≤ h, where the matrix is small: whether it is. `powers` is a buffer.
+    pub(crate) fn motion(&self, time: F, powers: &mut Vec<F>, motion: &mut Matrix<F>) -> bool {
+        if self.terms.columns() == 0 {
+            return false;
+        }
+        let part = time / self.step;
+        let mut power = F::int(1);
+        powers.clear();
+        powers.push(power);
+        for _ in 0..self.degree_over(time) {
+            power = power * part;
+            powers.push(power);
+        }
+        self.terms.sum_of_pushed(powers, motion);
+        true
     }
 
     /// z after a time t ≤ h.
-    pub(crate) fn after(&self, z: &[F], time: F, terms: &mut Vec<F>) -> Vec<F> {
+    pub(crate) fn after(&self, z: &[F], time: F, terms: &mut Vec<F>, after: &mut [F]) {
         self.taylor(z, time, terms);
-        sum_of_terms(terms, z.len(), F::int(1))
+        after.fill(F::int(0));
+        for term in terms.chunks_exact(z.len().max(1)).rev() {
+            add_times(after, F::int(1), term);
+        }
     }
 }
 
-/// `Σ (term k) sᵏ`.
-pub(crate) fn sum_of_terms<F: Float>(terms: &[F], size: usize, s: F) -> Vec<F> {
-    let mut sum = vec![F::int(0); size];
-    for term in terms.chunks_exact(size.max(1)).rev() {
-        sum.iter_mut().zip(term).for_each(|(sum, &x)| *sum = *sum * s + x);
+/// The matrix whose columns are the first vectors of this size in a list.
+fn columns_of<F: Float>(list: &[F], size: usize, count: usize) -> Matrix<F> {
+    let mut matrix = Matrix::zero(size, count);
+    for (k, vector) in list.chunks_exact(size.max(1)).take(count).enumerate() {
+        vector.iter().enumerate().for_each(|(j, &x)| matrix.set(j, k, x));
     }
-    sum
+    matrix
 }
 
 /// The coefficients of a row's polynomial.
@@ -447,14 +490,22 @@ fn degree_of_full_accuracy<F: Float>() -> usize {
 }
 
 /// `e^{A t}` of the first rows and columns by its series, for a matrix whose absolute values have a spectral radius of at
-/// most 1/t.
-fn exponential<F: Float>(a: &Sparse<F>, size: usize, time: F, degree: usize) -> Matrix<F> {
+/// most 1/t. `each` sees its terms.
+fn exponential<F: Float>(
+    a: &Sparse<F>,
+    size: usize,
+    time: F,
+    degree: usize,
+    mut each: impl FnMut(&Matrix<F>),
+) -> Matrix<F> {
     let mut sum = Matrix::identity(size);
     let (mut term, mut next) = (sum.clone(), sum.clone());
+    each(&term);
     for k in 1..=degree {
         a.times(&term, time / integer(k), &mut next);
         core::mem::swap(&mut term, &mut next);
         sum.plus(&term);
+        each(&term);
     }
     sum
 }

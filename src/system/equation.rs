@@ -195,6 +195,7 @@ fn spectral_radius<F: Float>(sizes: &Matrix<F>, free: usize) -> f64 {
     let rows: Vec<Vec<f64>> =
         sizes.rows().take(free).map(|r| r.iter().take(free).map(|x| x.to_f64()).collect()).collect();
     let mut power = Matrix::<f64>::from_rows(&rows);
+    let mut square = power.clone();
     let (mut exponent, mut log) = (1.0_f64, 0.0_f64);
     for _ in 0..=10 {
         let largest = power.rows().map(|r| r.iter().sum::<f64>()).fold(0.0, f64::max);
@@ -202,8 +203,9 @@ fn spectral_radius<F: Float>(sizes: &Matrix<F>, free: usize) -> f64 {
             return 0.0;
         }
         log += libm::log(largest) / exponent;
-        let scaled = power.map(|x| x / largest);
-        power = scaled.times(&scaled);
+        power.change(|x| x / largest);
+        power.product(&power, &mut square);
+        core::mem::swap(&mut power, &mut square);
         exponent *= 2.0;
     }
     libm::exp(log)

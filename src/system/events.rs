@@ -2,6 +2,7 @@
 
 use super::assembly::Assembly;
 use super::branch::Branch;
+use super::matrix::Matrix;
 
 /// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,6 +83,8 @@ pub(crate) struct Stretch<'a, F> {
     /// The state at its end.
     pub(crate) to: &'a [F],
     pub(crate) time: F,
+    /// (e^{At})ᵀ over its time, where it is known.
+    pub(crate) motion: Option<&'a Matrix<F>>,
 }
 
 /// Watches nothing.

@@ -1,11 +1,11 @@
 //! The motion, from event to event.
 
 use super::assembly::{Assembly, Rule};
-use super::branch::{Branch, Trigger};
+use super::branch::{Branch, LOW_COUNT, Trigger};
 use super::equation::{Mode, sign};
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
-use super::matrix::{absolute, dot, size_of_dot};
+use super::matrix::{Matrix, absolute, dot, size_of_dot};
 use super::model::State;
 use super::next::{AtRest, at_rest, decide, follows};
 use super::zero::first_passage;
@@ -43,6 +43,8 @@ pub(crate) struct Follower<'a, F> {
     errors: Vec<F>,
     terms: Vec<F>,
     after: Vec<F>,
+    /// (e^{At})ᵀ over a part of a step.
+    motion: Matrix<F>,
 }
 
 /// A guard that has reached zero.
@@ -94,6 +96,7 @@ impl<'a, F: Float> Follower<'a, F> {
             errors: Vec::new(),
             terms: Vec::new(),
             after: Vec::new(),
+            motion: Matrix::zero(system.size, system.size),
         };
         debug_assert_eq!(start.displacement.len(), n, "the state has been checked");
         follower.set_phase();
@@ -336,12 +339,12 @@ impl<'a, F: Float> Follower<'a, F> {
         branch.hull.at(&self.z, &self.sizes, &mut self.values, &mut self.errors);
         let whole = rest >= branch.step;
         let time = if whole { branch.step } else { rest };
-        let each = branch.hull.each;
-        let certain = |(values, &error): (&[F], &F)| values.iter().all(|&value| value > error);
-        let clear = self.values.chunks_exact(each).zip(&self.errors).all(certain);
+        let certain = |(values, &error): (&[F; LOW_COUNT], &F)| values.iter().all(|&value| value > error);
+        let values = self.values.as_chunks().0;
+        let clear = values.iter().zip(&self.errors).all(certain);
         let mut event: Option<(F, usize)> = None;
         if !clear {
-            let open = self.values.chunks_exact(each).zip(&self.errors).map(certain);
+            let open = values.iter().zip(&self.errors).map(certain);
             for ((number, guard), is_certain) in branch.guards.iter().enumerate().zip(open) {
                 if is_certain {
                     continue;
@@ -362,18 +365,22 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         let part = event.map_or(F::int(1), |(at, _)| at);
         let lasted = time * part;
-        if event.is_none() && whole {
-            self.after.resize(self.z.len(), F::int(0));
-            branch.whole.transposed_of(&self.z, &mut self.after);
+        self.after.resize(self.z.len(), F::int(0));
+        let motion = if event.is_none() && whole {
+            Some(&branch.whole)
         } else {
-            self.after = branch.after(&self.z, lasted, &mut self.terms);
+            branch.motion(lasted, &mut self.terms, &mut self.motion).then_some(&self.motion)
+        };
+        match motion {
+            Some(motion) => motion.transposed_of(&self.z, &mut self.after),
+            None => branch.after(&self.z, lasted, &mut self.terms, &mut self.after),
         }
         if !self.after.iter().all(|x| x.is_finite()) {
             return Err(Error::Unbounded { time: written(self.time) });
         }
         if lasted > F::int(0) {
             let (from, to) = (&self.z, &self.after);
-            watch.stretch(system, &Stretch { branch, from, to, time: lasted });
+            watch.stretch(system, &Stretch { branch, from, to, time: lasted, motion });
         }
         if lasted > branch.step * F::exp2i(-24) {
             self.instant = 0;
@@ -483,14 +490,20 @@ impl<'a, F: Float> Follower<'a, F> {
 
 /// Leaves out the last coefficients, as long as their sum is far below the error.
 pub(crate) fn shorten<F: Float>(c: &mut Vec<F>, error: F) {
+    c.truncate(shortened(c, error).len());
+}
+
+/// The coefficients without the last ones, as in [`shorten`].
+pub(crate) fn shortened<F: Float>(mut c: &[F], error: F) -> &[F] {
     let mut left = error / F::int(16);
-    while let Some(last) = c.last() {
+    while let [rest @ .., last] = c {
         left = left - last.abs();
-        if left < F::int(0) || c.len() <= 1 {
-            return;
+        if left < F::int(0) || rest.is_empty() {
+            break;
         }
-        c.pop();
+        c = rest;
     }
+    c
 }
 
 /// The mode of a contact that slides with the velocity v.

@@ -28,10 +28,18 @@ pub(crate) fn add_times<F: Float>(y: &mut [F], s: F, x: &[F]) {
     }
 }
 
-/// A matrix in row-major order.
+/// Whether whole matrices of this size are cheap at this precision.
+pub(crate) fn is_small<F: Float>(size: usize) -> bool {
+    size <= 8 && F::precision() <= 64
+}
+
+/// A matrix in row-major order. Each row is followed by zeros up to a multiple of four or eight, so that products work on whole
+/// blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Matrix<F> {
     columns: usize,
+    /// The length of a row with its zeros.
+    stride: usize,
     items: Vec<F>,
 }
 
@@ -42,6 +50,74 @@ pub(crate) struct Sparse<F> {
     ends: Vec<usize>,
     /// The entries with their columns.
     entries: Vec<(usize, F)>,
+    /// The transposed matrix of a small one at a precision of the processor, where a product with all entries is faster.
+    all: Option<Matrix<F>>,
+}
+
+/// A block of `s Σ aᵢ xᵢ`, with the place of the block of xᵢ.
+#[inline(always)]
+fn combined<F: Float, const N: usize>(
+    row: &[(usize, F)],
+    x: &[[F; N]],
+    s: F,
+    place: impl Fn(usize) -> usize,
+) -> [F; N] {
+    let mut sums = [F::int(0); N];
+    for &(i, a) in row {
+        let Some(x) = x.get(place(i)) else { break };
+        sums.iter_mut().zip(x).for_each(|(sum, &x)| *sum = *sum + a * x);
+    }
+    sums.map(|x| x * s)
+}
+
+/// `s Σ xᵢ (row i)` of rows that have `each` blocks, or without s. The sums of a block stay in registers.
+#[inline]
+fn blocks<F: Float, const N: usize>(
+    each: usize,
+    rows: &[[F; N]],
+    x: &[F],
+    s: impl Fn(F) -> F,
+    result: &mut [F],
+) {
+    for (block, result) in result.chunks_mut(N).take(each).enumerate() {
+        let mut sums = [F::int(0); N];
+        let mut add = |x: F, row: &[F; N]| sums.iter_mut().zip(row).for_each(|(sum, &a)| *sum = *sum + x * a);
+        if each == 1 {
+            x.iter().zip(rows).for_each(|(&x, row)| add(x, row));
+        } else {
+            let mut place = block;
+            for &x in x {
+                let Some(row) = rows.get(place) else { break };
+                add(x, row);
+                place += each;
+            }
+        }
+        put(&sums.map(&s), result);
+    }
+}
+
+/// The first entries of a block. A loop over them would become a call.
+#[inline(always)]
+fn put<F: Float, const N: usize>(block: &[F; N], result: &mut [F]) {
+    if let Some(result) = result.first_chunk_mut::<N>() {
+        *result = *block;
+        return;
+    }
+    let (mut from, mut to) = (block.as_slice(), result);
+    if to.len() >= 4 {
+        let (four, rest) = to.split_at_mut(4);
+        if let (Some(a), Some(b)) = (from.first_chunk::<4>(), four.first_chunk_mut::<4>()) {
+            *b = *a;
+        }
+        (from, to) = (from.get(4..).unwrap_or(&[]), rest);
+    }
+    let [a, b, c] = [from.first(), from.get(1), from.get(2)];
+    match (to, a, b, c) {
+        ([x], Some(&a), ..) => *x = a,
+        ([x, y], Some(&a), Some(&b), _) => (*x, *y) = (a, b),
+        ([x, y, z], Some(&a), Some(&b), Some(&c)) => (*x, *y, *z) = (a, b, c),
+        _ => {}
+    }
 }
 
 impl<F: Float> Sparse<F> {
@@ -57,6 +133,15 @@ impl<F: Float> Sparse<F> {
     /// `M x`. Of a shorter result the first entries are computed, with zeros at the end of x.
     #[inline]
     pub(crate) fn of(&self, x: &[F], result: &mut [F]) {
+        self.times_of(|sum| sum, x, result);
+    }
+
+    /// `s M x`. A longer result may have zeros up to its eighth entry.
+    #[inline]
+    pub(crate) fn times_of(&self, s: impl Fn(F) -> F, x: &[F], result: &mut [F]) {
+        if let Some(all) = &self.all {
+            return all.times_transposed_of(s, x, result);
+        }
         for (row, result) in self.rows().zip(result) {
             let mut sum = F::int(0);
             for &(j, a) in row {
@@ -64,26 +149,42 @@ impl<F: Float> Sparse<F> {
                 let Some(&x) = x.get(j) else { break };
                 sum = sum + a * x;
             }
-            *result = sum;
+            *result = s(sum);
         }
     }
 
     /// `s M X`, row by row.
     pub(crate) fn times(&self, x: &Matrix<F>, s: F, result: &mut Matrix<F>) {
-        for (row, result) in self.rows().zip(result.items.chunks_exact_mut(x.columns.max(1))) {
-            let (fours, rest) = result.as_chunks_mut::<4>();
-            let (twos, ones) = rest.as_chunks_mut::<2>();
-            let mut from = 0;
-            x.combine(row, s, &mut from, fours);
-            x.combine(row, s, &mut from, twos);
-            x.combine(row, s, &mut from, ones.as_chunks_mut::<1>().0);
+        if x.stride.is_multiple_of(8) {
+            self.combine(x.stride / 8, x.items.as_chunks::<8>().0, s, result.items.as_chunks_mut().0);
+        } else {
+            self.combine(x.stride / 4, x.items.as_chunks::<4>().0, s, result.items.as_chunks_mut().0);
+        }
+    }
+
+    /// [`times`](Self::times) for matrices whose rows have `each` blocks.
+    #[inline]
+    fn combine<const N: usize>(&self, each: usize, x: &[[F; N]], s: F, result: &mut [[F; N]]) {
+        if each == 1 {
+            for (row, result) in self.rows().zip(result) {
+                *result = combined(row, x, s, |i| i);
+            }
+            return;
+        }
+        for (row, result) in self.rows().zip(result.chunks_exact_mut(each.max(1))) {
+            for (block, result) in result.iter_mut().enumerate() {
+                *result = combined(row, x, s, |i| i * each + block);
+            }
         }
     }
 }
 
 impl<F: Float> Matrix<F> {
     pub(crate) fn zero(rows: usize, columns: usize) -> Self {
-        Self { columns, items: vec![F::int(0); rows * columns] }
+        // Longer blocks are faster where a number is cheap.
+        let block = if columns > 4 && F::precision() <= 64 { 8 } else { 4 };
+        let stride = columns.next_multiple_of(block);
+        Self { columns, stride, items: vec![F::int(0); rows * stride] }
     }
 
     pub(crate) fn identity(n: usize) -> Self {
@@ -93,12 +194,11 @@ impl<F: Float> Matrix<F> {
     }
 
     pub(crate) fn from_rows(rows: &[Vec<F>]) -> Self {
-        Self { columns: rows.first().map_or(0, Vec::len), items: rows.concat() }
-    }
-
-    /// The first rows of a list of all entries.
-    pub(crate) fn from_list(columns: usize, items: &[F], rows: usize) -> Self {
-        Self { columns, items: items.get(..rows * columns).unwrap_or(items).to_vec() }
+        let mut matrix = Self::zero(rows.len(), rows.first().map_or(0, Vec::len));
+        for (to, from) in matrix.items.chunks_exact_mut(matrix.stride.max(1)).zip(rows) {
+            to.iter_mut().zip(from).for_each(|(to, &from)| *to = from);
+        }
+        matrix
     }
 
     pub(crate) const fn columns(&self) -> usize {
@@ -106,15 +206,17 @@ impl<F: Float> Matrix<F> {
     }
 
     pub(crate) fn row(&self, i: usize) -> &[F] {
-        self.items.get(i * self.columns..(i + 1) * self.columns).unwrap_or(&[])
+        let from = i * self.stride;
+        self.items.get(from..from + self.columns).unwrap_or(&[])
     }
 
     pub(crate) fn row_mut(&mut self, i: usize) -> &mut [F] {
-        self.items.get_mut(i * self.columns..(i + 1) * self.columns).unwrap_or(&mut [])
+        let from = i * self.stride;
+        self.items.get_mut(from..from + self.columns).unwrap_or(&mut [])
     }
 
     pub(crate) fn rows(&self) -> impl Iterator<Item = &[F]> {
-        self.items.chunks_exact(self.columns.max(1))
+        self.items.chunks_exact(self.stride.max(1)).map(|row| row.get(..self.columns).unwrap_or(row))
     }
 
     pub(crate) fn at(&self, i: usize, j: usize) -> F {
@@ -128,7 +230,16 @@ impl<F: Float> Matrix<F> {
     }
 
     pub(crate) fn map(&self, f: impl Fn(F) -> F) -> Self {
-        Self { columns: self.columns, items: self.items.iter().map(|&x| f(x)).collect() }
+        let mut result = self.clone();
+        result.change(f);
+        result
+    }
+
+    /// Applies a function to each entry.
+    pub(crate) fn change(&mut self, f: impl Fn(F) -> F) {
+        for row in self.items.chunks_exact_mut(self.stride.max(1)) {
+            row.iter_mut().take(self.columns).for_each(|x| *x = f(*x));
+        }
     }
 
     pub(crate) fn transposed(&self) -> Self {
@@ -143,14 +254,30 @@ impl<F: Float> Matrix<F> {
     pub(crate) fn times(&self, other: &Self) -> Self {
         let rows = self.rows().count();
         let mut result = Self::zero(rows, other.columns);
-        for (row, sum) in self.rows().zip(result.items.chunks_exact_mut(other.columns.max(1))) {
-            other.transposed_of(row, sum);
-        }
+        self.product(other, &mut result);
         result
     }
 
+    /// [`times`](Self::times), in place of another matrix of its shape.
+    pub(crate) fn product(&self, other: &Self, result: &mut Self) {
+        for (row, sum) in self.rows().zip(result.items.chunks_exact_mut(other.stride.max(1))) {
+            other.transposed_of(row, sum);
+        }
+    }
+
     pub(crate) fn plus(&mut self, other: &Self) {
-        add_times(&mut self.items, F::int(1), &other.items);
+        self.items.iter_mut().zip(&other.items).for_each(|(x, &y)| *x = *x + y);
+    }
+
+    /// Puts the entries of a matrix of whole blocks behind those of others of its shape: this one has one in each row.
+    pub(crate) fn push(&mut self, matrix: &Self) {
+        (self.columns, self.stride) = (matrix.items.len(), matrix.items.len());
+        self.items.extend_from_slice(&matrix.items);
+    }
+
+    /// `Σ xᵢ Mᵢ` of the matrices that were [pushed](Self::push).
+    pub(crate) fn sum_of_pushed(&self, x: &[F], result: &mut Self) {
+        self.transposed_of(x, &mut result.items);
     }
 
     /// `M x`.
@@ -160,53 +287,18 @@ impl<F: Float> Matrix<F> {
 
     /// `Mᵀ x`, along the rows: with the transposed matrix in memory this is `M x` along columns. A shorter x has zeros at its
     /// end, and of a shorter result the first entries are computed.
+    #[inline]
     pub(crate) fn transposed_of(&self, x: &[F], result: &mut [F]) {
-        let (count, mut from) = (result.len(), 0);
-        while from + 8 <= count {
-            self.block::<8>(from, x, result);
-            from += 8;
-        }
-        // A block may begin before the end of the last one, and compute some entries again.
-        match (count - from, count) {
-            (0, _) => {}
-            (5.., 8..) => self.block::<8>(count - 8, x, result),
-            (5.., _) => {
-                self.block::<4>(from, x, result);
-                self.block::<4>(count - 4, x, result);
-            }
-            (_, 4..) => self.block::<4>(count - 4, x, result),
-            _ => (0..count).for_each(|from| self.block::<1>(from, x, result)),
-        }
+        self.times_transposed_of(|sum| sum, x, result);
     }
 
-    /// Entries of `Mᵀ x` from one place on. Their sums stay in registers.
+    /// [`transposed_of`](Self::transposed_of), each entry by s.
     #[inline]
-    fn block<const N: usize>(&self, from: usize, x: &[F], result: &mut [F]) {
-        let mut sums = [F::int(0); N];
-        let mut rows = self.items.get(from..).unwrap_or(&[]);
-        for &x in x {
-            let Some(part) = rows.first_chunk::<N>() else { break };
-            sums.iter_mut().zip(part).for_each(|(sum, &a)| *sum = *sum + x * a);
-            let Some(next) = rows.get(self.columns..) else { break };
-            rows = next;
-        }
-        if let Some(block) = result.get_mut(from..).and_then(|rest| rest.first_chunk_mut::<N>()) {
-            *block = sums;
-        }
-    }
-
-    /// Entries of `s Σ xᵢ (row i)` from one place on.
-    #[inline]
-    fn combine<const N: usize>(&self, x: &[(usize, F)], s: F, from: &mut usize, blocks: &mut [[F; N]]) {
-        for block in blocks {
-            let mut sums = [F::int(0); N];
-            for &(i, x) in x {
-                let row = self.items.get(i * self.columns + *from..).and_then(|row| row.first_chunk::<N>());
-                let Some(row) = row else { break };
-                sums.iter_mut().zip(row).for_each(|(sum, &a)| *sum = *sum + x * a);
-            }
-            *block = sums.map(|x| x * s);
-            *from += N;
+    fn times_transposed_of(&self, s: impl Fn(F) -> F, x: &[F], result: &mut [F]) {
+        if self.stride.is_multiple_of(8) && result.len() > 4 {
+            blocks(self.stride / 8, self.items.as_chunks::<8>().0, x, s, result);
+        } else {
+            blocks(self.stride / 4, self.items.as_chunks::<4>().0, x, s, result);
         }
     }
 
@@ -219,7 +311,10 @@ impl<F: Float> Matrix<F> {
 
     /// Its entries other than zero.
     pub(crate) fn sparse(&self) -> Sparse<F> {
-        let mut sparse = Sparse { ends: Vec::new(), entries: Vec::new() };
+        let all = is_small::<F>(self.columns).then(|| self.transposed());
+        let count = self.items.iter().filter(|x| **x != F::int(0)).count();
+        let rows = self.items.len() / self.stride.max(1);
+        let mut sparse = Sparse { ends: Vec::with_capacity(rows), entries: Vec::with_capacity(count), all };
         for row in self.rows() {
             let entries = row.iter().enumerate().filter(|(_, x)| **x != F::int(0));
             sparse.entries.extend(entries.map(|(j, &x)| (j, x)));

@@ -5,8 +5,8 @@ use super::branch::{Branch, static_bound};
 use super::dependent::least;
 use super::equation::Mode;
 use super::events::{Event, EventKind, Stretch, Watch};
-use super::follow::{Follower, shorten};
-use super::matrix::{add_times, dot, size_of_dot};
+use super::follow::{Follower, shorten, shortened};
+use super::matrix::{Matrix, add_times, dot, size_of_dot};
 use super::model::State;
 use super::zero::{greatest_above, integer};
 use crate::float::Float;
@@ -75,11 +75,13 @@ pub(crate) struct Observer<F> {
     damper_work: F,
     terms: Vec<F>,
     polynomial: Vec<F>,
-    /// The Taylor coefficients of each velocity, and of one along an element.
-    velocities: Vec<Vec<F>>,
+    /// The Taylor coefficients of each entry of the state, one after the other.
+    entries: Vec<F>,
+    /// `∫₀¹ sʲ v ds`, j = 0, 1 …, of each velocity, and of one along an element.
+    moments: Vec<F>,
     along: Vec<F>,
-    /// 1, ½, ⅓, …
-    shares: Vec<F>,
+    /// `∫₀¹ sʲ sᵏ ds = 1/(j + k + 1)`.
+    shares: Matrix<F>,
 }
 
 impl<F: Float> Observer<F> {
@@ -98,9 +100,10 @@ impl<F: Float> Observer<F> {
             damper_work: zero,
             terms: Vec::new(),
             polynomial: Vec::new(),
-            velocities: vec![Vec::new(); system.n],
+            entries: Vec::new(),
+            moments: Vec::new(),
             along: Vec::new(),
-            shares: Vec::new(),
+            shares: Matrix::zero(0, 0),
         }
     }
 
@@ -152,13 +155,12 @@ impl<F: Float> Observer<F> {
     }
 
     /// The extremes of q and q′ over a stretch, whose Taylor terms are known.
-    fn extremes(&mut self, size: usize, to: &[F]) {
+    fn extremes(&mut self, count: usize, to: &[F]) {
         let known = self.greatest.iter_mut().zip(&mut self.least).zip(to);
-        for (i, ((greatest, least), &end)) in known.enumerate() {
+        for (entry, ((greatest, least), &end)) in self.entries.chunks_exact(count).zip(known) {
             *greatest = greatest.or_larger(end);
             *least = if end < *least { end } else { *least };
-            let c = &mut self.polynomial;
-            coefficients(&self.terms, size, i, c);
+            let c = trimmed(entry);
             let Some((&first, [slope, rest @ ..])) = c.split_first() else { continue };
             // c₁ above Σ k|cₖ|: the signal rises or falls all the time, and its ends count.
             let mut k = F::int(1);
@@ -176,8 +178,9 @@ impl<F: Float> Observer<F> {
                 *greatest = greatest_above(c, *greatest, rounding);
             }
             if first - reach < *least {
-                c.iter_mut().for_each(|c| *c = -*c);
-                *least = -greatest_above(c, -*least, rounding);
+                self.polynomial.clear();
+                self.polynomial.extend(c.iter().map(|&c| -c));
+                *least = -greatest_above(&self.polynomial, -*least, rounding);
             }
         }
     }
@@ -213,68 +216,79 @@ impl<F: Float> Observer<F> {
         }
     }
 
-    /// Works over a stretch, whose Taylor terms are known.
-    fn works(&mut self, system: &Assembly<F>, branch: &Branch<F>, time: F) {
-        let (n, degrees) = (system.n, self.terms.len() / system.size.max(1));
-        while self.shares.len() < 2 * degrees {
-            self.shares.push(F::int(1) / integer(self.shares.len() + 1));
+    /// The Taylor coefficients of each entry of the state, from the Taylor terms: how many there are.
+    fn part(&mut self, size: usize) -> usize {
+        let count = self.terms.len() / size.max(1);
+        self.entries.resize(size * count, F::int(0));
+        for (entry, list) in self.entries.chunks_exact_mut(count.max(1)).enumerate() {
+            let mut place = entry;
+            for to in list {
+                *to = self.terms.get(place).copied().unwrap_or(F::int(0));
+                place += size;
+            }
         }
-        for (i, velocity) in self.velocities.iter_mut().enumerate() {
-            coefficients(&self.terms, system.size, n + i, velocity);
+        count.max(1)
+    }
+
+    /// Works over a stretch, whose Taylor coefficients are known.
+    fn works(&mut self, system: &Assembly<F>, branch: &Branch<F>, time: F, count: usize) {
+        if self.shares.columns() < count {
+            self.shares = shares(count.next_multiple_of(8));
         }
-        let (velocities, shares, c) = (&self.velocities, &self.shares, &mut self.polynomial);
-        let mut product = |row: &[F], v: &[F], terms: &[F]| {
-            c.clear();
-            c.extend(terms.chunks_exact(row.len()).map(|term| dot(row, term)));
-            trim(c);
-            time * integral_of_product(c, v, shares)
+        let Self { entries, moments, along, shares, .. } = self;
+        let velocities = entries.get(system.n * count..).unwrap_or(&[]);
+        moments.resize(system.n * count, F::int(0));
+        for (moments, velocity) in moments.chunks_exact_mut(count).zip(velocities.chunks_exact(count)) {
+            shares.transposed_of(velocity, moments);
+        }
+        // ∫ (row · z) v dt, by the moments of v.
+        let work = |row: &[F], entries: &[F], moments: &[F]| {
+            let terms = row.iter().zip(entries.chunks_exact(count)).filter(|(x, _)| **x != F::int(0));
+            time * terms.fold(F::int(0), |sum, (&x, entry)| sum + x * dot(entry, moments))
         };
-        let is_zero = |row: &[F]| row.iter().all(|&x| x == F::int(0));
-        for ((part, tension), work) in system.parts.iter().zip(&branch.tension).zip(&mut self.work) {
-            if is_zero(tension) {
-                continue;
-            }
-            let v = &mut self.along;
-            v.clear();
-            v.resize(degrees, F::int(0));
-            for (velocity, &b) in velocities.iter().zip(&part.direction) {
-                add_times(v, b, velocity);
-            }
-            trim(v);
-            *work = *work + product(tension, v, &self.terms);
-        }
-        for (i, velocity) in velocities.iter().enumerate() {
-            if !is_zero(system.load.row(i)) {
-                self.load_work = self.load_work + product(system.load.row(i), velocity, &self.terms);
-            }
-            if !is_zero(system.damping.row(i)) {
-                let v = &mut self.along;
-                v.clear();
-                v.resize(degrees, F::int(0));
-                for (other, &c) in velocities.iter().zip(system.damping.row(i)) {
-                    add_times(v, c, other);
+        for ((part, tension), done) in system.parts.iter().zip(&branch.tension).zip(&mut self.work) {
+            along.clear();
+            along.resize(count, F::int(0));
+            for (moments, &b) in moments.chunks_exact(count).zip(&part.direction) {
+                if b != F::int(0) {
+                    add_times(along, b, moments);
                 }
-                trim(v);
-                self.damper_work = self.damper_work + time * integral_of_product(v, velocity, shares);
             }
+            *done = *done + work(tension, entries, along);
+        }
+        for (i, moments) in moments.chunks_exact(count).enumerate() {
+            let [load, damping] = [system.load.row(i), system.damping.row(i)];
+            self.load_work = self.load_work + work(load, entries, moments);
+            self.damper_work = self.damper_work + work(damping, velocities, moments);
         }
     }
 }
 
+/// `1/(j + k + 1)`, j, k = 0, 1 … `count` − 1.
+fn shares<F: Float>(count: usize) -> Matrix<F> {
+    let inverse: Vec<F> = (1..2 * count).map(|k| F::int(1) / integer(k)).collect();
+    let mut shares = Matrix::zero(count, count);
+    for i in 0..count {
+        shares.row_mut(i).iter_mut().zip(inverse.iter().skip(i)).for_each(|(to, &from)| *to = from);
+    }
+    shares
+}
+
 impl<F: Float> Watch<F> for Observer<F> {
     fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
-        let &Stretch { branch, from, to, time } = stretch;
+        let &Stretch { branch, from, to, time, .. } = stretch;
         for (mode, at_rest) in branch.modes.iter().zip(&mut self.at_rest) {
             if matches!(mode, Mode::Stuck | Mode::Holds | Mode::Away) {
                 *at_rest = *at_rest + time;
             }
         }
         branch.taylor(from, time, &mut self.terms);
-        self.extremes(system.size, to);
+        let count = self.part(system.size);
+        self.extremes(count, to);
         if !system.base.is_empty() {
             self.absolute_accelerations(system, branch, time);
         }
-        self.works(system, branch, time);
+        self.works(system, branch, time, count);
     }
 
     fn event(&mut self, event: Event<F>) {
@@ -282,22 +296,10 @@ impl<F: Float> Watch<F> for Observer<F> {
     }
 }
 
-/// Leaves out the coefficients below the rounding of the others.
-fn trim<F: Float>(c: &mut Vec<F>) {
+/// The coefficients without those below the rounding of the others.
+fn trimmed<F: Float>(c: &[F]) -> &[F] {
     let size = c.iter().fold(F::int(0), |sum, c| sum + c.abs());
-    shorten(c, size * F::epsilon());
-}
-
-/// The coefficients of one entry of the state, from the Taylor terms.
-fn coefficients<F: Float>(terms: &[F], size: usize, entry: usize, c: &mut Vec<F>) {
-    c.clear();
-    c.extend(terms.iter().skip(entry).step_by(size.max(1)));
-    trim(c);
-}
-
-/// `∫₀¹ a(s) b(s) ds`, with `shares` 1, ½, ⅓, …
-fn integral_of_product<F: Float>(a: &[F], b: &[F], shares: &[F]) -> F {
-    a.iter().enumerate().fold(F::int(0), |sum, (i, &a)| sum + a * dot(b, shares.get(i..).unwrap_or(&[])))
+    shortened(c, size * F::epsilon())
 }
 
 /// ½ q′·M q′ + ½ q·K q.

@@ -395,7 +395,10 @@ pub(crate) fn at_rest<F: Float>(system: &Assembly<F>, z: &mut [F], elements: &[u
     if velocity.iter().all(|&v| v == F::int(0)) {
         return;
     }
-    let impulse = system.coupling_of(elements).pseudo_inverse().of(&velocity);
+    let impulse = match (elements, velocity.as_slice()) {
+        (&[element], &[velocity]) => vec![F::int(1) / system.coupling.at(element, element) * velocity],
+        _ => system.coupling_of(elements).pseudo_inverse().of(&velocity),
+    };
     let n = system.n;
     for (part, &impulse) in parts.iter().zip(&impulse) {
         add_times(z.get_mut(n..2 * n).unwrap_or(&mut []), -impulse, &part.response);

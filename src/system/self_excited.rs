@@ -140,7 +140,7 @@ fn newton<F: Float>(search: &mut Search<'_, F>, from: &[F], period: F) -> Result
             break;
         }
         search.period = period;
-        let Ok(mapped) = search.map(&x, 1) else { break };
+        let Ok(mapped) = search.map(&x, 1, false) else { break };
         let by = search.distance(&mapped.to, &x, &mapped.sizes);
         // A motion that is not yet near itself is not near a cycle either.
         if !by.is_finite() || (round == 0 && by > F::ratio(1, 4)) {

@@ -88,13 +88,8 @@ struct Seen<F> {
     events: Vec<(usize, EventKind)>,
     sizes: [F; 3],
     tangent: Option<Vec<Vec<F>>>,
+    observer: Option<Observer<F>>,
     buffer: Vec<F>,
-}
-
-impl<F: Float> Seen<F> {
-    fn new(tangent: Option<Vec<Vec<F>>>) -> Self {
-        Self { events: Vec::new(), sizes: [F::int(0); 3], tangent, buffer: Vec::new() }
-    }
 }
 
 /// The parts of the state with one unit each: q, q′ and forces.
@@ -110,12 +105,15 @@ fn largest<F: Float>(list: &[F]) -> F {
 impl<F: Float> Watch<F> for Seen<F> {
     fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
         let (branch, time) = (stretch.branch, stretch.time);
+        if let Some(observer) = &mut self.observer {
+            observer.stretch(system, stretch);
+        }
         for (size, block) in self.sizes.iter_mut().zip(blocks(system, stretch.from)) {
             *size = size.or_larger(largest(block));
         }
         let Some(tangent) = &mut self.tangent else { return };
-        let part = (time != branch.step).then(|| branch.free_motion(time, system.free));
-        let motion = part.as_ref().unwrap_or(&branch.whole);
+        let part = stretch.motion.is_none().then(|| branch.free_motion(time, system.free));
+        let Some(motion) = stretch.motion.or(part.as_ref()) else { return };
         self.buffer.resize(system.free, F::int(0));
         for column in tangent {
             motion.transposed_of(column, &mut self.buffer);
@@ -125,6 +123,9 @@ impl<F: Float> Watch<F> for Seen<F> {
 
     fn event(&mut self, event: Event<F>) {
         self.events.push((event.element, event.kind));
+        if let Some(observer) = &mut self.observer {
+            observer.event(event);
+        }
     }
 
     fn needs_changes(&self) -> bool {
@@ -159,38 +160,46 @@ pub(super) struct Mapped<F> {
     pub(super) sizes: [F; 3],
     /// The columns of J, for the states that are not given functions of time.
     pub(super) tangent: Vec<Vec<F>>,
+    /// The answers, where they were asked for.
+    observed: Option<Answers<F>>,
 }
+
+/// A state, and the answers from there on.
+type Answers<F> = (State<F>, Motion<F>);
 
 impl<F: Float> Search<'_, F> {
     pub(super) fn free(&self) -> Vec<F> {
         self.follower.z.get(..self.system.free).unwrap_or(&[]).to_vec()
     }
 
-    /// One period on, from where the motion is.
-    fn advance(&mut self, tangent: Option<Vec<Vec<F>>>) -> Result<Mapped<F>, Error> {
+    /// One period on, from where the motion is, with the derivative of the map before and with the answers, where asked.
+    fn advance(&mut self, tangent: Option<Vec<Vec<F>>>, answers: bool) -> Result<Mapped<F>, Error> {
         self.follower.rewind();
-        let mut seen = Seen::new(tangent);
+        let first = answers.then(|| (self.follower.z.clone(), state(self.system, &self.follower)));
+        let observer = first.as_ref().map(|(first, _)| Observer::new(self.system, first));
+        let mut seen =
+            Seen { events: Vec::new(), sizes: [F::int(0); 3], tangent, observer, buffer: Vec::new() };
         self.follower.run(self.period, &mut seen)?;
         let tangent = seen.tangent.unwrap_or_default();
-        Ok(Mapped { to: self.free(), events: seen.events, sizes: seen.sizes, tangent })
+        let observed = first
+            .zip(seen.observer)
+            .map(|((first, start), observer)| (start, observer.finish(self.system, &first, &self.follower)));
+        Ok(Mapped { to: self.free(), events: seen.events, sizes: seen.sizes, tangent, observed })
     }
 
-    /// `multiple` periods from a state, with the derivative.
-    pub(super) fn map(&mut self, from: &[F], multiple: usize) -> Result<Mapped<F>, Error> {
+    /// `multiple` periods from a state, with the derivative, and with the answers of the first period, where asked.
+    pub(super) fn map(&mut self, from: &[F], multiple: usize, answers: bool) -> Result<Mapped<F>, Error> {
         self.follower.restart(from)?;
-        let mut tangent = Some(self.directions());
-        let mut all =
-            Mapped { to: Vec::new(), events: Vec::new(), sizes: [F::int(0); 3], tangent: Vec::new() };
-        for _ in 0..multiple {
-            let mapped = self.advance(tangent.take())?;
-            tangent = Some(mapped.tangent);
+        let mut all = self.advance(Some(self.directions()), answers)?;
+        for _ in 1..multiple {
+            let mapped = self.advance(Some(all.tangent), false)?;
+            all.tangent = mapped.tangent;
             all.to = mapped.to;
             all.events.extend(mapped.events);
             for (size, new) in all.sizes.iter_mut().zip(mapped.sizes) {
                 *size = size.or_larger(new);
             }
         }
-        all.tangent = tangent.unwrap_or_default();
         Ok(all)
     }
 
@@ -241,7 +250,10 @@ impl<F: Float> Search<'_, F> {
         let mut x = from.to_vec();
         let mut best: Option<(F, Vec<F>, Mapped<F>)> = None;
         for round in 0..12 {
-            let mapped = match self.map(&x, multiple) {
+            // Where Newton's next error will be below rounding, this round is the last.
+            let is_last = multiple == 1
+                && best.as_ref().is_some_and(|(least, ..)| *least < F::epsilon().sqrt() * F::int(16));
+            let mapped = match self.map(&x, multiple, is_last) {
                 Ok(mapped) => mapped,
                 Err(Error::Interrupted) => return Err(Error::Interrupted),
                 Err(_) => return Ok(None),
@@ -343,7 +355,7 @@ pub(crate) fn steady<'a, F: Float>(
     let mut growth = [F::int(0); 2];
     let mut is_cut = false;
     while events.len() < MOST_PERIODS {
-        let mapped = match search.advance(None) {
+        let mapped = match search.advance(None, false) {
             Ok(mapped) => mapped,
             Err(Error::Unbounded { .. }) => break,
             // The motion is told as far as it was followed.
@@ -389,7 +401,7 @@ pub(crate) fn steady<'a, F: Float>(
             // It may be one of fewer periods, which divide these.
             let mut found = multiple;
             for fewer in (1..multiple).filter(|&fewer| multiple.is_multiple_of(fewer)) {
-                let part = search.map(&x, fewer)?;
+                let part = search.map(&x, fewer, false)?;
                 if search.distance(&part.to, &x, &part.sizes) <= F::epsilon() * F::int(65_536) {
                     (found, mapped) = (fewer, part);
                     break;
@@ -410,7 +422,10 @@ pub(crate) fn steady<'a, F: Float>(
             }
             let change = search.distance(&mapped.to, &x, &mapped.sizes);
             let x = if settled { from } else { x };
-            let (start, motion) = search.observed(Some(&x), multiple)?;
+            let (start, motion) = match mapped.observed {
+                Some(observed) if !settled => observed,
+                _ => search.observed(Some(&x), multiple)?,
+            };
             let rests = motion.max_displacement == motion.min_displacement;
             let kind = if rests { SteadyKind::Rest } else { SteadyKind::Periodic };
             let period = period * integer(multiple);

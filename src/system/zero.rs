@@ -8,8 +8,9 @@
 
 use super::matrix::add_times;
 use crate::float::Float;
-use crate::root::newton_within;
+use crate::root::{newton_from, newton_within};
 use alloc::vec::Vec;
+use core::cell::Cell;
 
 /// The Bernstein coefficients on [0, 1] of a polynomial.
 pub(crate) fn bernstein<F: Float>(c: &[F]) -> Vec<F> {
@@ -21,12 +22,13 @@ pub(crate) fn bernstein<F: Float>(c: &[F]) -> Vec<F> {
         // C(K, k+1) = C(K, k) (K − k)/(k + 1)
         binomial = binomial * integer::<F>(degree.saturating_sub(k)) / integer(k + 1);
     }
-    for j in 1..=degree {
-        let mut before = b.get(j - 1).copied().unwrap_or(F::int(0));
-        for b in b.get_mut(j..).unwrap_or(&mut []) {
-            let old = *b;
-            *b = *b + before;
-            before = old;
+    let cells = Cell::from_mut(b.as_mut_slice()).as_slice_of_cells();
+    for j in 0..degree {
+        // From the end on, so that each one meets the one before it as it was.
+        for pair in cells.get(j..).unwrap_or(&[]).windows(2).rev() {
+            if let [before, b] = pair {
+                b.set(b.get() + before.get());
+            }
         }
     }
     b
@@ -111,7 +113,8 @@ fn search<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32) -> 
     let changes =
         b.iter().zip(b.iter().skip(1)).filter(|(a, b)| (**a > F::int(0)) != (**b > F::int(0))).count();
     if first > F::int(0) && last < -error && changes == 1 {
-        return Some(newton_within(low, high, |s| value_and_slope(c, s)));
+        let start = low + (high - low) * crossing(b);
+        return Some(newton_from(start, low, high, |s| value_and_slope(c, s)));
     }
     if depth == 0 {
         return (last < -error).then_some(low);
@@ -120,6 +123,15 @@ fn search<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32) -> 
     let (left, right) = halves(b);
     search(c, &left, low, middle, error, depth - 1)
         .or_else(|| search(c, &right, middle, high, error, depth - 1))
+}
+
+/// Where the polygon of Bernstein coefficients first falls through zero, between 0 and 1.
+fn crossing<F: Float>(b: &[F]) -> F {
+    let pairs = b.iter().zip(b.iter().skip(1)).enumerate();
+    let fall =
+        pairs.filter(|(_, (a, b))| **a > F::int(0) && **b <= F::int(0)).map(|(k, (&a, &b))| (k, a / (a - b)));
+    let (k, share) = fall.into_iter().next().unwrap_or((0, F::ratio(1, 2)));
+    (integer::<F>(k) + share) / integer(b.len().saturating_sub(1).max(1))
 }
 
 /// The greatest value of p on [0, 1], where it is above `known` by more than `error`.
