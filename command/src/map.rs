@@ -17,14 +17,64 @@ use crate::sweep::loops::Looped;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
+use stickslip::definitions::LIMIT;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input};
-use stickslip::{Output, Ratios};
+use stickslip::{Output, Ratios, Regime, Response};
 
 pub(crate) use picture::{capital, ends};
 
-/// A value, with its kind if it is in the machine's units.
-type MapValue = (Option<Kind>, Cell<Number>);
+/// A value, with its kind if it is in the machine's units, and the reason if it is missing.
+struct MapValue {
+    kind: Option<Kind>,
+    cell: Cell<Number>,
+    absence: Absence,
+}
+
+/// The reason for a missing value, in the order of a key.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Absence {
+    Sticks,
+    AtRest,
+    DependsOnStart,
+    NotPeriodic,
+    /// The motion was not found, or its numbers leave their type; a note has the reason.
+    NoAnswer,
+    /// There is a motion, but it has no such value.
+    NoSuchValue,
+}
+
+impl Absence {
+    /// That of a value of the closed forms.
+    fn of_regime(ratios: Ratios<f64>) -> Self {
+        match Response::new(ratios).regime {
+            Regime::Stuck => Self::AtRest,
+            Regime::Sticking => Self::Sticks,
+            Regime::DependsOnStart => Self::DependsOnStart,
+            _ => Self::NoSuchValue,
+        }
+    }
+
+    /// That of a value of the exact motion, from the name of its limit.
+    fn of_limit(name: &str) -> Self {
+        match name {
+            "rest" => Self::AtRest,
+            "irregular" | "none" | "not-converged" => Self::NotPeriodic,
+            _ => Self::NoSuchValue,
+        }
+    }
+
+    const fn in_words(self) -> &'static str {
+        match self {
+            Self::Sticks => "the body sticks",
+            Self::AtRest => "the body never moves",
+            Self::DependsOnStart => "depends on the start",
+            Self::NotPeriodic => "no periodic motion",
+            Self::NoAnswer => "no answer",
+            Self::NoSuchValue => "no such value",
+        }
+    }
+}
 
 /// What is mapped.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -70,33 +120,33 @@ impl<'a> Quantity<'a> {
     fn value_at(&self, given: &Given<f64>) -> Result<Option<MapValue>, Failure> {
         if self.mapped == Mapped::Margin {
             let margin = margin(input::point(given)?.ratios);
-            return Ok(Some((None, Cell::Number(Some(Number::Double(margin))))));
+            return Ok(Some(MapValue::of(Cell::Number(Some(Number::Double(margin))))));
         }
         if self.mapped == Mapped::Limits {
-            return Ok(Some((None, Cell::Text(limits::described(input::point(given)?.ratios)?))));
+            return Ok(Some(MapValue::of(Cell::Text(limits::described(input::point(given)?.ratios)?))));
         }
         let peaks = outputs::is_searched(self.name);
         let record = rows::answer(self.question, given, peaks)?;
         let physical = record.physical.values.iter().find(|(name, ..)| *name == self.name);
+        let own =
+            |wanted: &str| record.fields.iter().find(|(key, _)| key.name == wanted).map(|(_, cell)| cell);
         let found = match physical {
             Some((_, kind, cell)) => Some((Some(*kind), cell.clone())),
-            None => record
-                .fields
-                .iter()
-                .find(|(key, _)| key.name == self.name)
-                .map(|(_, cell)| (None, cell.clone())),
+            None => own(self.name).map(|cell| (None, cell.clone())),
         };
-        Ok(found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_))))
+        let absence = match own(LIMIT.name) {
+            Some(Cell::Text(limit)) => Absence::of_limit(limit),
+            _ => Absence::of_regime(input::point(given)?.ratios),
+        };
+        let found = found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_)));
+        Ok(found.map(|(kind, cell)| MapValue { kind, cell, absence }))
     }
+}
 
-    /// The reasons for missing values, as text for a key: some of bodies that never move, and others.
-    const fn absence(&self, at_rest: bool, others: bool) -> &'static str {
-        match (self.question, at_rest, others) {
-            (Swept::Response, ..) => "white: the body sticks or stays at rest",
-            (_, true, true) => "white: at rest, or no periodic motion",
-            (_, true, false) => "white: the body never moves",
-            (_, false, _) => "white: no periodic motion",
-        }
+impl MapValue {
+    /// A value that is in no unit and never missing.
+    const fn of(cell: Cell<Number>) -> Self {
+        Self { kind: None, cell, absence: Absence::NoSuchValue }
     }
 }
 
@@ -154,7 +204,7 @@ impl<'a> Map<'a> {
         // Points are computed row by row: the horizontal grid varies fastest.
         axes.order([up.clone(), across.clone()]);
         rows::check(quantity.question, &axes)?;
-        let Some((kind, _)) = quantity.value_at(&axes.given_at(0))? else {
+        let Some(MapValue { kind, .. }) = quantity.value_at(&axes.given_at(0))? else {
             let known =
                 "regime, margin, stops, limits, an output of response, or steady: and an output of steady";
             return Err(format!("map {}: must be one of {known}", args.quantity).into());
@@ -169,7 +219,7 @@ impl<'a> Map<'a> {
     }
 
     /// Computes the points in order, row by row.
-    fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, Cell<Number>) -> Outcome) -> Outcome {
+    fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, MapValue) -> Outcome) -> Outcome {
         let looped = self.quantity.looped().filter(|_| !axes.is_physical());
         let one = |given: Given<f64>| {
             let found = match self.quantity.value_at(&given) {
@@ -184,7 +234,8 @@ impl<'a> Map<'a> {
                 }
                 found => found?,
             };
-            Ok((given, found.map_or(Cell::Number(None), |(_, cell)| cell)))
+            let none = MapValue { kind: None, cell: Cell::Number(None), absence: Absence::NoAnswer };
+            Ok((given, found.unwrap_or(none)))
         };
         progress::in_order_kept(
             0..axes.len(),
@@ -199,13 +250,17 @@ impl<'a> Map<'a> {
                     record.and_then(|record| record.fields.into_iter().next().map(|(_, cell)| cell))
                 });
                 // Alone, a point without ratios has its error.
-                let answer = |(given, cell)| match cell {
-                    Some(cell) => Ok((given, cell)),
-                    None => one(given),
+                let answer = |((given, ratios), cell): ((_, Option<_>), Option<Cell<_>>)| match (cell, ratios)
+                {
+                    (Some(cell), Some(ratios)) if cell.is_absent() => {
+                        Ok((given, MapValue { kind: None, cell, absence: Absence::of_regime(ratios) }))
+                    }
+                    (Some(cell), _) => Ok((given, MapValue::of(cell))),
+                    (None, _) => one(given),
                 };
-                given.into_iter().zip(cells).map(answer).collect()
+                given.into_iter().zip(ratios).zip(cells).map(answer).collect()
             },
-            |found| found.map_or(Ok(()), |(given, cell)| take(given, cell)),
+            |found| found.map_or(Ok(()), |(given, value)| take(given, value)),
         )
     }
 
@@ -239,8 +294,8 @@ impl<'a> Map<'a> {
         let value = |given: &Given<f64>, parameter| {
             Cell::Number(given.get(parameter).map(|v| v * self.on_axis(parameter).1)).shown()
         };
-        let outcome = self.cells(&self.axes, |given, cell| {
-            Ok(writer.serialize((value(&given, x), value(&given, y), cell))?)
+        let outcome = self.cells(&self.axes, |given, found| {
+            Ok(writer.serialize((value(&given, x), value(&given, y), found.cell))?)
         });
         writer.flush()?;
         outcome

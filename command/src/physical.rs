@@ -16,24 +16,40 @@ pub(crate) struct Physical<F> {
     drive: Option<&'static str>,
     /// Whether the values also stand beside those in ratios in JSON, without their units.
     is_beside: bool,
+    /// The unit of frequencies in the names of columns, where it is not that of the system.
+    frequency: Option<&'static str>,
     pub(crate) values: Vec<(&'static str, Kind, Cell<F>)>,
 }
 
 impl<F> Default for Physical<F> {
     fn default() -> Self {
-        Self { system: System::default(), drive: None, is_beside: false, values: Vec::new() }
+        Self::of(System::default())
     }
 }
 
 impl<F> Physical<F> {
     /// A system of units without values.
     pub(crate) const fn of(system: System) -> Self {
-        Self { system, drive: None, is_beside: false, values: Vec::new() }
+        Self { system, drive: None, is_beside: false, frequency: None, values: Vec::new() }
     }
 
     /// Values that stand beside those in ratios.
     pub(crate) const fn beside(system: System, values: Vec<(&'static str, Kind, Cell<F>)>) -> Self {
-        Self { system, drive: None, is_beside: true, values }
+        Self { system, drive: None, is_beside: true, frequency: None, values }
+    }
+
+    /// The same with frequencies in this unit.
+    pub(crate) const fn with_frequencies_in(mut self, unit: Option<&'static str>) -> Self {
+        self.frequency = unit;
+        self
+    }
+
+    /// The unit of a value.
+    fn unit(&self, kind: Kind) -> String {
+        match (kind, self.frequency) {
+            (Kind::Frequency, Some(unit)) => unit.to_owned(),
+            _ => self.system.name(kind),
+        }
     }
 
     /// The values that stand beside those in ratios, in JSON and in a table.
@@ -49,9 +65,9 @@ impl<F> Physical<F> {
 impl<F: Value> Physical<F> {
     /// The values as they are written.
     pub(crate) fn shown(self) -> Physical<Number> {
-        let Self { system, drive, is_beside, values } = self;
+        let Self { system, drive, is_beside, frequency, values } = self;
         let values = values.into_iter().map(|(name, kind, cell)| (name, kind, cell.shown())).collect();
-        Physical { system, drive, is_beside, values }
+        Physical { system, drive, is_beside, frequency, values }
     }
 
     /// The machine and its drive: the given quantities and those that follow from them.
@@ -152,14 +168,14 @@ impl Physical<Number> {
     /// The same names without values.
     pub(crate) fn blank(&self) -> Self {
         let values = self.values.iter().map(|(name, kind, cell)| (*name, *kind, cell.blank())).collect();
-        Self { system: self.system, drive: self.drive, is_beside: self.is_beside, values }
+        Self { values, ..*self }
     }
 
     /// Whether `wanted` refers to the value with this name, with its unit in brackets or without.
     fn is_called(&self, name: &str, kind: Kind, wanted: &str) -> bool {
         match wanted.split_once('[') {
             Some((own, unit)) => {
-                let due = self.system.name(kind);
+                let due = self.unit(kind);
                 own == name && unit.strip_suffix(']').is_some_and(|unit| unit == due || unit == plain(&due))
             }
             None => wanted == name,
@@ -178,7 +194,7 @@ impl Physical<Number> {
     /// Each name with its unit in brackets, as for a column of a table.
     pub(crate) fn names(&self) -> impl Iterator<Item = String> + '_ {
         self.values.iter().flat_map(|(name, kind, cell)| {
-            let unit = plain(&self.system.name(*kind));
+            let unit = plain(&self.unit(*kind));
             cell.part_names(name).into_iter().map(move |name| format!("{name}[{unit}]"))
         })
     }

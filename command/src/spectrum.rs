@@ -7,6 +7,7 @@ use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::follow;
 use crate::grid::Axes;
+use crate::input;
 use crate::interrupt;
 use crate::measured;
 use crate::outputs::key;
@@ -19,7 +20,7 @@ use std::io::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use stickslip::Error;
-use stickslip::inputs::units::System;
+use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Record as Load, RecordAnswer, follow_each};
 
@@ -28,7 +29,7 @@ const SIDE_BY_SIDE: u64 = 16;
 
 pub(crate) fn run(args: &SpectrumArgs, out: &mut impl Write) -> Outcome {
     let format = if args.picture.is_some() { SweepFormat::Csv } else { args.table.format()? };
-    let spectra = Spectra::new(args)?;
+    let spectra = Spectra::new(args, format)?;
     args.look.needs("--picture", args.picture.as_deref())?;
     if args.picture.is_none() {
         return sweep::write_table(&args.table, format, &spectra, out);
@@ -57,6 +58,8 @@ struct Spectra<'a> {
     inputs: Vec<(Input, &'static str)>,
     surface: Surface<f64>,
     system: System,
+    /// The unit of natural frequencies as typed, and its value in rad/s; `None` where names have no units.
+    frequency: Option<(&'static str, f64)>,
     has_mass: bool,
     form: Row,
     /// The answers of a body that has none.
@@ -67,7 +70,7 @@ struct Spectra<'a> {
 }
 
 impl<'a> Spectra<'a> {
-    fn new(args: &'a SpectrumArgs) -> Result<Self, Failure> {
+    fn new(args: &'a SpectrumArgs, format: SweepFormat) -> Result<Self, Failure> {
         let reader = args.units.reader();
         let axes = Axes::<f64>::new(&args.machine, &reader)?;
         let mut loads: Vec<(&'static str, Load<f64>)> = Vec::new();
@@ -86,7 +89,11 @@ impl<'a> Spectra<'a> {
         let answer = Body::new(1.0, 1.0).and_then(|body| body.follow(&rest))?;
         let blank = follow::columns(&answer, system).map(|(name, kind, cell)| (name, kind, cell.absent()));
         let failed = Unanswered::new("bodies", 20);
-        let mut spectra = Self { loads, axes, inputs, surface, system, has_mass, form, blank, failed, args };
+        let frequency = input::frequency_unit(args.machine.text(Input::NaturalFrequency));
+        let frequency = frequency.map(|(unit, factor)| (&*unit.leak(), factor));
+        let frequency = frequency.filter(|_| format != SweepFormat::Jsonl);
+        let mut spectra =
+            Self { loads, axes, inputs, surface, system, frequency, has_mass, form, blank, failed, args };
         // A single bad body is a row without answers; where each is bad, an argument is.
         let (mut first_bad, mut is_any_good) = (None, false);
         spectra.axes.at_ends(|given| {
@@ -111,10 +118,17 @@ impl<'a> Spectra<'a> {
         self.surface.body(&given)
     }
 
+    /// The value of an input in the unit of its column or axis.
+    fn shown(&self, input: Input, value: f64) -> f64 {
+        match (input.kind(), self.frequency) {
+            (Kind::Frequency, Some((_, factor))) => value / factor,
+            (kind, _) => self.system.shown(kind, value),
+        }
+    }
+
     /// A row: the record, the inputs, and the answers, empty for a body that has none.
     fn row(&self, name: &'static str, given: &Given<f64>, answer: Option<&Option<RecordAnswer<f64>>>) -> Row {
-        let value =
-            |input: Input| Cell::Number(given.get(input).map(|value| self.system.shown(input.kind(), value)));
+        let value = |input: Input| Cell::Number(given.get(input).map(|value| self.shown(input, value)));
         let mut values: Vec<_> =
             self.inputs.iter().map(|&(input, column)| (column, input.kind(), value(input))).collect();
         let answers = answer
@@ -123,7 +137,9 @@ impl<'a> Spectra<'a> {
         // Forces, works and stiffnesses are those of a mass.
         values.extend(answers.filter(|(_, kind, _)| self.has_mass || !needs_mass(*kind)));
         let record = vec![(key!("record"), Cell::Text(name))];
-        Record::of(record).with_physical(Physical::beside(self.system, values)).shown()
+        let physical = Physical::beside(self.system, values);
+        let physical = physical.with_frequencies_in(self.frequency.map(|(unit, _)| unit));
+        Record::of(record).with_physical(physical).shown()
     }
 
     /// The record of a row, its name, and the place of its body.

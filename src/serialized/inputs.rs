@@ -92,13 +92,18 @@ fields! {
         Ok(if is_one_way { body.one_way() } else { body })
     };
     RecordFields -> Record {
-        excitation: Excitation, start: F = "zero", step: Option<F> = "absent", times: Option<Vec<F>> = "absent",
+        excitation: Excitation, start: Option<F> = "absent", step: Option<F> = "absent", times: Option<Vec<F>> = "absent",
         samples: Vec<F>, after: Option<After> = "absent",
     } by |excitation, start, step, times, samples, after| {
-        let record = match (step, times) {
-            (Some(step), None) => Record::new(excitation, step, samples)?.beginning_at(start)?,
-            (None, Some(times)) => Record::at_times(excitation, times, samples)?,
-            (Some(_), Some(_)) | (None, None) => {
+        let record = match (start, step, times) {
+            (_, Some(step), None) => {
+                Record::new(excitation, step, samples)?.beginning_at(start.unwrap_or_else(zero))?
+            }
+            (None, None, Some(times)) => Record::at_times(excitation, times, samples)?,
+            (Some(_), None, Some(_)) => {
+                return Err(Unread("record: start must be left out beside times".to_owned()));
+            }
+            (_, Some(_), Some(_)) | (_, None, None) => {
                 return Err(Unread("record: needs a step or times, and not both".to_owned()));
             }
         };

@@ -167,6 +167,10 @@ fn inputs_obey_the_rules_of_their_constructors() {
         &["a step or times"],
     );
     refused::<Record<f64>>(json!({ "excitation": "force", "times": [1, 1], "samples": [0, 1] }), &["> 0"]);
+    refused::<Record<f64>>(
+        json!({ "excitation": "force", "start": 5, "times": [0, 1], "samples": [0, 1] }),
+        &["start must be left out beside times"],
+    );
     assert_eq!(
         to_value(Ratios::new(0.7, f64::NAN).unwrap_err()).unwrap(),
         json!("force ratio α = NaN must be finite")

@@ -69,3 +69,28 @@ fn where_the_digits_do_not_suffice_it_is_said() {
         }
     }
 }
+
+/// The search for the fastest instant takes 1/Ω of time; Ω → 0 is refused, and what is answered takes its time at most.
+#[test]
+fn a_low_frequency_ratio_is_refused_or_answered_in_time() {
+    for omega in [5e-324, 1e-300, 1e-20, 1e-6, 6e-5] {
+        let errors =
+            [newton::solve(Ratios::new(omega, 2.0).unwrap()).err(), newton::solve_border(omega).err()];
+        for error in errors.map(Option::unwrap) {
+            let words = error.to_string();
+            assert!(matches!(error, MatchingError::Input(_)), "{words}");
+            assert!(
+                words.contains("frequency ratio Ω = ") && words.contains("≥ 0.00006103515625"),
+                "{words}"
+            );
+        }
+    }
+    // Where the path meets many folds, its searches have a budget.
+    let begin = std::time::Instant::now();
+    for alpha in [1.0, 1.02, 1.3, 3.0] {
+        drop(newton::solve(Ratios::new(7e-5, alpha).unwrap()));
+    }
+    drop(newton::solve_border(7e-5));
+    let time = begin.elapsed();
+    assert!(time.as_secs_f64() < 60.0, "{time:?}");
+}

@@ -250,3 +250,31 @@ fn a_step_of_many_periods_is_followed_or_refused() {
     let found: Result<RecordAnswer<f64>, Error> = body(1.0, 1.8e19, 0.0, 0.0).follow(&record);
     assert!(matches!(found, Err(Error::TooManyEvents { .. })), "{found:?}");
 }
+
+/// Works and forces that leave the range of the type are an error where the motion itself is within it.
+#[test]
+fn sums_beyond_the_range_are_refused() {
+    let of = |mass: f32, force: f32| {
+        let body = Body::new(mass, 0.1 * mass).unwrap().with_stiffness(4.0 * mass).unwrap();
+        body.with_damping(0.2 * mass)
+            .unwrap()
+            .follow(&Record::new(Excitation::Force, 0.1, vec![0.0, force, -force, 0.5 * force, 0.0]).unwrap())
+    };
+    let found = of(1.0, 3.0).unwrap();
+    assert!([found.load_work, found.damper_work, found.friction_work].iter().all(|work| work.is_finite()));
+    for scale in [1e30f32, 1e37] {
+        // The displacements are those of a mass of 1, and energies are beyond 3.4e38.
+        match of(scale, 3.0 * scale) {
+            Ok(answer) => assert!(
+                [answer.load_work, answer.damper_work, answer.friction_work, answer.max_transmitted_force]
+                    .iter()
+                    .all(|value| value.is_finite()),
+                "{answer:?}"
+            ),
+            Err(error) => assert!(matches!(error, Error::BeyondRange { .. }), "{error}"),
+        }
+    }
+    // Displacements of 1e15 under a mass of 1e20: energies of 1e50.
+    let far = of(1e20, 1e35);
+    assert!(matches!(far, Err(Error::BeyondRange { .. })), "{far:?}");
+}

@@ -173,7 +173,7 @@ pub(crate) struct CurveArgs {
     /// The horizontal range of the picture, in the unit of the axis [default: that of the grid]
     #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
     pub(crate) x_range: Option<String>,
-    /// The vertical range of the picture, in the unit of the answer [default: all values]
+    /// The vertical range of the picture, in the unit of the answer [default: all values, but for the tops of poles and deep dips]
     #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
     pub(crate) y_range: Option<String>,
     /// A linear vertical axis in place of a logarithmic one

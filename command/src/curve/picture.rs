@@ -8,8 +8,10 @@ use stickslip::inputs::Input;
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::curve::Place;
 
-/// The part of the usual value below which a curve is cut off.
+/// The part of the usual value below which a dip of a curve is cut off.
 const LEAST: f64 = 1e-4;
+/// The part of the usual value below which an end of a curve is cut off.
+const LEAST_END: f64 = 1e-9;
 /// The multiple of the usual value at which a curve without a bound is cut off.
 const MOST: f64 = 100.0;
 /// The multiple of the usual value up to which a peak is shown whole.
@@ -153,9 +155,13 @@ impl VerticalRange {
             (false, false) => usual,
         };
         let least = heights().fold(most / 10.0, f64::min);
-        let cut_below = least < LEAST * usual;
+        // A curve is shown to its ends; a dip between them would take the room of the rest.
+        let ends = lines.iter().flat_map(|line| [line.places.first(), line.places.last()]).flatten();
+        let ends = ends.map(CurvePoint::height).filter(|y| *y > LEAST_END * usual);
+        let floor = ends.map(|y| y / MARGIN).fold(LEAST * usual, f64::min);
+        let cut_below = least < floor;
         let high = if cut_above { rounded(most * MARGIN) } else { most * MARGIN };
-        let low = if cut_below { rounded(LEAST * usual) } else { (least / MARGIN).min(high / 10.0) };
+        let low = if cut_below { rounded(floor) } else { (least / MARGIN).min(high / 10.0) };
         // A tick of the axis takes the logarithm of its end.
         Self { low: low.max(f64::MIN_POSITIVE), high, cut_below, cut_above }
     }

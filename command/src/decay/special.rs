@@ -46,7 +46,8 @@ pub(super) fn respond<F: Value>(
     let rests = motion.events.last().is_none_or(|event| event.direction == 0);
     let ends = answer.cut_time.is_none();
     let time = rests.then(|| motion.events.last().map_or(zero, |event| event.time));
-    let first = if v0 == zero {
+    // A body that is pulled from its rest and let go turns where it is let go; one that slides off by its weight turns later.
+    let first = if v0 == zero && !surface.is_special() {
         Some(x0)
     } else {
         let turns = motion.events.iter().find(|event| event.time > zero);

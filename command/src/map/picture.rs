@@ -2,13 +2,14 @@
 
 use super::BORDER_POINTS;
 use super::resonance::is_unbounded;
-use super::{Map, Mapped, limits, margin};
+use super::{Absence, Map, Mapped, limits, margin};
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
 use crate::input;
 use crate::outputs;
 use crate::record::Cell;
+use std::collections::BTreeSet;
 use stickslip::inputs::{Input, Role};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
@@ -126,12 +127,12 @@ impl Map<'_> {
         let mut names: Vec<String> = known.iter().map(|name| (*name).to_owned()).collect();
         let mut named = false;
         let mut values = Vec::new();
-        let (mut whole, mut absent_at_rest, mut absent) = (true, false, false);
+        let (mut whole, mut absences) = (true, BTreeSet::new());
         // The values at the requested points, which alone determine the shades.
         let mut asked = Vec::new();
         let mut asked_so_far = is_asked.iter().cycle();
-        self.cells(&axes, |given, cell| {
-            let value = match cell {
+        self.cells(&axes, |given, found| {
+            let value = match found.cell {
                 // The line of unbounded motion shows these points.
                 Cell::Text(_) if matches!(self.quantity.mapped, Mapped::Regime) && is_unbounded(&given) => {
                     f64::NAN
@@ -153,11 +154,7 @@ impl Map<'_> {
             };
             // The line of unbounded motion explains its own points.
             if value.is_nan() && !is_unbounded(&given) {
-                // From rest, the body moves if the force exceeds the static friction.
-                let moves = |ratios: stickslip::Ratios<f64>| ratios.alpha() > ratios.static_friction_ratio();
-                let is_moving = input::point(&given).is_ok_and(|point| moves(point.ratios));
-                absent |= is_moving;
-                absent_at_rest |= !is_moving;
+                absences.insert(found.absence);
             }
             values.push(value);
             if asked_so_far.next() == Some(&true) {
@@ -203,9 +200,9 @@ impl Map<'_> {
             let note = format!("points missing at {missing} values, where the search reached its bound");
             series.push(Series::new(note, Style::Note, 0, []));
         }
-        if absent || absent_at_rest {
-            let key = self.quantity.absence(absent_at_rest, absent);
-            series.push(Series::new(key, Style::Note, 0, []));
+        if !absences.is_empty() {
+            let words: Vec<&str> = absences.into_iter().map(Absence::in_words).collect();
+            series.push(Series::new(format!("white: {}", words.join(", ")), Style::Note, 0, []));
         }
         Ok(Figure::new(
             "map",

@@ -82,6 +82,11 @@ pub(crate) enum Cell<F> {
 }
 
 impl<F> Cell<F> {
+    /// Whether it has no value.
+    pub(crate) const fn is_absent(&self) -> bool {
+        matches!(self, Self::Number(None) | Self::Count(None) | Self::Flag(None) | Self::Pairs(None))
+    }
+
     /// The same without a value.
     pub(crate) const fn blank(&self) -> Self {
         match self {

@@ -58,11 +58,15 @@ impl Spectra<'_> {
                 Ok(())
             },
         )?;
+        let unit = |kind: Kind| match (kind, self.frequency) {
+            (Kind::Frequency, Some((unit, _))) => unit.to_owned(),
+            _ => self.system.name(kind),
+        };
         let label = |name: &str, kind: Kind| {
-            if kind == Kind::Ratio { name.to_owned() } else { format!("{name} ({})", self.system.name(kind)) }
+            if kind == Kind::Ratio { name.to_owned() } else { format!("{name} ({})", unit(kind)) }
         };
         let name = label(&axis.name().replace('-', " "), axis.kind());
-        let place_of = |value: f64| self.system.shown(axis.kind(), value);
+        let place_of = |value: f64| self.shown(*axis, value);
         let x = grid.axis(&name, (place_of(grid.ends().0), place_of(grid.ends().1)));
         let (count, bodies) = (grid.len(), self.axes.len());
         // The grids vary in their order, the last fastest.

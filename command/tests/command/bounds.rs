@@ -122,6 +122,54 @@ fn white_is_what_the_key_says() {
     assert_eq!(key(stroke, "0.1g:0.4g:5"), None);
 }
 
+/// The key names what the missing cells of the rows are: their regimes, or the limits of their motions.
+#[test]
+fn white_has_every_reason_of_its_cells() {
+    let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 0.2Hz:3Hz:6";
+    let drives = "--base-acceleration 0.02g:0.4g:5";
+    for (quantity, of, static_friction) in [
+        ("max_displacement", "sweep response", ""),
+        ("contraction", "sweep response", "--static-friction-ratio 1.4"),
+        ("steady:max_displacement_phase", "sweep steady", ""),
+        ("steady:max_velocity_phase", "sweep steady", "--static-friction-ratio 3 --damping-ratio 2%"),
+        // A force has no absolute displacement of a base.
+        ("steady:max_absolute_displacement", "sweep steady", ""),
+    ] {
+        let name = quantity.split(':').next_back().unwrap();
+        let drives = if name.contains("absolute") { "--force 200N:4kN:5" } else { drives };
+        let file = place("reasons.svg");
+        let machine = format!("{machine} {drives} {static_friction}");
+        stdout(&format!("map {quantity} {machine} -q --out {}", file.display()));
+        let drawing = std::fs::read_to_string(&file).unwrap();
+        let key = drawing.lines().find_map(|line| line.strip_prefix("white: "));
+        let kind = if of.ends_with("steady") { "limit" } else { "regime" };
+        let values = stdout(&format!("map {quantity} {machine} -q"));
+        let rows = stdout(&format!("{of} {machine} -q --outputs {kind},omega"));
+        let missing = values.lines().filter(|row| row.ends_with(','));
+        let missing = missing.map(|row| row.split(',').take(2).collect::<Vec<_>>().join(","));
+        let at = |row: &String| values.lines().position(|other| other.starts_with(&format!("{row},")));
+        // The rows of a sweep are in another order: the drive varies fastest.
+        let mut due: Vec<&str> = missing
+            .map(|row| {
+                let place = at(&row).unwrap() - 1;
+                let place = place % 6 * 5 + place / 6;
+                match rows.lines().nth(place + 1).unwrap().split(',').next().unwrap() {
+                    "sticking" => "the body sticks",
+                    "stuck" | "rest" => "the body never moves",
+                    "depends-on-start" => "depends on the start",
+                    "irregular" | "none" | "not-converged" => "no periodic motion",
+                    _ => "no such value",
+                }
+            })
+            .collect();
+        due.sort_unstable();
+        due.dedup();
+        let mut found: Vec<&str> = key.map_or(Vec::new(), |key| key.split(", ").collect());
+        found.sort_unstable();
+        assert_eq!(found, due, "{quantity} {machine}");
+    }
+}
+
 /// A body without an answer is a row without numbers, and its reason is said; the others have theirs.
 #[test]
 fn one_bad_body_is_one_row() {

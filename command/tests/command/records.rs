@@ -509,3 +509,24 @@ fn answers_are_enclosed() {
         );
     }
 }
+
+/// Natural frequencies of a spectrum are answered in the unit that was typed; JSON lines, whose names have none, are in rad/s.
+#[test]
+fn frequencies_of_a_spectrum_have_the_unit_that_was_typed() {
+    let record = place("typed.csv");
+    std::fs::write(&record, "time[s],acceleration[g]\n0,0\n0.1,0.3\n0.2,-0.3\n0.3,0\n").unwrap();
+    let run = format!("spectrum {} --friction-coefficient 0.05 --natural-frequency", record.display());
+    let rows = |range: &str| stdout(&format!("{run} {range}"));
+    let (rpm, radians) = (rows("60rpm:120rpm:2"), rows("6.283185307179586rad/s:12.566370614359172rad/s:2"));
+    let (rpm, radians): (Vec<_>, Vec<_>) = (rpm.lines().collect(), radians.lines().collect());
+    assert!(rpm[0].starts_with("record,natural_frequency[rpm],"), "{}", rpm[0]);
+    assert!(radians[0].starts_with("record,natural_frequency[rad/s],"), "{}", radians[0]);
+    assert!(rpm[1].starts_with("typed.csv,60.0,") && rpm[2].starts_with("typed.csv,120.0,"), "{rpm:?}");
+    let answers = |row: &str| row.split(',').skip(2).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(answers(rpm[1]), answers(radians[1]));
+    let line = stdout(&format!("{run} 60rpm --format jsonl"));
+    assert!(line.contains("\"natural_frequency\":6.283185307179586"), "{line}");
+    let picture = place("typed.svg");
+    stdout(&format!("{run} 60rpm:120rpm:5 --picture {}", picture.display()));
+    assert!(std::fs::read_to_string(&picture).unwrap().contains("natural frequency (rpm)"));
+}

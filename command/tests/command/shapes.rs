@@ -207,6 +207,9 @@ fn a_block_slides_to_its_rest() {
     let (sine, cosine) = 5f64.to_radians().sin_cos();
     let slope = of("--friction-coefficient 0.3 --slope 5deg --v0 2m/s");
     close(number(&slope["path"]), 2.0 / (G * (0.3 * cosine - sine)), 1e-13);
+    // From rest down a slope with a spring: to twice the displacement of its balance.
+    let slide = "decay --mass 1kg --stiffness 100N/m --friction 1N --slope 30deg --x0 0m --format json";
+    close(number(&json(slide)["physical"]["first_turn"]), 2.0 * (0.5 * G - 1.0) / 100.0, 1e-13);
     let damped = of("--mass 3kg --friction 1N --damping 2N*s/m --v0=-2m/s --x0 1m");
     let time = 1.5 * 5f64.ln();
     close(number(&damped["rest_time"]), time, 1e-13);

@@ -28,8 +28,8 @@ use super::step::{Found, in_order, iterate, largest, most_iterations, positive, 
 use super::system::System;
 use super::{Unknowns, start};
 use crate::float::{Field, Float, Real};
-use crate::machine::error::written;
-use crate::machine::ratios::Ratios;
+use crate::machine::error::{Error, Quantity, written};
+use crate::machine::ratios::{Ratios, within};
 use nalgebra::RealField;
 
 pub use super::step::{BorderSolution, MatchingError, Solution};
@@ -40,8 +40,11 @@ pub trait Solvable: Float {
     /// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α), with damping at (Ω, α, ζ): then of the same
     /// matching conditions with the free vibrations of a damped body, and at Ω = 1, too.
     ///
+    /// The domain is Ω ≥ 2⁻¹⁴: t₁ is searched among all swings of a half cycle, whose number grows as 1/Ω. There the answer
+    /// takes some seconds at f64 at most.
+    ///
     /// # Errors
-    /// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of
+    /// [`MatchingError::Input`] for a lower Ω; [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of
     /// the friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
     /// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
     fn solve(ratios: Ratios<Self>) -> Result<Solution<Self>, MatchingError>;
@@ -51,7 +54,7 @@ pub trait Solvable: Float {
     /// (`src/cycle/border.rs`); it solves the equations all the same.
     ///
     /// # Errors
-    /// As [`Solvable::solve`]; [`crate::Error`] where Ω is not in its domain.
+    /// As [`Solvable::solve`]; [`MatchingError::Input`] where Ω is not in its domain.
     fn solve_border(omega: Self) -> Result<BorderSolution<Self>, MatchingError>;
 }
 
@@ -65,8 +68,14 @@ impl<F: Float + RealField> Solvable for F {
     }
 }
 
+/// Ω, if a half cycle has few enough swings to search.
+fn searchable<F: Float>(omega: F) -> Result<F, Error> {
+    within(Quantity::FrequencyRatio, omega, <F as Field>::ratio(1, 1 << 14), F::exp2i(F::RATIO_EXPONENT))
+}
+
 /// [`Solvable::solve`].
 pub(crate) fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
+    searchable(ratios.omega())?;
     let system = Balanced::new(&ratios);
     if system.stiffness == <F as Field>::int(0) {
         return Err(MatchingError::Resonance);
@@ -123,7 +132,7 @@ fn matched<F: Float + RealField>(
 /// [`Solvable::solve_border`].
 pub(crate) fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>, MatchingError> {
     let one = <F as Field>::int(1);
-    let system = Balanced::new(&Ratios::new(omega, one)?);
+    let system = Balanced::new(&Ratios::new(searchable(omega)?, one)?);
     // More friction than any border has: the force left over is gone, or the path at its end, long before.
     let beyond = <F as Field>::int(8) * (one + omega).square();
     let start = start::on_the_border(&system.with_friction(beyond).to_f64());

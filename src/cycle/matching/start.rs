@@ -11,6 +11,14 @@ use crate::float::{Float, Real};
 /// A step of the path must not move t₂ further than this.
 const LONGEST: f64 = 0.2;
 
+/// The greatest number of instants that a path looks at for the fastest one, of some 0.1 µs each.
+const MOST_INSTANTS: u64 = 1 << 23;
+
+/// The instants of a search in the half cycle: so many in π/ω_n, and a few more.
+fn instants<F: Float>(omega: F, per_swing: f64) -> i32 {
+    8 + (per_swing / omega.to_f64()).min(2e6) as i32
+}
+
 /// Newton's method from a cycle with a little less friction: `None` where it does not settle close by.
 fn settled(system: &Balanced<f64>, from: &Unknowns<f64>) -> Option<Unknowns<f64>> {
     let mut at = in_order(from);
@@ -34,6 +42,9 @@ fn settled(system: &Balanced<f64>, from: &Unknowns<f64>) -> Option<Unknowns<f64>
     None
 }
 
+/// The instants in π/ω_n among which a path looks for the fastest one.
+const PER_SWING: f64 = 32.0;
+
 /// Follows the path to the system's friction, or to where it ends, or to where `left_over` is within a tenth of
 /// zero; the steps adapt, and none goes further than that. Gives the cycle and its friction.
 fn follow(
@@ -42,6 +53,8 @@ fn follow(
 ) -> (Unknowns<f64>, f64) {
     let target = system.friction;
     let (mut at, mut friction, mut length) = (system.without_friction(), 0.0, target);
+    let (search, mut instants_left) =
+        (instants(system.omega, PER_SWING).unsigned_abs().into(), MOST_INSTANTS);
     for _ in 0..4000 {
         let left = target - friction;
         let here = system.with_friction(friction);
@@ -54,10 +67,15 @@ fn follow(
         match settled(&there, &at).filter(|u| left_over(&there, u) > -0.1) {
             Some(found) => (at, friction, length) = (found, next, length * 1.5),
             // The stationary velocity at t₁ may be about to vanish, and the fastest instant be another one.
-            None => match faster(&here, &at, 32.0).and_then(|u| settled(&here, &u)) {
-                Some(u) => at = u,
-                None => length = if last { left / 2.0 } else { length / 2.0 },
-            },
+            None => {
+                // Beyond the budget the path ends here, as at a fold.
+                let Some(rest) = instants_left.checked_sub(search) else { break };
+                instants_left = rest;
+                match faster(&here, &at, PER_SWING).and_then(|u| settled(&here, &u)) {
+                    Some(u) => at = u,
+                    None => length = if last { left / 2.0 } else { length / 2.0 },
+                }
+            }
         }
         if length <= 1e-15 * target {
             break;
@@ -108,7 +126,7 @@ pub(super) fn on_the_border(system: &Balanced<f64>) -> [f64; 6] {
 /// at t₁.
 pub(super) fn faster<F: Float>(system: &Balanced<F>, u: &Unknowns<F>, per_swing: f64) -> Option<Unknowns<F>> {
     let (one, two, omega) = (F::int(1), F::int(2), system.omega);
-    let points = 8 + (per_swing / omega.to_f64()).min(1e6) as i32;
+    let points = instants(omega, per_swing);
     let end = u.displacement_phase;
     let inside = u.velocity_phase < end && u.velocity_phase > end - F::pi();
     let before = if inside { system.rising(u, u.velocity_phase).1 } else { F::int(0) };

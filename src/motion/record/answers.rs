@@ -295,6 +295,13 @@ impl<F: Float> Body<F> {
     ) -> Result<RecordAnswer<F>, Error> {
         let weights = Weights::of(self, |x| x);
         let answer = weights.answer(record.excitation(), start, end, totals);
+        // Works and forces may leave a range that the motion is in.
+        let answer = answer.filter(|answer| {
+            answer.entries().iter().all(|(.., entry)| match entry {
+                Entry::Value(Some(value)) => value.is_finite(),
+                Entry::Value(None) | Entry::Count(_) => true,
+            })
+        });
         answer.ok_or_else(|| failed((Failure::Uncertain, record.end())))
     }
 }
