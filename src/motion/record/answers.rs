@@ -280,7 +280,7 @@ impl<F: Float> Body<F> {
     ) -> Result<End<F>, Error> {
         for (time, length, samples) in record.steps() {
             let piece = Piece::new(factors, samples, length, F::int(1) / length);
-            follower.step(&piece, time, watch).map_err(|failure| failed((failure, time)))?;
+            follower.step(&piece, time, None, watch).map_err(|failure| failed((failure, time)))?;
         }
         End::of(record, follower, factors, watch)
     }

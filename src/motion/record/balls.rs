@@ -193,7 +193,8 @@ pub(crate) fn follow<const N: usize, const W: usize>(
         .and_then(|(time, first)| begun(constants, start, known(record.longest_step()), *time, first));
     let (mut follower, mut totals) = begun.ok_or_else(|| uncertain(begin))?;
     for (index, (time, piece)) in steps.enumerate() {
-        follower.step(&piece, time, &mut totals).map_err(|failure| failed((failure, record.time(index))))?;
+        let step = follower.step(&piece, time, None, &mut totals);
+        step.map_err(|failure| failed((failure, record.time(index))))?;
     }
     let end = record.end();
     let (x, v) = (follower.x, follower.v);

@@ -185,11 +185,13 @@ impl<F: Number> Follower<F> {
         Slide { v: self.v, a: self.a, slope, sign }
     }
 
-    /// Follows the body through one step of the load that begins at the time `start`.
+    /// Follows the body through one step of the load that begins at the time `start`; `whole` are the responses after
+    /// the step, where they are known, and it is shorter than π/d.
     pub(super) fn step(
         &mut self,
         piece: &Piece<F>,
         start: F,
+        whole: Option<&Responses<F>>,
         watch: &mut impl Watch<F>,
     ) -> Result<(), Failure> {
         if let Mode::Slide(sign) = self.mode {
@@ -199,6 +201,8 @@ impl<F: Number> Follower<F> {
         let (mut events, mut at_once) = (0u32, 0u32);
         // Stretches since the last event, and whether the slide has no stop in this step.
         let (mut walked, mut goes_on) = (0i32, false);
+        // The responses after the rest of the step.
+        let mut after = whole;
         while events < EVENTS && at_once < EVENTS_AT_ONCE {
             let left = piece.length - from;
             if !left.positive().ok_or(Failure::Uncertain)? {
@@ -210,14 +214,14 @@ impl<F: Number> Follower<F> {
                         self.rested(piece, start, from, left, watch).ok_or(Failure::Uncertain)?;
                         break;
                     };
-                    let after = rest.after;
-                    if after.positive().ok_or(Failure::Uncertain)? {
-                        self.rested(piece, start, from, after, watch).ok_or(Failure::Uncertain)?;
-                        at_once = 0;
+                    let wait = rest.after;
+                    if wait.positive().ok_or(Failure::Uncertain)? {
+                        self.rested(piece, start, from, wait, watch).ok_or(Failure::Uncertain)?;
+                        (at_once, after) = (0, None);
                     } else {
                         at_once = at_once.saturating_add(1);
                     }
-                    from = from + after;
+                    from = from + wait;
                     // From rest, and a force that is that of sliding, v is the response S₂ ≥ 0 to a unit step times
                     // the slope of the load.
                     goes_on = rest.is_smooth;
@@ -226,10 +230,19 @@ impl<F: Number> Follower<F> {
                     events = events.saturating_add(1);
                 }
                 Mode::Slide(sign) => {
-                    let reach = self.reach(left, walked)?;
+                    let reach = match whole {
+                        // A part of a short step is short.
+                        Some(_) => Reach { length: left, is_short: true, is_last: true },
+                        None => self.reach(left, walked)?,
+                    };
                     let (length, is_short) = (reach.length, reach.is_short);
                     let how = How { can_stop: !goes_on && is_short, is_short };
-                    let stop = self.stretch(piece, [start, from], length, sign, how, watch)?;
+                    let responses = match after {
+                        Some(responses) => *responses,
+                        None => self.linear.at(length).ok_or(Failure::Uncertain)?,
+                    };
+                    let stop =
+                        self.stretch_to(piece, [start, from], (length, responses), sign, how, watch)?;
                     walked = if stop.is_some() { 0 } else { walked.saturating_add(1) };
                     goes_on &= stop.is_none();
                     let passed = match stop {
@@ -238,7 +251,7 @@ impl<F: Number> Follower<F> {
                         None => length,
                     };
                     if passed.positive().ok_or(Failure::Uncertain)? {
-                        at_once = 0;
+                        (at_once, after) = (0, None);
                     }
                     from = from + passed;
                 }
@@ -356,15 +369,28 @@ impl<F: Number> Follower<F> {
     pub(super) fn stretch(
         &mut self,
         piece: &Piece<F>,
-        [start, from]: [F; 2],
+        times: [F; 2],
         length: F,
+        sign: F,
+        how: How,
+        watch: &mut impl Watch<F>,
+    ) -> Result<Option<F>, Failure> {
+        let responses = self.linear.at(length).ok_or(Failure::Uncertain)?;
+        self.stretch_to(piece, times, (length, responses), sign, how, watch)
+    }
+
+    /// The same, given the responses after the length.
+    fn stretch_to(
+        &mut self,
+        piece: &Piece<F>,
+        [start, from]: [F; 2],
+        (length, mut responses): (F, Responses<F>),
         sign: F,
         how: How,
         watch: &mut impl Watch<F>,
     ) -> Result<Option<F>, Failure> {
         let slide = self.slide(piece.slope, sign);
         let linear = &self.linear;
-        let mut responses = linear.at(length).ok_or(Failure::Uncertain)?;
         let mut end = slide.moment(linear, &responses);
         let stop = if how.can_stop {
             slide.stop(linear, self.omega, length, &end).ok_or(Failure::Uncertain)?

@@ -7,9 +7,11 @@
 //! answers of a body are the same bits in any company; a body alone is one lane.
 
 use super::follow::{Failed, Failure, Follower};
+use super::linear::Responses;
 use super::load::{Factors, Piece, Record};
 use super::totals::Totals;
 use crate::float::Float;
+use alloc::vec::Vec;
 use core::ops::ControlFlow;
 
 /// A number of each lane.
@@ -158,9 +160,8 @@ impl<F: Float, const L: usize> Lanes<F, L> {
     }
 
     /// Sets the responses of all lanes to those after a step.
-    fn set_step(&mut self, bodies: &[Followed<F>], length: F) {
-        for (lane, body) in bodies.iter().enumerate() {
-            let responses = body.follower.whole_step(length);
+    fn set_step(&mut self, whole: &[Option<Responses<F>>]) {
+        for (lane, responses) in whole.iter().enumerate() {
             let nan = F::int(0) / F::int(0);
             set(&mut self.impulse, lane, responses.map_or(nan, |s| s.impulse));
             set(&mut self.step, lane, responses.map_or(nan, |s| s.step));
@@ -201,8 +202,15 @@ impl<F: Float, const L: usize> Lanes<F, L> {
     /// happened in another one.
     #[inline(always)]
     fn pass(&mut self, samples: [F; 2], time: F, step: &Step<F>) -> bool {
-        if L == 1 && self.pass_quietly(samples, step) {
-            return false;
+        if L == 1 {
+            match self.pass_quietly(samples, step) {
+                Quiet::Passed => return false,
+                Quiet::Event => {
+                    set(&mut self.event, 0, F::int(1));
+                    return true;
+                }
+                Quiet::Unknown => {}
+            }
         }
         let zero = F::int(0);
         let length = step.length;
@@ -282,7 +290,7 @@ impl<F: Float, const L: usize> Lanes<F, L> {
     /// Takes the step of the first lane if nothing happens and no range can change: one bound for each range, without a
     /// look at where its extremes are.
     #[inline(always)]
-    fn pass_quietly(&mut self, samples: [F; 2], step: &Step<F>) -> bool {
+    fn pass_quietly(&mut self, samples: [F; 2], step: &Step<F>) -> Quiet {
         let (zero, given) = (F::int(0), self.given(0));
         let (x, v, sign) = (at(&self.state.x, 0), at(&self.state.v, 0), given.sign);
         let taken = given.take([x, v], samples, step);
@@ -294,19 +302,23 @@ impl<F: Float, const L: usize> Lanes<F, L> {
             [at(&state.most_free, 0), at(&state.least_free, 0)],
         ];
         if sign == zero {
-            let is_same = self.rests_on(0, &taken)
-                && !is_outside(ranges[1], [zero; 2], zero)
-                && !is_outside(ranges[2], ends(-from, -to), zero);
+            if !self.rests_on(0, &taken) {
+                return Quiet::Event;
+            }
+            let is_same =
+                !is_outside(ranges[1], [zero; 2], zero) && !is_outside(ranges[2], ends(-from, -to), zero);
             if is_same {
                 let stick_time = at(&self.state.stick_time, 0) + step.length;
                 set(&mut self.state.stick_time, 0, stick_time);
             }
-            return is_same;
+            return if is_same { Quiet::Passed } else { Quiet::Unknown };
+        }
+        if !(sign * end_v > zero) {
+            return Quiet::Event;
         }
         let j = given.jerk(slope, v, a);
         let beyond = given.beyond(j, given.bend(a, j), step);
-        let is_same = sign * end_v > zero
-            && !given.turns::<1>(v, &taken, step.length)
+        let is_same = !given.turns::<1>(v, &taken, step.length)
             && !is_outside(ranges[0], ends(v, end_v), given.beyond(a, j, step))
             && !is_outside(ranges[1], ends(a, end_a), beyond)
             && !is_outside(ranges[2], ends(a - from, end_a - to), beyond);
@@ -319,9 +331,20 @@ impl<F: Float, const L: usize> Lanes<F, L> {
             set(&mut state.v, 0, end_v);
             set(&mut state.load_work, 0, load_work);
             set(&mut state.foot_work, 0, foot_work);
+            return Quiet::Passed;
         }
-        is_same
+        Quiet::Unknown
     }
+}
+
+/// What a look at the bounds of a step says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Quiet {
+    /// Nothing happened, and the step is taken.
+    Passed,
+    /// A stop or a release.
+    Event,
+    Unknown,
 }
 
 /// The greater and the lesser of a quantity's values at both ends of a step.
@@ -444,6 +467,7 @@ pub(super) fn follow<F: Float, const L: usize>(
             lanes.empty(lane);
         }
     }
+    let mut whole = Vec::new();
     let mut step = Step { length: F::int(0), inverse: F::int(0), eighth: F::int(0) };
     let samples = record.samples();
     for (index, (&first, &second)) in samples.iter().zip(samples.iter().skip(1)).enumerate() {
@@ -461,11 +485,12 @@ pub(super) fn follow<F: Float, const L: usize>(
         }
         if length != step.length {
             step = Step { length, inverse: F::int(1) / length, eighth: length.square() * F::ratio(1, 8) };
-            lanes.set_step(bodies, length);
+            whole = bodies.iter().map(|body| body.follower.whole_step(length)).collect();
+            lanes.set_step(&whole);
         }
         let time = record.time(index);
         if lanes.pass([first, second], time, &step) {
-            step_alone(&mut lanes, bodies, [first, second], time, &step);
+            step_alone(&mut lanes, bodies, &whole, [first, second], time, &step);
         }
     }
     for (lane, body) in bodies.iter_mut().enumerate() {
@@ -478,17 +503,18 @@ pub(super) fn follow<F: Float, const L: usize>(
 fn step_alone<F: Float, const L: usize>(
     lanes: &mut Lanes<F, L>,
     bodies: &mut [Followed<F>],
+    whole: &[Option<Responses<F>>],
     samples: [F; 2],
     time: F,
     step: &Step<F>,
 ) {
-    for (lane, body) in bodies.iter_mut().enumerate() {
+    for (lane, (body, whole)) in bodies.iter_mut().zip(whole).enumerate() {
         if at(&lanes.event, lane) == F::int(0) {
             continue;
         }
         lanes.state.write(lane, body);
         let piece = Piece::new(&body.factors, samples, step.length, step.inverse);
-        match body.follower.step(&piece, time, &mut body.totals) {
+        match body.follower.step(&piece, time, whole.as_ref(), &mut body.totals) {
             Ok(()) => lanes.read(lane, body),
             Err(failure) => {
                 body.failure = Some((failure, time));

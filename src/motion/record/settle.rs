@@ -151,7 +151,7 @@ impl<F: Number> Follower<F> {
         watch: &mut impl Watch<F>,
     ) -> Result<Rest<F>, Failure> {
         let period = F::int(2) * F::pi() / frequency;
-        self.step(&Piece::constant(load, period), time, watch)?;
+        self.step(&Piece::constant(load, period), time, None, watch)?;
         let end = time + period;
         if self.direction(end, load, watch)?.is_none() {
             return Ok(Rest::At(self.x));

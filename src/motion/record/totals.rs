@@ -63,11 +63,13 @@ impl<F: Number> Range<F> {
         Some(())
     }
 
-    /// Whether all numbers within `reach` of `value` are within the range.
+    /// Whether all numbers between two and up to `beyond` outside them are within the range.
     #[inline(always)]
-    fn has_around(&self, value: F, reach: F) -> bool {
-        F::is_above(value + reach, self.most.value) == Some(false)
-            && F::is_above(self.least.value, value - reach) == Some(false)
+    fn has_between(&self, [one, other]: [F; 2], beyond: F) -> bool {
+        let top = F::chosen(F::is_above(one, other), one, other);
+        let bottom = F::chosen(F::is_above(one, other), other, one);
+        top.is_some_and(|top| F::is_above(top + beyond, self.most.value) == Some(false))
+            && bottom.is_some_and(|bottom| F::is_above(self.least.value, bottom - beyond) == Some(false))
     }
 
     /// Whether a value is within the range.
@@ -240,13 +242,14 @@ impl<F: Number> Totals<F> {
 }
 
 impl<F: Number> Totals<F> {
-    /// Includes the extremes of velocity, acceleration and force of a stretch.
+    /// Includes the extremes of velocity, acceleration and force of a stretch, but of those that are inside their ranges.
     #[inline(never)]
     fn include_extremes(
         &mut self,
         linear: &Linear<F>,
         slide: &Slide<F>,
         stretch: &Stretch<'_, F>,
+        [has_velocity, has_acceleration, has_free]: [bool; 3],
     ) -> Option<()> {
         let Stretch { time, length, load: [first, last], end, .. } = *stretch;
         // The derivative of a free vibration, by its value and the one before.
@@ -266,11 +269,18 @@ impl<F: Number> Totals<F> {
         let of_velocity = |([v, a, jerk, bend, third], _): ([F; 5], F)| {
             [slide.sign * (slide.sign * v).larger(F::int(0)), a, jerk, bend, third]
         };
-        Self::include(&mut self.velocity, times, ends.map(of_velocity), |t| at(t).map(of_velocity))?;
+        if !has_velocity {
+            Self::include(&mut self.velocity, times, ends.map(of_velocity), |t| at(t).map(of_velocity))?;
+        }
         let of_acceleration =
             |([_, a, jerk, bend, third], fourth): ([F; 5], F)| [a, jerk, bend, third, fourth];
         let of = ends.map(of_acceleration);
-        Self::include(&mut self.acceleration, times, of, |t| at(t).map(of_acceleration))?;
+        if !has_acceleration {
+            Self::include(&mut self.acceleration, times, of, |t| at(t).map(of_acceleration))?;
+        }
+        if has_free {
+            return Some(());
+        }
         // The jerk less the slope of the load is exactly 0 at a release without an excess of static friction.
         let less = |load: F, ([v, a, _, bend, third], fourth): ([F; 5], F)| {
             [a - load, swing(v, a), bend, third, fourth]
@@ -293,16 +303,22 @@ impl<F: Number> Watch<F> for Totals<F> {
             self.acceleration.include(end.a, time + length)?;
             return self.free_acceleration.include(end.a - last, time + length);
         }
-        // Nothing is further from the start than the greatest slope times the length, by an energy that does not grow.
-        let swing = slide.jerk(linear, slide.v, slide.a).abs() + self.omega * slide.a.abs();
-        let reach = length * swing;
-        if self.velocity.has_around(slide.v, length * (slide.a.abs() + reach))
-            && self.acceleration.has_around(slide.a, reach)
-            && self.free_acceleration.has_around(slide.a - first, reach + (last - first).abs())
-        {
+        // An extreme of g is no further from the nearer end than T²/8 times the greatest |g″|, which an energy that does not
+        // grow bounds.
+        let jerk = slide.jerk(linear, slide.v, slide.a);
+        let bend = linear.rate * jerk + linear.square * slide.a;
+        let eighth = length.square() * F::ratio(1, 8);
+        let beyond = [(jerk, slide.a), (bend, jerk)]
+            .map(|(second, first)| (second.abs() + self.omega * first.abs()) * eighth);
+        let is_inside = [
+            self.velocity.has_between([slide.v, end.v], beyond[0]),
+            self.acceleration.has_between([slide.a, end.a], beyond[1]),
+            self.free_acceleration.has_between([slide.a - first, end.a - last], beyond[1]),
+        ];
+        if is_inside == [true; 3] {
             return Some(());
         }
-        self.include_extremes(linear, slide, stretch)
+        self.include_extremes(linear, slide, stretch, is_inside)
     }
 
     fn rested(&mut self, _: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()> {
