@@ -123,6 +123,8 @@ pub(crate) enum Command {
     MotionPlot(MotionPlotArgs),
     /// Every output by name, with its unit and its meaning.
     Outputs,
+    /// Every option by command, with its meaning and its default.
+    Options,
     /// Print a shell completion script.
     Completions(CompletionsArgs),
     /// Write the manual page, or those of all commands.

@@ -35,7 +35,7 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
         return Ok(());
     }
     let folder = &args.dir;
-    check(args.format, "--format png")?;
+    check(args.format, &format!("--format {}", args.format.extension()))?;
     fs::create_dir_all(folder).map_err(|e| format!("--dir {}: {e}", folder.display()))?;
     let extension = args.format.extension();
     let place = |name: &str| folder.join(format!("{name}.{extension}"));
@@ -100,15 +100,15 @@ fn picture_of(option: &str, file: &Path) -> Result<Picture, Failure> {
     let known = Picture::value_variants().iter().filter(|picture| has_data || **picture != Picture::Csv);
     let picture = known.copied().find(|picture| end == Some(picture.extension())).ok_or_else(|| {
         let data = if has_data { " (drawing) or .csv (data)" } else { "" };
-        Failure::Input(format!("{option} {name}: the name must end in .svg or .png{data}"))
+        Failure::Input(format!("{option} {name}: the name must end in .svg, .png or .pdf{data}"))
     })?;
     check(picture, &format!("{option} {name}"))?;
     Ok(picture)
 }
 
-/// Fails for a PNG if the build does not support it.
+/// Fails for a PNG or a PDF if the build does not support it.
 fn check(picture: Picture, argument: &str) -> Outcome {
-    if picture != Picture::Png || cfg!(feature = "png") {
+    if !matches!(picture, Picture::Png | Picture::Pdf) || cfg!(feature = "png") {
         return Ok(());
     }
     Err(format!(
@@ -196,8 +196,13 @@ fn write(figure: &Figure, picture: Picture, size: Option<(u32, u32)>, out: &mut 
             let image = size.map_or_else(|| figure.png(WIDTH), |size| figure.png_of_size(size));
             out.write_all(&image.map_err(of_size)?)?;
         }
+        #[cfg(feature = "png")]
+        Picture::Pdf => {
+            let page = size.map_or_else(|| figure.pdf(), |size| figure.pdf_of_size(size));
+            out.write_all(&page.map_err(of_size)?)?;
+        }
         #[cfg(not(feature = "png"))]
-        Picture::Png => check(picture, "png")?,
+        Picture::Png | Picture::Pdf => check(picture, picture.extension())?,
         Picture::Csv => figure.write_csv(out)?,
     }
     Ok(())

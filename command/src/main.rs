@@ -37,6 +37,7 @@ mod map;
 mod measured;
 mod motion_plot;
 mod note;
+mod options;
 mod output;
 mod outputs;
 #[cfg(feature = "parquet")]
@@ -136,6 +137,7 @@ fn run_command(command: &Command) -> Outcome {
         Command::ResponseCurve(args) => curve::run(args, &mut out)?,
         Command::MotionPlot(args) => motion_plot::run(args, &mut out)?,
         Command::Outputs => outputs::run(&mut out)?,
+        Command::Options => options::run(&mut out)?,
         Command::Completions(args) => shell::completions(args, &mut out)?,
         Command::Man(args) => shell::man(args, &mut out)?,
     }

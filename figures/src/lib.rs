@@ -12,7 +12,7 @@
 //! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | the rate at which the motion settles |
 //! | `damping` | the effect of viscous damping |
-//! | `draw` | a figure as SVG or PNG |
+//! | `draw` | a figure as SVG, PNG or PDF |
 //!
 //! A figure is data first: [`Figure::write_csv`] writes the data that [`Figure::svg`] draws.
 //!
@@ -349,7 +349,25 @@ impl Figure {
         draw::png(&self.svg()?, width)
     }
 
-    /// The same with a width and a height in pixels, twice as many of which the image has.
+    /// The drawing as a page of PDF of its own size, letters as outlines of DejaVu Sans.
+    ///
+    /// # Errors
+    /// Errors of the drawing library, none of which are known to occur.
+    #[cfg(feature = "png")]
+    pub fn pdf(&self) -> io::Result<Vec<u8>> {
+        draw::pdf(&self.svg()?)
+    }
+
+    /// The drawing as a page of PDF with a width and a height in pixels, of 0.75 pt each.
+    ///
+    /// # Errors
+    /// As [`Figure::svg_of_size`].
+    #[cfg(feature = "png")]
+    pub fn pdf_of_size(&self, size: (u32, u32)) -> io::Result<Vec<u8>> {
+        draw::pdf(&self.svg_of_size(size)?)
+    }
+
+    /// The same as PNG with a width and a height in pixels, twice as many of which the image has.
     ///
     /// # Errors
     /// As [`Figure::svg_of_size`].

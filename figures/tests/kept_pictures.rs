@@ -293,6 +293,40 @@ fn a_png_is_drawn_with_its_words() {
     assert!(figure.png(0).is_err());
 }
 
+/// A page has the size of the drawing in points, and as many filled outlines as the drawing has areas and letters.
+#[cfg(feature = "png")]
+#[test]
+fn a_pdf_is_a_page_of_outlines() {
+    use std::io::Read;
+    let figure = figure("9a").unwrap();
+    let page = figure.pdf_of_size((600, 400)).unwrap();
+    let place = |part: &[u8]| page.windows(part.len()).position(|own| own == part).unwrap();
+    let head = String::from_utf8_lossy(&page[..place(b"stream")]).into_owned();
+    assert!(head.starts_with("%PDF-1.4\n") && head.contains("/MediaBox[0 0 450 300]"), "{head}");
+    // The table holds the place of each object, and the last line but one the place of the table.
+    let tail = String::from_utf8_lossy(&page[place(b"xref\n")..]).into_owned();
+    let last: usize = tail.lines().rev().nth(1).unwrap().parse().unwrap();
+    assert_eq!(last, place(b"xref\n"));
+    for (line, index) in tail.lines().skip(3).take(4).zip(1..) {
+        let at: usize = line[..10].parse().unwrap();
+        assert!(page[at..].starts_with(format!("{index} 0 obj\n").as_bytes()), "{line}");
+    }
+    let (from, to) = (place(b"stream\n") + 7, place(b"\nendstream"));
+    let mut content = String::new();
+    flate2::read::ZlibDecoder::new(&page[from..to]).read_to_string(&mut content).unwrap();
+    let count =
+        |operator: &str| content.lines().filter(|line| line.split(' ').next_back() == Some(operator)).count();
+    let svg = figure.svg_of_size((600, 400)).unwrap();
+    let (strokes, texts) = (svg.matches("<polyline").count(), svg.matches("<text").count());
+    assert!(count("S") >= strokes && count("f") > texts && count("c") > 200, "{} {}", count("S"), count("f"));
+    // Every number of the page lies in the drawing, whose pixels the first line turns into points.
+    assert!(content.starts_with("0.75 0 0 -0.75 0 300 cm\n"));
+    for line in content.lines().filter(|line| line.ends_with(" l") || line.ends_with(" m")) {
+        let [x, y] = [0, 1].map(|i| line.split(' ').nth(i).unwrap().parse::<f64>().unwrap());
+        assert!((-1.0..=601.0).contains(&x) && (-1.0..=401.0).contains(&y), "{line}");
+    }
+}
+
 #[test]
 fn data_are_written_as_csv() {
     let mut text = Vec::new();

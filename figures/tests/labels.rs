@@ -102,19 +102,85 @@ fn a_narrow_picture_is_read_in_a_column_of_85_mm() {
     let of_curve = Panel::new("", time(), Axis::linear("displacement (mm)", -1.0, 1.0), vec![curve]);
     let of_curve = Figure::new("curve", title, "", [of_curve]);
     let mut seen = 0;
-    for figure in
-        ["4", "5", "8", "9a"].map(|name| figure(name).unwrap()).into_iter().chain([of_record, of_curve])
-    {
-        let svg = figure.svg_of_size((450, 1400)).unwrap();
+    let figures = ["4", "5", "8", "9a"].map(|name| figure(name).unwrap());
+    // Two panels, low ones, whose vertical names take two lines, and ones that are too low for two.
+    let low = Figure { panels: of_record.panels[1..].to_vec(), ..of_record.clone() };
+    let sizes = [(of_record.clone(), 620), (of_record, 800), (low, 500), (of_curve, 400)];
+    let figures = figures.map(|figure| (figure, 1400)).into_iter().chain(sizes);
+    for (figure, height) in figures {
+        let svg = figure.svg_of_size((450, height)).unwrap();
         let (faults, _) = text_boxes::faults(&svg);
         assert!(faults.is_empty(), "{}: {faults:#?}", figure.name);
-        assert!(!svg.contains('…'), "{}", figure.name);
+        assert!(!svg.contains('…'), "{} {height}: {svg}", figure.name);
         for size in letters(&svg, 450.0) {
             assert!(size * POINTS >= 7.0, "{}: {} pt", figure.name, size * POINTS);
             seen += 1;
         }
     }
     assert!(seen > 60, "{seen}");
+}
+
+/// The words of a drawing from left to right, line by line.
+fn words(svg: &str) -> Vec<String> {
+    text_boxes::texts(svg).1.into_iter().map(|text| text.words).collect()
+}
+
+#[test]
+fn a_long_name_takes_two_lines_and_one_where_two_have_no_room() {
+    let name = "absolute acceleration (m/s²)";
+    let panel = |title: &str| {
+        let curve = Series::new("sliding", Style::Line, 2, [(0.0, -0.7), (30.0, 0.9)]);
+        let axis = Axis::linear("time (s)", 0.0, 30.0);
+        Panel::new(title, axis, Axis::linear(name, -1.0, 1.0), vec![curve])
+    };
+    let figure = Figure::new("f", "Motion", "", ["a", "b", "c"].map(panel)).stacked();
+    let all = words(&figure.svg_of_size((700, 800)).unwrap());
+    assert_eq!(all.iter().filter(|text| *text == "absolute acceleration").count(), 3, "{all:?}");
+    assert_eq!(all.iter().filter(|text| *text == "(m/s²)").count(), 3, "{all:?}");
+    let (width, height) = least(&figure);
+    let narrow = words(&figure.svg_of_size((width, height)).unwrap());
+    let cut = |text: &&String| text.starts_with("absolute") && text.ends_with('…');
+    assert_eq!(narrow.iter().filter(cut).count(), 3, "{narrow:?}");
+}
+
+/// A horizontal axis that panels share is labelled below the last of them; another axis has its own labels.
+#[test]
+fn stacked_panels_share_one_time_axis() {
+    let panel = |title: &str, x: Axis| {
+        let curve = Series::new("sliding", Style::Line, 2, [(0.0, 0.0), (7.0, 1.0)]);
+        Panel::new(title, x, Axis::linear("a", 0.0, 1.0), vec![curve])
+    };
+    let time = || Axis::linear("time (s)", 0.0, 7.0);
+    let last = panel("loop", Axis::linear("displacement (mm)", 0.0, 9.0));
+    let panels = [panel("force", time()), panel("displacement", time()), panel("velocity", time()), last];
+    let figure = Figure::new("record", "Motion", "", panels).stacked();
+    let svg = figure.svg().unwrap();
+    let count = |words: &[String], text: &str| words.iter().filter(|own| *own == text).count();
+    let own = words(&svg);
+    assert_eq!(["time (s)", "displacement (mm)", "7", "8"].map(|text| count(&own, text)), [1, 1, 1, 1]);
+    let (_, texts) = text_boxes::texts(&svg);
+    let top = |words: &str| texts.iter().find(|text| text.words == words).unwrap().of[1];
+    assert!(top("velocity") < top("time (s)") && top("time (s)") < top("loop"));
+    // Two by two, each panel has its own.
+    let own = words(&figure.svg_of_size((900, 600)).unwrap());
+    assert_eq!(count(&own, "time (s)"), 3);
+}
+
+#[test]
+fn small_values_have_a_prefix_in_place_of_a_power_of_ten() {
+    let curve = Series::new("sliding", Style::Line, 2, [(0.0, 0.0), (0.004, 2e-5)]);
+    let axes = (Axis::linear("time (s)", 0.0, 0.004), Axis::linear("displacement (m)", 0.0, 2e-5));
+    let figure = Figure::new("f", "Motion", "", [Panel::new("", axes.0, axes.1, vec![curve])]);
+    let all = words(&figure.svg().unwrap());
+    assert!(
+        ["time (ms)", "displacement (µm)", "4", "20"].iter().all(|due| all.contains(&(*due).to_owned())),
+        "{all:?}"
+    );
+    assert!(all.iter().all(|text| !text.contains("10⁻")), "{all:?}");
+    // The data keep the unit that was asked for.
+    let mut data = Vec::new();
+    figure.write_csv(&mut data).unwrap();
+    assert!(String::from_utf8(data).unwrap().ends_with(",sliding,0.004,0.00002,\n"));
 }
 
 /// The places of the first letters of the titles of four panels, one below the other or two by two.

@@ -87,7 +87,7 @@ pub(crate) struct BasinsArgs {
     pub(crate) bits: Option<u32>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
+    /// Output file: a picture in FILE.svg, FILE.png or FILE.pdf, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     #[command(flatten)]

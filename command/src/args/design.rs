@@ -77,7 +77,7 @@ pub(crate) struct QuestionArgs {
     /// space)
     #[arg(long, value_enum, value_name = "WHAT", requires = "over", hide_possible_values = true)]
     pub(crate) of: Option<DesignAim>,
-    /// The curves with half the best friction, with it and with twice as much, FILE.svg or FILE.png
+    /// The curves with half the best friction, with it and with twice as much, FILE.svg, FILE.png or FILE.pdf
     #[arg(long, value_name = "FILE", requires = "over")]
     pub(crate) picture: Option<PathBuf>,
     /// Replace a picture that exists

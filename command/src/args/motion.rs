@@ -148,7 +148,7 @@ pub(crate) struct DecayArgs {
     /// Velocity at the start: in units of B ω_n, or of length per time [default: 0]
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) v0: Option<String>,
-    /// The motion as a picture in FILE.svg or FILE.png, its turning points in FILE.csv
+    /// The motion as a picture in FILE.svg, FILE.png or FILE.pdf, its turning points in FILE.csv
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     #[command(flatten)]

@@ -19,7 +19,7 @@ pub(crate) struct LookArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper, and stops, portrait, accuracy, multipliers, poles, damping.
-A drawing in SVG leaves its text to the viewer's own font. PNG needs a build with the feature png.
+SVG leaves the text to the viewer's own font. PNG and PDF need a build with the feature png.
 
 Examples:
   stickslip figure 8 --out border.svg
@@ -33,7 +33,7 @@ pub(crate) struct FigureArgs {
         hide_possible_values = true
     )]
     pub(crate) name: String,
-    /// Output file: a drawing in FILE.svg or FILE.png, its data in FILE.csv [default: SVG to standard output]
+    /// Output file: a drawing in FILE.svg, FILE.png or FILE.pdf, its data in FILE.csv [default: SVG to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     /// Replace FILE if it exists
@@ -55,7 +55,7 @@ pub(crate) struct FiguresArgs {
     /// Output folder
     #[arg(long, value_name = "DIR", default_value = "docs/figures")]
     pub(crate) dir: PathBuf,
-    /// svg, png or csv
+    /// svg, png, pdf or csv
     #[arg(long, value_enum, default_value = "svg", hide_possible_values = true)]
     pub(crate) format: Picture,
     /// Replace existing files
@@ -68,6 +68,7 @@ pub(crate) struct FiguresArgs {
 pub(crate) enum Picture {
     Svg,
     Png,
+    Pdf,
     Csv,
 }
 
@@ -77,6 +78,7 @@ impl Picture {
         match self {
             Self::Svg => "svg",
             Self::Png => "png",
+            Self::Pdf => "pdf",
             Self::Csv => "csv",
         }
     }
@@ -107,7 +109,7 @@ pub(crate) struct MapArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
+    /// Output file: a picture in FILE.svg, FILE.png or FILE.pdf, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     /// Replace FILE if it exists
@@ -162,7 +164,7 @@ pub(crate) struct CurveArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
+    /// Output file: a picture in FILE.svg, FILE.png or FILE.pdf, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     /// Replace FILE if it exists
@@ -195,7 +197,7 @@ pub(crate) struct MotionPlotArgs {
     pub(crate) units: UnitArgs,
     #[command(flatten)]
     pub(crate) look: LookArgs,
-    /// Output file: a picture in FILE.svg or FILE.png, its data in FILE.csv [default: SVG to standard output]
+    /// Output file: a picture in FILE.svg, FILE.png or FILE.pdf, its data in FILE.csv [default: SVG to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     /// Replace FILE if it exists

@@ -120,7 +120,7 @@ pub(crate) struct RecordArgs {
     /// Greatest distance of the states in it [default: the longest step of the record]
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub(crate) interval: Option<String>,
-    /// The motion as a picture, FILE.svg or FILE.png
+    /// The motion as a picture, FILE.svg, FILE.png or FILE.pdf
     #[arg(long, value_name = "FILE")]
     pub(crate) picture: Option<PathBuf>,
     #[command(flatten)]
@@ -162,7 +162,7 @@ pub(crate) struct SpectrumArgs {
     pub(crate) units: UnitArgs,
     #[command(flatten)]
     pub(crate) table: TableArgs,
-    /// The spectra as a picture, FILE.svg or FILE.png, in place of rows
+    /// The spectra as a picture, FILE.svg, FILE.png or FILE.pdf, in place of rows
     #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "format", "resume", "shard", "no_header"])]
     pub(crate) picture: Option<PathBuf>,
     #[command(flatten)]

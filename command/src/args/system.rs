@@ -103,7 +103,7 @@ pub(crate) struct SystemArgs {
     #[arg(long)]
     pub(crate) no_header: bool,
     /// Picture of the system, of its motion with the loop of each element, or of a curve, in place of its
-    /// rows on standard output: FILE.svg or FILE.png
+    /// rows on standard output: FILE.svg, FILE.png or FILE.pdf
     #[arg(long, value_name = "FILE")]
     pub(crate) picture: Option<PathBuf>,
     #[command(flatten)]

@@ -110,20 +110,18 @@ impl AskedCurve {
             series.push(Series::new(name, Style::Beyond, 3, tops()));
         }
         for (is_missing, key) in [
-            (places().any(|place| place.value == Some(0.0)), "no line: at rest"),
+            (places().any(|place| place.value == Some(0.0)), "no line: stuck"),
             (places().any(|place| place.height().is_nan()), "no line: undecided"),
         ] {
             if is_missing {
                 series.push(Series::new(key, Style::Note, 0, []));
             }
         }
-        let mut title = format!("{} against frequency", capital(shown(self.what).words));
-        title.push_str(&match (range.cut_below, range.cut_above) {
-            (false, false) => String::new(),
-            (false, true) => format!(", cut off at {}", digits(high)),
-            (true, false) => format!(", cut off below {}", digits(low)),
-            (true, true) => format!(", cut off below {} and at {}", digits(low), digits(high)),
-        });
+        let ends = [(range.cut_below, "below", digits(low)), (range.cut_above, "above", digits(high))];
+        for (_, side, end) in ends.into_iter().filter(|(is_cut, ..)| *is_cut) {
+            series.push(Series::new(format!("cut off {side} {end}"), Style::Note, 0, []));
+        }
+        let title = format!("{} against frequency", capital(shown(self.what).words));
         Ok(Figure::new("response-curve", title, "", vec![Panel::new(self.machine.clone(), x, y, series)]))
     }
 }

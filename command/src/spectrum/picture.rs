@@ -134,6 +134,6 @@ impl Spectra<'_> {
         } else {
             format!("Spectra of {records}: {machine}")
         };
-        Ok(Figure::new("spectrum", title, "", panels))
+        Ok(Figure::new("spectrum", title, "", panels).stacked())
     }
 }

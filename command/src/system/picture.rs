@@ -229,7 +229,7 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
     let name = name.replace('[', " (").replace(']', ")");
     let x = Axis::new(&name, (low, high), is_log);
     let (least, most) = ends(&values);
-    let height = label(described, "greatest displacement", Of::Length);
+    let height = label(described, "peak displacement", Of::Length);
     let y = if least < most && most / least > 20.0 {
         Axis::logarithmic(&height, least / 1.3, most * 1.3)
     } else {

@@ -96,7 +96,7 @@ fn messages_name_the_argument_and_its_limits() {
     refused("motion-plot --omega 0.5 --alpha 0.5", &["Stuck: the body never moves."]);
     refused("map foo", &["limits", "an output of response"]);
     let plot = "motion-plot --omega 0.15 --alpha 3";
-    refused(&format!("{plot} {out} --size 50x50"), &["--size 50x50: must be from 481x466", "to 10000x10000"]);
+    refused(&format!("{plot} {out} --size 50x50"), &["--size 50x50: must be from 497x466", "to 10000x10000"]);
     let due = "must be from ";
     let refusal = stickslip(&format!("{plot} {out} --size 50x50")).output().unwrap();
     let message = String::from_utf8(refusal.stderr).unwrap();

@@ -216,8 +216,18 @@ fn every_output_of_every_command_has_its_row() {
     let commands = help.lines().skip_while(|line| !line.starts_with("Commands:")).skip(1);
     let commands =
         commands.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
-    let others =
-        ["verify", "figure", "figures", "sweep", "motion-plot", "outputs", "completions", "man", "help"];
+    let others = [
+        "verify",
+        "figure",
+        "figures",
+        "sweep",
+        "motion-plot",
+        "outputs",
+        "options",
+        "completions",
+        "man",
+        "help",
+    ];
     for command in commands {
         let is_there = page.keys().any(|of| of.split([' ', ',']).next() == Some(command));
         assert!(

@@ -36,11 +36,18 @@ fn all_figures_by_one_command() {
 
 #[cfg(feature = "png")]
 #[test]
-fn figures_and_maps_as_png() {
+fn figures_and_maps_as_png_and_pdf() {
     let is_png = |file: &Path| std::fs::read(file).unwrap().starts_with(b"\x89PNG\r\n\x1a\n");
     let file = place("figure-9b.png");
     stdout(&format!("figure 9b --out {}", file.display()));
     assert!(is_png(&file));
+    let is_pdf = |file: &Path| std::fs::read(file).unwrap().starts_with(b"%PDF-1.4");
+    let file = place("figure-9b.pdf");
+    stdout(&format!("figure 9b --out {}", file.display()));
+    assert!(is_pdf(&file));
+    let file = place("curve.pdf");
+    stdout(&format!("response-curve --omega 0.3:2:20 --alpha 3 --size 500x400 --out {}", file.display()));
+    assert!(is_pdf(&file));
     let file = place("map-regime.png");
     stdout(&format!("map --omega 0.3:2:20 --alpha 0.5:8:10 --out {}", file.display()));
     assert!(is_png(&file));
@@ -49,8 +56,8 @@ fn figures_and_maps_as_png() {
 #[cfg(not(feature = "png"))]
 #[test]
 fn a_build_without_png_says_so() {
-    for arguments in ["figure 8 --out border.png", "map --out border.png", "figures --all --format png"] {
-        refused(arguments, &["png", "feature png", "rsvg-convert"]);
+    for arguments in ["figure 8 --out border.png", "map --out border.pdf", "figures --all --format pdf"] {
+        refused(arguments, &["needs a build with the feature png", "rsvg-convert"]);
     }
 }
 
@@ -174,11 +181,11 @@ fn a_picture_is_replaced_where_that_is_asked_for() {
 fn bad_input_is_one_line_with_argument_value_and_inequality() {
     for (arguments, parts) in [
         ("figure 11", vec!["'11'", "<FIGURE>", "possible values: 1, 2, 3"]),
-        ("figure 8 --out border.pdf", vec!["--out border.pdf", ".svg", ".png", ".csv"]),
+        ("figure 8 --out border.eps", vec!["--out border.eps", ".svg", ".png", ".pdf", ".csv"]),
         ("figure 8 --out border", vec!["--out border", "must end in"]),
         ("figure 8 --out /nowhere/at/all.svg", vec!["--out /nowhere/at/all.svg"]),
         ("map --out map.gif", vec!["--out map.gif", ".svg"]),
-        ("figures --all --format pdf", vec!["'pdf'", "possible values: svg, png, csv"]),
+        ("figures --all --format eps", vec!["'eps'", "possible values: svg, png, pdf, csv"]),
         ("map speed", vec!["map speed", "must be one of"]),
         ("map steady:multipliers", vec!["map steady:multipliers", "must be one of"]),
         ("map --omega -1:2:10", vec!["--omega -1", "must be > 0"]),

@@ -1,14 +1,22 @@
 //! One pair of axes and its contents.
 
 use super::mark::{arrow, stroke, whole};
-use super::ticks::{minor, number, ticks};
-use super::{Anchor, Canvas, Drawn, TEXT, UNITS, letters, mark, write};
+use super::scale::drawn;
+use super::ticks::{minor, number};
+use super::{Anchor, Canvas, Drawn, LINE, Margins, TEXT, UNITS, letters, mark, write};
 use crate::{Axis, Panel, Plane, Series, Style};
 use plotters::element::{PathElement, Rectangle};
 use plotters::style::{BLACK, Color, RGBColor, WHITE};
 
-/// Left of the labels of a vertical axis: the axis' title with its margins; right of them, the gap to the plot.
-pub(super) const BESIDE_LABELS: i32 = 30;
+/// The room of these texts beyond the plot: of the title, of the horizontal axis and of the vertical one.
+const OVER: i32 = 44;
+const BEYOND: i32 = 50;
+const ALONG: i32 = 10;
+
+/// A length of the drawing in pixels.
+fn pixels(length: f64) -> i32 {
+    (length / f64::from(UNITS)).round() as i32
+}
 
 /// A panel with its place in the drawing, in units of the drawing.
 pub(super) struct Frame<'a> {
@@ -26,12 +34,14 @@ impl<'a> Frame<'a> {
         Self { panel, left, top, width, height }
     }
 
-    /// Draws the panel, whose labels have this margin on the left.
-    pub(super) fn draw(&self, margin: i32, canvas: &Canvas<'_>) -> Drawn {
+    /// Draws the panel with these margins; an axis that the panel below has, too, is labelled only there.
+    pub(super) fn draw(&self, margins: &Margins, is_shared: bool, canvas: &Canvas<'_>) -> Drawn {
         let grid = RGBColor(222, 222, 222).stroke_width(UNITS.unsigned_abs());
         let (right, bottom) = (self.left + self.width, self.top + self.height);
-        let shown = |axis: &Axis| if axis.label.is_empty() { Vec::new() } else { placed(axis) };
-        let (x_ticks, y_ticks) = (shown(&self.panel.x), shown(&self.panel.y));
+        let shown = |axis: &Axis| {
+            if axis.label.is_empty() { (String::new(), Vec::new()) } else { drawn(axis) }
+        };
+        let ((x_label, x_ticks), (y_label, y_ticks)) = (shown(&self.panel.x), shown(&self.panel.y));
         for (value, _) in &x_ticks {
             let x = self.place((*value, self.panel.y.low)).0;
             canvas.draw(&PathElement::new(vec![whole((x, self.top)), whole((x, bottom))], grid))?;
@@ -52,7 +62,11 @@ impl<'a> Frame<'a> {
             canvas.draw(&PathElement::new(round, BLACK.stroke_width(UNITS.unsigned_abs())))?;
             self.minor_ticks(canvas)?;
         }
-        self.words(&x_ticks, &y_ticks, margin, canvas)
+        if !is_shared {
+            self.words_below(&x_label, &x_ticks, margins, canvas)?;
+        }
+        self.words_beside(&y_label, &y_ticks, margins, canvas)?;
+        self.words_above(margins, canvas)
     }
 
     /// Short lines within the frame at the values between the labels of a logarithmic axis.
@@ -72,48 +86,87 @@ impl<'a> Frame<'a> {
         across.chain(up).try_for_each(|line| canvas.draw(&PathElement::new(line.map(whole).to_vec(), style)))
     }
 
-    fn words(
+    /// The left and the upper edge, the width and the height, in pixels.
+    fn pixels(&self) -> [i32; 4] {
+        [self.left, self.top, self.width, self.height].map(pixels)
+    }
+
+    /// The labels of the horizontal axis and its name.
+    fn words_below(
         &self,
-        x_ticks: &[(f64, String)],
-        y_ticks: &[(f64, String)],
-        margin: i32,
+        name: &str,
+        ticks: &[(f64, String)],
+        margins: &Margins,
         canvas: &Canvas<'_>,
     ) -> Drawn {
-        let pixels = |at: f64| (at / f64::from(UNITS)).round() as i32;
-        let (left, top) = (pixels(self.left), pixels(self.top));
-        let (middle, bottom) = (left + pixels(self.width) / 2, top + pixels(self.height));
-        let (width, height) = (pixels(self.width), pixels(self.height));
+        let [left, top, width, height] = self.pixels();
         let across = |(value, text): &(f64, String)| {
             (pixels(self.place((*value, self.panel.y.low)).0), letters::width(text, TEXT))
         };
-        let places: Vec<_> = x_ticks.iter().map(across).collect();
-        for (((_, text), (x, length)), shown) in x_ticks.iter().zip(&places).zip(letters::shown(&places, 6)) {
+        let places: Vec<_> = ticks.iter().map(across).collect();
+        for (((_, text), (x, length)), shown) in ticks.iter().zip(&places).zip(letters::shown(&places, 6)) {
             // Beyond the plot there is as much room as between it and its neighbour.
-            let is_within = x - length / 2 > left - margin && x + length / 2 < left + width + 50;
+            let is_within = x - length / 2 > left - margins.left && x + length / 2 < left + width + 50;
             if shown && is_within {
-                write(canvas, text, (*x, bottom + 7), TEXT, Anchor::Above)?;
+                write(canvas, text, (*x, top + height + 7), TEXT, Anchor::Above)?;
             }
         }
+        let places = (top + height + 28..).step_by(LINE as usize);
+        for (line, y) in letters::lines(name, TEXT, width + BEYOND, margins.lines).iter().zip(places) {
+            write(canvas, line, (left + width / 2, y), TEXT, Anchor::Above)?;
+        }
+        Ok(())
+    }
+
+    /// The labels of the vertical axis and its name.
+    fn words_beside(
+        &self,
+        name: &str,
+        ticks: &[(f64, String)],
+        margins: &Margins,
+        canvas: &Canvas<'_>,
+    ) -> Drawn {
+        let [left, top, _, height] = self.pixels();
         let down = |(value, _): &(f64, String)| (pixels(self.place((self.panel.x.low, *value)).1), TEXT);
-        let places: Vec<_> = y_ticks.iter().map(down).collect();
-        for (((_, text), (y, _)), shown) in y_ticks.iter().zip(&places).zip(letters::shown(&places, 1)) {
+        let places: Vec<_> = ticks.iter().map(down).collect();
+        for (((_, text), (y, _)), shown) in ticks.iter().zip(&places).zip(letters::shown(&places, 1)) {
             if shown {
                 write(canvas, text, (left - 7, *y), TEXT, Anchor::Right)?;
             }
         }
-        let (label, size) = letters::fitted(&self.panel.x.label, TEXT, width + 50);
-        write(canvas, &label, (middle, bottom + 28), size, Anchor::Above)?;
-        let (label, size) = letters::fitted(&self.panel.y.label, TEXT, height + 10);
-        write(canvas, &label, (left - margin + 13, top + height / 2), size, Anchor::Upwards)?;
-        let (title, size) = letters::fitted(&self.panel.title, TEXT, width + 44);
-        write(canvas, &title, (middle, top - 22), size, Anchor::Above)?;
-        match self.remark() {
-            Some(remark) => {
-                let (remark, size) = letters::fitted(&remark, TEXT, width - 8);
-                write(canvas, &remark, (middle, top + height / 5), size, Anchor::Middle)
-            }
-            None => Ok(()),
+        let places = (left - margins.left + 13..).step_by(LINE as usize);
+        for (line, x) in letters::lines(name, TEXT, height + ALONG, margins.lines).iter().zip(places) {
+            write(canvas, line, (x, top + height / 2), TEXT, Anchor::Upwards)?;
         }
+        Ok(())
+    }
+
+    /// The title, and a remark within the frame.
+    fn words_above(&self, margins: &Margins, canvas: &Canvas<'_>) -> Drawn {
+        let [left, top, width, height] = self.pixels();
+        let (middle, title) =
+            (left + width / 2, letters::lines(&self.panel.title, TEXT, width + OVER, margins.lines));
+        let places = (0..).step_by(LINE as usize).map(|up| top - 22 - up);
+        for (line, y) in title.iter().rev().zip(places) {
+            write(canvas, line, (middle, y), TEXT, Anchor::Above)?;
+        }
+        let remark = self.remark().map(|remark| letters::lines(&remark, TEXT, width - 8, 4));
+        let places = (top + height / 5..).step_by(LINE as usize);
+        for (line, y) in remark.iter().flatten().zip(places) {
+            write(canvas, line, (middle, y), TEXT, Anchor::Middle)?;
+        }
+        Ok(())
+    }
+
+    /// The lines of the title, of the name of the horizontal axis and of that of the vertical one.
+    pub(super) fn lines(panel: &Panel, (width, height): (i32, i32), most: usize) -> [i32; 3] {
+        let count = |text: &str, room: i32| letters::lines(text, TEXT, room, most).len() as i32;
+        let name = |axis: &Axis| drawn(axis).0;
+        [
+            count(&panel.title, width + OVER),
+            count(&name(&panel.x), width + BEYOND),
+            count(&name(&panel.y), height + ALONG),
+        ]
     }
 
     /// The place of a point of the plot, in units of the drawing; infinite values are on the upper edge.
@@ -276,13 +329,6 @@ impl<'a> Frame<'a> {
         }
         Ok(())
     }
-}
-
-/// The ticks of an axis that have a place on it, which far from its ends a rounded number may not have.
-pub(super) fn placed(axis: &Axis) -> Vec<(f64, String)> {
-    let mut found = ticks(axis);
-    found.retain(|(value, _)| (-1e-6..=1.0 + 1e-6).contains(&axis.share(*value)));
-    found
 }
 
 /// The upper left corner of a rectangle, its width and its height.

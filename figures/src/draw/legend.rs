@@ -1,7 +1,7 @@
 //! The legend of lines, marks and colours, in a single panel where there is room, otherwise beside the panels.
 
-use super::frame::placed;
 use super::mark::stroke;
+use super::scale::drawn;
 use super::shade::{STEPS, shade};
 use super::{Anchor, Canvas, Drawn, Layout, TEXT, UNITS, letters, mark, write};
 use crate::{Axis, Figure, Plane, Scale, Series, Style};
@@ -157,7 +157,7 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
         let corners = [(left * UNITS, y(step + 1) - lap), ((left + 20) * UNITS, y(step))];
         canvas.draw(&Rectangle::new(corners, colour.filled()))?;
     }
-    for (value, text) in placed(axis) {
+    for (value, text) in drawn(axis).1 {
         let y = f64::from(top + height) - f64::from(height) * axis.share(value);
         write(canvas, &text, (left + 28, y.round() as i32), TEXT, Anchor::Left)?;
     }

@@ -24,12 +24,6 @@ fn ems(letter: char) -> f64 {
     }
 }
 
-/// The text and the size, at most the given one and at least 8, with which it is no wider than the room; cut where even the least size is too wide.
-pub(super) fn fitted(text: &str, size: i32, room: i32) -> (String, i32) {
-    let size = (size * room / width(text, size).max(1)).clamp(8, size);
-    (cut(text, size, room), size)
-}
-
 /// The text in lines of this width, at most so many; what remains is cut.
 pub(super) fn lines(text: &str, size: i32, room: i32, most: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
@@ -80,19 +74,7 @@ pub(super) fn shown(places: &[(i32, i32)], gap: i32) -> Vec<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::{fitted, lines, shown, width};
-
-    #[test]
-    fn a_text_fits_its_room() {
-        assert_eq!(fitted("velocity (m/s)", 14, 200), ("velocity (m/s)".to_owned(), 14));
-        let (text, size) = fitted("absolute acceleration (m/s²)", 14, 150);
-        assert!(
-            text == "absolute acceleration (m/s²)" && (8..14).contains(&size) && width(&text, size) <= 150
-        );
-        let (text, size) = fitted("absolute acceleration (m/s²)", 14, 60);
-        assert!(text.ends_with('…') && size == 8 && width(&text, size) <= 60, "{text}");
-        assert_eq!(fitted("a", 14, 0).0, "…");
-    }
+    use super::{lines, shown, width};
 
     #[test]
     fn a_long_text_is_set_in_lines() {
@@ -102,6 +84,7 @@ mod tests {
         assert!(two.len() == 2 && two[1].starts_with("on a b") && two[1].ends_with('…'), "{two:?}");
         assert_eq!(lines("", 14, 80, 3), [""]);
         let one = lines("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", 14, 80, 3);
+        assert_eq!(lines("a", 14, 0, 1), ["…"]);
         assert!(one.len() == 1 && one[0].ends_with('…') && width(&one[0], 14) <= 80, "{one:?}");
     }
 

@@ -5,13 +5,18 @@ use resvg::usvg::{Options, Tree};
 use std::io;
 use std::sync::Arc;
 
-/// The drawing as PNG, `width` pixels wide.
-pub(crate) fn png(svg: &str, width: u32) -> io::Result<Vec<u8>> {
+/// A drawing with its texts in the embedded font.
+pub(super) fn tree(svg: &str) -> io::Result<Tree> {
     let mut options = Options::default();
     let fonts = Arc::make_mut(&mut options.fontdb);
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     fonts.set_sans_serif_family("DejaVu Sans");
-    let tree = Tree::from_str(svg, &options).map_err(io::Error::other)?;
+    Tree::from_str(svg, &options).map_err(io::Error::other)
+}
+
+/// The drawing as PNG, `width` pixels wide.
+pub(crate) fn png(svg: &str, width: u32) -> io::Result<Vec<u8>> {
+    let tree = tree(svg)?;
     let scale = width as f32 / tree.size().width();
     let height = (tree.size().height() * scale).round() as u32;
     let mut pixels = Pixmap::new(width, height)

@@ -17,9 +17,12 @@ pub(super) fn ticks(axis: &Axis) -> Vec<(f64, String)> {
     if !axis.logarithmic {
         return round_steps(low, high);
     }
-    let powers = powers_of_ten(low, high);
-    // One or two ticks would not show the scale.
-    if powers.len() > 2 { powers } else { one_two_five(low, high) }
+    if is_of_powers(axis) { powers_of_ten(low, high) } else { one_two_five(low, high) }
+}
+
+/// Whether the ticks of a logarithmic axis are powers of ten: one or two would not show the scale.
+pub(super) fn is_of_powers(axis: &Axis) -> bool {
+    powers_of_ten(axis.low.min(axis.high), axis.low.max(axis.high)).len() > 2
 }
 
 /// 1, 2 and 5 times each power of ten; a linear scale where these are still too few.
@@ -53,7 +56,7 @@ pub(super) fn minor(axis: &Axis) -> Vec<f64> {
     if !axis.logarithmic {
         return Vec::new();
     }
-    let is_scale = powers_of_ten(low, high).len() > 2 || *second > first * 1.9 && found.len() < MOST;
+    let is_scale = is_of_powers(axis) || *second > first * 1.9 && found.len() < MOST;
     if !is_scale {
         return Vec::new();
     }
@@ -81,7 +84,7 @@ fn powers_of_ten(low: f64, high: f64) -> Vec<(f64, String)> {
 }
 
 /// 10ᵉ.
-fn raised(exponent: i32) -> String {
+pub(super) fn raised(exponent: i32) -> String {
     let letter =
         |c: char| c.to_digit(10).map_or(Some('⁻'), |digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize));
     format!("10{}", exponent.to_string().chars().filter_map(letter).collect::<String>())

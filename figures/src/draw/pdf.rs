@@ -1,0 +1,172 @@
+//! A drawing as a page of PDF: paths only, with the letters as outlines of an embedded font.
+//!
+//! Our drawings have solid lines, areas and texts, and nothing else of SVG, so that the operators of a page that are
+//! used here are few: PDF 32000-1:2008, 7.5 (the file), 8.5 (paths), 8.4 (line styles).
+
+use super::png::tree;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use resvg::tiny_skia::{PathSegment, Transform};
+use resvg::usvg::{Color, FillRule, Group, LineCap, LineJoin, Node, Paint, Path, Stroke};
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
+
+/// Points in a pixel of CSS, in which the size of a drawing is.
+const POINTS: f32 = 0.75;
+
+/// The drawing as a page of its own size.
+pub(crate) fn pdf(svg: &str) -> io::Result<Vec<u8>> {
+    let tree = tree(svg)?;
+    let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
+    // A page counts upwards from its lower left corner.
+    let mut content = format!("{POINTS} 0 0 -{POINTS} 0 {} cm\n", number(height));
+    group(tree.root(), &mut content)?;
+    file(width, height, content.as_bytes())
+}
+
+fn group(group: &Group, content: &mut String) -> io::Result<()> {
+    for node in group.children() {
+        match node {
+            Node::Group(inner) => self::group(inner, content)?,
+            Node::Path(of) => path(of, content)?,
+            Node::Text(text) => self::group(text.flattened(), content)?,
+            Node::Image(_) => return Err(io::Error::other("a drawing with an image has no PDF")),
+        }
+    }
+    Ok(())
+}
+
+fn path(path: &Path, content: &mut String) -> io::Result<()> {
+    if !path.is_visible() {
+        return Ok(());
+    }
+    let (fill, stroke) = (path.fill(), path.stroke());
+    let painted = match (fill, stroke) {
+        (None, None) => return Ok(()),
+        (Some(of), None) if of.rule() == FillRule::EvenOdd => "f*",
+        (Some(_), None) => "f",
+        (None, Some(_)) => "S",
+        (Some(of), Some(_)) if of.rule() == FillRule::EvenOdd => "B*",
+        (Some(_), Some(_)) => "B",
+    };
+    let transform = path.abs_transform();
+    if let Some(fill) = fill {
+        let [r, g, b] = colour(fill.paint(), fill.opacity().get())?;
+        line(content, &[r, g, b], "rg");
+    }
+    if let Some(stroke) = stroke {
+        let [r, g, b] = colour(stroke.paint(), stroke.opacity().get())?;
+        line(content, &[r, g, b], "RG");
+        style(stroke, transform, content);
+    }
+    let at = |x: f32, y: f32| {
+        let Transform { sx, kx, ky, sy, tx, ty } = transform;
+        (sx * x + kx * y + tx, ky * x + sy * y + ty)
+    };
+    let mut last = (0.0, 0.0);
+    for segment in path.data().segments() {
+        match segment {
+            PathSegment::MoveTo(p) | PathSegment::LineTo(p) => {
+                last = at(p.x, p.y);
+                let operator = if matches!(segment, PathSegment::MoveTo(_)) { "m" } else { "l" };
+                line(content, &[last.0, last.1], operator);
+            }
+            PathSegment::QuadTo(a, p) => {
+                // A curve of the second degree as one of the third.
+                let (a, p) = (at(a.x, a.y), at(p.x, p.y));
+                let towards =
+                    |of: (f32, f32)| (of.0 + (a.0 - of.0) * 2.0 / 3.0, of.1 + (a.1 - of.1) * 2.0 / 3.0);
+                let (b, c) = (towards(last), towards(p));
+                line(content, &[b.0, b.1, c.0, c.1, p.0, p.1], "c");
+                last = p;
+            }
+            PathSegment::CubicTo(a, b, p) => {
+                let (a, b, p) = (at(a.x, a.y), at(b.x, b.y), at(p.x, p.y));
+                line(content, &[a.0, a.1, b.0, b.1, p.0, p.1], "c");
+                last = p;
+            }
+            PathSegment::Close => line(content, &[], "h"),
+        }
+    }
+    line(content, &[], painted);
+    Ok(())
+}
+
+/// Width, ends, corners and dashes of a line.
+fn style(stroke: &Stroke, transform: Transform, content: &mut String) {
+    let scale = (transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt();
+    line(content, &[stroke.width().get() * scale], "w");
+    let cap = match stroke.linecap() {
+        LineCap::Butt => 0.0,
+        LineCap::Round => 1.0,
+        LineCap::Square => 2.0,
+    };
+    let join = match stroke.linejoin() {
+        LineJoin::Miter | LineJoin::MiterClip => 0.0,
+        LineJoin::Round => 1.0,
+        LineJoin::Bevel => 2.0,
+    };
+    line(content, &[cap], "J");
+    line(content, &[join], "j");
+    let dashes = stroke.dasharray().unwrap_or_default().iter().map(|length| number(length * scale));
+    let dashes = dashes.collect::<Vec<_>>().join(" ");
+    let _ = writeln!(content, "[{dashes}] {} d", number(stroke.dashoffset() * scale));
+}
+
+/// The parts of a colour, from 0 to 1.
+fn colour(paint: &Paint, opacity: f32) -> io::Result<[f32; 3]> {
+    match paint {
+        Paint::Color(Color { red, green, blue }) if opacity == 1.0 => {
+            Ok([red, green, blue].map(|part| f32::from(*part) / 255.0))
+        }
+        _ => Err(io::Error::other("a drawing with gradients, patterns or transparency has no PDF")),
+    }
+}
+
+/// Numbers and an operator, on a line.
+fn line(content: &mut String, numbers: &[f32], operator: &str) {
+    for value in numbers {
+        content.push_str(&number(*value));
+        content.push(' ');
+    }
+    content.push_str(operator);
+    content.push('\n');
+}
+
+/// A number to a thousandth of its unit, without an exponent, which PDF does not know.
+fn number(value: f32) -> String {
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text.is_empty() || text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// The file of a page: its objects, the table of their places, and where that table is.
+fn file(width: f32, height: f32, content: &[u8]) -> io::Result<Vec<u8>> {
+    let mut packed = ZlibEncoder::new(Vec::new(), Compression::default());
+    packed.write_all(content)?;
+    let packed = packed.finish()?;
+    let mut out = b"%PDF-1.4\n%\xe2\xe3\xcf\xd3\n".to_vec();
+    let page = format!(
+        "<</Type/Page/Parent 2 0 R/MediaBox[0 0 {} {}]/Resources<<>>/Contents 4 0 R>>",
+        number(width),
+        number(height)
+    );
+    let objects = ["<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>", page.as_str()];
+    let mut places = Vec::new();
+    for (object, index) in objects.iter().zip(1..) {
+        places.push(out.len());
+        write!(out, "{index} 0 obj\n{object}\nendobj\n")?;
+    }
+    places.push(out.len());
+    write!(out, "4 0 obj\n<</Length {}/Filter/FlateDecode>>\nstream\n", packed.len())?;
+    out.extend(packed);
+    out.extend(b"\nendstream\nendobj\n");
+    let table = out.len();
+    write!(out, "xref\n0 {}\n0000000000 65535 f \n", places.len() + 1)?;
+    for place in &places {
+        write!(out, "{place:010} 00000 n \n")?;
+    }
+    let count = places.len() + 1;
+    write!(out, "trailer\n<</Size {count}/Root 1 0 R>>\nstartxref\n{table}\n%%EOF\n")?;
+    Ok(out)
+}
