@@ -358,18 +358,18 @@ struct Shown {
 const fn shown(what: CurveQuantity) -> Shown {
     let (amplitude, kind, words, unit, power) = match what {
         CurveQuantity::Displacement => {
-            (Amplitude::Displacement, Kind::Length, "maximum displacement", "p₀/k", 0)
+            (Amplitude::Displacement, Kind::Length, "peak displacement", "p₀/k", 0)
         }
-        CurveQuantity::Velocity => (Amplitude::Velocity, Kind::Velocity, "maximum velocity", "p₀/√(k m)", 1),
+        CurveQuantity::Velocity => (Amplitude::Velocity, Kind::Velocity, "peak velocity", "p₀/√(k m)", 1),
         CurveQuantity::Acceleration => {
-            (Amplitude::Acceleration, Kind::Acceleration, "maximum acceleration", "p₀/m", 2)
+            (Amplitude::Acceleration, Kind::Acceleration, "peak acceleration", "p₀/m", 2)
         }
         CurveQuantity::Force => (Amplitude::TransmittedForce, Kind::Force, "transmitted force", "p₀", 0),
         CurveQuantity::Transmissibility => {
             (Amplitude::Transmissibility, Kind::Ratio, "transmissibility", "1", 0)
         }
         CurveQuantity::Absolute => {
-            (Amplitude::AbsoluteDisplacement, Kind::Length, "maximum absolute displacement", "p₀/k", 0)
+            (Amplitude::AbsoluteDisplacement, Kind::Length, "peak absolute displacement", "p₀/k", 0)
         }
     };
     Shown { amplitude, kind, words, unit, power }

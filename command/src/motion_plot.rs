@@ -108,7 +108,9 @@ pub(crate) fn panel(title: &str, x: Axis, y: &str, points: Vec<(f64, f64)>, rest
     let y = axis(y, points.iter().map(|(_, y)| *y), 0.08);
     let at_rest = points.iter().zip(&rests).map(|(&(x, y), rests)| (x, if *rests { y } else { f64::NAN }));
     let at_rest = Series::new("at rest", Style::Thick, 3, at_rest);
-    let mut series = vec![Series::new("sliding", Style::Line, 2, points)];
+    // Without a rest there is nothing to tell apart.
+    let key = if rests.contains(&true) { "sliding" } else { "" };
+    let mut series = vec![Series::new("sliding", Style::Line, 2, points).with_key(key)];
     series.extend(rests.contains(&true).then_some(at_rest));
     Panel::new(title, x, y, series)
 }

@@ -29,13 +29,11 @@ pub(super) fn beside_one() -> Figure {
     Figure::new(
         "accuracy",
         "Digits lost beside Ω = 1",
-        "Relative error of eq. 44 (Δ₀/B at α = 2) and eq. 61 (the border) as written, and of this \
-            library's forms, at f64 against 256 bits. As written they lose a digit for each digit that Ω is \
-            nearer to 1, or end in infinity or NaN (drawn at 1). An error of zero is drawn at 1e-17. (A build \
-            without the feature mp draws the formulae as written, against this library.)",
+        "Relative error of eq. 44 (α = 2) and eq. 61 at f64: as written, and in this library. \
+            Zero is drawn at 1e-17, infinity and NaN at 1.",
         vec![
             panel(
-                "maximum displacement Δ₀/B, eq. 44",
+                "peak displacement Δ₀/B, eq. 44",
                 naive_displacement,
                 |x| or_nan(displacement(x)),
                 displacement,

@@ -21,9 +21,8 @@ pub(super) fn least_force() -> Figure {
     Figure::single(
         "8",
         "Least force ratio without sticking",
-        "Minimum force ratio α without sticking: eq. 61 (thin line), the exact border where it differs, \
-            below Ω = 1/2 (thick), and points where the exact motion from rest has no stop (dots). No dot lies \
-            between the two lines.",
+        "Minimum force ratio without sticking: eq. 61 (thin), and exact below Ω = 1/2 (thick). \
+            Dots: points without a stop in the exact motion.",
         Axis::frequency_ratio(0.15, 2.0),
         Axis::linear("force ratio α = p₀/r_y", 0.0, 16.0),
         series,
@@ -43,9 +42,8 @@ pub(super) fn beside_poles() -> Figure {
     Figure::new(
         "poles",
         "Beside the poles 1/3 and 1/5",
-        "Force ratios without any stop beside Ω = 1/3 and 1/5: above the border of the two-reversal cycle \
-            (thick) and inside the edges of the six-reversal cycle (lines). Dots: points at which the exact \
-            motion from rest has no stop.",
+        "Force ratios without a stop: above the sticking threshold (thick) and within the \
+            six-reversal edges (lines). Dots: no stop in the exact motion.",
         vec![panel(3.0, (0.3284, 0.3368), (40.0, 2000.0)), panel(5.0, (0.1981, 0.2013), (110.0, 5500.0))],
     )
 }

@@ -17,13 +17,11 @@ pub(super) fn four_ratios() -> Figure {
     Figure::new(
         "damping",
         "What viscous damping changes",
-        "For ζ = 0, 0.01, 0.05 and 0.2. First: maximum displacement over p₀/k at p₀ = 2.5 r_y, by the \
-            exact motion; without a damper it has no bound at Ω = 1 (arrowhead). Second: the minimum force \
-            without sticking; the poles at 1/3 and 1/5 (arrowheads) become peaks. Third: the part of the cycle \
-            at rest at p₀ = 2.5 r_y.",
+        "Peak displacement over p₀/k at α = 2.5, minimum force without sticking, and fraction of \
+            time at rest. Arrowheads: unbounded.",
         vec![
             Panel::new(
-                "maximum displacement at α = 2.5",
+                "peak displacement at α = 2.5",
                 Axis::frequency_ratio(0.2, 2.0),
                 Axis::logarithmic("k Δ₀/p₀", 0.1, 30.0),
                 with_arrowheads(each(|zeta| curve(zeta, (0.2, 2.0), amplitude)), &[1.0]),

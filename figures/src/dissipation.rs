@@ -102,8 +102,8 @@ pub(super) fn loop_by_frequency() -> Figure {
     Figure::single(
         "10b",
         "Dissipation against stiffness",
-        "Loop size A₂ against Ω for 1/α = 0.1 … 0.5, where the motion does not stick, at a given mass, force \
-         and frequency. At Ω = 1 it has no bound (arrowhead).",
+        "Loop size A₂ for 1/α = 0.1 … 0.5 without sticking, at a given mass, force and frequency. \
+            Arrowhead: unbounded at Ω = 1.",
         Axis::frequency_ratio(0.2, 2.0),
         Axis::logarithmic("loop size A₂", 0.01, 1000.0),
         inverse_force_ratios(5).map(curve).chain([Series::unbounded([1.0])]).collect(),

@@ -56,9 +56,9 @@ pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<Strin
         Some(place) => (inside, place),
         None => {
             let beside = fitted(legend::width(figure));
-            // Beside the plots it would take half of the width, or more than there is.
+            // Beside the plots it would take a third of the width, or more than there is.
             let is_wide =
-                beside.as_ref().map_or(true, |layout| layout.legend >= layout.columns * layout.plot.0);
+                beside.as_ref().map_or(true, |layout| 2 * layout.legend >= layout.columns * layout.plot.0);
             let below = size.filter(|_| is_wide).and_then(|size| Layout::legend_below(figure, size));
             if let Some((layout, place)) = below {
                 return drawn(figure, &layout, place);

@@ -259,7 +259,7 @@ impl Series {
 
     /// This series with another text in the legend.
     #[must_use]
-    pub(crate) fn with_key(self, key: impl Into<String>) -> Self {
+    pub fn with_key(self, key: impl Into<String>) -> Self {
         Self { key: key.into(), ..self }
     }
 }

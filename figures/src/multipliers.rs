@@ -30,10 +30,8 @@ pub(super) fn of_the_cycle() -> Figure {
     Figure::new(
         "multipliers",
         "How fast the motion settles",
-        "Left: the part of a small disturbance that remains after a cycle, max |λ|², for 1/α = 0.1 … 0.6 \
-            where the motion does not stick; it reaches 1 at Ω = 1/n only. Right: the two multipliers λ per \
-            half cycle in the complex plane, for Ω from 0.2 to 2, with marks at Ω = 3/2: all within the unit \
-            circle.",
+        "Left: the part of a disturbance that remains after a cycle. Right: both multipliers of a \
+            half cycle, for Ω from 0.2 to 2, marked at 3/2.",
         vec![
             Panel::new(
                 "contraction per cycle",

@@ -8,9 +8,8 @@ pub(super) fn with_friction() -> Figure {
     Figure::new(
         "1",
         "The oscillator and its friction",
-        "Left: the oscillator of eq. 1; x = 0 is the static equilibrium. Right: the friction force r_a by \
-            Coulomb's law (line), and the exact steady motion at Ω = 0.4, α = 6 (dots), which stops twice a \
-            cycle.",
+        "Left: the oscillator of eq. 1. Right: Coulomb's law (line), and a steady motion with two \
+            stops a cycle at Ω = 0.4, α = 6 (dots).",
         vec![sketch(), law()],
     )
 }

@@ -20,8 +20,8 @@ pub(super) fn two_motions() -> Figure {
     Figure::new(
         "portrait",
         "Steady motions in the phase plane",
-        "The steady motion (thick) and the way there from rest (thin): without stops at Ω = 0.7, α = 2 \
-            with the instants t₁ … t₄ of figure 2, and with four stops a cycle at Ω = 0.15, α = 3.",
+        "Steady motions (thick) and the way there from rest (thin): without stops (left), and \
+            with four stops a cycle (right).",
         vec![smooth, portrait("with four stops in a cycle: Ω = 0.15, α = 3", 0.15, 3.0, 2, (3.0, 8.0))],
     )
 }
@@ -103,9 +103,8 @@ pub(super) fn in_phase_plane() -> Figure {
     Figure::single(
         "2",
         "A steady cycle without stops in the phase plane",
-        "The exact steady motion at Ω = 0.7, α = 2 (line), clockwise, and by the closed forms (marks) its \
-            maximum velocity V₀ at t₁ and Δ₁, its maximum displacement Δ₀ at t₂, and the same half a cycle \
-            later at t₃ and t₄.",
+        "The steady motion at Ω = 0.7, α = 2, clockwise. Marks: peak velocity V₀ (t₁, Δ₁) and \
+            peak displacement Δ₀ (t₂) in closed form.",
         Axis::linear("displacement x/B", -5.0, 5.0),
         Axis::linear("velocity x′/(Bω_d)", -5.0, 5.0),
         series,

@@ -1,4 +1,4 @@
-//! Figures 4 to 7: maximum displacement, phases and maximum velocity.
+//! Figures 4 to 7: peak displacement, phases and peak velocity.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly, from_rest, inverse_force_ratios, of_cycle};
 use stickslip::Cycle;
@@ -64,12 +64,11 @@ pub(super) fn max_displacement() -> Figure {
     series.push(Series::unbounded([1.0]));
     Figure::single(
         "4",
-        "Maximum displacement",
-        "Maximum displacement Δ₀/B of the exact steady motion (lines, sticking included) and by eq. 44 where \
-         it does not stick (marks), for 1/α = 0.1 … 0.6. To the left of its first mark a line is of motions \
-         with stops. At Ω = 1 there is no bound (arrowhead).",
+        "Peak displacement",
+        "Peak displacement Δ₀/B: exact (lines) and eq. 44 (marks). Left of its first mark, a line \
+            has stops. Arrowhead: unbounded at Ω = 1.",
         Axis::frequency_ratio(0.0, 2.0),
-        Axis::logarithmic("maximum displacement Δ₀/B", 0.1, 1000.0),
+        Axis::logarithmic("peak displacement Δ₀/B", 0.1, 1000.0),
         series,
     )
 }
@@ -86,12 +85,12 @@ pub(super) fn phases() -> Figure {
     };
     Figure::new(
         "5",
-        "Phases of the maximum velocity and the maximum displacement",
-        "Phase ω_d t₁ of the maximum velocity (eq. 46) and ω_d t₂ of the maximum displacement (eq. 43, in \
-            the right half where K > 0), for 1/α = 0.1 … 0.6 where the motion does not stick.",
+        "Phases of the peak velocity and the peak displacement",
+        "Phases ω_d t₁ of the peak velocity (eq. 46) and ω_d t₂ of the peak displacement (eq. \
+            43), for 1/α = 0.1 … 0.6 without sticking.",
         vec![
-            panel("maximum velocity, ω_d t₁", |c| signed(c.velocity_phase)),
-            panel("maximum displacement, ω_d t₂", |c| c.displacement_phase),
+            panel("peak velocity, ω_d t₁", |c| signed(c.velocity_phase)),
+            panel("peak displacement, ω_d t₂", |c| c.displacement_phase),
         ],
     )
 }
@@ -105,9 +104,9 @@ fn signed(phase: f64) -> f64 {
 pub(super) fn deviation() -> Figure {
     Figure::single(
         "6",
-        "Displacement at the maximum velocity",
-        "Deviation Δ₁/B, the displacement at the maximum velocity, for 1/α = 0.1 … 0.6 where the motion does \
-         not stick. For 1/2 < Ω < 1 it grows with α; above Ω = 1 the curves tend to zero.",
+        "Displacement at the peak velocity",
+        "Displacement Δ₁/B at the peak velocity, without sticking. It grows with α for 1/2 < Ω < \
+            1, and tends to zero above 1.",
         Axis::frequency_ratio(0.0, 2.0),
         Axis::linear("deviation Δ₁/B", 0.0, 2.5),
         closed_curves(|c| c.deviation()),
@@ -125,12 +124,11 @@ pub(super) fn max_velocity() -> Figure {
     series.push(Series::unbounded([1.0]));
     Figure::single(
         "7",
-        "Maximum velocity",
-        "Maximum velocity V₀/(Bω_d) of the exact steady motion (lines), by eq. 49 corrected (marks), and as \
-         printed (dashed, Ω > 1/2), for 1/α = 0.1 … 0.6. As printed it is too large for every Ω > 1. At Ω = 1 \
-         there is no bound (arrowhead).",
+        "Peak velocity",
+        "Peak velocity V₀/(Bω_d): exact (lines), eq. 49 corrected (marks) and as printed \
+            (dashed), which is too large above Ω = 1.",
         Axis::frequency_ratio(0.0, 2.0),
-        Axis::logarithmic("maximum velocity V₀/(Bω_d)", 0.1, 1000.0),
+        Axis::logarithmic("peak velocity V₀/(Bω_d)", 0.1, 1000.0),
         series,
     )
 }

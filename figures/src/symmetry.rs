@@ -38,9 +38,8 @@ pub(super) fn errors() -> Figure {
     Figure::new(
         "3",
         "Figure 3 again: how symmetric the motion is",
-        "The paper's error measures 1–4 for 1/α = 0.3, 0.4, 0.5: of the first cycle after 20 cycles from \
-            rest (lines), and of the settled motion (dots). The paper's peaks at Ω = 1 are start-up \
-            transients; the settled motion is symmetric to rounding.",
+        "Error measures 1–4, 20 cycles after rest (lines) and settled (dots). The paper's peaks \
+            at Ω = 1 are start-up transients.",
         measures.map(panel),
     )
 }

@@ -77,6 +77,14 @@ fn the_page_shows_every_figure_with_its_caption() {
 }
 
 #[test]
+fn captions_are_short() {
+    for figure in all() {
+        let words = figure.caption.split_whitespace().count();
+        assert!((5..=30).contains(&words), "{}: {words} words", figure.name);
+    }
+}
+
+#[test]
 fn every_series_has_points_in_its_frame() {
     for figure in all() {
         for panel in &figure.panels {
@@ -334,7 +342,7 @@ fn data_are_written_as_csv() {
     let text = String::from_utf8(text).unwrap();
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("panel,series,x,y,value"));
-    let line = lines.find(|l| l.starts_with("\"maximum displacement, ω_d t₂\",1/α = 0.5,0.7")).unwrap();
+    let line = lines.find(|l| l.starts_with("\"peak displacement, ω_d t₂\",1/α = 0.5,0.7")).unwrap();
     let cells: Vec<&str> = line.rsplitn(4, ',').collect();
     let (omega, phase): (f64, f64) = (cells[2].parse().unwrap(), cells[1].parse().unwrap());
     assert_eq!(Ratios::new(omega, 2.0).and_then(Cycle::new).unwrap().displacement_phase, phase);

@@ -111,7 +111,10 @@ impl Spectra<'_> {
                         _ => String::new(),
                     };
                     let style = if loads == 1 || are_named { marked } else { Style::Dotted };
-                    series.push(Series::new(name, style, if are_named { *own } else { index }, points));
+                    // The only record stands in the title.
+                    let key = if loads == 1 && other.is_none() { String::new() } else { name.clone() };
+                    let index = if are_named { *own } else { index };
+                    series.push(Series::new(name, style, index, points).with_key(key));
                 }
                 if loads > 1 {
                     let mean =

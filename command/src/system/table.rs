@@ -79,7 +79,7 @@ pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Out
     if let Some(file) = &args.picture {
         let target = Target::new("--picture", Some(file), args.overwrite, &args.look)?;
         let first = rows.grid.described()?;
-        let title = picture::heading(&first, "Greatest displacement");
+        let title = picture::heading(&first, "Peak displacement");
         target.draw(out, || picture::curve(rows.grid, &first, &title))?;
         if args.out.is_none() {
             return Ok(());

@@ -112,7 +112,8 @@ impl<'a> Frame<'a> {
             }
         }
         let places = (top + height + 28..).step_by(LINE as usize);
-        for (line, y) in letters::lines(name, TEXT, width + BEYOND, margins.lines).iter().zip(places) {
+        for (line, y) in letters::name_in_lines(name, TEXT, width + BEYOND, margins.lines).iter().zip(places)
+        {
             write(canvas, line, (left + width / 2, y), TEXT, Anchor::Above)?;
         }
         Ok(())
@@ -135,7 +136,8 @@ impl<'a> Frame<'a> {
             }
         }
         let places = (left - margins.left + 13..).step_by(LINE as usize);
-        for (line, x) in letters::lines(name, TEXT, height + ALONG, margins.lines).iter().zip(places) {
+        for (line, x) in letters::name_in_lines(name, TEXT, height + ALONG, margins.lines).iter().zip(places)
+        {
             write(canvas, line, (x, top + height / 2), TEXT, Anchor::Upwards)?;
         }
         Ok(())
@@ -160,13 +162,10 @@ impl<'a> Frame<'a> {
 
     /// The lines of the title, of the name of the horizontal axis and of that of the vertical one.
     pub(super) fn lines(panel: &Panel, (width, height): (i32, i32), most: usize) -> [i32; 3] {
-        let count = |text: &str, room: i32| letters::lines(text, TEXT, room, most).len() as i32;
-        let name = |axis: &Axis| drawn(axis).0;
-        [
-            count(&panel.title, width + OVER),
-            count(&name(&panel.x), width + BEYOND),
-            count(&name(&panel.y), height + ALONG),
-        ]
+        let title = letters::lines(&panel.title, TEXT, width + OVER, most);
+        let name = |axis: &Axis, room: i32| letters::name_in_lines(&drawn(axis).0, TEXT, room, most);
+        [title, name(&panel.x, width + BEYOND), name(&panel.y, height + ALONG)]
+            .map(|lines| lines.len() as i32)
     }
 
     /// The place of a point of the plot, in units of the drawing; infinite values are on the upper edge.
