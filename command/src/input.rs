@@ -171,9 +171,7 @@ pub(crate) fn start_in_units<F: Value>(
 /// Says that there is no friction, where it was given as 0.
 pub(crate) fn note_frictionless<F: Value>(given: &Given<F>) {
     if given.is_without_friction() {
-        progress::note(
-            "without friction: α, and values in B and r_y, are those of a friction far below the rounding of the motion",
-        );
+        progress::note("without friction α, B and the values in B and r_y do not exist, and are left out");
     }
 }
 

@@ -3,6 +3,7 @@
 mod force;
 
 use crate::bits::{Value, digits};
+use crate::record::{is_of_friction, without_friction};
 use crate::style;
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -51,7 +52,16 @@ impl<'a, F: Value, W: Write> Note<'a, F, W> {
     /// A number in its unit and, if there is a machine, in that of the user.
     pub(crate) fn both(&self, measure: Measure, x: F) -> String {
         let scale = self.scales.map(|scales| measure.size(scales));
+        if let (true, Some(scale)) = (self.is_without(measure), scale) {
+            let value = digits(without_friction(measure, x) * scale);
+            return format!("{value} {}", self.given.system.name(measure.kind()));
+        }
         both(x, measure.unit(), scale, &self.given.system.name(measure.kind()))
+    }
+
+    /// Whether a quantity has no unit in ratios, because there is no friction.
+    fn is_without(&self, measure: Measure) -> bool {
+        self.given.is_without_friction() && is_of_friction(measure)
     }
 
     /// A line with a number.
@@ -84,7 +94,9 @@ pub(crate) fn response<F: Value>(
     };
     writeln!(note.out, "{}\n", style::verdict(&verdict))?;
     note.line("frequency ratio Ω", digits(omega))?;
-    note.line("force ratio α", digits(note.given.drive_as_given(alpha)))?;
+    if has_friction {
+        note.line("force ratio α", digits(note.given.drive_as_given(alpha)))?;
+    }
     if response.ratios.is_damped() {
         note.line("damping ratio ζ", digits(response.ratios.damping_ratio()))?;
     }
@@ -160,7 +172,9 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
         "force amplitude p₀",
         with_unit(given.drive_as_given(drive.force_amplitude(oscillator)), force),
     )?;
-    line(out, "friction displacement B", with_unit(scales.length, length))?;
+    if !given.is_without_friction() {
+        line(out, "friction displacement B", with_unit(scales.length, length))?;
+    }
     if let Some(force) = given.get(Input::MeanForce) {
         writeln!(out, "  mean force p̄             {} {}", digits(force), system.force())?;
     }
@@ -243,15 +257,23 @@ fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io:
     note.line("dynamic amplification", format_args!("k Δ₀/p₀ = {amplification}"))?;
     note.line("a disturbance", decay(cycle.contraction(), "half a cycle"))?;
     writeln!(note.out, "\nDissipation in a cycle")?;
+    let given = note.given;
+    let friction_part = |of_friction: F| given.friction_as_given(of_friction);
     if let Some(scales) = note.scales {
-        let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
+        let energy = scales.energy_stiffness * friction_part(cycle.loop_size_stiffness());
         note.line("energy 4 r_y Δ₀", with_unit(energy, &note.given.system.name(Kind::Energy)))?;
     }
     if cycle.ratios.is_damped() {
         note.number("energy of the damper", Measure::Work, cycle.damper_work())?;
     }
-    note.line("energy over p₀²/(2k)", format_args!("A₁ = {}", digits(cycle.loop_size_stiffness())))?;
-    note.line("energy over p₀²/(2mω_d²)", format_args!("A₂ = {}", digits(cycle.loop_size_inertia())))
+    note.line(
+        "energy over p₀²/(2k)",
+        format_args!("A₁ = {}", digits(friction_part(cycle.loop_size_stiffness()))),
+    )?;
+    note.line(
+        "energy over p₀²/(2mω_d²)",
+        format_args!("A₂ = {}", digits(friction_part(cycle.loop_size_inertia()))),
+    )
 }
 
 /// The equivalent oscillator of a motion, by its outputs in the closed forms and in the steady state.

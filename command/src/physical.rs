@@ -120,7 +120,7 @@ impl<F: Value> Physical<F> {
             }
             _ => {}
         }
-        add("friction_displacement", Kind::Length, scales.length);
+        add("friction_displacement", Kind::Length, given.friction_as_given(scales.length));
         if let Some(mean_force) = given.get(Input::MeanForce) {
             add("mean_force", Kind::Force, mean_force);
         }

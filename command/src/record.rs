@@ -33,6 +33,27 @@ fn physical_name(wanted: &str) -> &str {
     wanted.strip_prefix("physical.").unwrap_or(wanted)
 }
 
+/// Whether a value is in units of the friction, which do not exist without it.
+pub(crate) const fn is_of_friction(measure: Measure) -> bool {
+    use Measure::{Acceleration, EnergyOfLargestLoop, Force, ForceRatio, Length, Velocity, Work};
+    matches!(measure, Length | Velocity | Acceleration | Force | ForceRatio | Work | EnergyOfLargestLoop)
+}
+
+/// A value of a body without friction, computed with a friction of ε² of the drive: 0 where it is a multiple of the
+/// friction. A motion of the drive's own size is ε⁻² in units of the friction, and its work ε⁻⁴.
+pub(crate) fn without_friction<F: Value>(measure: Measure, x: F) -> F {
+    let size = F::int(1) / F::epsilon();
+    let is_multiple = match measure {
+        Measure::Length | Measure::Velocity | Measure::Acceleration | Measure::Force => x.abs() < size,
+        Measure::Work => x.abs() < size.square() * size,
+        _ => {
+            use Measure::{EnergyInertia, EnergyOfLargestLoop, EnergyStiffness, ForceRatio};
+            matches!(measure, ForceRatio | EnergyStiffness | EnergyInertia | EnergyOfLargestLoop)
+        }
+    };
+    if is_multiple { F::int(0) } else { x }
+}
+
 /// Named values in order, and those in physical units: of a number type while they are computed, as a [`Row`] where they are
 /// written.
 #[derive(Debug)]
@@ -86,13 +107,17 @@ impl<F: Value> Record<F> {
     /// Ω, α if `has_alpha`, and ζ and η where they were given.
     pub(crate) fn of_ratios(given: &Given<F>, ratios: &Ratios<F>, has_alpha: bool) -> Self {
         let others = [
-            (has_alpha, ALPHA, ratios.alpha()),
-            (given.has_role(Role::Damper), DAMPING_RATIO, ratios.damping_ratio()),
-            (given.has_role(Role::StaticFriction), STATIC_FRICTION_RATIO, ratios.static_friction_ratio()),
+            (has_alpha, ALPHA, Some(ratios.alpha()).filter(|_| !given.is_without_friction())),
+            (given.has_role(Role::Damper), DAMPING_RATIO, Some(ratios.damping_ratio())),
+            (
+                given.has_role(Role::StaticFriction),
+                STATIC_FRICTION_RATIO,
+                Some(ratios.static_friction_ratio()),
+            ),
         ];
         let mut fields = vec![(OMEGA, Cell::Number(Some(ratios.omega())))];
         let others = others.into_iter().filter(|(is_there, ..)| *is_there);
-        fields.extend(others.map(|(_, key, ratio)| (key, Cell::Number(Some(ratio)))));
+        fields.extend(others.map(|(_, key, ratio)| (key, Cell::Number(ratio))));
         Self::of(fields)
     }
 
@@ -149,12 +174,31 @@ impl<F: Value> Record<F> {
         };
         let stiffness = machine.oscillator.stiffness();
         let size = |measure| Measure::size_with(measure, &machine.scales, best, stiffness);
+        let has_friction = !given.is_without_friction();
+        for (key, cell) in self.fields.iter_mut().filter(|_| !has_friction) {
+            if let Cell::Number(Some(x)) = cell {
+                *x = without_friction(key.measure, *x);
+            }
+        }
         self.physical = physical(given, machine).with(&self.fields, machine.drive.excitation(), size);
-        self.shown().finite().map_err(|e| behind_all(given, e))
+        let row = self.shown();
+        let row = if has_friction { row } else { row.without_units_of_friction() };
+        row.finite().map_err(|e| behind_all(given, e))
     }
 }
 
 impl Row {
+    /// The row of a body without friction: values in units of the friction do not exist.
+    pub(crate) fn without_units_of_friction(mut self) -> Self {
+        let is_state = |key: Key| matches!(key.name, "x" | "v" | "end_x" | "end_v");
+        for (key, cell) in &mut self.fields {
+            if is_of_friction(key.measure) || is_state(key) {
+                *cell = cell.blank();
+            }
+        }
+        self
+    }
+
     /// Whether the record has an output of this name: a field, or in the machine's units `physical.NAME`,
     /// `NAME[unit]`, or NAME where no field has that name.
     pub(crate) fn has(&self, wanted: &str) -> bool {

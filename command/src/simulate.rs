@@ -71,6 +71,8 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     extent.refuse_years(point.ratios.omega().to_f64())?;
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let start = at_phase(start, args.phase.as_deref(), &reader)?;
+    let has_friction = !given.is_without_friction();
+    let of_friction = |row: Row| if has_friction { row } else { row.without_units_of_friction() };
     let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
     let machine = point.machine.as_ref();
     let bar = progress::bar(extent.cycles(), "cycles");
@@ -88,7 +90,9 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
         None => stream(&mut sink, motion, |phase| {
             let begins = phase.start().phase;
             tick(begins.cycles());
-            extent.contains(begins, start.phase).then(|| of_phase(&phase, start.phase, given.system, machine))
+            extent
+                .contains(begins, start.phase)
+                .then(|| of_friction(of_phase(&phase, start.phase, given.system, machine)))
         }),
         Some(spacing) => {
             let mut samples = match spacing {
@@ -108,7 +112,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
             stream(&mut sink, samples, |instant| {
                 tick(instant.state.phase.cycles());
                 left = left.checked_sub(1)?;
-                Some(of_instant(&instant, start.phase, given.system, machine))
+                Some(of_friction(of_instant(&instant, start.phase, given.system, machine)))
             })
         }
     };

@@ -128,6 +128,9 @@ fn motion<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>)
     equivalent(note, |_, output| Some(output.of(steady)))?;
     note.line("a disturbance", decay(steady.contraction(), "a cycle"))?;
     let far = steady.distance.0.to_f64();
+    if note.given.is_without_friction() {
+        return Ok(());
+    }
     note.line("distance from the limit", format_args!("{far:.0e} B, estimated"))
 }
 

@@ -23,6 +23,9 @@ pub(super) fn needed_force<F: Value>(
             digits(cycle.transmissibility()),
         )?;
     }
+    if note.given.is_without_friction() {
+        return note.number("minimum without sticking", Measure::Force, border.min_force_ratio);
+    }
     match NoStop::of(&response.ratios).six_reversals {
         _ if response.ratios.has_higher_static_friction() => forces_of_static_friction(response, note)?,
         None => note.number("minimum without sticking", Measure::Force, border.min_force_ratio)?,

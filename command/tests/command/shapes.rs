@@ -263,6 +263,23 @@ fn friction_0_is_the_linear_oscillator_in_every_command() {
         let rows = stdout(&format!(
             "sweep {command} {drive} --frequency 1Hz,1.5Hz,2Hz --outputs max_displacement[m],friction[N] --format csv"
         ));
+        // No ratio of the friction exists, and its works and forces are 0.
+        for name in ["alpha", "max_displacement", "max_velocity"] {
+            assert!(found[name].is_null(), "{command}: {name} {}", found[name]);
+        }
+        let names: &[&str] = if command == "response" {
+            assert!(["min_force_ratio", "best_force_ratio"].iter().all(|name| found[*name].is_null()));
+            assert!(found["dynamic_amplification"].is_number());
+            &["friction_displacement", "deviation", "min_force", "energy_per_cycle", "best_force_energy"]
+        } else {
+            assert!(found["energy_in"].is_null() && found["energy_out"].is_null());
+            &["friction_displacement", "energy_against_friction"]
+        };
+        for name in names {
+            assert_eq!(number(&found["physical"][name]), 0.0, "{command}: {name}");
+        }
+        let text = stdout(&format!("{command} {drive} --frequency 1.3Hz"));
+        assert!(!text.contains(" B ") && !text.contains("r_y  ") && !text.contains("e3"), "{text}");
         let rows: Vec<&str> = rows.lines().skip(1).collect();
         for (row, hertz) in rows.iter().zip([1.0, 1.5, 2.0]) {
             let (found, friction) = row.split_once(',').unwrap();
@@ -270,6 +287,11 @@ fn friction_0_is_the_linear_oscillator_in_every_command() {
             assert_eq!(friction.parse(), Ok(0.0));
         }
         assert_eq!(rows.len(), 3);
+    }
+    let all = stdout(&format!("simulate {drive} --frequency 1.3Hz --cycles 1 --samples 4 --format jsonl"));
+    for row in all.lines().map(|row| serde_json::from_str::<Value>(row).unwrap()) {
+        assert!(["x", "v", "friction", "r"].iter().all(|name| row[*name].is_null()), "{row}");
+        assert!(row["displacement"].is_number() && number(&row["friction_force"]).abs() < 1e-25, "{row}");
     }
     let curve = stdout(&format!("response-curve displacement {drive} --frequency 1Hz:2Hz:3"));
     let rows: Vec<Vec<&str>> = curve.lines().skip(1).map(|row| row.split(',').collect()).collect();
