@@ -49,6 +49,7 @@ mod load;
 #[cfg(feature = "batch")]
 mod many;
 mod number;
+mod quiet;
 mod settle;
 mod slide;
 mod totals;

@@ -2,9 +2,10 @@
 
 use super::body::{Body, Constants};
 use super::follow::{Failed, Failure, Follower, Mode, Onset, Watch};
-use super::lanes::{self, Followed};
+use super::lanes;
 use super::load::{After, Factors, Piece, Record};
 use super::number::Number;
+use super::quiet::Followed;
 use super::settle::Rest;
 use super::totals::{Swing, Totals};
 use crate::float::Float;
@@ -12,7 +13,6 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::excitation::Excitation;
 use crate::machine::ratios::finite;
 use crate::machine::units::Kind;
-use core::ops::ControlFlow;
 
 /// An answer: a number, which may not exist, or a count.
 #[doc(hidden)]
@@ -225,9 +225,8 @@ impl<F: Float> Body<F> {
     /// # Errors
     /// As [`Body::follow`], and where x or v is not finite, or v < 0 in a body that moves one way.
     pub fn follow_from(&self, record: &Record<F>, x: F, v: F) -> Result<RecordAnswer<F>, Error> {
-        let mut followed = [self.followed(record, x, v)?];
-        lanes::follow::<F, 1>(&mut followed, record, &|| ControlFlow::Continue(()));
-        let [followed] = followed;
+        let mut followed = self.followed(record, x, v)?;
+        lanes::follow_alone(&mut followed, record);
         self.settled(record, [x, v], followed)
     }
 

@@ -1,20 +1,19 @@
-//! Bodies side by side under one record: each step of a slide without an event is taken in vector lanes, and
-//! whatever else happens by the [`Follower`] of the body alone.
+//! Bodies through a record: side by side, each step in which nothing happens in vector lanes, and one alone, such
+//! steps in blocks.
 //!
-//! A step is a table of numbers that a body has for all steps of one length. The lanes decide only that nothing
-//! happens: no stop by the certificate of [`super::slide`], no release, no extreme that would widen a range. Where a
-//! lane cannot exclude it, the follower takes the step again from its start. A lane depends on no other, so that the
-//! answers of a body are the same bits in any company; a body alone is one lane.
+//! Whatever else happens is left to the [`Follower`](super::follow::Follower), which takes the step from its start. A
+//! lane depends on no other, and a step in a block on none after it, so that the answers of a body are the same bits
+//! alone and in any company.
 
-use super::follow::{Failed, Failure, Follower};
+use super::follow::Failure;
 use super::linear::Responses;
-use super::load::{Factors, Piece, Record};
-use super::totals::Totals;
-use crate::float::Float;
+use super::load::Record;
+use super::quiet::{Followed, Limits, Passed, Push, Quiet, Step};
+use crate::float::{Float, Task};
 use alloc::vec::Vec;
 use core::ops::ControlFlow;
 
-/// A number of each lane.
+/// A number of each lane, or of each step of a block.
 type Row<F, const L: usize> = [F; L];
 
 #[inline(always)]
@@ -23,7 +22,7 @@ fn at<F: Float, const L: usize>(row: &Row<F, L>, lane: usize) -> F {
 }
 
 #[inline(always)]
-fn set<F, const L: usize>(row: &mut Row<F, L>, lane: usize, value: F) {
+fn set<T, const L: usize>(row: &mut [T; L], lane: usize, value: T) {
     if let Some(place) = row.get_mut(lane) {
         *place = value;
     }
@@ -34,420 +33,151 @@ fn select<F>(condition: bool, yes: F, no: F) -> F {
     if condition { yes } else { no }
 }
 
-fn infinity<F: Float>() -> F {
-    F::int(1) / F::int(0)
-}
-
-/// `first` and the other condition, which one lane computes only where the first holds, and several ones always, so
-/// that there is no branch.
-#[inline(always)]
-fn both<const L: usize>(first: bool, second: impl FnOnce() -> bool) -> bool {
-    if L == 1 { first && second() } else { first & second() }
-}
-
-/// A body that is followed, with its answers.
-#[derive(Debug)]
-pub(super) struct Followed<F> {
-    pub(super) follower: Follower<F>,
-    pub(super) factors: Factors<F>,
-    pub(super) totals: Totals<F>,
-    pub(super) failure: Option<Failed<F>>,
-}
-
-/// The numbers that a step changes in all lanes, with their places in a body.
-macro_rules! state {
-    ($($field:ident: $($place:ident).+,)*) => {
-        #[derive(Debug, Clone, Copy)]
-        struct State<F, const L: usize> {
+/// The numbers of a structure of all lanes.
+macro_rules! rows {
+    ($rows:ident of $one:ident: $($field:ident,)*) => {
+        #[derive(Debug)]
+        struct $rows<F, const L: usize> {
             $($field: Row<F, L>,)*
         }
 
-        impl<F: Float, const L: usize> State<F, L> {
-            fn zero() -> Self {
-                Self { $($field: [F::int(0); L],)* }
+        impl<F: Float, const L: usize> $rows<F, L> {
+            fn none() -> Self {
+                let none = $one::<F>::none();
+                Self { $($field: [none.$field; L],)* }
             }
 
-            /// Takes the state of a body into its lane.
-            fn read(&mut self, lane: usize, body: &Followed<F>) {
-                $(set(&mut self.$field, lane, body.$($place).+);)*
+            #[inline(always)]
+            fn at(&self, lane: usize) -> $one<F> {
+                $one { $($field: at(&self.$field, lane),)* }
             }
 
-            /// Returns the state of a lane to its body.
-            fn write(&self, lane: usize, body: &mut Followed<F>) {
-                // A rest of whole steps, which the lanes took.
-                if at(&self.stick_time, lane) != body.totals.stick_time {
-                    (body.follower.last.has_rested, body.follower.last.lost) = (true, None);
-                }
-                $(body.$($place).+ = at(&self.$field, lane);)*
+            #[inline(always)]
+            fn set(&mut self, lane: usize, one: &$one<F>) {
+                $(set(&mut self.$field, lane, one.$field);)*
             }
         }
     };
 }
 
-state! {
-    x: follower.x,
-    v: follower.v,
-    load_work: totals.load_work,
-    foot_work: totals.foot_work,
-    stick_time: totals.stick_time,
-    most_velocity: totals.velocity.most.value,
-    most_velocity_time: totals.velocity.most.time,
-    least_velocity: totals.velocity.least.value,
-    least_velocity_time: totals.velocity.least.time,
-    most_acceleration: totals.acceleration.most.value,
-    least_acceleration: totals.acceleration.least.value,
-    most_free: totals.free_acceleration.most.value,
-    least_free: totals.free_acceleration.least.value,
+rows! {
+    QuietRows of Quiet:
+    factor, damper, push, rate, square, omega, sign, impulse, step, ramp, x_of_x, v_of_x, v_of_v, area_of_v,
+    area_of_slope, beyond_v, beyond_a, below, change_of_a, change_of_jerk,
 }
 
-/// The numbers of all lanes.
+rows! {
+    LimitsRows of Limits:
+    most_speed, fastest, most_a, least_a, most_free, least_free,
+}
+
+/// The numbers of all lanes that a step changes.
+#[derive(Debug)]
+struct State<F, const L: usize> {
+    limits: LimitsRows<F, L>,
+    x: Row<F, L>,
+    v: Row<F, L>,
+    load_work: Row<F, L>,
+    foot_work: Row<F, L>,
+}
+
+impl<F: Float, const L: usize> State<F, L> {
+    fn new() -> Self {
+        let zero = [F::int(0); L];
+        Self { limits: LimitsRows::none(), x: zero, v: zero, load_work: zero, foot_work: zero }
+    }
+
+    /// Takes the state of a body into its lane.
+    fn read(&mut self, lane: usize, body: &Followed<F>) {
+        if body.failure.is_some() {
+            self.limits.set(lane, &Limits::none());
+            return;
+        }
+        self.limits.set(lane, &Limits::of(body));
+        set(&mut self.x, lane, body.follower.x);
+        set(&mut self.v, lane, body.follower.v);
+        set(&mut self.load_work, lane, body.totals.load_work);
+        set(&mut self.foot_work, lane, body.totals.foot_work);
+    }
+
+    /// Returns the state of a lane to its body.
+    fn write(&self, lane: usize, body: &mut Followed<F>) {
+        body.follower.x = at(&self.x, lane);
+        body.follower.v = at(&self.v, lane);
+        body.totals.load_work = at(&self.load_work, lane);
+        body.totals.foot_work = at(&self.foot_work, lane);
+        self.limits.at(lane).write(body);
+    }
+}
+
+/// The other numbers of all lanes: of each the steps at its last event, and 1 where something may have happened in the
+/// step.
 #[derive(Debug)]
 struct Lanes<F, const L: usize> {
-    state: State<F, L>,
-    /// The direction: 0 at rest.
-    sign: Row<F, L>,
-    /// The load per mass of a sample, and of its slope.
-    factor: Row<F, L>,
-    damper: Row<F, L>,
-    mean: Row<F, L>,
-    friction: Row<F, L>,
-    held_forward: Row<F, L>,
-    held_backward: Row<F, L>,
-    rate: Row<F, L>,
-    square: Row<F, L>,
-    omega: Row<F, L>,
-    /// S₁ to S₄ after a step; S₁ is NaN where a step is longer than π/d, so that nothing can be excluded.
-    impulse: Row<F, L>,
-    step: Row<F, L>,
-    ramp: Row<F, L>,
-    parabola: Row<F, L>,
-    /// 1 where something may have happened in the step.
+    quiet: QuietRows<F, L>,
     event: Row<F, L>,
+    since: [usize; L],
 }
 
 impl<F: Float, const L: usize> Lanes<F, L> {
-    fn new(bodies: &[Followed<F>]) -> Self {
-        let zero = [F::int(0); L];
-        let row = |empty: F, of: fn(&Followed<F>) -> F| {
-            core::array::from_fn(|lane| bodies.get(lane).map_or(empty, of))
-        };
-        let number = |of| row(F::int(0), of);
-        let mut lanes = Self {
-            state: State::zero(),
-            sign: zero,
-            factor: number(|body| body.factors.factor),
-            damper: number(|body| body.factors.damper),
-            mean: number(|body| body.follower.constants.mean),
-            friction: number(|body| body.follower.constants.friction),
-            held_forward: row(infinity(), |body| body.follower.constants.held),
-            held_backward: row(infinity(), |body| {
-                let c = &body.follower.constants;
-                select(c.is_one_way, infinity(), c.held)
-            }),
-            rate: number(|body| body.follower.constants.rate),
-            square: number(|body| body.follower.constants.square),
-            omega: number(|body| body.follower.omega),
-            impulse: zero,
-            step: zero,
-            ramp: zero,
-            parabola: zero,
-            event: zero,
-        };
-        for (lane, body) in bodies.iter().enumerate() {
-            lanes.read(lane, body);
-        }
-        lanes
+    fn new() -> Self {
+        Self { quiet: QuietRows::none(), event: [F::int(0); L], since: [0; L] }
     }
 
-    /// Sets the responses of all lanes to those after a step.
-    fn set_step(&mut self, whole: &[Option<Responses<F>>]) {
-        for (lane, responses) in whole.iter().enumerate() {
-            let nan = F::int(0) / F::int(0);
-            set(&mut self.impulse, lane, responses.map_or(nan, |s| s.impulse));
-            set(&mut self.step, lane, responses.map_or(nan, |s| s.step));
-            set(&mut self.ramp, lane, responses.map_or(nan, |s| s.ramp));
-            set(&mut self.parabola, lane, responses.map_or(nan, |s| s.parabola));
+    /// Takes a body into its lane, after so many steps; one that is not followed any further leaves it empty.
+    fn read(
+        &mut self,
+        lane: usize,
+        body: &Followed<F>,
+        whole: Option<&Responses<F>>,
+        step: &Step<F>,
+        steps: usize,
+    ) {
+        let is_empty = body.failure.is_some();
+        self.quiet.set(lane, &if is_empty { Quiet::none() } else { Quiet::of(body, whole, step) });
+        set(&mut self.since, lane, steps);
+    }
+
+    /// Returns a lane to its body, after so many steps.
+    fn write(&self, state: &State<F, L>, lane: usize, body: &mut Followed<F>, length: F, steps: usize) {
+        if body.failure.is_none() {
+            state.write(lane, body);
+            let since = self.since.get(lane).copied().unwrap_or(steps);
+            body.rested(steps.saturating_sub(since), length);
         }
     }
 
-    /// Takes a body into its lane.
-    fn read(&mut self, lane: usize, body: &Followed<F>) {
-        self.state.read(lane, body);
-        set(&mut self.sign, lane, body.follower.mode.sign());
-    }
-
-    /// A lane without a body, or with one that is not followed any further: it rests, whatever the load.
-    fn empty(&mut self, lane: usize) {
-        set(&mut self.sign, lane, F::int(0));
-        set(&mut self.held_forward, lane, infinity());
-        set(&mut self.held_backward, lane, infinity());
-    }
-
-    /// The numbers of a lane that all steps of one length have in common.
+    /// Takes the step between two samples, which begins at a time, from one state of all lanes to the next. Returns whether
+    /// something may have happened in a lane.
     #[inline(always)]
-    fn given(&self, i: usize) -> Given<F> {
-        Given {
-            factors: Factors { factor: at(&self.factor, i), damper: at(&self.damper, i) },
-            sign: at(&self.sign, i),
-            mean: at(&self.mean, i),
-            friction: at(&self.friction, i),
-            rate: at(&self.rate, i),
-            square: at(&self.square, i),
-            omega: at(&self.omega, i),
-            responses: [at(&self.impulse, i), at(&self.step, i), at(&self.ramp, i), at(&self.parabola, i)],
-        }
-    }
-
-    /// Takes the step between two samples in all lanes in which nothing happens. Returns whether something may have
-    /// happened in another one.
-    #[inline(always)]
-    fn pass(&mut self, samples: [F; 2], time: F, step: &Step<F>) -> bool {
-        if L == 1 {
-            match self.pass_quietly(samples, step) {
-                Quiet::Passed => return false,
-                Quiet::Event => {
-                    set(&mut self.event, 0, F::int(1));
-                    return true;
-                }
-                Quiet::Unknown => {}
-            }
-        }
-        let zero = F::int(0);
-        let length = step.length;
-        let end = time + length;
+    fn pass(
+        &mut self,
+        now: &State<F, L>,
+        next: &mut State<F, L>,
+        samples: [F; 2],
+        time: F,
+        step: &Step<F>,
+    ) -> bool {
+        let [first, second] = samples;
+        let (zero, change, time) = (F::int(0), (second - first) * step.inverse, time + step.length);
         for i in 0..L {
-            let given = self.given(i);
-            let (x, v, sign) = (at(&self.state.x, i), at(&self.state.v, i), given.sign);
-            let taken = given.take([x, v], samples, step);
-            let Taken { piece: Piece { from: first, to: last, slope, foot, .. }, moved, area, .. } = taken;
-            let rests = sign == zero;
-            let rests_on = self.rests_on(i, &taken);
-            let slides_on = (sign * taken.end_v > zero) & !given.turns::<L>(v, &taken, length);
-            // The derivatives a′ and a″, and bounds of both by energies that do not grow.
-            let (a, end_a) = (select(rests, zero, taken.a), select(rests, zero, taken.end_a));
-            let (end_x, end_v) = (taken.end_x, taken.end_v);
-            let (j, end_j) = (given.jerk(slope, v, a), given.jerk(slope, end_v, end_a));
-            let (b, end_b) = (given.bend(a, j), given.bend(end_a, end_j));
-            // Extremes at the ends; one between them is no further from the nearer end than g″ allows.
-            let changes =
-                |start: F, end: F| ((start < zero) & (end > zero)) | ((start > zero) & (end < zero));
-            let beyond_v = || given.beyond(a, j, step);
-            let beyond_a = || given.beyond(j, b, step);
-            let (free, end_free) = (a - first, end_a - last);
-            let extreme = |most: F, least: F, start: F, end: F, may: bool, beyond: &dyn Fn() -> F| {
-                let [top, bottom] = ends(start, end);
-                let is_flagged = both::<L>(may, || is_outside([most, least], [top, bottom], beyond()));
-                (most.or_larger(top), -((-least).or_larger(-bottom)), is_flagged)
-            };
-            let (most, least) = (at(&self.state.most_velocity, i), at(&self.state.least_velocity, i));
-            let (most_v, least_v, is_v) = extreme(most, least, v, end_v, changes(a, end_a), &beyond_v);
-            let most_time = select(most_v > most, end, at(&self.state.most_velocity_time, i));
-            let least_time = select(least_v < least, end, at(&self.state.least_velocity_time, i));
-            let (most, least) = (at(&self.state.most_acceleration, i), at(&self.state.least_acceleration, i));
-            let (most_a, least_a, is_a) = extreme(most, least, a, end_a, changes(j, end_j), &beyond_a);
-            let (most, least) = (at(&self.state.most_free, i), at(&self.state.least_free, i));
-            let bends = changes(j - slope, end_j - slope) | changes(b, end_b);
-            let (most_f, least_f, is_f) = extreme(most, least, free, end_free, bends, &beyond_a);
-            let is_event = (rests & !rests_on) | (!rests & (!slides_on | is_v | is_a | is_f));
-            set(&mut self.event, i, select(is_event, F::int(1), zero));
-            if L == 1 && is_event {
-                return true;
-            }
-            let stays = rests | is_event;
-            let state = &mut self.state;
-            macro_rules! advance {
-                ($field:ident, $unless:expr, $value:expr) => {
-                    let before = at(&state.$field, i);
-                    let value: F = $value(before);
-                    set(&mut state.$field, i, select($unless, before, value));
-                };
-            }
-            advance!(x, stays, |_| end_x);
-            advance!(v, stays, |_| end_v);
-            advance!(load_work, stays, |work| work + (last * moved - slope * area));
-            advance!(foot_work, stays, |work| work + foot * moved);
-            advance!(stick_time, is_event | !rests, |time| time + length);
-            advance!(most_velocity, stays, |_| most_v);
-            advance!(least_velocity, stays, |_| least_v);
-            advance!(most_velocity_time, stays, |_| most_time);
-            advance!(least_velocity_time, stays, |_| least_time);
-            advance!(most_acceleration, is_event, |_| most_a);
-            advance!(least_acceleration, is_event, |_| least_a);
-            advance!(most_free, is_event, |_| most_f);
-            advance!(least_free, is_event, |_| least_f);
+            let quiet = self.quiet.at(i);
+            let start = [at(&now.x, i), at(&now.v, i)];
+            let load = quiet.load(samples, change);
+            let push = quiet.push(&load);
+            let moved = quiet.moved(start, &push);
+            let end = quiet.after(start, &push);
+            let passed = quiet.passed([start, end], &load, moved, &now.limits.at(i), Some(time));
+            set(&mut self.event, i, select(passed.is_quiet, zero, F::int(1)));
+            // The state after a step in which something happens is written once more.
+            next.limits.set(i, &passed.limits);
+            set(&mut next.x, i, end[0]);
+            set(&mut next.v, i, end[1]);
+            set(&mut next.load_work, i, at(&now.load_work, i) + passed.work);
+            set(&mut next.foot_work, i, at(&now.foot_work, i) + load.foot * moved);
         }
         self.event.iter().fold(false, |any, event| any | (*event != zero))
     }
-
-    /// Whether a body at rest stays there.
-    #[inline(always)]
-    fn rests_on(&self, i: usize, taken: &Taken<F>) -> bool {
-        let Taken { now, later, .. } = *taken;
-        let (forward, backward) = (at(&self.held_forward, i), -at(&self.held_backward, i));
-        (now <= forward) & (later <= forward) & (now >= backward) & (later >= backward)
-    }
-
-    /// Takes the step of the first lane if nothing happens and no range can change: one bound for each range, without a
-    /// look at where its extremes are.
-    #[inline(always)]
-    fn pass_quietly(&mut self, samples: [F; 2], step: &Step<F>) -> Quiet {
-        let (zero, given) = (F::int(0), self.given(0));
-        let (x, v, sign) = (at(&self.state.x, 0), at(&self.state.v, 0), given.sign);
-        let taken = given.take([x, v], samples, step);
-        let Taken { piece: Piece { from, to, slope, foot, .. }, a, end_v, end_a, .. } = taken;
-        let state = &self.state;
-        let ranges = [
-            [at(&state.most_velocity, 0), at(&state.least_velocity, 0)],
-            [at(&state.most_acceleration, 0), at(&state.least_acceleration, 0)],
-            [at(&state.most_free, 0), at(&state.least_free, 0)],
-        ];
-        if sign == zero {
-            if !self.rests_on(0, &taken) {
-                return Quiet::Event;
-            }
-            let is_same =
-                !is_outside(ranges[1], [zero; 2], zero) && !is_outside(ranges[2], ends(-from, -to), zero);
-            if is_same {
-                let stick_time = at(&self.state.stick_time, 0) + step.length;
-                set(&mut self.state.stick_time, 0, stick_time);
-            }
-            return if is_same { Quiet::Passed } else { Quiet::Unknown };
-        }
-        if !(sign * end_v > zero) {
-            return Quiet::Event;
-        }
-        let j = given.jerk(slope, v, a);
-        let beyond = given.beyond(j, given.bend(a, j), step);
-        let is_same = !given.turns::<1>(v, &taken, step.length)
-            && !is_outside(ranges[0], ends(v, end_v), given.beyond(a, j, step))
-            && !is_outside(ranges[1], ends(a, end_a), beyond)
-            && !is_outside(ranges[2], ends(a - from, end_a - to), beyond);
-        if is_same {
-            let (moved, area) = (taken.moved, taken.area);
-            let load_work = at(&self.state.load_work, 0) + (to * moved - slope * area);
-            let foot_work = at(&self.state.foot_work, 0) + foot * moved;
-            let state = &mut self.state;
-            set(&mut state.x, 0, taken.end_x);
-            set(&mut state.v, 0, end_v);
-            set(&mut state.load_work, 0, load_work);
-            set(&mut state.foot_work, 0, foot_work);
-            return Quiet::Passed;
-        }
-        Quiet::Unknown
-    }
-}
-
-/// What a look at the bounds of a step says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Quiet {
-    /// Nothing happened, and the step is taken.
-    Passed,
-    /// A stop or a release.
-    Event,
-    Unknown,
-}
-
-/// The greater and the lesser of a quantity's values at both ends of a step.
-#[inline(always)]
-fn ends<F: Float>(start: F, end: F) -> [F; 2] {
-    [start.or_larger(end), -((-start).or_larger(-end))]
-}
-
-/// Whether numbers up to `beyond` above the greater or below the lesser of two are outside a range.
-#[inline(always)]
-fn is_outside<F: Float>([most, least]: [F; 2], [top, bottom]: [F; 2], beyond: F) -> bool {
-    (top + beyond > most) | (bottom - beyond < least)
-}
-
-/// The numbers of a body that all steps of one length have in common.
-#[derive(Debug, Clone, Copy)]
-struct Given<F> {
-    factors: Factors<F>,
-    sign: F,
-    mean: F,
-    friction: F,
-    rate: F,
-    square: F,
-    omega: F,
-    /// S₁ to S₄.
-    responses: [F; 4],
-}
-
-/// A step that a body has taken: at rest `now` and `later` are the forces on it.
-#[derive(Debug, Clone, Copy)]
-struct Taken<F> {
-    piece: Piece<F>,
-    now: F,
-    later: F,
-    a: F,
-    end_a: F,
-    moved: F,
-    end_x: F,
-    end_v: F,
-    /// The integral of the displacement since the start.
-    area: F,
-}
-
-impl<F: Float> Given<F> {
-    /// The state after a step is the response to the state before it and to the load less friction, g + st:
-    /// `x + S₁v + S₂(g − ω²x) + S₃s` and `v + S₁(g − ω²x − 2βv) + S₂(s − ω²v)`.
-    #[inline(always)]
-    fn take(&self, [x, v]: [F; 2], samples: [F; 2], step: &Step<F>) -> Taken<F> {
-        let &Self { ref factors, sign, mean, friction, rate, square, responses: [s1, s2, s3, s4], .. } = self;
-        let piece = Piece::new(factors, samples, step.length, step.inverse);
-        let Piece { from: first, to: last, slope, .. } = piece;
-        // A rest.
-        let spring = square * x;
-        let (now, later) = (first + mean - spring, last + mean - spring);
-        // A slide.
-        let push = mean - sign * friction;
-        let force = (first + push) - spring;
-        let a = force - rate * v;
-        let moved = s1 * v + (s2 * force + s3 * slope);
-        let end_v = v + ((s1 * force + s2 * slope) - (rate * s1 + square * s2) * v);
-        let end_x = x + moved;
-        let end_a = ((last + push) - square * end_x) - rate * end_v;
-        let area = v * (s2 + rate * s3) + (a * s3 + slope * s4);
-        Taken { piece, now, later, a, end_a, moved, end_x, end_v, area }
-    }
-
-    /// Whether the velocity may have vanished and turned back.
-    #[inline(always)]
-    fn turns<const L: usize>(&self, v: F, taken: &Taken<F>, length: F) -> bool {
-        let (zero, sign) = (F::int(0), self.sign);
-        let Taken { a, end_a, end_v, piece: Piece { slope, .. }, .. } = *taken;
-        both::<L>((sign * a < zero) & (sign * end_a > zero), || {
-            let swing = ((slope - self.square * v) - self.rate * a).abs() + self.omega * a.abs();
-            let far = length * (a.abs() + length * swing);
-            (sign * v <= far) | (sign * end_v <= far)
-        })
-    }
-
-    /// a′.
-    #[inline(always)]
-    fn jerk(&self, slope: F, v: F, a: F) -> F {
-        (slope - self.square * v) - self.rate * a
-    }
-
-    /// a″.
-    #[inline(always)]
-    fn bend(&self, a: F, jerk: F) -> F {
-        -(self.rate * jerk + self.square * a)
-    }
-
-    /// How far an extreme in a step is from the nearer end at most, by the first two derivatives at the start.
-    #[inline(always)]
-    fn beyond(&self, first: F, second: F, step: &Step<F>) -> F {
-        (second.abs() + self.omega * first.abs()) * step.eighth
-    }
-}
-
-/// A step of the record: its length h, 1/h and h²/8.
-#[derive(Debug, Clone, Copy)]
-struct Step<F> {
-    length: F,
-    inverse: F,
-    eighth: F,
 }
 
 /// The samples between two looks at whether to go on.
@@ -461,14 +191,13 @@ pub(super) fn follow<F: Float, const L: usize>(
     record: &Record<F>,
     keep_going: &dyn Fn() -> ControlFlow<()>,
 ) {
-    let mut lanes = Lanes::<F, L>::new(bodies);
-    for (lane, body) in bodies.iter_mut().enumerate() {
-        if body.failure.is_some() {
-            lanes.empty(lane);
-        }
-    }
+    let mut lanes = Lanes::<F, L>::new();
+    // The states before and after a step take turns.
+    let (mut even, mut odd) = (State::<F, L>::new(), State::<F, L>::new());
     let mut whole = Vec::new();
-    let mut step = Step { length: F::int(0), inverse: F::int(0), eighth: F::int(0) };
+    let mut step = Step::new(F::int(0));
+    // The steps taken.
+    let mut steps = 0usize;
     let samples = record.samples();
     for (index, (&first, &second)) in samples.iter().zip(samples.iter().skip(1)).enumerate() {
         if index.is_multiple_of(SAMPLES) && keep_going().is_break() {
@@ -483,43 +212,226 @@ pub(super) fn follow<F: Float, const L: usize>(
             // Two samples at one time: the next step begins with the second.
             continue;
         }
+        let is_even = steps.is_multiple_of(2);
         if length != step.length {
-            step = Step { length, inverse: F::int(1) / length, eighth: length.square() * F::ratio(1, 8) };
+            let before = step.length;
+            let now = if is_even { &mut even } else { &mut odd };
+            step = Step::new(length);
             whole = bodies.iter().map(|body| body.follower.whole_step(length)).collect();
-            lanes.set_step(&whole);
+            for (lane, (body, whole)) in bodies.iter_mut().zip(&whole).enumerate() {
+                if steps > 0 {
+                    lanes.write(now, lane, body, before, steps);
+                }
+                lanes.read(lane, body, whole.as_ref(), &step, steps);
+                now.read(lane, body);
+            }
         }
         let time = record.time(index);
-        if lanes.pass([first, second], time, &step) {
-            step_alone(&mut lanes, bodies, &whole, [first, second], time, &step);
+        // Two loops, so that each has states of its own.
+        let is_event = if is_even {
+            lanes.pass(&even, &mut odd, [first, second], time, &step)
+        } else {
+            lanes.pass(&odd, &mut even, [first, second], time, &step)
+        };
+        if is_event {
+            let (now, next) = if is_even { (&even, &mut odd) } else { (&odd, &mut even) };
+            take(&mut lanes, (now, next), bodies, &whole, [first, second], time, &step, steps);
         }
+        steps = steps.saturating_add(1);
     }
+    let now = if steps.is_multiple_of(2) { &even } else { &odd };
     for (lane, body) in bodies.iter_mut().enumerate() {
-        lanes.state.write(lane, body);
+        if steps > 0 {
+            lanes.write(now, lane, body, step.length, steps);
+        }
     }
 }
 
 /// Takes the step in the lanes in which something may have happened.
 #[inline(never)]
-fn step_alone<F: Float, const L: usize>(
+fn take<F: Float, const L: usize>(
     lanes: &mut Lanes<F, L>,
+    (now, next): (&State<F, L>, &mut State<F, L>),
     bodies: &mut [Followed<F>],
     whole: &[Option<Responses<F>>],
     samples: [F; 2],
     time: F,
     step: &Step<F>,
+    steps: usize,
 ) {
     for (lane, (body, whole)) in bodies.iter_mut().zip(whole).enumerate() {
         if at(&lanes.event, lane) == F::int(0) {
             continue;
         }
-        lanes.state.write(lane, body);
-        let piece = Piece::new(&body.factors, samples, step.length, step.inverse);
-        match body.follower.step(&piece, time, whole.as_ref(), &mut body.totals) {
-            Ok(()) => lanes.read(lane, body),
-            Err(failure) => {
-                body.failure = Some((failure, time));
-                lanes.empty(lane);
+        lanes.write(now, lane, body, step.length, steps);
+        body.take(samples, time, step, whole.as_ref());
+        lanes.read(lane, body, whole.as_ref(), step, steps.saturating_add(1));
+        next.read(lane, body);
+    }
+}
+
+/// The steps of a block.
+const BLOCK: usize = 8;
+/// The steps in which no range grew, after which a body alone takes blocks.
+const CALM: usize = 3;
+
+/// Follows one body through a record.
+pub(super) fn follow_alone<F: Float>(body: &mut Followed<F>, record: &Record<F>) {
+    F::fused(Alone { body, record });
+}
+
+/// One body under a record.
+struct Alone<'a, F> {
+    body: &'a mut Followed<F>,
+    record: &'a Record<F>,
+}
+
+impl<F: Float> Task for Alone<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { body, record } = self;
+        let (mut index, samples) = (0usize, record.samples());
+        while index.saturating_add(1) < samples.len() && body.failure.is_none() {
+            let length = record.step_after(index);
+            let equal = if record.step().is_some() { samples.len() } else { index.saturating_add(2) };
+            let samples = samples.get(index..equal).unwrap_or_default();
+            if length > F::int(0) {
+                follow_equal(body, samples, |taken| record.time(index.saturating_add(taken)), length);
             }
+            index = equal.saturating_sub(1);
         }
     }
+}
+
+/// Follows one body through steps of one length.
+#[inline(always)]
+fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(usize) -> F, length: F) {
+    let step = Step::new(length);
+    let whole = body.follower.whole_step(length);
+    let mut left = samples;
+    let mut state = [body.follower.x, body.follower.v];
+    let mut quiet = Quiet::of(body, whole.as_ref(), &step);
+    let mut limits = Limits::of(body);
+    // The quiet steps since the last event, and those in which no range grew.
+    let (mut steps, mut calm) = (0usize, 0usize);
+    while left.len() > 1 {
+        if calm >= CALM
+            && let Some(block) = left.first_chunk::<{ BLOCK + 1 }>()
+        {
+            let taken = pass_block(body, &mut state, &quiet, &limits, block, &step);
+            left = left.get(taken..).unwrap_or_default();
+            steps = steps.saturating_add(taken);
+            if taken == BLOCK {
+                continue;
+            }
+        }
+        let &[first, second, ..] = left else { break };
+        let start = time(samples.len().saturating_sub(left.len()));
+        let end = start + length;
+        left = left.get(1..).unwrap_or_default();
+        let (is_quiet, is_within) =
+            pass_one(body, &mut state, &quiet, &mut limits, [first, second], end, &step);
+        calm = if is_quiet & is_within { calm.saturating_add(1) } else { 0 };
+        if is_quiet {
+            steps = steps.saturating_add(1);
+            continue;
+        }
+        write(body, state, &limits, steps, length);
+        if !body.take([first, second], start, &step, whole.as_ref()) {
+            return;
+        }
+        state = [body.follower.x, body.follower.v];
+        quiet = Quiet::of(body, whole.as_ref(), &step);
+        limits = Limits::of(body);
+        steps = 0;
+    }
+    write(body, state, &limits, steps, length);
+}
+
+/// Returns the state after so many quiet steps to its body.
+#[inline(always)]
+fn write<F: Float>(body: &mut Followed<F>, state: [F; 2], limits: &Limits<F>, steps: usize, length: F) {
+    [body.follower.x, body.follower.v] = state;
+    limits.write(body);
+    body.rested(steps, length);
+}
+
+/// Takes a step if nothing happens in it; whether it did, and whether the ranges stay.
+#[inline(always)]
+fn pass_one<F: Float>(
+    body: &mut Followed<F>,
+    state: &mut [F; 2],
+    quiet: &Quiet<F>,
+    limits: &mut Limits<F>,
+    [first, second]: [F; 2],
+    end_time: F,
+    step: &Step<F>,
+) -> (bool, bool) {
+    let load = quiet.load([first, second], (second - first) * step.inverse);
+    let push = quiet.push(&load);
+    let (moved, end) = (quiet.moved(*state, &push), quiet.after(*state, &push));
+    let passed = quiet.passed([*state, end], &load, moved, limits, Some(end_time));
+    if passed.is_quiet {
+        (*state, *limits) = (end, passed.limits);
+        body.totals.load_work = body.totals.load_work + passed.work;
+        body.totals.foot_work = body.totals.foot_work + load.foot * moved;
+    }
+    (passed.is_quiet, passed.is_within)
+}
+
+/// Takes the steps of a block up to the first in which something may happen or a range grow; the number of steps taken.
+///
+/// The states of the whole block come first, one after another; what they wait for and all else is done for all steps of the
+/// block at once.
+#[inline(always)]
+fn pass_block<F: Float>(
+    body: &mut Followed<F>,
+    state: &mut [F; 2],
+    quiet: &Quiet<F>,
+    limits: &Limits<F>,
+    samples: &[F; BLOCK + 1],
+    step: &Step<F>,
+) -> usize {
+    let zero = F::int(0);
+    let row = [zero; BLOCK];
+    let (mut push_x, mut push_v) = (row, row);
+    let load_of = |i: usize| {
+        let (first, second) = (at(samples, i), at(samples, i.saturating_add(1)));
+        quiet.load([first, second], (second - first) * step.inverse)
+    };
+    for i in 0..BLOCK {
+        let push = quiet.push(&load_of(i));
+        set(&mut push_x, i, push.x);
+        set(&mut push_v, i, push.v);
+    }
+    let (mut x, mut v) = ([zero; BLOCK + 1], [zero; BLOCK + 1]);
+    let mut now = *state;
+    set(&mut x, 0, now[0]);
+    set(&mut v, 0, now[1]);
+    for i in 0..BLOCK {
+        now = quiet.after(now, &Push { x: at(&push_x, i), v: at(&push_v, i) });
+        set(&mut x, i.saturating_add(1), now[0]);
+        set(&mut v, i.saturating_add(1), now[1]);
+    }
+    let (mut event, mut load_work, mut foot_work) = (row, row, row);
+    for i in 0..BLOCK {
+        let load = load_of(i);
+        let start = [at(&x, i), at(&v, i)];
+        let end = [at(&x, i.saturating_add(1)), at(&v, i.saturating_add(1))];
+        let moved = quiet.moved(start, &Push { x: at(&push_x, i), v: at(&push_v, i) });
+        let Passed { is_quiet, work, .. } = quiet.passed([start, end], &load, moved, limits, None);
+        set(&mut event, i, select(is_quiet, zero, F::int(1)));
+        set(&mut load_work, i, work);
+        set(&mut foot_work, i, load.foot * moved);
+    }
+    let is_whole = !event.iter().fold(false, |any, event| any | (*event != zero));
+    let taken = if is_whole { BLOCK } else { event.iter().take_while(|event| **event == zero).count() };
+    for i in 0..taken {
+        body.totals.load_work = body.totals.load_work + at(&load_work, i);
+        body.totals.foot_work = body.totals.foot_work + at(&foot_work, i);
+    }
+    *state = [at(&x, taken), at(&v, taken)];
+    taken
 }

@@ -2,8 +2,9 @@
 
 use super::answers::RecordAnswer;
 use super::body::Body;
-use super::lanes::{self, Followed};
+use super::lanes;
 use super::load::Record;
+use super::quiet::Followed;
 use crate::batch::{Level, Loops};
 use crate::machine::error::Error;
 use core::ops::ControlFlow;

@@ -73,7 +73,7 @@ impl<F: Number> Range<F> {
     }
 
     /// Whether a value is within the range.
-    fn has(&self, value: F) -> bool {
+    pub(super) fn has(&self, value: F) -> bool {
         F::is_above(value, self.most.value) == Some(false)
             && F::is_above(self.least.value, value) == Some(false)
     }
