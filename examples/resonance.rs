@@ -11,7 +11,7 @@
 
 use std::io::Write;
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Field, Float as _, Ratios, Real as _};
+use stickslip::{Border, Cycle, Field, Float as _, Ratios as _};
 
 /// A number with 231 digits.
 type Number = Mp<12>;

@@ -29,7 +29,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
     let parameters = [mass, stiffness, friction, force, frequency];
     let known_to = [1.0, 3.0, 15.0, 2.0, 0.1];
     let names = ["mass", "stiffness", "friction", "force", "frequency"];
-    let elasticities = stroke.elasticities(parameters);
+    let elasticities = stroke.elasticities();
     for ((name, percent), elasticity) in names.iter().zip(known_to).zip(elasticities) {
         writeln!(
             out,

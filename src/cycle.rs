@@ -132,6 +132,14 @@ use waveform::Motion;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::CycleFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct Cycle<F> {

@@ -1,7 +1,7 @@
 //! Guaranteed answers: every output as a midpoint and a radius that contain it, rounding included.
 //!
-//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`]
-//! evaluate the closed forms in ball arithmetic (`float::ball`), by the functions that [`crate::Cycle`] and
+//! [`KnownRatios::steady`] proves that a periodic motion with its stops exists (`motion`).
+//! [`KnownRatios::response`] evaluates the closed forms in ball arithmetic (`float::ball`), by the functions that [`crate::Cycle`] and
 //! [`crate::Border`] call. Ratios are exact rational numbers or intervals ([`Known`]): `0.4` is four tenths,
 //! not the nearest double. Quantities that are found by iteration elsewhere (the maximum velocity, the
 //! stationary point of the border's condition) are enclosed here as the only zero of their equation in a
@@ -24,14 +24,16 @@
 //! | `cycle` | the cycle of two reversals |
 //! | `damped` | half a period of the drive; the border with damping |
 //! | `greatest` | the greatest value of a function, proved |
-//! | `motion` | the exact motion, stops included, proved to exist ([`steady`]) |
+//! | `motion` | the exact motion, stops included, proved to exist |
+//! | `ratios` | the ratios of one question |
 //! | `record` | the motion under a record ([`follow`]) |
 //! | `root` | the only zero of a function in a ball, if it is proved |
 //! | `widen` | more bits until the answers are sharp |
 //!
 //! ```
-//! use stickslip::{Output, enclosed};
-//! let found = enclosed::response(&"0.4".parse()?, &"9".parse()?, &"0".parse()?, &"1".parse()?, 128)?;
+//! use stickslip::Output;
+//! use stickslip::enclosed::KnownRatios;
+//! let found = KnownRatios::new(&"0.4".parse()?).with_force_ratio(&"9".parse()?).response(128)?;
 //! let velocity = found.get(Output::MaxVelocity).unwrap();
 //! assert_eq!(velocity.to_string(), "13.6968608268773571362677089591797754027 ± 3.9e-38");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -46,6 +48,7 @@ mod enclosure;
 mod greatest;
 mod known;
 mod motion;
+mod ratios;
 mod record;
 mod root;
 mod widen;
@@ -55,7 +58,8 @@ mod widen;
 pub use crate::float::ball::Ball;
 pub use enclosure::Enclosure;
 pub use known::Known;
-pub use motion::{Event, Steady, Unproved, steady};
+pub use motion::{Event, Steady, Unproved};
+pub use ratios::KnownRatios;
 pub use record::follow;
 #[doc(hidden)]
 pub use widen::{InBalls, PRECISIONS, with_more_bits};
@@ -81,7 +85,7 @@ named! {
     /// The regime, where it is certain.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     #[non_exhaustive]
-    pub enum Regime displayed [
+    pub enum Regime [
         /// The name, as [`Display`](core::fmt::Display) prints it.
         #[doc(hidden)]
     ] {
@@ -129,52 +133,14 @@ impl Response {
     }
 }
 
-/// [`response`] with the damping ratio under an excitation for a single output, without the expensive parts of the others.
+/// The response under an excitation for a single output, without the expensive parts of the others.
 pub(crate) fn response_for(
     only: Output,
-    omega: &Known,
-    alpha: &Known,
-    zeta: &Known,
+    ratios: &KnownRatios,
     excitation: Option<Excitation>,
     bits: u32,
 ) -> Result<Response, Error> {
-    let eta = Known::rational(1.into());
-    let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
-    AskedRatios { only: Some(only), excitation, ..AskedRatios::new(omega, alpha, zeta, &eta)? }.answered(bits)
-}
-
-/// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one,
-/// enclosed: to `bits` bits where the ratios are exact. Each ratio may be an interval.
-///
-/// With η > 1 the outputs are those of the motion of two reversals a cycle without a stop, and the regime says
-/// whether every start is known to lead to it.
-///
-/// # Errors
-/// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
-pub fn response(
-    omega: &Known,
-    alpha: &Known,
-    damping_ratio: &Known,
-    static_friction_ratio: &Known,
-    bits: u32,
-) -> Result<Response, Error> {
-    let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
-    AskedRatios::new(omega, alpha, damping_ratio, static_friction_ratio)?.answered(bits)
-}
-
-/// The border at Ω and ζ ≥ 0, with a static friction of η ≥ 1 times the kinetic one, enclosed:
-/// [`Output::MinForceRatio`], [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`],
-/// [`Output::TouchingPhase`], [`Output::BestForceRatio`] and [`Output::BestLoopSize`], without a regime.
-///
-/// # Errors
-/// As for [`response`].
-pub fn border(
-    omega: &Known,
-    damping_ratio: &Known,
-    static_friction_ratio: &Known,
-    bits: u32,
-) -> Result<Response, Error> {
-    AskedRatios::new(omega, None, damping_ratio, static_friction_ratio)?.answered(bits)
+    AskedRatios { only: Some(only), excitation, ..AskedRatios::new(ratios)? }.answered(bits)
 }
 
 fn valid(bits: u32) -> Result<u32, Error> {
@@ -195,13 +161,11 @@ struct AskedRatios<'a> {
 
 impl<'a> AskedRatios<'a> {
     /// The data, with ratios in their domains.
-    fn new(
-        omega: &'a Known,
-        alpha: Option<&'a Known>,
-        zeta: &'a Known,
-        eta: &'a Known,
-    ) -> Result<Self, Error> {
-        let omega = omega.within(Quantity::FrequencyRatio, true)?;
+    fn new(ratios: &'a KnownRatios) -> Result<Self, Error> {
+        let (zeta, eta) = (&ratios.damping_ratio, &ratios.static_friction_ratio);
+        let alpha =
+            ratios.alpha.as_ref().map(|alpha| alpha.within(Quantity::ForceRatio, false)).transpose()?;
+        let omega = ratios.omega.within(Quantity::FrequencyRatio, true)?;
         for end in [zeta.low(), zeta.high()] {
             valid_damping_ratio(Mp::<2>::from_rational(end))?;
         }
@@ -244,9 +208,9 @@ impl InBalls for AskedRatios<'_> {
         };
         let mut values: Vec<(Output, Option<Ball<W>>)> = vec![
             (Output::MinForceRatio, Some(border.min_force_ratio)),
-            (Output::TurningPointForceRatio, Some(border.turning_point)),
+            (Output::MinForceRatioTurningPoint, Some(border.turning_point)),
             (Output::LeastDisplacement, Some(border.least_displacement)),
-            (Output::TouchingPhase, border.phase),
+            (Output::BorderPhase, border.phase),
             (Output::BestForceRatio, Some(best.0)),
             (Output::BestLoopSize, Some(best.1).filter(|size| !size.is_entire())),
         ];

@@ -234,7 +234,8 @@ mod tests {
     fn machines_and_questions_are_valid_often_enough() {
         assert!(part::<Machine>(4000, |m| m.mass > 0.0 && m.stiffness > 0.0 && m.friction_bound > 0.0) > 0.2);
         assert!(
-            part::<Question>(4000, |q| crate::design::bands(q.point.alpha, 0.0, q.low, q.high).is_ok()) > 0.1
+            part::<Question>(4000, |q| crate::design::bands(q.point.alpha, 0.0, q.low..=q.high).is_ok())
+                > 0.1
         );
     }
 }

@@ -10,21 +10,19 @@
 //! (`docs/errata.md`).
 //!
 //! ```
-//! use stickslip::{Drive, Oscillator, Regime, Response, Scales};
+//! use stickslip::{Drive, Oscillator, Regime, Steady};
 //! // 50 kN s²/m on 1000 kN/m, friction bound 5 kN, driven by 12 kN at 2π rad/s
 //! let body = Oscillator::new(50.0, 1000.0, 5.0)?;
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
-//! let answer = Response::new(drive.ratios(&body)?);
-//! let scales = Scales::new(&body, &drive)?;
-//! assert_eq!(answer.regime, Regime::NonSticking);
-//! let metres = answer.cycle.map(|cycle| cycle.max_displacement * scales.length);
-//! assert!((metres.unwrap() - 0.009914465_f64).abs() < 1e-9);
+//! let steady = Steady::of(&body, &drive)?;
+//! assert_eq!(steady.regime, Regime::NonSticking);
+//! assert!((steady.max_displacement - 0.009914465_f64).abs() < 1e-9); // m
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 //!
 //! # From input to answer
 //!
-//! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`],
+//! [`Oscillator`] and [`Drive`] → [`Steady`], in their units, or in ratios: [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`],
 //! [`Border`] → [`Response`], [`Verdict`] → [`design`], the inverse problems, and [`uncertainty`], parameters
 //! that are not known exactly; [`Scales`] leads back to physical units, [`Output`] names the outputs.
 //!
@@ -85,7 +83,7 @@
 //! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
 //! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |
 //! | λ | [`Cycle::contraction`], [`Cycle::multipliers`] | multipliers per half cycle, the largest | 1 |
-//! | τ* | [`Border::touching_phase`] | where the velocity first touches zero | rad |
+//! | τ* | [`Border::border_phase`] | where the velocity first touches zero | rad |
 //!
 //! # Features
 //!
@@ -180,6 +178,7 @@ mod root;
 pub mod sensitivity;
 #[cfg(feature = "serde")]
 mod serialized;
+mod steady;
 #[cfg(feature = "system")]
 #[cfg_attr(
     not(test),
@@ -217,7 +216,8 @@ pub use cycle::{Border, Cycle};
 pub use float::{Field, Float, Real};
 pub use machine::error::{Error, Number, Quantity};
 pub use machine::oscillator::{Drive, Excitation, Oscillator, Scales};
-pub use output::{Definition, Measure, Output, UnknownOutput};
+pub use named::UnknownName;
+pub use output::{Definition, Measure, Output};
 // The values of whole answers, for the command and the Python package.
 pub use cycle::phase_function::PhaseFunction;
 pub use cycle::regime::{Family, NoStop, Regime, Verdict, no_stop_force_ratios, regime};
@@ -229,3 +229,4 @@ pub use cycle::response::Response;
 #[doc(hidden)]
 pub use motion::limit::observed::{Observed, observed};
 pub use motion::limit::observed::{Stops, stops_per_cycle};
+pub use steady::{Sample, Steady};

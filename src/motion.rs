@@ -37,7 +37,7 @@ mod pull;
 pub mod record;
 mod samples;
 pub(crate) mod slide;
-mod state;
+pub(crate) mod state;
 mod trajectory;
 
 pub use drive::DrivePhase;

@@ -1,9 +1,39 @@
 //! Enumerations whose variants have names.
 
-/// An enumeration with the name of each variant beside it, and its method `name`, which the brackets describe;
-/// with `displayed` its [`Display`](core::fmt::Display), too.
+use alloc::borrow::ToOwned;
+use alloc::string::String;
+
+/// The error for a text that names nothing of its kind.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, thiserror::Error)]
+#[error("name = {name} must be one of {}", choices.join(", "))]
+#[non_exhaustive]
+pub struct UnknownName {
+    /// The unknown name.
+    pub name: String,
+    /// The names that there are.
+    pub choices: &'static [&'static str],
+}
+
+impl UnknownName {
+    /// The place of a name among the choices.
+    pub(crate) fn place(name: &str, choices: &'static [&'static str]) -> Result<usize, Self> {
+        let found = choices.iter().position(|choice| *choice == name);
+        found.ok_or_else(|| Self { name: name.to_owned(), choices })
+    }
+}
+
+/// An enumeration with the name of each variant beside it, which it displays and is parsed from; the brackets describe
+/// its method `name`, which is the crate's own without them.
 macro_rules! named {
-    ($(#[$attribute:meta])* pub enum $type:ident [$(#[$about:meta])+] {
+    ($(#[$attribute:meta])* pub enum $type:ident [$(#[$about:meta])+] { $($variants:tt)+ }) => {
+        $crate::named::named! { @of ($(#[$about])+ pub) $(#[$attribute])* pub enum $type { $($variants)+ } }
+    };
+    ($(#[$attribute:meta])* pub enum $type:ident { $($variants:tt)+ }) => {
+        $crate::named::named! {
+            @of (#[doc = "The name."] pub(crate)) $(#[$attribute])* pub enum $type { $($variants)+ }
+        }
+    };
+    (@of ($(#[$about:meta])+ $seen:vis) $(#[$attribute:meta])* pub enum $type:ident {
         $($(#[$of_variant:meta])* $variant:ident = $name:literal,)+
     }) => {
         $(#[$attribute])*
@@ -14,20 +44,29 @@ macro_rules! named {
         impl $type {
             $(#[$about])+
             #[must_use]
-            pub const fn name(self) -> &'static str {
+            $seen const fn name(self) -> &'static str {
                 match self {
                     $(Self::$variant => $name,)+
                 }
             }
         }
-    };
-    ($(#[$attribute:meta])* pub enum $type:ident displayed $($rest:tt)+) => {
-        $crate::named::named! { $(#[$attribute])* pub enum $type $($rest)+ }
 
         /// Displays the name.
         impl core::fmt::Display for $type {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 f.pad(self.name())
+            }
+        }
+
+        /// Parses the name.
+        impl core::str::FromStr for $type {
+            type Err = $crate::named::UnknownName;
+
+            fn from_str(name: &str) -> Result<Self, $crate::named::UnknownName> {
+                let choices: &'static [&'static str] = &[$($name),+];
+                let place = $crate::named::UnknownName::place(name, choices)?;
+                let found = [$(Self::$variant),+].get(place).copied();
+                found.ok_or_else(|| $crate::named::UnknownName { name: name.into(), choices })
             }
         }
     };

@@ -13,8 +13,7 @@ use crate::cycle::response::{Response, amplitude};
 use crate::float::{Float, Real};
 use crate::machine::oscillator::Scales;
 use crate::machine::ratios::Ratios;
-use alloc::borrow::ToOwned;
-use alloc::string::String;
+use crate::named::UnknownName;
 
 pub(crate) use answer::columns;
 pub use answer::{Column, ResponseAnswer, Value, When};
@@ -47,6 +46,9 @@ macro_rules! outputs {
         impl Output {
             /// All outputs, in order.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$output),*];
+
+            /// Their names.
+            const NAMES: &'static [&'static str] = &[$($name),*];
 
             /// The output's name, symbol, equation, unit, accuracy and meaning.
             #[must_use]
@@ -143,18 +145,18 @@ outputs! {
     MinForceRatio("min_force_ratio", ForceRatio, "minimum force ratio α_min without sticking")
         .symbol("α_min").ulps(2).title("minimum force ratio without sticking").physical("min_force"):
         border => border.min_force_ratio;
-    TurningPointForceRatio("min_force_ratio_turning_point", ForceRatio,
+    MinForceRatioTurningPoint("min_force_ratio_turning_point", ForceRatio,
             "the same by eq. 61, which falls short below Ω = 1/2")
         .symbol("eq. 61").equation(61).ulps(2).title("minimum force ratio by eq. 61")
         .physical("min_force_turning_point"):
-        border => border.turning_point;
+        border => border.min_force_ratio_turning_point;
     LeastDisplacement("least_displacement", Length, "maximum displacement on the border")
         .symbol("S").title("maximum displacement on the border"):
-        border => border.min_displacement;
-    TouchingPhase("border_phase", Angle,
+        border => border.least_displacement;
+    BorderPhase("border_phase", Angle,
             "phase after the maximum displacement at which the velocity first touches zero, on the border")
         .symbol("τ*").title("phase of the first stop on the border").physical("border_time"):
-        border => border.touching_phase;
+        border => border.border_phase;
     BestForceRatio("best_force_ratio", ForceRatio, "force ratio α* of the largest A₁")
         .symbol("α*").equation(65).ulps(2).title("force ratio of the largest loop").physical("best_force"):
         response => Some(response.best_force_ratio);
@@ -252,22 +254,14 @@ impl Output {
     }
 }
 
-/// The error for a name that no output has.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("output `{name}` must be one of Output::ALL by its name, such as max_displacement")]
-#[non_exhaustive]
-pub struct UnknownOutput {
-    /// The unknown name.
-    pub name: String,
-}
-
 /// Parses an output by its name.
 impl core::str::FromStr for Output {
-    type Err = UnknownOutput;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Self, UnknownOutput> {
-        let found = Self::ALL.into_iter().find(|output| output.name() == name);
-        found.ok_or_else(|| UnknownOutput { name: name.to_owned() })
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let place = UnknownName::place(name, Self::NAMES)?;
+        let found = Self::ALL.get(place).copied();
+        found.ok_or_else(|| UnknownName { name: name.into(), choices: Self::NAMES })
     }
 }
 

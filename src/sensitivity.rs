@@ -7,15 +7,14 @@
 //! which the point lies.
 //!
 //! ```
-//! use stickslip::sensitivity::Sensitivities;
+//! use stickslip::sensitivity::{Parameter, Sensitivities};
 //! use stickslip::{Drive, Oscillator, Output};
 //! let body = Oscillator::new(50.0, 1000.0, 5.0)?;
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let answer = Sensitivities::by_parameters(&body, &drive)?;
 //! let stroke = answer.of(Output::MaxDisplacement).unwrap();
 //! // One percent more mass gives 2.08 percent less displacement.
-//! let [by_mass, ..] = stroke.elasticities([50.0, 1000.0, 5.0, 12.0, std::f64::consts::TAU]);
-//! assert!((by_mass + 2.084325).abs() < 1e-6);
+//! assert!((stroke.elasticity(Parameter::Mass) + 2.084325).abs() < 1e-6);
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
@@ -36,15 +35,58 @@ pub struct Sensitivity<const N: usize> {
     pub value: f64,
     /// The derivatives, in the unit of the value over that of the parameter.
     pub by: [f64; N],
+    /// The parameters.
+    pub at: [f64; N],
+}
+
+/// A parameter of a machine under a drive, in the order of [`Sensitivities::by_parameters`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Parameter {
+    /// Mass m.
+    Mass,
+    /// Stiffness k.
+    Stiffness,
+    /// Friction bound r_y.
+    FrictionBound,
+    /// Amplitude of the drive.
+    Amplitude,
+    /// Angular frequency ω_d.
+    AngularFrequency,
+}
+
+impl Parameter {
+    /// The entry of this parameter.
+    fn of([mass, stiffness, friction_bound, amplitude, angular_frequency]: [f64; 5], parameter: Self) -> f64 {
+        match parameter {
+            Self::Mass => mass,
+            Self::Stiffness => stiffness,
+            Self::FrictionBound => friction_bound,
+            Self::Amplitude => amplitude,
+            Self::AngularFrequency => angular_frequency,
+        }
+    }
+}
+
+impl Sensitivity<5> {
+    /// The derivative by a parameter.
+    #[must_use]
+    pub fn by(&self, parameter: Parameter) -> f64 {
+        Parameter::of(self.by, parameter)
+    }
+
+    /// The relative sensitivity to a parameter, of [`Sensitivity::elasticities`].
+    #[must_use]
+    pub fn elasticity(&self, parameter: Parameter) -> f64 {
+        Parameter::of(self.elasticities(), parameter)
+    }
 }
 
 impl<const N: usize> Sensitivity<N> {
-    /// Relative sensitivities `(p/y) ∂y/∂p` at the parameters p: percent of change per percent of each
-    /// parameter.
+    /// Relative sensitivities `(p/y) ∂y/∂p`: percent of change per percent of each parameter.
     #[must_use]
-    pub fn elasticities(&self, parameters: [f64; N]) -> [f64; N] {
+    pub fn elasticities(&self) -> [f64; N] {
         let mut found = self.by;
-        for (slope, parameter) in found.iter_mut().zip(parameters) {
+        for (slope, parameter) in found.iter_mut().zip(self.at) {
             *slope = *slope * parameter / self.value;
         }
         found
@@ -85,7 +127,8 @@ impl Sensitivities<2> {
         let (zeta, eta) = (Dual::of(ratios.damping_ratio()), Dual::of(ratios.static_friction_ratio()));
         // The ratios were valid before.
         let dual = Ratios::of_valid(omega, alpha, zeta, eta).under(ratios.excitation());
-        Self::of_response(&Response::new(dual), |_| Dual::of(1.0))
+        let at = [ratios.omega(), ratios.alpha()];
+        Self::of_response(&Response::new(dual), at, |_| Dual::of(1.0))
     }
 }
 
@@ -102,22 +145,22 @@ impl Sensitivities<5> {
     pub fn by_parameters(body: &Oscillator<f64>, drive: &Drive<f64>) -> Result<Self, Error> {
         let amplitude = drive.amplitude();
         let frequency = drive.angular_frequency();
-        let [m, k, r, a, w] =
-            Dual::parameters([body.mass(), body.stiffness(), body.friction_bound(), amplitude, frequency]);
+        let at = [body.mass(), body.stiffness(), body.friction_bound(), amplitude, frequency];
+        let [m, k, r, a, w] = Dual::parameters(at);
         let eta = Dual::of(body.static_friction_ratio());
         let body = Oscillator::new(m, k, r)?.with_damping(Dual::of(body.damping()))?;
         let body = body.with_static_friction_ratio(eta)?;
         let drive = Drive::new(drive.excitation(), a, w)?;
         let scales = Scales::new(&body, &drive)?;
-        Ok(Self::of_response(&Response::new(drive.ratios(&body)?), |output| output.unit(&scales)))
+        Ok(Self::of_response(&Response::new(drive.ratios(&body)?), at, |output| output.unit(&scales)))
     }
 }
 
 impl<const N: usize> Sensitivities<N> {
-    fn of_response(response: &Response<Dual<N>>, unit: impl Fn(Output) -> Dual<N>) -> Self {
+    fn of_response(response: &Response<Dual<N>>, at: [f64; N], unit: impl Fn(Output) -> Dual<N>) -> Self {
         let outputs = Output::ALL.into_iter().filter_map(|output| {
             let found = output.of(response)? * unit(output);
-            Some((output, Sensitivity { value: found.value(), by: found.derivatives() }))
+            Some((output, Sensitivity { value: found.value(), by: found.derivatives(), at }))
         });
         Self { regime: response.regime, outputs: outputs.collect() }
     }
@@ -131,13 +174,13 @@ impl<const N: usize> Sensitivities<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sensitivities, Sensitivity};
+    use super::{Parameter, Sensitivities, Sensitivity};
     use crate::{Border, Cycle, Drive, Oscillator, Output, Ratios, Regime};
 
     #[test]
     fn percents_and_deviations() {
-        let s = Sensitivity { value: 8.0, by: [2.0, -3.0] };
-        assert_eq!(s.elasticities([10.0, 4.0]), [2.5, -1.5]);
+        let s = Sensitivity { value: 8.0, by: [2.0, -3.0], at: [10.0, 4.0] };
+        assert_eq!(s.elasticities(), [2.5, -1.5]);
         // Legs 6 and 2.5 of a right triangle.
         assert_eq!(s.deviation([3.0, -2.5 / 3.0]), 6.5);
     }
@@ -168,8 +211,7 @@ mod tests {
         let delta = found.of(Output::MaxDisplacement).unwrap();
         let cycle = Cycle::new(Ratios::new(0.75, 3.0).unwrap()).unwrap();
         assert!((delta.value / (cycle.max_displacement * 3.0 / 8.0) - 1.0).abs() < 1e-14);
-        let [_, _, by_friction, by_force, _] = delta.elasticities([2.0, 8.0, 3.0, 9.0, 1.5]);
-        let grown = by_friction + by_force;
+        let grown = delta.elasticity(Parameter::FrictionBound) + delta.elasticity(Parameter::Amplitude);
         assert!((grown - 1.0).abs() < 1e-13, "{grown}");
         // If the spring's foot moves, a stiffer spring means a larger force.
         let based = Sensitivities::by_parameters(

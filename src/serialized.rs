@@ -1,8 +1,8 @@
 //! Numbers, inputs and results in the formats of serde. Results with private fields are serialised as maps, with the names of the command's JSON. Results with
 //! public fields derive it.
 
+use crate::cycle::Cycle;
 use crate::cycle::response::Response;
-use crate::cycle::{Border, Cycle};
 #[cfg(feature = "mp")]
 use crate::enclosed::{self, Enclosure};
 use crate::float::Float;
@@ -10,7 +10,8 @@ use crate::machine::error::{Error, Quantity};
 use crate::machine::units::InputError;
 use crate::motion::record::Record;
 use crate::motion::{FreeDecay, SteadyOutput, SteadyState};
-use crate::output::{Output, UnknownOutput};
+use crate::named::UnknownName;
+use crate::output::Output;
 #[cfg(feature = "dual")]
 use crate::sensitivity::{Sensitivities, Sensitivity};
 #[cfg(feature = "random")]
@@ -18,10 +19,14 @@ use crate::uncertainty::MonteCarlo;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 mod inputs;
+mod results;
 
 pub(crate) use inputs::{
     BodyFields, DriveFields, DrivePhaseFields, IntervalFields, OscillatorFields, RatiosFields, RecordFields,
     StateFields,
+};
+pub(crate) use results::{
+    CycleFields, Followed, FreeDecayFields, ResponseFields, SteadyFields, infinite, unbounded,
 };
 
 /// Serialises as the text that `Display` prints.
@@ -35,7 +40,7 @@ macro_rules! as_text {
     };
 }
 
-as_text!(Error, InputError, Quantity, UnknownOutput);
+as_text!(Error, InputError, Quantity, UnknownName);
 #[cfg(feature = "mp")]
 as_text!(crate::float::ParseError, crate::float::PrecisionError, crate::float::Inexact);
 #[cfg(feature = "matching")]
@@ -114,6 +119,8 @@ impl<F: Float + Serialize> Serialize for Cycle<F> {
             map.serialize_entry("omega", &ratios.omega())?;
             map.serialize_entry("alpha", &ratios.alpha())?;
             map.serialize_entry("damping_ratio", &ratios.damping_ratio())?;
+            map.serialize_entry("static_friction_ratio", &ratios.static_friction_ratio())?;
+            map.serialize_entry("excitation", &ratios.excitation())?;
             for output in Output::ALL {
                 if let Some(value) = output.of_cycle(self) {
                     map.serialize_entry(output.name(), &value)?;
@@ -124,19 +131,8 @@ impl<F: Float + Serialize> Serialize for Cycle<F> {
     }
 }
 
-impl<F: Float + Serialize> Serialize for Border<F> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        in_map(serializer, None, |map| {
-            map.serialize_entry(Output::MinForceRatio.name(), &self.min_force_ratio)?;
-            map.serialize_entry(Output::TurningPointForceRatio.name(), &self.turning_point)?;
-            map.serialize_entry(Output::LeastDisplacement.name(), &self.min_displacement)?;
-            map.serialize_entry(Output::TouchingPhase.name(), &self.touching_phase)
-        })
-    }
-}
-
-/// Every [`SteadyOutput`], the counts of a cycle, and the multipliers as pairs of a real and
-/// an imaginary part.
+/// Every [`SteadyOutput`], the counts of a cycle, the multipliers as pairs of a real and an imaginary part, and under
+/// `followed` the rest that is needed to read it back.
 impl<F: Float + Serialize> Serialize for SteadyState<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
@@ -150,19 +146,23 @@ impl<F: Float + Serialize> Serialize for SteadyState<F> {
                 map.serialize_entry(output.definition().name, &output.of(self))?;
             }
             map.serialize_entry("periods", &self.periods)?;
-            map.serialize_entry("state", &self.state)
+            map.serialize_entry("state", &self.state)?;
+            map.serialize_entry("followed", &Followed::from(self))
         })
     }
 }
 
-/// A creep never comes to rest: its `rest_time` is null.
+/// The vibration and its start; a creep never comes to rest: its `rest_time` is null.
 impl<F: Float + Serialize> Serialize for FreeDecay<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
             map.serialize_entry("half_cycles", &self.half_cycles)?;
             map.serialize_entry("first_turn", &self.first_turn)?;
             map.serialize_entry("rest_position", &self.rest_position)?;
-            map.serialize_entry("rest_time", &Some(self.rest_time).filter(|time| time.is_finite()))
+            map.serialize_entry("rest_time", &Some(self.rest_time).filter(|time| time.is_finite()))?;
+            map.serialize_entry("start", &self.start())?;
+            map.serialize_entry("damping_ratio", &self.damping_ratio())?;
+            map.serialize_entry("static_friction_ratio", &self.static_friction_ratio())
         })
     }
 }

@@ -208,9 +208,9 @@ impl<F: Value> AskedDesign<'_, F> {
             let body = self.body(true, true)?;
             // The frequency of the drive is unknown: only its amplitude counts.
             let drive = self.drive(&body, self.one)?;
-            design::frequency_bands(&body, &drive, low, high)
+            design::frequency_bands(&body, &drive, low..=high)
         } else {
-            design::bands(self.alpha()?, self.damping_ratio(), low, high)
+            design::bands(self.alpha()?, self.damping_ratio(), low..=high)
         };
         let found = found.map_err(|e| self.fail(e))?;
         let searched = found.is_searched();
@@ -370,10 +370,10 @@ impl<F: Value> AskedDesign<'_, F> {
             let body = self.body(true, true)?;
             // The frequency of the drive is unknown: only its amplitude counts.
             let drive = self.drive(&body, self.one)?;
-            design::frequency_bands_without_stop(&body, &drive, low, high)
+            design::frequency_bands_without_stop(&body, &drive, low..=high)
         } else {
             self.one_friction()?;
-            design::bands_without_stop(self.alpha()?, self.damping_ratio(), low, high)
+            design::bands_without_stop(self.alpha()?, self.damping_ratio(), low..=high)
         };
         let row = |band: NoStopBand<F>| {
             let mut row = self.band([band.low, band.high], [band.low_edge, band.high_edge]);

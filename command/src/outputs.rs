@@ -54,7 +54,7 @@ const CLOSED_FORMS: [Key; 20] = [
     O::VelocityPhase.definition(),
     O::Deviation.definition(),
     O::MinForceRatio.definition(),
-    O::TurningPointForceRatio.definition(),
+    O::MinForceRatioTurningPoint.definition(),
     O::LoopSizeStiffness.definition(),
     O::LoopSizeInertia.definition(),
     O::BestForceRatio.definition(),
@@ -62,7 +62,7 @@ const CLOSED_FORMS: [Key; 20] = [
     d::BEST_FORCE_RATIO_SLIDES,
     O::Contraction.definition(),
     d::DAMPER_WORK,
-    O::TouchingPhase.definition(),
+    O::BorderPhase.definition(),
     O::LeastDisplacement.definition(),
     d::NO_STOP_FORCE_RATIOS,
 ];

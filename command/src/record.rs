@@ -143,8 +143,8 @@ impl<F: Value> Record<F> {
         let mut record = Self::of_ratios(given, &response.ratios, false);
         let outputs = [
             Output::MinForceRatio,
-            Output::TurningPointForceRatio,
-            Output::TouchingPhase,
+            Output::MinForceRatioTurningPoint,
+            Output::BorderPhase,
             Output::LeastDisplacement,
             Output::BestForceRatio,
         ];

@@ -16,7 +16,7 @@ pub(super) fn least_force() -> Figure {
     let series = vec![
         Series::new("no stop in the exact motion", Style::Dots, 5, lattice.filter(|p| never_stops(*p))),
         Series::new("exact border, Ω < 1/2", Style::Thick, 1, below_half(curve(|b| b.min_force_ratio))),
-        Series::new("eq. 61", Style::Line, 0, curve(|b| b.turning_point)),
+        Series::new("eq. 61", Style::Line, 0, curve(|b| b.min_force_ratio_turning_point)),
     ];
     Figure::single(
         "8",

@@ -132,7 +132,7 @@ fn best_stiffness(
     high: f64,
 ) -> PyResult<(f64, f64, &'static str)> {
     let (drive, body) = (drive(kind, amplitude, angular_frequency)?, body(of).map_err(refused)?);
-    let best = left_behind(py, move || design::most_dissipating_stiffness(&body, &drive, low, high))?;
+    let best = left_behind(py, move || design::most_dissipating_stiffness(&body, &drive, low..=high))?;
     let best = best.map_err(refused)?;
     let why = match best.kind {
         OptimumKind::Interior => "interior",
@@ -175,7 +175,7 @@ fn bands(
     high: f64,
 ) -> PyResult<Vec<(f64, f64, bool, bool)>> {
     let (drive, body) = (drive(kind, amplitude, 1.0)?, body(of).map_err(refused)?);
-    let work = move || design::frequency_bands(&body, &drive, low, high)?.collect::<Result<Vec<_>, Error>>();
+    let work = move || design::frequency_bands(&body, &drive, low..=high)?.collect::<Result<Vec<_>, Error>>();
     let found = left_behind(py, work)?;
     let cut = |edge| edge == Edge::Range;
     Ok(found
@@ -203,7 +203,7 @@ fn best_friction_over(
     let drive = drive(excitation, amplitude, 1.0)?;
     let aim = kind("of", aim, &Aim::ALL, Aim::name)?;
     let body = body(of).map_err(refused)?;
-    let work = move || design::best_friction_over_band(&body, &drive, low, high, aim);
+    let work = move || design::best_friction_over_band(&body, &drive, low..=high, aim);
     let found = left_behind(py, work)?.map_err(refused)?;
     Ok((found.friction, found.greatest, found.at, found.kind.name(), found.rest))
 }

@@ -77,6 +77,7 @@ fn is_stationary_value_larger<F: Float>(
 
 /// The minimum force ratio at a frequency ratio: exact, and by eq. 61.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Border<F> {
@@ -86,12 +87,12 @@ pub struct Border<F> {
     /// Source: Den Hartog's condition, in closed form except for one bracketed root. Accuracy at f64: 2 ulp.
     pub min_force_ratio: F,
     /// Eq. 61, `hypot(K, 1/Ω² − 1)`: equal to the exact border for Ω ≥ 1/2, not above it below.
-    pub turning_point: F,
+    pub min_force_ratio_turning_point: F,
     /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)` up to rounding, where the velocity first touches zero on the
     /// border; 0 if that is the turning point itself. Eq. 61 is exact where it is 0.
-    pub touching_phase: F,
+    pub border_phase: F,
     /// `S(Ω)`: the minimum Δ₀/B of a cycle that does not stick.
-    pub min_displacement: F,
+    pub least_displacement: F,
 }
 
 impl<F: Float> Border<F> {
@@ -136,9 +137,9 @@ impl<F: Float> Border<F> {
         match inner {
             Some(inner) => Self {
                 min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
-                turning_point,
-                touching_phase: inner.phase(),
-                min_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
+                min_force_ratio_turning_point: turning_point,
+                border_phase: inner.phase(),
+                least_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
             },
             None => Self::of_parts(turning_point, turning_point, F::int(0), limit),
         }
@@ -148,19 +149,24 @@ impl<F: Float> Border<F> {
     pub(super) const fn of_parts(
         min_force_ratio: F,
         turning_point: F,
-        touching_phase: F,
-        min_displacement: F,
+        border_phase: F,
+        least_displacement: F,
     ) -> Self {
-        Self { min_force_ratio, turning_point, touching_phase, min_displacement }
+        Self {
+            min_force_ratio,
+            min_force_ratio_turning_point: turning_point,
+            border_phase,
+            least_displacement,
+        }
     }
 
     /// Converts each part of the border to another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Border<G> {
         Border {
             min_force_ratio: to(self.min_force_ratio),
-            turning_point: to(self.turning_point),
-            touching_phase: to(self.touching_phase),
-            min_displacement: to(self.min_displacement),
+            min_force_ratio_turning_point: to(self.min_force_ratio_turning_point),
+            border_phase: to(self.border_phase),
+            least_displacement: to(self.least_displacement),
         }
     }
 

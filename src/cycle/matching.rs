@@ -34,7 +34,7 @@ pub struct Given<R> {
 
 /// The unknowns: t₁, t₂, V₀, Δ₀, Δ₁.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Unknowns<R> {
     /// Phase `ω_d t₁` of the maximum velocity.
     pub velocity_phase: R,

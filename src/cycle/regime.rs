@@ -30,7 +30,7 @@ named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-    pub enum Regime displayed [
+    pub enum Regime [
         /// The name, as [`Display`](core::fmt::Display) prints it.
         #[doc(hidden)]
     ] {

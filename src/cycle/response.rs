@@ -18,6 +18,14 @@ use crate::machine::ratios::Ratios;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::ResponseFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct Response<F> {

@@ -66,7 +66,7 @@ pub(crate) fn real_contraction<R: Field>(g: R, g_cosine: R, spread: R) -> R {
 
 /// A pair of multipliers, complex conjugate or real.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub(crate) enum MultiplierPair<F> {
     /// `re ± i im`, im > 0.
@@ -133,7 +133,7 @@ impl<F: Float> MultiplierPair<F> {
 
 /// The multipliers of a non-sticking cycle, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[must_use]
 pub struct Multipliers<F> {
     half_cycle: MultiplierPair<F>,

@@ -2,7 +2,7 @@
 
 /// The kind of an end of a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Edge {
     /// The border: beyond it the body sticks.
@@ -24,7 +24,7 @@ impl Edge {
 /// An interval of frequency ratios, or of angular frequencies, in which the body never sticks, with its ends
 /// included.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Band<F> {

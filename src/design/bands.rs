@@ -20,6 +20,7 @@ use crate::machine::oscillator::{Drive, Excitation, Oscillator};
 use crate::machine::ratios::{Ratios, positive};
 use crate::root;
 use alloc::boxed::Box;
+use core::ops::RangeInclusive;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -63,11 +64,11 @@ struct FrequencyScale<F> {
 ///
 /// ```
 /// use stickslip::design::{Edge, bands};
-/// let found = bands(12.0f64, 0.0, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// let found = bands(12.0f64, 0.0, 0.1..=2.0)?.collect::<Result<Vec<_>, _>>()?;
 /// assert_eq!(found.len(), 2); // around 0.2971, and from 0.3707 on
 /// assert!((found[0].low - 0.280666).abs() < 1e-6 && (found[0].high - 0.301070).abs() < 1e-6);
 /// assert!((found[1].low - 0.370699).abs() < 1e-6 && found[1].high_edge == Edge::Range);
-/// let damped = bands(12.0f64, 0.05, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// let damped = bands(12.0f64, 0.05, 0.1..=2.0)?.collect::<Result<Vec<_>, _>>()?;
 /// assert!(damped.len() == 1 && (damped[0].low - 0.378354).abs() < 1e-6);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -76,7 +77,8 @@ struct FrequencyScale<F> {
 /// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last lobe, Ω =
 /// 7.6e-6, and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a
 /// lobe whose minimum is too close to α for the type to decide whether it contains a band.
-pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Bands<F>, Error> {
+pub fn bands<F: Float>(alpha: F, damping_ratio: F, range: RangeInclusive<F>) -> Result<Bands<F>, Error> {
+    let (low, high) = range.into_inner();
     Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;
     bands_with(alpha, Damper::Ratio(damping_ratio), low, high)
 }
@@ -124,16 +126,16 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
 pub fn frequency_bands<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
-    low: F,
-    high: F,
+    range: RangeInclusive<F>,
 ) -> Result<Bands<F>, Error> {
+    let (low, high) = range.into_inner();
     let (natural, zeta) = (body.natural_frequency(), body.damping_ratio());
     let found = if drive.is_same_at_any_frequency() {
         let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
         let ratio = |frequency: F| Ok::<F, Error>(ratios_of(body, frequency)?.omega());
-        bands(alpha, zeta, ratio(low)?, ratio(high)?)?
+        bands(alpha, zeta, ratio(low)?..=ratio(high)?)?
     } else {
-        let ratio = |frequency: F| Ok::<F, Error>(drive.at_frequency(frequency)?.ratios(body)?.omega());
+        let ratio = |frequency: F| Ok::<F, Error>(drive.at(frequency)?.ratios(body)?.omega());
         let (from, to) = (ratio(low)?, ratio(high)?);
         searched(growing(body, drive, natural)?, Damper::Ratio(zeta), from, to)?
     };
@@ -143,7 +145,7 @@ pub fn frequency_bands<F: Float>(
 /// α as a function of Ω: a foot with its damper has `p₀² = (k² + c²ω_d²) u₀²`, other drives a power of ω_d.
 fn growing<F: Float>(body: &Oscillator<F>, drive: &Drive<F>, natural: F) -> Result<Force<F>, Error> {
     let zero = F::int(0);
-    let alpha = drive.at_frequency(natural)?.force_amplitude(body) / body.friction_bound();
+    let alpha = drive.at(natural)?.force_amplitude(body) / body.friction_bound();
     Ok(Force(match drive.excitation() {
         Excitation::Force | Excitation::FootMotion | Excitation::SurfaceAcceleration => [alpha, zero, zero],
         Excitation::SurfaceVelocity => [zero, alpha, zero],

@@ -47,7 +47,7 @@ fn optimum_at<F: Float>(ratios: &Ratios<F>) -> Result<Optimum<F>, Error> {
     Ok(if at >= least {
         Optimum { at, value, kind: OptimumKind::Interior }
     } else {
-        let value = loop_size_stiffness(border.min_displacement, least);
+        let value = loop_size_stiffness(border.least_displacement, least);
         Optimum { at: least, value, kind: OptimumKind::Border }
     })
 }

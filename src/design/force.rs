@@ -79,8 +79,8 @@ mod tests {
         };
         assert!(min_amplitude(&body, Excitation::Force, 1.4).is_ok());
         is_refused(forces_without_stop(&body, 1.4).err());
-        is_refused(frequency_bands(&body, &drive, 0.5, 3.0).err());
-        is_refused(frequency_bands_without_stop(&body, &drive, 0.5, 3.0).err());
+        is_refused(frequency_bands(&body, &drive, 0.5..=3.0).err());
+        is_refused(frequency_bands_without_stop(&body, &drive, 0.5..=3.0).err());
         is_refused(force_for_displacement(&body, 1.4, 1.0).err());
         is_refused(force_for_velocity(&body, 1.4, 1.0).err());
         is_refused(most_dissipating_friction(&body, &drive).err());

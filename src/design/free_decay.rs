@@ -51,7 +51,7 @@ pub enum TurningPoints {
 
 /// Friction and damping estimated from a free decay.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct DecayIdentified {

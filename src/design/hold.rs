@@ -8,7 +8,7 @@ use crate::machine::ratios::finite;
 
 /// The frequencies at which friction holds a body at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Holding<F> {
     /// Up to this angular frequency.

@@ -102,7 +102,7 @@ pub struct Reading {
 
 /// A measurement beside the motion computed with the parameters found.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Residual {
     /// Measured minus computed amplitude, relative to the measured one.
@@ -127,7 +127,7 @@ impl Residual {
 
 /// A reading of the amplitudes that fits better.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct BetterReading {
     /// The kind of the amplitudes.
@@ -138,7 +138,7 @@ pub struct BetterReading {
 
 /// Friction and damping estimated from a measured response curve.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Identified {

@@ -18,7 +18,7 @@ use num_traits::Float as _;
 
 /// Friction and damping estimated from a load and the motion under it.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct MotionIdentified {

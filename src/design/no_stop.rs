@@ -13,6 +13,7 @@ use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::positive;
 use crate::root;
 use alloc::vec::Vec;
+use core::ops::RangeInclusive;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -34,7 +35,7 @@ pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F)
 /// A band of frequency ratios, or of angular frequencies, in which the body never stops, with its ends
 /// included.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct NoStopBand<F> {
     /// Lower end.
@@ -60,13 +61,13 @@ pub struct NoStopBand<F> {
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;
-/// let found = bands_without_stop(80.0f64, 0.0, 0.3, 0.4)?;
+/// let found = bands_without_stop(80.0f64, 0.0, 0.3..=0.4)?;
 /// // Up to 0.3250, from 0.3298 to 0.3342 around 1/3, and from 0.3436 on.
 /// assert_eq!(found.iter().map(|band| band.reversals_per_cycle).collect::<Vec<_>>(), [2, 6, 2]);
 /// assert!((found[1].low - 0.32984).abs() < 1e-4 && (found[1].high - 0.33422).abs() < 1e-4);
 /// // A little damping narrows the second band, and more removes it.
-/// assert_eq!(bands_without_stop(80.0f64, 0.002, 0.32, 0.36)?.len(), 3);
-/// assert_eq!(bands_without_stop(80.0f64, 0.01, 0.32, 0.36)?.len(), 2);
+/// assert_eq!(bands_without_stop(80.0f64, 0.002, 0.32..=0.36)?.len(), 3);
+/// assert_eq!(bands_without_stop(80.0f64, 0.01, 0.32..=0.36)?.len(), 2);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -75,11 +76,11 @@ pub struct NoStopBand<F> {
 pub fn bands_without_stop<F: Float>(
     alpha: F,
     damping_ratio: F,
-    low: F,
-    high: F,
+    range: RangeInclusive<F>,
 ) -> Result<Vec<NoStopBand<F>>, Error> {
+    let (low, high) = range.into_inner();
     let mut found = Vec::new();
-    for band in bands(alpha, damping_ratio, low, high)? {
+    for band in bands(alpha, damping_ratio, low..=high)? {
         let band = band?;
         found.push(NoStopBand {
             low: band.low,
@@ -126,14 +127,14 @@ pub fn bands_without_stop<F: Float>(
 pub fn frequency_bands_without_stop<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
-    low: F,
-    high: F,
+    range: RangeInclusive<F>,
 ) -> Result<Vec<NoStopBand<F>>, Error> {
+    let (low, high) = range.into_inner();
     if !drive.is_same_at_any_frequency() {
         return Err(Error::ForceOfFrequency { drive: drive.excitation().name() });
     }
     // This returns the errors in physical units.
-    let _ = frequency_bands(body, drive, low, high)?;
+    let _ = frequency_bands(body, drive, low..=high)?;
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
     let (from, to) = (ratios_of(body, low)?.omega(), ratios_of(body, high)?.omega());
@@ -142,7 +143,7 @@ pub fn frequency_bands_without_stop<F: Float>(
         high: band.high_edge.place(high, band.high * natural),
         ..band
     };
-    let found = bands_without_stop(alpha, body.damping_ratio(), from, to)?;
+    let found = bands_without_stop(alpha, body.damping_ratio(), from..=to)?;
     Ok(found.into_iter().map(in_units).collect())
 }
 
@@ -203,7 +204,7 @@ mod tests {
     #[test]
     fn inside_and_at_its_ends_the_body_never_stops_and_outside_it_does() {
         for alpha in [53.0, 60.0, 70.0, 100.0, 150.0, 400.0, 2000.0] {
-            let found = bands_without_stop(alpha, 0.0, 0.05, 2.0).unwrap();
+            let found = bands_without_stop(alpha, 0.0, 0.05..=2.0).unwrap();
             let six = found.iter().filter(|band| band.reversals_per_cycle == 6).count();
             assert!(six >= 1, "{alpha}: {found:?}");
             for pair in found.windows(2) {
@@ -236,8 +237,8 @@ mod tests {
         let forces = forces_without_stop(&body, 2.0 * 0.331).unwrap();
         assert!((forces.min() / 161.019_919_536_129_45f64 - 1.0).abs() < 1e-13);
         let drive = Drive::force(240.0, 1.0).unwrap();
-        let found = frequency_bands_without_stop(&body, &drive, 0.6, 0.8).unwrap();
-        let ratios = bands_without_stop(80.0f64, 0.0, 0.3, 0.4).unwrap();
+        let found = frequency_bands_without_stop(&body, &drive, 0.6..=0.8).unwrap();
+        let ratios = bands_without_stop(80.0f64, 0.0, 0.3..=0.4).unwrap();
         assert_eq!(found.len(), ratios.len());
         for (a, b) in found.iter().zip(&ratios) {
             assert!((a.low - 2.0 * b.low).abs() < 1e-14 && (a.high - 2.0 * b.high).abs() < 1e-14);

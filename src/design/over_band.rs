@@ -32,6 +32,7 @@ use crate::named::named;
 use alloc::vec::Vec;
 use band::Band;
 use core::cmp::Ordering;
+use core::ops::RangeInclusive;
 
 named! {
     /// The amplitude that is to be small.
@@ -61,7 +62,7 @@ impl Aim {
 named! {
     /// The kind of a best friction over a band.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     #[non_exhaustive]
     pub enum BandFrictionKind [
@@ -79,7 +80,7 @@ named! {
 
 /// The friction whose greatest amplitude over a band is least.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct BandFriction<F> {
     /// The friction bound r_y, the least of those whose greatest amplitude is within 10⁻¹⁰ of the least.
@@ -116,7 +117,7 @@ pub struct BandFriction<F> {
 /// let body = Oscillator::new(800.0, 800.0 * natural * natural, 1.0)?;
 /// let drive = Drive::new(Excitation::SurfaceMotion, 0.05, 1.0)?;
 /// let best =
-///     best_friction_over_band(&body, &drive, natural / 2.0, natural * 4.0, Aim::AbsoluteDisplacement)?;
+///     best_friction_over_band(&body, &drive, natural / 2.0..=natural * 4.0, Aim::AbsoluteDisplacement)?;
 /// assert_eq!(best.kind, BandFrictionKind::Interior);
 /// assert!(best.greatest > 0.05 && best.at.len() >= 2);
 /// # Ok::<(), stickslip::Error>(())
@@ -130,10 +131,10 @@ pub struct BandFriction<F> {
 pub fn best_friction_over_band<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
-    low: F,
-    high: F,
+    band: RangeInclusive<F>,
     aim: Aim,
 ) -> Result<BandFriction<F>, Error> {
+    let (low, high) = band.into_inner();
     let mut band = Band::new(body, drive, low, high, aim)?;
     let rest = band.rest()?;
     if band.is_best_at_rest() {

@@ -220,7 +220,7 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let border = Border::with_damping(omega, zeta)?;
     let least = border.min_force_ratio;
     let share = one / least;
-    let at_border = LoopSize::closed(loop_size_stiffness(border.min_displacement, least)).most;
+    let at_border = LoopSize::closed(loop_size_stiffness(border.least_displacement, least)).most;
     let most = LoopSize::closed(non_sticking.value).most;
     // The best cycle without sticking is the first candidate; its place may be the border.
     let mut sticking =

@@ -96,7 +96,7 @@ fn displacement_target<F: Float>(
 ) -> Result<F, Error> {
     let half = steady(ratios, quantity)?;
     let displacement = positive(quantity, target)? / scale;
-    let least = Border::of(ratios).min_displacement;
+    let least = Border::of(ratios).least_displacement;
     if displacement < least {
         return Err(sticks(quantity, target, least * scale, half.omega));
     }
@@ -123,7 +123,7 @@ fn velocity_target<F: Float>(
         let [speed, ..] = rising.velocity(&moment);
         (speed / half.omega, moment.drive.0)
     };
-    let least = Border::of(ratios).min_displacement + half.shift;
+    let least = Border::of(ratios).least_displacement + half.shift;
     let (least_velocity, _) = reached(least);
     if velocity < least_velocity {
         return Err(sticks(quantity, target, least_velocity * scale, half.omega));

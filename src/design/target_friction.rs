@@ -31,7 +31,7 @@ const PLACES: i32 = 160;
 
 /// A friction whose steady motion has the target displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TargetFriction<F> {
     /// The friction bound r_y, unit of force.

@@ -22,6 +22,7 @@ use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity, written};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::{Ratios, positive};
+use core::ops::RangeInclusive;
 use work::FrictionWork;
 
 /// The number of harmonics of the friction, even ones included, whose resonances lie in the first part of the
@@ -36,9 +37,13 @@ const HARMONICS: i32 = 64;
 /// # Errors
 /// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range
 /// contains Ω = 1, at which A₂ is infinite, and those of [`bands`].
-pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> Result<Optimum<F>, Error> {
+pub fn most_dissipating_frequency_ratio<F: Float>(
+    alpha: F,
+    range: RangeInclusive<F>,
+) -> Result<Optimum<F>, Error> {
+    let (low, high) = range.into_inner();
     let none = F::int(0);
-    bands(alpha, none, low, high)?;
+    bands(alpha, none, low..=high)?;
     let mut best = best_frequency_ratio(alpha, none, low.or_larger(Lobe::new(u16::MAX).low_pole()), high);
     if let Err(Error::SticksThroughout { low: named, .. }) = &mut best {
         *named = written(low);
@@ -154,9 +159,9 @@ fn best_of_band<F: Float>(
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
-    low: F,
-    high: F,
+    stiffnesses: RangeInclusive<F>,
 ) -> Result<Optimum<F>, Error> {
+    let (low, high) = stiffnesses.into_inner();
     if drive.excitation().moves_foot() {
         return Err(Error::BaseMotion);
     }
@@ -179,7 +184,7 @@ pub fn most_dissipating_stiffness<F: Float>(
         }
         best_frequency_ratio(alpha, gamma, omega(hard), omega(soft))?
     } else {
-        most_dissipating_frequency_ratio(alpha, omega(hard), omega(soft))?
+        most_dissipating_frequency_ratio(alpha, omega(hard)..=omega(soft))?
     };
     let stiffness = if best.at == omega(hard) {
         hard

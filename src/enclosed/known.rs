@@ -11,7 +11,8 @@ use rug::{Integer, Rational};
 
 /// The knowledge of a ratio: its exact value, or that it lies between two numbers.
 ///
-/// Text is read exactly as written: `0.4` is four tenths, `1/3` is a third.
+/// Text is read exactly as written: `0.4` is four tenths, `1/3` is a third, and `0.695..0.705` is all numbers between
+/// these two.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[must_use]
 pub struct Known {
@@ -114,8 +115,13 @@ impl Known {
 impl FromStr for Known {
     type Err = ParseError;
 
-    /// Reads a decimal number as `f64` does, or two integers with `/` between them, exactly as written.
+    /// Reads a decimal number as `f64` does, or two integers with `/` between them, exactly as written; and two of these
+    /// with `..` between them.
     fn from_str(text: &str) -> Result<Self, ParseError> {
+        if let Some((low, high)) = text.split_once("..") {
+            let error = |_| ParseError { text: text.chars().take(80).collect() };
+            return Self::between(&low.parse()?, &high.parse()?).map_err(error);
+        }
         let error = || ParseError { text: text.chars().take(80).collect() };
         let number = match text.split_once('/') {
             Some((over, under)) => {

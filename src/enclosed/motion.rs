@@ -34,5 +34,6 @@ mod statistics;
 mod steady;
 mod unproved;
 
-pub use steady::{Steady, steady};
+pub use steady::Steady;
+pub(super) use steady::steady;
 pub use unproved::{Event, Unproved};

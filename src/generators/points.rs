@@ -49,7 +49,7 @@ pub(crate) fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
             match kind {
                 6 => p.value().abs(),
                 7 => SQRT_2 * p.value().abs(),
-                8 => border.turning_point,
+                8 => border.min_force_ratio_turning_point,
                 9 | 10 => border.min_force_ratio,
                 _ => border.min_force_ratio * ordinary(u, 0.0, 8.0)?.exp2(),
             }
@@ -80,13 +80,13 @@ pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let place = match kind {
         0 => return magnitude(u),
         1 => return ordinary(u, -2.0, 12.0).map(f64::exp2),
-        2 => border.min_displacement,
+        2 => border.least_displacement,
         // NaN at Ω = 1, where no steady motion has a maximum velocity.
         3 => Ratios::new(omega, border.min_force_ratio)
             .ok()
             .and_then(Cycle::find)
             .map_or(f64::NAN, |cycle| cycle.max_velocity),
-        _ => border.min_displacement * ordinary(u, 0.0, 12.0)?.exp2(),
+        _ => border.least_displacement * ordinary(u, 0.0, 12.0)?.exp2(),
     };
     beside(u, place)
 }

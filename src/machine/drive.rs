@@ -24,6 +24,14 @@ pub struct Drive<F> {
     mean_force: F,
 }
 
+/// Displays the excitation with its numbers: `force on the body: 12 at ω_d = 6`.
+impl<F: Float> core::fmt::Display for Drive<F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{}: {} at ω_d = {}", self.excitation, self.amplitude, self.angular_frequency)?;
+        if self.mean_force == F::int(0) { Ok(()) } else { write!(f, ", p̄ = {}", self.mean_force) }
+    }
+}
+
 impl<F: Float> Drive<F> {
     /// A drive of the given kind and amplitude at the angular frequency ω_d.
     ///
@@ -89,15 +97,15 @@ impl<F: Float> Drive<F> {
     }
 
     /// The constant force p̄; 0 by default.
-    pub(crate) const fn mean_force(&self) -> F {
+    pub const fn mean_force(&self) -> F {
         self.mean_force
     }
 
-    /// The same excitation at another angular frequency.
+    /// This drive at another angular frequency.
     ///
     /// # Errors
     /// Where ω_d is not finite or not > 0.
-    pub(crate) fn at_frequency(&self, angular_frequency: F) -> Result<Self, Error> {
+    pub fn at(&self, angular_frequency: F) -> Result<Self, Error> {
         Ok(Self { angular_frequency: positive(Quantity::AngularFrequency, angular_frequency)?, ..*self })
     }
 

@@ -9,7 +9,7 @@ pub(crate) use number::written;
 pub use quantity::Quantity;
 
 /// The reason why there is no answer. Values are printed with all the digits that identify them.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// NaN or an infinity where a finite number is required.

@@ -14,7 +14,7 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     #[non_exhaustive]
-    pub enum Excitation displayed [
+    pub enum Excitation [
         /// The text that [`Display`](core::fmt::Display) prints.
         #[doc(hidden)]
     ] {

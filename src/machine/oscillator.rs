@@ -57,6 +57,27 @@ impl<F: PartialEq> PartialEq for Oscillator<F> {
     }
 }
 
+/// Displays the quantities that are given: `m = 50, k = 1000, r_y = 5, c = 4`.
+impl<F: Float> core::fmt::Display for Oscillator<F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let zero = F::int(0);
+        write!(f, "m = {}, k = {}", self.mass, self.stiffness)?;
+        if self.friction_offset == zero {
+            write!(f, ", r_y = {}", self.friction_bound)?;
+        } else {
+            let (forward, backward) = self.directional_friction();
+            write!(f, ", r₊ = {forward}, r₋ = {backward}")?;
+        }
+        if self.damping != zero {
+            write!(f, ", c = {}", self.damping)?;
+        }
+        if self.static_friction_ratio > F::int(1) {
+            write!(f, ", η = {}", self.static_friction_ratio)?;
+        }
+        Ok(())
+    }
+}
+
 impl<F: Float> Oscillator<F> {
     /// An oscillator from mass m, stiffness k and friction bound r_y, without a damper.
     ///
@@ -167,6 +188,11 @@ impl<F: Float> Oscillator<F> {
     /// Friction bound r_y; the mean of both directions, `(r₊ + r₋)/2`, where they differ.
     pub const fn friction_bound(&self) -> F {
         self.friction_bound
+    }
+
+    /// Friction by direction, (r₊, r₋): against motion with x′ > 0, and against motion with x′ < 0.
+    pub fn directional_friction(&self) -> (F, F) {
+        (self.friction_bound + self.friction_offset, self.friction_bound - self.friction_offset)
     }
 
     /// Half the difference of friction by direction, `(r₊ − r₋)/2`; 0 by default.

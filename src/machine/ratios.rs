@@ -36,6 +36,20 @@ pub struct Ratios<F> {
     excitation: Option<Excitation>,
 }
 
+/// Displays the ratios that are given: `Ω = 0.7, α = 2, ζ = 0.05`.
+impl<F: Float> core::fmt::Display for Ratios<F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Ω = {}, α = {}", self.omega, self.alpha)?;
+        if self.is_damped() {
+            write!(f, ", ζ = {}", self.damping_ratio)?;
+        }
+        if self.has_higher_static_friction() {
+            write!(f, ", η = {}", self.static_friction_ratio)?;
+        }
+        self.excitation.map_or(Ok(()), |excitation| write!(f, ", {excitation}"))
+    }
+}
+
 impl<F: Float> Ratios<F> {
     /// The ratios Ω and α, without damping and with η = 1.
     ///

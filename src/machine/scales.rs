@@ -7,7 +7,7 @@ use crate::machine::ratios::{finite, positive};
 
 /// The physical size of the dimensionless answers of one oscillator under one drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[must_use]
 pub struct Scales<F> {
     /// Length: `B = r_y/k` (eq. 6).

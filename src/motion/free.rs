@@ -42,6 +42,14 @@ use num_traits::Float as _;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::FreeDecayFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct FreeDecay<F> {
@@ -66,6 +74,24 @@ pub struct FreeDecay<F> {
 }
 
 impl<F: Float> FreeDecay<F> {
+    /// The state from which the vibration begins.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn start(&self) -> State<F> {
+        self.start
+    }
+
+    /// Damping ratio ζ.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn damping_ratio(&self) -> F {
+        self.zeta
+    }
+
+    /// Static friction ratio η.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn static_friction_ratio(&self) -> F {
+        self.eta
+    }
+
     /// Free vibration from the displacement x₀/B and the velocity v₀/(Bω_n), with the damping ratio ζ (0
     /// without a damper) and a static friction of η ≥ 1 times the kinetic one (1 for one friction).
     ///

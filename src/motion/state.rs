@@ -63,6 +63,8 @@ impl<F: Float> Default for State<F> {
 
 /// A point of the motion: displacement x/B and velocity `w = Ωv` at a phase of the drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "F: Float + serde::Deserialize<'de>")))]
 pub(crate) struct Point<F> {
     pub(crate) phase: DrivePhase<F>,
     pub(crate) x: F,
@@ -88,7 +90,8 @@ impl<F: Float> Point<F> {
 
 /// The motion at one instant: state, acceleration, forces. Forces in units of r_y.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "F: Float + serde::Deserialize<'de>")))]
 #[non_exhaustive]
 pub struct Instant<F> {
     /// Phase, displacement and velocity.

@@ -9,35 +9,40 @@ use super::state::{Instant, State};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::Ratios;
+use crate::named::named;
 
-/// How a segment of the motion ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum End {
-    /// The velocity goes through zero and the body slides back at once.
-    Reversal,
-    /// The velocity reaches zero and the body stops.
-    Stop,
-    /// The velocity touches zero and the body continues in the same direction.
-    Grazing,
-    /// The body, at rest, is released.
-    Release,
-    /// The segment never ends.
-    Never,
+named! {
+    /// How a segment of the motion ends.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum End {
+        /// The velocity goes through zero and the body slides back at once.
+        Reversal = "reversal",
+        /// The velocity reaches zero and the body stops.
+        Stop = "stop",
+        /// The velocity touches zero and the body continues in the same direction.
+        Grazing = "grazing",
+        /// The body, at rest, is released.
+        Release = "release",
+        /// The segment never ends.
+        Never = "never",
+    }
 }
 
-/// The kind of a segment of the motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Kind {
-    /// The body slides towards larger x: friction is +r_y.
-    SlideForward,
-    /// The body slides towards smaller x: friction is −r_y.
-    SlideBackward,
-    /// The body is at rest.
-    Stick,
+named! {
+    /// The kind of a segment of the motion.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Kind {
+        /// The body slides towards larger x: friction is +r_y.
+        SlideForward = "slide-forward",
+        /// The body slides towards smaller x: friction is −r_y.
+        SlideBackward = "slide-backward",
+        /// The body is at rest.
+        Stick = "stick",
+    }
 }
 
 impl From<Direction> for Kind {

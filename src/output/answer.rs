@@ -82,7 +82,7 @@ impl<F: Float> ResponseAnswer<'_, F> {
         [Output::VelocityPhase];
         [Output::Deviation];
         [Output::MinForceRatio];
-        [Output::TurningPointForceRatio];
+        [Output::MinForceRatioTurningPoint];
         // This value has more digits than the rounded cycle.
         (Output::LoopSizeStiffness.definition()) => Number(answer.response.loop_size_stiffness);
         (Output::LoopSizeInertia.definition()) => Number(answer.response.loop_size_inertia);

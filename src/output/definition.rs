@@ -12,7 +12,7 @@ use alloc::string::String;
 macro_rules! measures {
     ($($(#[$doc:meta])* $measure:ident: $unit:literal, $kind:ident, $scales:ident => $size:expr;)*) => {
         /// The unit of an output: in ratios, and in the units of a machine.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[non_exhaustive]
         pub enum Measure {
             $($(#[$doc])* $measure,)*
@@ -94,7 +94,7 @@ measures! {
 }
 
 /// The name of an output in the units of a machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum PhysicalName {
     /// The output has no such name.
     Absent,
@@ -104,7 +104,7 @@ enum PhysicalName {
 }
 
 /// The definition of an output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Definition {
     /// The output's name: the key in JSON, the column in tables.

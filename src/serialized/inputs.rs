@@ -6,7 +6,8 @@ use crate::float::Float;
 use crate::machine::error::Error;
 use crate::motion::record::{After, Body, Record};
 use crate::motion::{DrivePhase, State};
-use crate::output::{Output, UnknownOutput};
+use crate::named::UnknownName;
+use crate::output::Output;
 use crate::uncertainty::Interval;
 use crate::{Drive, Oscillator, Ratios};
 use alloc::borrow::ToOwned;
@@ -18,6 +19,13 @@ use serde::Deserialize;
 #[derive(thiserror::Error, Debug)]
 #[error("{0}")]
 pub(crate) struct Unread(String);
+
+impl Unread {
+    /// The condition in words.
+    pub(super) fn of(condition: &str) -> Self {
+        Self(condition.to_owned())
+    }
+}
 
 impl From<Error> for Unread {
     fn from(error: Error) -> Self {
@@ -101,10 +109,10 @@ fields! {
             }
             (None, None, Some(times)) => Record::at_times(excitation, times, samples)?,
             (Some(_), None, Some(_)) => {
-                return Err(Unread("record: start must be left out beside times".to_owned()));
+                return Err(Unread::of("record: start must be left out beside times"));
             }
             (_, Some(_), Some(_)) | (_, None, None) => {
-                return Err(Unread("record: needs a step or times, and not both".to_owned()));
+                return Err(Unread::of("record: needs a step or times, and not both"));
             }
         };
         let after = after.unwrap_or_else(|| record.after());
@@ -112,11 +120,11 @@ fields! {
     };
 }
 
-fn zero<F: Float>() -> F {
+pub(super) fn zero<F: Float>() -> F {
     F::int(0)
 }
 
-fn one<F: Float>() -> F {
+pub(super) fn one<F: Float>() -> F {
     F::int(1)
 }
 
@@ -132,15 +140,15 @@ const fn no() -> bool {
     false
 }
 
-const fn absent<T>() -> Option<T> {
+pub(super) const fn absent<T>() -> Option<T> {
     None
 }
 
 /// An output by its name.
 impl TryFrom<String> for Output {
-    type Error = UnknownOutput;
+    type Error = UnknownName;
 
-    fn try_from(name: String) -> Result<Self, UnknownOutput> {
+    fn try_from(name: String) -> Result<Self, UnknownName> {
         name.parse()
     }
 }

@@ -3,7 +3,9 @@ use crate::motion::attractors;
 use crate::motion::record::{After, Body, Record};
 use crate::motion::{FreeDecay, LongRun, State, Trajectory};
 use crate::uncertainty::Interval;
-use crate::{Border, Cycle, Drive, Excitation, Oscillator, Output, Ratios, Response, Verdict};
+use crate::{
+    Border, Cycle, Drive, Excitation, Oscillator, Output, Ratios, Response, Scales, Steady, Verdict,
+};
 use serde_json::{Value, json, to_value};
 
 #[test]
@@ -77,23 +79,90 @@ fn sensitivities() {
 #[test]
 fn enclosures() {
     let [omega, alpha, zeta, eta] = ["1.5", "2.5", "0", "1"].map(|text| text.parse().unwrap());
-    let found = crate::enclosed::response(&omega, &alpha, &zeta, &eta, 64).unwrap();
+    let found = crate::enclosed::KnownRatios::new(&omega)
+        .with_force_ratio(&alpha)
+        .with_damping_ratio(&zeta)
+        .with_static_friction_ratio(&eta)
+        .response(64)
+        .unwrap();
     let map = to_value(&found).unwrap();
     let (mid, rad) = found.get(Output::MaxDisplacement).unwrap().decimal();
     assert_eq!(map["max_displacement"], json!({ "mid": mid, "rad": rad }));
     assert_eq!((&map["regime"], &map["bits"]), (&json!("non-sticking"), &json!(found.bits)));
-    let motion = crate::enclosed::steady(&omega, &alpha, &zeta, &eta, 64).unwrap().unwrap();
+    let motion = crate::enclosed::KnownRatios::new(&omega)
+        .with_force_ratio(&alpha)
+        .with_damping_ratio(&zeta)
+        .with_static_friction_ratio(&eta)
+        .steady(64)
+        .unwrap()
+        .unwrap();
     let map = to_value(&motion).unwrap();
     assert_eq!((&map["symmetric"], &map["sticks_per_cycle"]), (&json!(true), &json!(0)));
+}
+
+fn back<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + core::fmt::Debug>(written: &T) {
+    let text = serde_json::to_string(written).unwrap();
+    assert_eq!(serde_json::from_str::<T>(&text).as_ref().ok(), Some(written), "{text}");
+}
+
+/// What is read back after writing has the same bits.
+#[test]
+fn results_are_read_as_they_were_written() {
+    let at = |omega: f64, alpha, zeta, eta| {
+        let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+        ratios.with_static_friction_ratio(eta).unwrap().with_excitation(Excitation::DampedFootMotion)
+    };
+    for (omega, alpha, zeta, eta) in [
+        (1.5, 2.5, 0.0, 1.0),
+        (0.4, 9.0, 0.0, 1.0),
+        (0.4, 6.0, 0.03, 1.0),
+        (0.5, 4.0, 0.02, 1.3),
+        (0.7, 0.5, 0.0, 1.0),
+        (0.5, 40.0, 0.0, 1.0),
+    ] {
+        let ratios = at(omega, alpha, zeta, eta);
+        let response = Response::new(ratios);
+        back(&response);
+        let guarded = Response::guarded(ratios);
+        let read: Response<f64> = serde_json::from_str(&serde_json::to_string(&guarded).unwrap()).unwrap();
+        let shown = |found: Response<f64>| format!("{found:?}");
+        assert_eq!(shown(read), shown(guarded));
+        back(&response.border);
+        response.cycle.iter().for_each(back);
+        back(&Verdict::new(ratios));
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
+        back(&limit);
+        limit.steady_state().into_iter().for_each(|steady| back(&steady.peaks().unwrap()));
+        let starts = [State::default(), State::new(0.0, -3.0, 1.0).unwrap()];
+        back(&attractors(ratios, &starts, 1000).unwrap());
+        let mut motion = Trajectory::new(ratios, State::default()).unwrap().samples(7).unwrap();
+        back(&motion.next().unwrap().unwrap());
+    }
+    // A number that was not computed here is kept, and a cycle that does not exist is refused.
+    let mut map = to_value(Response::new(at(1.5, 2.5, 0.0, 1.0))).unwrap();
+    map["max_displacement"] = json!(1.25);
+    let read: Response<f64> = serde_json::from_value(map.clone()).unwrap();
+    assert_eq!(read.cycle.unwrap().max_displacement, 1.25);
+    map["alpha"] = json!(1.1);
+    let said = serde_json::from_value::<Response<f64>>(map).unwrap_err().to_string();
+    assert!(said.contains("α = 1.1"), "{said}");
+    for (zeta, eta) in [(0.0, 1.0), (0.05, 1.2), (2.0, 1.0)] {
+        back(&FreeDecay::new(12.0f64, 6.0, zeta, eta).unwrap());
+    }
+    let body = Oscillator::new(50.0f64, 1000.0, 5.0).unwrap().with_damping_ratio(0.02).unwrap();
+    let drive = Drive::new(Excitation::SurfaceAcceleration, 0.3, 5.0).unwrap();
+    back(&Scales::new(&body, &drive).unwrap());
+    let steady = Steady::of(&body, &drive).unwrap();
+    back(&steady);
+    back(&steady.samples(5).unwrap());
+    let record = Record::new(Excitation::Force, 0.5, vec![0.0, 8.0, -9.0, 0.0]).unwrap();
+    let block = Body::new(2.0f64, 0.7).unwrap().with_stiffness(3.0).unwrap();
+    back(&block.follow(&record).unwrap());
 }
 
 /// What is read back after writing has the same bits.
 #[test]
 fn inputs_are_read_as_they_were_written() {
-    fn back<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + core::fmt::Debug>(input: &T) {
-        let text = serde_json::to_string(input).unwrap();
-        assert_eq!(serde_json::from_str::<T>(&text).as_ref().ok(), Some(input), "{text}");
-    }
     let ratios = Ratios::new(0.1f64 + 0.2, 2.5).unwrap().with_damping_ratio(0.02).unwrap();
     back(&ratios.with_static_friction_ratio(1.3).unwrap());
     let body = Oscillator::new(50.0f64, 1000.0, 5.0).unwrap().with_damping(1.0 / 3.0).unwrap();

@@ -6,7 +6,7 @@ use super::matrix::Matrix;
 
 /// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 pub enum EventKind {
     /// A contact comes to rest.
     Stick,
@@ -51,7 +51,7 @@ impl core::fmt::Display for EventKind {
 
 /// An event.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Event<F> {
     /// Its time.
     pub time: F,

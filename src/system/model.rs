@@ -155,7 +155,7 @@ impl<F: Float> Law<F> {
 
 /// Displacements, velocities and the forces of the elastic contacts at one instant.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<F> {
     /// q.
     pub displacement: Vec<F>,

@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 
 /// A motion, with its answers.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion<F> {
     /// Its length in time.
     pub duration: F,
@@ -48,7 +48,7 @@ pub struct Motion<F> {
 
 /// The answers of an element.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ElementMotion<F> {
     /// Its name.
     pub name: String,

@@ -25,7 +25,7 @@ use nalgebra::{DMatrix, Schur};
 
 /// The kind of a motion after a long time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 pub enum SteadyKind {
     /// It repeats itself.
     Periodic,
@@ -52,7 +52,7 @@ impl SteadyKind {
 
 /// The motion that a start leads to.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Steady<F> {
     /// Its kind.
     pub kind: SteadyKind,

@@ -7,7 +7,7 @@ mod verdict;
 
 use super::{Interval, Known, Range, RatioBox};
 use crate::cycle::regime::{Regime as Decided, Verdict};
-use crate::enclosed::{self, Enclosure, Regime, Response};
+use crate::enclosed::{self, Enclosure, KnownRatios, Regime, Response};
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::excitation::Excitation;
@@ -25,7 +25,7 @@ impl<F: Float> RatioBox<F> {
     /// some part of the box, or where that is undecided.
     ///
     /// The box is cut into at most `pieces` parts, preferably at the ends of the range, and each part is
-    /// enclosed as by [`enclosed::response`]. The range exceeds the sharp one, by less the more parts there
+    /// enclosed as by [`KnownRatios::response`]. The range exceeds the sharp one, by less the more parts there
     /// are. A part takes about a millisecond, or tens of milliseconds for the maximum acceleration below Ω =
     /// 1/2. A phase may lie outside [0, 2π) by the width of its range.
     ///
@@ -94,7 +94,8 @@ fn of_ratios(output: Output, part: &[Ends]) -> Result<Over, Error> {
 /// The closed forms for Ω, α and ζ in these intervals, under an excitation.
 fn response(output: Output, ratios: [&Ends; 3], excitation: Option<Excitation>) -> Result<Response, Error> {
     let [omega, alpha, zeta] = ratios.map(|(low, high)| enclosed::Known::of_ends(low.clone(), high.clone()));
-    enclosed::response_for(output, &omega, &alpha, &zeta, excitation, BITS)
+    let ratios = KnownRatios::new(&omega).with_force_ratio(&alpha).with_damping_ratio(&zeta);
+    enclosed::response_for(output, &ratios, excitation, BITS)
 }
 
 /// The values of an output from the closed forms over a part of a box; `to` bounds an enclosure.

@@ -2,7 +2,7 @@
 
 /// An estimate with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Estimate {
@@ -11,10 +11,10 @@ pub struct Estimate {
     /// Its standard error.
     pub standard_error: f64,
     /// Degrees of freedom of the standard error; infinite where it is not estimated from a spread.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::serialized::infinite"))]
     pub(crate) degrees_of_freedom: f64,
     /// The least and the greatest value that the quantity can have.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::serialized::unbounded"))]
     pub(crate) range: (f64, f64),
 }
 

@@ -31,9 +31,9 @@ fn answers<F: Float>(omega: F, zeta: F, alpha: F) -> Vec<(&'static str, F, F)> {
         ("velocity_phase", c.velocity_phase, phase(c.velocity_phase)),
         ("deviation", c.deviation(), if c.deviation().abs() > speed { c.deviation() } else { speed }),
         sized("min_force_ratio", border.min_force_ratio),
-        sized("min_force_ratio_turning_point", border.turning_point),
-        ("border_phase", border.touching_phase, phase(border.touching_phase)),
-        sized("least_displacement", border.min_displacement),
+        sized("min_force_ratio_turning_point", border.min_force_ratio_turning_point),
+        ("border_phase", border.border_phase, phase(border.border_phase)),
+        sized("least_displacement", border.least_displacement),
         sized("contraction", c.contraction()),
         sized("damper_work", c.damper_work()),
     ]

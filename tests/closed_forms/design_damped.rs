@@ -8,7 +8,7 @@ use stickslip::design::{
 use stickslip::{Border, Cycle, Drive, Error, Oscillator, Ratios};
 
 fn all(alpha: f64, zeta: f64, low: f64, high: f64) -> Vec<Band<f64>> {
-    bands(alpha, zeta, low, high).unwrap().collect::<Result<_, _>>().unwrap()
+    bands(alpha, zeta, low..=high).unwrap().collect::<Result<_, _>>().unwrap()
 }
 
 fn least(omega: f64, zeta: f64) -> f64 {
@@ -62,7 +62,7 @@ fn a_narrow_gap_and_a_narrow_band_are_found() {
     }
     // Just above the minimum between Ω = 1/3 and 1, the band is as without damping.
     let minimum = 1.211_236_5;
-    let without = bands(minimum, 0.0, 0.4, 3.0).unwrap().map(Result::unwrap).collect::<Vec<_>>();
+    let without = bands(minimum, 0.0, 0.4..=3.0).unwrap().map(Result::unwrap).collect::<Vec<_>>();
     let with = all(minimum, 1e-12, 0.4, 3.0);
     assert_eq!(without.len(), with.len());
     for (a, b) in without.iter().zip(&with) {
@@ -100,7 +100,7 @@ fn no_stiffness_of_a_grid_is_better() {
     ] {
         let body = Oscillator::new(2.0, 1.0, friction).unwrap().with_damping(damping).unwrap();
         let drive = Drive::force(9.0, 2.0).unwrap();
-        let best = most_dissipating_stiffness(&body, &drive, low, high).unwrap();
+        let best = most_dissipating_stiffness(&body, &drive, low..=high).unwrap();
         let at_best = energy(2.0, best.at, friction, damping, &drive);
         assert!((at_best / best.value - 1.0).abs() < 1e-9, "{best:?} {at_best}");
         let better = (0..=20_000)
@@ -111,16 +111,16 @@ fn no_stiffness_of_a_grid_is_better() {
     }
     assert!((2..5).contains(&inside), "{inside}");
     // Without a damper the optimum is at Ω = 1 and infinite; a weak damper makes it finite, close to Ω = 1.
-    assert!(matches!(most_dissipating_frequency_ratio(3.0, 0.5, 2.0), Err(Error::AtResonance { .. })));
+    assert!(matches!(most_dissipating_frequency_ratio(3.0, 0.5..=2.0), Err(Error::AtResonance { .. })));
     let body = Oscillator::new(2.0, 1.0, 3.0).unwrap().with_damping(0.01).unwrap();
-    let best = most_dissipating_stiffness(&body, &Drive::force(9.0, 2.0).unwrap(), 4.0, 20.0).unwrap();
+    let best = most_dissipating_stiffness(&body, &Drive::force(9.0, 2.0).unwrap(), 4.0..=20.0).unwrap();
     assert!((best.at / 8.0f64 - 1.0).abs() < 1e-2, "{best:?}");
 }
 
 #[test]
 fn where_it_sticks_throughout_that_is_said() {
     let body = Oscillator::new(2.0, 1.0, 8.0).unwrap().with_damping(0.4).unwrap();
-    let error = most_dissipating_stiffness(&body, &Drive::force(9.0, 2.0).unwrap(), 100.0, 300.0);
+    let error = most_dissipating_stiffness(&body, &Drive::force(9.0, 2.0).unwrap(), 100.0..=300.0);
     assert!(matches!(error, Err(Error::SticksThroughout { .. })), "{error:?}");
 }
 
@@ -179,7 +179,7 @@ fn physical_units_are_the_same_questions() {
     let force: f64 = force_for_velocity(&body, 1.4, wanted.max_velocity * 0.375 * 1.4).unwrap();
     assert!((force / 9.0 - 1.0).abs() < 1e-13, "{force}");
     let drive = Drive::force(36.0, 1.0).unwrap();
-    let found: Vec<_> = frequency_bands(&body, &drive, 0.2, 4.0).unwrap().map(Result::unwrap).collect();
+    let found: Vec<_> = frequency_bands(&body, &drive, 0.2..=4.0).unwrap().map(Result::unwrap).collect();
     let ratios = all(12.0, 0.05, 0.1, 2.0);
     assert_eq!(found.len(), ratios.len());
     for (a, b) in found.iter().zip(&ratios) {

@@ -81,7 +81,7 @@ impl Question {
         // Δ₀ = a − G: near α = 4/π two numbers are subtracted that are as large as at the resonance, 8γ/π|Z₁|².
         let shift = 8.0 / std::f64::consts::PI * gamma / ((at - 1.0).powi(2) + 4.0 * gamma * gamma);
         let slack = 1e-10 + 1e-14 * shift * 4.0 / energy.max(1.0);
-        match most_dissipating_stiffness(&self.body(1.0), &self.drive(), low, high) {
+        match most_dissipating_stiffness(&self.body(1.0), &self.drive(), low..=high) {
             Ok(best) => {
                 assert!(low <= best.at && best.at <= high, "{alpha} {gamma} {low} {high}: {best:?}");
                 // The refinement of the mesh ends at 1e-10 of the energy.
@@ -164,11 +164,11 @@ fn no_end_of_the_range_hides_the_optimum() {
 #[test]
 fn a_narrow_resonance_beside_an_end() {
     let body = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping(0.0004).unwrap();
-    let best = most_dissipating_stiffness(&body, &Drive::force(24.0, 1.0).unwrap(), 0.4, 1.02).unwrap();
+    let best = most_dissipating_stiffness(&body, &Drive::force(24.0, 1.0).unwrap(), 0.4..=1.02).unwrap();
     assert!((best.value / 227_267.6f64 - 1.0).abs() < 1e-6 && (best.at - 1.0).abs() < 1e-7, "{best:?}");
     let body = Oscillator::new(50e3, 1.0, 5e3).unwrap().with_damping(6.3e3).unwrap();
     let drive = Drive::force(30e3, std::f64::consts::TAU).unwrap();
-    let best = most_dissipating_stiffness(&body, &drive, 1e6, 2.01e6).unwrap();
+    let best = most_dissipating_stiffness(&body, &drive, 1e6..=2.01e6).unwrap();
     assert!(
         (best.value / 11_941.0f64 - 1.0).abs() < 1e-3 && (best.at / 1_973.9e3 - 1.0).abs() < 1e-4,
         "{best:?}"

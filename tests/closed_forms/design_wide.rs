@@ -95,7 +95,7 @@ fn the_inverse_questions_at_256_bits() {
     let number = |text: &str| text.parse::<Wide>().unwrap();
     let alpha = number("12");
     let found: Vec<_> =
-        bands(alpha, number("0"), number("0.1"), number("2")).unwrap().map(Result::unwrap).collect();
+        bands(alpha, number("0"), number("0.1")..=number("2")).unwrap().map(Result::unwrap).collect();
     assert_eq!(found.len(), 2);
     for end in [found[0].low, found[0].high, found[1].low] {
         let border = Border::new(end).unwrap().min_force_ratio;
@@ -108,6 +108,6 @@ fn the_inverse_questions_at_256_bits() {
         let again = force_ratio_for_velocity(omega, number("0"), speed).unwrap();
         assert!(((again - force) / force).abs() < Wide::epsilon() * Wide::int(64), "{omega}: {again}");
     }
-    let best = most_dissipating_frequency_ratio(number("1.25"), number("0.1"), number("9")).unwrap();
+    let best = most_dissipating_frequency_ratio(number("1.25"), number("0.1")..=number("9")).unwrap();
     assert!((best.at.to_f64() / 0.934_679_833_045_693_5 - 1.0).abs() < 1e-15);
 }

@@ -4,7 +4,7 @@ mod den_hartog;
 
 use super::reference::outputs;
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Real, Response};
+use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Response};
 
 /// Every output at (Ω, α), by the names of `tests/data/points.csv`.
 fn answers<F: Float>(omega: F, alpha: F) -> Vec<(&'static str, Option<F>)> {

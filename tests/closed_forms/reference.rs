@@ -37,8 +37,8 @@ pub(crate) fn outputs<F: Float>(response: &Response<F>) -> Vec<(&'static str, Op
         ("velocity_phase", Some(cycle.velocity_phase)),
         ("deviation", Some(cycle.deviation())),
         ("min_force_ratio", Some(border.min_force_ratio)),
-        ("min_force_ratio_turning_point", Some(border.turning_point)),
-        ("border_phase", Some(border.touching_phase)),
+        ("min_force_ratio_turning_point", Some(border.min_force_ratio_turning_point)),
+        ("border_phase", Some(border.border_phase)),
         ("loop_size_stiffness", response.loop_size_stiffness),
         ("loop_size_inertia", response.loop_size_inertia),
         ("best_force_ratio", Some(response.best_force_ratio)),
@@ -98,6 +98,6 @@ fn exact_border_below_one_half() {
         let border = stickslip::Border::new(omega).unwrap();
         let error: f64 = border.min_force_ratio / exact - 1.0;
         assert!(error.abs() < 5.0 * 10f64.powi(-digits), "{omega}: {error:e}");
-        assert!(border.turning_point < border.min_force_ratio);
+        assert!(border.min_force_ratio_turning_point < border.min_force_ratio);
     }
 }

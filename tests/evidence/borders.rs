@@ -43,9 +43,9 @@ fn the_motion_on_the_border_touches_zero_where_it_is_said() {
         let Limit::Periodic(found) = harmonic(at).limit(start, phase, 3000) else { continue };
         let most = found.found.most(Of::Displacement);
         // The displacement changes with the force as 1/|1 − Ω²|.
-        let close = (most.value / border.min_displacement - 1.0).abs();
+        let close = (most.value / border.least_displacement - 1.0).abs();
         assert!(close < 1e-5 / (1.0 - omega * omega).abs().min(1.0), "{at:?}: {} {border:?}", most.value);
-        let tau = border.touching_phase;
+        let tau = border.border_phase;
         if tau == 0.0 {
             // The force left over at the turning point is that of the static bound.
             turned += 1;
@@ -80,7 +80,7 @@ fn minima_slopes_and_shortfalls_of_the_border_are_those_of_the_samples() {
     let short = Border::<f64>::shortfall(1).unwrap();
     assert!((short.pole - 1.0 / 3.0).abs() < 1e-15 && (short.high - 0.5).abs() < 1e-15);
     for omega in [0.97 * short.low, 1.02 * short.low, 0.45, 0.52] {
-        let printed = Border::new(omega).unwrap().turning_point;
+        let printed = Border::new(omega).unwrap().min_force_ratio_turning_point;
         let is_short = omega > short.low && omega < short.high;
         assert_eq!(is_free(omega, printed * (1.0 + 1e-6)), !is_short, "{omega} {short:?}");
     }

@@ -127,12 +127,11 @@ fn bands_end_where_the_samples_begin_to_stop() {
         |driven: &Driven| cycle(driven, 4000).map_or((1, 0), |cycle| (cycle.found.rests, cycle.found.ends));
     let mut edges = 0;
     for (alpha, zeta) in [(12.0_f64, 0.0_f64), (5.0, 0.03)] {
-        let all: Vec<_> = bands(alpha, zeta, 0.22, 2.0).unwrap().map(Result::unwrap).collect();
+        let all: Vec<_> = bands(alpha, zeta, 0.22..=2.0).unwrap().map(Result::unwrap).collect();
         let physical = frequency_bands(
             &Oscillator::new(4.0, 100.0, 3.0).unwrap().with_damping_ratio(zeta).unwrap(),
             &Drive::force(3.0 * alpha, 1.0).unwrap(),
-            1.1,
-            10.0,
+            1.1..=10.0,
         );
         let physical: Vec<_> = physical.unwrap().map(Result::unwrap).collect();
         assert_eq!(all.len(), physical.len());
@@ -158,9 +157,10 @@ fn bands_end_where_the_samples_begin_to_stop() {
     }
     assert!(edges >= 3, "{edges}");
     // Near a third of resonance six reversals, too.
-    let all = bands_without_stop(80.0_f64, 0.0, 0.3, 0.4).unwrap();
+    let all = bands_without_stop(80.0_f64, 0.0, 0.3..=0.4).unwrap();
     let body = Oscillator::new(4.0, 100.0, 3.0).unwrap();
-    let physical = frequency_bands_without_stop(&body, &Drive::force(240.0, 1.0).unwrap(), 1.5, 2.0).unwrap();
+    let physical =
+        frequency_bands_without_stop(&body, &Drive::force(240.0, 1.0).unwrap(), 1.5..=2.0).unwrap();
     assert_eq!(all.len(), physical.len());
     assert!(all.iter().any(|band| band.reversals_per_cycle == 6));
     for (band, same) in all.iter().zip(&physical) {
@@ -245,7 +245,7 @@ fn no_other_machine_dissipates_more() {
         assert!((best.value / unit / ratio.value - 1.0).abs() < 1e-9, "{best:?} {ratio:?}");
         // Stiffness.
         let (soft, hard) = (0.6 * driven.stiffness, 1.7 * driven.stiffness);
-        if let Ok(best) = most_dissipating_stiffness(&body, &driven.drive(), soft, hard) {
+        if let Ok(best) = most_dissipating_stiffness(&body, &driven.drive(), soft..=hard) {
             let with = |stiffness: f64| Driven { stiffness, ..driven };
             let inside = if best.kind == OptimumKind::Border { 1e-7 } else { 0.0 };
             let value = [1.0 - inside, 1.0 + inside].map(|by| friction_work(&with(best.at * by))).into_iter();
@@ -264,7 +264,7 @@ fn no_other_machine_dissipates_more() {
         if is_free(&driven) { friction_work(&driven) / (alpha * alpha / 2.0 / (omega * omega)) } else { 0.0 }
     };
     for (alpha, low, high) in [(3.0, 0.7, 0.95), (6.0, 1.05, 2.0), (2.0, 1.1, 1.6)] {
-        let best = most_dissipating_frequency_ratio(alpha, low, high).unwrap();
+        let best = most_dissipating_frequency_ratio(alpha, low..=high).unwrap();
         let value = size(best.at * if best.at > 1.0 { 1.0 + 1e-9 } else { 1.0 }, alpha);
         let of_stiffness = size(best.at, alpha) / best.at.powi(2);
         let is_one = [value, of_stiffness].iter().any(|value| (value / best.value - 1.0).abs() < 1e-4);
@@ -307,7 +307,7 @@ fn no_other_friction_has_a_lower_crest() {
         let mut driven = plain(2.0, 50.0, 1.0, 1.0, u0, 1.0);
         driven.excitation = excitation;
         let (low, high) = (2.5, 15.0);
-        let best = best_friction_over_band(&driven.oscillator(), &driven.drive(), low, high, aim).unwrap();
+        let best = best_friction_over_band(&driven.oscillator(), &driven.drive(), low..=high, aim).unwrap();
         let amplitude = |friction: f64, frequency: f64| {
             let driven = Driven { friction, frequency, ..driven };
             match driven.harmonic().limit([0.0, 0.0], 0.0, 1500) {

@@ -81,9 +81,15 @@ fn steady_states_contain_their_references() {
     let (mut proved, mut sticking) = (0, 0);
     for case in cases("steady") {
         let [omega, alpha, zeta] = ["omega", "alpha", "damping_ratio"].map(|name| known(&case[name]));
-        let one = Known::exactly(Mp::<2>::from(1.0)).unwrap();
         let answer = &case["answer"];
-        let Ok(steady) = enclosed::steady(&omega, &alpha, &zeta, &one, 64).unwrap() else { continue };
+        let Ok(steady) = enclosed::KnownRatios::new(&omega)
+            .with_force_ratio(&alpha)
+            .with_damping_ratio(&zeta)
+            .steady(64)
+            .unwrap()
+        else {
+            continue;
+        };
         proved += 1;
         sticking += u32::from(steady.sticks_per_cycle > 0);
         hold("max_displacement", &steady.max_displacement, &answer["max_displacement"], &case);
@@ -108,10 +114,13 @@ fn responses_contain_their_references() {
     let mut compared = 0;
     for case in cases("steady") {
         let [omega, alpha, zeta] = ["omega", "alpha", "damping_ratio"].map(|name| known(&case[name]));
-        let one = Known::exactly(Mp::<2>::from(1.0)).unwrap();
         let answer = &case["answer"];
         let is_free = answer["sticks_per_cycle"] == 0 && answer["velocity_zeros_per_cycle"] == 2;
-        let found = enclosed::response(&omega, &alpha, &zeta, &one, 64).unwrap();
+        let found = enclosed::KnownRatios::new(&omega)
+            .with_force_ratio(&alpha)
+            .with_damping_ratio(&zeta)
+            .response(64)
+            .unwrap();
         assert_eq!(found.get(Output::MaxDisplacement).is_some(), is_free, "{case}");
         // The border is above the force ratio where the motion stops, and below it elsewhere.
         let border = &found.get(Output::MinForceRatio).unwrap().mid;

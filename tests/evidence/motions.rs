@@ -331,7 +331,7 @@ fn periodic_motions_repeat_by_the_samples() {
 #[test]
 fn symmetry_is_lost_where_a_multiplier_of_the_samples_is_one() {
     let at = [0.5, 1.0, 0.02, 1.3];
-    let found = symmetry_breaks(ratios(at), 3.0, 3.8, 10).unwrap();
+    let found = symmetry_breaks(ratios(at), 3.0..=3.8, 10).unwrap();
     assert_eq!(found.len(), 1);
     let [omega, _, zeta, eta] = at;
     for lost in &found {

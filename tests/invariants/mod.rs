@@ -23,12 +23,12 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
     assert!(range.contains(&omega) && alpha > 0.0 && alpha <= *range.end());
     let answer = Response::new(ratios);
     let border = answer.border;
-    let (least, by_turning_point) = (border.min_force_ratio, border.turning_point);
+    let (least, by_turning_point) = (border.min_force_ratio, border.min_force_ratio_turning_point);
     assert!(least >= by_turning_point, "α_min = {least:e} below eq. 61 = {by_turning_point:e}");
     assert!(least >= 1.209_998 && least.is_finite(), "α_min = {least:e}");
     assert!(omega < 0.5 || least == by_turning_point, "eq. 61 is exact for Ω ≥ 1/2");
-    assert!(border.touching_phase >= 0.0 && border.touching_phase <= std::f64::consts::PI);
-    assert!(border.min_displacement >= 1.0 / (omega * omega));
+    assert!(border.border_phase >= 0.0 && border.border_phase <= std::f64::consts::PI);
+    assert!(border.least_displacement >= 1.0 / (omega * omega));
     let no_stop = no_stop_force_ratios(omega, 0.0).unwrap();
     let is_without_stop =
         no_stop.intervals().any(|(low, high)| low <= alpha && high.is_none_or(|high| alpha <= high));
@@ -73,11 +73,14 @@ pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64)
     }
     let border = Border::with_damping(omega, zeta).unwrap();
     let least = border.min_force_ratio;
-    assert!(least >= border.turning_point && least > 0.0 && least.is_finite(), "α_min = {least:e}");
+    assert!(
+        least >= border.min_force_ratio_turning_point && least > 0.0 && least.is_finite(),
+        "α_min = {least:e}"
+    );
     // Proved: α_min ≥ 1/Ω² − 1, and the turning point suffices from half the damped frequency on.
     assert!(least >= ((1.0 - omega) * (1.0 + omega) / omega / omega).min(1e70) * (1.0 - 1e-12), "{least:e}");
-    assert!(border.touching_phase == 0.0 || zeta < 1.0 && omega < 0.5);
-    assert!((0.0..=std::f64::consts::PI).contains(&border.touching_phase));
+    assert!(border.border_phase == 0.0 || zeta < 1.0 && omega < 0.5);
+    assert!((0.0..=std::f64::consts::PI).contains(&border.border_phase));
     match Cycle::new(ratios) {
         Ok(cycle) => {
             assert!(alpha >= least);
@@ -156,7 +159,7 @@ fn inverse_questions(omega: f64, target: f64) {
         assert!(best.at >= least && best.value >= 0.0, "{best:?}");
     }
     let (low, high) = (omega * 0.9, omega * 1.1);
-    if let Ok(mut bands) = design::bands(target, 0.0, low, high)
+    if let Ok(mut bands) = design::bands(target, 0.0, low..=high)
         && let Some(Ok(band)) = bands.next()
     {
         assert!(low <= band.low && band.low <= band.high && band.high <= high, "{band:?}");

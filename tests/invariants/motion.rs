@@ -64,7 +64,7 @@ fn searches_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
         return;
     }
     let (low, high) = (0.9 * alpha, 1.1 * alpha);
-    let breaks = symmetry_breaks(ratios, low, high, 2);
+    let breaks = symmetry_breaks(ratios, low..=high, 2);
     assert!(!matches!(breaks, Err(Error::SearchBound { .. })), "{breaks:?} of {ratios:?}");
     for one in breaks.into_iter().flatten() {
         assert!((low..=high).contains(&one.alpha) && one.motion.is_symmetric, "{one:?}");
@@ -226,7 +226,7 @@ pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64
         let least = Border::new(omega).map_or(f64::NAN, |b| b.min_force_ratio);
         assert!(best.at >= least && best.value > 0.0);
     }
-    if let Ok(bands) = design::bands(alpha, 0.0, low, high) {
+    if let Ok(bands) = design::bands(alpha, 0.0, low..=high) {
         let mut last = low;
         // A wide range at low frequency has a great many bands.
         for band in bands.take(64) {
@@ -281,7 +281,7 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
     // The work is bounded: there are up to √α/2 bands, with a mesh of some hundred points for each.
     if alpha < 1e3
         && high < 1e3
-        && let Ok(bands) = design::bands(alpha, zeta, low, high)
+        && let Ok(bands) = design::bands(alpha, zeta, low..=high)
     {
         let mut last = low;
         for band in bands.map(Result::unwrap) {

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
 use stickslip::float::Mp;
-use stickslip::{Border, Field as _, Float as _, PhaseFunction, Real as _};
+use stickslip::{Border, Field as _, Float as _, PhaseFunction as _};
 
 /// 512 bits.
 type Exact = Mp<8>;
@@ -40,16 +40,18 @@ pub(crate) fn borders(omega: f64) {
     };
     close("K", p.value(), exact_p.value());
     close("α_min", ours.min_force_ratio, exact.min_force_ratio);
-    close("eq. 61", ours.turning_point, exact.turning_point);
-    close("S", ours.min_displacement, exact.min_displacement);
+    close("eq. 61", ours.min_force_ratio_turning_point, exact.min_force_ratio_turning_point);
+    close("S", ours.least_displacement, exact.least_displacement);
     // Where the two values of S coincide, the phase may be that of either.
-    if (exact.min_force_ratio - exact.turning_point).to_f64() > ACCURACY * exact.turning_point.to_f64() {
-        let apart = (Exact::from(ours.touching_phase) - exact.touching_phase).abs().to_f64();
+    if (exact.min_force_ratio - exact.min_force_ratio_turning_point).to_f64()
+        > ACCURACY * exact.min_force_ratio_turning_point.to_f64()
+    {
+        let apart = (Exact::from(ours.border_phase) - exact.border_phase).abs().to_f64();
         // The supremum is flat there, so that the phase is less accurate near a pole or a zero of T.
         assert!(
-            apart <= 1e-6 || ours.touching_phase.min(std::f64::consts::PI - ours.touching_phase) < 1e-6,
+            apart <= 1e-6 || ours.border_phase.min(std::f64::consts::PI - ours.border_phase) < 1e-6,
             "τ* at Ω = {omega:e}"
         );
     }
-    assert!(Exact::pi() > Exact::from(ours.touching_phase));
+    assert!(Exact::pi() > Exact::from(ours.border_phase));
 }

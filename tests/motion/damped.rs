@@ -8,7 +8,7 @@ mod laws;
 
 use crate::random::{Random, sampled};
 use std::f64::consts::{PI, TAU};
-use stickslip::float::{Field, Float, Mp, Real};
+use stickslip::float::{Field, Float, Mp};
 use stickslip::motion::{Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::{Border, Cycle, Ratios};
 

@@ -28,7 +28,7 @@ proptest! {
     #[test]
     fn the_force_for_a_target_moves_it_there(omega in 0.15f64..6.0, over in 1.001f64..20.0) {
         prop_assume!(settles(omega, 0.01));
-        let least = Border::new(omega).unwrap().min_displacement;
+        let least = Border::new(omega).unwrap().least_displacement;
         let force = design::force_ratio_for_displacement(omega, 0.0, least * over).unwrap();
         let steady = motion(omega, force);
         prop_assert_eq!(steady.sticks_per_cycle, 0);
@@ -51,7 +51,7 @@ proptest! {
 
     #[test]
     fn the_bands_divide_sliding_from_the_rest(alpha in 1.3f64..30.0, low in 0.12f64..0.5) {
-        for band in design::bands(alpha, 0.0, low, 3.0).unwrap() {
+        for band in design::bands(alpha, 0.0, low..=3.0).unwrap() {
             let band = band.unwrap();
             let inside = band.low + 0.37 * (band.high - band.low);
             if settles(inside, 1e-3) {

@@ -57,7 +57,7 @@ fn no_friction_of_a_grid_is_better() {
             [Excitation::SurfaceAcceleration, Excitation::SurfaceMotion][usize::from(random.next() < 0.5)];
         let size = random.scale(0.1, 10.0);
         let drive = Drive::new(kind, size, 1.0).unwrap();
-        let best = match best_friction_over_band(&of(1.0), &drive, low, high, aim) {
+        let best = match best_friction_over_band(&of(1.0), &drive, low..=high, aim) {
             Err(Error::BandTooCostly { .. }) => {
                 refused += 1;
                 continue;
@@ -116,7 +116,7 @@ fn rest_is_not_worse_than_the_answer() {
         let body = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(zeta).unwrap();
         let body = body.with_static_friction_ratio(eta).unwrap();
         let drive = Drive::new(Excitation::SurfaceAcceleration, 3.0, 1.0).unwrap();
-        let best = best_friction_over_band(&body, &drive, low, high, aim).unwrap();
+        let best = best_friction_over_band(&body, &drive, low..=high, aim).unwrap();
         assert!(best.greatest <= at_rest * (1.0 + 1e-12), "{best:?}");
         let body = Oscillator::new(1.0, 1.0, best.friction).unwrap().with_damping_ratio(zeta).unwrap();
         let body = body.with_static_friction_ratio(eta).unwrap();
@@ -133,7 +133,7 @@ fn a_costly_band_is_refused() {
     for zeta in [20.0, 100.0] {
         let body = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(zeta).unwrap();
         let drive = Drive::new(Excitation::SurfaceAcceleration, 3.0, 1.0).unwrap();
-        let found = best_friction_over_band(&body, &drive, 0.01, 0.2, Aim::TransmittedForce);
+        let found = best_friction_over_band(&body, &drive, 0.01..=0.2, Aim::TransmittedForce);
         assert!(matches!(found, Err(Error::BandTooCostly { .. })), "{found:?}");
     }
 }

@@ -141,9 +141,9 @@ fn the_border_is_eq_61_from_one_half_on_and_above_it_elsewhere() {
 /// Whether there is a border.
 fn eq_61_or_above(omega: f64) -> bool {
     let Ok(border) = Border::new(omega) else { return false };
-    assert!(border.min_force_ratio >= border.turning_point);
-    assert!(omega < 0.5 || border.min_force_ratio == border.turning_point);
-    assert!(border.touching_phase == 0.0 || omega < 0.5);
+    assert!(border.min_force_ratio >= border.min_force_ratio_turning_point);
+    assert!(omega < 0.5 || border.min_force_ratio == border.min_force_ratio_turning_point);
+    assert!(border.border_phase == 0.0 || omega < 0.5);
     true
 }
 

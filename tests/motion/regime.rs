@@ -31,7 +31,7 @@ fn agrees(omega: f64, alpha: f64) -> Option<bool> {
 /// − α_min| sin τ*` of zero, and the motion states its possible distance from the limit.
 fn hidden(answer: &Response<f64>, motion: &LongRun<f64>) -> bool {
     let border = answer.border;
-    let miss = (answer.ratios.alpha() - border.min_force_ratio).abs() * border.touching_phase.sin();
+    let miss = (answer.ratios.alpha() - border.min_force_ratio).abs() * border.border_phase.sin();
     let (x, v) = motion.steady_state().map_or((0.0, 0.0), |s| s.distance);
     miss > 0.0 && miss < 16.0 * x.max(v)
 }

@@ -95,7 +95,7 @@ fn unstable_motions_at_any_precision() {
 fn symmetry_breaks_at_any_precision() {
     fn found<F: Float>() -> (F, F) {
         let ratios = ratios::<F>([0.5, 0.02, 1.3, 1.0]);
-        let all = symmetry_breaks(ratios, F::from_f64(3.5), F::from_f64(3.53), 1).unwrap();
+        let all = symmetry_breaks(ratios, F::from_f64(3.5)..=F::from_f64(3.53), 1).unwrap();
         assert!(
             all.len() == 1 && all[0].loss == Loss::Multiplier && !all[0].is_stable_above,
             "{}",
@@ -115,7 +115,7 @@ fn symmetry_breaks_at_any_precision() {
 fn another_motion_is_not_the_continued_one() {
     let machine = [1.0, 0.006_823_310_107_631_359, 1.221_081_348_985_493_7, 1.0];
     let alpha = 1.273_239_544_735_162_8;
-    let all = symmetry_breaks(ratios::<f64>(machine), 0.9 * alpha, 1.1 * alpha, 2).unwrap();
+    let all = symmetry_breaks(ratios::<f64>(machine), 0.9 * alpha..=1.1 * alpha, 2).unwrap();
     let found: Vec<_> = all.iter().map(|found| (found.loss, found.is_stable_above)).collect();
     assert_eq!(found, [(Loss::Fold, true), (Loss::Jump, true)], "{all:?}");
     assert!((all[0].alpha - 1.187_955_207_887).abs() < 1e-11, "{}", all[0].alpha);

@@ -85,7 +85,12 @@ fn text() -> String {
         let counted = steady(case.map(|text| text.parse::<Mp<4>>().unwrap()));
         let known = case.map(|text| text.parse().unwrap());
         let [omega, alpha, zeta, eta] = &known;
-        let proved = enclosed::steady(omega, alpha, zeta, eta, 104).unwrap();
+        let proved = enclosed::KnownRatios::new(omega)
+            .with_force_ratio(alpha)
+            .with_damping_ratio(zeta)
+            .with_static_friction_ratio(eta)
+            .steady(104)
+            .unwrap();
         if let Ok(proved) = &proved {
             let most = steady(case.map(|text| text.parse::<Mp<8>>().unwrap())).max_displacement.value;
             assert!(proved.max_displacement.contains(&rug::Float::from(most)), "{case:?}");

@@ -30,14 +30,9 @@ fn text(ratio: &str) -> Known {
     ratio.parse().unwrap()
 }
 
-/// An integer, without rounding.
-fn whole(n: i32) -> Known {
-    known(Mp::<1>::from(n))
-}
-
 /// The enclosures without damping or static friction.
 fn response(omega: &Known, alpha: &Known, bits: u32) -> Result<enclosed::Response, stickslip::Error> {
-    enclosed::response(omega, alpha, &whole(0), &whole(1), bits)
+    enclosed::KnownRatios::new(omega).with_force_ratio(alpha).response(bits)
 }
 
 /// The enclosures at ratios that are exact doubles.
@@ -180,13 +175,10 @@ fn decimals_are_what_is_written() {
     let pole = at("0.2", "1e6");
     assert_eq!((pole.regime, pole.get(Output::MinForceRatio)), (Some(Regime::BelowBorder), None));
     assert!(
-        enclosed::border(&double(0.2), &whole(0), &whole(1), 64)
-            .unwrap()
-            .get(Output::MinForceRatio)
-            .is_some()
+        enclosed::KnownRatios::new(&double(0.2)).response(64).unwrap().get(Output::MinForceRatio).is_some()
     );
     // At 1/6, K = 0 and the border is exactly 35; no value there is rounded.
-    let sixth = enclosed::border(&text("1/6"), &whole(0), &whole(1), 64).unwrap();
+    let sixth = enclosed::KnownRatios::new(&text("1/6")).response(64).unwrap();
     assert!(sixth.get(Output::MinForceRatio).unwrap().contains(&rug::Float::with_val(64, 35)));
     assert_eq!(sixth.get(Output::BestForceRatio).unwrap().to_string(), "0 ± 0");
     let half = at("0.5", "4");

@@ -59,7 +59,7 @@ impl<F: Value> AskedDesign<'_, F> {
     pub(super) fn stiffness(&self) -> Result<DesignAnswer<F>, Failure> {
         let (low, high) = self.range(Kind::Stiffness)?;
         if !self.physical {
-            let best = design::most_dissipating_frequency_ratio(self.alpha()?, low, high).map(Best::from);
+            let best = design::most_dissipating_frequency_ratio(self.alpha()?, low..=high).map(Best::from);
             return self.best(best, ["omega", "loop_size_inertia"], |best| at('Ω', best));
         }
         if self.given.has(Input::DampingRatio) {
@@ -69,7 +69,7 @@ impl<F: Value> AskedDesign<'_, F> {
         }
         let body = self.body(false, true)?;
         let drive = self.drive(&body, self.frequency()?)?;
-        let best = design::most_dissipating_stiffness(&body, &drive, low, high).map(Best::from);
+        let best = design::most_dissipating_stiffness(&body, &drive, low..=high).map(Best::from);
         let searched = body.damping() > F::int(0);
         let by = if searched { " (by a search that is not a proof)" } else { "" };
         let mut answer = self.best(best, ["stiffness", "energy"], |best| {

@@ -55,7 +55,7 @@ impl<F: Value> AskedDesign<'_, F> {
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.one)?;
-        let found = design::best_friction_over_band(&body, &drive, low, high, of.shown().0)
+        let found = design::best_friction_over_band(&body, &drive, low..=high, of.shown().0)
             .map_err(|e| self.fail(e).about(&format!("--over {over}")))?;
         if let Some(file) = &self.args.picture {
             self.picture(file, over, of, found.friction.to_f64())?;

@@ -100,7 +100,12 @@ pub(super) fn response(typed: TypedRatios<'_>, out: &mut impl Write) -> Outcome 
     let known = |input| typed.known(input);
     let [omega, alpha] = [known(Input::Omega)?, known(Input::Alpha)?];
     let [zeta, eta] = [known(Input::DampingRatio)?, known(Input::StaticFrictionRatio)?];
-    let found = enclosed::response(&omega, &alpha, &zeta, &eta, typed.bits).map_err(|e| typed.fault(&e))?;
+    let found = enclosed::KnownRatios::new(&omega)
+        .with_force_ratio(&alpha)
+        .with_damping_ratio(&zeta)
+        .with_static_friction_ratio(&eta)
+        .response(typed.bits)
+        .map_err(|e| typed.fault(&e))?;
     EnclosedAnswer { typed, found, outputs: &Output::ALL, has_regime: true }.write(out)
 }
 
@@ -109,12 +114,16 @@ pub(super) fn border(typed: TypedRatios<'_>, out: &mut impl Write) -> Outcome {
     let known = |input| typed.known(input);
     let [omega, zeta] = [known(Input::Omega)?, known(Input::DampingRatio)?];
     let eta = known(Input::StaticFrictionRatio)?;
-    let found = enclosed::border(&omega, &zeta, &eta, typed.bits).map_err(|e| typed.fault(&e))?;
+    let found = enclosed::KnownRatios::new(&omega)
+        .with_damping_ratio(&zeta)
+        .with_static_friction_ratio(&eta)
+        .response(typed.bits)
+        .map_err(|e| typed.fault(&e))?;
     let outputs = &[
         Output::MinForceRatio,
-        Output::TurningPointForceRatio,
+        Output::MinForceRatioTurningPoint,
         Output::LeastDisplacement,
-        Output::TouchingPhase,
+        Output::BorderPhase,
         Output::BestForceRatio,
         Output::BestLoopSize,
     ];
@@ -188,7 +197,12 @@ pub(super) fn steady(typed: TypedRatios<'_>, out: &mut impl Write) -> Outcome {
     let known = |input| typed.known(input);
     let [omega, alpha] = [known(Input::Omega)?, known(Input::Alpha)?];
     let [zeta, eta] = [known(Input::DampingRatio)?, known(Input::StaticFrictionRatio)?];
-    let found = enclosed::steady(&omega, &alpha, &zeta, &eta, typed.bits).map_err(|e| typed.fault(&e))?;
+    let found = enclosed::KnownRatios::new(&omega)
+        .with_force_ratio(&alpha)
+        .with_damping_ratio(&zeta)
+        .with_static_friction_ratio(&eta)
+        .steady(typed.bits)
+        .map_err(|e| typed.fault(&e))?;
     let answer = EnclosedMotionAnswer { typed, found };
     if answer.typed.output.is_json()? { output::json(&answer, out) } else { answer.text(out) }
 }

@@ -105,7 +105,7 @@ fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>
     if !ratios.has_higher_static_friction() || low >= high {
         return Ok(Some([Vec::new(), Vec::new()]));
     }
-    let found = match symmetry_breaks(ratios, low, high, steps) {
+    let found = match symmetry_breaks(ratios, low..=high, steps) {
         // A large map is drawn without this point of the line, and a note reports the omission.
         Err(Error::SearchBound { .. }) => return Ok(None),
         found => found.map_err(|e| e.to_string())?,

@@ -38,8 +38,8 @@ pub(super) fn needed_force<F: Value>(
         }
     }
     not_to_be_held(response.ratios.omega(), border.min_force_ratio, note.out)?;
-    if border.turning_point < border.min_force_ratio && !response.ratios.is_damped() {
-        let eq_61 = digits(border.turning_point);
+    if border.min_force_ratio_turning_point < border.min_force_ratio && !response.ratios.is_damped() {
+        let eq_61 = digits(border.min_force_ratio_turning_point);
         writeln!(note.out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
     }
     let (name, best) = ("maximum dissipation at", response.best_force_ratio);
@@ -122,11 +122,11 @@ pub(crate) fn border<F: Value>(
     }
     note.number("two-reversal threshold", Measure::Force, border.min_force_ratio)?;
     not_to_be_held(omega, border.min_force_ratio, note.out)?;
-    note.number("at the turning point", Measure::Force, border.turning_point)?;
+    note.number("at the turning point", Measure::Force, border.min_force_ratio_turning_point)?;
     let is_exact = omega >= exact_from(answer.ratios);
     writeln!(note.out, "    (eq. 61, {} here)", if is_exact { "exact" } else { "necessary only" })?;
-    note.number("minimum displacement", Measure::Length, border.min_displacement)?;
-    let touching = note.both(Measure::Angle, border.touching_phase);
+    note.number("minimum displacement", Measure::Length, border.least_displacement)?;
+    let touching = note.both(Measure::Angle, border.border_phase);
     note.line("velocity touches zero", format_args!("{touching} after the peak displacement"))
 }
 

@@ -4,7 +4,7 @@
 //! In plain arithmetic a residual is rounding or looks like it. The ball of a residual contains the exact
 //! residual. A ball without 0 refutes the statement at that point; a ball with 0 bounds any possible error by
 //! its size. The exact motion is represented here by a motion that is proved to exist
-//! ([`stickslip::enclosed::steady`]).
+//! ([`stickslip::enclosed::KnownRatios::steady`]).
 
 use super::case::{Arithmetic, Case, Circular, Signs};
 use super::points::{CheckPoint, Numbers};
@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use stickslip::cycle::equations::System;
 use stickslip::dependencies::rug::float::Round;
 use stickslip::dependencies::rug::{Float, Rational};
-use stickslip::enclosed::{self, Ball, Enclosure, InBalls, Known, Steady};
+use stickslip::enclosed::{self, Ball, Enclosure, InBalls, Known, KnownRatios, Steady};
 use stickslip::float::Mp;
 use stickslip::{Field, Output, Real};
 
@@ -35,22 +35,26 @@ fn known(x: &Rational) -> Known {
 impl ExactRatios {
     /// The point at α `over` hundredths of the border, rounded to 64 bits.
     fn above_border(omega: Rational, zeta: Rational, over: i32) -> Option<Self> {
-        let border = enclosed::border(&known(&omega), &known(&zeta), &known(&1.into()), 64).ok()?;
+        let border = KnownRatios::new(&known(&omega)).with_damping_ratio(&known(&zeta)).response(64).ok()?;
         let least = Float::with_val(64, &border.get(Output::MinForceRatio)?.mid);
         let alpha = (least * over / 100u32).to_rational()?;
         Some(Self { omega, alpha, zeta })
     }
 
+    /// The ratios here with another force ratio.
+    fn ratios(&self, alpha: &Rational) -> KnownRatios {
+        let [omega, alpha, zeta] = [&self.omega, alpha, &self.zeta].map(known);
+        KnownRatios::new(&omega).with_force_ratio(&alpha).with_damping_ratio(&zeta)
+    }
+
     /// The enclosed answers here.
     fn answers(&self, bits: u32) -> Option<enclosed::Response> {
-        let [omega, alpha, zeta] = [&self.omega, &self.alpha, &self.zeta].map(known);
-        enclosed::response(&omega, &alpha, &zeta, &known(&1.into()), bits).ok()
+        self.ratios(&self.alpha).response(bits).ok()
     }
 
     /// The motion at a force ratio, if it is proved.
     fn motion(&self, alpha: &Rational, bits: u32) -> Option<Steady> {
-        let [omega, alpha, zeta] = [&self.omega, alpha, &self.zeta].map(known);
-        enclosed::steady(&omega, &alpha, &zeta, &known(&1.into()), bits).ok()?.ok()
+        self.ratios(alpha).steady(bits).ok()?.ok()
     }
 
     fn is_damped(&self) -> bool {

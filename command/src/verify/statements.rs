@@ -236,7 +236,7 @@ fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
         "61" "the turning point's border is q hypot(S, H), S = (1 + G + 2ζΩH)/Ω²": |c| {
             let ((k, _, shift), (q, _)) = (c.amplitudes(), c.linear);
             let width = (R::int(1) + shift + R::int(2) * c.zeta * c.omega * k / q) / c.omega.square();
-            let found = c.get(Output::TurningPointForceRatio)?;
+            let found = c.get(Output::MinForceRatioTurningPoint)?;
             // The factor: G is a difference of two numbers of the size of the motion.
             Some(off(c, found, k.hypot(q * width)) / (R::int(1) + R::int(1) / c.omega).square())
         },
@@ -246,7 +246,7 @@ fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
             Some(c.get(Output::MinForceRatio)? - k.hypot(q * width))
         },
         "62" "the turning point's border is not above the border": |c| {
-            let excess = c.get(Output::MinForceRatio)? - c.get(Output::TurningPointForceRatio)?;
+            let excess = c.get(Output::MinForceRatio)? - c.get(Output::MinForceRatioTurningPoint)?;
             Some(excess.abs() - excess)
         },
         "62" "on the border the body is at −Δ₀, at rest, half a period after Δ₀": |c| {
@@ -256,7 +256,7 @@ fn with_damper<R: Real>() -> Vec<Statement<Case<R>, R>> {
         },
         "62" "on the border velocity and acceleration are zero at τ*": |c| {
             let (alpha, phase, _) = c.on_border()?;
-            let tau = c.get(Output::TouchingPhase)?;
+            let tau = c.get(Output::BorderPhase)?;
             let (x, w) = c.falling_from(c.on_border()?, tau);
             let damper = R::int(2) * c.zeta * w;
             Some(w.abs() + (alpha * (phase + tau).sin() - x - damper + R::int(1)).abs())
@@ -343,7 +343,7 @@ fn misprints<R: Real>() -> Vec<Statement<Case<R>, R>> {
             })
         },
         "61" "as printed, sufficient, fails between 1/(2n+1) and 1/(2n)": |c| {
-            let (least, by_61) = (c.get(Output::MinForceRatio)?, c.get(Output::TurningPointForceRatio)?);
+            let (least, by_61) = (c.get(Output::MinForceRatio)?, c.get(Output::MinForceRatioTurningPoint)?);
             has_positive_k(c).then(|| off(c, least, by_61))
         },
     ];

@@ -53,7 +53,7 @@ pub(crate) struct Lobe {
 
 /// The minimum force ratio of a lobe.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Minimum<F> {
     /// Frequency ratio Ω of the minimum.

@@ -15,7 +15,7 @@ use crate::float::Float;
 /// `low` and `high` eq. 61 is exact, and so it is between the `high` of one pole and the `low` of the next
 /// one, and for Ω ≥ 1/2.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Shortfall<F> {
     /// The lower end Ω_e, in (1/(2n+2), 1/(2n+1)).
@@ -60,7 +60,8 @@ mod tests {
             close(found.high, 0.5 / f64::from(n), 1.0);
             close(found.pole, 1.0 / (2.0 * f64::from(n) + 1.0), 1.0);
             // Eq. 61 is exact just outside, and too low just inside and on either side of the pole.
-            let falls_short = |omega| Border::new(omega).is_ok_and(|b| b.turning_point < b.min_force_ratio);
+            let falls_short =
+                |omega| Border::new(omega).is_ok_and(|b| b.min_force_ratio_turning_point < b.min_force_ratio);
             assert!(!falls_short(found.low * (1.0 - 1e-12)) && falls_short(found.low * (1.0 + 1e-12)));
             assert!(falls_short(found.pole * (1.0 - 1e-11)) && falls_short(found.pole * (1.0 + 1e-11)));
             let step = 1e-5 / f64::from(n);

@@ -40,8 +40,8 @@ impl<F: Float> Border<F> {
     /// `Ω α_min′/α_min = [K (Ω K′) + b (Ω b′)]/α_min²`, in quotients that stay in range for any Ω.
     fn relative_slope(&self, p: &PhaseFunction<F>) -> F {
         let (omega, k, alpha) = (p.omega(), p.value(), self.min_force_ratio);
-        let (s, q) = (self.min_displacement, one_minus_square(omega));
-        let (b, b_change) = if self.touching_phase == F::int(0) {
+        let (s, q) = (self.least_displacement, one_minus_square(omega));
+        let (b, b_change) = if self.border_phase == F::int(0) {
             let inverse_square = F::int(1) / omega.square();
             (q * inverse_square, F::int(-2) * inverse_square)
         } else {

@@ -50,7 +50,7 @@ pub enum MatchingError {
 
 /// A solution of eq. 21–25.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Solution<F> {
     /// t₁, t₂, V₀, Δ₀, Δ₁; lengths in units of B. t₂ in `[0, 2π)`, t₁ in the half cycle before it.
@@ -67,7 +67,7 @@ pub struct Solution<F> {
 
 /// The border by eq. 21–25, 58 and 59.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct BorderSolution<F> {
     /// The force ratio α, which eq. 61 gives in closed form.

@@ -10,7 +10,7 @@ use crate::machine::ratios::Ratios;
 /// All force ratios at one Ω for which a cycle without a stop exists, of two or of six reversals: see
 /// [`no_stop_force_ratios`], and [`NoStop::of`] for a static friction above the kinetic one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct NoStop<F> {

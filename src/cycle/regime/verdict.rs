@@ -28,7 +28,7 @@ use crate::machine::ratios::Ratios;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 #[must_use]
@@ -122,7 +122,7 @@ impl<F: Float> core::fmt::Display for Verdict<F> {
 ///
 /// Units of B = r_y/k. The symmetric cycle of eq. 40–49 is c = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Family<F> {

@@ -5,7 +5,7 @@ use crate::cycle::border::Lobe;
 use crate::{Border, Drive, Error, Oscillator};
 
 fn all(alpha: f64, low: f64, high: f64) -> Vec<super::Band<f64>> {
-    bands(alpha, 0.0, low, high).unwrap().collect::<Result<_, _>>().unwrap()
+    bands(alpha, 0.0, low..=high).unwrap().collect::<Result<_, _>>().unwrap()
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn a_range_cuts_them() {
 fn the_ends_slide_and_their_neighbours_stick() {
     let at = |omega: f64| Border::new(omega).unwrap().min_force_ratio;
     for alpha in [1.21, 1.3, 1.8, 1.862, 3.0, 12.0, 31.0, 1e4, 1e9] {
-        for band in bands(alpha, 0.0, 1e-3, 1e3).unwrap().map(Result::unwrap) {
+        for band in bands(alpha, 0.0, 1e-3..=1e3).unwrap().map(Result::unwrap) {
             for (end, edge, outward) in [(band.low, band.low_edge, -1.0), (band.high, band.high_edge, 1.0)] {
                 assert!(at(end) <= alpha, "{alpha} {end}");
                 let outside = at(end * (1.0 + outward * 4.0 * f64::EPSILON));
@@ -54,7 +54,7 @@ fn a_minimum_that_cannot_be_told_from_alpha_is_said_so() {
         let minimum = Lobe::new(index).minimum::<f64>();
         let (low, high) = (minimum.omega * 0.999, minimum.omega * 1.001);
         let count =
-            |alpha| bands(alpha, 0.0, low, high).unwrap().collect::<Result<Vec<_>, _>>().map(|b| b.len());
+            |alpha| bands(alpha, 0.0, low..=high).unwrap().collect::<Result<Vec<_>, _>>().map(|b| b.len());
         assert!(matches!(count(minimum.force_ratio), Err(Error::Undecided { .. })));
         let apart = 1e-13;
         assert_eq!(count(minimum.force_ratio * (1.0 - apart)), Ok(0));
@@ -65,9 +65,9 @@ fn a_minimum_that_cannot_be_told_from_alpha_is_said_so() {
 #[test]
 fn far_below_the_last_lobe() {
     assert_eq!(all(3.0, 1e-30, 1e30).len(), 1);
-    assert!(matches!(bands(1e12, 0.0, 1e-7, 1.0), Err(Error::OutOfRange { .. })));
-    assert!(matches!(bands(3.0, 0.0, 1.0, 0.5), Err(Error::EmptyRange { .. })));
-    assert!(bands(-3.0, 0.0, 0.5, 1.0).is_err());
+    assert!(matches!(bands(1e12, 0.0, 1e-7..=1.0), Err(Error::OutOfRange { .. })));
+    assert!(matches!(bands(3.0, 0.0, 1.0..=0.5), Err(Error::EmptyRange { .. })));
+    assert!(bands(-3.0, 0.0, 0.5..=1.0).is_err());
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn in_physical_units() {
     let ratios = all(12.0, 0.1, 2.0);
     for drive in [Drive::force(36.0, 1.0), Drive::new(crate::Excitation::FootMotion, 4.5, 7.0)] {
         let found: Vec<_> =
-            frequency_bands(&body, &drive.unwrap(), 0.2, 4.0).unwrap().map(Result::unwrap).collect();
+            frequency_bands(&body, &drive.unwrap(), 0.2..=4.0).unwrap().map(Result::unwrap).collect();
         assert_eq!(found.len(), 2);
         for (a, b) in found.iter().zip(&ratios) {
             assert_eq!((a.low, a.low_edge, a.high_edge), (2.0 * b.low, b.low_edge, b.high_edge));
@@ -110,7 +110,7 @@ fn bands_of_forces_that_change_with_the_frequency() {
                 ratios.alpha() - Border::of(&ratios).min_force_ratio
             };
             let (low, high) = (0.5, 9.0);
-            let bands = frequency_bands(&body, &drive(1.0), low, high).unwrap();
+            let bands = frequency_bands(&body, &drive(1.0), low..=high).unwrap();
             assert!(bands.is_searched());
             let found: Vec<_> = bands.map(Result::unwrap).collect();
             for k in 0..=20_000 {
@@ -139,7 +139,7 @@ fn bands_of_forces_that_change_with_the_frequency() {
         }
     }
     assert!(ends > 60, "{ends}");
-    let refused = frequency_bands(&Oscillator::new(2.0, 8.0, 3.0).unwrap(), &drive_of(1.0), 3.0, 2.0);
+    let refused = frequency_bands(&Oscillator::new(2.0, 8.0, 3.0).unwrap(), &drive_of(1.0), 3.0..=2.0);
     assert!(matches!(refused, Err(Error::EmptyRange { .. })));
 }
 

@@ -88,13 +88,13 @@ impl<'a, F: Float> Band<'a, F> {
         let ends: Vec<F> = [self.mesh.first(), self.mesh.last()].into_iter().flatten().copied().collect();
         let mut most = F::int(0);
         for &omega in &ends {
-            most = most.or_larger(self.drive.at_frequency(omega)?.force_amplitude(self.body));
+            most = most.or_larger(self.drive.at(omega)?.force_amplitude(self.body));
         }
         let mut rest = positive(Quantity::FrictionBound, most / self.body.static_friction_ratio())?;
         for _ in 0..8 {
             let mut is_held = true;
             for &omega in &ends {
-                is_held &= !self.drive.at_frequency(omega)?.ratios(&self.with(rest)?)?.moves_from_rest();
+                is_held &= !self.drive.at(omega)?.ratios(&self.with(rest)?)?.moves_from_rest();
             }
             if is_held {
                 break;
@@ -164,7 +164,7 @@ impl<'a, F: Float> Band<'a, F> {
 
     fn amplitude(&self, friction: F, omega: F, trust: Trust) -> Result<F, Error> {
         let body = self.with(friction)?;
-        let drive = self.drive.at_frequency(omega)?;
+        let drive = self.drive.at(omega)?;
         let one = F::int(1);
         let (amplitude, mass) = match self.aim {
             Aim::Displacement => (Amplitude::Displacement, one),
@@ -294,8 +294,7 @@ impl<'a, F: Float> Band<'a, F> {
     /// The frequencies between two neighbours of the mesh from which the body is released, just on the side of the motion.
     fn releases(&self, friction: F) -> Result<Vec<F>, Error> {
         let body = self.with(friction)?;
-        let is_released =
-            |omega| Ok::<_, Error>(self.drive.at_frequency(omega)?.ratios(&body)?.moves_from_rest());
+        let is_released = |omega| Ok::<_, Error>(self.drive.at(omega)?.ratios(&body)?.moves_from_rest());
         let mut found = Vec::new();
         for (&low, &high) in self.mesh.iter().zip(self.mesh.iter().skip(1)) {
             let is_low = is_released(low)?;

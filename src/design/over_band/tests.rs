@@ -49,7 +49,7 @@ fn no_other_friction_is_better() {
         for zeta in if i % 2 == 0 { [0.07] } else { [0.0] } {
             let (body, drive) = (body(zeta, 1.0), Drive::new(excitation, 0.7, 1.0).unwrap());
             let (low, high) = (3.0 * low, 3.0 * high);
-            let best = best_friction_over_band(&body, &drive, low, high, aim).unwrap();
+            let best = best_friction_over_band(&body, &drive, low..=high, aim).unwrap();
             let band = Band::new(&body, &drive, low, high, aim).unwrap();
             let own = dense(&band, best.friction, low, high);
             assert!(own <= best.greatest * (1.0 + 1e-9), "{i} {zeta}: {own} {best:?}");
@@ -68,7 +68,7 @@ fn no_other_friction_is_better() {
 fn two_frequencies_balance() {
     let drive = Drive::new(Excitation::SurfaceMotion, 0.05, 1.0).unwrap();
     let body = body(0.0, 1.0);
-    let best = best_friction_over_band(&body, &drive, 1.5, 12.0, Aim::AbsoluteDisplacement).unwrap();
+    let best = best_friction_over_band(&body, &drive, 1.5..=12.0, Aim::AbsoluteDisplacement).unwrap();
     assert_eq!((best.kind, best.at.len()), (BandFrictionKind::Interior, 2));
     assert!((best.greatest / 0.05 - 1.0).abs() < 1e-9, "{best:?}");
     assert!(best.at[0].0 == 1.5 && best.at[0].1 > 3.0 && best.at[1].0 == best.at[1].1, "{best:?}");
@@ -80,18 +80,18 @@ fn two_frequencies_balance() {
 fn a_displacement_is_least_at_rest() {
     let drive = Drive::force(7.0, 1.0).unwrap();
     for aim in [Aim::Displacement, Aim::Acceleration] {
-        let best = best_friction_over_band(&body(0.1, 1.4), &drive, 1.0, 2.0, aim).unwrap();
+        let best = best_friction_over_band(&body(0.1, 1.4), &drive, 1.0..=2.0, aim).unwrap();
         assert_eq!((best.kind, best.greatest), (BandFrictionKind::Rest, 0.0));
         assert!((best.friction - 5.0).abs() < 1e-14);
     }
-    let best = best_friction_over_band(&body(0.0, 1.0), &drive, 6.0, 9.0, Aim::TransmittedForce).unwrap();
+    let best = best_friction_over_band(&body(0.0, 1.0), &drive, 6.0..=9.0, Aim::TransmittedForce).unwrap();
     assert_eq!(best.kind, BandFrictionKind::None);
 }
 
 #[test]
 fn wrong_bands_are_refused() {
     let (body, drive) = (body(0.0, 1.0), Drive::force(7.0, 1.0).unwrap());
-    let of = |low, high, aim| best_friction_over_band(&body, &drive, low, high, aim);
+    let of = |low, high, aim| best_friction_over_band(&body, &drive, low..=high, aim);
     assert!(matches!(of(2.0, 2.0, Aim::Displacement), Err(Error::EmptyRange { .. })));
     assert!(matches!(of(-1.0, 2.0, Aim::Displacement), Err(Error::NotPositive { .. })));
     assert!(of(1.0, f64::NAN, Aim::Displacement).is_err());

@@ -58,7 +58,7 @@ pub struct Steady {
 ///
 /// # Errors
 /// Where a ratio or `bits` is outside its domain ([`crate::motion::Trajectory::new`] for Ω).
-pub fn steady(
+pub(in crate::enclosed) fn steady(
     omega: &Known,
     alpha: &Known,
     damping_ratio: &Known,

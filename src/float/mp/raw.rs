@@ -323,7 +323,7 @@ functions! {
     #[doc(hidden)]
     pub scale2(self; e: i32) = mul_2si(RNDN);
     /// π.
-    pub(crate) pi(;) = const_pi(RNDN);
+    pub pi(;) = const_pi(RNDN);
     /// ln 2.
     pub(crate) ln_2(;) = const_log2(RNDN);
     /// The number nearest to `x`, which is `x` itself.

@@ -48,6 +48,12 @@ impl PartialEq for Number {
 
 impl Eq for Number {}
 
+impl core::hash::Hash for Number {
+    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
+        (&self.digits, self.nearest.to_bits()).hash(state);
+    }
+}
+
 impl<F: Float> From<F> for Number {
     fn from(x: F) -> Self {
         written(x)

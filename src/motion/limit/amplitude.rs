@@ -57,7 +57,7 @@ impl Trust {
 
 /// An amplitude at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Reached<F> {
     /// The amplitude; `None` where the motion is unbounded, or no limit was found.

@@ -85,6 +85,8 @@ pub(crate) fn is_known<F: Float>(y: &Point<F>, (x, w): (F, F)) -> bool {
 
 /// A state of a periodic motion with a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "F: Float + serde::Deserialize<'de>")))]
 pub(crate) struct Located<F> {
     pub(crate) at: Point<F>,
     /// The possible distance of (x, w) from the motion.

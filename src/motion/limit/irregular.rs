@@ -9,8 +9,14 @@ use crate::motion::state::State;
 /// All values are observations over the turns computed, after the first quarter; they do not prove that the
 /// motion remains irregular. Displacements are in units of B = r_y/k.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "F: Float + serde::Serialize",
+        deserialize = "F: Float + serde::Deserialize<'de>"
+    ))
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct Irregular<F> {

@@ -10,8 +10,14 @@ use crate::motion::state::{Point, State};
 
 /// The limit of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "F: Float + serde::Serialize",
+        deserialize = "F: Float + serde::Deserialize<'de>"
+    ))
+)]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[must_use]
 pub enum LongRun<F> {
@@ -52,7 +58,7 @@ pub enum LongRun<F> {
 
 /// The rest in which a motion ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Rest<F> {
     /// Position of rest x/B, `|x| ≤ η − α`.

@@ -12,7 +12,8 @@ use crate::motion::state::Point;
 
 /// An extreme value and its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "F: Float + serde::Deserialize<'de>")))]
 #[non_exhaustive]
 pub struct Extreme<F> {
     /// The value: x/B or x′/(Bω_d).
@@ -242,7 +243,7 @@ pub(crate) fn seam<F: Float>(
 /// are zero for a motion with `x(t + π/ω_d) = −x(t)`. For a cycle of several turns T is the length of the
 /// cycle, and T/2 replaces π/ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct ErrorMeasures<F> {
     /// Asymmetry of the displacements.

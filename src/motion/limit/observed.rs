@@ -100,8 +100,7 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
     };
     // A velocity that nearly vanishes inside a slide clears zero by |α − α_min| sin τ*; the excess force at a
     // reversal grows as α Ω².
-    let touching =
-        if border.touching_phase == F::int(0) { at_turn } else { border.touching_phase.sin().abs() };
+    let touching = if border.border_phase == F::int(0) { at_turn } else { border.border_phase.sin().abs() };
     if close(border.min_force_ratio, touching) {
         return true;
     }
@@ -110,7 +109,7 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
 
 /// Stops and velocity zeros in one cycle of the steady motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stops {
     /// The number of stops of finite duration.
     pub sticks: u32,
@@ -230,15 +229,14 @@ mod tests {
             steady.distance = (x, v);
             let known = 16.0 * f64::max(x, v);
             let true_border = Border::of(&of(0.7, 3.0));
-            for (touching_phase, share) in [(0.0, 0.49 / 1.49), (0.3, 0.3f64.sin()), (-0.3, 0.3f64.sin())] {
+            for (border_phase, share) in [(0.0, 0.49 / 1.49), (0.3, 0.3f64.sin()), (-0.3, 0.3f64.sin())] {
                 let reach = f64::max(64.0 * f64::EPSILON * 3.0, known / share);
                 for (part, is) in [(-1.01, false), (-0.99, true), (0.0, true), (0.99, true), (1.01, false)] {
-                    let border =
-                        Border { min_force_ratio: 3.0 + part * reach, touching_phase, ..true_border };
+                    let border = Border { min_force_ratio: 3.0 + part * reach, border_phase, ..true_border };
                     assert_eq!(
                         is_hidden(of(0.7, 3.0), &border, &steady),
                         is,
-                        "{x} {v} {touching_phase} {part}"
+                        "{x} {v} {border_phase} {part}"
                     );
                 }
             }

@@ -21,6 +21,8 @@ pub(crate) enum Likeness {
 
 /// The states of a cycle at the phases nπ, with the opposite sign at odd n.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "F: Float + serde::Deserialize<'de>")))]
 pub(crate) struct Orbit<F> {
     states: Vec<Located<F>>,
 }

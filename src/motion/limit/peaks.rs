@@ -17,7 +17,7 @@ use core::ops::ControlFlow;
 
 /// The maximum absolute values in a cycle of the exact motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².

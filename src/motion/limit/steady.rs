@@ -25,6 +25,14 @@ use crate::motion::trajectory::resolved;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        from = "crate::serialized::SteadyFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct SteadyState<F> {

@@ -21,8 +21,14 @@ pub(crate) use signature::at_zero;
 
 /// A limit, and the number of starts that lead to it.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "F: Float + serde::Serialize",
+        deserialize = "F: Float + serde::Deserialize<'de>"
+    ))
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct Attractor<F> {
@@ -39,14 +45,19 @@ pub struct Attractor<F> {
     /// `None` for all other limits.
     pub range: Option<(F, F)>,
     /// The states of a periodic motion, which identify it.
-    #[cfg_attr(feature = "serde", serde(skip))]
     orbit: Option<Orbit<F>>,
 }
 
 /// The limits of a set of starts, each once, in the order of their first starts.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "F: Float + serde::Serialize",
+        deserialize = "F: Float + serde::Deserialize<'de>"
+    ))
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct Attractors<F> {

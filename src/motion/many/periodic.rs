@@ -18,8 +18,14 @@ use core::ops::ControlFlow;
 
 /// A periodic motion, found by a search.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "F: Float + serde::Serialize",
+        deserialize = "F: Float + serde::Deserialize<'de>"
+    ))
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct PeriodicMotion<F> {
@@ -28,7 +34,6 @@ pub struct PeriodicMotion<F> {
     /// The index of the mirror image among the motions found; `None` if the motion is symmetric, or if the
     /// search did not find its image.
     pub mirror: Option<usize>,
-    #[cfg_attr(feature = "serde", serde(skip))]
     orbit: Orbit<F>,
 }
 

@@ -29,10 +29,11 @@ use crate::motion::state::Point;
 use crate::motion::trajectory::resolved;
 use crate::root::enclosed;
 use alloc::vec::Vec;
+use core::ops::RangeInclusive;
 
 /// How a symmetric motion is lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Loss {
     /// A multiplier per half turn passes −1: the symmetric motion continues, unstable, together with a mirror
@@ -46,8 +47,14 @@ pub enum Loss {
 
 /// A force ratio at which a stable symmetric motion of one turn is lost.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "F: Float + serde::Serialize",
+        deserialize = "F: Float + serde::Deserialize<'de>"
+    ))
+)]
 #[non_exhaustive]
 pub struct SymmetryBreak<F> {
     /// The force ratio α.
@@ -176,7 +183,7 @@ const FOLLOWED: u32 = 24;
 /// use stickslip::Ratios;
 /// use stickslip::motion::{Loss, symmetry_breaks};
 /// let ratios = Ratios::new(0.5f64, 1.0)?.with_damping_ratio(0.02)?.with_static_friction_ratio(1.3)?;
-/// let found = symmetry_breaks(ratios, 3.0, 3.8, 10)?;
+/// let found = symmetry_breaks(ratios, 3.0..=3.8, 10)?;
 /// assert!(found.len() == 1 && found[0].loss == Loss::Multiplier && !found[0].is_stable_above);
 /// assert!((found[0].alpha - 3.514173764105).abs() < 1e-11);
 /// # Ok::<(), stickslip::Error>(())
@@ -186,10 +193,10 @@ const FOLLOWED: u32 = 24;
 /// Where a force ratio is outside its domain, and as for [`crate::motion::Trajectory::new`].
 pub fn symmetry_breaks<F: Float>(
     ratios: Ratios<F>,
-    low: F,
-    high: F,
+    alphas: RangeInclusive<F>,
     steps: u32,
 ) -> Result<Vec<SymmetryBreak<F>>, Error> {
+    let (low, high) = alphas.into_inner();
     let machine = VariedForce(ratios);
     let step = |i: u32| low + (high - low) * F::from_f64(f64::from(i)) / F::from_f64(f64::from(steps.max(1)));
     let mut breaks = Vec::new();

@@ -39,7 +39,7 @@ macro_rules! answers {
         /// Extremes are those of all times at which the body slides, or rests for a time > 0; an instant between two slides
         /// is none of them. An extreme that is the limit of the motion has no time.
         #[derive(Debug, Clone, Copy, PartialEq)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[non_exhaustive]
         pub struct RecordAnswer<F> {
             $($(#[$doc])+ pub $answer: $type,)*

@@ -26,7 +26,7 @@ use num_traits::Float as _;
 
 /// The greatest response of a linear oscillator that stands on a body under a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct FloorResponse<F> {
     /// Natural period T.

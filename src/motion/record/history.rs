@@ -18,7 +18,7 @@ use num_traits::Float as _;
 
 /// A state of a body under a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RecordState<F> {
     /// Time.
     pub time: F,
@@ -44,7 +44,7 @@ pub struct RecordState<F> {
 
 /// The beginning or the end of a slide.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RecordEvent<F> {
     /// Time.
     pub time: F,
@@ -56,7 +56,7 @@ pub struct RecordEvent<F> {
 
 /// The motion of a body under a record.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct RecordMotion<F> {
     /// Its extremes, sums and counts.

@@ -3,12 +3,13 @@
 use super::body::Constants;
 use super::number::Number;
 use crate::float::Float;
-use crate::machine::error::{Error, Quantity};
+use crate::machine::error::{Error, Quantity, written};
 use crate::machine::excitation::Excitation;
 use crate::machine::ratios::{finite, positive};
 use crate::named::named;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use core::str::FromStr;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
 /// spring's foot, with straight lines between them. After its last sample a force and an acceleration are zero, and a
@@ -118,7 +119,46 @@ impl<F: Float> Record<F> {
         Ok(self)
     }
 
-    /// This record with its first sample at a time, where its steps are equal.
+    /// A record from text with a time and a sample in each line, between them a comma, a semicolon, a tab or spaces.
+    ///
+    /// Lines before the first number are a header. Empty lines and lines that begin with `#` are left out, and so are
+    /// further columns. Times and samples are in the units of the machine; they increase as those of
+    /// [`Record::at_times`] do. The crate `stickslip-front` reads files with units and those of agencies.
+    ///
+    /// ```
+    /// use stickslip::Excitation;
+    /// use stickslip::motion::record::{Body, Record};
+    /// let record = Record::from_csv(Excitation::Force, "time,force\n0,0\n0.5,8\n1,-9\n1.5,0\n")?;
+    /// let block = Body::new(2.0_f64, 0.7)?.with_stiffness(3.0)?;
+    /// assert!(block.follow(&record)?.residual_displacement.is_some());
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::InSample`] with the number of the row from 0 where a row is not two numbers; else as for
+    /// [`Record::at_times`].
+    pub fn from_csv(excitation: Excitation, text: &str) -> Result<Self, Error>
+    where
+        F: FromStr,
+    {
+        let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+        let number = |field: Option<&str>| field.and_then(|field| field.parse::<F>().ok());
+        let fields = |line: &'_ str| {
+            let is_between = |c: char| matches!(c, ',' | ';' | '\t') || c.is_whitespace();
+            let mut fields = line.split(is_between).filter(|field| !field.is_empty());
+            let time = number(fields.next());
+            (time, number(fields.next()))
+        };
+        let (mut times, mut samples) = (Vec::new(), Vec::new());
+        for (row, (time, sample)) in lines.map(fields).skip_while(|(time, _)| time.is_none()).enumerate() {
+            let unread = |quantity| in_sample(row, Error::NotFinite { quantity, value: written(f64::NAN) });
+            times.push(time.ok_or_else(|| unread(Quantity::Time))?);
+            samples.push(sample.ok_or_else(|| unread(Quantity::Sample))?);
+        }
+        Self::at_times(excitation, times, samples)
+    }
+
+    /// This record with its first sample at a time, all others as long after it as before.
     ///
     /// # Errors
     /// Where the time is not finite, or the time of the last sample is not.
@@ -126,7 +166,10 @@ impl<F: Float> Record<F> {
         finite(Quantity::Time, start)?;
         let times = match self.times {
             Times::Equal(_, step) => Times::Equal(start, step),
-            each @ Times::Each(_) => each,
+            Times::Each(times) => {
+                let first = times.first().copied().unwrap_or(start);
+                Times::Each(times.into_iter().map(|time| start + (time - first)).collect())
+            }
         };
         Self { times, ..self }.checked()
     }

@@ -61,6 +61,13 @@ impl<F: Float> Equation<F> {
         Support { excitation, omega, alpha, damping_ratio: damping / F::int(2) }
     }
 
+    /// The ratios of this equation.
+    #[cfg(feature = "serde")]
+    pub(crate) fn ratios(&self) -> Ratios<F> {
+        let zeta = self.damping / F::int(2);
+        Ratios::of_valid(self.omega, self.alpha, zeta, self.static_friction).under(self.excitation)
+    }
+
     /// Whether there is a damper, ζ > 0.
     #[inline]
     pub(crate) fn is_damped(&self) -> bool {

@@ -40,9 +40,9 @@ fn the_turning_point_suffices_from_half_the_damped_frequency_on() {
         let (omega, zeta) = plane(&mut random);
         let border = Border::with_damping(omega, zeta).unwrap();
         let suffices = zeta >= 1.0 || omega >= (1.0 - zeta * zeta).sqrt() / 2.0;
-        assert!(border.touching_phase == 0.0 || !suffices, "{omega} {zeta}");
-        assert!(border.min_force_ratio >= border.turning_point);
-        inner += i32::from(border.touching_phase != 0.0);
+        assert!(border.border_phase == 0.0 || !suffices, "{omega} {zeta}");
+        assert!(border.min_force_ratio >= border.min_force_ratio_turning_point);
+        inner += i32::from(border.border_phase != 0.0);
     }
     assert!(inner > 100, "{inner}");
 }
@@ -98,7 +98,7 @@ fn the_ends_of_the_domain_have_finite_answers() {
             let border = Border::with_damping(omega, zeta).unwrap();
             let least = border.min_force_ratio;
             assert!(least.is_finite() && least > 0.0, "{omega:e} {zeta:e}: {least}");
-            assert!((0.0..TAU).contains(&border.touching_phase));
+            assert!((0.0..TAU).contains(&border.border_phase));
             let Some(alpha) = [2.0 * least, 4.0].into_iter().find(|a| *a >= least && *a < 2f64.powi(250))
             else {
                 continue;

@@ -69,11 +69,11 @@ fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
         }
         // That is the border, up to the amount by which the grid misses a maximum.
         let border = Border::new(omega).unwrap();
-        let supremum = border.min_displacement;
+        let supremum = border.least_displacement;
         let due = limit.or_larger(most);
         assert!(due <= supremum * (Wide::int(1) + rounding), "{inverse}: {due} above {supremum}");
         assert!(supremum <= due * Wide::from(1.0 + 1e-4), "{inverse}: {supremum} above {due}");
-        let phase = border.touching_phase;
+        let phase = border.border_phase;
         if phase > Wide::int(0) {
             let exact = f(phase / omega).abs();
             assert!(

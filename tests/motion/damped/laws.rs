@@ -4,7 +4,7 @@ use super::{from_rest, plane, ratios};
 use crate::random::Random;
 use std::f64::consts::TAU;
 use stickslip::Border;
-use stickslip::float::{Field, Float, Mp, Real};
+use stickslip::float::{Field, Float, Mp};
 use stickslip::motion::{LongRun, State, Trajectory};
 
 /// The works of random steady states: the greatest difference between the energy supplied and that taken by

@@ -1,13 +1,18 @@
 //! Enclosures with damping and static friction.
 
-use super::{Exact, double, known, radii, text, units, whole};
+use super::{Exact, double, known, radii, text, units};
 use stickslip::enclosed::{self, Known, Regime};
 use stickslip::float::Mp;
 use stickslip::{Output, Ratios, Response};
 
 /// Checks the closed forms with damping and static friction against the same outputs at 1024 bits.
 fn check_damped(omega: f64, alpha: Exact, zeta: f64, eta: f64, bits: u32) -> f64 {
-    let found = enclosed::response(&double(omega), &known(alpha), &double(zeta), &double(eta), bits).unwrap();
+    let found = enclosed::KnownRatios::new(&double(omega))
+        .with_force_ratio(&known(alpha))
+        .with_damping_ratio(&double(zeta))
+        .with_static_friction_ratio(&double(eta))
+        .response(bits)
+        .unwrap();
     let ratios = Ratios::new(Exact::from(omega), alpha).unwrap();
     let ratios = ratios.with_damping_ratio(Exact::from(zeta)).unwrap();
     let exact = Response::new(ratios.with_static_friction_ratio(Exact::from(eta)).unwrap());
@@ -79,7 +84,12 @@ fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
         // An interval above η = 1 has numbers for which other starts can lead to other motions.
         let (friction, regime) =
             if eta > 1.0 { (about(eta), Regime::DependsOnStart) } else { (double(eta), Regime::NonSticking) };
-        let found = enclosed::response(&about(omega), &about(alpha), &about(zeta), &friction, 64).unwrap();
+        let found = enclosed::KnownRatios::new(&about(omega))
+            .with_force_ratio(&about(alpha))
+            .with_damping_ratio(&about(zeta))
+            .with_static_friction_ratio(&friction)
+            .response(64)
+            .unwrap();
         assert_eq!(found.regime, Some(regime), "{omega} {zeta}");
         for share in [0.0, 0.3, 1.0] {
             let at = |x: f64| x * (1.0 + share * 2f64.powi(-20));
@@ -97,9 +107,19 @@ fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
     }
     // An interval across critical damping, and a ratio outside its domain.
     let both = Known::between(&text("0.99"), &text("1.01")).unwrap();
-    let found = enclosed::response(&text("0.7"), &text("3"), &both, &whole(1), 64).unwrap();
+    let found = enclosed::KnownRatios::new(&text("0.7"))
+        .with_force_ratio(&text("3"))
+        .with_damping_ratio(&both)
+        .response(64)
+        .unwrap();
     assert_eq!((found.regime, found.get(Output::MaxDisplacement)), (None, None));
-    let fails =
-        |zeta, eta| enclosed::response(&text("0.7"), &text("3"), &text(zeta), &text(eta), 64).is_err();
+    let fails = |zeta, eta| {
+        enclosed::KnownRatios::new(&text("0.7"))
+            .with_force_ratio(&text("3"))
+            .with_damping_ratio(&text(zeta))
+            .with_static_friction_ratio(&text(eta))
+            .response(64)
+            .is_err()
+    };
     assert!(fails("-0.1", "1") && fails("1e200", "1") && fails("0", "0.9"));
 }

@@ -1,6 +1,6 @@
 //! Regimes and borders over intervals that lie on both sides of an edge, and where a body may be held.
 
-use super::{Exact, double, text, whole};
+use super::{Exact, double, text};
 use stickslip::enclosed::{self, Known, Regime};
 use stickslip::float::Mp;
 use stickslip::{Border, Field as _, Output, Ratios};
@@ -10,7 +10,13 @@ fn between(low: &str, high: &str) -> Known {
 }
 
 fn regime(omega: &str, alpha: &Known, zeta: &str, eta: &str) -> Option<Regime> {
-    enclosed::response(&text(omega), alpha, &text(zeta), &text(eta), 64).unwrap().regime
+    enclosed::KnownRatios::new(&text(omega))
+        .with_force_ratio(alpha)
+        .with_damping_ratio(&text(zeta))
+        .with_static_friction_ratio(&text(eta))
+        .response(64)
+        .unwrap()
+        .regime
 }
 
 #[test]
@@ -34,11 +40,19 @@ fn at_resonance_the_border_does_not_depend_on_static_friction() {
         assert_eq!(regime("1", &text("1.91"), "0", eta), Some(Regime::Unbounded));
         assert_eq!(regime("1", &text("3"), "0.01", eta), Some(Regime::NonSticking));
         let moves = |alpha: &Known| {
-            enclosed::response(&text("1"), alpha, &text("0"), &text(eta), 64).unwrap().moves_from_rest
+            enclosed::KnownRatios::new(&text("1"))
+                .with_force_ratio(alpha)
+                .with_static_friction_ratio(&text(eta))
+                .response(64)
+                .unwrap()
+                .moves_from_rest
         };
         assert_eq!((moves(&text(eta)), moves(&text("1.51"))), (Some(false), Some(true)));
         assert_eq!(moves(&between("0.9", "1.6")), None);
-        let found = enclosed::border(&text("1"), &text("0"), &text(eta), 64).unwrap();
+        let found = enclosed::KnownRatios::new(&text("1"))
+            .with_static_friction_ratio(&text(eta))
+            .response(64)
+            .unwrap();
         let border = found.get(Output::MinForceRatio).unwrap();
         assert!(
             border.contains(&rug::Float::from(Exact::int(4) / <Exact as stickslip::Real>::pi())),
@@ -52,7 +66,8 @@ fn at_resonance_the_border_does_not_depend_on_static_friction() {
 
 #[test]
 fn a_force_ratio_that_is_too_large_has_the_bounds_of_its_domain() {
-    let error = enclosed::response(&text("0.7"), &text("1e300"), &text("0"), &text("1"), 64).unwrap_err();
+    let error =
+        enclosed::KnownRatios::new(&text("0.7")).with_force_ratio(&text("1e300")).response(64).unwrap_err();
     assert!(error.to_string().contains("1e300 must be ≥ 0 and ≤ 1.8"), "{error}");
 }
 
@@ -85,11 +100,14 @@ fn the_border_with_static_friction_is_inside() {
             let ratios = Ratios::new(Exact::from(omega), Exact::int(2)).unwrap();
             let ratios = ratios.with_static_friction_ratio(Exact::from(eta)).unwrap();
             let expected = Border::of(&ratios);
-            let found = enclosed::border(&double(omega), &whole(0), &double(eta), 64).unwrap();
+            let found = enclosed::KnownRatios::new(&double(omega))
+                .with_static_friction_ratio(&double(eta))
+                .response(64)
+                .unwrap();
             for (output, value) in [
                 (Output::MinForceRatio, expected.min_force_ratio),
-                (Output::LeastDisplacement, expected.min_displacement),
-                (Output::TouchingPhase, expected.touching_phase),
+                (Output::LeastDisplacement, expected.least_displacement),
+                (Output::BorderPhase, expected.border_phase),
             ] {
                 let enclosure = found.get(output).unwrap();
                 assert!(enclosure.contains(&rug::Float::from(value)), "{output} {omega} {eta} {enclosure}");
@@ -103,7 +121,7 @@ fn the_border_with_static_friction_is_inside() {
 fn the_border_around_one_half_is_that_of_each_frequency() {
     for low in [0.36, 0.39, 0.42, 0.45, 0.48, 0.49, 0.495, 0.499] {
         let range = Known::between(&double(low), &double(0.5)).unwrap();
-        let found = enclosed::border(&range, &whole(0), &whole(1), 64).unwrap();
+        let found = enclosed::KnownRatios::new(&range).response(64).unwrap();
         let enclosure = found.get(Output::MinForceRatio);
         let least = Border::<Exact>::new(Exact::from(low)).unwrap().min_force_ratio;
         assert!(enclosure.is_none_or(|it| it.contains(&rug::Float::from(least))), "{low}: {enclosure:?}");
@@ -112,7 +130,7 @@ fn the_border_around_one_half_is_that_of_each_frequency() {
 
 #[test]
 fn an_enclosure_has_two_ends() {
-    let found = enclosed::border(&double(0.75), &whole(0), &whole(1), 64).unwrap();
+    let found = enclosed::KnownRatios::new(&double(0.75)).response(64).unwrap();
     let enclosure = found.get(Output::MinForceRatio).unwrap();
     let at = |radii: i32| {
         Mp::<4>::from_rug(&enclosure.mid) + Mp::<4>::from_rug(&enclosure.rad) * Mp::<4>::int(radii)

@@ -27,7 +27,12 @@ fn steady_motions_are_proved() {
         // One of a mirror pair.
         ("0.5", "4", "0.02", "1.3", 1),
     ] {
-        let found = enclosed::steady(&text(omega), &text(alpha), &text(zeta), &text(eta), 128).unwrap();
+        let found = enclosed::KnownRatios::new(&text(omega))
+            .with_force_ratio(&text(alpha))
+            .with_damping_ratio(&text(zeta))
+            .with_static_friction_ratio(&text(eta))
+            .steady(128)
+            .unwrap();
         let found = found.unwrap_or_else(|why| panic!("{omega} {alpha} {zeta}: {why}"));
         let ratios = Ratios::new(omega.parse::<Mp<4>>().unwrap(), alpha.parse().unwrap()).unwrap();
         let ratios = ratios.with_damping_ratio(zeta.parse().unwrap()).unwrap();
@@ -73,7 +78,11 @@ fn steady_motions_are_proved() {
 #[test]
 fn what_cannot_be_proved_is_not_claimed() {
     let with = |[omega, alpha, zeta, eta]: [&str; 4]| {
-        enclosed::steady(&text(omega), &text(alpha), &text(zeta), &text(eta), 64)
+        enclosed::KnownRatios::new(&text(omega))
+            .with_force_ratio(&text(alpha))
+            .with_damping_ratio(&text(zeta))
+            .with_static_friction_ratio(&text(eta))
+            .steady(64)
     };
     let reason = |omega, alpha| with([omega, alpha, "0", "1"]).unwrap().unwrap_err();
     assert_eq!(reason("0.7", "0.9"), Unproved::NotPeriodic);
@@ -83,7 +92,11 @@ fn what_cannot_be_proved_is_not_claimed() {
     // Force ratios on both sides of the border: some slides end earlier than others, and no number of bits
     // decides which.
     let both = Known::between(&text("1.5679"), &text("1.5681")).unwrap();
-    let both = enclosed::steady(&text("0.7"), &both, &text("0.05"), &text("1"), 64).unwrap();
+    let both = enclosed::KnownRatios::new(&text("0.7"))
+        .with_force_ratio(&both)
+        .with_damping_ratio(&text("0.05"))
+        .steady(64)
+        .unwrap();
     let Err(Unproved::Undecided { event, bits, .. }) = both else { panic!("{both:?}") };
     assert_eq!((event, bits), (Event::End, 4160));
     // Six reversals a cycle are a motion like any other.

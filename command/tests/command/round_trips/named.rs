@@ -98,7 +98,7 @@ pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named 
         ("velocity_phase", Cell::or_absent(cycle.map(|c| c.velocity_phase))),
         ("deviation", Cell::or_absent(cycle.map(|c| c.deviation()))),
         ("min_force_ratio", Cell::of(border.min_force_ratio)),
-        ("min_force_ratio_turning_point", Cell::of(border.turning_point)),
+        ("min_force_ratio_turning_point", Cell::of(border.min_force_ratio_turning_point)),
         ("loop_size_stiffness", Cell::or_absent(response.loop_size_stiffness)),
         ("loop_size_inertia", Cell::or_absent(response.loop_size_inertia)),
         ("best_force_ratio", Cell::of(response.best_force_ratio)),
@@ -124,9 +124,9 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
     named([
         ("omega", Cell::of(response.ratios.omega())),
         ("min_force_ratio", Cell::of(border.min_force_ratio)),
-        ("min_force_ratio_turning_point", Cell::of(border.turning_point)),
-        ("border_phase", Cell::of(border.touching_phase)),
-        ("least_displacement", Cell::of(border.min_displacement)),
+        ("min_force_ratio_turning_point", Cell::of(border.min_force_ratio_turning_point)),
+        ("border_phase", Cell::of(border.border_phase)),
+        ("least_displacement", Cell::of(border.least_displacement)),
         ("best_force_ratio", Cell::of(response.best_force_ratio)),
     ])
 }
@@ -311,7 +311,7 @@ pub(crate) fn of_machine(
             scaled(Output::EquivalentStiffness.of(response), scales.force / scales.length),
         ),
         ("min_force", scaled(Some(border.min_force_ratio), scales.force)),
-        ("min_force_turning_point", scaled(Some(border.turning_point), scales.force)),
+        ("min_force_turning_point", scaled(Some(border.min_force_ratio_turning_point), scales.force)),
         ("energy_per_cycle", scaled(response.loop_size_stiffness, scales.energy_stiffness)),
         ("best_force", Some(best_force)),
         // A₁ is stated in units of p₀²/(2k) for the best force.

@@ -27,7 +27,7 @@ fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
         let border = Border::new(omega).unwrap();
         let least = border.min_force_ratio;
         // τ* is counted from t₂ in the falling half; the same place in the rising half is half a period away.
-        let touch = border.touching_phase / omega;
+        let touch = border.border_phase / omega;
         let above = end_of_rise(omega, least * (1.0 + 1e-9));
         assert!(!above.grazes && (above.phi - PI / omega).abs() < 1e-9, "Ω = {omega}: {above:?}");
         let below = end_of_rise(omega, least * (1.0 - 1e-9));

@@ -237,7 +237,7 @@ fn beside_the_border(points: u32) {
         let eta = 1.001 + 2.0 * part(0.549_700);
         let at = |alpha| ratios(omega, zeta, eta, alpha);
         let border = Border::of(&at(2.0));
-        inside += i32::from(border.touching_phase != 0.0);
+        inside += i32::from(border.border_phase != 0.0);
         let stops = |side: f64| {
             let ratios = at(border.min_force_ratio * (1.0 + side * 1e-9));
             let (amplitude, phase) = if zeta > 0.0 {

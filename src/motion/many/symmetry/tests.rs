@@ -7,7 +7,7 @@ use crate::motion::{Attractors, LongRun, State};
 use crate::{Border, Ratios};
 
 fn breaks(omega: f64, eta: f64, low: f64, high: f64) -> Vec<SymmetryBreak<f64>> {
-    symmetry_breaks(ratios(omega, 0.02, eta, 2.0), low, high, 40).unwrap()
+    symmetry_breaks(ratios(omega, 0.02, eta, 2.0), low..=high, 40).unwrap()
 }
 
 /// The limits of some starts, including that of the given motion.
@@ -103,6 +103,6 @@ fn nothing_is_lost_with_equal_frictions() {
 /// multipliers, and the search never ended.)
 #[test]
 fn a_speed_next_to_nothing_is_rest() {
-    let found = symmetry_breaks(ratios(0.164_705_882_352_941_17, 0.02, 2.0, 9.1), 3.1, 9.1, 32).unwrap();
+    let found = symmetry_breaks(ratios(0.164_705_882_352_941_17, 0.02, 2.0, 9.1), 3.1..=9.1, 32).unwrap();
     assert!(found.iter().all(|one| one.loss == Loss::Jump) && !found.is_empty(), "{found:?}");
 }
