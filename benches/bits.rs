@@ -3,7 +3,7 @@
 //!
 //! `bits [POINTS]` prints it for single points, and compares these with batches of every level of the
 //! processor, in slices of several lengths. Ω is uniform, close to 1 and close to 1/n; α is on the border,
-//! close to it and away from it. Where a batch has other bits, the program names the first such point, and
+//! close to it and away from it. The same points with a damper have a hash of their own. Where a batch has other bits, the program names the first such point, and
 //! exits with status 1.
 
 #![allow(
@@ -138,14 +138,50 @@ fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, Error> {
     Ok(is_same.then(|| due.iter().flatten().fold(state, |state, &x| hash(state, bits(x)))))
 }
 
+/// The damping ratio of a point.
+fn damping(i: usize) -> f64 {
+    [0.02, 0.3, 1e-9, 0.6, 0.1, 0.45, 1e-4][i % 7]
+}
+
+/// The hash of the answers of a chunk with a damper; `None` where a batch has other bits than the single points.
+fn damped(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, Error> {
+    // λ has no loops.
+    let outputs: Vec<_> = OUTPUTS.into_iter().filter(|output| *output != Output::Contraction).collect();
+    let ratios = |i: usize| {
+        let &(omega, alpha) = points.get(i)?;
+        Ratios::new(omega, alpha).ok()?.with_damping_ratio(damping(i)).ok()
+    };
+    let of = |output: Output, at: &Option<Response<f64>>| {
+        at.as_ref().and_then(|at| output.of(at)).unwrap_or(f64::NAN)
+    };
+    let due: Vec<_> = (0..points.len()).map(|i| ratios(i).map(Response::new)).collect();
+    for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
+        let mut found = vec![vec![0.0; points.len()]; outputs.len()];
+        let columns = outputs.iter().zip(&mut found);
+        let columns = columns.fold(Columns::new(), |columns, (&output, slice)| columns.with(output, slice));
+        Batch::new().at_level(level).run_each(points.len(), ratios, columns)?;
+        for (output, column) in outputs.iter().zip(&found) {
+            let differs = |&i: &usize| bits(column[i]) != bits(of(*output, &due[i]));
+            if let Some(i) = (0..points.len()).find(differs) {
+                println!("{level:?}, {} with a damper at {:?}: {:e}", output.name(), points[i], column[i]);
+                return Ok(None);
+            }
+        }
+    }
+    let all = due.iter().flat_map(|at| OUTPUTS.map(|output| of(output, at)));
+    Ok(Some(all.fold(state, |state, x| hash(state, bits(x)))))
+}
+
 fn main() {
     let count = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(100_000);
     let (mut random, mut state) = (Random(14), 0xcbf2_9ce4_8422_2325);
+    let mut with_damper = state;
     for start in (0..count).step_by(CHUNK) {
         let end = count.min(start + CHUNK);
         let points: Vec<_> = (start..end).map(|i| random.point(i)).collect();
-        match chunk(&points, state) {
-            Ok(Some(next)) => state = next,
+        let all = chunk(&points, state).and_then(|state| Ok(state.zip(damped(&points, with_damper)?)));
+        match all {
+            Ok(Some(next)) => (state, with_damper) = next,
             Ok(None) => std::process::exit(1),
             Err(error) => {
                 eprintln!("{error}");
@@ -154,5 +190,7 @@ fn main() {
         }
     }
     let levels: Vec<_> = Level::ALL.into_iter().filter(|level| level.is_available()).collect();
-    println!("{count} points alone and in batches at {levels:?}: {state:016x}");
+    println!(
+        "{count} points alone and in batches at {levels:?}: {state:016x}, with a damper {with_damper:016x}"
+    );
 }

@@ -40,6 +40,7 @@ fn main() {
         "response-static-friction" => run(kernels::response_with_static_friction, &points, n),
         "damped" => run(kernels::damped, &points, n),
         "damped-low" => run(kernels::damped, &low, n),
+        "amplitude-damped-low" => run(kernels::amplitude_damped, &low, n),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

@@ -112,6 +112,14 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     fn epsilon() -> Self;
     /// `2ᵉ`, for `|e|` up to [`Float::RATIO_EXPONENT`].
     fn exp2i(e: i32) -> Self;
+    /// `2ⁿ` of an integer n, for `|n|` up to [`Float::RATIO_EXPONENT`]; without a conversion where loops are vectorised.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn power_of_two(n: Self) -> Self {
+        // The cast of a float to an integer saturates.
+        Self::exp2i(n.to_f64() as i32)
+    }
     /// `2⁻ᵉ`, e = [`Float::RATIO_EXPONENT`]: the least frequency ratio.
     #[doc(hidden)]
     #[inline]

@@ -2,7 +2,7 @@
 
 use stickslip::cycle::Reversal;
 use stickslip::float::Task;
-use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Response};
+use stickslip::{Border, Cycle, Float, Output, PhaseFunction, Ratios, Response};
 
 /// {Δ₀, eq. 61, A₁}
 #[inline(never)]
@@ -62,6 +62,17 @@ pub(crate) fn damped(omega: f64, alpha: f64) -> [f64; 3] {
             let least = answer.border.min_force_ratio;
             [cycle(|it| it.max_displacement), cycle(|it| it.max_velocity), least]
         }
+        Err(_) => [f64::NAN; 3],
+    }
+}
+
+/// {Δ₀, α_min, A₁} with the damping ratio 0.05.
+#[allow(dead_code, reason = "not every program measures it")]
+#[inline(never)]
+pub(crate) fn amplitude_damped(omega: f64, alpha: f64) -> [f64; 3] {
+    let outputs = [Output::MaxDisplacement, Output::MinForceRatio, Output::LoopSizeStiffness];
+    match Ratios::new(omega, alpha).and_then(|ratios| ratios.with_damping_ratio(0.05)) {
+        Ok(ratios) => Output::values(outputs, ratios),
         Err(_) => [f64::NAN; 3],
     }
 }

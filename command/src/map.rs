@@ -108,11 +108,18 @@ impl<'a> Quantity<'a> {
         Self { mapped, name, question }
     }
 
-    /// The loops of a batch that compute it in ratios, if there are any.
-    fn looped(&self) -> Option<Looped> {
+    /// The loops of a batch that compute it, if there are any.
+    fn looped(&self, given: &Given<f64>) -> Option<Looped> {
         let is_closed =
             matches!(self.mapped, Mapped::Regime | Mapped::Output) && self.question == Swept::Response;
-        Looped::of(core::iter::once(outputs::find(self.name).filter(|_| is_closed)?))
+        if !is_closed {
+            return None;
+        }
+        let row = rows::answer(self.question, given, outputs::is_searched(self.name)).ok()?;
+        // As `value_at` has it.
+        let name = [self.name.to_owned()];
+        let only = if row.physical.has(self.name) { [format!("physical.{}", self.name)] } else { name };
+        rows::looped(&row.only(&only), given)
     }
 
     /// The value at a point, with the kind of values in the machine's units; `None` if there is no such
@@ -140,13 +147,6 @@ impl<'a> Quantity<'a> {
         };
         let found = found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_)));
         Ok(found.map(|(kind, cell)| MapValue { kind, cell, absence }))
-    }
-}
-
-impl MapValue {
-    /// A value that is in no unit and never missing.
-    const fn of(cell: Cell<Number>) -> Self {
-        Self { kind: None, cell, absence: Absence::NoSuchValue }
     }
 }
 
@@ -220,7 +220,7 @@ impl<'a> Map<'a> {
 
     /// Computes the points in order, row by row.
     fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, MapValue) -> Outcome) -> Outcome {
-        let looped = self.quantity.looped().filter(|_| !axes.is_physical());
+        let looped = self.quantity.looped(&axes.given_at(0));
         let one = |given: Given<f64>| {
             let found = match self.quantity.value_at(&given) {
                 // A point whose ratios are known, but whose motion or numbers are not.
@@ -245,20 +245,26 @@ impl<'a> Map<'a> {
                 }
                 let Some(looped) = &looped else { return vec![one(axes.given_at(points.start))] };
                 let given: Vec<_> = points.map(|point| axes.given_at(point)).collect();
-                let ratios: Vec<_> = given.iter().map(Looped::ratios).collect();
-                let cells = looped.records(&ratios).into_iter().map(|record| {
-                    record.and_then(|record| record.fields.into_iter().next().map(|(_, cell)| cell))
+                let points: Vec<_> = given.iter().cloned().map(Looped::at).collect();
+                let values = looped.records(&points).into_iter().map(|record| {
+                    let record = record?;
+                    let physical =
+                        record.physical.values.into_iter().map(|(_, kind, cell)| (Some(kind), cell));
+                    record.fields.into_iter().map(|(_, cell)| (None, cell)).chain(physical).next()
                 });
                 // Alone, a point without ratios has its error.
-                let answer = |((given, ratios), cell): ((_, Option<_>), Option<Cell<_>>)| match (cell, ratios)
-                {
-                    (Some(cell), Some(ratios)) if cell.is_absent() => {
-                        Ok((given, MapValue { kind: None, cell, absence: Absence::of_regime(ratios) }))
+                let answer = |((given, at), value)| match (value, at) {
+                    (Some((kind, cell)), Some(at)) => {
+                        let absence = if cell.is_absent() {
+                            Absence::of_regime(at.ratios)
+                        } else {
+                            Absence::NoSuchValue
+                        };
+                        Ok((given, MapValue { kind, cell, absence }))
                     }
-                    (Some(cell), _) => Ok((given, MapValue::of(cell))),
-                    (None, _) => one(given),
+                    (None, _) | (_, None) => one(given),
                 };
-                given.into_iter().zip(ratios).zip(cells).map(answer).collect()
+                given.into_iter().zip(points).zip(values).map(answer).collect()
             },
             |found| found.map_or(Ok(()), |(given, value)| take(given, value)),
         )

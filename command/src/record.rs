@@ -89,14 +89,14 @@ impl<F> Record<F> {
     pub(crate) fn of(fields: Vec<(Key, Cell<F>)>) -> Self {
         Self { fields, physical: Physical::default(), is_wide: false }
     }
-}
 
-impl<F: Value> Record<F> {
     /// The record with these values in physical units.
     pub(crate) fn with_physical(self, physical: Physical<F>) -> Self {
         Self { physical, ..self }
     }
+}
 
+impl<F: Value> Record<F> {
     /// The record as it is written.
     pub(crate) fn shown(self) -> Row {
         let fields = self.fields.into_iter().map(|(key, cell)| (key, cell.shown()));

@@ -8,10 +8,12 @@ use super::level::{Level, Loops};
 use super::stages::Answer;
 use super::straight::is_any_nan;
 use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::lobes::{self, Lobe};
+use crate::cycle::damped::long::Long;
 use crate::cycle::damped::middle::{Constants, Crest, Middle};
 use crate::cycle::damped::rising::Rising;
 use crate::cycle::damped::tangent::Angle;
-use crate::cycle::damped::{displacement_phase, exists, from_turning_point};
+use crate::cycle::damped::{displacement_phase, exists, from_lobe, from_turning_point};
 use crate::cycle::regime::regime_of;
 use crate::cycle::velocity_phase;
 use crate::float::circular::{Swell, held};
@@ -83,6 +85,23 @@ impl AtPoint<13, 2> for Sizes {
         let (rising, slides) = rising(given);
         let size = rising.loop_sizes(given[0]).0;
         [select(slides, rising.max_displacement, f64::NAN), select(slides, size, f64::NAN)]
+    }
+}
+
+impl AtPoint<13, 6> for Sizes {
+    /// The same and `[ω_d t₂, A₂, the low part of Δ₀, a]`.
+    #[inline(always)]
+    fn at(&self, given: [f64; 13]) -> [f64; 6] {
+        let (rising, slides) = rising(given);
+        let ((size1, size2), phase) = (rising.loop_sizes(given[0]), displacement_phase(rising.drive()));
+        [
+            select(slides, rising.max_displacement, f64::NAN),
+            select(slides, size1, f64::NAN),
+            select(slides, phase, f64::NAN),
+            select(slides, size2, f64::NAN),
+            rising.rest,
+            rising.amplitude,
+        ]
     }
 }
 
@@ -168,6 +187,84 @@ impl AtPoint<10, 3> for Arrival {
     }
 }
 
+/// `[1/Ω, G, H]` below Ω = 1/2, the last two in pairs, from `[Ω, ζ]`; NaN where the point must be recomputed.
+struct LongResponses;
+
+impl AtPoint<2, 5> for LongResponses {
+    #[inline(always)]
+    fn at(&self, [omega, zeta]: [f64; 2]) -> [f64; 5] {
+        let Long { inverse, shift, h, is_accurate, .. } = Long::at(omega, zeta);
+        [inverse, select(is_accurate, shift.hi, f64::NAN), shift.lo, h.hi, h.lo]
+    }
+}
+
+/// The only lobe of the border's condition that may exceed the turning point.
+struct Lobes(lobes::Constants<f64>);
+
+impl AtPoint<8, 3> for Lobes {
+    /// `[side, time, mark]` from η and the inputs of [`half`]: the mark is 1 where there is one, else 0, and NaN where the
+    /// point must be recomputed.
+    #[inline(always)]
+    fn at(&self, [eta, given @ ..]: [f64; 8]) -> [f64; 3] {
+        let half = half(given).with_static_friction(eta);
+        let Lobe { side, time, is_above, is_decided } = Lobe::of_half(&half, &self.0);
+        let mark = select(is_above, 1.0, 0.0);
+        [side, time, select(is_decided, mark, f64::NAN)]
+    }
+}
+
+/// `[α_min]` from η, the lobe, the force ratio at the turning point, and the inputs of [`half`].
+struct Borders;
+
+impl AtPoint<12, 1> for Borders {
+    #[inline(always)]
+    fn at(&self, [eta, side, time, mark, at_turning_point, given @ ..]: [f64; 12]) -> [f64; 1] {
+        let half = half(given).with_static_friction(eta);
+        let (border, is_near) = from_lobe(&half, side, time, at_turning_point);
+        let border = select(is_near, border, f64::NAN);
+        [select(mark.is_nan(), f64::NAN, select(mark > 0.0, border, at_turning_point))]
+    }
+}
+
+/// The half cycle from `[Δ₀, the low part of Δ₀, a]` and the inputs of [`half`].
+#[inline(always)]
+fn known([max_displacement, rest, amplitude, given @ ..]: [f64; 10]) -> Rising<f64> {
+    Rising { half: half(given), amplitude, max_displacement, rest }
+}
+
+/// A time near the maximum velocity below Ω = 1/2 from the inputs of [`known`]; NaN where it is not known.
+struct LongStart(lobes::Constants<f64>);
+
+impl AtPoint<10, 1> for LongStart {
+    #[inline(always)]
+    fn at(&self, given: [f64; 10]) -> [f64; 1] {
+        let (time, is_found) = known(given).fastest_of_most(&self.0);
+        [select(is_found, time, f64::NAN)]
+    }
+}
+
+/// The maximum velocity below Ω = 1/2.
+struct LongArrival;
+
+impl AtPoint<13, 4> for LongArrival {
+    /// `[V₀, ω_d t₁, α_min, Δ₁]` from a time near it, ω_d t₂, α_min and the inputs of [`known`]; a NaN in α_min means that
+    /// the velocity must be recomputed.
+    #[inline(always)]
+    fn at(&self, [time, phase2, border, given @ ..]: [f64; 13]) -> [f64; 4] {
+        let rising = known(given);
+        let (summit, _, is_near) = rising.arrive_below::<true>(Pair::exact(time));
+        let is_inside = (time > 0.0) & (time < rising.half.period);
+        // Without a cycle there is nothing to find.
+        let is_found = (is_near & is_inside) | rising.max_displacement.is_nan();
+        [
+            summit.velocity,
+            velocity_phase(phase2, rising.half.omega, -summit.sigma),
+            select(is_found, border, f64::NAN),
+            summit.displacement,
+        ]
+    }
+}
+
 /// The outputs beyond {Δ₀, α_min, A₁} that are asked for.
 #[derive(Clone, Copy)]
 struct Wanted {
@@ -229,6 +326,119 @@ impl Loops for Pass<'_> {
     }
 }
 
+/// The pass below Ω = 1/2.
+struct LongPass<'a>(Pass<'a>);
+
+impl Loops for LongPass<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Pass { wanted, given: [omega, alpha, zeta, eta], found, work } = self.0;
+        let [inverse, shift, shift_rest, h, h_rest, work @ ..] = work;
+        let [square, square_rest, least, least_rest, side, time, mark, turning, rest, amplitude, ..] = work;
+        let [delta, border, size1, phase2, size2, velocity, phase1, deviation, _] = found;
+        let half = [&mut *inverse, shift, shift_rest, h, h_rest];
+        each(&LongResponses, [omega, zeta], half);
+        let [i, j, k, l, m, n, o] = [omega, zeta, &*inverse, shift, shift_rest, h, h_rest];
+        let squares = [&mut *square, square_rest, least, least_rest, &mut *turning];
+        each(&Squares, [alpha, eta, i, j, k, l, m, n, o], squares);
+        let lobes = Lobes(held(lobes::Constants::new()));
+        each(&lobes, [eta, i, j, k, l, m, n, o], [&mut *side, time, mark]);
+        each(&Borders, [eta, side, time, mark, turning, i, j, k, l, m, n, o], [&mut *border]);
+        let given = [alpha, square, square_rest, least, least_rest, border, i, j, k, l, m, n, o];
+        if !wanted.more {
+            return each::<13, 2>(&Sizes, given, [delta, size1]);
+        }
+        each::<13, 6>(&Sizes, given, [&mut *delta, size1, phase2, size2, rest, amplitude]);
+        if wanted.velocity {
+            let start = LongStart(held(lobes::Constants::new()));
+            each(&start, [delta, rest, amplitude, i, j, k, l, m, n, o], [&mut *time]);
+            mark.copy_from_slice(border);
+            let given = [time, phase2, mark, delta, rest, amplitude, i, j, k, l, m, n, o];
+            each(&LongArrival, given, [velocity, phase1, border, deviation]);
+        }
+    }
+}
+
+/// Points below Ω = 1/2 from blocks with others among them, until they fill a block: their ratios, and their places.
+struct Gathered {
+    given: [Block; 4],
+    places: [usize; POINTS],
+    count: usize,
+}
+
+/// What a run of loops over points with a damper shares.
+struct Run<'a> {
+    level: Level,
+    wanted: Wanted,
+    out: Looped<'a>,
+    found: Answer,
+    work: [Block; 20],
+}
+
+impl Run<'_> {
+    /// Computes the points of a block that are below Ω = 1/2, or the others.
+    fn block(&mut self, given: &[Block; 4], count: usize, is_low: bool) {
+        let Self { level, wanted, found, work, .. } = self;
+        let [omegas, _, zetas, _] = given;
+        // Without a damper the loops would leave every point.
+        if *level == Level::Scalar || !zetas.iter().any(|&zeta| zeta > 0.0) {
+            found[BORDER].fill(f64::NAN);
+        } else {
+            let pass = Pass { wanted: *wanted, given, found, work };
+            if is_low { level.run(LongPass(pass)) } else { level.run(pass) }
+        }
+        if is_any_nan(&found[BORDER]) {
+            for (i, &omega) in omegas.iter().enumerate().take(count) {
+                let is_left = found[BORDER].get(i).is_some_and(|border| border.is_nan());
+                if is_left && is_low == is_below(omega) {
+                    if wanted.more {
+                        set(found, i, alone::all(point_at(given, i)));
+                    } else {
+                        set(found, i, alone::amplitude(point_at(given, i)));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Writes the answers of a block.
+    fn put(&mut self, given: &[Block; 4], first: usize, count: usize) {
+        let Self { out, found, .. } = self;
+        out.put_numbers(first, count, found);
+        let regimes = out.regime.iter_mut().flat_map(|slice| slice.iter_mut().skip(first)).take(count);
+        for (i, (slot, &border)) in regimes.zip(&found[BORDER]).enumerate() {
+            *slot = point_at(given, i).map(|ratios| regime_of(ratios, border));
+        }
+    }
+
+    /// Computes the points that were gathered, and writes their answers.
+    fn gathered(&mut self, points: &mut Gathered) {
+        self.block(&points.given, points.count, true);
+        let Self { out, found, .. } = self;
+        for (i, &place) in points.places.iter().enumerate().take(points.count) {
+            for (slice, block) in out.numbers.iter_mut().zip(&*found) {
+                let slot = slice.as_mut().and_then(|slice| slice.get_mut(place));
+                if let (Some(slot), Some(&value)) = (slot, block.get(i)) {
+                    *slot = value;
+                }
+            }
+            if let Some(slot) = out.regime.as_mut().and_then(|slice| slice.get_mut(place)) {
+                let border = found[BORDER].get(i).copied().unwrap_or(f64::NAN);
+                *slot = point_at(&points.given, i).map(|ratios| regime_of(ratios, border));
+            }
+        }
+        points.count = 0;
+    }
+}
+
+/// Whether the loops below Ω = 1/2 compute a point.
+#[inline(always)]
+fn is_below(omega: f64) -> bool {
+    omega < 0.5
+}
+
 /// Fills the columns of `n` points, of which the first is the one at `start`.
 pub(super) fn run(
     level: Level,
@@ -242,42 +452,46 @@ pub(super) fn run(
         let answer = |i| ratios(start + i).map(|ratios| Output::answer(has_velocity, ratios));
         return (0..n).for_each(|i| columns.put(i, answer(i)));
     }
-    let (mut given, mut found) = ([[0.0; POINTS]; 4], [[0.0; POINTS]; LOOPED.len()]);
-    let mut work = [[0.0; POINTS]; 20];
-    let mut out = columns.take_looped();
+    let out = columns.take_looped();
     let wanted = Wanted::of(&out);
+    let (found, work) = ([[0.0; POINTS]; LOOPED.len()], [[0.0; POINTS]; 20]);
+    let mut run = Run { level, wanted, out, found, work };
+    let mut given = [[0.0; POINTS]; 4];
+    let mut low = Gathered { given, places: [0; POINTS], count: 0 };
     for first in (0..n).step_by(POINTS) {
         let count = POINTS.min(n - first);
-        let mut is_damped = false;
+        let mut below = 0;
         for i in 0..count {
             let point = ratios(start + first + i).map(|point: Ratios<f64>| {
-                is_damped |= point.is_damped();
                 [point.omega(), point.alpha(), point.damping_ratio(), point.static_friction_ratio()]
             });
-            set(&mut given, i, point.unwrap_or(NOWHERE));
+            let point = point.unwrap_or(NOWHERE);
+            below += usize::from(is_below(point[0]));
+            set(&mut given, i, point);
         }
-        // Without a damper the loops would leave every point.
-        if level == Level::Scalar || !is_damped {
-            found[BORDER].fill(f64::NAN);
-        } else {
-            level.run(Pass { wanted, given: &given, found: &mut found, work: &mut work });
+        run.block(&given, count, below == count);
+        run.put(&given, first, count);
+        if below == count {
+            continue;
         }
-        if is_any_nan(&found[BORDER]) {
-            for i in 0..count {
-                if found[BORDER].get(i).is_some_and(|border| border.is_nan()) {
-                    if wanted.more {
-                        set(&mut found, i, alone::all(point_at(&given, i)));
-                    } else {
-                        set(&mut found, i, alone::amplitude(point_at(&given, i)));
-                    }
-                }
+        let places = if below == 0 { 0 } else { count };
+        for i in 0..places {
+            let point = given.each_ref().map(|block| block.get(i).copied().unwrap_or(f64::NAN));
+            if !is_below(point[0]) {
+                continue;
+            }
+            set(&mut low.given, low.count, point);
+            if let Some(slot) = low.places.get_mut(low.count) {
+                *slot = first + i;
+            }
+            low.count += 1;
+            if low.count == POINTS {
+                run.gathered(&mut low);
             }
         }
-        out.put_numbers(first, count, &found);
-        let regimes = out.regime.iter_mut().flat_map(|slice| slice.iter_mut().skip(first)).take(count);
-        for (i, (slot, &border)) in regimes.zip(&found[BORDER]).enumerate() {
-            *slot = point_at(&given, i).map(|ratios| regime_of(ratios, border));
-        }
+    }
+    if low.count > 0 {
+        run.gathered(&mut low);
     }
 }
 

@@ -18,7 +18,8 @@ pub(crate) mod border;
 pub(crate) mod fastest;
 pub(crate) mod free;
 pub(crate) mod half_period;
-mod lobes;
+pub(crate) mod lobes;
+pub(crate) mod long;
 mod low;
 pub(crate) mod middle;
 mod peaks;
@@ -38,7 +39,9 @@ use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
 use crate::machine::ratios::Ratios;
-use border::{has_lobes, least_displacement, supremum, turning_point};
+#[cfg(feature = "batch")]
+use border::{Refined, refined};
+use border::{least_displacement, supremum, turning_point};
 pub(crate) use half_period::HalfPeriod;
 use pole::Pole;
 use rising::Rising;
@@ -269,17 +272,25 @@ impl<F: Field> HalfPeriod<F> {
 
 /// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
 pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
-    let (at_turning_point, least) = at_turning_point(half);
-    let Some((touch, amplitude)) = supremum(half) else {
-        return Border::of_parts(at_turning_point, at_turning_point, F::int(0), least);
-    };
-    let (inside, displacement) = fused!(<'a, F>(half: &'a HalfPeriod<F>, amplitude: Pair<F>) -> (F, F) {
-        let wide = half.wide();
-        (wide.k.hypot(wide.stiffness * amplitude).value(), (amplitude - wide.shift).value())
-    });
-    // The two are rounded, each by a form of its own.
-    let inside = inside.or_larger(at_turning_point);
-    Border::of_parts(inside, at_turning_point, touch.phase(half.omega), displacement)
+    fused!(<'a, F>(half: &'a HalfPeriod<F>) -> Border<F> { border_of(half) })
+}
+
+#[inline(always)]
+fn border_of<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
+    let wide = half.wide();
+    let least = turning_point(&wide);
+    let at_turning_point = force_ratio(&wide, least);
+    match supremum(half, &wide, least) {
+        None => {
+            Border::of_parts(at_turning_point, at_turning_point, F::int(0), least_displacement(&wide).value())
+        }
+        Some((touch, amplitude)) => {
+            // The two are rounded.
+            let inside = inner_force_ratio(&wide, amplitude).or_larger(at_turning_point);
+            let displacement = (amplitude - wide.shift).value();
+            Border::of_parts(inside, at_turning_point, touch.phase(half.omega), displacement)
+        }
+    }
 }
 
 /// The force ratio from which on the body does not stick at its turning points, and the least Δ₀/B there.
@@ -287,15 +298,20 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
 pub(crate) fn at_turning_point<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
     fused!(<'a, F>(half: &'a HalfPeriod<F>) -> (F, F) {
         let half = half.wide();
-        (force_ratio_at_turning_point(&half), least_displacement(&half).value())
+        (force_ratio(&half, turning_point(&half)), least_displacement(&half).value())
     })
 }
 
-/// `q hypot(S, H)` with S of the turning point.
+/// `q hypot(S, H)` for an S.
 #[inline(always)]
-fn force_ratio_at_turning_point<F: Float>(half: &HalfPeriod<Pair<F>>) -> F {
-    let square = turning_point(half).square() + half.h.square();
-    (square * half.squared_stiffness()).value().sqrt()
+fn force_ratio<F: Float>(half: &HalfPeriod<Pair<F>>, amplitude: Pair<F>) -> F {
+    ((amplitude.square() + half.h.square()) * half.squared_stiffness()).value().sqrt()
+}
+
+/// `hypot(K, qS)` for an S inside the half cycle, rounded once.
+#[inline(always)]
+fn inner_force_ratio<F: Float>(half: &HalfPeriod<Pair<F>>, amplitude: Pair<F>) -> F {
+    half.k.hypot(half.stiffness * amplitude).value()
 }
 
 impl<F: Float> HalfPeriod<Pair<F>> {
@@ -313,7 +329,19 @@ impl<F: Float> HalfPeriod<Pair<F>> {
 #[inline(always)]
 pub(crate) fn from_turning_point<F: Float>(half: &HalfPeriod<F>, alpha: F) -> (Pair<F>, Pair<F>, F) {
     let half = half.wide();
-    (half.squared_amplitude(alpha), turning_point(&half), force_ratio_at_turning_point(&half))
+    let least = turning_point(&half);
+    (half.squared_amplitude(alpha), least, force_ratio(&half, least))
+}
+
+/// α_min by the lobe of a half period, and whether it is that; without branches.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn from_lobe<F: Float>(half: &HalfPeriod<F>, side: F, time: F, at_turning_point: F) -> (F, bool) {
+    let wide = half.wide();
+    let Refined { amplitude, is_near, .. } = refined::<F, true>(half, &wide, side, time);
+    let inside = inner_force_ratio(&wide, amplitude).or_larger(at_turning_point);
+    let is_above = (amplitude - turning_point(&wide)).value() > F::int(0);
+    (if is_above { inside } else { at_turning_point }, is_near)
 }
 
 /// {Δ₀, α_min, A₁} without the rest of the answer; NaN where there is no cycle.
@@ -322,9 +350,9 @@ pub(crate) fn amplitude<F: Float>(ratios: &Ratios<F>) -> [F; 3] {
     let eta = ratios.static_friction_ratio();
     fused!(<F>(omega: F, alpha: F, zeta: F, eta: F) -> [F; 3] {
         let half = HalfPeriod::of_amplitude(omega, zeta).with_static_friction(eta);
-        let (rising, at_turning_point) = (Rising::at_force(half, alpha), force_ratio_at_turning_point(&half.wide()));
+        let rising = Rising::at_force(half, alpha);
         let (displacement, size) = (rising.max_displacement, rising.loop_sizes(alpha).0);
-        let least = if has_lobes(&half) { border(&half).min_force_ratio } else { at_turning_point };
+        let least = border_of(&half).min_force_ratio;
         let nan = F::int(0) / F::int(0);
         if exists(alpha, least) { [displacement, least, size] } else { [nan, least, nan] }
     })

@@ -29,7 +29,6 @@ use cotangent::cotangent_defect;
 pub(crate) use excess::{excess_close_to_one, is_close_to_one, sum};
 pub(crate) use frequency::{Frequency, Offset};
 pub(crate) use reduction::LowAngle;
-pub(crate) use reduction::modulo_four;
 use reduction::{nearest_of_three, nearest_quarter};
 pub(crate) use slope::arc_less_sine;
 #[cfg(feature = "batch")]

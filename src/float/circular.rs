@@ -17,6 +17,7 @@
 
 use super::Float;
 use super::pair::Pair;
+use core::ops::Neg;
 
 /// Coefficients of S and C in the table, from the constant term up.
 #[derive(Clone, Copy)]
@@ -236,6 +237,77 @@ impl Arctangent<f64> {
         Arctangent(self.0.map(F::from_f64))
     }
 }
+
+impl<F: Float> SinCos<F, 8, 8> {
+    /// `(sin y, cos y)` for y in [0, π].
+    #[inline(always)]
+    pub(crate) fn upper(&self, angle: F) -> (F, F) {
+        let (s, c) = self.sin_cos(angle - F::pi() * F::ratio(1, 2));
+        (c, -s)
+    }
+
+    /// `(sin x, cos x)` for |x| up to some thousands.
+    #[inline(always)]
+    pub(crate) fn turned(&self, x: F) -> (F, F) {
+        let (half, (rest, _)) = (F::ratio(1, 2), F::pi_rest());
+        let turns = (x * (F::int(2) / F::pi())).round();
+        let acute = (-turns).mul_add(half * rest, (-turns).mul_add(half * F::pi(), x));
+        by_quarters(turns, self.sin_cos(acute))
+    }
+}
+
+/// (sin, cos) of `q π/2 + w` from those of w, for an integer q of either sign; without branches.
+#[inline(always)]
+pub(crate) fn by_quarters<F: Float, R: Copy + Neg<Output = R>>(q: F, (s, c): (R, R)) -> (R, R) {
+    // q mod 4, in {−2, −1, 0, 1, 2}
+    let quarter = F::int(-4).mul_add((q * F::ratio(1, 4)).round(), q);
+    let is_odd = quarter.abs() == F::int(1);
+    let (s, c) = if is_odd { (c, -s) } else { (s, c) };
+    let is_turned = (quarter.abs() == F::int(2)) | (quarter == F::int(-1));
+    if is_turned { (-s, -c) } else { (s, c) }
+}
+
+/// Coefficients of `eʳ = 1 + r + r² E(r)`.
+#[derive(Clone, Copy)]
+pub(crate) struct Exponential<F>([F; 13]);
+
+impl<F: Float> Exponential<F> {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self(RECIPROCAL_FACTORIALS.map(F::from_f64))
+    }
+
+    /// `eˣ` for |x| up to [`Float::RATIO_EXPONENT`]/2, within two units in the last place.
+    #[inline(always)]
+    pub(crate) fn at(&self, x: F) -> F {
+        let (one, (hi, lo)) = (F::int(1), LN_2);
+        let n = (x * F::from_f64(core::f64::consts::LOG2_E)).round();
+        let hi_rest = hi - F::from_f64(hi).to_f64();
+        let r = (-n).mul_add(F::from_f64(hi), x);
+        let r = (-n).mul_add(F::from_f64(hi_rest + lo), r);
+        polynomial(&self.0, r).mul_add(r * r, r + one) * F::power_of_two(n)
+    }
+}
+
+/// ln 2, to twice the digits of f64.
+pub(crate) const LN_2: (f64, f64) = (core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
+
+/// 1/n!, n from 2 to 14.
+pub(crate) const RECIPROCAL_FACTORIALS: [f64; 13] = [
+    1.0 / 2.0,
+    1.0 / 6.0,
+    1.0 / 24.0,
+    1.0 / 120.0,
+    1.0 / 720.0,
+    1.0 / 5040.0,
+    1.0 / 40_320.0,
+    1.0 / 362_880.0,
+    1.0 / 3_628_800.0,
+    1.0 / 39_916_800.0,
+    1.0 / 479_001_600.0,
+    1.0 / 6_227_020_800.0,
+    1.0 / 87_178_291_200.0,
+];
 
 impl<F: Float> Arctangent<F> {
     /// The angle in [0, π] with this sine ≥ 0 and this cosine.

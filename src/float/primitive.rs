@@ -72,6 +72,13 @@ macro_rules! primitive {
                 <$float>::from_bits((e.saturating_add(BIAS) as $bits) << ($float::MANTISSA_DIGITS - 1))
             }
             #[inline(always)]
+            fn power_of_two(n: Self) -> Self {
+                // The sum has n and the bias in its last bits, which become the exponent.
+                const BIASED: $float = (3 * (1 as $bits) << ($float::MANTISSA_DIGITS - 2)) as $float
+                    + ($float::MAX_EXP - 1) as $float;
+                <$float>::from_bits((n + BIASED).to_bits() << ($float::MANTISSA_DIGITS - 1))
+            }
+            #[inline(always)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
@@ -157,6 +164,12 @@ mod tests {
         assert_eq!(<f64 as Float>::exp2i(-250), 2f64.powi(-250));
         assert_eq!(<f32 as Float>::exp2i(-30), 2f32.powi(-30));
         assert_eq!(<f32 as Float>::exp2i(0), 1.0);
+        for n in -250..=250i16 {
+            assert_eq!(<f64 as Float>::power_of_two(f64::from(n)), 2f64.powi(n.into()));
+            if n.abs() <= 30 {
+                assert_eq!(<f32 as Float>::power_of_two(f32::from(n)), 2f32.powi(n.into()));
+            }
+        }
     }
 
     #[test]

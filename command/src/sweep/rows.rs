@@ -8,6 +8,7 @@ use crate::failure::{Failure, Outcome};
 use crate::grid::Axes;
 use crate::interrupt;
 use crate::outputs::{self, ALPHA, Key, OMEGA};
+use crate::physical::Physical;
 use crate::record::{Cell, Record, Row};
 use crate::{closed, input, progress, steady};
 use std::ops::Range;
@@ -70,8 +71,8 @@ impl<F: Value> SweepRows<F> {
             None => form,
         };
         let columns = form.names(Header::Names);
-        let is_looped = question == Swept::Response && args.bits.is_none() && form.physical.is_empty();
-        let looped = is_looped.then(|| Looped::of(form.fields.iter().map(|(key, _)| *key))).flatten();
+        let is_looped = question == Swept::Response && args.bits.is_none();
+        let looped = is_looped.then(|| looped(&form, &axes.named_at(0))).flatten();
         #[cfg(feature = "parquet")]
         let notes = notes(args);
         Ok(Self {
@@ -138,8 +139,8 @@ impl<F: Value> Table for SweepRows<F> {
             return vec![self.alone(points.start)];
         };
         let first = points.start;
-        let ratios: Vec<_> = points.map(|point| Looped::ratios(&self.axes.given_at(point))).collect();
-        let found = looped.records(&ratios).into_iter().zip(first..);
+        let points: Vec<_> = points.map(|point| Looped::at(self.axes.given_at(point))).collect();
+        let found = looped.records(&points).into_iter().zip(first..);
         // Alone, a point without ratios has its error.
         found.map(|(record, point)| record.map_or_else(|| self.alone(point), Ok)).collect()
     }
@@ -180,6 +181,22 @@ impl<F: Value> Table for SweepRows<F> {
         }
         Ok(true)
     }
+}
+
+/// The loops that compute all columns of a row, if there are any.
+pub(crate) fn looped<F: Value>(form: &Row, given: &Given<F>) -> Option<Looped> {
+    let point = input::point(given).ok()?;
+    let machine = point.machine.as_ref();
+    let names: Vec<_> = machine
+        .map(|machine| {
+            Physical::of_machine(given, machine).values.into_iter().map(|(name, ..)| name).collect()
+        })
+        .unwrap_or_default();
+    Looped::of(
+        form.fields.iter().map(|(key, _)| *key),
+        form.physical.values.iter().map(|(name, kind, _)| (*name, *kind)),
+        machine.map(|machine| (machine.drive.excitation(), &names[..])),
+    )
 }
 
 /// The answer of the command with this name for the given quantities.

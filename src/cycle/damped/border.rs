@@ -31,9 +31,10 @@
 //! Ωτ), because h′ is a free vibration with decreasing energy.
 
 use super::half_period::HalfPeriod;
-use super::lobes;
+use super::lobes::{self, Lobe};
 use super::rising::Moment;
 use super::touch::{End, Touch};
+use super::wide::WideState;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, at_precision, fused};
 use crate::root::newton_within;
@@ -49,31 +50,51 @@ struct Supremum<F> {
 /// Whether the supremum may be away from the turning point.
 #[inline(always)]
 pub(crate) fn has_lobes<F: Float>(half: &HalfPeriod<F>) -> bool {
-    half.free.swings() && half.omega * F::int(2) < half.free.frequency
+    half.free.swings() & (half.omega * F::int(2) < half.free.frequency)
 }
 
 /// Where the supremum is if not at the turning point, and S there.
 ///
 /// A touch that rounding puts below the turning point is not left out: both are compared in pairs.
-pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Option<(Touch<F>, Pair<F>)> {
+#[inline(always)]
+pub(crate) fn supremum<F: Float>(
+    half: &HalfPeriod<F>,
+    wide: &HalfPeriod<Pair<F>>,
+    at_turning_point: Pair<F>,
+) -> Option<(Touch<F>, Pair<F>)> {
     if !has_lobes(half) {
         return None;
     }
-    let (Touch { from, time }, amplitude, excess) = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
-        let least = turning_point(half) * (F::int(1) - F::int(64) * F::epsilon());
-        let found = fused!(<'a, F>(half: &'a HalfPeriod<F>, least: F) -> Result<Option<Touch<F>>, ()> {
-            lobes::greatest(half, least)
-        });
-        let touch =
-            found.unwrap_or_else(|()| greatest(half, Supremum { amplitude: least, touch: None }).touch)?;
-        refined(half, touch)
+    let (Touch { from, time }, amplitude) = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
+        let least = lobes::least(at_turning_point);
+        let lobe = Lobe::of::<false>(half, least, &lobes::Constants::new());
+        let touch = if !lobe.is_decided {
+            greatest(half, Supremum { amplitude: least, touch: None }).touch?
+        } else if lobe.is_above {
+            Touch::new(if lobe.side < F::int(0) { End::Last } else { End::First }, lobe.time)
+        } else {
+            return None;
+        };
+        let side = if touch.from == End::Last { F::int(-1) } else { F::int(1) };
+        let mut found = refined::<F, false>(half, wide, side, touch.time);
+        for _ in 0..3 {
+            if found.is_near {
+                break;
+            }
+            found = refined::<F, false>(half, wide, side, found.time);
+        }
+        let Refined { time, amplitude, .. } = found;
+        (Touch { time, ..touch }, amplitude)
     } else {
         let touch = polished(half, narrowed(*half)?)?;
-        let amplitude = needed(half, touch.from, &at(half, touch.from, touch.time)).wide();
-        (touch, amplitude, (amplitude - turning_point(&half.wide())).value())
+        (touch, needed(half, touch.from, &at(half, touch.from, touch.time)).wide())
     };
-    let time = time.implicit_root(|time| rise(half, from, &at(half, from, time)));
-    (excess > F::int(0)).then_some((Touch { from, time }, amplitude))
+    if (amplitude - at_turning_point).value() > F::int(0) {
+        let time = time.implicit_root(|time| rise(half, from, &at(half, from, time)));
+        Some((Touch { from, time }, amplitude))
+    } else {
+        None
+    }
 }
 
 /// Whether S is below an amplitude a by at least a sixteenth of a, and a is not small compared with H. Then α
@@ -103,7 +124,9 @@ pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
 /// The search at a lower precision.
 fn narrowed<F: Float>(half: HalfPeriod<F>) -> Option<Touch<F>> {
     at_precision!(narrowed, <F>(half: HalfPeriod<F>) -> Option<Touch<F>>, |there, back: G| {
-        let (found, _) = supremum(&half.map(there))?;
+        let half = half.map(there);
+        let wide = half.wide();
+        let (found, _) = supremum(&half, &wide, turning_point(&wide))?;
         Some(Touch { from: found.from, time: back(found.time) })
     })
 }
@@ -191,31 +214,47 @@ fn certain_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
     }
 }
 
-/// A maximum of ρ found in the arithmetic of the type by one more step in pairs, ρ there to more digits than the type has,
-/// and by how much that exceeds the value at the turning point.
+/// A maximum of ρ found in the arithmetic of the type.
+#[derive(Clone, Copy)]
+pub(crate) struct Refined<F> {
+    /// The time since the end of the half cycle on its side, after one more step in pairs.
+    pub(crate) time: F,
+    /// ρ there, to more digits than the type has.
+    pub(crate) amplitude: Pair<F>,
+    /// Whether the step was small enough for that.
+    pub(crate) is_near: bool,
+}
+
+/// A step in pairs from a time near a maximum of ρ since the end of the half cycle on this side, 1 or −1.
 ///
 /// `ρ′ = v/(Ω sin² Ωτ)` with v of [`rise`], so that over the step v/v′ ρ grows by half of −v²/v′ in this place.
-fn refined<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>, F) {
-    fused!(<'a, F>(half: &'a HalfPeriod<F>, touch: Touch<F>) -> (Touch<F>, Pair<F>, F) {
-        let (Touch { from, time }, wide) = (touch, half.in_pairs());
-        let time = time.constant();
-        let at = wide_at(&wide, from, time);
-        let (value, slope) = rise(&wide, from, &at);
-        let (value, slope) = (value.value().constant(), slope.value().constant());
-        let (sine, cosine) = at.drive;
-        let pull = wide.omega * sine;
-        let amplitude = (wide.omega * wide.h * cosine - at.free.v) / pull;
-        let step = value / slope;
-        // Its square is left of the time, and its cube of the amplitude.
-        let is_small = step.square() <= F::int(64) * F::epsilon() * time.square();
-        let growth = -(value * step) / (F::int(2) * (pull.hi * sine.hi).constant());
-        let (touch, amplitude) = if is_small {
-            (Touch { from, time: time - step }, amplitude + Pair::exact(growth))
-        } else {
-            (touch, amplitude)
-        };
-        (touch, amplitude, (amplitude - turning_point(&wide)).value())
-    })
+#[inline(always)]
+pub(crate) fn refined<F: Float, const ALL: bool>(
+    half: &HalfPeriod<F>,
+    wide: &HalfPeriod<Pair<F>>,
+    side: F,
+    time: F,
+) -> Refined<F> {
+    let (zeta, omega, time) = (half.free.zeta, half.omega, time.constant());
+    let b = wide.h * omega;
+    let shift = Pair::new(side * wide.shift.hi, side * wide.shift.lo);
+    let start = (Pair::int(1) + shift, Pair::new(side * b.hi, side * b.lo));
+    let WideState { velocity, acceleration, drive: (sine, cosine) } =
+        WideState::at::<ALL>((omega, zeta), start, side, Pair::exact(time));
+    let cosine = Pair::new(side * cosine.hi, side * cosine.lo);
+    let n = b * cosine - velocity;
+    let slope = -(b * omega * sine + acceleration);
+    let value = side * (slope * sine - n * cosine * omega).value().constant();
+    let displacement = -(F::int(2) * zeta).mul_add(velocity.hi, acceleration.hi);
+    let bend = -(half.weighted(velocity.hi, displacement) * sine.hi).constant();
+    let pull = sine * omega;
+    let amplitude = n / pull;
+    let step = value / bend;
+    // Its square is left of the time, and its cube of the amplitude.
+    let is_near = step.square() <= F::int(64) * F::epsilon() * time.square();
+    let growth = -(value * step) / (F::int(2) * (pull.hi * sine.hi).constant());
+    let growth = if is_near { growth } else { F::int(0) };
+    Refined { time: time - step, amplitude: amplitude + Pair::exact(growth), is_near }
 }
 
 /// n(τ) in a form that keeps its digits as τ → 0.

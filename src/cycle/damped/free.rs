@@ -1,5 +1,6 @@
 //! Free vibration with viscous damping: `x″ + 2ζx′ + x = 0` in natural time.
 
+use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
 /// Free vibration at a damping ratio ζ > 0, below, at and above ζ = 1.
@@ -13,6 +14,18 @@ pub(crate) struct Free<F> {
     pub(crate) square: F,
     /// `|d|`.
     pub(crate) frequency: F,
+}
+
+/// d and 1/d in pairs, for ζ < 1 and up to the precision of f64.
+#[inline(always)]
+pub(super) fn wide_frequency<F: Float>(zeta: F) -> (Pair<F>, Pair<F>) {
+    let one = F::int(1);
+    let square = Pair::fast_two_sum(one, -zeta) * Pair::fast_two_sum(one, zeta);
+    let root = square.hi.sqrt();
+    let near = one / root;
+    let low = ((-root).mul_add(root, square.hi) + square.lo) * (F::ratio(1, 2) * near);
+    let rest = ((-near).mul_add(root, one) - near * low) * near;
+    (Pair::new(root, low), Pair::new(near, rest))
 }
 
 /// `e^{−ζt} cos dt` and `e^{−ζt} sin(dt)/d`.

@@ -2,12 +2,12 @@
 //! and ζ alone.
 
 use super::free::Free;
+use super::long::Long;
 use super::middle::Middle;
 use super::pole::Pole;
 use super::tangent::Tangent;
-use crate::cycle::phase_function::{
-    PhaseFunction, modulo_four, one_minus_square, one_minus_square_wide, reduced, turned,
-};
+use crate::cycle::phase_function::{PhaseFunction, one_minus_square, one_minus_square_wide, reduced, turned};
+use crate::float::circular::by_quarters;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, Real, at_precision, fused};
 
@@ -70,6 +70,9 @@ impl<F: Float> HalfPeriod<F> {
         if let Some(half) = Self::by_tangent(omega, zeta) {
             return half.with_waves(waves_at_end(&half.free, omega));
         }
+        if let Some(half) = Self::by_waves(omega, zeta) {
+            return half;
+        }
         if let Some(Pole { stiffness, shift, h, beyond }) = Pole::beside(omega, zeta) {
             let parts = [stiffness.normalised(), shift.normalised(), h.normalised()];
             let half = Self::of_pairs(omega, zeta, F::int(1) / omega, parts);
@@ -85,6 +88,17 @@ impl<F: Float> HalfPeriod<F> {
     #[inline(always)]
     pub(super) fn of_amplitude(omega: F, zeta: F) -> Self {
         Self::by_tangent(omega, zeta).unwrap_or_else(|| Self::at_ratios(omega, zeta))
+    }
+
+    /// The half period by [`Long`] where that is accurate.
+    #[inline(always)]
+    fn by_waves(omega: F, zeta: F) -> Option<Self> {
+        if const { F::PRECISION > f64::MANTISSA_DIGITS } || omega >= F::ratio(1, 2) {
+            return None;
+        }
+        let Long { inverse, shift, h, waves, is_accurate } = Long::at(omega, zeta);
+        let half = Self::of_responses(omega, zeta, inverse, shift, h).with_waves(waves);
+        if is_accurate { Some(half) } else { None }
     }
 
     /// The half period by [`Tangent`] where that is accurate; the waves at T are NaN.
@@ -335,12 +349,18 @@ fn wide_half_angle<F: Float>(free: &Free<Pair<F>>, omega: F, middle: Pair<F>) ->
     turned(quarter, wide_sin_cos(angle))
 }
 
-/// `(sin, cos)` as pairs, at up to the precision of f64.
+/// `(sin, cos)` as pairs, at up to the precision of f64; without branches.
 #[inline(always)]
 pub(super) fn wide_sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {
-    let quarter_turn = Pair::pi() * F::ratio(1, 2);
-    let turns = (angle.hi / quarter_turn.hi).round();
-    turned(modulo_four(turns), F::sin_cos_acute(angle - quarter_turn * turns))
+    let (turns, acute) = to_acute(angle);
+    by_quarters(turns, F::sin_cos_acute(acute))
+}
+
+/// The nearest multiple of π/2, and what is left of an angle.
+#[inline(always)]
+pub(super) fn to_acute<F: Float>(angle: Pair<F>) -> (F, Pair<F>) {
+    let turns = (angle.hi * (F::int(2) / F::pi())).round();
+    (turns, angle - Pair::pi() * F::ratio(1, 2) * turns)
 }
 
 /// G and H from the middle of the half period: `(omega, middle)` is (Ω, T/2), `angle` (sin, cos) of dT/2 for

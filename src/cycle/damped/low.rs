@@ -29,16 +29,17 @@
 //!
 //! Every comparison is of bounds: where one fails, the search decides ([`super::fastest`]).
 
-use super::free::Free;
+use super::free::{Free, Waves};
+use super::lobes::{Constants, reach};
 use super::rising::Rising;
 use crate::float::Float;
-use crate::float::circular::{SinCos, TO_HALF_PI};
 
 /// The velocity by the time since the driven part's crest.
 struct Crests<F> {
     omega: F,
     free: Free<F>,
-    circular: SinCos<F, 8, 8>,
+    over_d: F,
+    given: Constants<F>,
     /// R, K, and the phase e of the free part in [−π, π].
     swing: F,
     size: F,
@@ -64,33 +65,49 @@ impl<F: Float> Rising<F> {
     /// A time near that of the maximum velocity, if it is known to be that below Ω = d/2.
     #[inline(always)]
     pub(super) fn fastest_of_two(&self) -> Option<F> {
-        Crests::of(self).fastest()
+        Crests::of::<false>(self, Constants::new()).fastest()
+    }
+
+    /// The same without branches, and whether it is known: at fewer points than there.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn fastest_of_most(&self, given: &Constants<F>) -> (F, bool) {
+        Crests::of::<true>(self, *given).fastest_of_most()
     }
 }
 
 impl<F: Float> Crests<F> {
     #[inline(always)]
-    fn of(rising: &Rising<F>) -> Self {
-        let (half, circular) = (&rising.half, TO_HALF_PI.of::<F>());
-        let (omega, free) = (half.omega, half.free);
+    fn of<const ALL: bool>(rising: &Rising<F>, given: Constants<F>) -> Self {
+        let half = &rising.half;
+        let (omega, free, one) = (half.omega, half.free, F::int(1));
         let (a, h) = (rising.amplitude, half.h);
         let drive = a.mul_add(a, h * h).sqrt();
+        let over_drive = one / drive;
         // Ωτ = π/2 + atan(H/a).
-        let turn = F::angle_of(a / drive, -(h / drive));
-        let centre = turn * half.inverse;
-        let (waves, start) = (free.waves(centre), omega * h);
-        let at = free.after(waves, F::int(1) + half.shift, start);
-        let (sine, cosine) = (at.a, (at.v + free.zeta * at.a) / free.frequency);
+        let turn = F::angle_of(a * over_drive, -(h * over_drive));
+        let (centre, over_d) = (turn * half.inverse, one / free.frequency);
+        let is_far = (free.zeta * centre > reach()) | (centre > F::int(1024));
+        let waves = if !ALL && is_far {
+            free.waves(centre)
+        } else {
+            let decay = given.exponential.at(-(free.zeta * centre));
+            let (sine, cosine) = given.circular.turned(free.frequency * centre);
+            Waves { cosine: decay * cosine, sine: decay * (sine * over_d) }
+        };
+        let start = omega * h;
+        let at = free.after(waves, one + half.shift, start);
+        let (sine, cosine) = (at.a, (at.v + free.zeta * at.a) * over_d);
         let size = sine.mul_add(sine, cosine * cosine).sqrt();
-        let phase = F::angle_of(sine.abs() / size, cosine / size).times_sign_of(sine);
-        Self { omega, free, circular, swing: omega * drive, size, phase, centre, start }
+        let over_size = one / size;
+        let phase = F::angle_of(sine.abs() * over_size, cosine * over_size).times_sign_of(sine);
+        Self { omega, free, over_d, given, swing: omega * drive, size, phase, centre, start }
     }
 
     /// `(sin y, cos y)` for y in [0, π].
     #[inline(always)]
     fn upper(&self, angle: F) -> (F, F) {
-        let (s, c) = self.circular.sin_cos(angle - F::pi() * F::ratio(1, 2));
-        (c, -s)
+        self.given.circular.upper(angle)
     }
 
     /// At the distance δ from the driven part's crest towards a crest of the free part e away, on the side `side`, where
@@ -102,7 +119,7 @@ impl<F: Float> Crests<F> {
             (self.upper(omega * delta), self.upper(d.mul_add(-delta, e)));
         // By the time towards the crest damping has the sign of the side.
         let zeta = side * zeta;
-        let size = self.size * (-(zeta * delta)).exp();
+        let size = self.size * self.given.exponential.at(-(zeta * delta));
         let (s, c) = (size * sine, size * d * cosine);
         let driven = self.swing * cos_drive;
         let pull = omega * self.swing * sin_drive;
@@ -119,46 +136,124 @@ impl<F: Float> Crests<F> {
     /// crest of the driven part than `least`.
     #[inline(always)]
     fn root(&self, (side, e): (F, F), least: F, start: F) -> Option<Root<F>> {
-        let two = F::int(2);
-        let most = e / self.free.frequency;
         let mut delta = start;
         for _ in 0..6 {
-            let [velocity, slope, bend, third] = self.at(side, e, delta);
-            let step = -(two * slope * bend) / (two * bend).mul_add(bend, -(slope * third));
-            // Rounding may lead beyond an end where the root is beside it.
-            let next = (delta + step).or_larger(least);
-            let is_inside = next <= most;
+            let (root, next, is_inside, is_near) = self.step((side, e), least, delta);
             if !is_inside {
                 return None;
             }
-            let is_near = step.abs() <= F::ratio(1, 128) && (third * step).abs() * two <= -bend;
             if is_near {
-                let time = side.mul_add(next, self.centre);
-                return Some(Root { time, velocity, rise: (slope * step).abs() });
+                return Some(root);
             }
             delta = next;
         }
         None
     }
 
+    /// A step from the distance δ: the maximum if it is near, the next δ, whether that is inside, and near.
+    #[inline(always)]
+    fn step(&self, (side, e): (F, F), least: F, delta: F) -> (Root<F>, F, bool, bool) {
+        let two = F::int(2);
+        let [velocity, slope, bend, third] = self.at(side, e, delta);
+        let step = -(two * slope * bend) / (two * bend).mul_add(bend, -(slope * third));
+        // Rounding may lead beyond an end where the root is beside it.
+        let next = (delta + step).or_larger(least);
+        let is_near = (step.abs() <= F::ratio(1, 128)) & ((third * step).abs() * two <= -bend);
+        let time = side.mul_add(next, self.centre);
+        let root = Root { time, velocity, rise: (slope * step).abs() };
+        (root, next, next <= e * self.over_d, is_near)
+    }
+
+    /// The maximum towards the nearer crest by three steps at most, and whether it is found.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    fn root_of_three(&self, (side, e): (F, F), start: F) -> (Root<F>, bool) {
+        let zero = F::int(0);
+        let (first, next, is_inside, is_near) = self.step((side, e), zero, start);
+        let (second, next, is_inside_again, is_near_again) = self.step((side, e), zero, next);
+        let (third, _, is_inside_at_last, is_near_at_last) = self.step((side, e), zero, next);
+        let found = if is_near_again { second } else { third };
+        let is_found = is_inside_again & (is_near_again | (is_inside_at_last & is_near_at_last));
+        (if is_near { first } else { found }, is_inside & (is_near | is_found))
+    }
+
+    /// The distance of the maximum from the crest of the driven part where Ωδ and dδ are small.
+    #[inline(always)]
+    fn first_guess(&self, e: F) -> F {
+        let one = F::int(1);
+        // With K for K e^{−ζs} and sin Ωδ = Ω/d sin dδ, x = arg(1 + (Ω²R/dK) e^{ie}).
+        let ratio = self.omega * self.omega * self.swing / (self.free.frequency * self.size);
+        let (sine, cosine) = self.upper(e);
+        let (y, x) = (ratio * sine, ratio.mul_add(cosine, one));
+        let scale = one / x.mul_add(x, y * y).sqrt();
+        (e - F::angle_of(y * scale, x * scale)) * self.over_d
+    }
+
+    /// [`Crests::fastest`] by the bounds that most points need, without branches.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    fn fastest_of_most(&self) -> (F, bool) {
+        let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+        let (side, e) = (one.times_sign_of(self.phase), self.phase.abs());
+        let (near, is_found) = self.root_of_three((side, e), self.first_guess(e));
+        let certain = near.velocity - self.noise();
+        let (is_left, beyond) = (side < zero, two * F::pi() - e);
+        let left = if is_left { e } else { beyond };
+        let height = self.height(left);
+        let is_first = ((beyond - F::pi()) * self.over_d > self.centre) & !is_left;
+        let is_earlier_less = self.exceeds_few_earlier(left, height, certain);
+        let is_right_less = self.swing * self.upper((F::pi() - e) * (self.omega * self.over_d)).1 <= certain;
+        let is_left_less = self.exceeds_left(beyond, height, certain);
+        let is_other_less = if is_left { self.is_single(e, height) & is_right_less } else { is_left_less };
+        let is_moderate =
+            (self.free.zeta * self.centre.or_larger(two * two * F::pi() * self.over_d)) <= reach();
+        let has_lobes = self.omega * two < self.free.frequency;
+        (near.time, has_lobes & is_moderate & is_found & (is_first | (is_earlier_less & is_other_less)))
+    }
+
+    /// [`Crests::exceeds_earlier`] without branches, where three troughs suffice.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    fn exceeds_few_earlier(&self, e: F, height: F, velocity: F) -> bool {
+        let (zeta, half) = (self.free.zeta, F::pi() * self.over_d);
+        let growth = self.given.exponential.at(zeta * (half + half));
+        let highest = self.highest();
+        let (mut trough, mut height) = (e * self.over_d + half, height);
+        let (mut is_less, mut is_open) = (false, true);
+        for _ in 0..3 {
+            height = height * growth;
+            let driven = self.swing * self.upper(self.omega * trough).1;
+            let is_last = (trough >= self.centre) | (driven + highest <= velocity);
+            let most = if trough + half > self.centre { self.start } else { height };
+            is_less |= is_open & is_last;
+            is_open &= !is_last & (driven + most <= velocity);
+            trough = trough + (half + half);
+        }
+        is_less | (is_open & (trough >= self.centre))
+    }
+
+    /// The rounding of a velocity.
+    #[inline(always)]
+    fn noise(&self) -> F {
+        F::int(32) * F::epsilon() * (self.swing + self.size)
+    }
+
     #[inline(always)]
     fn fastest(&self) -> Option<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
-        let (Free { frequency: d, .. }, omega) = (self.free, self.omega);
         let (side, e) = (one.times_sign_of(self.phase), self.phase.abs());
-        // With K for K e^{−ζs} and sin Ωδ = Ω/d sin dδ, x = arg(1 + (Ω²R/dK) e^{ie}).
-        let ratio = omega * omega * self.swing / (d * self.size);
-        let (sine, cosine) = self.upper(e);
-        let (y, x) = (ratio * sine, ratio.mul_add(cosine, one));
-        let r = x.mul_add(x, y * y).sqrt();
-        let near = self.root((side, e), zero, (e - F::angle_of(y / r, x / r)) / d)?;
-        let noise = F::int(32) * F::epsilon() * (self.swing + self.size);
+        if self.free.zeta * two * two * F::pi() * self.over_d > reach() {
+            return None;
+        }
+        let near = self.root((side, e), zero, self.first_guess(e))?;
+        let noise = self.noise();
         let certain = near.velocity - noise;
         let beyond = two * F::pi() - e;
-        let (left, height) = if side < zero { (e, self.height(e)) } else { (beyond, self.height(beyond)) };
-        if (beyond - F::pi()) / d > self.centre && side > zero {
+        if (beyond - F::pi()) * self.over_d > self.centre && side > zero {
             return Some(near.time);
         }
+        let left = if side < zero { e } else { beyond };
+        let height = self.height(left);
         if !self.exceeds_earlier(left, height, certain) {
             return None;
         }
@@ -167,7 +262,7 @@ impl<F: Float> Crests<F> {
                 return None;
             }
             // Where f < 0 there.
-            self.swing * self.upper(omega * ((F::pi() - e) / d)).1 <= certain
+            self.swing * self.upper((F::pi() - e) * (self.omega * self.over_d)).1 <= certain
         } else {
             self.exceeds_left(beyond, height, certain)
         };
@@ -198,7 +293,18 @@ impl<F: Float> Crests<F> {
     #[inline(always)]
     fn height(&self, e: F) -> F {
         let Free { zeta, frequency: d, .. } = self.free;
-        self.size * d * (zeta * (e / d)).exp()
+        self.size * d * self.given.exponential.at(zeta * e * self.over_d)
+    }
+
+    /// No velocity of the free part is above this.
+    #[inline(always)]
+    fn highest(&self) -> F {
+        let growth = self.free.zeta * self.centre;
+        let all = self.given.exponential.at(if growth < reach() { growth } else { reach() });
+        // Beyond this it is of no use.
+        let most =
+            if growth <= reach() { self.size * self.free.frequency * all } else { F::int(1) / F::int(0) };
+        most.or_larger(self.start)
     }
 
     /// Whether v″ < 0 up to the left crest.
@@ -211,21 +317,18 @@ impl<F: Float> Crests<F> {
     #[inline(always)]
     fn exceeds_left(&self, e: F, height: F, velocity: F) -> bool {
         let (zero, one, omega) = (F::int(0), F::int(1), self.omega);
-        let d = self.free.frequency;
-        let (mut s, mut c) = self.upper(omega * (e / d));
-        if self.is_concave(c, height) {
-            return true;
-        }
+        let (mut s, mut c) = self.upper(omega * (e * self.over_d));
+        let is_concave = self.is_concave(c, height);
         // In four parts the free part falls as F e^{−ζt} (cos dt + (ζ/d) sin dt), and the driven part rises.
-        let (sin_part, cos_part) = self.upper(omega * (F::pi() * F::ratio(1, 4) / d));
-        let (root, ratio) = (F::ratio(1, 2).sqrt(), self.free.zeta / d);
+        let (sin_part, cos_part) = self.upper(omega * (F::pi() * F::ratio(1, 4) * self.over_d));
+        let (root, ratio) = (F::ratio(1, 2).sqrt(), self.free.zeta * self.over_d);
         let mut is_below = true;
         for bound in [one, root * (one + ratio), ratio, zero.or_larger(root * (ratio - one))] {
             // Ω times the distance from the driven part's crest decreases.
             (s, c) = (s.mul_add(cos_part, -(c * sin_part)), c.mul_add(cos_part, s * sin_part));
             is_below &= self.swing.mul_add(c, height * bound) <= velocity;
         }
-        is_below
+        is_concave | is_below
     }
 
     /// Whether v has one stationary point between the left crest, at most half a turn away, and s = 0.
@@ -233,7 +336,8 @@ impl<F: Float> Crests<F> {
     fn is_single(&self, e: F, height: F) -> bool {
         let Free { zeta, frequency: d, .. } = self.free;
         let (sine, cosine) = self.upper(e * F::ratio(1, 2));
-        zeta * sine <= F::int(2) * d * cosine || self.is_concave(self.upper(self.omega * (e / d)).1, height)
+        (zeta * sine <= F::int(2) * d * cosine)
+            | self.is_concave(self.upper(self.omega * (e * self.over_d)).1, height)
     }
 
     /// Whether `ΩR sin Ωδ ≥ K e^{−ζs} sin x` from the trough to the farther crest, e away: then v falls away from the driven
@@ -269,14 +373,13 @@ impl<F: Float> Crests<F> {
     /// Whether no velocity before the left crest, e away and of this height, exceeds this one.
     #[inline(always)]
     fn exceeds_earlier(&self, e: F, height: F, velocity: F) -> bool {
-        let (Free { zeta, frequency: d, .. }, pi) = (self.free, F::pi());
-        let half = pi / d;
-        let mut trough = e / d + half;
+        let (zeta, half) = (self.free.zeta, F::pi() * self.over_d);
+        let mut trough = e * self.over_d + half;
         if trough >= self.centre {
             return true;
         }
-        let growth = (zeta * (half + half)).exp();
-        let highest = (self.size * d * (zeta * self.centre).exp()).or_larger(self.start);
+        let growth = self.given.exponential.at(zeta * (half + half));
+        let highest = self.highest();
         let mut height = height;
         while trough < self.centre {
             height = height * growth;

@@ -37,6 +37,7 @@ use super::free::{Free, State, Waves};
 use super::half_period::HalfPeriod;
 use super::middle::{Constants, Crest, slopes};
 use super::rising::{Moment, Rising, Vibration};
+use super::wide::WideState;
 use crate::cycle::arrival::{Arrived, Nearby, Reciprocals};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
@@ -176,7 +177,22 @@ impl<F: Float> Rising<F> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>) -> Option<Summit<F>> {
             let tau = rising.fastest_of_two()?;
-            rising.arrive(tau)
+            // With so small a displacement or after so many turns, pairs would have no more digits than the type.
+            if tau * F::epsilon() * F::exp2i(12) > F::int(1) {
+                return rising.arrive(tau);
+            }
+            let mut time = Pair::exact(tau);
+            for _ in 0..4 {
+                if !(time.hi > F::int(0) && time.hi < rising.half.period) {
+                    return None;
+                }
+                let (found, next, is_found) = rising.arrive_below::<false>(time);
+                if is_found {
+                    return Some(found);
+                }
+                time = next;
+            }
+            None
         })
     }
 
@@ -184,6 +200,37 @@ impl<F: Float> Rising<F> {
     fn summit_near(&self, tau: F) -> Option<Summit<F>> {
         let rising = self;
         fused!(<'a, F>(rising: &'a Rising<F>, tau: F) -> Option<Summit<F>> { rising.arrive(tau) })
+    }
+
+    /// The maximum velocity near a time τ below Ω = d/2, the time of the next step, and whether it is near enough. `ALL` is
+    /// without branches.
+    #[inline(always)]
+    pub(crate) fn arrive_below<const ALL: bool>(&self, tau: Pair<F>) -> (Summit<F>, Pair<F>, bool) {
+        let (motion, half) = (self.vibration(), &self.half);
+        let HalfPeriod { omega, free: Free { zeta, .. }, .. } = *half;
+        let [_, shift, h] = half.rest;
+        let (shift, h) = (Pair::new(half.shift, shift), Pair::new(half.h, h));
+        let rest = Pair::new(self.max_displacement, self.rest);
+        let (amplitude, start) = (rest + shift, (Pair::int(1) + shift, h * omega));
+        let WideState { velocity, acceleration, drive: (s, c) } =
+            WideState::at::<ALL>((omega, zeta), start, F::int(1), tau);
+        // The driven part of the displacement is −(a cos Ωτ + H sin Ωτ).
+        let (along, across) = (amplitude * c + h * s, amplitude * s - h * c);
+        let displacement = -(along + acceleration + velocity * (F::int(2) * zeta) + Pair::int(1));
+        let velocity = across * omega + velocity;
+        let slope = (along * omega * omega + acceleration).value();
+        let found = motion.fastest_near((s.hi, c.hi), [velocity.hi, slope]);
+        let next = tau + Pair::exact(found.psi);
+        // From farther away its last correction, whose square it takes at the start, would be too large.
+        let is_near = found.psi.abs() * F::int(64) <= motion.fastest_turn();
+        let inverse = Pair::reciprocal(omega, half.inverse);
+        let middle = Pair::pi() * F::ratio(1, 2) * inverse;
+        let summit = Summit {
+            sigma: (next - middle).value(),
+            velocity: ((velocity + Pair::exact(found.gain)) * inverse).value(),
+            displacement: (displacement - Pair::exact(found.displacement)).value(),
+        };
+        (summit, next, found.is_found & is_near)
     }
 
     #[inline(always)]

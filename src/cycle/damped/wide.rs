@@ -1,11 +1,48 @@
 //! The half cycle in compensated pairs, at up to the precision of f64: where driven and free vibration nearly cancel,
 //! in a flat maximum of the velocity or of the border's condition.
 
-use super::free::{Free, Waves};
+use super::free::{Free, Waves, wide_frequency};
 use super::half_period::{HalfPeriod, wide_sin_cos};
 use super::rising::{Moment, Rising};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
+
+/// Free vibration and the drive at one time.
+#[derive(Clone, Copy)]
+pub(super) struct WideState<F> {
+    pub(super) velocity: Pair<F>,
+    pub(super) acceleration: Pair<F>,
+    /// (sin Ωτ, cos Ωτ).
+    pub(super) drive: (Pair<F>, Pair<F>),
+}
+
+impl<F: Float> WideState<F> {
+    /// From (x, v), for ζ < 1; with `side` −1 backwards in time. `ALL` is without branches, for `ζτ < e ln 2`, e =
+    /// [`Float::RATIO_EXPONENT`].
+    ///
+    /// The velocity is `v c − (x + ζv) s`, the acceleration `a c − (v + ζa) s`, with c and s/d the two waves.
+    #[inline(always)]
+    pub(super) fn at<const ALL: bool>(
+        (omega, zeta): (F, F),
+        (x, v): (Pair<F>, Pair<F>),
+        side: F,
+        time: Pair<F>,
+    ) -> Self {
+        let (d, over_d) = wide_frequency(zeta);
+        let a = -(x + v * (F::int(2) * zeta));
+        let (across, along) = ((x + v * zeta) * over_d, (v + a * zeta) * over_d);
+        let growth = time * -(side * zeta);
+        let decay = if ALL { growth.exp_moderate().1 } else { growth.exp() };
+        let (sine, cosine) = wide_sin_cos(d * time);
+        let (sine, cosine) = (sine * decay, cosine * decay);
+        let sine = Pair::new(side * sine.hi, side * sine.lo);
+        Self {
+            velocity: v * cosine - across * sine,
+            acceleration: a * cosine - along * sine,
+            drive: wide_sin_cos(time * omega),
+        }
+    }
+}
 
 impl<F: Float> Rising<F> {
     /// The half cycle with all digits of a, G, H, d and T.

@@ -1,40 +1,60 @@
 //! eˣ of a pair, to more digits than the type has.
 
 use super::Pair;
+use crate::float::circular::{LN_2, RECIPROCAL_FACTORIALS, polynomial};
 use crate::float::{Field, Float};
-
-/// ln 2, to twice the digits of f64.
-const LN_2: (f64, f64) = (core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 
 impl<F: Float> Pair<F> {
     /// `(eˣ − 1, eˣ)` for x ≤ 0, at up to the precision of f64.
     ///
-    /// With `x = n ln 2 + r`, |r| ≤ (ln 2)/2, `eʳ − 1 = r + r²/2 + r³ E(r)`: only the last term, at most r²/5
-    /// of the sum, is rounded in the type. The error is below a twentieth of a unit in the last place and
-    /// decreases with r², so that eˣ − 1 keeps its relative accuracy as x → 0. It is four times as large where eˣ is
-    /// below `2⁻ᵉ`, e = [`Float::RATIO_EXPONENT`].
+    /// The error is below a twentieth of a unit in the last place and decreases with x², so that eˣ − 1 keeps its relative
+    /// accuracy as x → 0. It is four times as large where eˣ is below `2⁻ᵉ`, e = [`Float::RATIO_EXPONENT`].
     #[inline(always)]
     pub(crate) fn exp_falling(self) -> (Self, Self) {
-        let (one, half) = (F::int(1), F::ratio(1, 2));
+        // A NaN is not above it.
+        if self.hi > -(F::int(F::RATIO_EXPONENT) * F::from_f64(LN_2.0)) {
+            return self.exp_moderate();
+        }
+        let value = self.exp_far();
+        (value - Self::exact(F::int(1)), value)
+    }
+
+    /// `eˣ` of any x, at up to the precision of f64; as [`Pair::exp_moderate`] where that applies.
+    #[inline(always)]
+    pub(crate) fn exp(self) -> Self {
+        let most = F::int(F::RATIO_EXPONENT) * F::from_f64(LN_2.0);
+        if self.hi.abs() < most { self.exp_moderate().1 } else { self.exp_beyond() }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn exp_beyond(self) -> Self {
+        if self.hi > F::int(0) {
+            Self::exact(F::int(1)) / (-self).exp_falling().1
+        } else {
+            self.exp_falling().1
+        }
+    }
+
+    /// `(eˣ − 1, eˣ)` for `|x| < e ln 2`, e = [`Float::RATIO_EXPONENT`], without branches.
+    ///
+    /// With `x = n ln 2 + r`, |r| ≤ (ln 2)/2, `eʳ − 1 = r + r²/2 + r³ E(r)`: only the last term, at most r²/5
+    /// of the sum, is rounded in the type.
+    #[inline(always)]
+    pub(crate) fn exp_moderate(self) -> (Self, Self) {
+        let (one, half) = (Self::exact(F::int(1)), F::ratio(1, 2));
         let (first, second) = LN_2;
         let hi = F::from_f64(first);
         let ln_2 = Self::new(hi, F::from_f64(first - hi.to_f64()) + F::from_f64(second));
-        let n = (self.hi / hi).round();
-        if n <= -F::int(F::RATIO_EXPONENT) || !n.is_finite() {
-            let value = self.exp_far();
-            return (value - Self::exact(one), value);
-        }
+        let n = (self.hi * F::from_f64(core::f64::consts::LOG2_E)).round();
         let r = self - ln_2 * n;
-        let rest = (3..=16).rev().fold(F::int(0), |sum, k| sum.mul_add(r.hi, one) * F::ratio(1, k)) * half;
         let square = r.square();
-        let rise = r + (square * half + Self::exact(square.hi * r.hi * rest));
-        if n == F::int(0) {
-            return (rise, rise + Self::exact(one));
-        }
-        // The cast of a float to an integer saturates.
-        let power = F::exp2i(n.to_f64() as i32);
-        let value = (rise + Self::exact(one)) * power;
-        (value - Self::exact(one), value)
+        let [_, factorials @ ..] = RECIPROCAL_FACTORIALS.map(F::from_f64);
+        let rest = polynomial(&factorials, r.hi) * (square.hi * r.hi);
+        let rise = r + (square * half + Self::exact(rest));
+        let (value, power) = (rise + one, F::power_of_two(n));
+        let value = Self::new(value.hi * power, value.lo * power);
+        (if n == F::int(0) { rise } else { value - one }, value)
     }
 
     /// eˣ far below 1 as the square of its root; zero where that underflows.

@@ -1,0 +1,74 @@
+//! The half period below Ω = 1/2, without branches, so that loops over it can be vectorised.
+//!
+//! With `c = e^{−ζT/2} cos(dT/2)` and `s = e^{−ζT/2} sin(dT/2)` the definitions of G and H, times `2de^{−ζT}`, are
+//!
+//! ```text
+//! M = d [(1 − e^{−ζT})²/4 + c²],   G = [d (1 − e^{−2ζT})/4 − ζ s c]/M,   H = s c/(ΩM).
+//! ```
+//!
+//! dT/2 is `π/2Ω − (1 − d) T/2`, and π/2Ω = qπ/2 + w, where 1 − qΩ is exact: the signs of s and c, which follow from q, are
+//! those of s c alone.
+
+use super::half_period::to_acute;
+use crate::float::circular::by_quarters;
+use crate::float::pair::Pair;
+use crate::float::{Field, Float};
+
+/// G and H below Ω = 1/2.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Long<F> {
+    /// 1/Ω.
+    pub(crate) inverse: F,
+    /// G.
+    pub(crate) shift: Pair<F>,
+    /// H.
+    pub(crate) h: Pair<F>,
+    /// `e^{−ζT}`, `e^{−ζT} cos dT` and `e^{−ζT} sin(dT)/d`.
+    pub(crate) waves: [F; 3],
+    /// Whether they are accurate at this Ω and ζ: otherwise they are meaningless.
+    pub(crate) is_accurate: bool,
+}
+
+impl<F: Float> Long<F> {
+    /// At a frequency ratio and a damping ratio ζ > 0 that are in their domains, up to the precision of f64.
+    #[inline(always)]
+    pub(crate) fn at(omega: F, zeta: F) -> Self {
+        let (zero, one, half) = (F::int(0), F::int(1), F::ratio(1, 2));
+        // d, and 1/Ω and 1/d by one division.
+        let square = Pair::two_prod(zeta, zeta);
+        let rest = Pair::fast_two_sum(one, -square.hi);
+        let root = rest.hi.sqrt();
+        let both = one / (root * omega);
+        let (near, over_root) = (both * root, both * omega);
+        let low = ((-root).mul_add(root, rest.hi) + (rest.lo - square.lo)) * (half * over_root);
+        let (d, inverse) = (Pair::fast_two_sum(root, low), Pair::reciprocal(omega, near));
+        // The error of 1 − d is small compared with ζ, that of the exponent.
+        let less = Pair::fast_two_sum(one - root, -low);
+        let middle = Pair::pi() * half * inverse;
+        let q = near.round();
+        let left = (-q).mul_add(omega, one);
+        let w = Pair::pi() * half * (inverse * left);
+        let (turns, acute) = to_acute(w.normalised() - less * middle);
+        let (sine, cosine) = by_quarters(turns + q, F::sin_cos_acute(acute));
+        let (fall, decay) = (-(middle * zeta)).exp_moderate();
+        let (s, c) = (decay * sine, decay * cosine);
+        // e^{−ζT} − 1
+        let fall = fall * (fall + Pair::int(2));
+        let product = s * c;
+        let under = d * ((fall * half).square() + c.square());
+        // One quotient serves both.
+        let over = Pair::int(1) / under;
+        let rise = -(fall * (fall + Pair::int(2))) * F::ratio(1, 4);
+        let shift = ((d * rise) - product * zeta) * over;
+        let h = product * over * inverse;
+        let (s, c) = (s.hi, c.hi);
+        let waves = [decay.square().hi, (c - s) * (c + s), F::int(2) * over_root * (s * c)];
+        let is_accurate = (zeta > zero)
+            & (omega < half)
+            & (omega >= F::ratio(1, 1024))
+            & (zeta <= half)
+            & (left.abs() * F::int(2) <= omega)
+            & (middle.hi * zeta * F::int(2) <= F::int(F::RATIO_EXPONENT));
+        Self { inverse: near, shift: shift.normalised(), h: h.normalised(), waves, is_accurate }
+    }
+}
