@@ -18,13 +18,8 @@ const TASK: usize = 1 << 13;
 
 /// Names of the regimes by their codes; the last is for points outside the domain.
 pub(crate) const REGIMES: [&str; Regime::ALL.len() + 1] = {
-    let mut names = ["invalid"; Regime::ALL.len() + 1];
-    let mut place = 0;
-    while place < Regime::ALL.len() {
-        names[place] = Regime::ALL[place].name();
-        place += 1;
-    }
-    names
+    let [a, b, c, d, e] = Regime::ALL;
+    [a.name(), b.name(), c.name(), d.name(), e.name(), "invalid"]
 };
 
 /// The source of a column.
