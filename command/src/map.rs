@@ -13,7 +13,7 @@ use crate::interrupt;
 use crate::outputs::{self, plain};
 use crate::progress;
 use crate::record::{Cell, Number};
-use crate::sweep::loops::Looped;
+use crate::sweep::loops::{At, Looped};
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -150,6 +150,13 @@ impl<'a> Quantity<'a> {
     }
 }
 
+impl MapValue {
+    /// A value that is in no unit and never missing.
+    const fn of(cell: Cell<Number>) -> Self {
+        Self { kind: None, cell, absence: Absence::NoSuchValue }
+    }
+}
+
 /// A quantity over two grids, of which the first is horizontal.
 struct Map<'a> {
     quantity: Quantity<'a>,
@@ -253,7 +260,9 @@ impl<'a> Map<'a> {
                     record.fields.into_iter().map(|(_, cell)| (None, cell)).chain(physical).next()
                 });
                 // Alone, a point without ratios has its error.
-                let answer = |((given, at), value)| match (value, at) {
+                let answer = |((given, at), value): ((_, Option<At<f64>>), Option<(_, Cell<Number>)>)| match (
+                    value, at,
+                ) {
                     (Some((kind, cell)), Some(at)) => {
                         let absence = if cell.is_absent() {
                             Absence::of_regime(at.ratios)

@@ -42,7 +42,7 @@ enum Scaled {
 pub(crate) struct At<F> {
     given: Given<F>,
     point: Point<F>,
-    ratios: Ratios<f64>,
+    pub(crate) ratios: Ratios<f64>,
 }
 
 impl Looped {
