@@ -13,7 +13,7 @@ use crate::interrupt;
 use crate::outputs::{self, plain};
 use crate::progress;
 use crate::record::{Cell, Number};
-use crate::sweep::loops::{At, Looped};
+use crate::sweep::loops::Looped;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -51,7 +51,7 @@ impl Absence {
             Regime::Stuck => Self::AtRest,
             Regime::Sticking => Self::Sticks,
             Regime::DependsOnStart => Self::DependsOnStart,
-            _ => Self::NoSuchValue,
+            Regime::NonSticking | Regime::Unbounded => Self::NoSuchValue,
         }
     }
 
@@ -253,27 +253,25 @@ impl<'a> Map<'a> {
                 let Some(looped) = &looped else { return vec![one(axes.given_at(points.start))] };
                 let given: Vec<_> = points.map(|point| axes.given_at(point)).collect();
                 let points: Vec<_> = given.iter().cloned().map(Looped::at).collect();
-                let values = looped.records(&points).into_iter().map(|record| {
+                let values = looped.records(&points).into_iter().zip(&points).map(|(record, at)| {
                     let record = record?;
                     let physical =
                         record.physical.values.into_iter().map(|(_, kind, cell)| (Some(kind), cell));
-                    record.fields.into_iter().map(|(_, cell)| (None, cell)).chain(physical).next()
+                    let (kind, cell) =
+                        record.fields.into_iter().map(|(_, cell)| (None, cell)).chain(physical).next()?;
+                    let absence = if cell.is_absent() {
+                        Absence::of_regime(at.as_ref()?.ratios)
+                    } else {
+                        Absence::NoSuchValue
+                    };
+                    Some(MapValue { kind, cell, absence })
                 });
                 // Alone, a point without ratios has its error.
-                let answer = |((given, at), value): ((_, Option<At<f64>>), Option<(_, Cell<Number>)>)| match (
-                    value, at,
-                ) {
-                    (Some((kind, cell)), Some(at)) => {
-                        let absence = if cell.is_absent() {
-                            Absence::of_regime(at.ratios)
-                        } else {
-                            Absence::NoSuchValue
-                        };
-                        Ok((given, MapValue { kind, cell, absence }))
-                    }
-                    (None, _) | (_, None) => one(given),
+                let answer = |(given, value)| match value {
+                    Some(value) => Ok((given, value)),
+                    None => one(given),
                 };
-                given.into_iter().zip(points).zip(values).map(answer).collect()
+                given.into_iter().zip(values).map(answer).collect()
             },
             |found| found.map_or(Ok(()), |(given, value)| take(given, value)),
         )

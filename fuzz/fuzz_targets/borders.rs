@@ -1,11 +1,6 @@
 //! Ω: the quantities that depend on it alone, at f64 compared with 512 bits.
 #![no_main]
 
-#[path = "../../tests/invariants/rounded.rs"]
-mod rounded;
-
 use stickslip::generators::Point;
 
-libfuzzer_sys::fuzz_target!(|point: Point| {
-    rounded::borders(point.omega);
-});
+libfuzzer_sys::fuzz_target!(|point: Point| stickslip_fuzz::borders(point));

@@ -1,12 +1,6 @@
 //! Ω, α, ζ and a state: the motion from there.
 #![no_main]
 
-#[path = "../../tests/invariants/motion.rs"]
-mod motion;
+use stickslip::generators::{DampingRatio, Start};
 
-use stickslip::generators::{DampingRatio, Point, Start};
-
-libfuzzer_sys::fuzz_target!(|input: (Start, DampingRatio)| {
-    let (Start { point: Point { omega, alpha }, theta, x, v }, DampingRatio(zeta)) = input;
-    motion::damped_trajectory(omega, alpha, zeta, theta, x, v);
-});
+libfuzzer_sys::fuzz_target!(|input: (Start, DampingRatio)| stickslip_fuzz::exact_motion(input));

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
 use stickslip::float::Mp;
-use stickslip::{Border, Field as _, Float as _, PhaseFunction as _};
+use stickslip::{Border, Field as _, Float as _, PhaseFunction};
 
 /// 512 bits.
 type Exact = Mp<8>;

@@ -157,7 +157,7 @@ impl Looped {
         for &(name, kind, scaled) in &self.physical {
             let cell = match scaled {
                 Scaled::Machine => {
-                    own.iter().find(|(known, ..)| *known == name).map(|(_, _, cell)| cell.clone())?
+                    own.iter().find(|(known, ..)| *known == name).map(|(_, _, cell)| *cell)?
                 }
                 Scaled::Output(place, key) => {
                     // No loop computes the largest loop at the best force ratio.
