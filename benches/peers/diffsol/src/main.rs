@@ -2,9 +2,11 @@
 //! finding on the velocity, and the end of a stop follows from an arcsine.
 //!
 //! `sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS` prints the least time of the runs in microseconds and the
-//! relative error of the maximum displacement. `sticking cases FILE` solves the cases of a file.
+//! relative error of the maximum displacement. `sticking cases FILE` solves the cases of a file. `sticking systems N RTOL STATE…`
+//! follows N bodies, whose state after 100 periods is given.
 
 mod cases;
+mod systems;
 
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use std::f64::consts::{PI, TAU};
@@ -142,9 +144,15 @@ fn main() -> Result<(), Error> {
     {
         return cases::print(file);
     }
+    if let [_, mode, n, rtol, state @ ..] = &std::env::args().collect::<Vec<_>>()[..]
+        && mode == "systems"
+    {
+        let state: Result<Vec<f64>, _> = state.iter().map(|text| text.parse()).collect();
+        return systems::print(n.parse()?, rtol.parse()?, &state?);
+    }
     let numbers: Result<Vec<f64>, _> = std::env::args().skip(1).map(|text| text.parse()).collect();
     let [omega, alpha, zeta, rtol, reference, runs] = numbers?[..] else {
-        return Err("sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS | sticking cases FILE".into());
+        return Err("sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS | sticking cases FILE | sticking systems N RTOL STATE…".into());
     };
     let machine = Machine { omega, alpha, zeta, eta: 1.0 };
     let (mut best, mut most) = (f64::INFINITY, f64::NAN);
