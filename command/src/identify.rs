@@ -41,6 +41,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let question = Asked::of(&given)?;
     let name = args.file.display().to_string();
     let file = Measured::read(&args.file, &name, &reader)?;
+    note_mass_beside_columns(args, &reader);
     let reading = Reading { amplitude: args.amplitude, phase: args.phase };
     let (body, found, fitted) = question.answered(&file.curve, reading).map_err(|e| {
         // The message names the arguments if they are wrong, and otherwise the file.
@@ -66,6 +67,13 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
         return output::json(&answer, out);
     }
     text(&given, &answer, &found, &file, out)
+}
+
+/// The note of a mass without a unit, where only columns of the file have units.
+fn note_mass_beside_columns(args: &IdentifyArgs, reader: &Reader) {
+    if args.machine.iter().all(|(_, text)| !Reader::has_unit(text)) {
+        input::note_bare_mass(&args.machine, reader);
+    }
 }
 
 /// What is known, besides the mass.

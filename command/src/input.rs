@@ -17,7 +17,29 @@ pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Resu
         let value = given.read(*input, text, reader)?;
         note_unusual(*input, text, value, &reader.system());
     }
+    note_bare_mass(typed, reader);
     Ok(given)
+}
+
+/// A note where a mass without a unit, beside values that have one, is in a unit of mass that follows from those of force
+/// and length, such as 1 t for N and mm.
+pub(crate) fn note_bare_mass(typed: &[(Input, String)], reader: &Reader) {
+    let system = reader.system();
+    let mass = typed.iter().find(|(input, text)| *input == Input::Mass && !Reader::has_unit(text));
+    let Some((input, text)) = mass.filter(|_| reader.has_converted() && system.mass() != Some("kg")) else {
+        return;
+    };
+    let Ok(number) = text.trim().parse::<f64>() else { return };
+    let (option, own, (unit, factor)) = (input.option(), system.name(Kind::Mass), system.mass_for_reading());
+    let read = if own == unit {
+        String::new()
+    } else {
+        format!(", {} {unit}", crate::bits::digits(factor.times(number)))
+    };
+    progress::note(&format!(
+        "{option} {text} is {text} {own}{read}, because a bare number is in the units of --units {system}. A mass in kg is \
+         {option} {text}kg"
+    ));
 }
 
 /// The failure, preceded by all typed inputs, if there are any.

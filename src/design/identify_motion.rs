@@ -5,7 +5,7 @@
 //! displacement at which the spring is relaxed, and the start. The fit does not know that r and ζ are not negative: beyond 0
 //! the motion goes on in a straight line, x(−r) = 2 x(0) − x(r).
 
-use super::free_decay::fit::Fit;
+use super::free_decay::fit::{Ends, Fit};
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::{finite, positive};
 use crate::motion::record::{Body, Record};
@@ -13,6 +13,8 @@ use crate::uncertainty::Estimate;
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::Cell;
+use core::f64::consts::PI;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -57,6 +59,10 @@ const STARTS: usize = 3;
 const TOLERANCE: f64 = 1e-12;
 /// The rise of the sum of squares, over its standard error, with which a start at rest is not refused.
 const CHANCE: f64 = 12.0;
+/// The half cycles of the natural period, for each sample, above which samples do not show the motion.
+const MOST_HALF_CYCLES: f64 = 8.0;
+/// The greatest number of samples and half cycles that a search follows, of some 0.05 µs each.
+const MOST_FOLLOWED: f64 = 1e8;
 /// The noise over the spread of the displacements above which the model explains nothing.
 const MOST_NOISE: f64 = 0.5;
 
@@ -69,6 +75,7 @@ const MOST_NOISE: f64 = 0.5;
 ///
 /// # Errors
 /// Where the mass or the stiffness is not > 0, the displacements are not as many as the samples, fewer than 20, or not finite;
+/// [`Error::OutOfRange`] where a sample has more than eight half cycles of the natural period, which it does not show;
 /// [`Error::MotionNotIdentified`] where friction and damping do not follow from them, as from a body at rest;
 /// [`Error::MotionUnexplained`] where no friction and damping explain them.
 pub fn identify_motion(
@@ -89,7 +96,15 @@ pub fn identify_motion(
         finite(Quantity::Displacement, x)
             .map_err(|error| Error::InMeasurement { index, error: Box::new(error) })?;
     }
-    let known = Known { mass, stiffness, load };
+    let natural = (stiffness / mass).sqrt();
+    let length = load.end() - load.time(0);
+    let greatest = MOST_HALF_CYCLES * PI * found as f64 / length;
+    if natural > greatest {
+        let (quantity, value, least) = (Quantity::NaturalFrequency, written(natural), written(0.0));
+        return Err(Error::OutOfRange { quantity, value, least, greatest: written(greatest) });
+    }
+    let cost = found as f64 + length * natural / PI;
+    let known = Known { mass, stiffness, load, cost, left: Cell::new(MOST_FOLLOWED) };
     let mean = displacements.iter().sum::<f64>() / found as f64;
     let spread = (displacements.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / found as f64).sqrt();
     if !(spread > 0.0 && spread.is_finite()) {
@@ -100,10 +115,11 @@ pub fn identify_motion(
         let force = if load.excitation().moves_foot() { stiffness } else { force };
         most.max((force * sample).abs())
     });
-    let natural = (stiffness / mass).sqrt();
     let scales = [force, 1.0, spread, spread, spread * natural];
     let first = displacements.first().copied().unwrap_or_default();
     let rough = known.rough_velocity(displacements);
+    let hopeless = (MOST_NOISE * spread).powi(2) * found as f64;
+    let ends = Ends { tolerance: TOLERANCE, hopeless };
     let fit = |moves: bool| {
         let count = if moves { VELOCITY + 1 } else { VELOCITY };
         let mut starts = Vec::new();
@@ -122,7 +138,7 @@ pub fn identify_motion(
         }
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
         let starts: Vec<_> = starts.into_iter().take(STARTS).map(|(_, at)| at).collect();
-        Fit::best(displacements, &|at: &[f64]| known.model(at), &starts, scales.get(..count)?, TOLERANCE)
+        Fit::best(displacements, &|at: &[f64]| known.model(at), &starts, scales.get(..count)?, ends)
     };
     let (rests, moves) = (fit(false), fit(true));
     let found = match (rests, moves) {
@@ -136,6 +152,10 @@ pub fn identify_motion(
     let noise = found.noise();
     if noise > MOST_NOISE * spread {
         return Err(Error::MotionUnexplained { noise: written(noise / spread) });
+    }
+    // A search that was cut may be far from its end.
+    if known.left.get() <= 0.0 {
+        return Err(Error::MotionNotIdentified);
     }
     let correlation = found.correlation().min(0.98);
     let wider = ((1.0 + correlation) / (1.0 - correlation)).sqrt();
@@ -170,6 +190,9 @@ struct Known<'a> {
     mass: f64,
     stiffness: f64,
     load: &'a Record<f64>,
+    /// The samples and half cycles of one motion, and those that the search may still follow.
+    cost: f64,
+    left: Cell<f64>,
 }
 
 impl Known<'_> {
@@ -197,6 +220,10 @@ impl Known<'_> {
     }
 
     fn displacements(&self, friction: f64, zeta: f64, offset: f64, [x, v]: [f64; 2]) -> Option<Vec<f64>> {
+        self.left.set(self.left.get() - self.cost);
+        if self.left.get() <= 0.0 {
+            return None;
+        }
         let damping = 2.0 * zeta * (self.stiffness * self.mass).sqrt();
         let body = Body::new(self.mass, friction).ok()?.with_stiffness(self.stiffness).ok()?;
         let body = body.with_damping(damping).ok()?.with_mean_force(self.stiffness * offset).ok()?;

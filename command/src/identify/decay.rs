@@ -47,6 +47,7 @@ pub(super) fn run(
 ) -> Outcome {
     let name = args.file.display().to_string();
     let file = DecayFile::read(&args.file, &name, reader)?;
+    super::note_mass_beside_columns(args, reader);
     let found = file.identified(args.half_cycles).map_err(|e| in_line(e, &name, &file.lines))?;
     let answer = DecayAnswer::new(given, found, &file)?;
     if is_json { output::json(&answer, out) } else { answer.text(&file, given, out) }

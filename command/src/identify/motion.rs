@@ -45,6 +45,7 @@ pub(super) fn run(
 ) -> Outcome {
     let name = args.file.display().to_string();
     let file = MotionFile::read(&args.file, &name, reader)?;
+    super::note_mass_beside_columns(args, reader);
     let stiffness = given.stiffness()?.ok_or_else(|| given.missing(&Input::of_role(Role::Spring)))?;
     let (mass, lines) = (given.mass()?, &file.lines);
     let of_sample = |e: stickslip::Error| {

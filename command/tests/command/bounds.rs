@@ -225,3 +225,49 @@ fn searches_of_peaks_end() {
     stdout("steady --omega 1e-4 --alpha 3");
     assert!(begin.elapsed().as_secs() < 20, "{:?}", begin.elapsed());
 }
+
+/// A mass without a unit beside values with units is in the named system's own unit, and that is said.
+#[test]
+fn a_bare_mass_beside_units_is_said() {
+    let body = "--stiffness 0.8N/mm --friction 3N --frequency 3Hz --force 12N";
+    for (mass, units, due) in [
+        ("0.002", "N,mm", "--mass 0.002 is 0.002 t, because a bare number is in the units of --units N,mm"),
+        ("0.002", "kip,in", "--mass 0.002 is 0.002 kip·s²/in, 772.1772 lb, because"),
+    ] {
+        let (_, notes) = said(&format!("response --mass {mass} {body} --units {units}"));
+        assert!(notes.contains(due) && notes.contains("A mass in kg is --mass 0.002kg"), "{notes}");
+    }
+    for line in [
+        format!("response --mass 2kg {body} --units N,mm"),
+        "response --mass 2 --stiffness 800 --friction 3 --frequency 19 --force 12 --units N,m".to_owned(),
+        "response --mass 0.002 --stiffness 0.8 --friction 3 --frequency 19 --force 12 --units N,mm"
+            .to_owned(),
+    ] {
+        let (_, notes) = said(&line);
+        assert!(!notes.contains("--mass"), "{line}: {notes}");
+    }
+    // Units of the columns of a file are units, too.
+    let peaks = place("mass.csv");
+    std::fs::write(&peaks, "peak[mm]\n40\n33.1\n26.5\n20.2\n14.1\n").unwrap();
+    let (_, notes) =
+        said(&format!("identify --decay {} --mass 0.03 --stiffness 12 --units N,mm", peaks.display()));
+    assert!(notes.contains("--mass 0.03 is 0.03 t"), "{notes}");
+}
+
+/// A measured motion of another body is refused in little time, whatever the mass.
+#[test]
+fn a_motion_of_another_mass_is_refused_soon() {
+    let file = place("other.csv");
+    let row = |i: u32| {
+        let t = 0.01 * f64::from(i);
+        format!("{t},{},{}", 12.0 * (14.0 * t).sin(), 20.0 * (14.0 * t - 0.5).sin())
+    };
+    let rows: Vec<String> = (0..400).map(row).collect();
+    std::fs::write(&file, format!("time[s],force[N],displacement[mm]\n{}\n", rows.join("\n"))).unwrap();
+    let begin = std::time::Instant::now();
+    for (mass, due) in [("2e-9kg", "natural frequency ω_n = 632455.532033675"), ("2e9kg", "explain it")] {
+        let line = format!("identify --motion {} --mass {mass} --stiffness 800N/m", file.display());
+        refused(&line, &[due]);
+    }
+    assert!(begin.elapsed().as_secs() < 60, "{:?}", begin.elapsed());
+}

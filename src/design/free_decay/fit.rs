@@ -6,7 +6,27 @@ use alloc::vec::Vec;
 use num_traits::Float as _;
 
 /// The tolerance of an answer.
-pub(super) const EXACT: f64 = 1e-14;
+pub(super) const EXACT: Ends = Ends::at(1e-14);
+
+/// Where a descent ends.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::design) struct Ends {
+    /// The part of the sum of squares that a step must gain.
+    pub(in crate::design) tolerance: f64,
+    /// The sum of squares above which a model explains nothing: a descent that hardly falls there is given up.
+    pub(in crate::design) hopeless: f64,
+}
+
+impl Ends {
+    /// Only where a step gains less than a part of the sum.
+    pub(super) const fn at(tolerance: f64) -> Self {
+        Self { tolerance, hopeless: f64::INFINITY }
+    }
+}
+
+/// The part of the sum of squares that a step gains where it hardly falls, and the steps in a row that do.
+const HARDLY: f64 = 0.01;
+const IN_A_ROW: u32 = 6;
 
 /// A least-squares fit.
 #[derive(Debug, Clone)]
@@ -20,16 +40,16 @@ pub(in crate::design) struct Fit {
 }
 
 impl Fit {
-    /// The best fit from several starts, if one of them leads to any; it ends where a step gains less than a part of the sum.
+    /// The best fit from several starts, if one of them leads to any.
     pub(in crate::design) fn best(
         measured: &[f64],
         model: &impl Fn(&[f64]) -> Vec<f64>,
         starts: &[Vec<f64>],
         scales: &[f64],
-        tolerance: f64,
+        ends: Ends,
     ) -> Option<Self> {
         let fits = starts.iter().filter_map(|start| {
-            let at = descend(measured, model, start.clone(), scales, tolerance)?;
+            let at = descend(measured, model, start.clone(), scales, ends)?;
             let residuals = residuals(measured, model, &at);
             let sum = squares(&residuals);
             Some(Self { covariance: inverse(&normal(model, &at, scales).0)?, at, sum, residuals })
@@ -139,11 +159,11 @@ fn descend(
     model: &impl Fn(&[f64]) -> Vec<f64>,
     mut at: Vec<f64>,
     scales: &[f64],
-    tolerance: f64,
+    ends: Ends,
 ) -> Option<Vec<f64>> {
     let mut rest = residuals(measured, model, &at);
     let mut sum = squares(&rest);
-    let mut damping = 1e-3;
+    let (mut damping, mut slow) = (1e-3, 0);
     for _ in 0..200 {
         let (matrix, slopes) = normal(model, &at, scales);
         let gradient: Vec<f64> =
@@ -165,13 +185,14 @@ fn descend(
             if smaller <= sum {
                 let gain = sum - smaller;
                 (at, rest, damping) = (next, trial, (damping / 10.0).max(1e-12));
-                is_moved = gain > tolerance * sum;
+                is_moved = gain > ends.tolerance * sum;
+                slow = if gain > HARDLY * sum { 0 } else { slow + 1 };
                 sum = smaller;
                 break;
             }
             damping *= 10.0;
         }
-        if !is_moved {
+        if !is_moved || sum > ends.hopeless && slow >= IN_A_ROW {
             break;
         }
     }

@@ -1,6 +1,6 @@
 //! The fit of a sampled decay.
 
-use super::fit::EXACT;
+use super::fit::{EXACT, Ends};
 use super::guess::{Guess, guesses};
 use super::{
     AMPLITUDE, Alike, DecayIdentified, FRICTION, Fit, ZETA, held, identified, increasing, measured, next,
@@ -27,7 +27,7 @@ const FEW: usize = 500;
 /// The numbers of half cycles that are tried beyond the best so far.
 const BEYOND: usize = 3;
 /// The tolerance of the fits that are compared.
-const ROUGH: f64 = 1e-5;
+const ROUGH: Ends = Ends::at(1e-5);
 /// The damping ratio from which on there are no turning points to be seen.
 const MOST_DAMPING: f64 = 0.85;
 /// The dampings of the starts.
@@ -93,8 +93,8 @@ struct Samples<'a> {
     /// The time from which the first turning point is counted.
     start: f64,
     guess: Guess,
-    /// The part of the sum of squares below which a step of the fit is its last.
-    tolerance: f64,
+    /// Where the fit ends.
+    tolerance: Ends,
 }
 
 impl Samples<'_> {
