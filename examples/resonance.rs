@@ -11,7 +11,7 @@
 
 use std::io::Write;
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Field, Float as _, Ratios as _};
+use stickslip::{Border, Cycle, Field, Float as _, Ratios};
 
 /// A number with 231 digits.
 type Number = Mp<12>;
