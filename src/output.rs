@@ -133,7 +133,7 @@ outputs! {
     LoopSizeStiffness("loop_size_stiffness", EnergyStiffness, "friction's energy in a cycle per p₀²/(2k), A₁")
         .symbol("A₁").equation(64).ulps(2).title("loop size A₁").physical("energy_per_cycle"):
         cycle => cycle.loop_size_stiffness();
-    LoopSizeInertia("loop_size_inertia", EnergyInertia, "the same per p₀²/(2 m ω_d²), A₂")
+    LoopSizeInertia("loop_size_inertia", EnergyInertia, "friction's energy in a cycle per p₀²/(2 m ω_d²), A₂")
         .symbol("A₂").equation(67).ulps(2).title("loop size A₂").without_physical():
         cycle => cycle.loop_size_inertia();
     Contraction("contraction", One, "fraction of a disturbance that remains after half a cycle")
@@ -146,7 +146,7 @@ outputs! {
         .symbol("α_min").ulps(2).title("minimum force ratio without sticking").physical("min_force"):
         border => border.min_force_ratio;
     MinForceRatioTurningPoint("min_force_ratio_turning_point", ForceRatio,
-            "the same by eq. 61, which falls short below Ω = 1/2")
+            "minimum force ratio by eq. 61, which falls short below Ω = 1/2")
         .symbol("eq. 61").equation(61).ulps(2).title("minimum force ratio by eq. 61")
         .physical("min_force_turning_point"):
         border => border.min_force_ratio_turning_point;
@@ -160,7 +160,7 @@ outputs! {
     BestForceRatio("best_force_ratio", ForceRatio, "force ratio α* of the largest A₁")
         .symbol("α*").equation(65).ulps(2).title("force ratio of the largest loop").physical("best_force"):
         response => Some(response.best_force_ratio);
-    BestLoopSize("best_loop_size", EnergyOfLargestLoop, "that largest A₁")
+    BestLoopSize("best_loop_size", EnergyOfLargestLoop, "largest A₁ at this Ω")
         .symbol("A₁max").equation(66).ulps(2).title("size of the largest loop").physical("best_force_energy"):
         response => response.best_loop_size;
     DynamicAmplification("dynamic_amplification", One,
@@ -174,7 +174,7 @@ outputs! {
         .searched():
         cycle => cycle.transmitted_force();
     Transmissibility("transmissibility", One,
-            "that force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or base")
+            "force on the support over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or base")
         .searched():
         cycle => cycle.transmissibility();
     MaxAbsoluteDisplacement("max_absolute_displacement", Length,
@@ -189,7 +189,7 @@ outputs! {
             "equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude")
         .symbol("c_eq").title("equivalent damping"):
         cycle => cycle.equivalent().damping();
-    EquivalentDampingRatio("equivalent_damping_ratio", One, "its ratio c_eq/(2√(k m))")
+    EquivalentDampingRatio("equivalent_damping_ratio", One, "equivalent damping ratio c_eq/(2√(k m))")
         .symbol("ζ_eq").title("equivalent damping ratio"):
         cycle => cycle.equivalent().damping_ratio();
     EquivalentStiffness("equivalent_stiffness", Stiffness,

@@ -86,7 +86,7 @@ impl<F: Float> System<F> {
         Assembly::new(model).map(|assembly| Self { assembly })
     }
 
-    /// The same system, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`]; they ask it at least
+    /// This system, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`]; they ask it at least
     /// once in 512 steps. Otherwise they end with [`Error::Interrupted`].
     ///
     /// ```
@@ -104,7 +104,7 @@ impl<F: Float> System<F> {
         self
     }
 
-    /// The same system on a base that moves, so that its motions have [`Motion::max_absolute_acceleration`].
+    /// This system on a base that moves, so that its motions have [`Motion::max_absolute_acceleration`].
     ///
     /// # Errors
     /// [`Error`] where the influence has another length than the coordinates, a list is longer than that of the loads, or a

@@ -25,7 +25,7 @@ pub(crate) fn steady_from_rest(omega: f64, alpha: f64) -> [f64; 4] {
     }
 }
 
-/// The same with the damping ratio ζ.
+/// The exact steady state from rest with the damping ratio ζ.
 #[inline(never)]
 pub(crate) fn steady_with_damping(omega: f64, alpha: f64, zeta: f64) -> [f64; 4] {
     let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));

@@ -173,7 +173,7 @@ impl<F: Value> Axes<F> {
         self.at(point, |given, parameter, value| given.set(parameter, value))
     }
 
-    /// The same, each value with its text for messages.
+    /// The given quantities at a point, each value with its text for messages.
     pub(crate) fn named_at(&self, point: u64) -> Given<F> {
         self.at(point, |given, parameter, value| given.set_typed(parameter, value, &all_digits(value)))
     }

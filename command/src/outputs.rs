@@ -24,18 +24,18 @@ stickslip::define! {
     pub(crate) STATIC_FRICTION_RATIO("static_friction_ratio", One,
         "static friction ratio η = r_s/r_y, where static friction was given");
     pub(crate) ATTRACTOR("attractor", Plain,
-        "its number, in the order of the first starts (limit is unstable where a multiplier is beyond 1)");
-    pub(crate) SHARE("share", One, "fraction of the starts that lead to it");
-    pub(crate) STARTS("starts", Plain, "number of these starts");
-    pub(crate) FIRST_X("first_x", Length, "displacement of the first of them, at ω_d t = 0");
-    pub(crate) FIRST_V("first_v", Velocity, "its velocity");
+        "number of the limit, in the order of the first starts (limit is unstable where a multiplier is beyond 1)");
+    pub(crate) SHARE("share", One, "fraction of the starts that lead to the limit");
+    pub(crate) STARTS("starts", Plain, "number of the starts that lead to the limit");
+    pub(crate) FIRST_X("first_x", Length, "displacement of the first start that leads to the limit, at ω_d t = 0");
+    pub(crate) FIRST_V("first_v", Velocity, "velocity of the first start that leads to the limit");
     pub(crate) MIRROR("mirror", Plain, "number of the limit that is the mirror image of this one");
     pub(crate) REST_FROM("rest_from", Length, "lowest position of rest, or middle of a member of a family");
     pub(crate) REST_TO("rest_to", Length, "highest position of rest");
     pub(crate) KIND("kind", Plain, "slide-forward, slide-backward or stick");
     pub(crate) ENDS_BY("ends_by", Plain, "reversal, stop, grazing, release, never, or end (of the time that was asked for)");
     pub(crate) START_CYCLE("start_cycle", Plain, "whole cycles of the drive before the start, likewise end_cycle and cycle");
-    pub(crate) START_PHASE("start_phase", Angle, "phase ω_d t of the start in its cycle, likewise end_phase and phase");
+    pub(crate) START_PHASE("start_phase", Angle, "phase ω_d t of the start in its cycle, as end_phase and phase are of theirs");
     pub(crate) DURATION("duration", Angle, "length of the segment, in ω_d t");
     pub(crate) START_X("start_x", Length, "displacement at the start, likewise end_x and x");
     pub(crate) START_V("start_v", Velocity, "velocity at the start, likewise v");
@@ -158,7 +158,7 @@ record, spectrum: the motion under a record, each with its unit
   stick_time                     time at rest during the record
   cycle_amplitude                half the way D of the longest swing from one turning point to the next: the greatest cycle
   equivalent_stiffness           stiffness k + r/D of the oscillator with the forces of this cycle at its turning points
-  equivalent_damping_ratio       its damping ratio, with which it dissipates the energy of this cycle, E/(2π k_eq D²)
+  equivalent_damping_ratio       damping ratio of this oscillator, with which it dissipates the energy of this cycle, E/(2π k_eq D²)
   friction_work, damper_work     work dissipated by friction and by the damper, which may stand on the moving foot
   load_work                      work of the load and of a constant force on the body
 ";

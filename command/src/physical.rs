@@ -165,7 +165,7 @@ impl Physical<Number> {
         self.values.iter().any(|(name, kind, _)| self.is_called(name, *kind, wanted))
     }
 
-    /// The same names without values.
+    /// The names of the physical values, without values.
     pub(crate) fn blank(&self) -> Self {
         let values = self.values.iter().map(|(name, kind, cell)| (*name, *kind, cell.blank())).collect();
         Self { values, ..*self }

@@ -332,7 +332,7 @@ impl Figure {
         draw::svg(self, None)
     }
 
-    /// The same with a width and a height in pixels.
+    /// The drawing as an SVG file with a width and a height in pixels.
     ///
     /// # Errors
     /// [`io::ErrorKind::InvalidInput`] where the plots would have no room, or the size is beyond all use.
@@ -367,7 +367,7 @@ impl Figure {
         draw::pdf(&self.svg_of_size(size)?)
     }
 
-    /// The same as PNG with a width and a height in pixels, twice as many of which the image has.
+    /// The drawing as a PNG image with a width and a height in pixels, twice as many of which the image has.
     ///
     /// # Errors
     /// As [`Figure::svg_of_size`].

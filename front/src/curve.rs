@@ -52,7 +52,7 @@ pub trait Place: Copy {
     fn is_stuck(&self) -> bool;
     /// The reason why it is in the curve.
     fn source(&self) -> Source;
-    /// The same place for another reason.
+    /// This place for another reason.
     #[must_use]
     fn because(self, source: Source) -> Self;
 }

@@ -46,7 +46,7 @@ fn place_of(name: &str) -> Option<usize> {
 }
 
 impl Column {
-    /// The same values under an excitation: the loops of plain points know none, and searched values depend on it.
+    /// The values under an excitation: the loops of plain points know none, and searched values depend on it.
     fn under(self, excitation: Option<Excitation>) -> Self {
         match self {
             Self::Output(output) if excitation.is_some() && output.definition().is_searched => {

@@ -167,7 +167,7 @@ impl AtPoint<4, 5> for Sizes {
 }
 
 impl AtPoint<4, 6> for Sizes {
-    /// The same and A₂.
+    /// The outputs of the smaller loop, and A₂.
     #[inline(always)]
     fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 6] {
         let found = Amplitude::high(&self.0, omega, alpha, Pair::new(k, rest));

@@ -106,7 +106,7 @@ impl AtPoint<13, 6> for Sizes {
 }
 
 impl AtPoint<13, 8> for Sizes {
-    /// The same and `[ω_d t₂, A₂, α_min, the low part of Δ₀]` with f_c and f_s of the drive; a NaN in α_min means that
+    /// The outputs of the smaller loop, and `[ω_d t₂, A₂, α_min, the low part of Δ₀]` with f_c and f_s of the drive; a NaN in α_min means that
     /// the point must be recomputed.
     #[inline(always)]
     fn at(&self, given: [f64; 13]) -> [f64; 8] {
@@ -179,7 +179,7 @@ impl AtPoint<11, 4> for Arrival {
 }
 
 impl AtPoint<10, 3> for Arrival {
-    /// The same without Δ₁.
+    /// V₀ and its phase, without Δ₁.
     #[inline(always)]
     fn at(&self, [a, b, c, d, e, f, g, h, velocity, slope]: [f64; 10]) -> [f64; 3] {
         let [velocity, phase, border, _] = self.at([a, b, c, d, e, f, g, h, velocity, slope, 0.0]);

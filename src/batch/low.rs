@@ -62,7 +62,7 @@ impl AtPoint<5, 3> for LowSizes {
 }
 
 impl AtPoint<5, 6> for LowSizes {
-    /// The same and `[ω_d t₂, A₂, the low part of Δ₀]`.
+    /// The outputs of the smaller loop, and `[ω_d t₂, A₂, the low part of Δ₀]`.
     #[inline(always)]
     fn at(&self, given: [f64; 5]) -> [f64; 6] {
         let found = self.amplitude(given);

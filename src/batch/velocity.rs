@@ -75,7 +75,7 @@ impl AtPoint<9, 3> for Arrival {
 }
 
 impl AtPoint<11, 4> for Arrival {
-    /// The same and Δ₁, for which K and its low part are also given.
+    /// V₀, its phase and Δ₁, for which K and its low part are also given.
     #[inline(always)]
     fn at(
         &self,

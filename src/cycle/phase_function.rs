@@ -209,7 +209,7 @@ pub(crate) fn one_minus_square_wide<F: Float>(omega: F) -> Pair<F> {
     Pair::new(hi, lo - square.lo)
 }
 
-/// The same for Ω ≤ 2²⁰, in fewer operations: 1 is a multiple of the last place of Ω², so that the sum is
+/// `1 − Ω²` for Ω ≤ 2²⁰, in fewer operations: 1 is a multiple of the last place of Ω², so that the sum is
 /// exact.
 #[cfg(feature = "batch")]
 #[inline(always)]

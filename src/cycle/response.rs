@@ -104,7 +104,7 @@ impl<F: Float> Response<F> {
         }
     }
 
-    /// The same, but with damping V₀, ω_d t₁ and Δ₁ may be NaN: more than half of the time is spent on them.
+    /// The answer at (Ω, α), but with damping V₀, ω_d t₁ and Δ₁ may be NaN: more than half of the time is spent on them.
     pub(crate) fn without_velocity(ratios: Ratios<F>) -> Self {
         if ratios.is_damped() {
             Self::damped(ratios, DampedCycle::without_velocity)

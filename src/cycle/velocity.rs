@@ -216,7 +216,7 @@ fn by_low_waves<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> Option<(Faste
 }
 
 impl<F: Float> Fastest<F> {
-    /// The same with its derivatives: ψ as the root of v′ = 0, the velocity at the constant ψ, where it is
+    /// This maximum of the velocity with its derivatives: ψ as the root of v′ = 0, the velocity at the constant ψ, where it is
     /// stationary.
     #[inline]
     fn differentiated(self, half: impl Fn() -> HalfCycle<F>) -> Self {

@@ -80,7 +80,7 @@ impl<F: Float> Damper<F> {
 pub(super) struct Force<F>(pub(super) [F; 3]);
 
 impl<F: Float> Force<F> {
-    /// The same α at every frequency.
+    /// One force ratio α at every frequency.
     pub(super) fn constant(alpha: F) -> Self {
         Self([alpha, F::int(0), F::int(0)])
     }

@@ -370,13 +370,13 @@ const SAFE: i32 = 20;
 const REFINEMENTS: usize = 3;
 /// Minima of the mesh around which a golden section searches.
 const MINIMA: usize = 3;
-/// The same of a mesh with static friction above the kinetic one.
+/// Minima of a mesh with static friction above the kinetic one.
 const ROUGH_MINIMA: usize = 5;
 /// The binary logarithm of the number of steps of a mesh.
 const LOG_STEPS: u32 = 6;
 /// The uniform steps of the frictions up to rest, with static friction above the kinetic one.
 const UNIFORM: i32 = 32;
-/// The same of a mesh whose frictions are left as soon as they are worse than the best one.
+/// The uniform steps of a mesh whose frictions are left as soon as they are worse than the best one.
 const FINE: i32 = 600;
 /// The steps of all searches together, each of up to about a microsecond at f64.
 const SEARCH_STEPS: u64 = 6_000_000;

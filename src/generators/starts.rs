@@ -20,7 +20,7 @@ pub(super) fn state(u: &mut Unstructured<'_>, point: Point) -> Result<(f64, f64,
         // At the friction bound, and at the edge of the places of rest.
         4 => (alpha * theta.sin() - sign, 0.0),
         5 => (sign * (1.0 - alpha), 0.0),
-        // The same with a tiny speed.
+        // At the friction bound with a tiny speed.
         6 => (alpha * theta.sin() - sign, sign * ordinary(u, -260.0, -20.0)?.exp2()),
         7 | 8 => match Ratios::new(omega, alpha).and_then(Cycle::new) {
             Ok(cycle) => (cycle.displacement_at(theta), cycle.velocity_at(theta)),

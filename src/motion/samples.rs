@@ -137,7 +137,7 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 }
 
 impl<F: Float> Samples<F> {
-    /// The same samples counted from the start of the motion, which is the first of them.
+    /// These samples counted from the start of the motion, which is the first of them.
     #[doc(hidden)]
     #[must_use]
     pub fn from_start(self) -> Self {

@@ -34,6 +34,6 @@ crate::define! {
         "turns of the drive in a cycle (this and the next four outputs where static friction was given)");
     pub SYMMETRIC("symmetric", Plain, "whether half a cycle is the mirror image of the other half: true or false");
     pub LYAPUNOV_EXPONENT("lyapunov_exponent", One, "Lyapunov exponent of an irregular motion, per turn of the drive");
-    pub LYAPUNOV_EXPONENT_ERROR("lyapunov_exponent_error", One, "its standard error");
+    pub LYAPUNOV_EXPONENT_ERROR("lyapunov_exponent_error", One, "standard error of the Lyapunov exponent");
     pub TURNS_OBSERVED("turns_observed", Plain, "turns of the drive over which an irregular motion was observed");
 }

@@ -41,7 +41,7 @@ impl Estimate {
 /// The 97.5 % quantile of the normal distribution.
 const Z_95: f64 = 1.959_963_984_540_054;
 
-/// The same of Student's distribution with 1 and 2 degrees of freedom: cot(π/40), and 0.95/√(2 · 0.975 · 0.025).
+/// The 97.5 % quantiles of Student's distribution with 1 and 2 degrees of freedom: cot(π/40), and 0.95/√(2 · 0.975 · 0.025).
 const STUDENT_95: [f64; 2] = [12.706_204_736_174_71, 4.302_652_729_749_464];
 
 /// The quantile of Student's distribution with n degrees of freedom, from the quantile z of the normal

@@ -102,7 +102,8 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     for OfCurve { omega, source, point, value, regime } in places {
         let Some(point) = point else { continue };
         let frequency = point.machine.map_or(omega, |machine| machine.drive.angular_frequency() / TAU);
-        let border = (!is_frictionless).then(|| Border::of(&point.ratios).least_displacement * length(&point));
+        let border =
+            (!is_frictionless).then(|| Border::of(&point.ratios).least_displacement * length(&point));
         let row = [
             json!(omega),
             json!(frequency),

@@ -87,7 +87,7 @@ impl Format {
         }
     }
 
-    /// The same for a command that has no rows.
+    /// Whether the answer is JSON, of a command that has no rows.
     pub(crate) fn is_json(self, command: &str) -> Result<bool, Failure> {
         let rows = || Failure::Input(format!("--format: the answer to {command} is text or json"));
         self.of_single().ok_or_else(rows)

@@ -87,7 +87,7 @@ impl<F> Cell<F> {
         matches!(self, Self::Number(None) | Self::Count(None) | Self::Flag(None) | Self::Pairs(None))
     }
 
-    /// The same without a value.
+    /// A cell of this kind without a value.
     pub(crate) const fn blank(&self) -> Self {
         match self {
             Self::Text(_) => Self::Text(""),

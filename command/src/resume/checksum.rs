@@ -60,7 +60,7 @@ pub(crate) struct Checked<'a> {
     file: &'a File,
     /// The bytes written to the end of the last complete row, and their checksum.
     rows: (u64, Checksum),
-    /// The same with the beginning of a row after them.
+    /// All bytes written, the beginning of a row included, and their checksum.
     all: (u64, Checksum),
     /// `FILE.check`, as long as it can be written.
     log: Option<File>,

@@ -14,7 +14,7 @@ pub struct Description<'a> {
     pub elements: Vec<OfElement<'a>>,
     /// In rad/s, or in radians per unit of time for matrices, with all contacts sliding.
     pub natural_frequencies: Vec<f64>,
-    /// The same with all contacts at rest.
+    /// The natural frequencies with all contacts at rest.
     pub natural_frequencies_stuck: Vec<f64>,
     /// The number of motions without a restoring force.
     pub rigid_modes: usize,

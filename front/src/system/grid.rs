@@ -192,7 +192,7 @@ impl<'a> Grid<'a> {
         Ok(grid)
     }
 
-    /// The same grid, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`].
+    /// This grid, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`].
     #[must_use]
     pub fn while_allowed(self, keep_going: fn() -> ControlFlow<()>) -> Self {
         Self { keep_going, ..self }

@@ -40,7 +40,16 @@ fn four([omega, alpha, zeta, eta]: &[String; 4]) -> PyResult<[Known; 4]> {
 #[pyfunction]
 fn enclosed_response<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
     let [omega, alpha, zeta, eta] = four(&ratios)?;
-    dict(py, left_behind(py, move || enclosed::KnownRatios::new(&omega).with_force_ratio(&alpha).with_damping_ratio(&zeta).with_static_friction_ratio(&eta).response(bits))?)
+    dict(
+        py,
+        left_behind(py, move || {
+            enclosed::KnownRatios::new(&omega)
+                .with_force_ratio(&alpha)
+                .with_damping_ratio(&zeta)
+                .with_static_friction_ratio(&eta)
+                .response(bits)
+        })?,
+    )
 }
 
 /// The border.
@@ -49,14 +58,28 @@ fn enclosed_border<'py>(py: Python<'py>, ratios: [String; 3], bits: u32) -> PyRe
     let [omega, zeta, eta] = &ratios;
     let (omega, zeta) = (known("omega", omega)?, known("damping_ratio", zeta)?);
     let eta = known("static_friction_ratio", eta)?;
-    dict(py, left_behind(py, move || enclosed::KnownRatios::new(&omega).with_damping_ratio(&zeta).with_static_friction_ratio(&eta).response(bits))?)
+    dict(
+        py,
+        left_behind(py, move || {
+            enclosed::KnownRatios::new(&omega)
+                .with_damping_ratio(&zeta)
+                .with_static_friction_ratio(&eta)
+                .response(bits)
+        })?,
+    )
 }
 
 /// A steady motion that is proved to exist, or the reason why there is no proof.
 #[pyfunction]
 fn enclosed_steady<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
     let [omega, alpha, zeta, eta] = four(&ratios)?;
-    let found = left_behind(py, move || enclosed::KnownRatios::new(&omega).with_force_ratio(&alpha).with_damping_ratio(&zeta).with_static_friction_ratio(&eta).steady(bits))?;
+    let found = left_behind(py, move || {
+        enclosed::KnownRatios::new(&omega)
+            .with_force_ratio(&alpha)
+            .with_damping_ratio(&zeta)
+            .with_static_friction_ratio(&eta)
+            .steady(bits)
+    })?;
     let dict = PyDict::new(py);
     let found = match found.map_err(refused)? {
         Ok(found) => found,

@@ -295,7 +295,7 @@ struct Place<F> {
 }
 
 impl<F: Float> Summit<F> {
-    /// The same with its derivatives: τ as the root of x″ = 0, the velocity at the constant τ, where it is
+    /// This time of the half cycle with its derivatives: τ as the root of x″ = 0, the velocity at the constant τ, where it is
     /// stationary.
     #[inline]
     fn differentiated(self, rising: &Rising<F>) -> Self {

@@ -42,7 +42,7 @@ const REST: [f64; 9] = [
 const GREATEST: i32 = 20;
 
 impl<F: Float> PhaseFunction<F> {
-    /// The same value, with the derivative of K by its own closed form.
+    /// K with its value unchanged, and the derivative of K by its own closed form.
     #[inline(always)]
     pub(super) fn differentiated(self) -> Self {
         let hi = self.value.hi.differentiated_as(|| self.slope().constant() * self.omega);

@@ -19,7 +19,7 @@ impl<F: Float> Verdict<F> {
     #[doc(hidden)]
     pub const BORDER_ERROR: i32 = 8;
 
-    /// The same with damping, where a sum of three terms replaces one. The greatest error compared with the
+    /// Relative error bound of the border with damping, where a sum of three terms replaces one. The greatest error compared with the
     /// same condition at 256 bits is 8.
     #[doc(hidden)]
     pub const DAMPED_BORDER_ERROR: i32 = 16;

@@ -117,7 +117,7 @@ impl Samples<'_> {
         })
     }
 
-    /// The same without the samples before the first turning point that fits have found.
+    /// These samples without those before the first turning point that fits have found.
     fn beginning_at_first_turn(mut self, fits: &[Ending]) -> Self {
         let Some((_, fit)) = fits.iter().min_by(|a, b| a.1.sum.total_cmp(&b.1.sum)) else { return self };
         let turn = self.start + self.guess.half * fit.at[START];

@@ -74,14 +74,14 @@ steady_outputs! {
     ), steady => steady.max_displacement.phase.reduced();
     MinDisplacement: Definition::new("min_displacement", Measure::Length, "minimum displacement"),
         steady => steady.min_displacement.value;
-    MinDisplacementPhase: phase("min_displacement_phase", "its phase", "min_displacement_time"),
+    MinDisplacementPhase: phase("min_displacement_phase", "phase of the minimum displacement", "min_displacement_time"),
         steady => steady.min_displacement.phase.reduced();
     MaxVelocity: *Output::MaxVelocity.definition(), steady => steady.max_velocity.value;
     MaxVelocityPhase: phase("max_velocity_phase", "phase of the maximum velocity", "max_velocity_time"),
         steady => steady.max_velocity.phase.reduced();
     MinVelocity: Definition::new("min_velocity", Measure::Velocity, "minimum velocity"),
         steady => steady.min_velocity.value;
-    MinVelocityPhase: phase("min_velocity_phase", "its phase", "min_velocity_time"),
+    MinVelocityPhase: phase("min_velocity_phase", "phase of the minimum velocity", "min_velocity_time"),
         steady => steady.min_velocity.phase.reduced();
     StickFraction: Definition::new("stick_fraction", Measure::One, "fraction of time at rest")
         .title("fraction of time at rest"), steady => steady.stick_fraction;

@@ -220,7 +220,7 @@ impl<F: Float> Body<F> {
         self.follow_from(record, F::int(0), F::int(0))
     }
 
-    /// The same from the displacement x and the velocity v.
+    /// The motion under a record, from the displacement x and the velocity v.
     ///
     /// # Errors
     /// As [`Body::follow`], and where x or v is not finite, or v < 0 in a body that moves one way.

@@ -18,7 +18,7 @@ pub fn follow_each(bodies: &[Body<f64>], record: &Record<f64>) -> Vec<Result<Rec
     follow_each_while(bodies, record, &|| ControlFlow::Continue(()))
 }
 
-/// The same as long as `keep_going` returns [`ControlFlow::Continue`].
+/// Follows bodies as [`follow_each`] does, as long as `keep_going` returns [`ControlFlow::Continue`].
 ///
 /// # Errors
 /// [`Error::Interrupted`] where `keep_going` ends the work, and as for [`follow_each`].

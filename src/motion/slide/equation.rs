@@ -111,7 +111,7 @@ impl<F: Float> Equation<F> {
         if self.is_damped() { self.damped_waves(phi) } else { self.undamped_waves(phi) }
     }
 
-    /// The same without damping, where q serves all three quotients.
+    /// The free vibrations and the quotients without damping, where q serves all three quotients.
     #[inline]
     pub(crate) fn undamped_waves(&self, phi: F) -> Responses<F> {
         let one = F::int(1);
