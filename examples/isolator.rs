@@ -5,7 +5,7 @@
 //! the cabinet slide over the floor, and what acceleration does it experience?
 //!
 //! Springs and bearings both stand on the floor, which carries the surface along: x is the displacement relative to
-//! the floor, and the floor's acceleration is the drive. The maximum acceleration of the cabinet occurs just before it
+//! the floor, and the floor's acceleration is the drive. The peak acceleration of the cabinet occurs just before it
 //! reverses: (k Δ₀ + r_y)/m, the transmitted force over the mass.
 //!
 //! At 0.6 Hz the cabinet experiences the acceleration of the floor, and from 1 Hz less than half of it. The

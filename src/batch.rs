@@ -25,7 +25,7 @@
 //! Points with a damper have loops of their own for eight outputs ([`Batch::run_each`]).
 //!
 //! The remaining points are computed one by one by [`crate::Response`]: any other Ω, an Ω within 0.0012 Ω of
-//! 1/(2n) or within 2⁻²⁴ of 1, and a start too far from the maximum velocity. Every point of the domain thus
+//! 1/(2n) or within 2⁻²⁴ of 1, and a start too far from the peak velocity. Every point of the domain thus
 //! has an answer, and its side of the border is decided as in [`crate::Regime`].
 //!
 //! Values that do not exist are NaN: every output where Ω or α is outside the domain of [`crate::Ratios`],
@@ -144,7 +144,7 @@ impl Batch {
     ///
     /// If nothing but {Δ₀, α_min, A₁, A₂, ω_d t₂, V₀, ω_d t₁, Δ₁} and the regime is requested, loops compute the points
     /// with 1/2 ≤ Ω ≤ 2²⁰ and 0 < ζ ≤ 7/8, except those within 10⁻⁶ or so of Ω = 1 with as little damping, those with a
-    /// large ζ/Ω, and for V₀ those whose maximum velocity is more than 1/ω_n or a sixth of a cycle from the middle of
+    /// large ζ/Ω, and for V₀ those whose peak velocity is more than 1/ω_n or a sixth of a cycle from the middle of
     /// the half cycle. All others, and all other outputs, are computed point by point.
     ///
     /// # Errors

@@ -145,15 +145,15 @@ use waveform::Motion;
 pub struct Cycle<F> {
     /// The ratios (Ω, α).
     pub ratios: Ratios<F>,
-    /// Maximum displacement `Δ₀/B` ([`Reversal`], eq. 44). Accuracy at f64: 2 ulp.
+    /// Peak displacement `Δ₀/B` ([`Reversal`], eq. 44). Accuracy at f64: 2 ulp.
     pub max_displacement: F,
-    /// Phase `ω_d t₂` of the maximum displacement (eq. 43 corrected). Accuracy at f64: 2 ulp of
+    /// Phase `ω_d t₂` of the peak displacement (eq. 43 corrected). Accuracy at f64: 2 ulp of
     /// max(phase, 1).
     pub displacement_phase: F,
-    /// Maximum velocity `V₀/(Bω_d)` (eq. 49 corrected): the maximum over the half cycle, whatever the number
+    /// Peak velocity `V₀/(Bω_d)` (eq. 49 corrected): the maximum over the half cycle, whatever the number
     /// of its stationary points. Accuracy at f64: 4 ulp.
     pub max_velocity: F,
-    /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum). Accuracy at
+    /// Phase `ω_d t₁` of the peak velocity (the root of eq. 46 that is the global maximum). Accuracy at
     /// f64: 4 ulp of max(phase, 1).
     pub velocity_phase: F,
     motion: Motion<F>,
@@ -262,7 +262,7 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// Deviation `Δ₁/B`: the displacement at the maximum velocity (eq. 47). Accuracy at f64: 4 ulp of
+    /// Deviation `Δ₁/B`: the displacement at the peak velocity (eq. 47). Accuracy at f64: 4 ulp of
     /// max(|Δ₁/B|, V₀/(Bω_d)).
     pub fn deviation(&self) -> F {
         match &self.motion {
@@ -307,7 +307,7 @@ impl<F: Float> Cycle<F> {
     }
 
     /// The energy that the damper dissipates in a cycle, in units of r_y B; 0 without a damper. Friction
-    /// dissipates 4Δ₀/B. A damper on the moving foot ([`Ratios::excitation`]) dissipates by the velocity between body
+    /// dissipates 4Δ₀/B. A damper on the moving support ([`Ratios::excitation`]) dissipates by the velocity between body
     /// and foot, `∮ 2ζ (x′ − u′)² dφ`.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of

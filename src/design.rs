@@ -29,7 +29,7 @@
 //! ([`crate::Cycle`], [`crate::Border`]), it reproduces the target to rounding. “Sliding” means the motion of
 //! the closed forms, with two reversals a cycle and no stop. Below its border the body stops, or near a pole
 //! reverses six times ([`crate::cycle::SixReversals`]): answers that include such motions are searched
-//! there, not proved. On the border of sticking there is no safety margin, which real friction needs: see
+//! there, not proved. On the sticking threshold there is no safety margin, which real friction needs: see
 //! [`crate::Output::Margin`].
 
 mod band;

@@ -3,7 +3,7 @@
 //! [`KnownRatios::steady`] proves that a periodic motion with its stops exists (`motion`).
 //! [`KnownRatios::response`] evaluates the closed forms in ball arithmetic (`float::ball`), by the functions that [`crate::Cycle`] and
 //! [`crate::Border`] call. Ratios are exact rational numbers or intervals ([`Known`]): `0.4` is four tenths,
-//! not the nearest double. Quantities that are found by iteration elsewhere (the maximum velocity, the
+//! not the nearest double. Quantities that are found by iteration elsewhere (the peak velocity, the
 //! stationary point of the border's condition) are enclosed here as the only zero of their equation in a
 //! ball, by the interval Newton method (`root`).
 //!

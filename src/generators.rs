@@ -9,7 +9,7 @@
 //! | Ω | 1; 1/n and 1/(2n + 1); the least border; 1/2; the ends of its domain; any magnitude; ordinary values |
 //! | α | 1; 4/π; the size of K, and √2 times it; the exact border and eq. 61 at that Ω, and some way above; subnormal and huge values |
 //! | ζ | 0; 1; tiny values; ordinary values; any magnitude |
-//! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; a tiny speed; huge values |
+//! | the start | at rest at the friction force; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; a tiny speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
 //! | a system | ordinary and round values, dependent directions, elements of all kinds |
 //!
@@ -100,7 +100,7 @@ pub struct Machine {
     pub mass: f64,
     /// Stiffness k.
     pub stiffness: f64,
-    /// Friction bound r_y.
+    /// Friction force r_y.
     pub friction_bound: f64,
     /// Amplitude of the drive: p₀, or u_g0 where the base moves.
     pub amplitude: f64,

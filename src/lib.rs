@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use stickslip::{Drive, Oscillator, Regime, Steady};
-//! // 50 kN s²/m on 1000 kN/m, friction bound 5 kN, driven by 12 kN at 2π rad/s
+//! // 50 kN s²/m on 1000 kN/m, friction force 5 kN, driven by 12 kN at 2π rad/s
 //! let body = Oscillator::new(50.0, 1000.0, 5.0)?;
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let steady = Steady::of(&body, &drive)?;
@@ -33,7 +33,7 @@
 //!
 #![doc = include_str!("formulae/phase_function.html")]
 //!
-//! The maximum displacement and its phase ([`Cycle::max_displacement`], [`Cycle::displacement_phase`]):
+//! The peak displacement and its phase ([`Cycle::max_displacement`], [`Cycle::displacement_phase`]):
 //!
 #![doc = include_str!("formulae/displacement.html")]
 #![doc = include_str!("formulae/displacement_phase.html")]
@@ -67,7 +67,7 @@
 //!
 //! | symbol | in code | meaning | unit |
 //! |---|---|---|---|
-//! | m, k, r_y | [`Oscillator`] | mass, stiffness, friction bound | |
+//! | m, k, r_y | [`Oscillator`] | mass, stiffness, friction force | |
 //! | c, r₊, r₋ | [`Oscillator`] | damping constant, friction by direction | |
 //! | p₀, u_g0, ω_d, p̄ | [`Drive`] | force amplitude, base amplitude, angular frequency, mean force | |
 //! | ω_n | [`Oscillator::natural_frequency`] | √(k/m) | |
@@ -76,9 +76,9 @@
 //! | A | [`Ratios::forced_amplitude`] | p₀/(k(1 − Ω²)) | B |
 //! | T | in [`PhaseFunction`] | tan(π/2Ω) = sin π₁/(1 + cos π₁) | 1 |
 //! | K | [`PhaseFunction::value`] | (1 − Ω²) T/Ω | 1 |
-//! | Δ₀, ω_d t₂ | [`Cycle::max_displacement`], [`Cycle::displacement_phase`] | maximum displacement, its phase | B, rad |
-//! | V₀, ω_d t₁ | [`Cycle::max_velocity`], [`Cycle::velocity_phase`] | maximum velocity, its phase | Bω_d, rad |
-//! | Δ₁ | [`Cycle::deviation`] | displacement at the maximum velocity | B |
+//! | Δ₀, ω_d t₂ | [`Cycle::max_displacement`], [`Cycle::displacement_phase`] | peak displacement, its phase | B, rad |
+//! | V₀, ω_d t₁ | [`Cycle::max_velocity`], [`Cycle::velocity_phase`] | peak velocity, its phase | Bω_d, rad |
+//! | Δ₁ | [`Cycle::deviation`] | displacement at the peak velocity | B |
 //! | α_min | [`Border::min_force_ratio`] | minimum force ratio without sticking | 1 |
 //! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
 //! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |

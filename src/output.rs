@@ -113,22 +113,22 @@ macro_rules! outputs {
 }
 
 outputs! {
-    MaxDisplacement("max_displacement", Length, "maximum displacement Δ₀")
+    MaxDisplacement("max_displacement", Length, "peak displacement Δ₀")
         .symbol("Δ₀").equation(44).ulps(2):
         cycle => cycle.max_displacement;
-    DisplacementPhase("displacement_phase", Angle, "phase ω_d t₂ of the maximum displacement")
+    DisplacementPhase("displacement_phase", Angle, "phase ω_d t₂ of the peak displacement")
         .symbol("ω_d t₂").equation(43).ulps(2)
-        .title("phase of the maximum displacement").physical("displacement_time"):
+        .title("phase of the peak displacement").physical("displacement_time"):
         cycle => cycle.displacement_phase;
-    MaxVelocity("max_velocity", Velocity, "maximum velocity V₀")
+    MaxVelocity("max_velocity", Velocity, "peak velocity V₀")
         .symbol("V₀").equation(49).ulps(4):
         cycle => cycle.max_velocity;
-    VelocityPhase("velocity_phase", Angle, "phase ω_d t₁ of the maximum velocity")
+    VelocityPhase("velocity_phase", Angle, "phase ω_d t₁ of the peak velocity")
         .symbol("ω_d t₁").equation(46).ulps(4)
-        .title("phase of the maximum velocity").physical("velocity_time"):
+        .title("phase of the peak velocity").physical("velocity_time"):
         cycle => cycle.velocity_phase;
-    Deviation("deviation", Length, "displacement Δ₁ at the maximum velocity")
-        .symbol("Δ₁").equation(47).ulps(4).title("displacement at the maximum velocity"):
+    Deviation("deviation", Length, "displacement Δ₁ at the peak velocity")
+        .symbol("Δ₁").equation(47).ulps(4).title("displacement at the peak velocity"):
         cycle => cycle.deviation();
     LoopSizeStiffness("loop_size_stiffness", EnergyStiffness, "friction's energy in a cycle per p₀²/(2k), A₁")
         .symbol("A₁").equation(64).ulps(2).title("loop size A₁").physical("energy_per_cycle"):
@@ -150,11 +150,11 @@ outputs! {
         .symbol("eq. 61").equation(61).ulps(2).title("minimum force ratio by eq. 61")
         .physical("min_force_turning_point"):
         border => border.min_force_ratio_turning_point;
-    LeastDisplacement("least_displacement", Length, "maximum displacement on the border")
-        .symbol("S").title("maximum displacement on the border"):
+    LeastDisplacement("least_displacement", Length, "peak displacement on the border")
+        .symbol("S").title("peak displacement on the border"):
         border => border.least_displacement;
     BorderPhase("border_phase", Angle,
-            "phase after the maximum displacement at which the velocity first touches zero, on the border")
+            "phase after the peak displacement at which the velocity first touches zero, on the border")
         .symbol("τ*").title("phase of the first stop on the border").physical("border_time"):
         border => border.border_phase;
     BestForceRatio("best_force_ratio", ForceRatio, "force ratio α* of the largest A₁")
@@ -164,17 +164,17 @@ outputs! {
         .symbol("A₁max").equation(66).ulps(2).title("size of the largest loop").physical("best_force_energy"):
         response => response.best_loop_size;
     DynamicAmplification("dynamic_amplification", One,
-            "maximum displacement over p₀/k: compares machines of different friction"):
+            "peak displacement over p₀/k: compares machines of different friction"):
         cycle => dynamic_amplification(cycle.max_displacement, cycle.ratios.alpha());
-    MaxAcceleration("max_acceleration", Acceleration, "maximum acceleration |x″|")
+    MaxAcceleration("max_acceleration", Acceleration, "peak acceleration |x″|")
         .symbol("|x″|").searched():
         cycle => cycle.max_acceleration();
     TransmittedForce("transmitted_force", Force,
-            "maximum force of spring, damper and friction on their support, or m x″ with a moving foot")
+            "maximum force of spring, damper and friction on their support, or m x″ with a moving support")
         .searched():
         cycle => cycle.transmitted_force();
     Transmissibility("transmissibility", One,
-            "force on the support over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or base")
+            "force on the support over p₀, or with a moving support or base the body's absolute acceleration over that of the support or base")
         .searched():
         cycle => cycle.transmissibility();
     MaxAbsoluteDisplacement("max_absolute_displacement", Length,
@@ -225,7 +225,7 @@ impl Output {
         chosen.map(|output| output.of(&answer).unwrap_or(nan))
     }
 
-    /// The answer from which outputs are taken, those of the maximum velocity among them or not.
+    /// The answer from which outputs are taken, those of the peak velocity among them or not.
     pub(crate) fn answer<F: Float>(has_velocity: bool, ratios: Ratios<F>) -> Response<F> {
         if has_velocity { Response::new(ratios) } else { Response::without_velocity(ratios) }
     }
@@ -235,7 +235,7 @@ impl Output {
         matches!(self, Self::MaxDisplacement | Self::MinForceRatio | Self::LoopSizeStiffness)
     }
 
-    /// Whether the output needs the maximum velocity: a search may begin with it.
+    /// Whether the output needs the peak velocity: a search may begin with it.
     pub(crate) const fn needs_velocity(self) -> bool {
         matches!(self, Self::MaxVelocity | Self::VelocityPhase | Self::Deviation)
             || self.definition().is_searched

@@ -136,7 +136,7 @@ impl Sensitivities<5> {
     /// The outputs in physical units ([`Output::unit`]) and their derivatives with respect to m, k, r_y, the
     /// amplitude and ω_d, in this order.
     ///
-    /// All other parameters are constant, including the damping constant c and the static friction ratio η. If the spring's foot moves, a
+    /// All other parameters are constant, including the damping constant c and the static friction ratio η. If the spring's support moves, a
     /// change of stiffness also changes the force. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`,
     /// computed in two ways.
     ///
@@ -203,7 +203,7 @@ mod tests {
         assert!(sticking.of(Output::MaxDisplacement).is_none() && sticking.outputs.len() < all.len());
     }
 
-    /// If the force and the friction bound grow by the same share, so do the lengths.
+    /// If the force and the friction force grow by the same share, so do the lengths.
     #[test]
     fn by_parameters_is_in_their_units() {
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
@@ -213,7 +213,7 @@ mod tests {
         assert!((delta.value / (cycle.max_displacement * 3.0 / 8.0) - 1.0).abs() < 1e-14);
         let grown = delta.elasticity(Parameter::FrictionBound) + delta.elasticity(Parameter::Amplitude);
         assert!((grown - 1.0).abs() < 1e-13, "{grown}");
-        // If the spring's foot moves, a stiffer spring means a larger force.
+        // If the spring's support moves, a stiffer spring means a larger force.
         let based = Sensitivities::by_parameters(
             &body,
             &Drive::new(crate::Excitation::FootMotion, 9.0 / 8.0, 1.5).unwrap(),

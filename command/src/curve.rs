@@ -46,7 +46,7 @@ struct CurvePoint {
 struct Line {
     name: String,
     places: Vec<CurvePoint>,
-    /// The points at which the curve meets the border of sticking.
+    /// The points at which the curve meets the sticking threshold.
     border: Vec<(f64, f64)>,
     /// The position of Ω = 1 on the axis; NaN if it has none.
     natural: f64,

@@ -393,7 +393,7 @@ impl<F: Value> AskedDesign<'_, F> {
 
 /// The quantity whose bound is asked for: a force, or a friction.
 struct Divided<'a, F> {
-    /// Whether it is a force, or a friction bound as a part of the force.
+    /// Whether it is a force, or a friction force as a part of the force.
     is_force: bool,
     /// The names of the one that releases a body at rest, and of the one that suffices for every start.
     names: [&'static str; 2],

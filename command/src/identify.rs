@@ -426,7 +426,7 @@ fn estimate_line(name: &str, found: &EstimateRecord, out: &mut impl Write) -> Ou
 
 fn of_phase(kind: PhaseKind) -> &'static str {
     match kind {
-        PhaseKind::Peak => "ω_d t of the maximum displacement under p₀ sin ω_d t",
+        PhaseKind::Peak => "ω_d t of the peak displacement under p₀ sin ω_d t",
         PhaseKind::Lag => "the lag of the displacement behind the force",
         PhaseKind::TransferFunction => "the lag of the displacement behind the force, negative",
     }

@@ -39,8 +39,8 @@ stickslip::define! {
     pub(crate) DURATION("duration", Angle, "length of the segment, in ω_d t");
     pub(crate) START_X("start_x", Length, "displacement at the start, likewise end_x and x");
     pub(crate) START_V("start_v", Velocity, "velocity at the start, likewise v");
-    pub(crate) FRICTION("friction", Force, "force of friction");
-    pub(crate) R("r", Force, "force of spring and friction");
+    pub(crate) FRICTION("friction", Force, "friction force r_a of eq. 1, in the direction of sliding: the force on the body is its opposite");
+    pub(crate) R("r", Force, "force of spring and friction, r = x + r_a");
 }
 
 /// The outputs of the closed forms, those of the border among them.
@@ -106,7 +106,7 @@ fn groups() -> [(&'static str, Vec<Key>); 7] {
 const PHYSICAL: &str = "\
 For a machine, under physical, each with its unit
 
-  drive                          the drive: a force, a rotating unbalance, the spring's foot, or a base that carries the surface
+  drive                          the drive: a force, a rotating unbalance, the spring's support, or a base that carries the surface
   frequency                      frequency of the drive in Hz
   angular_frequency              ω_d
   natural_frequency              ω_n = √(k/m)
@@ -119,9 +119,9 @@ For a machine, under physical, each with its unit
   friction_coefficient           µ = r_y/(m g), where it was given
   force_amplitude                amplitude p₀ of the force on the body
   unbalance                      unbalance m_e e of the rotating mass
-  foot_displacement              amplitude of the spring's foot
-  damped_foot_displacement       amplitude of the foot of spring and damper
-  lead_time                      the time by which the force on the body is ahead of that foot, atan(c ω_d/k)/ω_d
+  foot_displacement              amplitude of the spring's support
+  damped_foot_displacement       amplitude of the support of spring and damper
+  lead_time                      the time by which the force on the body is ahead of that support, atan(c ω_d/k)/ω_d
   base_displacement, base_velocity, base_acceleration
                                  amplitudes of a base that carries the surface
   friction_displacement          B = r_y/k, the unit of length of the ratios
@@ -132,7 +132,7 @@ For a machine, under physical, each with its unit
   min_force, min_force_turning_point, best_force, no_stop_forces
                                  the force ratios of these names times r_y
   energy_per_cycle               energy that friction dissipates in a cycle, 4 r_y Δ₀
-  damper_energy_per_cycle        energy that the damper dissipates, on a moving foot by the velocity between body and foot
+  damper_energy_per_cycle        energy that the damper dissipates, on a moving support by the velocity between body and foot
   best_force_energy              friction's energy in a cycle at best_force
   followed_for                   time for which the exact motion was followed
 ";
@@ -141,13 +141,13 @@ For a machine, under physical, each with its unit
 const RECORD: &str = "\
 record, spectrum: the motion under a record, each with its unit
 
-  max_displacement               greatest displacement from the position of the relaxed spring, and over the surface where that moves
-  min_displacement               least displacement
-  max_velocity, min_velocity     greatest and least velocity
-  peak_displacement              greatest displacement, regardless of sign
+  max_displacement               most positive displacement from the relaxed spring, and over the surface where that moves
+  min_displacement               most negative displacement
+  max_velocity, min_velocity     most positive and most negative velocity
+  peak_displacement              peak displacement, regardless of sign
   …_time                         time at which the motion has that value first, none where it only tends to it
-  max_absolute_acceleration      greatest acceleration in space, regardless of sign
-  max_transmitted_force          greatest force of spring, damper and friction together on their support
+  max_absolute_acceleration      peak acceleration in space, regardless of sign
+  max_transmitted_force          peak force of spring, damper and friction together on their support
   end_displacement, end_velocity
                                  state at the end of the record
   residual_displacement          displacement at rest after the record or its limit, none where the body never rests
@@ -159,8 +159,9 @@ record, spectrum: the motion under a record, each with its unit
   cycle_amplitude                half the way D of the longest swing from one turning point to the next: the greatest cycle
   equivalent_stiffness           stiffness k + r/D of the oscillator with the forces of this cycle at its turning points
   equivalent_damping_ratio       damping ratio of this oscillator, with which it dissipates the energy of this cycle, E/(2π k_eq D²)
-  friction_work, damper_work     work dissipated by friction and by the damper, which may stand on the moving foot
+  friction_work, damper_work     work dissipated by friction and by the damper, which may stand on the moving support
   load_work                      work of the load and of a constant force on the body
+  friction                       in the file of --out: the friction force on the body, against its motion
 ";
 
 /// The definition of an output in ratios.
@@ -214,7 +215,7 @@ mod tests {
     #[test]
     fn titles_are_in_words() {
         assert_eq!(in_words("stick_fraction"), "fraction of time at rest");
-        assert_eq!(in_words("max_acceleration"), "maximum acceleration");
+        assert_eq!(in_words("max_acceleration"), "peak acceleration");
         assert_eq!(in_words("damper_energy_per_cycle"), "damper energy per cycle");
     }
 }

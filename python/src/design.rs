@@ -142,7 +142,7 @@ fn best_stiffness(
     Ok((best.at, best.value, why))
 }
 
-/// The friction bounds with which the steady motion has a greatest displacement: bound, regime and displacement.
+/// The friction forces with which the steady motion has a greatest displacement: bound, regime and displacement.
 #[pyfunction]
 fn frictions_for_displacement(
     py: Python<'_>,
@@ -188,7 +188,7 @@ fn bands(
 /// Friction, greatest amplitude, the ranges of frequency that have it, the kind of optimum, and the friction at rest.
 type FoundFriction = (f64, f64, Vec<(f64, f64)>, &'static str, f64);
 
-/// The friction bound with the least greatest amplitude over a band: friction, greatest amplitude, the frequencies that
+/// The friction force with the least greatest amplitude over a band: friction, greatest amplitude, the frequencies that
 /// have it, the kind, and the friction at which the body rests in the whole band.
 #[pyfunction]
 fn best_friction_over(
@@ -249,7 +249,7 @@ fn kind<K: Copy>(argument: &str, text: &str, kinds: &[K], name: impl Fn(K) -> &'
     })
 }
 
-/// Friction bound and damping ratio from a response curve, each with its standard error and 95 % interval.
+/// Friction force and damping ratio from a response curve, each with its standard error and 95 % interval.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "those of the Python function")]
 fn identify<'py>(

@@ -12,7 +12,7 @@ use stickslip::inputs::{Given, Input, Naming, Role};
 use stickslip::motion::{SteadyOutput, record};
 use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales, definitions};
 
-/// Mass, stiffness, friction bound of forward motion, that of backward motion (NaN if equal), damping
+/// Mass, stiffness, friction force of forward motion, that of backward motion (NaN if equal), damping
 /// constant and static friction ratio.
 pub(crate) type Body = (f64, f64, f64, f64, f64, f64);
 

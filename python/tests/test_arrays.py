@@ -288,7 +288,7 @@ def test_help_explains_every_output():
     import pydoc
 
     words = pydoc.render_doc(ss.MachineSteady, renderer=pydoc.plaintext)
-    assert "max_displacement" in words and "Maximum displacement Δ₀" in words
+    assert "max_displacement" in words and "Peak displacement Δ₀" in words
     for kind in (ss.Response, ss.Steady, ss.MachineResponse, ss.MachineSteady):
         for name in kind._names:
             assert getattr(kind, name).__doc__, (kind, name)

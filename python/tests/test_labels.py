@@ -274,7 +274,7 @@ def test_results_become_frames_and_data_sets_with_units():
     assert found.to_frame()["energy_out"].equals(frame["energy_out"]) and found.to_frame().attrs["units"]["energy_out"] == "N·mm"
     assert pandas.DataFrame(ss.steady([0.4, 0.7], 6)).shape == (2, len(ss.STEADY_OUTPUTS) + 3)
     data = found.to_xarray()
-    assert data["max_displacement"].attrs == {"units": "mm", "long_name": "Maximum displacement Δ₀, as a length"}
+    assert data["max_displacement"].attrs == {"units": "mm", "long_name": "Peak displacement Δ₀, as a length"}
     assert data["max_displacement"].sel(index="worn") == found.max_displacement["worn"]
     grid = ss.response(xarray.DataArray([0.7, 1.5], dims="w", coords={"w": [0.7, 1.5]}), xarray.DataArray([2.0, 3.0, 4.0], dims="a"))
     assert grid.max_displacement.dims == ("w", "a") and grid.max_displacement.attrs["units"] == "B"

@@ -34,7 +34,7 @@ def test_an_isolator_under_a_base_that_carries_the_surface():
     assert stroke == pytest.approx(greatest, rel=2e-2)
     # Over the ground the body moves with the base less than with its spring alone; without a moving base there is no such answer.
     assert isolator().response(shaken).max_absolute_displacement < 0.15 * 9.80665 / (2 * HERTZ) ** 2 + stroke
-    # The other reading, that of the spring's foot, is another machine.
+    # The other reading, that of the spring's support, is another machine.
     foot = ss.Drive(foot_displacement=0.15 * 9.80665 / (2 * HERTZ) ** 2, angular_frequency=2 * HERTZ)
     assert isolator().response(foot).regime == "stuck"
     forced = isolator().response(ss.Drive(force=1200.0, angular_frequency=2 * HERTZ))
@@ -372,7 +372,7 @@ def test_a_body_without_friction_follows_records() -> None:
     record = ss.Record([1.0] * 2001, time_step=0.001, of="force")
     greatest = (1 + math.exp(-0.05 * math.pi / math.sqrt(1 - 0.05**2))) / 100
     assert machine.follow(record).max_displacement == pytest.approx(greatest, rel=1e-9)
-    with pytest.raises(ss.Error, match="friction bound r_y = 0 must be > 0"):
+    with pytest.raises(ss.Error, match="friction force r_y = 0 must be > 0"):
         machine.bands(frequency=(1.0, 2.0), force=1.0)
 
 

@@ -113,7 +113,7 @@ impl<'a> Slices<'a, { Output::ALL.len() }> {
         looped
     }
 
-    /// Whether an output that needs the maximum velocity is requested.
+    /// Whether an output that needs the peak velocity is requested.
     pub(super) fn has_velocity(&self) -> bool {
         let mut columns = self.numbers.iter().zip(Output::ALL);
         columns.any(|(slice, output)| slice.is_some() && output.needs_velocity())

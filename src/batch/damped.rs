@@ -151,7 +151,7 @@ impl AtPoint<8, 3> for Middles {
     }
 }
 
-/// The maximum velocity.
+/// The peak velocity.
 struct Arrival(Constants<f64>);
 
 impl Arrival {

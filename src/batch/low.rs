@@ -76,7 +76,7 @@ fn waves([omega, max_displacement, rest, inverse, sin_beta, cos_beta]: [f64; 6])
     LowWaves { omega, inverse, max_displacement, rest, beta: (sin_beta, cos_beta) }
 }
 
-/// A phase θ near the maximum velocity.
+/// A phase θ near the peak velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct LowStart(LowCircular<f64>);
 
@@ -95,7 +95,7 @@ impl AtPoint<8, 1> for LowStart {
     }
 }
 
-/// The maximum velocity.
+/// The peak velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct LowArrival(LowCircular<f64>);
 

@@ -1,4 +1,4 @@
-//! The maximum velocity and the contraction, for Ω ≥ 1/2.
+//! The peak velocity and the contraction, for Ω ≥ 1/2.
 
 use super::block::{AtPoint, select};
 use crate::cycle::phase_function::{Frequency, Offset, Quotient};
@@ -33,7 +33,7 @@ fn waves([omega, max_displacement, inverse, kappa, offset_slope]: [f64; 5]) -> W
     Waves { max_displacement, rest: 0.0, at: Frequency { omega, inverse, kappa, offset_slope } }
 }
 
-/// A phase ψ near the maximum velocity.
+/// A phase ψ near the peak velocity.
 pub(crate) struct Start;
 
 impl AtPoint<5, 1> for Start {
@@ -43,7 +43,7 @@ impl AtPoint<5, 1> for Start {
     }
 }
 
-/// The maximum velocity.
+/// The peak velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct Arrival(Circular<f64>);
 

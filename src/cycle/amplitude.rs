@@ -1,4 +1,4 @@
-//! The cycle by its amplitude: the force that belongs to a maximum displacement Δ₀.
+//! The cycle by its amplitude: the force that belongs to a peak displacement Δ₀.
 
 use super::border::border_force_ratio;
 use crate::float::Field;

@@ -1,4 +1,4 @@
-//! From a time near the maximum velocity to the maximum velocity: Taylor's formula, without further
+//! From a time near the peak velocity to the peak velocity: Taylor's formula, without further
 //! circular functions.
 //!
 //! `v″ + Ω²v = F sin ψ` makes every derivative one fused product. v′ to the seventh order: the root h by the
@@ -26,7 +26,7 @@ pub(crate) struct Moment<F> {
     pub(crate) slower: F,
 }
 
-/// The state at the maximum velocity.
+/// The state at the peak velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct Arrived<F> {
     /// ψ.

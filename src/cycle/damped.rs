@@ -64,7 +64,7 @@ impl<F: Float> DampedCycle<F> {
         Self::of(Rising::of_force(half, alpha))
     }
 
-    /// The cycle at ratios on or above the border, with NaN for the outputs of the maximum velocity.
+    /// The cycle at ratios on or above the border, with NaN for the outputs of the peak velocity.
     pub(crate) fn without_velocity(half: HalfPeriod<F>, alpha: F) -> Self {
         Self::of_displacement(Rising::of_force(half, alpha))
     }

@@ -1,6 +1,6 @@
 //! Den Hartog's estimate (1931) of the same cycle (eq. 50–56).
 //!
-//! He puts the origin of time at the maximum displacement and drives with `p₀ cos(ω_d t + φ)`, so that one
+//! He puts the origin of time at the peak displacement and drives with `p₀ cos(ω_d t + φ)`, so that one
 //! falling half cycle, 0 ≤ t ≤ π/ω_d, has only Δ₀ and φ to match: x(0) = Δ₀, x′(0) = 0, x(π/ω_d) = −Δ₀,
 //! x′(π/ω_d) = 0 (eq. 50–53).
 

@@ -1,4 +1,4 @@
-//! The deviation Δ₁/B from the condition at the maximum velocity, for Ω ≥ 1/2.
+//! The deviation Δ₁/B from the condition at the peak velocity, for Ω ≥ 1/2.
 //!
 //! There the acceleration is zero, so that `cos Ωψ` and `sin Ωψ` drop out of the displacement:
 //!

@@ -1,8 +1,8 @@
-//! Maximum displacement Δ₀ and its phase ω_d t₂ (eq. 40–44), and phases reduced to one period.
+//! Peak displacement Δ₀ and its phase ω_d t₂ (eq. 40–44), and phases reduced to one period.
 
 use crate::float::{Field, Float};
 
-/// Maximum displacement `Δ₀/B` of the non-sticking cycle (eq. 42, 44).
+/// Peak displacement `Δ₀/B` of the non-sticking cycle (eq. 42, 44).
 ///
 /// ```text
 /// Δ₀/B = √[(α/(1−Ω²))² − (T/Ω)²] = √(α² − K²) / |1 − Ω²|
@@ -34,7 +34,7 @@ pub(crate) fn squared_sine<R: Field>(phase_function: R, alpha: R) -> R {
     (alpha - phase_function) * (alpha + phase_function)
 }
 
-/// Maximum displacement Δ₀ from the paper's own quantities (eq. 42): `√[A² − (B T/Ω)²]`.
+/// Peak displacement Δ₀ from the paper's own quantities (eq. 42): `√[A² − (B T/Ω)²]`.
 ///
 /// `a` is A, `b` is B, `tangent` is T = sin π₁/(1 + cos π₁); any consistent unit of length. The
 /// difference of squares cancels near Ω = 1: [`max_displacement`] is the form to compute with.
@@ -44,21 +44,21 @@ pub fn max_displacement_from_amplitude<R: Field>(a: R, b: R, tangent: R, omega: 
     (a.square() - (b * tangent / omega).square()).sqrt()
 }
 
-/// Sine of the phase of the maximum displacement (eq. 40): `sin ω_d t₂ = Δ₀/A = (1 − Ω²)(Δ₀/B)/α`.
+/// Sine of the phase of the peak displacement (eq. 40): `sin ω_d t₂ = Δ₀/A = (1 − Ω²)(Δ₀/B)/α`.
 #[inline(always)]
 pub fn sin_displacement_phase<R: Field>(max_displacement: R, alpha: R, one_minus_square: R) -> R {
     // sin ω_d t₂ = (1 − Ω²)(Δ₀/B)/α
     one_minus_square * max_displacement / alpha
 }
 
-/// Cosine of the phase of the maximum displacement (eq. 41): `cos ω_d t₂ = B T/(A Ω) = K/α`.
+/// Cosine of the phase of the peak displacement (eq. 41): `cos ω_d t₂ = B T/(A Ω) = K/α`.
 #[inline(always)]
 pub fn cos_displacement_phase<R: Field>(phase_function: R, alpha: R) -> R {
     // cos ω_d t₂ = K/α
     phase_function / alpha
 }
 
-/// Phase `ω_d t₂` of the maximum displacement, in `[0, 2π)` (eq. 43, corrected).
+/// Phase `ω_d t₂` of the peak displacement, in `[0, 2π)` (eq. 43, corrected).
 ///
 /// The angle whose cosine is K/α and whose sine has the sign of 1 − Ω: in (0, π) below the natural
 /// frequency, in (π, 2π) above. The paper takes it in (π/2, 3π/2) always, which holds only where K < 0;
@@ -96,7 +96,7 @@ pub(crate) fn reduce<F: Float>(phase: F) -> F {
     if reduced >= period { zero } else { reduced }
 }
 
-/// Phase ω_d t₁ of the maximum velocity, in `[0, 2π)`, from that of the maximum displacement and the centred
+/// Phase ω_d t₁ of the peak velocity, in `[0, 2π)`, from that of the peak displacement and the centred
 /// time ψ = ω_n(t₂ − t₁) − β.
 ///
 /// `ω_d t₁ = ω_d t₂ − π/2 − Ωψ`

@@ -54,7 +54,7 @@ pub(crate) fn free_swing<R: Field>(
 }
 
 impl<F: Float> HalfCycle<F> {
-    /// The half cycle at the frequency ratio of `p` with maximum displacement Δ₀/B.
+    /// The half cycle at the frequency ratio of `p` with peak displacement Δ₀/B.
     #[inline]
     pub(crate) fn new(p: &PhaseFunction<F>, max_displacement: F) -> Self {
         let (sin_beta, cos_beta) = p.sin_cos();
@@ -132,7 +132,7 @@ impl<F: Float> HalfCycle<F> {
         self.omega
     }
 
-    /// Maximum displacement Δ₀/B.
+    /// Peak displacement Δ₀/B.
     #[inline]
     pub(crate) fn max_displacement(&self) -> F {
         self.max_displacement

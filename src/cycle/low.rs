@@ -1,4 +1,4 @@
-//! The maximum velocity below Ω = 1/2, without branches: a start by algebra and one step, the circular
+//! The peak velocity below Ω = 1/2, without branches: a start by algebra and one step, the circular
 //! functions once, and Taylor's formula from there.
 //!
 //! On its bracket (`cycle::velocity`) the root solves `sin(e − d) = (ρ/Ω) sin Ωd`, ρ = Ω³α |cos β|/(1 −
@@ -68,7 +68,7 @@ impl<F: Float> LowWaves<F> {
         Bracket { crest, side: sign_of(away), width: half_pi * away.abs() }
     }
 
-    /// θ, the distance from the crest of the faster wave, near that of the maximum velocity.
+    /// θ, the distance from the crest of the faster wave, near that of the peak velocity.
     #[inline(always)]
     pub(crate) fn start(&self, given: &LowCircular<F>, alpha: F, displacement_phase: F) -> F {
         let (one, half) = (F::int(1), F::ratio(1, 2));
@@ -87,7 +87,7 @@ impl<F: Float> LowWaves<F> {
         theta + numerator / f1.mul_add(f1.mul_add(f1, -(f0 * f2)), f3 * f0 * f0 * F::ratio(1, 6))
     }
 
-    /// The maximum velocity, from a θ near it, with its ψ; and V₀/(Bω_d), whose largest term is Δ₀/B times a
+    /// The peak velocity, from a θ near it, with its ψ; and V₀/(Bω_d), whose largest term is Δ₀/B times a
     /// cosine, without the roundings of Ω.
     #[inline(always)]
     pub(crate) fn arrive(&self, given: &LowCircular<F>, displacement_phase: F, theta: F) -> (Arrived<F>, F) {

@@ -36,15 +36,15 @@ pub struct Given<R> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Unknowns<R> {
-    /// Phase `ω_d t₁` of the maximum velocity.
+    /// Phase `ω_d t₁` of the peak velocity.
     pub velocity_phase: R,
-    /// Phase `ω_d t₂` of the maximum displacement.
+    /// Phase `ω_d t₂` of the peak displacement.
     pub displacement_phase: R,
-    /// Maximum velocity as a length, `V₀/ω_n`.
+    /// Peak velocity as a length, `V₀/ω_n`.
     pub max_velocity: R,
-    /// Maximum displacement Δ₀.
+    /// Peak displacement Δ₀.
     pub max_displacement: R,
-    /// Displacement Δ₁ at the maximum velocity.
+    /// Displacement Δ₁ at the peak velocity.
     pub deviation: R,
 }
 

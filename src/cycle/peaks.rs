@@ -57,7 +57,7 @@ impl<F: Float> Cycle<F> {
         support.force(self.carried(&support))
     }
 
-    /// The transmissibility: [`Cycle::transmitted_force`] over p₀. Where the foot moves, the maximum acceleration of the
+    /// The transmissibility: [`Cycle::transmitted_force`] over p₀. Where the foot moves, the peak acceleration of the
     /// body over that of the foot.
     pub fn transmissibility(&self) -> F {
         let support = Support::from(&self.ratios);

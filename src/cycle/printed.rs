@@ -16,7 +16,7 @@ pub fn displacement_phase<R: Real>(ratio: R) -> R {
     R::pi() / R::int(2) + arc_cosine
 }
 
-/// Maximum velocity `V₀/(Bω_d)` by eq. 49 as printed, both roots positive.
+/// Peak velocity `V₀/(Bω_d)` by eq. 49 as printed, both roots positive.
 ///
 /// ```text
 /// √[α² − (1 + Δ₁/B)²]/|1−Ω²| + √[2/(Ω²(1 + cos π₁)) − (1/Ω − 1/(Ω(1−Ω²)) − ΩΔ₁/(B(1−Ω²)))²]

@@ -13,7 +13,7 @@ use crate::cycle::phase_function::{PhaseFunction, excess_close_to_one, is_close_
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
-/// The reversal at the maximum displacement: K, 1 − Ω² and Δ₀/B to more digits than the type has.
+/// The reversal at the peak displacement: K, 1 − Ω² and Δ₀/B to more digits than the type has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reversal<F> {
     alpha: F,
@@ -74,13 +74,13 @@ impl<F: Float> Reversal<F> {
         Self { displacement: Pair::exact(F::int(1)) / omega.wide().square(), ..self }
     }
 
-    /// Maximum displacement Δ₀/B (eq. 44). Accuracy at f64: 2 ulp.
+    /// Peak displacement Δ₀/B (eq. 44). Accuracy at f64: 2 ulp.
     #[inline(always)]
     pub fn max_displacement(&self) -> F {
         self.displacement.value()
     }
 
-    /// Maximum displacement Δ₀/B rounded, and its rounding remainder.
+    /// Peak displacement Δ₀/B rounded, and its rounding remainder.
     #[inline(always)]
     pub(crate) fn max_displacement_pair(&self) -> Pair<F> {
         self.displacement.normalised()
@@ -127,7 +127,7 @@ impl<F: Float> Reversal<F> {
         }
     }
 
-    /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity.
+    /// Δ₁/B of eq. 47 at the centred time ψ of the peak velocity.
     ///
     /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, and in
     /// pairs, because above Ω = 1 the terms are larger than V₀.

@@ -49,7 +49,7 @@
 //!
 //! # The edges
 //!
-//! The body slides on at a reversal where the force left over is above the friction bound,
+//! The body slides on at a reversal where the force left over is above the friction force,
 //! `σ_j (α sin θ − x) < −1`. At the edges the second or the third reversal becomes a stop. At the pole, where
 //! the third does, with C = cos(Ωπ/3):
 //!

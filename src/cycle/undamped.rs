@@ -1,6 +1,6 @@
 //! The cycle without damping, with some quantities computed immediately and others on demand.
 //!
-//! The maximum velocity requires neither the deviation Δ₁ nor the circular functions of the half cycle, and
+//! The peak velocity requires neither the deviation Δ₁ nor the circular functions of the half cycle, and
 //! nothing else requires the contraction: each is computed on demand.
 
 use super::half_cycle::HalfCycle;
@@ -17,9 +17,9 @@ pub(crate) struct Undamped<F> {
     pub(super) reversal: Reversal<F>,
     /// Δ₀/B rounded, and its rounding remainder.
     pub(super) displacement: Pair<F>,
-    /// The centred time ψ of the maximum velocity.
+    /// The centred time ψ of the peak velocity.
     pub(super) psi: F,
-    /// Δ₁/B, if the search for the maximum velocity computed it.
+    /// Δ₁/B, if the search for the peak velocity computed it.
     pub(super) deviation: Option<F>,
     /// The results of the wide arithmetic.
     pub(super) rounded: Option<Rounded<F>>,
@@ -94,7 +94,7 @@ impl<F: Float> Undamped<F> {
     }
 }
 
-/// The half cycle at the frequency ratio of `p` with the maximum displacement Δ₀/B, rounded, and its
+/// The half cycle at the frequency ratio of `p` with the peak displacement Δ₀/B, rounded, and its
 /// remainder.
 pub(super) fn half_cycle<F: Float>(p: &PhaseFunction<F>, displacement: Pair<F>) -> HalfCycle<F> {
     HalfCycle::new(p, displacement.hi).with_rest(displacement.lo)

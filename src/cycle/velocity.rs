@@ -1,4 +1,4 @@
-//! Maximum velocity V₀, its phase ω_d t₁ and the deviation Δ₁ (eq. 25, 37, 45–49).
+//! Peak velocity V₀, its phase ω_d t₁ and the deviation Δ₁ (eq. 25, 37, 45–49).
 //!
 //! # Which root of eq. 46, and why it is the maximum
 //!
@@ -46,7 +46,7 @@ use crate::float::{Field, Real};
 use crate::float::{Float, fused};
 use iteration::{fastest_and_displacement, from_centre_or_afar};
 
-/// Deviation `Δ₁/B` of the body from rest at its maximum velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
+/// Deviation `Δ₁/B` of the body from rest at its peak velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
 ///
 /// The deviation increases with α at a given friction (0.3728, 0.4665, 0.6597 at Ω = 0.7 for α = 1.6, 2, 10);
 /// at a given force p₀ the length Δ₁ decreases with α. The paper's remarks on Figure 6 and in its conclusion
@@ -57,7 +57,7 @@ pub fn deviation<R: Field>(alpha: R, sin_velocity_phase: R) -> R {
     alpha * sin_velocity_phase - R::int(1)
 }
 
-/// Left side of eq. 46, divided by B: zero at the phase of the maximum velocity.
+/// Left side of eq. 46, divided by B: zero at the phase of the peak velocity.
 ///
 /// `(1 + cos π₁) cos θ + sin π₁ sin θ + (A/B) Ω² (1 + cos π₁) sin ω_d t₁` with θ = ω_n(t₂ − t₁).
 /// `amplitude` is A/B = α/(1 − Ω²).
@@ -75,7 +75,7 @@ pub fn velocity_phase_residual<R: Real>(
     one_plus * cos_lag + sin_pi_1 * sin_lag + amplitude * omega.square() * one_plus * sin_velocity_phase
 }
 
-/// Maximum velocity `V₀/(Bω_d)` from its phase (eq. 37, 48, 49, corrected).
+/// Peak velocity `V₀/(Bω_d)` from its phase (eq. 37, 48, 49, corrected).
 ///
 /// ```text
 /// V₀/(Bω_d) = (A/B) cos ω_d t₁ + (ρ/B)/Ω,   ρ/B = sgn(1−Ω) √[2/(1 + cos π₁) − (1 + Δ₁/B − (A/B) sin ω_d t₁)²]
@@ -103,7 +103,7 @@ pub fn max_velocity_from_phase<R: Field>(
     amplitude * cosine + rho / omega
 }
 
-/// The point of maximum velocity of a half cycle.
+/// The point of peak velocity of a half cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fastest<F> {
     /// Its centred time ψ.
@@ -112,7 +112,7 @@ pub(crate) struct Fastest<F> {
     pub(crate) velocity: F,
 }
 
-/// The maximum velocity of the half cycle at (Ω, α); `k` is K(Ω).
+/// The peak velocity of the half cycle at (Ω, α); `k` is K(Ω).
 ///
 /// From Ω = 1/2 on by one step of Taylor's formula ([`super::waves`]), as batches do it. Elsewhere
 /// third-order Householder steps, each of which quadruples the good digits, from the centre ([`centre`]);
@@ -163,7 +163,7 @@ pub(crate) fn fastest_of_cycle<F: Float>(p: &PhaseFunction<F>, given: &Given<F>)
     (found, Some(deviation))
 }
 
-/// The maximum velocity and Δ₁/B where no loop of a batch has them.
+/// The peak velocity and Δ₁/B where no loop of a batch has them.
 #[cold]
 #[inline(never)]
 fn fastest_afar<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> (Fastest<F>, F) {
@@ -180,7 +180,7 @@ fn fastest_afar<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> (Fastest<F>, 
     (found, super::deviation::of_fastest(omega, (Pair::exact(sin_beta), cos_beta), k, at))
 }
 
-/// The maximum velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near
+/// The peak velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near
 /// enough.
 #[inline(always)]
 fn by_waves<F: Float>(omega: F, displacement: Pair<F>, k: Pair<F>) -> Option<Fastest<F>> {
@@ -193,7 +193,7 @@ fn by_waves<F: Float>(omega: F, displacement: Pair<F>, k: Pair<F>) -> Option<Fas
     found.is_found.then_some(Fastest { psi: found.psi, velocity })
 }
 
-/// The maximum velocity below Ω = 1/2 without circular functions of the type's own, where the start is near
+/// The peak velocity below Ω = 1/2 without circular functions of the type's own, where the start is near
 /// enough; and Δ₁/B there.
 ///
 /// Not inlined, so that the path above 1/2 keeps everything in registers.

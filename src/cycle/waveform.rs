@@ -34,7 +34,7 @@ impl<F: Float> Motion<F> {
         }
     }
 
-    /// Displacement x/B and velocity x′/(Bω_d) at the phase since the maximum displacement.
+    /// Displacement x/B and velocity x′/(Bω_d) at the phase since the peak displacement.
     pub(super) fn at(&self, omega: F, since_maximum: F) -> (F, F) {
         let after_maximum = reduce(since_maximum);
         let rising = after_maximum >= F::pi();

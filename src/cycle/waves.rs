@@ -1,4 +1,4 @@
-//! The maximum velocity of a half cycle, for Ω ≥ 1/2, without branches: a start by algebra, the circular
+//! The peak velocity of a half cycle, for Ω ≥ 1/2, without branches: a start by algebra, the circular
 //! functions once, and Taylor's formula from there.
 //!
 //! With the centred time ψ ([`super::half_cycle`]), `m = (1−Ω)ψ/2`, `p = ψ − m`, `e = κψ sin m/m`, `u` and
@@ -39,7 +39,7 @@ impl<F: Float> Circular<F> {
 }
 
 impl<F: Float> Circular<F> {
-    /// Δ₁/B at the ψ of the maximum velocity, from (sin β, cos β) and K.
+    /// Δ₁/B at the ψ of the peak velocity, from (sin β, cos β) and K.
     #[inline(always)]
     pub(crate) fn deviation(&self, omega: F, beta: (F, F), phase_function: Pair<F>, psi: F) -> F {
         // sin β = cos w, w = (π/2)(1 − Ω)/Ω, where |w| ≤ π/4: its error counts most there.
@@ -61,7 +61,7 @@ pub(crate) struct Waves<F> {
 }
 
 impl<F: Float> Waves<F> {
-    /// A ψ near that of the maximum velocity.
+    /// A ψ near that of the peak velocity.
     #[inline(always)]
     pub(crate) fn start(&self) -> F {
         let Frequency { omega, inverse, kappa, .. } = self.at;
@@ -85,7 +85,7 @@ impl<F: Float> Waves<F> {
         tangent * z.mul_add(tail, one) * inverse
     }
 
-    /// The maximum velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B, without the
+    /// The peak velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B, without the
     /// roundings of Ω and of cos Ωψ.
     #[inline(always)]
     pub(crate) fn arrive(&self, circular: &Circular<F>, psi: F) -> (Arrived<F>, F) {

@@ -118,7 +118,7 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
 ///
 /// Only the amplitude of the drive matters, not its frequency. Where the force is the same at every frequency, p₀ or
 /// `k u_g0`, accuracy and proofs are those of [`bands`]. The force of a rotating unbalance, of a moving base given by
-/// its displacement or velocity, or of a damper on a moving foot changes with the frequency: these bands are searched
+/// its displacement or velocity, or of a damper on a moving support changes with the frequency: these bands are searched
 /// on a mesh, as with a damper ([`Bands::is_searched`]).
 ///
 /// # Errors

@@ -52,9 +52,9 @@ fn optimum_at<F: Float>(ratios: &Ratios<F>) -> Result<Optimum<F>, Error> {
     })
 }
 
-/// The friction bound with which `drive` dissipates most in a cycle without sticking.
+/// The friction force with which `drive` dissipates most in a cycle without sticking.
 ///
-/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part.
+/// Mass, stiffness and damping are those of `body`; its own friction force plays no part.
 /// [`most_dissipating_force_ratio`] in physical units: r_y = p₀/α. With a damper only the energy dissipated
 /// by friction counts, not the work of the damper ([`crate::Cycle::damper_work`]).
 ///

@@ -6,9 +6,9 @@ use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::positive;
 
-/// The maximum friction bound r_y with which the cycle without a stop exists under `drive`: `r_y = p₀/α_min(Ω)`.
+/// The maximum friction force r_y with which the cycle without a stop exists under `drive`: `r_y = p₀/α_min(Ω)`.
 ///
-/// Unit of force. Mass, stiffness and the static friction ratio η are those of `body`; its own friction bound
+/// Unit of force. Mass, stiffness and the static friction ratio η are those of `body`; its own friction force
 /// plays no part. With η = 1 the body never sticks with this bound or a smaller one, and sticks with a greater
 /// one, because Ω does not depend on friction. With η > 1 the cycle attracts its neighbourhood, and a body at rest
 /// is released with a bound below p₀/η. Accuracy as for [`super::min_amplitude`].

@@ -61,10 +61,10 @@ named! {
     pub enum AmplitudeKind [
         /// Its name in the command and in Python.
     ] {
-        /// The maximum displacement, half of peak to peak.
+        /// The peak displacement, half of peak to peak.
         #[default]
         Peak = "peak",
-        /// From the minimum to the maximum displacement.
+        /// From the minimum to the peak displacement.
         PeakToPeak = "peak-to-peak",
         /// The root mean square of the displacement over a cycle.
         #[cfg_attr(feature = "serde", serde(rename = "rms"))]
@@ -79,7 +79,7 @@ named! {
     pub enum PhaseKind [
         /// Its name in the command and in Python.
     ] {
-        /// ω_d t₂, at which the body arrives at its maximum displacement: about π/2 far below
+        /// ω_d t₂, at which the body arrives at its peak displacement: about π/2 far below
         /// resonance.
         Peak = "peak",
         /// The lag of the fundamental of the displacement behind the force: between 0 and π.
@@ -142,7 +142,7 @@ pub struct BetterReading {
 #[non_exhaustive]
 #[must_use]
 pub struct Identified {
-    /// The friction bound r_y, between 0 and p₀.
+    /// The friction force r_y, between 0 and p₀.
     pub friction_bound: Estimate,
     /// The damping ratio ζ ≥ 0; `c = 2ζ√(k m)`.
     pub damping_ratio: Estimate,
@@ -161,7 +161,7 @@ pub struct Identified {
     pub better: Option<BetterReading>,
 }
 
-/// The friction bound and the damping ratio that fit a response curve of `body` under a force of amplitude
+/// The friction force and the damping ratio that fit a response curve of `body` under a force of amplitude
 /// p₀, by [`identify_as`] with the default [`Reading`]: amplitudes are maximum displacements.
 ///
 /// # Errors
@@ -170,10 +170,10 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
     identify_as(body, force, curve, Reading::default())
 }
 
-/// The friction bound and the damping ratio that fit a response curve of `body` under a force of amplitude
+/// The friction force and the damping ratio that fit a response curve of `body` under a force of amplitude
 /// p₀, whose values are read in a given way.
 ///
-/// Mass and stiffness are those of `body`; its own friction bound and damping play no part. Errors of the
+/// Mass and stiffness are those of `body`; its own friction force and damping play no part. Errors of the
 /// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation unless
 /// the residuals of the two differ by more than chance.
 ///

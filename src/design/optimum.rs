@@ -22,7 +22,7 @@ pub enum OptimumKind {
 #[must_use]
 #[non_exhaustive]
 pub struct Optimum<F> {
-    /// The argument: a force ratio, frequency ratio, friction bound or stiffness, depending on the function.
+    /// The argument: a force ratio, frequency ratio, friction force or stiffness, depending on the function.
     pub at: F,
     /// The largest value: the loop size A₁ or A₂ for a ratio, the energy of a cycle in physical units.
     pub value: F,

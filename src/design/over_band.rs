@@ -83,7 +83,7 @@ named! {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct BandFriction<F> {
-    /// The friction bound r_y, the least of those whose greatest amplitude is within 10⁻¹⁰ of the least.
+    /// The friction force r_y, the least of those whose greatest amplitude is within 10⁻¹⁰ of the least.
     pub friction: F,
     /// The greatest amplitude over the band.
     pub greatest: F,

@@ -236,10 +236,10 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     Ok(BoundedOptimum { at, value, kind, bound, non_sticking, motions: sticking.motions })
 }
 
-/// The friction bound with which `drive` dissipates most in a cycle, with sticking allowed:
+/// The friction force with which `drive` dissipates most in a cycle, with sticking allowed:
 /// [`most_dissipating_force_ratio_of_all`] in physical units.
 ///
-/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper, only
+/// Mass, stiffness and damping are those of `body`; its own friction force plays no part. With a damper, only
 /// the energy dissipated by friction counts.
 ///
 /// # Errors

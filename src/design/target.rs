@@ -10,7 +10,7 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::{Ratios, positive};
 
-/// The force ratio whose non-sticking cycle has the maximum displacement Δ₀/B: eq. 44 solved for α.
+/// The force ratio whose non-sticking cycle has the peak displacement Δ₀/B: eq. 44 solved for α.
 ///
 /// `α = hypot(K, (1 − Ω²) Δ₀/B)`, and with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`. These closed
 /// forms are the only solutions, because Δ₀ increases with α. Accuracy at f64 for ζ = 0: 8 ulp.
@@ -27,7 +27,7 @@ pub fn force_ratio_for_displacement<F: Float>(
     displacement_target(&ratios, max_displacement, F::int(1), quantity)
 }
 
-/// The force amplitude p₀ with which `body` at ω_d has the maximum displacement Δ₀ (unit of length).
+/// The force amplitude p₀ with which `body` at ω_d has the peak displacement Δ₀ (unit of length).
 ///
 /// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k.
 ///
@@ -44,7 +44,7 @@ pub fn force_for_displacement<F: Float>(
     positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
 }
 
-/// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
+/// The force ratio whose non-sticking cycle has the peak velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
 ///
 /// For ζ = 0, V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0
 /// (`src/cycle/velocity.rs`), so that it increases with Δ₀ and is convex in it. Moreover, `V₀/(Bω_d) ≥ Δ₀/B`,
@@ -68,7 +68,7 @@ pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_veloci
     velocity_target(&ratios, max_velocity, F::int(1), quantity)
 }
 
-/// The force amplitude p₀ with which `body` at ω_d has the maximum velocity V₀ (unit of velocity).
+/// The force amplitude p₀ with which `body` at ω_d has the peak velocity V₀ (unit of velocity).
 ///
 /// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
 ///
@@ -197,7 +197,7 @@ mod tests {
     fn a_target_that_would_stick() {
         // S(0.4) (1 − Ω²) is √(α_min² − K²).
         let error = force_ratio_for_displacement(0.7, 0.0, 2.0).unwrap_err();
-        assert!(error.to_string().starts_with("maximum displacement Δ₀/B = 2 must be ≥ 2.04"), "{error}");
+        assert!(error.to_string().starts_with("peak displacement Δ₀/B = 2 must be ≥ 2.04"), "{error}");
         assert!(matches!(force_ratio_for_velocity(0.7, 0.0, 2.0), Err(Error::TargetSticks { .. })));
         assert!(matches!(force_ratio_for_velocity(1.0, 0.0, 9.0), Err(Error::AtResonance { .. })));
         assert!(force_ratio_for_displacement(0.7, 0.0, f64::NAN).is_err());
@@ -230,8 +230,8 @@ mod tests {
         let force = force_for_velocity(&body, 1.4, cycle.max_velocity * 0.375 * 1.4).unwrap();
         assert!((force - 6.0).abs() < 1e-14);
         let error = force_for_displacement(&body, 1.4, 0.5).unwrap_err().to_string();
-        assert!(error.starts_with("maximum displacement Δ₀ = 0.5 must be ≥ 0.76"), "{error}");
+        assert!(error.starts_with("peak displacement Δ₀ = 0.5 must be ≥ 0.76"), "{error}");
         let error = force_for_velocity(&body, 1.4, 0.5).unwrap_err().to_string();
-        assert!(error.starts_with("maximum velocity V₀ = 0.5 must be ≥ 1.2777"), "{error}");
+        assert!(error.starts_with("peak velocity V₀ = 0.5 must be ≥ 1.2777"), "{error}");
     }
 }

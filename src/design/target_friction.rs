@@ -34,7 +34,7 @@ const PLACES: i32 = 160;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TargetFriction<F> {
-    /// The friction bound r_y, unit of force.
+    /// The friction force r_y, unit of force.
     pub friction: F,
     /// The regime of the motion.
     pub regime: Regime,
@@ -42,10 +42,10 @@ pub struct TargetFriction<F> {
     pub max_displacement: F,
 }
 
-/// The friction bounds with which the steady motion of `body` under `drive` has the greatest displacement `target`, in
+/// The friction forces with which the steady motion of `body` under `drive` has the greatest displacement `target`, in
 /// increasing order; none where no friction gives it.
 ///
-/// Mass, spring, damper and the ratio of static friction are those of `body`; its own friction bound plays no part. A
+/// Mass, spring, damper and the ratio of static friction are those of `body`; its own friction force plays no part. A
 /// displacement is measured from the mean displacement, and over a moving surface in relation to it. Friction without a
 /// stop is a closed form, and the only one; with stops the answers are those of a search by the exact motion from rest
 /// (`src/design/target_friction.rs`). Relative accuracy at f64 without stops: some 10⁻¹⁵ times the condition

@@ -147,7 +147,7 @@ fn best_of_band<F: Float>(
 /// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle without
 /// sticking.
 ///
-/// Mass, friction bound and damping constant c are those of `body`; its own stiffness plays no part.
+/// Mass, friction force and damping constant c are those of `body`; its own stiffness plays no part.
 /// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper the stiffness
 /// maximises the energy dissipated by friction. It is proved to be the best of each band of stiffness in
 /// which the body slides, but the bands themselves are searched, not proved ([`super::bands()`]).

@@ -1,6 +1,6 @@
 //! The cycle of two reversals in balls, above the border: the formulae of `crate::cycle::damped` for every ζ.
 //!
-//! With a damper the maximum velocity, acceleration and force of the half cycle are found by branch and bound
+//! With a damper the peak velocity, acceleration and force of the half cycle are found by branch and bound
 //! (`greatest`). Without one it is known where they are, and their balls over intervals of Ω and α have down to a
 //! tenth of the width.
 
@@ -30,7 +30,7 @@ use core::cmp::Ordering;
 pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
 
 /// The outputs of the cycle under an excitation, for α certainly above the border, and without a damper Ω certainly not 1. Outputs that
-/// take a search are computed only if requested. `None` where the maximum velocity is not found.
+/// take a search are computed only if requested. `None` where the peak velocity is not found.
 pub(crate) fn outputs<const W: usize>(
     angle: &Angle<W>,
     half: HalfPeriod<Ball<W>>,
@@ -271,8 +271,8 @@ fn bend<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> Ball<
     forcing * psi.sin() - omega.square() * velocity(angle, delta, psi).0
 }
 
-/// The centred time of the maximum velocity: the only zero of v′ in a ball. The ball lies where
-/// `crate::cycle::velocity` proves that v′ has one zero, and that the zero is the maximum velocity.
+/// The centred time of the peak velocity: the only zero of v′ in a ball. The ball lies where
+/// `crate::cycle::velocity` proves that v′ has one zero, and that the zero is the peak velocity.
 fn fastest_psi<const W: usize>(angle: &Angle<W>, alpha: Ball<W>, delta: Ball<W>) -> Option<Ball<W>> {
     let p = PhaseFunction::of_valid(angle.omega.mid());
     let start = fastest(&HalfCycle::new(&p, delta.mid()), p.value(), alpha.mid()).psi;

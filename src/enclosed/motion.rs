@@ -13,7 +13,7 @@
 //!
 //! **The map is that of the motion.** This is proved over all of X as well (`certificate`). The velocity
 //! keeps its sign throughout each slide, and its zero is the only one there. The force stays below the
-//! friction bound throughout each stop and passes it at the release, and it exceeds the bound at each
+//! friction force throughout each stop and passes it at the release, and it exceeds the bound at each
 //! reversal. A grazing zero or a stop of zero length cannot be proved in balls: then there is no claim, and
 //! [`Unproved`] names the event.
 //!

@@ -22,7 +22,7 @@ use num_dual::DualSVec64;
 ///   the side taken: `|x|` at 0 is differentiated as x, `√x` at 0 has an infinite derivative or none (NaN).
 /// * **Roots found by iteration** get the derivatives of the implicit function, [`Float::implicit_root`], and
 ///   a maximum those of the function at the fixed point (the envelope theorem): the phase of the border and
-///   its minimum displacement (`cycle::border`), the phase of the maximum velocity
+///   its minimum displacement (`cycle::border`), the phase of the peak velocity
 ///   (`cycle::velocity`).
 /// * **K(Ω)** is differentiated by its own closed form, which keeps its digits through Ω = 1 and far above
 ///   it.

@@ -73,7 +73,7 @@ pub(crate) fn damping_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
     }
 }
 
-/// A maximum displacement or velocity: that of the border at this Ω, a larger one, or one of any magnitude.
+/// A peak displacement or velocity: that of the border at this Ω, a larger one, or one of any magnitude.
 pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let kind = u.int_in_range(0..=4)?;
     let Ok(border) = Border::new(omega) else { return magnitude(u) };
@@ -81,7 +81,7 @@ pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
         0 => return magnitude(u),
         1 => return ordinary(u, -2.0, 12.0).map(f64::exp2),
         2 => border.least_displacement,
-        // NaN at Ω = 1, where no steady motion has a maximum velocity.
+        // NaN at Ω = 1, where no steady motion has a peak velocity.
         3 => Ratios::new(omega, border.min_force_ratio)
             .ok()
             .and_then(Cycle::find)

@@ -17,7 +17,7 @@ pub(super) fn state(u: &mut Unstructured<'_>, point: Point) -> Result<(f64, f64,
         0 => return Ok((theta, any_bits(u)?, any_bits(u)?)),
         1 => return Ok((theta, magnitude(u)?, magnitude(u)?)),
         2 | 3 => return Ok((theta, ordinary(u, -30.0, 30.0)?, ordinary(u, -30.0, 30.0)?)),
-        // At the friction bound, and at the edge of the places of rest.
+        // At the friction force, and at the edge of the places of rest.
         4 => (alpha * theta.sin() - sign, 0.0),
         5 => (sign * (1.0 - alpha), 0.0),
         // At the friction bound with a tiny speed.

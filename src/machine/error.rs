@@ -248,7 +248,7 @@ pub enum Error {
     },
     /// A drive whose force changes with the frequency, in a question over a range of frequencies.
     #[error(
-        "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the \
+        "drive = {drive} must be a force or a motion of the spring's support: its force changes with the \
          frequency"
     )]
     ForceOfFrequency {
@@ -323,7 +323,7 @@ pub enum Error {
     },
     /// A record of a base motion from which the force does not follow as straight lines.
     #[error(
-        "record = {excitation} must be a force, a base acceleration or a displacement of the spring's foot"
+        "record = {excitation} must be a force, a base acceleration or a displacement of the spring's support"
     )]
     RecordOf {
         /// The excitation.

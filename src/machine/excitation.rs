@@ -25,7 +25,7 @@ named! {
         Unbalance = "rotating unbalance on the body",
         /// A motion `u₀ sin ω_d t` of the foot of the spring over a fixed surface: `p₀ = k u₀`. This is the
         /// paper's base motion (`docs/errata.md`, 7).
-        FootMotion = "motion of the spring's foot over a fixed surface",
+        FootMotion = "motion of the spring's support over a fixed surface",
         /// A motion `u₀ sin ω_d t` of the foot of the spring, on which the damper stands as well: `p₀ = √(k² +
         /// c²ω_d²) u₀`, ahead of the motion by [`Drive::phase_lead`](crate::Drive::phase_lead).
         DampedFootMotion = "motion of the foot of spring and damper over a fixed surface",

@@ -267,7 +267,7 @@ impl<F: Float + FromStr> Given<F> {
         })
     }
 
-    /// The friction bound, given directly or as µ m g; `None` where neither is given.
+    /// The friction force, given directly or as µ m g; `None` where neither is given.
     ///
     /// # Errors
     /// Where both are given, µ < 0, g is not > 0, or g is given without µ.

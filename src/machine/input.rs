@@ -187,14 +187,14 @@ inputs! {
     /// Radius of a friction pendulum, such as 2m, in place of the stiffness: k = m g/R, for displacements far below R
     PendulumRadius "--pendulum-radius" "R": Length, Spring, PendulumRadius
         [Stiffness FrequencyRatio FrictionDisplacement];
-    /// Friction bound r_y, such as 5kN
+    /// Friction force r_y, such as 5kN
     Friction "--friction" "RY": Force, Friction, FrictionBound [ForwardFriction ForceRatio FrictionDisplacement];
     /// Coefficient of friction µ of a body that rests on its surface, in place of the bound: r_y = µ m g
     FrictionCoefficient "--friction-coefficient" "µ": Ratio, Friction, FrictionCoefficient
         [FrictionBound ForwardFriction ForceRatio FrictionDisplacement] {letter: Some("mu")};
     /// Gravity g for the coefficient of friction, the weight and the pendulum [default: 9.80665 m/s²]
     Gravity "--gravity" "G": Acceleration, Body, Gravity [FrictionBound ForwardFriction Stiffness];
-    /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion (r_y and
+    /// Friction force of backward motion, such as 4kN, where it differs from that of forward motion (r_y and
     /// r_s are the means of both directions, and at rest the bounds are η r_y ± (r₊ − r₋)/2)
     FrictionBackward "--friction-backward" "R": Force, Body, BackwardFriction [];
     /// Acceleration of the surface at which a block yields, such as 0.1g, in place of the friction: r_y = m a_y
@@ -245,15 +245,15 @@ inputs! {
     BaseDisplacement "--base-displacement" "U0": Length, Drive, BaseAmplitude
         [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
         {excitation: Some(Excitation::SurfaceMotion), symbol: "base amplitude"};
-    /// Displacement amplitude of the spring's support (its foot) over a fixed surface, such as 9mm: p₀ = k u₀
+    /// Displacement amplitude of the spring's support over a fixed surface, such as 9mm: p₀ = k u₀
     FootDisplacement "--foot-displacement" "U0": Length, Drive, BaseAmplitude
         [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
-        {excitation: Some(Excitation::FootMotion), symbol: "amplitude of the foot", former: Some("base-motion")};
+        {excitation: Some(Excitation::FootMotion), symbol: "amplitude of the support", former: Some("base-motion")};
     /// The same with the damper on the moving support, too: p₀ = √(k² + c²ω_d²) u₀
     DampedFootDisplacement "--damped-foot-displacement" "U0": Length, Drive, BaseAmplitude
         [ForceAmplitude ForceRatio StaticEnergy PseudoStaticEnergy]
-        {excitation: Some(Excitation::DampedFootMotion), symbol: "amplitude of the foot"};
-    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
+        {excitation: Some(Excitation::DampedFootMotion), symbol: "amplitude of the support"};
+    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine. It counts from the mean displacement, and with --shape from the relaxed spring [default: 0]
     X0 "--x0" "X": Length, Start, Displacement [] {ratio_units: &["B"]};
     /// Velocity at the start: in units of B ω_d, or of length per time [default: 0]
     V0 "--v0" "V": Velocity, Start, Velocity [] {ratio_units: &["B ω_d", "B wd"]};

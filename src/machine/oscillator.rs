@@ -41,7 +41,7 @@ pub struct Oscillator<F> {
     damping: F,
     friction_offset: F,
     static_friction_ratio: F,
-    /// r_s where it was given as a force, which stays as it is if the friction bound changes.
+    /// r_s where it was given as a force, which stays as it is if the friction force changes.
     static_friction: Option<F>,
 }
 
@@ -79,7 +79,7 @@ impl<F: Float> core::fmt::Display for Oscillator<F> {
 }
 
 impl<F: Float> Oscillator<F> {
-    /// An oscillator from mass m, stiffness k and friction bound r_y, without a damper.
+    /// An oscillator from mass m, stiffness k and friction force r_y, without a damper.
     ///
     /// # Errors
     /// Where m, k or r_y is not finite or not > 0.
@@ -95,7 +95,7 @@ impl<F: Float> Oscillator<F> {
         })
     }
 
-    /// The oscillator of given mass m and friction bound r_y whose frequency ratio is Ω when driven at
+    /// The oscillator of given mass m and friction force r_y whose frequency ratio is Ω when driven at
     /// ω_d: `ω_n = ω_d/Ω`, `k = m ω_n²` (the way the paper's own examples are set up).
     ///
     /// # Errors
@@ -170,7 +170,7 @@ impl<F: Float> Oscillator<F> {
         Ok(Self { friction_offset, ..self })
     }
 
-    /// This body with another friction bound r_y, and the same ratio of static friction.
+    /// This body with another friction force r_y, and the same ratio of static friction.
     pub(crate) fn with_friction_bound(self, friction_bound: F) -> Result<Self, Error> {
         Ok(Self { friction_bound: positive(Quantity::FrictionBound, friction_bound)?, ..self })
     }
@@ -185,7 +185,7 @@ impl<F: Float> Oscillator<F> {
         self.stiffness
     }
 
-    /// Friction bound r_y; the mean of both directions, `(r₊ + r₋)/2`, where they differ.
+    /// Friction force r_y; the mean of both directions, `(r₊ + r₋)/2`, where they differ.
     pub const fn friction_bound(&self) -> F {
         self.friction_bound
     }
@@ -288,7 +288,7 @@ mod tests {
         let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
         assert_eq!(text(Oscillator::new(0.0, 1.0, 1.0)), "mass m = 0 must be > 0");
         assert_eq!(text(Oscillator::new(1.0, f64::NAN, 1.0)), "stiffness k = NaN must be finite");
-        assert_eq!(text(Oscillator::new(1.0, 1.0, -2.0)), "friction bound r_y = -2 must be > 0");
+        assert_eq!(text(Oscillator::new(1.0, 1.0, -2.0)), "friction force r_y = -2 must be > 0");
         assert!(Drive::force(f64::INFINITY, 1.0).is_err());
         assert!(Drive::new(crate::Excitation::FootMotion, 1.0, 0.0).is_err());
         let tiny = Oscillator::new(1.0, 1e300, 1e-300).unwrap();

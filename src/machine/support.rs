@@ -30,12 +30,12 @@ impl<F: Float> From<&Ratios<F>> for Support<F> {
 }
 
 impl<F: Field> Support<F> {
-    /// Whether the support carries m x″, so that its force is that of the maximum acceleration.
+    /// Whether the support carries m x″, so that its force is that of the peak acceleration.
     pub(crate) fn is_foot(&self) -> bool {
         self.excitation.is_some_and(Excitation::moves_foot)
     }
 
-    /// The transmitted force in r_y: of the maximum acceleration in B ω_d² where the foot moves, otherwise the maximum
+    /// The transmitted force in r_y: of the peak acceleration in B ω_d² where the foot moves, otherwise the maximum
     /// force of spring, damper and friction.
     pub(crate) fn force(&self, carried: F) -> F {
         if self.is_foot() { carried * self.omega.square() } else { carried }

@@ -51,7 +51,7 @@ pub struct Pull<F> {
     pub stick_time: Option<F>,
     /// The distance of a slip over the surface; `None` where the body slides smoothly.
     pub slip_distance: Option<F>,
-    /// The maximum velocity over the surface: of the steady motion, V where the body slides smoothly; 2V where it does and
+    /// The peak velocity over the surface: of the steady motion, V where the body slides smoothly; 2V where it does and
     /// has no damper, since it then swings between 0 and 2V for ever.
     pub max_velocity: F,
     /// The speed from which on the body slides smoothly; `None` where no speed does so: without a damper, where static
@@ -192,7 +192,7 @@ mod tests {
         body.with_damping_ratio(zeta).unwrap().with_static_friction_ratio(eta).unwrap()
     }
 
-    /// Steps of a Runge–Kutta method, from the release to the stop: its duration, the distance and the maximum velocity;
+    /// Steps of a Runge–Kutta method, from the release to the stop: its duration, the distance and the peak velocity;
     /// `None` if the body has not stopped after twenty periods.
     fn stepped(body: &Oscillator<f64>, speed: f64, damper_moves: bool) -> Option<[f64; 4]> {
         let (m, k, r, c) = (body.mass(), body.stiffness(), body.friction_bound(), body.damping());

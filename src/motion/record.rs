@@ -1,5 +1,5 @@
 //! The exact motion under a measured load: a record of a force, of an acceleration of the surface, or of a
-//! displacement of the spring's foot, with straight lines between its samples.
+//! displacement of the spring's support, with straight lines between its samples.
 //!
 //! Per mass the equation of motion is
 //!

@@ -99,7 +99,7 @@ pub struct Instant<F> {
     /// Acceleration `x″/(Bω_d²)`.
     pub acceleration: F,
     /// Friction force `r_a/r_y`: ±1 in the direction of sliding, or the holding force at rest, within ±η.
-    /// Together with x/B it is the constitutive force r/r_y of eq. 1.
+    /// Together with x/B it is the constitutive force r/r_y of eq. 1. The force on the body is its opposite.
     pub friction: F,
 }
 

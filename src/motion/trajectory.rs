@@ -203,7 +203,7 @@ impl<F: Float> Next<F> {
 /// use stickslip::motion::{Kind, State, Trajectory};
 /// let mut motion = Trajectory::new(Ratios::new(0.4f64, 6.0)?, State::default())?;
 /// let first = motion.next().unwrap()?;
-/// assert_eq!(first.kind, Kind::Stick); // until the force reaches the friction bound
+/// assert_eq!(first.kind, Kind::Stick); // until the force reaches the friction force
 /// assert!((first.duration().unwrap() - (1.0f64 / 6.0).asin()).abs() < 1e-15);
 /// # Ok::<(), stickslip::Error>(())
 /// ```

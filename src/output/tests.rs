@@ -71,7 +71,7 @@ fn each_quantity_has_a_physical_name() {
 
 #[test]
 fn the_equation_is_named_once() {
-    assert_eq!(Output::MaxDisplacement.definition().text(), "maximum displacement Δ₀ (eq. 44)");
+    assert_eq!(Output::MaxDisplacement.definition().text(), "peak displacement Δ₀ (eq. 44)");
     let turning_point = Output::MinForceRatioTurningPoint.definition();
     assert_eq!((turning_point.equation, turning_point.text()), (Some(61), turning_point.meaning.to_owned()));
 }

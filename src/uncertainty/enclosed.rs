@@ -26,7 +26,7 @@ impl<F: Float> RatioBox<F> {
     ///
     /// The box is cut into at most `pieces` parts, preferably at the ends of the range, and each part is
     /// enclosed as by [`KnownRatios::response`]. The range exceeds the sharp one, by less the more parts there
-    /// are. A part takes about a millisecond, or tens of milliseconds for the maximum acceleration below Ω =
+    /// are. A part takes about a millisecond, or tens of milliseconds for the peak acceleration below Ω =
     /// 1/2. A phase may lie outside [0, 2π) by the width of its range.
     ///
     /// # Errors

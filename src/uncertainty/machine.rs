@@ -9,7 +9,7 @@ use crate::machine::error::Error;
 use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
 use crate::output::Output;
 
-/// Mass, stiffness, friction bound, amplitude and angular frequency in independent intervals, and a damper if
+/// Mass, stiffness, friction force, amplitude and angular frequency in independent intervals, and a damper if
 /// there is one ([`MachineBox::with_damping`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -41,7 +41,7 @@ impl<F: Float> MachineBox<F> {
             .checked()
     }
 
-    /// A machine whose spring stands on a moving foot, of amplitude u_g0: m, k, r_y, u_g0, ω_d. Its force
+    /// A machine whose spring stands on a moving support, of amplitude u_g0: m, k, r_y, u_g0, ω_d. Its force
     /// has the amplitude k u_g0 ([`Excitation::FootMotion`]).
     ///
     /// # Errors

@@ -17,7 +17,7 @@ pub struct Parameters {
     pub mass: f64,
     /// Stiffness k.
     pub stiffness: f64,
-    /// Friction bound r_y.
+    /// Friction force r_y.
     pub friction_bound: f64,
     /// Amplitude: p₀ of a force, otherwise the amplitude of the motion.
     pub amplitude: f64,
@@ -32,7 +32,7 @@ pub struct Independent<M, K, R, A, W> {
     pub mass: M,
     /// The distribution of the stiffness k.
     pub stiffness: K,
-    /// The distribution of the friction bound r_y.
+    /// The distribution of the friction force r_y.
     pub friction_bound: R,
     /// The distribution of the amplitude: p₀ of a force, otherwise the amplitude of the motion.
     pub amplitude: A,

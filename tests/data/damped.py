@@ -1,7 +1,7 @@
 """Reference values of the damped cycle, at 60 digits, without the library: python3 damped.py > damped.csv (needs mpmath).
 
 Displacements in units of B = r_y/k, velocities in B ω_d, phases in radians. The matching conditions give G, H and a in closed form; the
-maximum velocity and the border are found by dense sampling of the half cycle and a root at full precision.
+peak velocity and the border are found by dense sampling of the half cycle and a root at full precision.
 """
 
 from mpmath import mp, mpf, mpc, sqrt, sinh, cosh, sin, cos, exp, atan2, pi, findroot

@@ -261,7 +261,7 @@ pub(crate) struct Found {
     pub(crate) ends: u64,
     pub(crate) reversals: u64,
     pub(crate) slides: u64,
-    /// Work of the load's force on the body, and of a moving foot on spring and damper.
+    /// Work of the load's force on the body, and of a moving support on spring and damper.
     pub(crate) load_work: f64,
     pub(crate) foot_work: f64,
     /// ∫ c v² of the velocity v, and that of the velocity between the damper's ends.

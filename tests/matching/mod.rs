@@ -51,7 +51,7 @@ fn the_lost_bits_are_none_away_from_the_border_and_many_beside_it_at_resonance()
 
 #[test]
 fn the_fastest_of_several_roots_is_found() {
-    // Below Ω = 1/2 eq. 46 has several roots; V₀ is the maximum velocity.
+    // Below Ω = 1/2 eq. 46 has several roots; V₀ is the peak velocity.
     for (omega, alpha) in [(0.4f64, 9.0), (0.35, 40.0), (0.22, 30.0), (0.21, 60.0), (0.15, 100.0)] {
         let c = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
         let found = newton::solve(c.ratios).unwrap().unknowns;

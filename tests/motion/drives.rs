@@ -34,7 +34,7 @@ struct Machine {
     mean: f64,
 }
 
-/// What acts at one time: a force on the body, the displacement and the velocity of the spring's foot, the velocity of
+/// What acts at one time: a force on the body, the displacement and the velocity of the spring's support, the velocity of
 /// the damper's, and displacement and acceleration of the base under the body.
 struct Load {
     force: f64,

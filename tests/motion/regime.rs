@@ -82,7 +82,7 @@ fn beside_a_pole_below_the_border_it_may_reverse_instead_of_stopping() {
         let steady = motion.steady_state().unwrap();
         assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (0, 6));
     }
-    // Just below the border, the velocity touches zero while the force is just within the friction bound:
+    // Just below the border, the velocity touches zero while the force is just within the friction force:
     // there the body stops.
     let alpha = Border::new(0.334_325).unwrap().min_force_ratio * (1.0 - 1e-3);
     let motion = LongRun::from_start(Ratios::new(0.334_325, alpha).unwrap(), State::default()).unwrap();

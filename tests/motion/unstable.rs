@@ -17,7 +17,7 @@ fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {
     ratios.with_static_friction_ratio(F::from_f64(eta)).unwrap()
 }
 
-/// The unstable motion with that maximum displacement, from a start at f64.
+/// The unstable motion with that peak displacement, from a start at f64.
 fn unstable<F: Float>(machine: [f64; 4], turns: u32, start: State<F>, most: f64) -> SteadyState<F> {
     let found =
         periodic_motions_from(ratios(machine), start, turns, &mut || ControlFlow::Continue(())).unwrap();

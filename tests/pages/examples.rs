@@ -51,7 +51,7 @@ fn numbers(line: &str) -> Vec<f64> {
     line.split_whitespace().filter_map(|word| word.parse().ok()).collect()
 }
 
-/// Maximum displacement of the exact motion from rest, in units of length, and its stops in a cycle.
+/// Peak displacement of the exact motion from rest, in units of length, and its stops in a cycle.
 fn exact(body: &Oscillator<f64>, force: f64, frequency: f64) -> (f64, u32) {
     let ratios: Ratios<f64> = Drive::force(force, frequency).unwrap().ratios(body).unwrap();
     let motion = LongRun::from_start(ratios, State::default()).unwrap();

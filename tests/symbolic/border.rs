@@ -14,7 +14,7 @@ fn equation_60_follows_from_40_41_and_59() {
     let (a, b, omega, alpha) = (m.given.amplitude, m.given.friction_displacement, m.given.omega, m.alpha());
     let delta = m.unknowns.max_displacement;
     let (sine, cosine) = m.unknowns.displacement_phase.sin_cos();
-    // Friction bound 1: stiffness 1/B, force α.
+    // Friction force 1: stiffness 1/B, force α.
     let e59 = slip_excess(alpha, sine, int(1) / b, delta, int(1));
     let e60 = turning_point_residual(b, alpha, omega, m.tangent());
     // |y| = 1 as y² = 1: α sin ω_d t₂ − Δ₀/B, with sin ω_d t₂ = Δ₀/A substituted.

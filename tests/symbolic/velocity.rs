@@ -1,4 +1,4 @@
-//! Eq. 42–49: maximum displacement, and maximum velocity with the signs that the paper loses.
+//! Eq. 42–49: peak displacement, and peak velocity with the signs that the paper loses.
 
 use super::ideal::Ideal;
 use super::scalar::{Symbol, free};

@@ -48,7 +48,7 @@ function showCurve(curve) {
   const low = Math.max(least, top * 1e-4);
   const ink = palette();
   const legend = [["slides", ink.slide], ["stops", ink.stick]];
-  if (border.some((x) => x !== null)) legend.push(["border of sticking", ink.border, "6 4"]);
+  if (border.some((x) => x !== null)) legend.push(["sticking threshold", ink.border, "6 4"]);
   const others = [];
   if (shown.ghost && isMachine) others.push([shown.ghost, "without friction", ink.ghost, "2 3"]);
   if (pinned && (pinned.unit === curve.unit)) others.push([pinned, "pinned", ink.second, "9 3"]);

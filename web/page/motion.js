@@ -2,7 +2,7 @@
 "use strict";
 
 const charts = {
-  curve: new Chart($("curve"), { title: "Response curve", label: "Peak displacement over the frequency, with the border of sticking", height: 300 }),
+  curve: new Chart($("curve"), { title: "Response curve", label: "Peak displacement over the frequency, with the sticking threshold", height: 300 }),
   displacement: new Chart($("displacement"), { title: "Displacement over time", height: 180 }),
   velocity: new Chart($("velocity"), { title: "Velocity over time", height: 180 }),
   friction: new Chart($("friction"), { title: "Friction force and load over time", height: 200 }),

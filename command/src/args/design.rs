@@ -30,9 +30,9 @@ pub(crate) enum Question {
     Bands(QuestionArgs),
     /// The frequency up to which friction holds a body at rest
     Hold(QuestionArgs),
-    /// The force for the maximum displacement --target
+    /// The force for the peak displacement --target
     Displacement(QuestionArgs),
-    /// The force for the maximum velocity --target
+    /// The force for the peak velocity --target
     Velocity(QuestionArgs),
     /// The friction that dissipates most, without sticking or, with --sticking, among all motions
     Dissipation(QuestionArgs),
@@ -133,7 +133,7 @@ pub(crate) struct IdentifyArgs {
     /// The kind of the amplitudes: peak (half of peak to peak), rms, or peak-to-peak
     #[arg(long, value_parser = named(AMPLITUDES, AmplitudeKind::name), value_name = "KIND", default_value = "peak", hide_possible_values = true)]
     pub(crate) amplitude: AmplitudeKind,
-    /// The kind of the phases, the force being p₀ sin ω_d t: peak (ω_d t of the maximum displacement), lag
+    /// The kind of the phases, the force being p₀ sin ω_d t: peak (ω_d t of the peak displacement), lag
     /// (of the displacement behind the force), or transfer-function (the lag, negative) [default: the one that
     /// fits best]
     #[arg(long, value_parser = named(PHASES, PhaseKind::name), value_name = "KIND", hide_possible_values = true)]

@@ -142,7 +142,8 @@ pub(crate) struct DecayArgs {
     pub(crate) machine: BodyArgs,
     #[command(flatten)]
     pub(crate) surface: SurfaceArgs,
-    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
+    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine. It counts from the mean
+    /// displacement, and on a slope, one way and without friction from the relaxed spring [default: 0]
     #[arg(long, value_name = "X", allow_hyphen_values = true, required_unless_present_any = ["v0", "no_spring"])]
     pub(crate) x0: Option<String>,
     /// Velocity at the start: in units of B ω_n, or of length per time [default: 0]

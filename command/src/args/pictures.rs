@@ -125,11 +125,11 @@ pub(crate) struct MapArgs {
 /// What a response curve shows over the frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CurveQuantity {
-    /// Maximum displacement
+    /// Peak displacement
     Displacement,
-    /// Maximum velocity
+    /// Peak velocity
     Velocity,
-    /// Maximum acceleration
+    /// Peak acceleration
     Acceleration,
     /// Maximum force of spring and friction on their support
     Force,

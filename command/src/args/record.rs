@@ -30,8 +30,8 @@ pub(crate) struct LoadArgs {
     /// Time at which the record ends
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
-    /// The load after the record: zero, hold (it stays at its last sample) or free (a foot lets go of the spring) [default: hold
-    /// for a foot, zero for a force or an acceleration]
+    /// The load after the record: zero, hold (it stays at its last sample) or free (a support lets go of the spring) [default: hold
+    /// for a support, zero for a force or an acceleration]
     #[arg(long, value_enum, value_name = "LOAD", hide_possible_values = true)]
     pub(crate) after: Option<AfterArg>,
 }
@@ -72,10 +72,10 @@ pub(crate) struct SurfaceArgs {
 #[command(after_help = "\
 FILE is a record of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose units are obeyed, or columns of text with
 commas, semicolons, tabs or blanks between them, such as time[s],acceleration[g]. The load is the column acceleration
-(acc, of the surface that the body slides on), force, or foot-displacement (of the spring's foot, with
+(acc, of the surface that the body slides on), force, or foot-displacement (of the spring's support, with
 damped-foot-displacement if the damper stands on it, too). Columns without names need --record-units, and --column if
 there are several. Samples without times need --time-step. The answer says what was read. Between samples the load is a
-straight line. After the last one a force or an acceleration is zero, a foot stays (or --after says otherwise), and the
+straight line. After the last one a force or an acceleration is zero, a support stays (or --after says otherwise), and the
 body slides to its rest. No stop is missed.
 
 Examples:
@@ -97,7 +97,7 @@ pub(crate) struct RecordArgs {
     pub(crate) surface: SurfaceArgs,
     #[command(flatten)]
     pub(crate) load: LoadArgs,
-    /// Displacement at the start
+    /// Displacement at the start, from the relaxed spring
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: Option<String>,
     /// Velocity at the start
@@ -114,7 +114,8 @@ pub(crate) struct RecordArgs {
     #[arg(long, value_name = "ZETA", requires = "floor_spectrum", allow_hyphen_values = true)]
     pub(crate) floor_damping: Option<String>,
     /// The motion as CSV, or as Parquet by the name FILE.parquet: displacement, velocity, acceleration, absolute acceleration,
-    /// and the forces of friction, on the support and of the load
+    /// the friction force on the body (against its motion, the opposite of that of simulate), the force on the support and the
+    /// load
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) out: Option<PathBuf>,
     /// Greatest distance of the states in it [default: the longest step of the record]

@@ -86,5 +86,8 @@ pub(super) fn respond<F: Value>(
             line(out, &name.replace('_', " "), format!("{} {}", digits(*value), system.name(*kind)))?;
         }
     }
+    if square > zero && (surface.is_inclined() || given.is_shifted()) {
+        writeln!(out, "\nDisplacements are measured from the relaxed spring.")?;
+    }
     Ok(())
 }

@@ -39,7 +39,7 @@ impl Map<'_> {
             && input::point(&given).is_ok_and(|p| p.ratios.has_higher_static_friction())
     }
 
-    /// The border of sticking, computed from the border itself, if the vertical axis is α or proportional to
+    /// The sticking threshold, computed from the border itself, if the vertical axis is α or proportional to
     /// it.
     fn border(&self) -> Vec<(f64, f64)> {
         let up = self.up.0;

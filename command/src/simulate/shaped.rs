@@ -6,6 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::input::{behind_all, has_unit_mass, read, start_in_units};
 use crate::outputs::{ENDS_BY, KIND};
 use crate::physical::Physical;
+use crate::progress;
 use crate::record::{Cell, Record as Cells, Row};
 use crate::shaken::Surface;
 use crate::sink::Sink;
@@ -54,9 +55,13 @@ pub(super) fn write<F: Value>(
     let load = Load::read(args, shape, &given, (duration, &positive))?;
     let is_force = load.excitation == Excitation::Force && shape != ShapeArg::Free;
     let has_mass = is_force || !has_unit_mass(&args.machine, &mut given);
-    let body = Surface::read(&args.surface, reader)?.body(&given)?;
+    let surface = Surface::read(&args.surface, reader)?;
+    let body = surface.body(&given)?;
+    if body.stiffness() > F::int(0) && (surface.is_inclined() || given.is_shifted()) {
+        progress::note("displacements are measured from the relaxed spring");
+    }
     if load.excitation.moves_foot() && body.stiffness() == F::int(0) {
-        return Err(format!("{name}: the spring's foot moves, and there is no spring").into());
+        return Err(format!("{name}: the spring's support moves, and there is no spring").into());
     }
     let start = start_in_units(reader, [Input::X0, Input::V0].map(|input| args.start.text(input)))?;
     let turns = ((body.stiffness() / body.mass()).sqrt() * duration / F::pi()).to_f64();

@@ -174,7 +174,7 @@ pub(super) fn border(
         Some(cycle) => {
             writeln!(out, "\nAt the load of the file it slides with two reversals a period")?;
             line(out, "amplitude of the contact", with_unit(cycle.max_displacement, units, Of::Length))?;
-            line(out, "maximum velocity", with_unit(cycle.max_velocity, units, Of::Velocity))?;
+            line(out, "peak velocity", with_unit(cycle.max_velocity, units, Of::Velocity))?;
             line(out, "friction work", with_unit(cycle.work, units, Of::Energy))?;
         }
         None => writeln!(out, "\nAt the load of the file it sticks, or does not slide.")?,

@@ -182,7 +182,7 @@ impl<R: Real> Case<R> {
         (self.arithmetic.residuals)(&self.system(alpha), &scaled).map(|residual| residual * alpha)
     }
 
-    /// x/B and x′/(Bω_n) at a phase after the maximum displacement `delta` at the phase `phase`, by the
+    /// x/B and x′/(Bω_n) at a phase after the peak displacement `delta` at the phase `phase`, by the
     /// equation of motion, at α.
     pub(super) fn falling_from(&self, (alpha, phase, delta): (R, R, R), turn: R) -> (R, R) {
         let zero = R::int(0);
@@ -197,7 +197,7 @@ impl<R: Real> Case<R> {
         (x * alpha, v * alpha)
     }
 
-    /// x/B and x′/(Bω_n) at a phase `turn` after the maximum displacement of the cycle itself.
+    /// x/B and x′/(Bω_n) at a phase `turn` after the peak displacement of the cycle itself.
     pub(super) fn falling(&self, turn: R) -> (R, R) {
         let u = &self.unknowns;
         self.falling_from((self.alpha, u.displacement_phase, u.max_displacement), turn)

@@ -105,7 +105,7 @@ fn a_peak_of_a_base_motion_has_its_height() {
 
 const MACHINE: &str = "--mass 50t --stiffness 1000kN/m --force 12kN --units kN,mm";
 
-/// Without a damper friction bounds no resonance from α = 4/π on: the curve has no height there.
+/// Without a damper friction forces no resonance from α = 4/π on: the curve has no height there.
 #[test]
 fn what_is_unbounded_is_written_and_drawn_as_such() {
     for count in [10, 200, 2000] {
@@ -389,7 +389,7 @@ fn a_column_in_ratios_has_the_unit_of_its_quantity() {
     }
 }
 
-/// A machine on a moving foot or base as the command's options, and its amplitude by the library at a frequency in Hz.
+/// A machine on a moving support or base as the command's options, and its amplitude by the library at a frequency in Hz.
 struct Moved {
     machine: [f64; 4],
     excitation: stickslip::Excitation,

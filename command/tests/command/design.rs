@@ -318,7 +318,7 @@ fn the_frictions_for_an_amplitude_give_it() {
     let line = "design friction --mass 1 --stiffness 1 --frequency 2 --force 1";
     refused(
         &format!("{line} --target-amplitude 0"),
-        &["--target-amplitude 0: maximum displacement", "must be > 0"],
+        &["--target-amplitude 0: peak displacement", "must be > 0"],
     );
 }
 

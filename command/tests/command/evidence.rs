@@ -349,7 +349,7 @@ fn in_units(name: &str, driven: &Driven, cycle: &Cycle, ratios: &Value) -> Optio
             let at = driven.harmonic().states(cycle, w * found.most(Of::Velocity).time);
             (at[0][0] - mean, 1e-6 * reach)
         }
-        // The ratio has its own test beside the samples; the unit is the friction bound.
+        // The ratio has its own test beside the samples; the unit is the friction force.
         "min_force" => near(ratio("min_force_ratio")? * driven.friction),
         "min_force_turning_point" => near(ratio("min_force_ratio_turning_point")? * driven.friction),
         "best_force" => near(ratio("best_force_ratio")? * driven.friction),

@@ -95,7 +95,7 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
         ("stops", vec!["stops in a cycle", "white: the body never moves"]),
         ("margin", vec!["margin", "sticking threshold"]),
         ("steady:stick_fraction", vec!["fraction of time at rest"]),
-        ("max_velocity", vec!["maximum velocity (B ω", ">d</tspan>"]),
+        ("max_velocity", vec!["peak velocity (B ω", ">d</tspan>"]),
     ] {
         let file = place(&format!("map-{}.svg", quantity.replace(':', "-")));
         stdout(&format!("map {quantity} --omega 0.3:2:20 --alpha 0.5:8:10 --out {}", file.display()));

@@ -163,7 +163,7 @@ fn columns_are_used_named_or_refused() {
 #[test]
 fn every_failure_names_its_line() {
     for (text, part) in [
-        ("frequency[Hz],amplitude[mm]\n5,1\n6,-2\n", "line 3: maximum displacement Δ₀ = -0.002 must be > 0"),
+        ("frequency[Hz],amplitude[mm]\n5,1\n6,-2\n", "line 3: peak displacement Δ₀ = -0.002 must be > 0"),
         ("frequency[Hz],amplitude[mm]\n5,1\n0,2\n", "line 3: angular frequency"),
         ("frequency[Hz],amplitude[mm]\n5,1\n6\n", "line 3: 1 fields, must be 2 as in the header"),
         ("frequency[Hz],amplitude[mm]\n5,1\n6,1\n", "the number of measurements = 2 must be ≥ 3"),

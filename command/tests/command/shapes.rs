@@ -205,6 +205,13 @@ fn a_block_slides_to_its_rest() {
     close(number(&flat["rest_position"]), 4.0 / (0.6 * G), 1e-14);
     close(number(&flat["rest_time"]), 2.0 / (0.3 * G), 1e-14);
     let (sine, cosine) = 5f64.to_radians().sin_cos();
+    // On a slope a displacement counts from the relaxed spring, and the answer says so.
+    let sprung = "--mass 800kg --stiffness 6kN/m --friction 100N --x0 0.3m";
+    let relaxed = "measured from the relaxed spring";
+    assert!(stdout(&format!("decay {sprung} --slope 10deg")).contains(relaxed));
+    assert!(!stdout(&format!("decay {sprung} --one-way")).contains(relaxed));
+    let mean = stdout(&format!("decay {sprung} --mean-force 300N"));
+    assert!(mean.contains("0.05 m (displacements are measured from there)"), "{mean}");
     let slope = of("--friction-coefficient 0.3 --slope 5deg --v0 2m/s");
     close(number(&slope["path"]), 2.0 / (G * (0.3 * cosine - sine)), 1e-13);
     // From rest down a slope with a spring: to twice the displacement of its balance.
@@ -279,7 +286,7 @@ fn friction_0_is_the_linear_oscillator_in_every_command() {
             assert_eq!(number(&found["physical"][name]), 0.0, "{command}: {name}");
         }
         let text = stdout(&format!("{command} {drive} --frequency 1.3Hz"));
-        assert!(!text.contains(" B ") && !text.contains("r_y  ") && !text.contains("e3"), "{text}");
+        assert!(["displacement B", " B ", "r_y =", "e3"].iter().all(|part| !text.contains(part)), "{text}");
         let rows: Vec<&str> = rows.lines().skip(1).collect();
         for (row, hertz) in rows.iter().zip([1.0, 1.5, 2.0]) {
             let (found, friction) = row.split_once(',').unwrap();

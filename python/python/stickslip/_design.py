@@ -30,7 +30,7 @@ class Band(NamedTuple):
 
 
 class BestFriction(NamedTuple):
-    """The friction bound that dissipates most: numbers, or arrays for several machines or drives."""
+    """The friction force that dissipates most: numbers, or arrays for several machines or drives."""
 
     friction: Any
     #: The energy that friction dissipates in a cycle.
@@ -50,7 +50,7 @@ class BestStiffness(NamedTuple):
 
 
 class TargetFriction(NamedTuple):
-    """A friction bound with which the steady motion has a given displacement; see `Machine.frictions_for_displacement`."""
+    """A friction force with which the steady motion has a given displacement; see `Machine.frictions_for_displacement`."""
 
     friction: float
     regime: str
@@ -58,7 +58,7 @@ class TargetFriction(NamedTuple):
 
 
 class BandFriction(NamedTuple):
-    """The friction bound whose greatest amplitude over a band is least; see `Machine.best_friction_over`."""
+    """The friction force whose greatest amplitude over a band is least; see `Machine.best_friction_over`."""
 
     friction: float
     #: The greatest amplitude over the band.
@@ -122,7 +122,7 @@ class Identified(NamedTuple):
 class DecayIdentified(NamedTuple):
     """Friction and damping from a free decay; see `identify_decay`."""
 
-    #: Friction bound over stiffness, in the unit of the displacements.
+    #: Friction force over stiffness, in the unit of the displacements.
     friction_displacement: Estimate
     damping_ratio: Estimate
     #: The first amplitude.
@@ -167,7 +167,7 @@ def identify(
     phase_kind: Optional[str] = None,
     units: Optional[str] = None,
 ) -> Identified:
-    """Friction bound and damping ratio from a measured response curve, by robust least squares.
+    """Friction force and damping ratio from a measured response curve, by robust least squares.
 
     Motion with stops counts, too. Wrong values do not move the answer: they are left out and marked as suspect. Points that
     are NaN or masked are left out, and have NaN among the residuals.
@@ -186,7 +186,7 @@ def identify(
     amplitude_kind : str
         ``"peak"`` (half of peak to peak), ``"peak-to-peak"`` or ``"rms"``.
     phase_kind : str, optional
-        ``"peak"``, ω_d t of the maximum displacement under the force p₀ sin ω_d t; ``"lag"``, of the fundamental of the
+        ``"peak"``, ω_d t of the peak displacement under the force p₀ sin ω_d t; ``"lag"``, of the fundamental of the
         displacement behind the force; ``"transfer-function"``, that lag with a minus sign. The default is the kind
         that fits best.
     units : str, optional
@@ -215,7 +215,7 @@ def identify(
     given = {"angular_frequency": angular, "amplitude": amplitude, "phase": phase}
     columns, like = _curve({name: column for name, column in given.items() if column is not None})
     is_there = np.isfinite(columns["amplitude"]) & np.isfinite(columns["angular_frequency"])
-    # The first amplitude stands for the columns when units are checked. The friction bound is the unknown, so that
+    # The first amplitude stands for the columns when units are checked. The friction force is the unknown, so that
     # its value here has no effect.
     texts = {"mass": (mass, "mass"), "stiffness": (stiffness, "stiffness"), "force": (force, "force")}
     texts = {name: value for name, value in texts.items() if value[0] is not None}

@@ -87,9 +87,9 @@ class Drive(Generic[V]):
         Mass times eccentricity of a mass that rotates on the body, such as ``"0.35 kg*m"``: a force of this times the
         square of the angular frequency.
     foot_displacement : float, str or array
-        Amplitude of a motion of the spring's foot over a fixed surface.
+        Amplitude of a motion of the spring's support over a fixed surface.
     damped_foot_displacement : float, str or array
-        The same, with the damper attached to the moving foot.
+        The same, with the damper attached to the moving support.
     base_displacement, base_velocity, base_acceleration : float, str or array
         Amplitude of a motion of the base that carries the surface, as under an isolator. The resulting
         displacement is that of the body relative to the base.

@@ -61,13 +61,13 @@ class Machine(Generic[V]):
         Radius of a friction pendulum in place of the stiffness: ``k = m gravity/radius``, for displacements far below
         the radius.
     friction : float or str
-        Friction bound: the force of friction while the body slides; 0 for a body without friction, which no question of
+        Friction force: the force of friction while the body slides; 0 for a body without friction, which no question of
         design takes.
     friction_coefficient, gravity : float or str
-        In place of the friction bound: ``friction_coefficient * mass * gravity``. The default gravity is
+        In place of the friction force: ``friction_coefficient * mass * gravity``. The default gravity is
         9.80665 m/s**2; bare numbers without a known system of units are then in SI.
     friction_backward : float or str, optional
-        Friction bound of backward motion, if it differs from that of forward motion. The friction bound of
+        Friction force of backward motion, if it differs from that of forward motion. The friction force of
         the ratios and the static friction are then means of both directions: at rest the bounds are
         ``static_friction_ratio*(friction + friction_backward)/2 ± (friction - friction_backward)/2``.
     damping : float or str
@@ -75,7 +75,7 @@ class Machine(Generic[V]):
     damping_ratio : float or str
         In place of the damping constant: ``c/(2 sqrt(k m))``.
     static_friction : float or str
-        The force that releases the body at rest, at least the friction bound.
+        The force that releases the body at rest, at least the friction force.
     static_friction_ratio : float
         In place of the static friction: its ratio to the kinetic friction, >= 1.
     units : str, optional
@@ -279,7 +279,7 @@ class Machine(Generic[V]):
 
     @property
     def friction_displacement(self) -> V:
-        """Friction bound over stiffness, B, with the mean of both directions."""
+        """Friction force over stiffness, B, with the mean of both directions."""
         friction: Any = self.friction
         backward: Any = friction if self.friction_backward is None else self.friction_backward
         return (friction + backward) / 2 / self.stiffness  # type: ignore[no-any-return]
@@ -656,7 +656,7 @@ class Machine(Generic[V]):
         return self._design("min_amplitude", excitation, given)[0]
 
     def max_friction(self, drive: Drive[Any]) -> Any:
-        """The maximum friction bound with which the cycle without a stop exists under a drive; see `min_force`.
+        """The maximum friction force with which the cycle without a stop exists under a drive; see `min_force`.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
@@ -666,7 +666,7 @@ class Machine(Generic[V]):
         return self._designed("max_friction", drive)[0]
 
     def best_friction(self, drive: Drive[Any], *, sticking: bool = False) -> "BestFriction":
-        """The friction bound that dissipates most under a drive: among those at which the body does not stick, or of all, stops
+        """The friction force that dissipates most under a drive: among those at which the body does not stick, or of all, stops
         included.
 
         >>> import stickslip as ss
@@ -695,7 +695,7 @@ class Machine(Generic[V]):
         return BestStiffness(*_native.best_stiffness(self._body, *self._single(drive), ends[0], ends[1]))
 
     def frictions_for_displacement(self, max_displacement: Quantity, drive: Drive[float]) -> "list[TargetFriction]":
-        """The friction bounds with which the steady motion under a drive has a given maximum displacement, stops included; none
+        """The friction forces with which the steady motion under a drive has a given peak displacement, stops included; none
         where no friction gives it.
 
         >>> import stickslip as ss
@@ -728,7 +728,7 @@ class Machine(Generic[V]):
         angular_frequency: Optional[tuple[Quantity, Quantity]] = None,
         of: str = "absolute-displacement",
     ) -> "BandFriction":
-        """The friction bound whose greatest amplitude between two frequencies is least, stops included.
+        """The friction force whose greatest amplitude between two frequencies is least, stops included.
 
         The friction of this machine and the frequency of the drive play no part. The amplitude is ``"displacement"``,
         ``"absolute-displacement"``, ``"transmitted-force"`` or ``"acceleration"`` (in space).
@@ -794,7 +794,7 @@ class Machine(Generic[V]):
         frequency: Optional[ArrayLike] = None,
         angular_frequency: Optional[ArrayLike] = None,
     ) -> Any:
-        """The force amplitude at which the cycle has a given maximum displacement, at a frequency.
+        """The force amplitude at which the cycle has a given peak displacement, at a frequency.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
@@ -812,7 +812,7 @@ class Machine(Generic[V]):
         frequency: Optional[ArrayLike] = None,
         angular_frequency: Optional[ArrayLike] = None,
     ) -> Any:
-        """The force amplitude at which the cycle has a given maximum velocity, at a frequency; as `force_for_displacement`."""
+        """The force amplitude at which the cycle has a given peak velocity, at a frequency; as `force_for_displacement`."""
         target = self._values("max_velocity", max_velocity, "velocity")
         given = {"amplitude": target, "angular_frequency": angular_of(frequency, angular_frequency)}
         return self._design("force_for_velocity", "force", given)[0]

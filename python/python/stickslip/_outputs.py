@@ -231,15 +231,15 @@ class ResponseOutputs(Result, Generic[V, W]):
     damper_work: V
     """Energy that the damper dissipates in a cycle, where damping was given (r_y B)."""
     max_displacement: V
-    """Maximum displacement Δ₀ (eq. 44): a − G (B)."""
+    """Peak displacement Δ₀ (eq. 44): a − G (B)."""
     displacement_phase: V
-    """Phase ω_d t₂ of the maximum displacement (eq. 43): δ + atan2(q a, K) (rad)."""
+    """Phase ω_d t₂ of the peak displacement (eq. 43): δ + atan2(q a, K) (rad)."""
     max_velocity: V
-    """Maximum velocity V₀ (eq. 49) (B ω_d)."""
+    """Peak velocity V₀ (eq. 49) (B ω_d)."""
     velocity_phase: V
-    """Phase ω_d t₁ of the maximum velocity (eq. 46) (rad)."""
+    """Phase ω_d t₁ of the peak velocity (eq. 46) (rad)."""
     deviation: V
-    """Displacement Δ₁ at the maximum velocity (eq. 47) (B)."""
+    """Displacement Δ₁ at the peak velocity (eq. 47) (B)."""
     loop_size_stiffness: V
     """Friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64): 8 (Δ₀/B)/α²."""
     loop_size_inertia: V
@@ -253,23 +253,23 @@ class ResponseOutputs(Result, Generic[V, W]):
     min_force_ratio_turning_point: V
     """The same by eq. 61, which falls short below Ω = 1/2."""
     least_displacement: V
-    """Maximum displacement on the border (B)."""
+    """Peak displacement on the border (B)."""
     border_phase: V
-    """Phase after the maximum displacement at which the velocity first touches zero, on the border (rad)."""
+    """Phase after the peak displacement at which the velocity first touches zero, on the border (rad)."""
     best_force_ratio: V
     """Force ratio α* of the largest A₁ (eq. 65): √(2 Q (Q + q G)), and not below α_min."""
     best_loop_size: V
     """That largest A₁ (eq. 66)."""
     dynamic_amplification: V
-    """Maximum displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
+    """Peak displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
     max_acceleration: V
-    """Maximum acceleration |x″| (B ω_d²)."""
+    """Peak acceleration |x″| (B ω_d²)."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
-    force (r_y)."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
+    mean force (r_y)."""
     transmissibility: V
-    """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
-    base."""
+    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
+    support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
     max_spring_force: V
@@ -300,9 +300,9 @@ class BorderOutputs(Result, Generic[V]):
     min_force_ratio_turning_point: V
     """The same by eq. 61, which falls short below Ω = 1/2."""
     least_displacement: V
-    """Maximum displacement on the border (B)."""
+    """Peak displacement on the border (B)."""
     border_phase: V
-    """Phase after the maximum displacement at which the velocity first touches zero, on the border (rad)."""
+    """Phase after the peak displacement at which the velocity first touches zero, on the border (rad)."""
     best_force_ratio: V
     """Force ratio α* of the largest A₁ (eq. 65): √(2 Q (Q + q G)), and not below α_min."""
     no_stop_force_ratios: Optional[list[tuple[V, Optional[V]]]]
@@ -327,17 +327,17 @@ class SteadyOutputs(Result, Generic[V, W]):
     limit: W
     """Periodic, family (one of many, by the start), rest, irregular, none or not-converged."""
     max_displacement: V
-    """Maximum displacement Δ₀ (eq. 44): a − G (B)."""
+    """Peak displacement Δ₀ (eq. 44): a − G (B)."""
     max_displacement_phase: V
-    """Phase ω_d t of the maximum displacement (rad)."""
+    """Phase ω_d t of the peak displacement (rad)."""
     min_displacement: V
     """Minimum displacement (B)."""
     min_displacement_phase: V
     """Its phase (rad)."""
     max_velocity: V
-    """Maximum velocity V₀ (eq. 49) (B ω_d)."""
+    """Peak velocity V₀ (eq. 49) (B ω_d)."""
     max_velocity_phase: V
-    """Phase of the maximum velocity (rad)."""
+    """Phase of the peak velocity (rad)."""
     min_velocity: V
     """Minimum velocity (B ω_d)."""
     min_velocity_phase: V
@@ -371,15 +371,15 @@ class SteadyOutputs(Result, Generic[V, W]):
     reversals_per_cycle: V
     """Reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, … (a count)."""
     dynamic_amplification: V
-    """Maximum displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
+    """Peak displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
     max_acceleration: V
-    """Maximum acceleration |x″| (B ω_d²)."""
+    """Peak acceleration |x″| (B ω_d²)."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
-    force (r_y)."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
+    mean force (r_y)."""
     transmissibility: V
-    """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
-    base."""
+    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
+    support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
     max_spring_force: V
@@ -419,7 +419,7 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     force_amplitude: V
     """Amplitude of the drive as a force, p₀."""
     friction_displacement: V
-    """Friction bound over stiffness, B = r_y/k."""
+    """Friction force over stiffness, B = r_y/k."""
     mean_displacement: V
     """The shift due to a mean force or to friction that depends on the direction."""
     regime: W
@@ -438,19 +438,19 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     damper_energy_per_cycle: V
     """Energy that the damper dissipates in a cycle, where damping was given, as an energy."""
     max_displacement: V
-    """Maximum displacement Δ₀ (eq. 44), as a length."""
+    """Peak displacement Δ₀ (eq. 44), as a length."""
     displacement_phase: V
-    """Phase ω_d t₂ of the maximum displacement (eq. 43): δ + atan2(q a, K) (rad)."""
+    """Phase ω_d t₂ of the peak displacement (eq. 43): δ + atan2(q a, K) (rad)."""
     displacement_time: V
-    """Phase ω_d t₂ of the maximum displacement (eq. 43), as a time."""
+    """Phase ω_d t₂ of the peak displacement (eq. 43), as a time."""
     max_velocity: V
-    """Maximum velocity V₀ (eq. 49), as a velocity."""
+    """Peak velocity V₀ (eq. 49), as a velocity."""
     velocity_phase: V
-    """Phase ω_d t₁ of the maximum velocity (eq. 46) (rad)."""
+    """Phase ω_d t₁ of the peak velocity (eq. 46) (rad)."""
     velocity_time: V
-    """Phase ω_d t₁ of the maximum velocity (eq. 46), as a time."""
+    """Phase ω_d t₁ of the peak velocity (eq. 46), as a time."""
     deviation: V
-    """Displacement Δ₁ at the maximum velocity (eq. 47), as a length."""
+    """Displacement Δ₁ at the peak velocity (eq. 47), as a length."""
     loop_size_stiffness: V
     """Friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64): 8 (Δ₀/B)/α²."""
     energy_per_cycle: V
@@ -470,11 +470,11 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     min_force_turning_point: V
     """The same by eq. 61, which falls short below Ω = 1/2, as a force."""
     least_displacement: V
-    """Maximum displacement on the border, as a length."""
+    """Peak displacement on the border, as a length."""
     border_phase: V
-    """Phase after the maximum displacement at which the velocity first touches zero, on the border (rad)."""
+    """Phase after the peak displacement at which the velocity first touches zero, on the border (rad)."""
     border_time: V
-    """Phase after the maximum displacement at which the velocity first touches zero, on the border, as a time."""
+    """Phase after the peak displacement at which the velocity first touches zero, on the border, as a time."""
     best_force_ratio: V
     """Force ratio α* of the largest A₁ (eq. 65): √(2 Q (Q + q G)), and not below α_min."""
     best_force: V
@@ -484,15 +484,15 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     best_force_energy: V
     """That largest A₁ (eq. 66), as an energy."""
     dynamic_amplification: V
-    """Maximum displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
+    """Peak displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
     max_acceleration: V
-    """Maximum acceleration |x″|, as an acceleration."""
+    """Peak acceleration |x″|, as an acceleration."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
-    force, as a force."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
+    mean force, as a force."""
     transmissibility: V
-    """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
-    base."""
+    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
+    support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves, as a
     length."""
@@ -527,7 +527,7 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     force_amplitude: V
     """Amplitude of the drive as a force, p₀."""
     friction_displacement: V
-    """Friction bound over stiffness, B = r_y/k."""
+    """Friction force over stiffness, B = r_y/k."""
     mean_displacement: V
     """The shift due to a mean force or to friction that depends on the direction."""
     regime: W
@@ -536,11 +536,11 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     limit: W
     """Periodic, family (one of many, by the start), rest, irregular, none or not-converged."""
     max_displacement: V
-    """Maximum displacement Δ₀ (eq. 44), as a length."""
+    """Peak displacement Δ₀ (eq. 44), as a length."""
     max_displacement_phase: V
-    """Phase ω_d t of the maximum displacement (rad)."""
+    """Phase ω_d t of the peak displacement (rad)."""
     max_displacement_time: V
-    """Phase ω_d t of the maximum displacement, as a time."""
+    """Phase ω_d t of the peak displacement, as a time."""
     min_displacement: V
     """Minimum displacement, as a length."""
     min_displacement_phase: V
@@ -548,11 +548,11 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     min_displacement_time: V
     """Its phase, as a time."""
     max_velocity: V
-    """Maximum velocity V₀ (eq. 49), as a velocity."""
+    """Peak velocity V₀ (eq. 49), as a velocity."""
     max_velocity_phase: V
-    """Phase of the maximum velocity (rad)."""
+    """Phase of the peak velocity (rad)."""
     max_velocity_time: V
-    """Phase of the maximum velocity, as a time."""
+    """Phase of the peak velocity, as a time."""
     min_velocity: V
     """Minimum velocity, as a velocity."""
     min_velocity_phase: V
@@ -590,15 +590,15 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     reversals_per_cycle: V
     """Reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, … (a count)."""
     dynamic_amplification: V
-    """Maximum displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
+    """Peak displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
     max_acceleration: V
-    """Maximum acceleration |x″|, as an acceleration."""
+    """Peak acceleration |x″|, as an acceleration."""
     transmitted_force: V
-    """Maximum force of spring, damper and friction on their support, or m x″ with a moving foot, without the mean
-    force, as a force."""
+    """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
+    mean force, as a force."""
     transmissibility: V
-    """That force over p₀, or with a moving foot or base the body's absolute acceleration over that of the foot or
-    base."""
+    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
+    support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves, as a
     length."""

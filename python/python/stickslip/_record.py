@@ -120,12 +120,12 @@ class Record:
         In place of the time step: the times of the samples, in seconds, which increase.
     of : str
         ``"base_acceleration"`` of the surface that the body slides on, ``"force"`` on the body,
-        ``"foot_displacement"`` of the spring's foot, or ``"damped_foot_displacement"`` if the damper stands on it, too.
+        ``"foot_displacement"`` of the spring's support, or ``"damped_foot_displacement"`` if the damper stands on it, too.
     unit : str, optional
         Unit of the samples, such as ``"g"``. Without it they are in the system of units that the machine names.
     after : str, optional
-        The load after the last sample: ``"zero"``, ``"hold"`` (it stays at the last sample) or ``"free"`` (a foot lets go of
-        the spring). By default a force or an acceleration is zero, and a foot stays.
+        The load after the last sample: ``"zero"``, ``"hold"`` (it stays at the last sample) or ``"free"`` (a support lets go of
+        the spring). By default a force or an acceleration is zero, and a support stays.
 
     Examples
     --------
@@ -861,7 +861,7 @@ def spectrum(
     Parameters
     ----------
     record : Record
-        Of a base acceleration or of a displacement of the foot; with a mass also of a force.
+        Of a base acceleration or of a displacement of the support; with a mass also of a force.
     period, friction_coefficient, damping_ratio, static_friction_ratio : float or array
         Natural periods in seconds and the others, aligned by their labels and broadcast to a common shape; one value may be text,
         such as ``"5%"``.

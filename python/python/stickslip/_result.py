@@ -296,7 +296,7 @@ class Result(dict[str, Any]):
         Parameters
         ----------
         names : str
-            The values: by default the displacement of a motion, and the maximum displacement of many points.
+            The values: by default the displacement of a motion, and the peak displacement of many points.
         over : str, optional
             The value along the axis: by default the time of a motion, or the first ratio or frequency that varies. Points in a
             plane are a map over the two that vary along its columns and its rows.

@@ -18,7 +18,7 @@ RATIO_ROWS: dict[str, Meaning] = {
 DRIVE_ROWS: dict[str, Meaning] = {
     "angular_frequency": ("frequency", "Angular frequency ω_d of the drive"),
     "force_amplitude": ("force", "Amplitude of the drive as a force, p₀"),
-    "friction_displacement": ("length", "Friction bound over stiffness, B = r_y/k"),
+    "friction_displacement": ("length", "Friction force over stiffness, B = r_y/k"),
     "mean_displacement": ("length", "The shift due to a mean force or to friction that depends on the direction"),
 }
 #: Formulae of closed forms, in the symbols that `SYMBOLS` explains.

@@ -218,7 +218,7 @@ def sensitivities(
     """How an output changes with each value of a machine and its load: derivatives by differences, extrapolated to a step of
     zero, with their errors. All machines of the differences are computed at once.
 
-    The accuracy is some 1e-10 where the output is smooth; at a border of sticking, where it has a corner, the error is large.
+    The accuracy is some 1e-10 where the output is smooth; at a sticking threshold, where it has a corner, the error is large.
 
     One value is varied while the others stay. Of the damper, ``damping_ratio`` stays if the machine was given by it, and
     otherwise ``damping``. The stiffness, the friction and the static friction ratio stay, even if a period, a coefficient of

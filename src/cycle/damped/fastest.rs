@@ -1,4 +1,4 @@
-//! The maximum velocity of the half cycle, or of any slide, among however many maxima.
+//! The peak velocity of the half cycle, or of any slide, among however many maxima.
 //!
 //! The time is divided until each part is decided. Both ends of a part, with bounds of the derivatives that
 //! hold from its left end on (the energies of free vibration and of its derivatives decrease), lead to one of
@@ -11,7 +11,7 @@ use crate::float::{Float, at_precision};
 use crate::root::{newton, newton_within};
 use alloc::vec;
 
-/// The time τ of the maximum velocity.
+/// The time τ of the peak velocity.
 #[inline(never)]
 pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
     let slope = |tau: F| {

@@ -1,4 +1,4 @@
-//! The maximum velocity of the half cycle below Ω = d/2, d = √(1 − ζ²), without a search: one of two roots, and a
+//! The peak velocity of the half cycle below Ω = d/2, d = √(1 − ζ²), without a search: one of two roots, and a
 //! proof that it is the greatest of all.
 //!
 //! The driven part `R cos Ωs`, `R = Ωα/q`, is a function of the time s since its crest, which lies within the half cycle.
@@ -62,7 +62,7 @@ struct Root<F> {
 }
 
 impl<F: Float> Rising<F> {
-    /// A time near that of the maximum velocity, if it is known to be that below Ω = d/2.
+    /// A time near that of the peak velocity, if it is known to be that below Ω = d/2.
     #[inline(always)]
     pub(super) fn fastest_of_two(&self) -> Option<F> {
         Crests::of::<false>(self, Constants::new()).fastest()

@@ -1,4 +1,4 @@
-//! The maximum velocity from the middle of the half cycle, without exponentials, circular functions or branches, so
+//! The peak velocity from the middle of the half cycle, without exponentials, circular functions or branches, so
 //! that loops over it can be vectorised.
 //!
 //! With σ the time since the middle, `x″ + 2ζx′ + x = f_s cos Ωσ − f_c sin Ωσ − 1` makes every derivative of the two
@@ -22,7 +22,7 @@ pub(crate) struct Middle<F> {
     pub(crate) displacement: F,
 }
 
-/// The moment of the maximum velocity.
+/// The moment of the peak velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct Crest<F> {
     /// The time since the middle, in 1/ω_n.
@@ -80,7 +80,7 @@ pub(super) fn slopes<F: Float, const N: usize>(
 }
 
 impl<F: Float> Middle<F> {
-    /// The maximum velocity of the half cycle with these f_c and f_s and this Δ₀/B.
+    /// The peak velocity of the half cycle with these f_c and f_s and this Δ₀/B.
     #[inline(always)]
     pub(crate) fn arrive(
         &self,

@@ -92,7 +92,7 @@ mod tests {
         [cycle.max_velocity, cycle.velocity_phase, acceleration, force, absolute]
     }
 
-    /// With however little damping, the maximum velocity and the peaks keep their accuracy, and take no
+    /// With however little damping, the peak velocity and the peaks keep their accuracy, and take no
     /// longer to find.
     #[cfg(feature = "mp")]
     #[test]

@@ -1,4 +1,4 @@
-//! The maximum velocity of a half cycle with a single stationary point of the velocity, which is known
+//! The peak velocity of a half cycle with a single stationary point of the velocity, which is known
 //! beforehand for most Ω ≥ d/2, d = √(1 − ζ²).
 //!
 //! # One stationary point
@@ -42,7 +42,7 @@ use crate::cycle::arrival::{Arrived, Nearby, Reciprocals};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
 
-/// The time of the maximum velocity, and its value.
+/// The time of the peak velocity, and its value.
 #[derive(Clone, Copy)]
 pub(crate) struct Summit<F> {
     /// The time since the middle of the half cycle, in 1/ω_n.
@@ -54,7 +54,7 @@ pub(crate) struct Summit<F> {
 }
 
 impl<F: Float> Rising<F> {
-    /// The maximum velocity.
+    /// The peak velocity.
     pub(crate) fn summit(&self) -> Summit<F> {
         if F::PRECISION <= f64::MANTISSA_DIGITS
             && let Some(found) = self.one_summit()
@@ -136,7 +136,7 @@ impl<F: Float> Vibration<F> {
 }
 
 impl<F: Float> Rising<F> {
-    /// The maximum velocity, if it is known to be the only stationary one, and close enough.
+    /// The peak velocity, if it is known to be the only stationary one, and close enough.
     #[inline(always)]
     fn one_summit(&self) -> Option<Summit<F>> {
         let rising = self;
@@ -169,7 +169,7 @@ impl<F: Float> Rising<F> {
         self.summit_near(middle.tau + start)
     }
 
-    /// The maximum velocity below Ω = d/2, where it is known without a search.
+    /// The peak velocity below Ω = d/2, where it is known without a search.
     fn summit_of_two(&self) -> Option<Summit<F>> {
         if !has_lobes(&self.half) {
             return None;

@@ -6,7 +6,7 @@ use super::squared::DrivenVelocity;
 use crate::float::{Field, Float};
 
 impl<F: Float> DampedCycle<F> {
-    /// The energy that the damper takes in a cycle, in units of r_y B: with the damper on the moving foot by the velocity
+    /// The energy that the damper takes in a cycle, in units of r_y B: with the damper on the moving support by the velocity
     /// between body and foot.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near

@@ -1,5 +1,5 @@
 //! Where Newton's method starts: from the motion without friction, the friction growing to its value, at f64;
-//! and the instant of maximum velocity, searched on a grid.
+//! and the instant of peak velocity, searched on a grid.
 //!
 //! A path may end at a fold: then there is no cycle with that friction.
 

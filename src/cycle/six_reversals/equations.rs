@@ -25,7 +25,7 @@ pub(super) struct Unknowns<F> {
 pub(super) enum Closing<F> {
     /// The force, as `AΩ² = αΩ²/q`.
     Force(F),
-    /// An edge: at this reversal the force left over is exactly the friction bound.
+    /// An edge: at this reversal the force left over is exactly the friction force.
     Stop(Edge),
 }
 

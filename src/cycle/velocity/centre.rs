@@ -1,4 +1,4 @@
-//! The maximum velocity for Ω ≥ 1/2, from the centre of the half cycle.
+//! The peak velocity for Ω ≥ 1/2, from the centre of the half cycle.
 //!
 //! The derivatives of v at ψ = 0 take no circular functions: v(0) = Δ₀/B, v′(0) is a quotient, and the others
 //! follow from `v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β`. One of Householder's third-order steps from there, and
@@ -10,7 +10,7 @@ use super::step::{arrive, householder, is_final};
 use crate::cycle::half_cycle::{HalfCycle, Jet};
 use crate::float::Float;
 
-/// The maximum velocity, and (sin, cos) of its ψ; `None` where four steps do not settle in |ψ| ≤ π/2.
+/// The peak velocity, and (sin, cos) of its ψ; `None` where four steps do not settle in |ψ| ≤ π/2.
 ///
 /// There a stationary point is the maximum: for Ω > 1 it is the only one. For 1/2 ≤ Ω < 1 the nearest crest
 /// of the fast wave is ψ_p = −π/2 (the module's head, with cos β < 0). Towards it the fast wave rises

@@ -1,4 +1,4 @@
-//! The maximum velocity by iteration: Householder's third-order steps from the centre, from a bracketed root
+//! The peak velocity by iteration: Householder's third-order steps from the centre, from a bracketed root
 //! at f64, or from a start at a lower precision.
 
 use super::centre::from_centre;
@@ -10,7 +10,7 @@ use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Field, Float, Real, at_precision};
 use crate::root;
 
-/// The maximum velocity by iteration, and (sin, cos) of its ψ where that is known.
+/// The peak velocity by iteration, and (sin, cos) of its ψ where that is known.
 #[inline(never)]
 pub(super) fn from_centre_or_afar<F: Float>(
     half: &HalfCycle<F>,
@@ -40,7 +40,7 @@ fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest
     polish(&half, F::from_f64(start)).0
 }
 
-/// The ψ of the maximum velocity at a lower precision.
+/// The ψ of the peak velocity at a lower precision.
 fn start<F: Float>(half: HalfCycle<F>, k: F, alpha: F) -> F {
     at_precision!(narrowed, <F>(half: HalfCycle<F>, k: F, alpha: F) -> F, |there, back: G| {
         let (half, k, alpha) = (half.map(&there), there(k), there(alpha));

@@ -1,4 +1,4 @@
-//! One step of Householder's third-order method towards the maximum velocity.
+//! One step of Householder's third-order method towards the peak velocity.
 
 use super::Fastest;
 use crate::cycle::half_cycle::{HalfCycle, Jet};

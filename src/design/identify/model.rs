@@ -27,9 +27,9 @@ const SAMPLES: u32 = 256;
 /// One steady motion; displacements in units of p₀/k.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ModelMotion {
-    /// Maximum displacement.
+    /// Peak displacement.
     pub(super) peak: f64,
-    /// The phase ω_d t at which the body arrives at its maximum displacement.
+    /// The phase ω_d t at which the body arrives at its peak displacement.
     pub(super) peak_phase: f64,
     /// Whether the body stops in each cycle.
     pub(super) stops: bool,

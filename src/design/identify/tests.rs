@@ -108,7 +108,7 @@ fn too_little_or_bad_input_is_refused() {
     let mut bad = curve(3.0, 0.05, (1.2, 3.6), 5, false);
     bad[2].amplitude = -1.0;
     let error = identify(&body(1.0, 0.0), FORCE, &bad).unwrap_err();
-    assert_eq!(error.to_string(), "measurement 3: maximum displacement Δ₀ = -1 must be > 0");
+    assert_eq!(error.to_string(), "measurement 3: peak displacement Δ₀ = -1 must be > 0");
     // A force far too large for these amplitudes.
     let curve = curve(3.0, 0.05, (1.2, 3.6), 9, false);
     let error = identify(&body(1.0, 0.0), 1e12 * FORCE, &curve).unwrap_err();

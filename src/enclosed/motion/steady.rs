@@ -20,11 +20,11 @@ use crate::machine::ratios::Ratios;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Steady {
-    /// Maximum displacement x/B.
+    /// Peak displacement x/B.
     pub max_displacement: Enclosure,
     /// Minimum displacement x/B.
     pub min_displacement: Enclosure,
-    /// Maximum velocity x′/(Bω_d).
+    /// Peak velocity x′/(Bω_d).
     pub max_velocity: Enclosure,
     /// Minimum velocity x′/(Bω_d).
     pub min_velocity: Enclosure,

@@ -35,8 +35,8 @@ quantities! {
     NaturalFrequency "natural frequency ω_n";
     /// Weight W = m g of the body.
     Weight "weight W";
-    /// Friction bound r_y, the maximum force friction can carry.
-    FrictionBound "friction bound r_y";
+    /// Friction force r_y, the maximum force friction can carry.
+    FrictionBound "friction force r_y";
     /// Coefficient of friction µ.
     FrictionCoefficient "coefficient of friction µ";
     /// Acceleration of the surface at which a block begins to slide, a_y.
@@ -113,14 +113,14 @@ quantities! {
     Sample "sample";
     /// Factor by which a record is multiplied.
     ScaleFactor "scale factor";
-    /// Maximum displacement Δ₀, in physical units.
-    MaxDisplacement "maximum displacement Δ₀";
-    /// Maximum displacement Δ₀/B.
-    MaxDisplacementRatio "maximum displacement Δ₀/B";
-    /// Maximum velocity V₀, in physical units.
-    MaxVelocity "maximum velocity V₀";
-    /// Maximum velocity V₀/(B ω_d).
-    MaxVelocityRatio "maximum velocity V₀/(B ω_d)";
+    /// Peak displacement Δ₀, in physical units.
+    MaxDisplacement "peak displacement Δ₀";
+    /// Peak displacement Δ₀/B.
+    MaxDisplacementRatio "peak displacement Δ₀/B";
+    /// Peak velocity V₀, in physical units.
+    MaxVelocity "peak velocity V₀";
+    /// Peak velocity V₀/(B ω_d).
+    MaxVelocityRatio "peak velocity V₀/(B ω_d)";
     /// Loop size A₁.
     LoopSizeStiffness "loop size A₁";
     /// Loop size A₂.

@@ -6,7 +6,7 @@
 //! determines the member that a motion tends to, and so the motion is followed.
 //!
 //! A motion outside the family sticks slightly less in each cycle, and creeps towards the member at the edge,
-//! which touches the border of sticking: the distance decreases only like 1/cycles. The distance never grows
+//! which touches the sticking threshold: the distance decreases only like 1/cycles. The distance never grows
 //! (`shooting`), so that a motion close to this member has it as its limit, to within the distance.
 
 use super::fixed_point::{Residual, rate_noise};

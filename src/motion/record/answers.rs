@@ -126,7 +126,7 @@ answers! {
     equivalent_damping_ratio: Option<F>, optional Ratio;
     /// Work of friction.
     friction_work: F, number Energy;
-    /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving foot u.
+    /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving support u.
     damper_work: F, number Energy;
     /// Work of the load and of the constant force on the body: ∫ (p + p̄)x′ dt with the force p, −m a of an acceleration a of
     /// the surface, or k u + c u′ of a foot.

@@ -32,10 +32,11 @@ pub struct RecordState<F> {
     pub direction: i8,
     /// Acceleration in space: that of the body and of its moving surface together.
     pub absolute_acceleration: F,
-    /// Force of friction on the body: against its motion, and at rest the force that holds it.
+    /// Friction force on the body: against its motion, and at rest the force that holds it. It is the opposite of the
+    /// friction of an `Instant`, which stands on the side of the spring in the equation of motion.
     pub friction: F,
     /// Force of spring, damper and friction together on the body's support: `k x + c x′ − friction` beside a foot at 0, on a
-    /// moving foot `k(x − u) + c x′ − friction`.
+    /// moving support `k(x − u) + c x′ − friction`.
     pub transmitted_force: F,
     /// Force of the load on the body, without the constant force: p, −m a of an acceleration a of the surface, or k u + c u′
     /// of a foot, with the damper on it.

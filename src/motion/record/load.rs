@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 use core::str::FromStr;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
-/// spring's foot, with straight lines between them. After its last sample a force and an acceleration are zero, and a
+/// spring's support, with straight lines between them. After its last sample a force and an acceleration are zero, and a
 /// foot stays where it is, unless [`Record::followed_by`] says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
@@ -301,7 +301,7 @@ fn in_sample(index: usize, error: Error) -> Error {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Factors<F> {
     pub(super) factor: F,
-    /// c/m where the damper stands on the moving foot, else 0.
+    /// c/m where the damper stands on the moving support, else 0.
     pub(super) damper: F,
 }
 

@@ -1,4 +1,4 @@
-//! The works where the damper stands on the moving foot of the spring.
+//! The works where the damper stands on the moving support of the spring.
 //!
 //! The foot moves by `u = U sin(θ − l)`, `U = α/√(1 + (2ζΩ)²)`, `tan l = 2ζΩ`, so that `u + 2ζu′ = α sin θ`. The body
 //! as seen from the foot, y = x − u, obeys the same equation of motion under another force,
@@ -18,7 +18,7 @@ use crate::float::Float;
 use crate::machine::excitation::Excitation;
 
 impl<F: Float> Equation<F> {
-    /// Whether the damper stands on the moving foot.
+    /// Whether the damper stands on the moving support.
     pub(crate) fn has_damped_foot(&self) -> bool {
         self.is_damped() && self.excitation == Some(Excitation::DampedFootMotion)
     }
@@ -30,7 +30,7 @@ impl<F: Float> Equation<F> {
         (self.alpha / size, (damper / size, F::int(1) / size))
     }
 
-    /// Work against a damper on the moving foot while the body rests, from the angle `start` of the drive for `length`:
+    /// Work against a damper on the moving support while the body rests, from the angle `start` of the drive for `length`:
     /// `∫ 2ζu′² dφ = ζΩU² [L + sin L cos(2θ + L − 2l)]`; 0 for other dampers.
     pub(crate) fn damper_work_at_rest(&self, start: F, length: F) -> F {
         if !self.has_damped_foot() {

@@ -1,4 +1,4 @@
-//! Sticking: the body at rest until the remaining force reaches the friction bound.
+//! Sticking: the body at rest until the remaining force reaches the friction force.
 //!
 //! At rest at x friction balances `α sin θ − x` (in units of r_y), up to η. The body is released forward
 //! where `α sin θ` increases through `x + η` and backward where it decreases through `x − η`: at an arcsine,

@@ -21,9 +21,9 @@ use crate::float::Float;
 /// The works of one slide, in r_y B.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Works<F> {
-    /// The work of the drive, ∫ α sin θ dx; with a damper on the moving foot, of the foot.
+    /// The work of the drive, ∫ α sin θ dx; with a damper on the moving support, of the foot.
     pub(crate) drive: F,
-    /// The work against the damper, ∫ 2ζw dx; of its own velocity where it stands on the moving foot (`foot`).
+    /// The work against the damper, ∫ 2ζw dx; of its own velocity where it stands on the moving support (`foot`).
     pub(crate) damper: F,
 }
 

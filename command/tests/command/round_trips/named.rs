@@ -322,7 +322,7 @@ pub(crate) fn of_machine(
     ]
 }
 
-/// The amplitude of a motion of the spring's foot, which a machine's answer repeats.
+/// The amplitude of a motion of the spring's support, which a machine's answer repeats.
 pub(crate) fn foot(drive: &Drive<f64>) -> Option<(&'static str, Option<f64>)> {
     drive.excitation().moves_foot().then(|| ("foot_displacement", Some(drive.amplitude())))
 }

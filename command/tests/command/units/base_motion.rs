@@ -29,7 +29,7 @@ pub(crate) struct Stepped {
     pub(crate) held: u32,
 }
 impl Room {
-    /// Explicit time steps. `foot` and `surface` are the displacement amplitudes of the spring's foot and of
+    /// Explicit time steps. `foot` and `surface` are the displacement amplitudes of the spring's support and of
     /// the surface, and `force` is the amplitude of a force on the body. In each step, friction removes as
     /// much of the relative momentum as it can.
     pub(crate) fn stepped(&self, force: f64, foot: f64, surface: f64, cycles: u32, steps: u32) -> Stepped {
@@ -121,7 +121,7 @@ fn an_isolator_over_its_frequencies() {
     }
     assert!(sticking > 0);
 }
-/// The motion of the spring's foot alone, over a fixed surface, is a different motion with its own name.
+/// The motion of the spring's support alone, over a fixed surface, is a different motion with its own name.
 #[test]
 fn the_two_base_motions_differ_and_say_which_they_are() {
     let foot = json(&format!("steady {ISOLATOR} --foot-displacement 70mm --format json"));
@@ -131,7 +131,7 @@ fn the_two_base_motions_differ_and_say_which_they_are() {
     let stepped = isolator(0.05, 2.0).stepped(0.0, 0.07, 0.07, 400, 10_000);
     close(number(&carried["physical"]["max_displacement"]), stepped.stroke, 2e-3);
     assert!(number(&carried["max_displacement"]) > 10.0 * number(&foot["max_displacement"]));
-    assert_eq!(foot["physical"]["drive"], "motion of the spring's foot over a fixed surface");
+    assert_eq!(foot["physical"]["drive"], "motion of the spring's support over a fixed surface");
     // The old option names state their meaning in every form of answer.
     for (command, option, words) in [
         ("response", "--base-motion 70mm", "of the spring's support over a fixed surface"),

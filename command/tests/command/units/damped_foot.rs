@@ -1,4 +1,4 @@
-//! A moving foot that carries spring and damper, compared with small time steps.
+//! A moving support that carries spring and damper, compared with small time steps.
 
 use super::{close, number};
 use crate::command_line::{json, refused, stdout};

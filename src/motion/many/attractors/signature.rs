@@ -38,7 +38,7 @@ pub enum Signature<F> {
     },
     /// An irregular motion, by its extrema x/B.
     Irregular {
-        /// The maximum displacement.
+        /// The peak displacement.
         max_displacement: F,
         /// The minimum displacement.
         min_displacement: F,

@@ -6,7 +6,7 @@ use crate::motion::machines::{ratios, starts};
 use crate::motion::{LongRun, State};
 
 /// Maximum and minimum displacement, stops, turns, symmetry, and whether the mirror image counts, for each
-/// limit, ordered by the maximum displacement.
+/// limit, ordered by the peak displacement.
 type ListedLimit = (f64, f64, u32, u32, bool, bool);
 
 fn found(ratios: Ratios<f64>, count: u32) -> Vec<ListedLimit> {
