@@ -197,7 +197,7 @@ fn text<F: Value>(all: &Attractors<F>, reach: F, note: &mut Note<'_, F, impl Wri
             of_cycle(steady, note)?;
             note.line("a disturbance", decay(steady.contraction(), "a cycle"))?;
         } else if let LongRun::Irregular(motion) = found.limit {
-            note.number("peak displacement", Measure::Length, motion.max_displacement)?;
+            note.number("maximum displacement", Measure::Length, motion.max_displacement)?;
             note.number("minimum displacement", Measure::Length, motion.min_displacement)?;
             note.line("Lyapunov exponent", format_args!("{} a turn", digits(motion.lyapunov_exponent)))?;
         } else if let Some((low, high)) = found.range {
@@ -210,7 +210,7 @@ fn text<F: Value>(all: &Attractors<F>, reach: F, note: &mut Note<'_, F, impl Wri
 
 /// The extrema and the stops of a cycle.
 fn of_cycle<F: Value>(steady: &SteadyState<F>, note: &mut Note<'_, F, impl Write>) -> Outcome {
-    note.number("peak displacement", Measure::Length, steady.max_displacement.value)?;
+    note.number("maximum displacement", Measure::Length, steady.max_displacement.value)?;
     note.number("minimum displacement", Measure::Length, steady.min_displacement.value)?;
     Ok(note.line("stops in a cycle", steady.sticks_per_cycle)?)
 }
