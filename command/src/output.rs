@@ -161,7 +161,7 @@ fn unique(place: &Path) -> PathBuf {
 }
 
 /// Removes the temporary files of this name whose commands were killed: they have no lock, and no process.
-fn remove_left(place: &Path) {
+pub(crate) fn remove_left(place: &Path) {
     let (Some(folder), Some(name)) = (place.parent(), place.file_name()) else { return };
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let process = |beside: &Path| {

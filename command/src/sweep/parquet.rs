@@ -43,7 +43,7 @@ pub(super) fn run(args: &TableArgs, rows: &dyn Table, part: Range<u64>) -> Outco
         }
         // The file is made from all parts at once: if it exists, nothing is left to do.
         sweep.check(file, sweep.part.clone()).map_err(|what| error_at(file, &what))?;
-        return Parts::remove_left(file);
+        return Parts::remove_left(file, &sweep);
     }
     let mut parts = Parts::open(file, args.resume)?;
     let done = parts.check(&sweep)?;

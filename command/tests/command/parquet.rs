@@ -291,6 +291,19 @@ fn what_is_beside_the_file_is_left_alone() {
     std::fs::remove_dir_all(parts(&file)).unwrap();
     stdout(&sweep);
     assert_eq!(std::fs::read_to_string(&resumed).unwrap(), "notes");
+    // Beside a finished file, too, parts of another sweep are named and stay; its own, and what a killed command left, go.
+    let whole = std::fs::read(&file).unwrap();
+    std::fs::create_dir(parts(&file)).unwrap();
+    stdout(&format!("sweep border --omega 0.5:2:10:log --out {}", part.display()));
+    refused(&format!("{sweep} --resume"), &["of another sweep", "000000000010.parquet"]);
+    assert!(part.exists());
+    std::fs::write(&part, &whole).unwrap();
+    let mut left = file.to_path_buf().into_os_string();
+    left.push(".999999999-0.part");
+    std::fs::write(&left, "half").unwrap();
+    stdout(&format!("{sweep} --resume"));
+    assert!(!parts(&file).exists() && !Path::new(&left).exists());
+    assert_eq!(std::fs::read(&file).unwrap(), whole);
 }
 
 /// A limit on the file size acts like a full disk.

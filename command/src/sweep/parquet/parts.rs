@@ -125,12 +125,24 @@ impl Parts {
         self.remove(&parts)
     }
 
-    /// Removes the remaining parts of a file that was completed.
-    pub(super) fn remove_left(file: &Path) -> Outcome {
+    /// Removes what a command that was killed left of a file that was completed: its remaining parts, and its temporary
+    /// files. Parts of another sweep are named, and stay.
+    pub(super) fn remove_left(file: &Path, sweep: &Sweep<'_>) -> Outcome {
+        output::remove_left(file);
         if !with_suffix(file, ".parts").exists() {
             return Ok(());
         }
         let parts = Self::open(file, true)?;
+        for range in &parts.parts {
+            let path = parts.path(range);
+            let is_within = sweep.part.start <= range.start && range.end <= sweep.part.end;
+            let checked = if is_within && range.start < range.end {
+                sweep.check(&path, range.clone())
+            } else {
+                Err(format!("of another sweep, which {} is not", file.display()))
+            };
+            checked.map_err(|what| error_at(&path, &what))?;
+        }
         let ranges = parts.parts.clone();
         parts.remove(&ranges)
     }
