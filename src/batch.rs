@@ -22,7 +22,7 @@
 //! set of loops covers Ω from 1/2 to 2²⁰; another covers 2⁻¹⁰ to 1/2, for which the points are gathered into
 //! blocks of their own.
 //!
-//! Points with a damper have loops of their own for eight outputs ([`Batch::run_each`]).
+//! Points with a damper have loops of their own for eight outputs, above and below Ω = 1/2 ([`Batch::run_each`]).
 //!
 //! The remaining points are computed one by one by [`crate::Response`]: any other Ω, an Ω within 0.0012 Ω of
 //! 1/(2n) or within 2⁻²⁴ of 1, and a start too far from the peak velocity. Every point of the domain thus
@@ -145,7 +145,9 @@ impl Batch {
     /// If nothing but {Δ₀, α_min, A₁, A₂, ω_d t₂, V₀, ω_d t₁, Δ₁} and the regime is requested, loops compute the points
     /// with 1/2 ≤ Ω ≤ 2²⁰ and 0 < ζ ≤ 7/8, except those within 10⁻⁶ or so of Ω = 1 with as little damping, those with a
     /// large ζ/Ω, and for V₀ those whose peak velocity is more than 1/ω_n or a sixth of a cycle from the middle of
-    /// the half cycle. All others, and all other outputs, are computed point by point.
+    /// the half cycle. Loops of their own compute those with 2⁻¹⁰ ≤ Ω < 1/2 and 0 < ζ ≤ 1/2, except those beside
+    /// Ω = 1/n, and for V₀ those where a few bounds do not prove it the greatest. All others, and all other outputs, are
+    /// computed point by point.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] where a slice does not have `n` elements.

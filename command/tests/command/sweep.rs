@@ -99,6 +99,51 @@ fn a_sweep_and_a_map_by_loops_have_the_digits_of_whole_rows() {
     }
 }
 
+/// So have a machine's values in units, which the loops give in ratios.
+#[test]
+fn a_machine_in_units_by_loops_has_the_digits_of_whole_rows() {
+    let machine = "--mass 50kg --stiffness 3kN/m --friction 5N --frequency 0.2Hz:3Hz:40 --force 4N:60N:9";
+    let names =
+        ["max_displacement", "frequency", "force_amplitude", "min_force", "energy_per_cycle", "max_velocity"];
+    for (damper, excitation) in [("0,0.05", ""), ("0.05", ""), ("0", ""), ("0.05", "cm")] {
+        let sweep = match excitation {
+            "" => format!("sweep response {machine} --damping-ratio {damper}"),
+            _ => format!(
+                "sweep response {} --damping-ratio {damper}",
+                machine.replace("--force 4N:60N:9", "--base-displacement 1cm:20cm:9")
+            ),
+        };
+        let asked = names.map(|name| format!("physical.{name}")).join(",");
+        let (whole, some) = (stdout(&sweep), stdout(&format!("{sweep} --outputs alpha,regime,{asked}")));
+        let columns: Vec<&str> = whole.lines().next().unwrap().split(',').collect();
+        let place = |name: &str| columns.iter().position(|column| column.split('[').next() == Some(name));
+        let in_units = |name: &str| columns.iter().position(|column| column.starts_with(&format!("{name}[")));
+        let places: Vec<_> = [place("alpha"), place("regime")]
+            .into_iter()
+            .chain(names.map(in_units))
+            .map(Option::unwrap)
+            .collect();
+        assert_eq!(whole.lines().count(), some.lines().count());
+        for (whole, some) in whole.lines().zip(some.lines()) {
+            let cells: Vec<&str> = whole.split(',').collect();
+            assert_eq!(places.iter().map(|&place| cells[place]).collect::<Vec<_>>().join(","), some);
+        }
+    }
+    for name in ["max_displacement", "min_force", "force_amplitude"] {
+        let grids = format!("{machine} --damping-ratio 5%");
+        let map = stdout(&format!("map {name} {grids}"));
+        let rows = stdout(&format!("sweep response {grids} --outputs contraction,physical.{name}"));
+        let value = |row: &str| row.rsplit(',').next().unwrap().to_owned();
+        let (map, rows): (Vec<_>, Vec<_>) =
+            (map.lines().skip(1).map(value).collect(), rows.lines().skip(1).map(value).collect());
+        assert_eq!((map.len(), rows.len()), (360, 360));
+        // A map runs along the frequency first, a sweep along the force.
+        for (i, cell) in map.iter().enumerate() {
+            assert_eq!(*cell, rows[i % 40 * 9 + i / 40], "{name} {i}");
+        }
+    }
+}
+
 #[test]
 fn steady_and_border_are_swept_too() {
     let steady = stdout("sweep steady --omega 0.4 --alpha 6,7 --format jsonl");
