@@ -63,7 +63,7 @@ macro_rules! rows {
 rows! {
     QuietRows of Quiet:
     factor, damper, push, rate, square, omega, sign, impulse, step, ramp, x_of_x, v_of_x, v_of_v, area_of_v,
-    area_of_slope, beyond_v, beyond_a, below, change_of_a, change_of_jerk,
+    area_of_slope, beyond_v, beyond_a, below, beyond_jerk, never,
 }
 
 rows! {
@@ -133,9 +133,28 @@ impl<F: Float, const L: usize> Lanes<F, L> {
         step: &Step<F>,
         steps: usize,
     ) {
+        set(&mut self.since, lane, steps);
         let is_empty = body.failure.is_some();
         self.quiet.set(lane, &if is_empty { Quiet::none() } else { Quiet::of(body, whole, step) });
-        set(&mut self.since, lane, steps);
+    }
+
+    /// Takes a body into its lane after a step of the same length.
+    fn update(
+        &mut self,
+        lane: usize,
+        body: &Followed<F>,
+        whole: Option<&Responses<F>>,
+        step: &Step<F>,
+        steps: usize,
+    ) {
+        match Quiet::turned(at(&self.quiet.sign, lane), body) {
+            Some([push, sign]) if body.failure.is_none() => {
+                set(&mut self.since, lane, steps);
+                set(&mut self.quiet.push, lane, push);
+                set(&mut self.quiet.sign, lane, sign);
+            }
+            _ => self.read(lane, body, whole, step, steps),
+        }
     }
 
     /// Returns a lane to its body, after so many steps.
@@ -265,13 +284,13 @@ fn take<F: Float, const L: usize>(
         }
         lanes.write(now, lane, body, step.length, steps);
         body.take(samples, time, step, whole.as_ref());
-        lanes.read(lane, body, whole.as_ref(), step, steps.saturating_add(1));
+        lanes.update(lane, body, whole.as_ref(), step, steps.saturating_add(1));
         next.read(lane, body);
     }
 }
 
 /// The steps of a block.
-const BLOCK: usize = 8;
+const BLOCK: usize = 16;
 /// The steps in which no range grew, after which a body alone takes blocks.
 const CALM: usize = 3;
 
@@ -343,7 +362,11 @@ fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(u
             return;
         }
         state = [body.follower.x, body.follower.v];
-        quiet = Quiet::of(body, whole.as_ref(), &step);
+        if let Some([push, sign]) = Quiet::turned(quiet.sign, body) {
+            (quiet.push, quiet.sign) = (push, sign);
+        } else {
+            quiet = Quiet::of(body, whole.as_ref(), &step);
+        }
         limits = Limits::of(body);
         steps = 0;
     }
@@ -371,7 +394,11 @@ fn pass_one<F: Float>(
 ) -> (bool, bool) {
     let load = quiet.load([first, second], (second - first) * step.inverse);
     let push = quiet.push(&load);
-    let (moved, end) = (quiet.moved(*state, &push), quiet.after(*state, &push));
+    let end = quiet.after(*state, &push);
+    if quiet.sign * end[1] < F::int(0) {
+        return (false, false);
+    }
+    let moved = quiet.moved(*state, &push);
     let passed = quiet.passed([*state, end], &load, moved, limits, Some(end_time));
     if passed.is_quiet {
         (*state, *limits) = (end, passed.limits);
@@ -406,20 +433,20 @@ fn pass_block<F: Float>(
         set(&mut push_x, i, push.x);
         set(&mut push_v, i, push.v);
     }
-    let (mut x, mut v) = ([zero; BLOCK + 1], [zero; BLOCK + 1]);
+    // Each state stands in two rows, as an end and as a start: a loop over one row with two places is not taken in lanes.
+    let (mut x, mut v, mut end_x, mut end_v) = (row, row, row, row);
     let mut now = *state;
-    set(&mut x, 0, now[0]);
-    set(&mut v, 0, now[1]);
     for i in 0..BLOCK {
+        set(&mut x, i, now[0]);
+        set(&mut v, i, now[1]);
         now = quiet.after(now, &Push { x: at(&push_x, i), v: at(&push_v, i) });
-        set(&mut x, i.saturating_add(1), now[0]);
-        set(&mut v, i.saturating_add(1), now[1]);
+        set(&mut end_x, i, now[0]);
+        set(&mut end_v, i, now[1]);
     }
     let (mut event, mut load_work, mut foot_work) = (row, row, row);
     for i in 0..BLOCK {
         let load = load_of(i);
-        let start = [at(&x, i), at(&v, i)];
-        let end = [at(&x, i.saturating_add(1)), at(&v, i.saturating_add(1))];
+        let (start, end) = ([at(&x, i), at(&v, i)], [at(&end_x, i), at(&end_v, i)]);
         let moved = quiet.moved(start, &Push { x: at(&push_x, i), v: at(&push_v, i) });
         let Passed { is_quiet, work, .. } = quiet.passed([start, end], &load, moved, limits, None);
         set(&mut event, i, select(is_quiet, zero, F::int(1)));
@@ -432,6 +459,6 @@ fn pass_block<F: Float>(
         body.totals.load_work = body.totals.load_work + at(&load_work, i);
         body.totals.foot_work = body.totals.foot_work + at(&foot_work, i);
     }
-    *state = [at(&x, taken), at(&v, taken)];
+    *state = if is_whole { now } else { [at(&x, taken), at(&v, taken)] };
     taken
 }

@@ -6,11 +6,10 @@
 //! |g″|. The energy of a free vibration does not grow, so that with a and a′ at the start
 //!
 //! ```text
-//! |v″| ≤ E,   |a″| ≤ (ω + 2β)E,   E = |a′| + ω|a|.
+//! |v″| ≤ E,   |a″| ≤ (ω + 2β)E,   |a‴| ≤ (ω + 2β)²E,   E = |a′| + ω|a|.
 //! ```
 //!
-//! A range grows in such a step if its quantity is monotone there, because its derivative is greater than the derivative
-//! can change.
+//! A range grows in such a step if its quantity is monotone there: its derivative has one sign by the same bounds.
 //!
 //! A body at rest has the same table with zeros in place of the responses: a is the force on it, and the bounds of a
 //! are those of the static friction, and of the forces on the support so far.
@@ -85,14 +84,13 @@ pub(super) struct Quiet<F> {
     /// The integral of the displacement since the start, by v, a and the slope.
     pub(super) area_of_v: F,
     pub(super) area_of_slope: F,
-    /// Bounds of how far v and a are beyond the greater of their ends, by E; at rest that of v is below 0.
+    /// Bounds of how far v, a and a′ are beyond the greater of their ends, by E; at rest that of v is below 0.
     pub(super) beyond_v: F,
     pub(super) beyond_a: F,
     pub(super) below: F,
-    /// Bounds of how far a and the derivative of a, and of a less the load, can change, by E; infinite where the ranges
-    /// must not grow.
-    pub(super) change_of_a: F,
-    pub(super) change_of_jerk: F,
+    pub(super) beyond_jerk: F,
+    /// 0, and infinite where the ranges must not grow.
+    pub(super) never: F,
 }
 
 /// The ranges so far: of the speed in the direction of the slide, of a, and of a less the load.
@@ -215,8 +213,8 @@ impl<F: Float> Quiet<F> {
             beyond_v: zero,
             beyond_a: zero,
             below: F::int(-1),
-            change_of_a: infinity(),
-            change_of_jerk: infinity(),
+            beyond_jerk: zero,
+            never: infinity(),
         }
     }
 
@@ -251,9 +249,18 @@ impl<F: Float> Quiet<F> {
             beyond_v: step.eighth,
             beyond_a: step.eighth * (common.omega + c.rate),
             below: zero,
-            change_of_a: step.length,
-            change_of_jerk: step.length * (common.omega + c.rate),
+            beyond_jerk: step.eighth * (common.omega + c.rate).square(),
+            never: zero,
             ..common
+        }
+    }
+
+    /// The constant force less friction, and the direction, of a body that slides, where they are all that has changed.
+    pub(super) fn turned(sign_before: F, body: &Followed<F>) -> Option<[F; 2]> {
+        let c = &body.follower.constants;
+        match body.follower.mode {
+            Mode::Slide(sign) if sign_before != F::int(0) => Some([c.mean - sign * c.friction, sign]),
+            Mode::Slide(_) | Mode::Rest => None,
         }
     }
 
@@ -324,11 +331,15 @@ impl<F: Float> Quiet<F> {
         let Some(time) = growth_at else {
             return Passed { is_quiet: goes_on & is_within, is_within, work, limits: *limits };
         };
-        let (of_a, of_jerk) = (energy * self.change_of_a, energy * self.change_of_jerk);
+        let end_swing = -(self.square * end[1] + self.rate * end_a);
+        let end_jerk = load.slope + end_swing;
+        let of_jerk = energy * self.beyond_jerk;
+        let has_sign =
+            |start: F, end: F, reach: F| (lesser(start, end) > reach) | (greater(start, end) < -reach);
         let is_quiet = goes_on
-            & (is_v | (a.abs() > of_a))
-            & (is_a | (jerk.abs() > of_jerk))
-            & (is_free | (swing.abs() > of_jerk));
+            & (is_v | has_sign(a, end_a, of_a + self.never))
+            & (is_a | has_sign(jerk, end_jerk, of_jerk + self.never))
+            & (is_free | has_sign(swing, end_swing, of_jerk + self.never));
         let limits = Limits {
             fastest: if end_speed > limits.most_speed { time } else { limits.fastest },
             most_speed: greater(end_speed, limits.most_speed),
