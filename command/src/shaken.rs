@@ -63,6 +63,11 @@ impl<F: Value> Surface<F> {
         self.slope.is_some() || !self.has_spring || self.is_one_way
     }
 
+    /// Whether the body lies on a slope.
+    pub(crate) const fn is_inclined(&self) -> bool {
+        self.slope.is_some()
+    }
+
     pub(crate) fn read(args: &SurfaceArgs, reader: &Reader) -> Result<Self, Failure> {
         let slope = args.slope.as_ref().map(|text| {
             let slope = reader.value::<F>("--slope", text, Kind::Angle)?;
