@@ -31,6 +31,7 @@
 //! Ωτ), because h′ is a free vibration with decreasing energy.
 
 use super::half_period::HalfPeriod;
+pub(crate) use super::half_period::{has_lobes, turning_point};
 use super::lobes::{self, Lobe};
 use super::rising::Moment;
 use super::touch::{End, Touch};
@@ -45,12 +46,6 @@ struct Supremum<F> {
     amplitude: F,
     /// Where it is, if not at the turning point.
     touch: Option<Touch<F>>,
-}
-
-/// Whether the supremum may be away from the turning point.
-#[inline(always)]
-pub(crate) fn has_lobes<F: Float>(half: &HalfPeriod<F>) -> bool {
-    half.free.swings() & (half.omega * F::int(2) < half.free.frequency)
 }
 
 /// Where the supremum is if not at the turning point, and S there.
@@ -105,13 +100,6 @@ pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool
         return false;
     }
     !has_lobes(half) || greatest(half, Supremum { amplitude: most, touch: None }).touch.is_none()
-}
-
-/// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of
-/// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
-#[inline(always)]
-pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
-    (half.static_friction + half.shift + half.damper() * half.h) * half.inverse.square()
 }
 
 /// The least Δ₀/B with which it does not stick at its turning points, S − G: `[η + G(1 − Ω²) + 2ζΩH]/Ω²`.

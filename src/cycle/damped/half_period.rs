@@ -2,7 +2,7 @@
 //! and ζ alone.
 
 use super::free::Free;
-use super::long::Long;
+use super::long::{Long, to_acute};
 use super::middle::Middle;
 use super::pole::Pole;
 use super::tangent::Tangent;
@@ -356,11 +356,17 @@ pub(super) fn wide_sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {
     by_quarters(turns, F::sin_cos_acute(acute))
 }
 
-/// The nearest multiple of π/2, and what is left of an angle.
+/// Whether the supremum of the border's condition may be away from the turning point.
 #[inline(always)]
-pub(super) fn to_acute<F: Float>(angle: Pair<F>) -> (F, Pair<F>) {
-    let turns = (angle.hi * (F::int(2) / F::pi())).round();
-    (turns, angle - Pair::pi() * F::ratio(1, 2) * turns)
+pub(crate) fn has_lobes<F: Float>(half: &HalfPeriod<F>) -> bool {
+    half.free.swings() & (half.omega * F::int(2) < half.free.frequency)
+}
+
+/// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of
+/// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
+#[inline(always)]
+pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
+    (half.static_friction + half.shift + half.damper() * half.h) * half.inverse.square()
 }
 
 /// G and H from the middle of the half period: `(omega, middle)` is (Ω, T/2), `angle` (sin, cos) of dT/2 for

@@ -9,7 +9,6 @@
 //! dT/2 is `π/2Ω − (1 − d) T/2`, and π/2Ω = qπ/2 + w, where 1 − qΩ is exact: the signs of s and c, which follow from q, are
 //! those of s c alone.
 
-use super::half_period::to_acute;
 use crate::float::circular::by_quarters;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
@@ -71,4 +70,11 @@ impl<F: Float> Long<F> {
             & (middle.hi * zeta * F::int(2) <= F::int(F::RATIO_EXPONENT));
         Self { inverse: near, shift: shift.normalised(), h: h.normalised(), waves, is_accurate }
     }
+}
+
+/// The nearest multiple of π/2, and what is left of an angle.
+#[inline(always)]
+pub(super) fn to_acute<F: Float>(angle: Pair<F>) -> (F, Pair<F>) {
+    let turns = (angle.hi * (F::int(2) / F::pi())).round();
+    (turns, angle - Pair::pi() * F::ratio(1, 2) * turns)
 }
