@@ -302,7 +302,7 @@ def test_results_are_values():
         one["stroke"]
 
 
-#: The amplitude of each drive, and what it is multiplied by for a displacement of the foot or the base.
+#: The amplitude of each drive, and what it is multiplied by for a displacement of the support or the base.
 DRIVES = {
     "force": 12.0,
     "unbalance": 0.4,

@@ -264,10 +264,10 @@ pub enum Error {
         /// The drive.
         drive: &'static str,
     },
-    /// A motion of the spring's foot, whose force k u_g0 depends on the unknown stiffness.
+    /// A motion of the spring's support, whose force k u_g0 depends on the unknown stiffness.
     #[error(
-        "drive = motion of the spring's foot must be a force or a motion of a base that carries the surface: the force \
-         of a moving foot, k u_g0, depends on the unknown stiffness"
+        "drive = motion of the spring's support must be a force or a motion of a base that carries the surface: the force \
+         of a moving support, k u_g0, depends on the unknown stiffness"
     )]
     BaseMotion,
     /// A best friction over a band whose motions take too long to compute.

@@ -1,4 +1,4 @@
-//! The kinds of excitation: a force, or a motion of the foot or the base.
+//! The kinds of excitation: a force, or a motion of the support or the base.
 
 use crate::machine::error::Quantity;
 use crate::named::named;
@@ -23,12 +23,12 @@ named! {
         /// The force of a mass m_e that rotates on the body at an eccentricity e with the speed ω_d, given by the
         /// unbalance m_e e: `p₀ = m_e e ω_d²`. The mass m is that of the whole body, with m_e.
         Unbalance = "rotating unbalance on the body",
-        /// A motion `u₀ sin ω_d t` of the foot of the spring over a fixed surface: `p₀ = k u₀`. This is the
+        /// A motion `u₀ sin ω_d t` of the support of the spring over a fixed surface: `p₀ = k u₀`. This is the
         /// paper's base motion (`docs/errata.md`, 7).
         FootMotion = "motion of the spring's support over a fixed surface",
-        /// A motion `u₀ sin ω_d t` of the foot of the spring, on which the damper stands as well: `p₀ = √(k² +
+        /// A motion `u₀ sin ω_d t` of the support of the spring, on which the damper stands as well: `p₀ = √(k² +
         /// c²ω_d²) u₀`, ahead of the motion by [`Drive::phase_lead`](crate::Drive::phase_lead).
-        DampedFootMotion = "motion of the foot of spring and damper over a fixed surface",
+        DampedFootMotion = "motion of the support of spring and damper over a fixed surface",
         /// A motion `u₀ sin ω_d t` of a base that carries the surface along, given by its displacement amplitude:
         /// `p₀ = m ω_d² u₀`.
         SurfaceMotion = "motion of the base with its surface",
@@ -53,7 +53,7 @@ impl Excitation {
         }
     }
 
-    /// Whether the foot of the spring moves over a fixed surface, so that the force on the body depends on
+    /// Whether the support of the spring moves over a fixed surface, so that the force on the body depends on
     /// its stiffness.
     #[doc(hidden)]
     #[must_use]
@@ -68,7 +68,7 @@ impl Excitation {
         matches!(self, Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration)
     }
 
-    /// Whether the foot or the base moves, so that the body's absolute displacement and that of its support are two.
+    /// Whether the support or the base moves, so that the body's absolute displacement and that of its support are two.
     pub(crate) const fn moves_base(self) -> bool {
         self.moves_foot() || self.carries_surface()
     }
