@@ -86,7 +86,7 @@ pub enum Error {
         high: Number,
     },
     /// No non-sticking cycle: the force ratio is below the border.
-    #[error("force ratio α = {alpha} must be ≥ {least}, the border at Ω = {omega}: below it the body sticks")]
+    #[error("force ratio α = {alpha} must be ≥ {least}, the sticking threshold at Ω = {omega}: below it the body sticks")]
     Sticks {
         /// Frequency ratio Ω.
         omega: Number,
@@ -97,7 +97,7 @@ pub enum Error {
     },
     /// No non-sticking cycle anywhere in a range of frequency ratios.
     #[error(
-        "force ratio α = {alpha} must be ≥ {least}, the minimum of the border for {low} ≤ Ω ≤ {high}: below \
+        "force ratio α = {alpha} must be ≥ {least}, the least sticking threshold for {low} ≤ Ω ≤ {high}: below \
          it the body sticks throughout"
     )]
     SticksThroughout {
@@ -124,7 +124,7 @@ pub enum Error {
     },
     /// A force ratio too close to a minimum of the border for the arithmetic to decide.
     #[error(
-        "force ratio α = {alpha} must differ more from {least}, the minimum of the border near Ω = {omega}, \
+        "force ratio α = {alpha} must differ more from {least}, the least sticking threshold near Ω = {omega}, \
          for this number type to decide on which side it is"
     )]
     Undecided {
@@ -337,7 +337,7 @@ pub enum Error {
     },
     /// A motion under a record in which a sign stays uncertain, whatever the bits.
     #[error(
-        "record: whether the body slides or turns after the time {time} is uncertain: the load is at the bound of friction, a velocity grazes zero, or the damping is critical"
+        "record: whether the body slides or turns after the time {time} is uncertain: the load equals the friction, a velocity grazes zero, or the damping is critical"
     )]
     UncertainEvent {
         /// The time.
