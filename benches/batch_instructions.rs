@@ -24,10 +24,10 @@ fn main() {
     };
     let is_low = kernel.ends_with("-damped-low");
     let least = if kernel.ends_with("-low") { 0.35 } else { 0.5 };
-    let all = points::points_from(if is_low { 16 * POINTS } else { POINTS }, least);
-    // With a damper those below Ω = 1/2 alone, 7 % of all.
-    let some = all.into_iter().filter(|&(omega, _)| !is_low || omega < 0.5).take(POINTS);
-    let (omega, alpha): (Vec<_>, Vec<_>) = some.unzip();
+    let mut all = points::points_from(POINTS, least);
+    // With a damper those below Ω = 1/2 alone, 7 % of all, again and again.
+    all.retain(|&(omega, _)| !is_low || omega < 0.5);
+    let (omega, alpha): (Vec<_>, Vec<_>) = all.iter().copied().cycle().take(POINTS).unzip();
     let (mut room, batch) = (Room::new(POINTS), Batch::new());
     let Ok(row) = FixedOmega::new(1.5) else { return };
     let damped = |(&omega, &alpha)| Ratios::new(omega, alpha).and_then(|at| at.with_damping_ratio(0.02)).ok();
