@@ -254,7 +254,7 @@ pub(super) fn follow<F: Float, const L: usize>(
         };
         if is_event {
             let (now, next) = if is_even { (&even, &mut odd) } else { (&odd, &mut even) };
-            take(&mut lanes, (now, next), bodies, &whole, [first, second], time, &step, steps);
+            take(&mut lanes, (now, next), bodies, &whole, ([first, second], time), &step, steps);
         }
         steps = steps.saturating_add(1);
     }
@@ -273,8 +273,7 @@ fn take<F: Float, const L: usize>(
     (now, next): (&State<F, L>, &mut State<F, L>),
     bodies: &mut [Followed<F>],
     whole: &[Option<Responses<F>>],
-    samples: [F; 2],
-    time: F,
+    (samples, time): ([F; 2], F),
     step: &Step<F>,
     steps: usize,
 ) {

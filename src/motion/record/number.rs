@@ -103,14 +103,11 @@ impl<F: Float> Number for F {
         let (one, two, length) = (F::int(1), F::int(2), high - low);
         let (first, last) = (slope * length, end_slope * length);
         let bend = end - value - first;
+        let part = two * value / ((first.square() - two * two * bend * value).sqrt() - first);
         let cubic = last - first - two * bend;
-        let mut part = two * value / ((first.square() - two * two * bend * value).sqrt() - first);
-        for _ in 0..2 {
-            let there = value + part * (first + part * (bend + (part - one) * cubic));
-            let steepness = first + two * bend * part + part * (F::int(3) * part - two) * cubic;
-            part = part - there / steepness;
-        }
-        let root = halley_within(low + length * part, low, high, of);
+        let there = part.square() * (part - one) * cubic;
+        let steepness = first + two * bend * part + part * (F::int(3) * part - two) * cubic;
+        let root = halley_within(low + length * (part - there / steepness), low, high, of);
         Some(root.implicit_root(|t| {
             let [value, slope, ..] = of(t);
             (value, slope)

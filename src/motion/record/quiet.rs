@@ -233,7 +233,7 @@ impl<F: Float> Quiet<F> {
         let Mode::Slide(sign) = body.follower.mode else {
             return Self { push: c.mean, ..common };
         };
-        let nan = zero / zero;
+        let nan = F::int(0) / F::int(0);
         let s = whole.copied().unwrap_or(Responses { impulse: nan, step: nan, ramp: nan, parabola: nan });
         Self {
             push: c.mean - sign * c.friction,
