@@ -11,6 +11,7 @@ mod invariants;
 mod any;
 mod ends;
 mod laws;
+mod quiet;
 mod references;
 mod sampled;
 #[cfg(all(feature = "dual", feature = "mp"))]
