@@ -3,7 +3,7 @@
 
 use crate::{Error, Matrix};
 use cpu_time::ProcessTime;
-use diffsol::{OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
+use diffsol::{OdeBuilder, OdeSolverMethod, OdeSolverStopReason, Vector};
 use std::f64::consts::TAU;
 
 const OMEGA: f64 = 0.9;
@@ -70,7 +70,7 @@ fn follow(n: usize, rtol: f64) -> Result<(Vec<f64>, usize), Error> {
     loop {
         let reason = solver.step()?;
         let OdeSolverStopReason::RootFound(at, _) = reason else {
-            if *solver.state().t >= until {
+            if solver.state().t >= until {
                 let end = solver.interpolate(until)?;
                 return Ok(((0..2 * n).map(|k| end[k]).collect(), events));
             }
