@@ -71,7 +71,7 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
         Ok(border) => {
             let cycle = engine.cycle().map_err(failed)?.filter(|cycle| cycle.margin >= 1.0);
             add("border", as_json(&OfBorder::new(&border, cycle.as_ref()))?);
-            add("border_verdict", json!(border_verdict(&border)));
+            add("border_verdict", json!(border_verdict(described, &border)));
         }
         Err(error) => {
             add("border", Value::Null);

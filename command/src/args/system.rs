@@ -86,6 +86,10 @@ pub(crate) struct SystemArgs {
     /// Frequencies of the load with the lowest frequency, such as 1Hz:10Hz:100, with curve
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,
+    /// Rows between those of the grid, beside each peak of a coordinate, with curve and steady: the column source tells
+    /// which are added
+    #[arg(long, conflicts_with_all = ["resume", "shard"])]
+    pub(crate) resolve: bool,
     /// Another value of the file: NAME.FIELD=VALUE, such as bearing.friction=600N, or a grid of them, such as
     /// bearing.friction=100N:1kN:20. May be given several times
     #[arg(long, value_name = "PATH=VALUE")]

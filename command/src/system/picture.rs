@@ -18,6 +18,9 @@ const SHOWN: usize = 6;
 /// The part of the greatest velocity below which a contact rests.
 const AT_REST: f64 = 1e-9;
 
+/// The marks along a curve.
+const MARKS: usize = 8;
+
 /// A quantity with its unit, for an axis.
 fn label(described: &Described, name: &str, kind: Of) -> String {
     described.units.map_or_else(|| name.to_owned(), |units| format!("{name} ({})", units.name(kind)))
@@ -124,7 +127,7 @@ fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
 const MOST_ADDED: usize = 200;
 
 /// A place on the axis, with its answer.
-type Placed = (f64, Vec<Cell<'static>>);
+pub(super) type Placed = (f64, Vec<Cell<'static>>);
 
 /// The curve with further places beside the peaks of each coordinate, in ascending order.
 fn resolved_for_all(
@@ -163,29 +166,52 @@ fn is_logarithmic(low: f64, high: f64) -> bool {
     low > 0.0 && high / low > 20.0
 }
 
-/// The greatest displacement of each coordinate over the one axis of a grid, thick where a contact sticks.
-pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Result<Figure, Failure> {
+/// The place of an answer in its row.
+fn place_of(grid: &Grid<'_>, name: &str) -> Option<usize> {
+    let place = grid.names().iter().position(|own| own.split('[').next() == Some(name));
+    place.and_then(|place| place.checked_sub(grid.given(0).len()))
+}
+
+/// A curve over the one axis of a grid.
+pub(super) struct Resolved {
+    /// The place of the axis among what is given in a row.
+    pub(super) axis: usize,
+    /// The values of the grid.
+    pub(super) given: Vec<f64>,
+    /// Those with the ones beside peaks, in ascending order, with their answers.
+    pub(super) places: Vec<Placed>,
+}
+
+/// The curve over the one axis of a grid, with its peaks resolved; `argument` is what asks for it.
+pub(super) fn resolved(grid: &Grid<'_>, described: &Described, argument: &str) -> Result<Resolved, Failure> {
     let rows: Vec<u64> = (0..grid.len()).collect();
     let given = |row: &u64| grid.given(*row);
     let varies = |place: &usize| rows.iter().any(|row| given(row).get(*place) != given(&0).get(*place));
     let axes: Vec<usize> = (0..given(&0).len()).filter(varies).collect();
-    let ([place], Some(name)) = (axes.as_slice(), axes.first().and_then(|place| grid.names().get(*place)))
+    let (&[axis], Some(name)) = (axes.as_slice(), axes.first().and_then(|place| grid.names().get(*place)))
     else {
-        return Err("--picture: shows one axis, a --frequency or a --set with a range".into());
+        return Err(format!("{argument}: needs one axis, a --frequency or a --set with a range").into());
     };
-    let places: Vec<f64> = rows.iter().map(|row| number(given(row).get(*place))).collect();
-    if !places.iter().all(|x| x.is_finite()) {
-        return Err(format!("--picture: {name} must be a number in each row").into());
+    let values: Vec<f64> = rows.iter().map(|row| number(given(row).get(axis))).collect();
+    if !values.iter().all(|x| x.is_finite()) {
+        return Err(format!("{argument}: {name} must be a number in each row").into());
     }
-    let before = given(&0).len();
-    let place_of = |name: &str| {
-        let place = grid.names().iter().position(|own| own.split('[').next() == Some(name));
-        place.and_then(|place| place.checked_sub(before))
-    };
-    let places: Vec<(f64, Vec<Cell<'static>>)> = places.into_iter().zip(answers(grid)?).collect();
+    let places: Vec<Placed> = values.iter().copied().zip(answers(grid)?).collect();
     // Only the last axis has values between those of the grid.
-    let places =
-        if *place + 1 == before { resolved_for_all(grid, described, places, &place_of)? } else { places };
+    let is_last = axis + 1 == given(&0).len();
+    let places = if is_last {
+        resolved_for_all(grid, described, places, &|name| place_of(grid, name))?
+    } else {
+        places
+    };
+    Ok(Resolved { axis, given: values, places })
+}
+
+/// The greatest displacement of each coordinate over the one axis of a grid, dashed where a contact sticks.
+pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Result<Figure, Failure> {
+    let Resolved { axis: place, places, .. } = resolved(grid, described, "--picture")?;
+    let name = grid.names().get(place).map_or("", String::as_str);
+    let place_of = |name: &str| place_of(grid, name);
     let (places, answers): (Vec<f64>, Vec<_>) = places.into_iter().unzip();
     let column = |name: &str| {
         let place = place_of(name);
@@ -210,13 +236,25 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
             (column(&format!("{name}.max_displacement")), column(&format!("{name}.min_displacement")));
         let heights: Vec<f64> = most.iter().zip(&least).map(|(a, b)| a.abs().max(b.abs())).collect();
         values.extend(heights.iter().copied().filter(|y| y.is_finite() && *y > 0.0));
-        let points: Vec<_> = places.iter().copied().zip(heights).collect();
-        if sticks.contains(&true) {
-            let part =
-                points.iter().enumerate().map(|(i, &(x, y))| (x, if beside(i) { y } else { f64::NAN }));
-            series.push(Series::new(format!("{name}, a contact sticks"), Style::Thick, i + 1, part));
+        // A piece with a rest at one of its ends is dashed, and the parts meet where the rests begin.
+        let part = |is_shown: &dyn Fn(usize) -> bool| {
+            let place = |(k, (&x, &y)): (usize, (&f64, &f64))| (x, if is_shown(k) { y } else { f64::NAN });
+            places.iter().zip(&heights).enumerate().map(place).collect::<Vec<_>>()
+        };
+        let slides = |k: usize| !sticks.get(k).copied().unwrap_or(false);
+        let is_one = described.coordinates.len() == 1;
+        let line = if is_one { Style::Line } else { Style::Marked(usize::MAX) };
+        series.push(Series::new(name.clone(), line, i + 1, part(&slides)));
+        series.push(Series::new("", Style::Dashed, i + 1, part(&beside)));
+        if !is_one {
+            // Apart for each coordinate, so that the marks of equal curves do not coincide.
+            let every = (places.len() / MARKS).max(1);
+            let marks = places.iter().copied().zip(heights).skip(i * every / SHOWN).step_by(every);
+            series.push(Series::new("", Style::Marks, i + 1, marks));
         }
-        series.push(Series::new(name.clone(), style(i), i + 1, points));
+    }
+    if sticks.contains(&true) {
+        series.push(Series::new("a contact sticks", Style::Dashed, 0, []));
     }
     let ends = |values: &[f64]| {
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)))

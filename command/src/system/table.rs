@@ -85,18 +85,20 @@ pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Out
             return Ok(());
         }
     }
+    let resolved = if args.resolve { Some(ResolvedRows::new(&rows, args)?) } else { None };
+    let table: &dyn Table = resolved.as_ref().map_or(&rows, |rows| rows);
     let format = match args.format {
         None if args.out.is_some() => args.table().format()?,
         None | Some(Format::Csv) => SweepFormat::Csv,
         Some(Format::Jsonl) => SweepFormat::Jsonl,
         Some(Format::Json) if args.out.is_none() => {
-            let found = (0..rows.len()).map(|i| rows.record(i)).collect::<Result<Vec<_>, _>>()?;
+            let found = (0..table.len()).map(|i| table.record(i)).collect::<Result<Vec<_>, _>>()?;
             return output::json(&found, out);
         }
         Some(Format::Json) => return Err("--format json: with --out choose csv, jsonl or parquet".into()),
         Some(Format::Text) => return Err("--format text: a table is csv, json or jsonl".into()),
     };
-    write_table(&args.table(), format, &rows, out)
+    write_table(&args.table(), format, table, out)
 }
 
 impl Rows {
@@ -122,14 +124,84 @@ impl Rows {
     }
 
     fn row(&self, point: u64, answer: &[Found<'static>]) -> Row {
-        let cell = |found: &Found<'static>| match *found {
-            Found::Text(text) => Cell::Text(text),
-            Found::Number(number) => Cell::Number(number),
-            Found::Count(count) => Cell::Count(count),
-        };
         let given = self.grid.given(point);
         let cells = given.iter().chain(answer).map(cell);
         Record::of(self.keys.iter().copied().zip(cells).collect::<Vec<(_, Cell<f64>)>>()).shown()
+    }
+}
+
+const fn cell(found: &Found<'static>) -> Cell<f64> {
+    match *found {
+        Found::Text(text) => Cell::Text(text),
+        Found::Number(number) => Cell::Number(number),
+        Found::Count(count) => Cell::Count(count),
+    }
+}
+
+/// The rows of a grid of one axis, with those beside its peaks.
+struct ResolvedRows<'a> {
+    of: &'a Rows,
+    found: picture::Resolved,
+    source: &'static Definition,
+    form: Row,
+}
+
+impl<'a> ResolvedRows<'a> {
+    fn new(of: &'a Rows, args: &SystemArgs) -> Result<Self, Failure> {
+        if !matches!(args.question, SystemQuestion::Curve | SystemQuestion::Steady) {
+            return Err("--resolve: belongs to curve and steady".into());
+        }
+        let described = of.grid.described()?;
+        let found = picture::resolved(of.grid, &described, "--resolve")?;
+        let form = Record::of(Vec::<(_, Cell<f64>)>::new()).shown();
+        let mut rows = Self { of, found, source: key("source".to_owned()), form };
+        rows.form = rows.row(f64::NAN, of.grid.blank());
+        Ok(rows)
+    }
+
+    fn row(&self, x: f64, answer: &[Found<'static>]) -> Row {
+        let Self { of, found, source, .. } = self;
+        let mut given = of.grid.given(0);
+        if let Some(place) = given.get_mut(found.axis) {
+            *place = Found::Number(Some(x));
+        }
+        let cells = given.iter().map(cell).chain(answer.iter().map(cell));
+        let mut cells: Vec<(_, Cell<f64>)> = of.keys.iter().copied().zip(cells).collect();
+        cells.push((source, Cell::Text(if found.given.contains(&x) { "grid" } else { "added" })));
+        Record::of(cells).shown()
+    }
+}
+
+impl Table for ResolvedRows<'_> {
+    fn of(&self) -> &'static str {
+        "this grid with its peaks"
+    }
+
+    fn len(&self) -> u64 {
+        self.found.places.len() as u64
+    }
+
+    fn form(&self) -> &Row {
+        &self.form
+    }
+
+    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
+        let place = usize::try_from(points.start).ok().and_then(|place| self.found.places.get(place));
+        vec![place.map(|(x, answer)| self.row(*x, answer)).ok_or(Failure::Interrupted)]
+    }
+
+    fn hold_their_grid(&self) -> bool {
+        true
+    }
+
+    /// It is not continued.
+    fn is_on_grid(&self, _: &[u8], _: u64, _: bool) -> Result<bool, Failure> {
+        Ok(false)
+    }
+
+    #[cfg(feature = "parquet")]
+    fn notes(&self) -> Vec<(String, String)> {
+        self.of.notes.clone()
     }
 }
 

@@ -157,7 +157,7 @@ pub(super) fn border(
     out: &mut impl Write,
 ) -> Outcome {
     let units = described.units.as_ref();
-    writeln!(out, "{}\n", border_verdict(found))?;
+    writeln!(out, "{}\n", border_verdict(described, found))?;
     for harmonic in &described.model.harmonics {
         for (i, name) in described.coordinates.iter().enumerate() {
             let part = |list: &[f64]| list.get(i).copied().unwrap_or(0.0);

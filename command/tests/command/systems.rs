@@ -177,6 +177,10 @@ fn the_border_is_between_sticking_and_not() {
         let found = json(&format!("system {} steady --format json {set}", file.display()));
         assert_eq!(found["elements"][0]["stops"], rests, "{factor}");
     }
+    let text = stdout(&format!("system {} border", file.display()));
+    let verdict =
+        "The contact bearing never sticks if the load on roof is at least 0.3040677 times this one.\n";
+    assert!(text.starts_with(verdict), "{text}");
     let cycle = &border["cycle"];
     let steady = json(&format!("system {} steady --format json", file.display()));
     assert!(
@@ -431,7 +435,11 @@ fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
             vec!["Steady motion (periodic): block, roof, load at 3 Hz", "loop of bearing", "force (N)"],
         ),
         ("motion", "simulate --until 2s", vec!["displacement (mm)", "time (s)", "loop of bearing"]),
-        ("curve", "curve --frequency 1Hz:9Hz:9", vec!["frequency (Hz)", "roof, a contact sticks"]),
+        (
+            "curve",
+            "curve --frequency 1Hz:9Hz:9",
+            vec!["frequency (Hz)", ">a contact sticks<"],
+        ),
         ("grid", "steady --set bearing.friction=100N:2kN:4", vec![]),
         ("friction", "steady --set bearing.friction=100N:900N:4", vec!["bearing.friction (N)"]),
     ] {
@@ -452,7 +460,7 @@ fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
             "system {} curve --frequency 1Hz:2Hz:2 --set bearing.friction=1N,2N --picture x.svg",
             file.display()
         ),
-        &["--picture: shows one axis"],
+        &["--picture: needs one axis"],
     );
     refused(&format!("system {} border --picture x.svg", file.display()), &["--picture: this question"]);
 }
@@ -487,6 +495,43 @@ fn a_drawn_curve_shows_its_peaks() {
     };
     let (coarse, fine) = (top(6), top(601));
     assert!((coarse.0 - fine.0).abs() <= 4.0 && fine.1 - fine.0 > 1000.0, "{coarse:?} {fine:?}");
+}
+
+/// The rows of a resolved curve are those of the grid, as they were, and others, the highest of which is the peak of a fine grid.
+#[test]
+fn a_table_may_have_its_peaks() {
+    let folder = place("peaks-of-tables");
+    std::fs::create_dir(&*folder).unwrap();
+    let file = folder.join("machine.toml");
+    std::fs::write(&file, MACHINE.replace("450 N", "50 N")).unwrap();
+    let line = format!("system {} curve --frequency 4Hz:6Hz", file.display());
+    let coarse = stdout(&format!("{line}:5"));
+    let resolved = stdout(&format!("{line}:5 --resolve"));
+    let rows: Vec<&str> = resolved.lines().collect();
+    assert_eq!(rows[0], format!("{},source", coarse.lines().next().unwrap()));
+    let given: Vec<&str> = rows.iter().filter_map(|row| row.strip_suffix(",grid")).collect();
+    assert_eq!(given, coarse.lines().skip(1).collect::<Vec<_>>());
+    let added = rows.iter().filter(|row| row.ends_with(",added")).count();
+    assert!(added > 5 && added + 6 == rows.len(), "{resolved}");
+    let place = rows[0].split(',').position(|name| name == "roof.max_displacement[mm]").unwrap();
+    let top = |table: &str| {
+        let cells =
+            table.lines().skip(1).map(|row| row.split(',').nth(place).unwrap().parse::<f64>().unwrap());
+        cells.fold(0.0f64, f64::max)
+    };
+    let fine = top(&stdout(&format!("{line}:401")));
+    let (seen, missed) = (top(&resolved), top(&coarse));
+    assert!((seen / fine - 1.0).abs() < 1e-4 && missed < 0.9 * fine, "{seen} {missed} {fine}");
+    let places = resolved.lines().skip(1).map(|row| row.split(',').next().unwrap().parse::<f64>().unwrap());
+    assert!(places.collect::<Vec<_>>().is_sorted());
+    let many = json(&format!("{line}:5 --resolve --format json"));
+    assert_eq!(many.as_array().unwrap().len(), rows.len() - 1);
+    refused(
+        &format!("system {} border --set bearing.friction=1N:9N:3 --resolve", file.display()),
+        &["--resolve: belongs to curve and steady"],
+    );
+    refused(&format!("{line}:5 --set bearing.friction=1N,2N --resolve"), &["--resolve: needs one axis"]);
+    refused(&format!("{line}:5 --resolve --resume"), &["--resume"]);
 }
 
 #[cfg(feature = "parquet")]

@@ -47,11 +47,30 @@ pub fn steady_verdict(described: &Described, found: &Steady<f64>) -> String {
     }
 }
 
-/// The verdict on the least load that keeps the contact from sticking.
+/// The verdict on the least load that keeps the contact from sticking, by the names of the contact and of the loaded
+/// coordinates.
 #[must_use]
-pub fn border_verdict(found: &Border<f64>) -> String {
+pub fn border_verdict(described: &Described, found: &Border<f64>) -> String {
+    let contact = described.model.elements.iter().find(|element| kind_of(element) == "contact");
+    let contact = contact.map_or("", |element| element.name.as_str());
+    let part = |list: &[f64], i: usize| list.get(i).copied().unwrap_or(0.0);
+    let is_loaded =
+        |i: usize| described.model.harmonics.iter().any(|h| part(&h.sin, i) != 0.0 || part(&h.cos, i) != 0.0);
+    let loaded: Vec<&str> = described
+        .coordinates
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| is_loaded(*i))
+        .map(|(_, name)| name.as_str())
+        .collect();
+    let load = match (&described.base, loaded.as_slice()) {
+        (Some(_), _) => "the motion of the base".to_owned(),
+        (None, [one]) => format!("the load on {one}"),
+        (None, [first, second]) => format!("the load on {first} and {second}"),
+        (None, _) => "the load".to_owned(),
+    };
     format!(
-        "The contact never sticks if the load is at least {} times this one.",
+        "The contact {contact} never sticks if {load} is at least {} times this one.",
         digits(found.least_load_factor)
     )
 }
