@@ -167,7 +167,7 @@ impl<F: Float> Interval<F> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
-pub enum Known {
+pub enum Evidence {
     /// No parameters in the box give a value outside this range.
     Guaranteed {
         /// Whether both ends are values attained in the box, except for the margin for rounding.
@@ -193,19 +193,19 @@ pub struct Range<F> {
     /// Its upper end; infinite where the output is not bounded in the box.
     pub high: F,
     /// How the range was obtained.
-    pub known: Known,
+    pub evidence: Evidence,
 }
 
 impl<F: Float> Range<F> {
     /// Whether the range holds for all parameters of the box.
     pub const fn is_guaranteed(&self) -> bool {
-        matches!(self.known, Known::Guaranteed { .. })
+        matches!(self.evidence, Evidence::Guaranteed { .. })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Interval, Known, Range};
+    use super::{Evidence, Interval, Range};
     use crate::{Error, Ratios, Verdict};
 
     #[test]
@@ -226,9 +226,9 @@ mod tests {
 
     #[test]
     fn what_is_known() {
-        let range = |known| Range { low: 1.0, high: 2.0, known };
-        assert!(range(Known::Guaranteed { sharp: false }).is_guaranteed());
-        assert!(!range(Known::Sampled { points: 3, existing: 3 }).is_guaranteed());
+        let range = |evidence| Range { low: 1.0, high: 2.0, evidence };
+        assert!(range(Evidence::Guaranteed { sharp: false }).is_guaranteed());
+        assert!(!range(Evidence::Sampled { points: 3, existing: 3 }).is_guaranteed());
         for (omega, alpha, sticking) in [
             (0.7, 0.9, Some(true)),
             (0.7, 1.2, Some(true)),

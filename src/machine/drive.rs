@@ -58,7 +58,7 @@ impl<F: Float> Drive<F> {
     ///
     /// # Errors
     /// Where α or ω_d is not finite or not > 0, or p₀ overflows or underflows.
-    pub fn with_force_ratio(
+    pub(crate) fn with_force_ratio(
         oscillator: &Oscillator<F>,
         alpha: F,
         angular_frequency: F,

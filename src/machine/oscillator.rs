@@ -100,7 +100,7 @@ impl<F: Float> Oscillator<F> {
     ///
     /// # Errors
     /// Where an argument is not finite or not > 0, or k is not.
-    pub fn tuned(mass: F, friction_bound: F, angular_frequency: F, omega: F) -> Result<Self, Error> {
+    pub(crate) fn tuned(mass: F, friction_bound: F, angular_frequency: F, omega: F) -> Result<Self, Error> {
         let omega = frequency_ratio(omega)?;
         let natural_frequency = positive(Quantity::AngularFrequency, angular_frequency)? / omega;
         Self::new(mass, mass * natural_frequency.square(), friction_bound)

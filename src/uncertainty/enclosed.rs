@@ -5,7 +5,7 @@ mod machine;
 mod parts;
 mod verdict;
 
-use super::{Interval, Known, Range, RatioBox};
+use super::{Evidence, Interval, Range, RatioBox};
 use crate::cycle::regime::{Regime as Decided, Verdict};
 use crate::enclosed::{self, Enclosure, KnownRatios, Regime, Response};
 use crate::float::Float;
@@ -124,7 +124,7 @@ fn bounds(found: &Enclosure) -> Option<Ends> {
 }
 
 fn guaranteed<F: Float>((low, high): Ends) -> Range<F> {
-    Range { low: rounded(&low, -1), high: rounded(&high, 1), known: Known::Guaranteed { sharp: false } }
+    Range { low: rounded(&low, -1), high: rounded(&high, 1), evidence: Evidence::Guaranteed { sharp: false } }
 }
 
 /// The nearest number of the type below (−1) or above (1), or one slightly farther out.

@@ -1,6 +1,6 @@
 //! Guaranteed ranges where the body does not stick, by pieces of Ω on which K² and |1 − Ω²| are monotone.
 
-use super::{Interval, Known, Range};
+use super::{Evidence, Interval, Range};
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
 use crate::float::Float;
 use alloc::vec::Vec;
@@ -56,7 +56,7 @@ pub(super) fn hull<F: Float>(ranges: impl Iterator<Item = Interval<F>>, sharp: b
         high: a.high.or_larger(b.high),
     })?;
     let all = all.outward(8);
-    Some(Range { low: all.low, high: all.high, known: Known::Guaranteed { sharp } })
+    Some(Range { low: all.low, high: all.high, evidence: Evidence::Guaranteed { sharp } })
 }
 
 impl<F: Float> Piece<F> {

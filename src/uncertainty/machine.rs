@@ -1,7 +1,7 @@
 //! The parameters of a machine in intervals.
 
 use super::enclosure::{Piece, hull, pieces};
-use super::{Interval, Known, Range, RatioBox, samples};
+use super::{Evidence, Interval, Range, RatioBox, samples};
 use crate::cycle::regime::Verdict;
 use crate::cycle::response::Response;
 use crate::float::Float;
@@ -189,7 +189,7 @@ impl<F: Float> MachineBox<F> {
         }
         if output == Output::Margin {
             let range = ratios.range(output, count)?;
-            return Ok(range.map(|range| Range { known: Known::Guaranteed { sharp: false }, ..range }));
+            return Ok(range.map(|range| Range { evidence: Evidence::Guaranteed { sharp: false }, ..range }));
         }
         let is_work = matches!(output, Output::LoopSizeStiffness | Output::LoopSizeInertia);
         if !(is_work || output == Output::MaxDisplacement) || ratios.verdict()? != Verdict::NonSticking {

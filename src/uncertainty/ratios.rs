@@ -1,7 +1,7 @@
 //! Boxes of Ω, α and ζ.
 
 use super::enclosure::{Piece, hull, pieces};
-use super::{Interval, Known, Range, samples};
+use super::{Evidence, Interval, Range, samples};
 use crate::cycle::border::border_range;
 #[cfg(not(feature = "mp"))]
 use crate::cycle::regime::Regime;
@@ -177,7 +177,7 @@ impl<F: Float> RatioBox<F> {
         let infinite = F::int(1) / F::int(0);
         let border = Interval { low: border.least, high: border.greatest.unwrap_or(infinite) };
         let interval = f(border.outward(10)).outward(2);
-        Ok(Range { low: interval.low, high: interval.high, known: Known::Guaranteed { sharp } })
+        Ok(Range { low: interval.low, high: interval.high, evidence: Evidence::Guaranteed { sharp } })
     }
 
     /// √2 |K|, which is monotone on each piece; `None` where the box contains a pole.

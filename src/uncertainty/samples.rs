@@ -1,6 +1,6 @@
 //! Ranges by sampling: every corner of a box, its middle, and points spread over it.
 
-use super::{Known, Range};
+use super::{Evidence, Range};
 use crate::float::Float;
 use crate::machine::error::Error;
 
@@ -40,8 +40,8 @@ pub(super) fn range<F: Float, const N: usize>(
         }
         look(shares)?;
     }
-    let known = Known::Sampled { points: looked_at, existing };
-    Ok(ends.map(|(low, high)| Range { low, high, known }))
+    let evidence = Evidence::Sampled { points: looked_at, existing };
+    Ok(ends.map(|(low, high)| Range { low, high, evidence }))
 }
 
 fn fraction<F: Float>(x: F) -> F {
@@ -50,7 +50,7 @@ fn fraction<F: Float>(x: F) -> F {
 
 #[cfg(test)]
 mod tests {
-    use super::{Known, range};
+    use super::{Evidence, range};
 
     #[test]
     fn corners_the_middle_and_points_between() {
@@ -68,7 +68,7 @@ mod tests {
                 assert!((share - (0.5 + (i + 1) as f64 * prime.sqrt()).fract()).abs() < 1e-12, "{i}");
             }
         }
-        assert_eq!(found.known, Known::Sampled { points: 55, existing: values().count() as u32 });
+        assert_eq!(found.evidence, Evidence::Sampled { points: 55, existing: values().count() as u32 });
         assert_eq!(range((9, 1), |_: [f64; 1]| Ok(None)), Ok(None));
     }
 }

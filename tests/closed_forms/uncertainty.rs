@@ -5,7 +5,7 @@ mod machines;
 mod monte_carlo;
 
 use crate::random::Random;
-use stickslip::uncertainty::{Interval, Known, MachineBox, Range, RatioBox};
+use stickslip::uncertainty::{Evidence, Interval, MachineBox, Range, RatioBox};
 use stickslip::{Border, Error, Output, Ratios, Regime, Response};
 
 fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
@@ -149,10 +149,10 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
         // The range of V₀ is guaranteed at a single frequency.
         let at_one = RatioBox::new(Interval::exactly(omega.low()), whole.alpha()).unwrap();
         let fastest = at_one.range(Output::MaxVelocity, 100).unwrap().unwrap();
-        assert_eq!(fastest.known, Known::Guaranteed { sharp: true });
+        assert_eq!(fastest.evidence, Evidence::Guaranteed { sharp: true });
         assert!(!whole.range(Output::MaxVelocity, 100).unwrap().unwrap().is_guaranteed());
         let sampled = whole.range(Output::Contraction, 100).unwrap().unwrap();
-        assert!(matches!(sampled.known, Known::Sampled { points: 105, existing: 105 }), "{sampled:?}");
+        assert!(matches!(sampled.evidence, Evidence::Sampled { points: 105, existing: 105 }), "{sampled:?}");
         let more = whole.range(Output::Contraction, 1000).unwrap().unwrap();
         assert!(more.low <= sampled.low && more.high >= sampled.high);
     }
@@ -172,8 +172,8 @@ fn what_is_wrong_is_named() {
     assert!(sticking.range(Output::MinForceRatio, 10).unwrap().unwrap().is_guaranteed());
     // Across the border, the cycle exists in part of the box.
     let over = RatioBox::new(Interval::exactly(0.7), Interval::between(1.2, 1.5).unwrap()).unwrap();
-    let Known::Sampled { points, existing } =
-        over.range(Output::MaxDisplacement, 100).unwrap().unwrap().known
+    let Evidence::Sampled { points, existing } =
+        over.range(Output::MaxDisplacement, 100).unwrap().unwrap().evidence
     else {
         panic!("guaranteed")
     };

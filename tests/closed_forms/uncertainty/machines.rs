@@ -2,7 +2,7 @@
 
 use super::{holds, interval, within};
 use crate::random::Random;
-use stickslip::uncertainty::{Interval, Known, MachineBox, Range};
+use stickslip::uncertainty::{Evidence, Interval, MachineBox, Range};
 use stickslip::{Border, Drive, Oscillator, Output, Regime, Response, Scales};
 
 #[test]
@@ -82,7 +82,7 @@ fn one_machine_is_in_its_own_box() {
                 "{machine:?}"
             );
             let margin = machine.range(Output::Margin, 1).unwrap().unwrap();
-            assert_eq!(margin.known, Known::Guaranteed { sharp: false });
+            assert_eq!(margin.evidence, Evidence::Guaranteed { sharp: false });
         }
     }
 }
