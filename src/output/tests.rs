@@ -8,10 +8,23 @@ fn each_is_read_by_its_name() {
         assert_eq!(output.to_string().parse(), Ok(output));
     }
     let error = "velocity".parse::<Output>().unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "output `velocity` must be one of Output::ALL by its name, such as max_displacement"
-    );
+    let names = Output::ALL.map(|output| output.to_string()).join(", ");
+    assert_eq!(error.to_string(), format!("name = velocity must be one of {names}"));
+}
+
+/// Other names are read as they are displayed.
+#[test]
+fn each_regime_end_and_aim_is_read_by_its_name() {
+    use crate::design::Aim;
+    use crate::motion::{End, Kind};
+    use crate::{Excitation, Regime};
+    assert_eq!("depends-on-start".parse(), Ok(Regime::DependsOnStart));
+    assert_eq!(Excitation::Force.to_string().parse(), Ok(Excitation::Force));
+    assert!(Aim::ALL.into_iter().all(|aim| aim.to_string().parse() == Ok(aim)));
+    assert_eq!((End::Grazing.to_string(), "grazing".parse()), ("grazing".into(), Ok(End::Grazing)));
+    assert_eq!("slide-backward".parse(), Ok(Kind::SlideBackward));
+    let error = "sliding".parse::<Kind>().unwrap_err();
+    assert_eq!(error.to_string(), "name = sliding must be one of slide-forward, slide-backward, stick");
 }
 
 /// A unit in ratios and its physical size agree: 3 m, 5 m/s, 7 s, 11 N; no two dimensions share a scale.
