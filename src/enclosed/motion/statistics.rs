@@ -2,53 +2,21 @@
 
 use super::map::Map;
 use super::slide::Slide;
-use crate::enclosed::root::only_zero;
+use crate::enclosed::greatest::greatest;
 use crate::float::Field;
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
+use crate::greatest::Jet;
 use core::cmp::Ordering;
 
-/// The maximum speed of a slide: at a zero of the acceleration that is proved to be the only one in its
-/// interval, while the speed in all other intervals is lower.
+/// The maximum speed of a slide, at whose ends the body is at rest.
 pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> Option<Ball<W>> {
-    let (mut best, mut found) = (Mp::<W>::ZERO, None::<Ball<W>>);
-    // Attained speeds, to discard intervals that are certainly slower.
-    for i in 1..64 {
-        let speed = slide.sign * slide.at(Ball::exact(duration.mid() * Mp::of_int(i).scale2(-6))).w;
-        if speed.lower() > best {
-            best = speed.lower();
-        }
-    }
-    let mut left = vec![(Mp::ZERO, duration.upper())];
-    for _ in 0..4000 {
-        let Some((low, high)) = left.pop() else { return found };
-        let phi = Ball::between(low, high);
-        if slide.speed_over(phi).upper() < best {
-            continue;
-        }
+    let speed = |phi| {
         let at = slide.at(phi);
-        if (slide.sign * at.jerk).is_negative() || (slide.sign * at.jerk).is_positive() {
-            let zero = only_zero(phi.mid(), |phi| slide.at(phi).acceleration, |phi| slide.at(phi).jerk);
-            if let Some(zero) = zero
-                && zero.is_inside(&phi)
-            {
-                let speed = slide.speed_over(zero);
-                if speed.lower() > best {
-                    best = speed.lower();
-                }
-                found = Some(found.map_or(speed, |other| other.larger(&speed)));
-                continue;
-            }
-        }
-        if at.acceleration.sign().is_some() {
-            // The speed is greater at an end, which belongs to a neighbour, or the body is at rest there.
-            continue;
-        }
-        let middle = (low + high).scale2(-1);
-        left.push((middle, high));
-        left.push((low, middle));
-    }
-    None
+        let [value, slope, second] = [at.w, at.acceleration, at.jerk].map(|x| slide.sign * x);
+        Jet { value, slope, second }
+    };
+    greatest((Mp::ZERO, duration.upper()), speed).map(|found| found.value)
 }
 
 /// The multipliers of a cycle: those of the map followed by its mirror image, squared if a cycle is two
