@@ -35,7 +35,7 @@ stickslip::define! {
     pub(crate) KIND("kind", Plain, "slide-forward, slide-backward or stick");
     pub(crate) ENDS_BY("ends_by", Plain, "reversal, stop, grazing, release, never, or end (of the time that was asked for)");
     pub(crate) START_CYCLE("start_cycle", Plain, "whole cycles of the drive before the start, likewise end_cycle and cycle");
-    pub(crate) START_PHASE("start_phase", Angle, "phase ω_d t of the start in its cycle, as end_phase and phase are of theirs");
+    pub(crate) START_PHASE("start_phase", Angle, "phase ω_d t of the start in its cycle, likewise end_phase and phase");
     pub(crate) DURATION("duration", Angle, "length of the segment, in ω_d t");
     pub(crate) START_X("start_x", Length, "displacement at the start, likewise end_x and x");
     pub(crate) START_V("start_v", Velocity, "velocity at the start, likewise v");
@@ -180,7 +180,7 @@ pub(crate) fn is_searched(wanted: &str) -> bool {
 pub(crate) fn in_words(name: &str) -> String {
     match find(name).map(|key| key.title).filter(|title| !title.is_empty()) {
         Some(title) => title.to_owned(),
-        None => name.replace('_', " ").replace("max ", "maximum ").replace("min ", "minimum "),
+        None => name.replace('_', " ").replace("max ", "peak ").replace("min ", "minimum "),
     }
 }
 
