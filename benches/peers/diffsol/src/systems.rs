@@ -59,7 +59,8 @@ fn follow(n: usize, rtol: f64) -> Result<(Vec<f64>, usize), Error> {
         .root(
             move |y, _, t, out| {
                 let first = force(n, |k| y[k], if n == 1 { LOAD * (OMEGA * t).sin() } else { 0.0 }, 0);
-                out[0] = if y[slides] > 0.5 { y[direction] * y[n] } else { FRICTION * FRICTION - first * first };
+                out[0] =
+                    if y[slides] > 0.5 { y[direction] * y[n] } else { FRICTION * FRICTION - first * first };
             },
             1,
         )
@@ -110,6 +111,9 @@ pub fn print(n: usize, rtol: f64, exact: &[f64]) -> Result<(), Error> {
         best = best.min(began.elapsed().as_secs_f64() / PERIODS * 1e6);
     }
     let error = found.0.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    println!("diffsol tsit45 {rtol:e}, n = {n}: {best:.0} µs a period, {} events, error {error:.1e}", found.1);
+    println!(
+        "diffsol tsit45 {rtol:e}, n = {n}: {best:.0} µs a period, {} events, error {error:.1e}",
+        found.1
+    );
     Ok(())
 }
