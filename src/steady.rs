@@ -200,9 +200,11 @@ impl<F: Float> Steady<F> {
                     (None, Some(x)) => Found::at_rest(&ratios, x),
                     (None, None) => {
                         let (omega, alpha) = (written(ratios.omega()), written(ratios.alpha()));
-                        return Err(match limit {
-                            LongRun::Unbounded { .. } => Error::Unbounded { alpha },
-                            _ => Error::NotSettled { omega, alpha },
+                        let grows = matches!(limit, LongRun::Unbounded { .. });
+                        return Err(if grows {
+                            Error::Unbounded { alpha }
+                        } else {
+                            Error::NotSettled { omega, alpha }
                         });
                     }
                 }

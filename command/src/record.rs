@@ -43,14 +43,12 @@ pub(crate) const fn is_of_friction(measure: Measure) -> bool {
 /// friction. A motion of the drive's own size is ε⁻² in units of the friction, and its work ε⁻⁴.
 pub(crate) fn without_friction<F: Value>(measure: Measure, x: F) -> F {
     let size = F::int(1) / F::epsilon();
-    let is_multiple = match measure {
-        Measure::Length | Measure::Velocity | Measure::Acceleration | Measure::Force => x.abs() < size,
-        Measure::Work => x.abs() < size.square() * size,
-        _ => {
-            use Measure::{EnergyInertia, EnergyOfLargestLoop, EnergyStiffness, ForceRatio};
-            matches!(measure, ForceRatio | EnergyStiffness | EnergyInertia | EnergyOfLargestLoop)
-        }
-    };
+    let of_motion = [Measure::Length, Measure::Velocity, Measure::Acceleration, Measure::Force];
+    let of_friction =
+        [Measure::ForceRatio, Measure::EnergyStiffness, Measure::EnergyInertia, Measure::EnergyOfLargestLoop];
+    let is_multiple = of_friction.contains(&measure)
+        || of_motion.contains(&measure) && x.abs() < size
+        || measure == Measure::Work && x.abs() < size.square() * size;
     if is_multiple { F::int(0) } else { x }
 }
 

@@ -86,7 +86,9 @@ pub enum Error {
         high: Number,
     },
     /// No non-sticking cycle: the force ratio is below the border.
-    #[error("force ratio α = {alpha} must be ≥ {least}, the sticking threshold at Ω = {omega}: below it the body sticks")]
+    #[error(
+        "force ratio α = {alpha} must be ≥ {least}, the sticking threshold at Ω = {omega}: below it the body sticks"
+    )]
     Sticks {
         /// Frequency ratio Ω.
         omega: Number,

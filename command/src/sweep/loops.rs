@@ -156,9 +156,7 @@ impl Looped {
         let own = core::mem::take(&mut physical.values);
         for &(name, kind, scaled) in &self.physical {
             let cell = match scaled {
-                Scaled::Machine => {
-                    own.iter().find(|(known, ..)| *known == name).map(|(_, _, cell)| *cell)?
-                }
+                Scaled::Machine => own.iter().find(|(known, ..)| *known == name).map(|(_, _, cell)| *cell)?,
                 Scaled::Output(place, key) => {
                     // No loop computes the largest loop at the best force ratio.
                     let unit = key.measure.size(&machine.scales);

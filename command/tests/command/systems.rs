@@ -435,11 +435,7 @@ fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
             vec!["Steady motion (periodic): block, roof, load at 3 Hz", "loop of bearing", "force (N)"],
         ),
         ("motion", "simulate --until 2s", vec!["displacement (mm)", "time (s)", "loop of bearing"]),
-        (
-            "curve",
-            "curve --frequency 1Hz:9Hz:9",
-            vec!["frequency (Hz)", ">a contact sticks<"],
-        ),
+        ("curve", "curve --frequency 1Hz:9Hz:9", vec!["frequency (Hz)", ">a contact sticks<"]),
         ("grid", "steady --set bearing.friction=100N:2kN:4", vec![]),
         ("friction", "steady --set bearing.friction=100N:900N:4", vec!["bearing.friction (N)"]),
     ] {
