@@ -2,8 +2,10 @@
 //!
 //! The motion of a body with the friction r and the damping ratio ζ under the load is exact ([`crate::motion::record`]), so
 //! that measured less computed displacements have no error of a method. Their squares are least at the estimates of r, ζ, the
-//! displacement at which the spring is relaxed, and the start. The fit does not know that r and ζ are not negative: beyond 0
+//! displacement at which the spring is relaxed, the start, and the stiffness where it is not known. The fit does not know that r and ζ are not negative: beyond 0
 //! the motion goes on in a straight line, x(−r) = 2 x(0) − x(r).
+
+mod rough;
 
 use super::free_decay::fit::{Ends, Fit};
 use crate::machine::error::{Error, Quantity, written};
@@ -28,6 +30,10 @@ pub struct MotionIdentified {
     pub friction: Estimate,
     /// The damping ratio ζ.
     pub damping_ratio: Estimate,
+    /// The damping constant c = 2ζ√(km).
+    pub damping: Estimate,
+    /// The friction as a displacement r_y/k.
+    pub friction_displacement: Estimate,
     /// The displacement, as it was measured, at which the spring is relaxed under no load.
     pub offset: Estimate,
     /// The displacement at the start, as it would have been measured without noise.
@@ -45,7 +51,8 @@ const FRICTION: usize = 0;
 const ZETA: usize = 1;
 const OFFSET: usize = 2;
 const PLACE: usize = 3;
-const VELOCITY: usize = 4;
+/// The first of those that a fit may leave out: the stiffness where it is not known, then a velocity at the start.
+const FURTHER: usize = 4;
 
 /// The least number of samples.
 const LEAST: usize = 20;
@@ -55,6 +62,10 @@ const FRICTIONS: [f64; 5] = [0.02, 0.08, 0.2, 0.4, 0.7];
 const DAMPINGS: [f64; 3] = [0.003, 0.03, 0.15];
 /// The starts from which the descent begins.
 const STARTS: usize = 3;
+/// The stiffnesses of the starts, in that of the linear least squares.
+const STIFFNESSES: [f64; 5] = [0.6, 0.85, 1.0, 1.2, 1.7];
+/// The number of stiffnesses where the linear least squares have none, from a cycle in the record to two samples a cycle.
+const LADDER: u32 = 24;
 /// The gain of a step, as a part of the sum of squares, below which the descent ends.
 const TOLERANCE: f64 = 1e-12;
 /// The rise of the sum of squares, over its standard error, with which a start at rest is not refused.
@@ -63,6 +74,8 @@ const CHANCE: f64 = 12.0;
 const MOST_HALF_CYCLES: f64 = 8.0;
 /// The greatest number of samples and half cycles that a search follows, of some 0.05 µs each.
 const MOST_FOLLOWED: f64 = 1e8;
+/// The noise over the spread of the displacements at which a start at rest explains everything.
+const ROUNDING: f64 = 1e-7;
 /// The noise over the spread of the displacements above which the model explains nothing.
 const MOST_NOISE: f64 = 0.5;
 
@@ -84,7 +97,31 @@ pub fn identify_motion(
     load: &Record<f64>,
     displacements: &[f64],
 ) -> Result<MotionIdentified, Error> {
-    let (mass, stiffness) = (positive(Quantity::Mass, mass)?, positive(Quantity::Stiffness, stiffness)?);
+    identified(mass, Some(positive(Quantity::Stiffness, stiffness)?), load, displacements)
+        .map(|(found, _)| found)
+}
+
+/// As [`identify_motion`], with the stiffness of the spring unknown: its estimate beside the others.
+///
+/// # Errors
+/// As [`identify_motion`].
+pub fn identify_motion_and_stiffness(
+    mass: f64,
+    load: &Record<f64>,
+    displacements: &[f64],
+) -> Result<(MotionIdentified, Estimate), Error> {
+    let (found, stiffness) = identified(mass, None, load, displacements)?;
+    Ok((found, stiffness.ok_or(Error::MotionNotIdentified)?))
+}
+
+/// The estimates, and that of the stiffness where it is not known.
+fn identified(
+    mass: f64,
+    stiffness: Option<f64>,
+    load: &Record<f64>,
+    displacements: &[f64],
+) -> Result<(MotionIdentified, Option<Estimate>), Error> {
+    let mass = positive(Quantity::Mass, mass)?;
     let (found, expected) = (displacements.len(), load.samples().len());
     if found != expected {
         return Err(Error::LengthMismatch { name: "displacements", found, expected });
@@ -96,55 +133,56 @@ pub fn identify_motion(
         finite(Quantity::Displacement, x)
             .map_err(|error| Error::InMeasurement { index, error: Box::new(error) })?;
     }
-    let natural = (stiffness / mass).sqrt();
-    let length = load.end() - load.time(0);
-    let greatest = MOST_HALF_CYCLES * PI * found as f64 / length;
-    if natural > greatest {
+    // A fit of the stiffness, too, has several times as many starts.
+    let most = if stiffness.is_some() { MOST_FOLLOWED } else { 2.0 * MOST_FOLLOWED };
+    let known = Known { mass, stiffness, load, left: Cell::new(most) };
+    if let Some(natural) = stiffness.map(|k| (k / mass).sqrt()).filter(|natural| *natural > known.fastest()) {
         let (quantity, value, least) = (Quantity::NaturalFrequency, written(natural), written(0.0));
-        return Err(Error::OutOfRange { quantity, value, least, greatest: written(greatest) });
+        return Err(Error::OutOfRange { quantity, value, least, greatest: written(known.fastest()) });
     }
-    let cost = found as f64 + length * natural / PI;
-    let known = Known { mass, stiffness, load, cost, left: Cell::new(MOST_FOLLOWED) };
     let mean = displacements.iter().sum::<f64>() / found as f64;
     let spread = (displacements.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / found as f64).sqrt();
     if !(spread > 0.0 && spread.is_finite()) {
         return Err(Error::MotionNotIdentified);
     }
-    let force = load.samples().iter().fold(stiffness * spread, |most, sample| {
-        let force = if load.excitation().carries_surface() { mass } else { 1.0 };
-        let force = if load.excitation().moves_foot() { stiffness } else { force };
-        most.max((force * sample).abs())
-    });
-    let scales = [force, 1.0, spread, spread, spread * natural];
+    let springs = stiffness.map_or_else(|| known.stiffnesses(displacements), |stiffness| vec![stiffness]);
+    let scale = springs.get(springs.len() / 2).copied().unwrap_or(f64::NAN);
+    let force = known.greatest_force(scale, spread);
+    let speed = spread * (scale / mass).sqrt();
+    let mut scales = vec![force, 1.0, spread, spread];
+    scales.extend(stiffness.is_none().then_some(scale));
+    scales.push(speed);
     let first = displacements.first().copied().unwrap_or_default();
     let rough = known.rough_velocity(displacements);
     let hopeless = (MOST_NOISE * spread).powi(2) * found as f64;
     let ends = Ends { tolerance: TOLERANCE, hopeless };
     let fit = |moves: bool| {
-        let count = if moves { VELOCITY + 1 } else { VELOCITY };
+        let count = scales.len() - usize::from(!moves);
         let mut starts = Vec::new();
-        for friction in FRICTIONS {
-            for zeta in DAMPINGS {
-                for offset in [0.0, mean] {
-                    let mut at = vec![friction * force, zeta, offset, first, rough];
-                    at.truncate(count);
-                    let model = known.model(&at);
-                    let sum: f64 = model.iter().zip(displacements).map(|(c, m)| (m - c) * (m - c)).sum();
-                    if sum.is_finite() {
-                        starts.push((sum, at));
-                    }
+        for (&spring, friction) in springs.iter().flat_map(|spring| FRICTIONS.map(|part| (spring, part))) {
+            for (zeta, offset) in DAMPINGS.iter().flat_map(|zeta| [(*zeta, 0.0), (*zeta, mean)]) {
+                let mut at = vec![friction * known.greatest_force(spring, spread), zeta, offset, first];
+                at.extend(stiffness.is_none().then_some(spring));
+                at.push(rough);
+                at.truncate(count);
+                let model = known.model(&at);
+                let sum: f64 = model.iter().zip(displacements).map(|(c, m)| (m - c) * (m - c)).sum();
+                if sum.is_finite() {
+                    starts.push((sum, at));
                 }
             }
         }
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let starts: Vec<_> = starts.into_iter().take(STARTS).map(|(_, at)| at).collect();
+        let most = if stiffness.is_some() { STARTS } else { 2 * STARTS };
+        let starts: Vec<_> = starts.into_iter().take(most).map(|(_, at)| at).collect();
         Fit::best(displacements, &|at: &[f64]| known.model(at), &starts, scales.get(..count)?, ends)
     };
     let (rests, moves) = (fit(false), fit(true));
     let found = match (rests, moves) {
         (Some(rests), Some(moves)) => {
-            let alike = rests.sum <= moves.sum * (1.0 + CHANCE / moves.degrees_of_freedom());
-            if alike { rests } else { moves }
+            let is_exact = rests.noise() <= ROUNDING * spread;
+            let is_alike = rests.sum <= moves.sum * (1.0 + CHANCE / moves.degrees_of_freedom());
+            if is_exact || is_alike { rests } else { moves }
         }
         (Some(fit), None) | (None, Some(fit)) => fit,
         (None, None) => return Err(Error::MotionNotIdentified),
@@ -159,43 +197,94 @@ pub fn identify_motion(
     }
     let correlation = found.correlation().min(0.98);
     let wider = ((1.0 + correlation) / (1.0 - correlation)).sqrt();
-    let any = |place: usize| {
-        Some(Estimate {
-            value: *found.at.get(place)?,
-            standard_error: wider * found.error(place),
-            degrees_of_freedom: found.degrees_of_freedom(),
-            range: (f64::NEG_INFINITY, f64::INFINITY),
-        })
+    let estimate = |value: f64, error: f64, least: f64| Estimate {
+        value: value.max(least),
+        standard_error: wider * error,
+        degrees_of_freedom: found.degrees_of_freedom(),
+        range: (least, f64::INFINITY),
     };
-    let not_negative = |place: usize| {
-        let estimate = any(place)?;
-        Some(Estimate { value: estimate.value.max(0.0), range: (0.0, f64::INFINITY), ..estimate })
-    };
+    let at = |place: usize| found.at.get(place).copied();
+    let any = |place: usize| Some(estimate(at(place)?, found.error(place), f64::NEG_INFINITY));
+    let not_negative = |place: usize| Some(estimate(at(place)?, found.error(place), 0.0));
     let all = || {
-        Some(MotionIdentified {
+        let (friction, zeta) = (at(FRICTION)?, at(ZETA)?);
+        let (k, is_fitted) = (known.spring(&found.at), stiffness.is_none());
+        let critical = 2.0 * (k * mass).sqrt();
+        // c = 2ζ√(km) and r/k, and their slopes by the parameters.
+        let along = |place: usize, slope: f64, by_stiffness: f64| {
+            let mut gradient = vec![0.0; found.at.len()];
+            gradient.get_mut(place).map(|own| *own = slope)?;
+            if is_fitted {
+                gradient.get_mut(FURTHER).map(|own| *own = by_stiffness)?;
+            }
+            Some(found.error_along(&gradient))
+        };
+        let velocity = FURTHER + usize::from(is_fitted);
+        let answer = MotionIdentified {
             friction: not_negative(FRICTION)?,
             damping_ratio: not_negative(ZETA)?,
+            damping: estimate(zeta * critical, along(ZETA, critical, zeta * critical / (2.0 * k))?, 0.0),
+            friction_displacement: estimate(
+                friction / k,
+                along(FRICTION, 1.0 / k, -friction / (k * k))?,
+                0.0,
+            ),
             offset: any(OFFSET)?,
             start_displacement: any(PLACE)?,
-            start_velocity: any(VELOCITY),
+            start_velocity: any(velocity),
             noise,
             residuals: found.residuals.clone(),
-        })
+        };
+        Some((answer, is_fitted.then(|| not_negative(FURTHER)).flatten()))
     };
-    all().filter(|found| found.friction.standard_error.is_finite()).ok_or(Error::MotionNotIdentified)
+    let is_known = |(found, stiffness): &(MotionIdentified, Option<Estimate>)| {
+        let errors = [Some(found.friction), *stiffness].map(|e| e.map_or(0.0, |e| e.standard_error));
+        errors.iter().all(|error| error.is_finite())
+    };
+    all().filter(is_known).ok_or(Error::MotionNotIdentified)
 }
 
 /// What is known of the body, and its load.
 struct Known<'a> {
     mass: f64,
-    stiffness: f64,
+    stiffness: Option<f64>,
     load: &'a Record<f64>,
-    /// The samples and half cycles of one motion, and those that the search may still follow.
-    cost: f64,
+    /// The samples and half cycles that the search may still follow.
     left: Cell<f64>,
 }
 
 impl Known<'_> {
+    /// The stiffness, which is a parameter where it is not known.
+    fn spring(&self, at: &[f64]) -> f64 {
+        self.stiffness.or_else(|| at.get(FURTHER).copied()).unwrap_or(f64::NAN)
+    }
+
+    /// The greatest natural angular frequency that the samples show.
+    fn fastest(&self) -> f64 {
+        MOST_HALF_CYCLES * PI * self.load.samples().len() as f64 / (self.load.end() - self.load.time(0))
+    }
+
+    /// Stiffnesses to begin with, in order.
+    fn stiffnesses(&self, displacements: &[f64]) -> Vec<f64> {
+        if let Some(rough) = rough::stiffness(self.mass, self.load, displacements) {
+            return STIFFNESSES.iter().map(|part| part * rough).collect();
+        }
+        let (length, count) = (self.load.end() - self.load.time(0), displacements.len() as f64);
+        let slowest = 2.0 * PI / length;
+        (0..LADDER)
+            .map(|i| slowest * (count / 2.0).powf(f64::from(i) / f64::from(LADDER)))
+            .map(|natural| self.mass * natural * natural)
+            .collect()
+    }
+
+    /// The greatest force on the body, of the load or of the spring over the spread of the displacements.
+    fn greatest_force(&self, stiffness: f64, spread: f64) -> f64 {
+        let excitation = self.load.excitation();
+        let force = if excitation.carries_surface() { self.mass } else { 1.0 };
+        let force = if excitation.moves_foot() { stiffness } else { force };
+        self.load.samples().iter().fold(stiffness * spread, |most, sample| most.max((force * sample).abs()))
+    }
+
     /// The computed displacements at the times of the load; not numbers where there is no motion.
     fn model(&self, at: &[f64]) -> Vec<f64> {
         // Beyond 0 in a straight line: the part of each size, with its sign.
@@ -211,7 +300,8 @@ impl Known<'_> {
         }
         let mut sum = vec![0.0; self.load.samples().len()];
         for (part, r, z) in parts {
-            let found = self.displacements(r, z, value(OFFSET), [value(PLACE), value(VELOCITY)]);
+            let velocity = value(FURTHER + usize::from(self.stiffness.is_none()));
+            let found = self.displacements((r, self.spring(at), z), value(OFFSET), [value(PLACE), velocity]);
             for (i, total) in sum.iter_mut().enumerate() {
                 *total += part * found.as_ref().and_then(|found| found.get(i)).copied().unwrap_or(f64::NAN);
             }
@@ -219,15 +309,21 @@ impl Known<'_> {
         sum
     }
 
-    fn displacements(&self, friction: f64, zeta: f64, offset: f64, [x, v]: [f64; 2]) -> Option<Vec<f64>> {
-        self.left.set(self.left.get() - self.cost);
-        if self.left.get() <= 0.0 {
+    fn displacements(
+        &self,
+        (friction, stiffness, zeta): (f64, f64, f64),
+        offset: f64,
+        [x, v]: [f64; 2],
+    ) -> Option<Vec<f64>> {
+        let length = self.load.end() - self.load.time(0);
+        let natural = (stiffness / self.mass).sqrt();
+        self.left.set(self.left.get() - self.load.samples().len() as f64 - length * natural / PI);
+        if self.left.get() <= 0.0 || natural > self.fastest() {
             return None;
         }
-        let damping = 2.0 * zeta * (self.stiffness * self.mass).sqrt();
-        let body = Body::new(self.mass, friction).ok()?.with_stiffness(self.stiffness).ok()?;
-        let body = body.with_damping(damping).ok()?.with_mean_force(self.stiffness * offset).ok()?;
-        let length = self.load.end() - self.load.time(0);
+        let damping = 2.0 * zeta * (stiffness * self.mass).sqrt();
+        let body = Body::new(self.mass, friction).ok()?.with_stiffness(stiffness).ok()?;
+        let body = body.with_damping(damping).ok()?.with_mean_force(stiffness * offset).ok()?;
         let motion = body.motion(self.load, x, v, length).ok()?;
         let mut states = motion.states.iter().peekable();
         let (mut found, mut last) = (Vec::new(), (self.load.time(0), x));

@@ -142,7 +142,7 @@ pub(crate) struct IdentifyArgs {
     #[arg(long)]
     pub(crate) decay: bool,
     /// The file is a measured load and the motion under it: columns time, displacement, and force, acceleration or
-    /// foot-displacement. Needs the mass and the spring
+    /// foot-displacement. Needs the mass. Without a spring the stiffness is fitted, too
     #[arg(long, conflicts_with = "decay")]
     pub(crate) motion: bool,
     /// With --decay: the peaks are those of both sides without their signs. Otherwise peaks of one sign are one in every

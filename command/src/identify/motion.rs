@@ -7,12 +7,13 @@ use crate::failure::{Failure, Outcome};
 use crate::output;
 use crate::rows::Ahead;
 use serde::Serialize;
+use std::f64::consts::TAU;
 use std::io::Write;
 use std::path::Path;
 use stickslip::Excitation;
-use stickslip::design::{MotionIdentified, identify_motion};
+use stickslip::design::{MotionIdentified, identify_motion, identify_motion_and_stiffness};
+use stickslip::inputs::Given;
 use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::Record;
 
 /// The greatest number of rows: a fit follows the motion some thousand times.
@@ -28,6 +29,8 @@ struct MotionAnswer {
     offset: EstimateRecord,
     start_displacement: EstimateRecord,
     start_velocity: Option<EstimateRecord>,
+    stiffness: Option<EstimateRecord>,
+    natural_frequency: Option<EstimateRecord>,
     load: &'static str,
     noise: f64,
     noise_unit: String,
@@ -46,33 +49,46 @@ pub(super) fn run(
     let name = args.file.display().to_string();
     let file = MotionFile::read(&args.file, &name, reader)?;
     super::note_mass_beside_columns(args, reader);
-    let stiffness = given.stiffness()?.ok_or_else(|| given.missing(&Input::of_role(Role::Spring)))?;
-    let (mass, lines) = (given.mass()?, &file.lines);
+    let (mass, stiffness, lines) = (given.mass()?, given.stiffness()?, &file.lines);
     let of_sample = |e: stickslip::Error| {
         let stickslip::Error::InSample { index, error } = e else { return format!("{name}: {e}") };
         let line = lines.get(index).copied().unwrap_or_default();
         format!("{name} line {line}: {error}")
     };
     let load = Record::at_times(file.excitation, file.times, file.samples).map_err(of_sample)?;
-    let found =
-        identify_motion(mass, stiffness, &load, &file.displacements).map_err(|e| match e.quantity() {
-            Some(_) if !matches!(e, stickslip::Error::InMeasurement { .. }) => {
-                Failure::from(given.at_fault(&e))
-            }
-            _ => in_line(e, &name, lines).into(),
-        })?;
+    let found = match stiffness {
+        Some(stiffness) => {
+            identify_motion(mass, stiffness, &load, &file.displacements).map(|found| (found, None))
+        }
+        None => identify_motion_and_stiffness(mass, &load, &file.displacements)
+            .map(|(found, stiffness)| (found, Some(stiffness))),
+    };
+    let (found, stiffness) = found.map_err(|e| match e.quantity() {
+        Some(_) if !matches!(e, stickslip::Error::InMeasurement { .. }) => Failure::from(given.at_fault(&e)),
+        _ => in_line(e, &name, lines).into(),
+    })?;
+    // ω_n = √(k/m), and the error of it is half that of k.
+    let natural = stiffness.map(|stiffness| {
+        let mut natural = stiffness;
+        natural.value = (stiffness.value / mass).sqrt();
+        natural.standard_error = stiffness.standard_error * natural.value / (2.0 * stiffness.value);
+        natural
+    });
     let unit = |kind: Kind| given.system.name(kind);
     let of = |estimate, scale: f64, kind| EstimateRecord::of(estimate, scale, unit(kind));
-    let MotionIdentified { friction, damping_ratio, offset, start_displacement, start_velocity, .. } = &found;
+    let MotionIdentified { friction, friction_displacement, damping_ratio, damping, .. } = &found;
+    let MotionIdentified { offset, start_displacement, start_velocity, .. } = &found;
     let answer = MotionAnswer {
         friction: of(friction, 1.0, Kind::Force),
         friction_coefficient: of(friction, 1.0 / (mass * given.gravity()?), Kind::Ratio),
-        friction_displacement: of(friction, 1.0 / stiffness, Kind::Length),
+        friction_displacement: of(friction_displacement, 1.0, Kind::Length),
         damping_ratio: of(damping_ratio, 1.0, Kind::Ratio),
-        damping: of(damping_ratio, 2.0 * (stiffness * mass).sqrt(), Kind::Damping),
+        damping: of(damping, 1.0, Kind::Damping),
         offset: of(offset, 1.0, Kind::Length),
         start_displacement: of(start_displacement, 1.0, Kind::Length),
         start_velocity: start_velocity.as_ref().map(|estimate| of(estimate, 1.0, Kind::Velocity)),
+        stiffness: stiffness.as_ref().map(|estimate| of(estimate, 1.0, Kind::Stiffness)),
+        natural_frequency: natural.as_ref().map(|estimate| of(estimate, 1.0 / TAU, Kind::Hertz)),
         load: file.load,
         noise: found.noise,
         noise_unit: unit(Kind::Length),
@@ -144,6 +160,8 @@ impl MotionAnswer {
             self.measurements
         )?;
         let lines = [
+            ("stiffness k", self.stiffness.as_ref()),
+            ("natural frequency", self.natural_frequency.as_ref()),
             ("friction force r_y", Some(&self.friction)),
             ("coefficient µ", Some(&self.friction_coefficient)),
             ("friction r_y/k", Some(&self.friction_displacement)),

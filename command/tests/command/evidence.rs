@@ -89,7 +89,7 @@ fn every_output_of_every_command_has_its_row() {
         ),
         (
             "identify --motion",
-            &[format!("identify --motion {motion} --mass 2kg --stiffness 50N/m --format json")],
+            &[format!("identify --motion {motion} --mass 2kg --format json")],
         ),
         ("identify --decay", &[format!("identify --decay {peaks} --stiffness 12kN/m --format json")]),
         (
@@ -798,10 +798,30 @@ fn load_and_motion() -> String {
 fn a_motion_of_the_samples_is_identified() {
     let folder = tempfile::tempdir().unwrap();
     let motion = file(&folder, "motion.csv", &load_and_motion());
-    let line = format!("identify --motion {motion} --mass 2kg --stiffness 50N/m");
+    let known = format!("identify --motion {motion} --mass 2kg --stiffness 50N/m");
+    let free = format!("identify --motion {motion} --mass 2kg");
+    for line in [&known, &free] {
+        identified(line, line == &free);
+    }
+    let bare = file(&folder, "bare.csv", "time[s],displacement[mm]\n0,1\n");
+    for (line, said) in [
+        (format!("identify --motion {motion} --stiffness 50N/m"), "--mass is missing"),
+        (format!("{known} --force 3N"), "--force 3N: identify does not use it"),
+        (
+            format!("identify --motion {bare} --mass 2kg --stiffness 50N/m"),
+            "one of the columns force, acceleration and",
+        ),
+    ] {
+        refused(&line, &[said]);
+    }
+}
+
+/// The answers to a load and the motion of the samples, with the stiffness known or fitted.
+fn identified(line: &str, is_fitted: bool) {
     let answer = json(&format!("{line} --format json"));
     let value = |name: &str| answer[name]["value"].as_f64().unwrap();
-    for (name, due) in [
+    let of_spring = [("stiffness", 50.0), ("natural_frequency", 5.0 / TAU)];
+    for (name, due) in of_spring.into_iter().filter(|_| is_fitted).chain([
         ("friction", 3.0),
         ("friction_coefficient", 3.0 / 2.0 / 9.80665),
         ("friction_displacement", 0.06),
@@ -810,7 +830,7 @@ fn a_motion_of_the_samples_is_identified() {
         ("offset", 0.007),
         ("start_displacement", 0.007),
         ("start_velocity", 0.4),
-    ] {
+    ]) {
         assert!((value(name) / due - 1.0).abs() < 1e-6, "{name}: {answer}");
         let interval = &answer[name]["interval_95"];
         assert!(
@@ -822,26 +842,13 @@ fn a_motion_of_the_samples_is_identified() {
     assert_eq!(answer["residuals"].as_array().map(Vec::len), Some(250));
     assert!(answer["noise"].as_f64().unwrap() < 1e-8 && answer["noise_unit"] == "m", "{answer}");
     assert_eq!(answer["ignored_columns"], json!(["temperature"]));
-    let text = stdout(&line);
+    assert_eq!(answer["stiffness"].is_null(), !is_fitted, "{answer}");
+    let text = stdout(line);
+    assert_eq!(text.contains("stiffness k         50 N/m"), is_fitted, "{text}");
     assert!(
         text.contains("friction force r_y  3 N") && text.contains("offset              0.007 m"),
         "{text}"
     );
-    let bare = file(&folder, "bare.csv", "time[s],displacement[mm]\n0,1\n");
-    for (line, said) in [
-        (format!("identify --motion {motion} --stiffness 50N/m"), "--mass is missing"),
-        (format!("identify --motion {motion} --mass 2kg"), "--stiffness (or --period"),
-        (
-            format!("identify --motion {motion} --mass 2kg --stiffness 50N/m --force 3N"),
-            "--force 3N: identify does not use it",
-        ),
-        (
-            format!("identify --motion {bare} --mass 2kg --stiffness 50N/m"),
-            "one of the columns force, acceleration and",
-        ),
-    ] {
-        refused(&line, &[said]);
-    }
 }
 
 /// Designs by the command: the samples stop on one side of each answer only.

@@ -71,6 +71,15 @@ impl Fit {
         self.covariance.get(i).and_then(|row| row.get(i)).map_or(f64::NAN, |v| v.sqrt()) * self.noise()
     }
 
+    /// The standard error of a function of the parameters with this gradient.
+    pub(in crate::design) fn error_along(&self, gradient: &[f64]) -> f64 {
+        let variance =
+            self.covariance.iter().zip(gradient).map(|(row, a)| {
+                row.iter().zip(gradient).map(|(covariance, b)| a * b * covariance).sum::<f64>()
+            });
+        variance.sum::<f64>().sqrt() * self.noise()
+    }
+
     /// An estimate that is not negative, of a value with a standard error.
     pub(super) fn estimate(&self, value: f64, standard_error: f64, greatest: f64) -> Estimate {
         let degrees_of_freedom = self.degrees_of_freedom();
@@ -200,7 +209,7 @@ fn descend(
 }
 
 /// The inverse of a positive matrix, by elimination with the rows scaled by the diagonal.
-fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+pub(in crate::design) fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let n = matrix.len();
     let scale: Vec<f64> = (0..n).map(|i| matrix[i][i].sqrt()).collect();
     if scale.iter().any(|s| !(*s > 0.0 && s.is_finite())) {
