@@ -206,7 +206,19 @@ fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, Inpu
         }
         let with_point = text.replacen(',', ".", 1);
         let has_decimal_comma = text.contains(',') && split(&with_point).0.parse::<F>().is_ok();
-        let hint = if has_decimal_comma { ", with a decimal point in place of the comma" } else { "" };
+        if !has_decimal_comma {
+            return InputError(format!("{name} {text}: must be a number"));
+        }
+        // A comma before three digits may be one of thousands or of decimals.
+        let (before, after) = text.split_once(',').unwrap_or_default();
+        let digits = after.len() - after.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let hint = if digits == 3 {
+            let rest = after.get(digits..).unwrap_or_default();
+            let after = after.get(..digits).unwrap_or_default();
+            format!("; for thousands write {before}{after}{rest}, for decimals {before}.{after}{rest}")
+        } else {
+            ", with a decimal point in place of the comma".into()
+        };
         InputError(format!("{name} {text}: must be a number{hint}"))
     })
 }
@@ -308,6 +320,11 @@ mod tests {
             ("1 5", Kind::Mass, ["“5” is not a known unit", "must be a mass"]),
             ("2m3", Kind::Length, ["“m3” is a unit of another quantity", "must be a length"]),
             ("1,5kN", Kind::Force, ["--x 1,5kN: must be a number", "decimal point in place of the comma"]),
+            (
+                "1,200 kN",
+                Kind::Force,
+                ["--x 1,200 kN: must be a number", "for thousands write 1200 kN, for decimals 1.200 kN"],
+            ),
             (" ", Kind::Force, ["--x: must be a number", "but is empty"]),
         ] {
             let error = si(text, kind).unwrap_err();
