@@ -231,10 +231,15 @@ fn segments_of<F: Value>(
     }
     let last = motion.states.iter().rev().find(|state| state.time <= duration);
     let at_end = last.map_or(start[0], |state| state.displacement);
-    let ends = beginnings.iter().skip(1).map(|next| (next.0, next.1, Some(next.3)));
-    let ends: Vec<_> = ends.chain([(duration, at_end, None)]).collect();
-    let rows = beginnings.iter().zip(ends).filter(|((from, ..), (to, ..))| to > from);
-    let rows = rows.map(|(&(from, x, v, direction), (to, end, next))| {
+    let ends = beginnings.iter().skip(1).map(|next| (next.0, next.1));
+    // A rest without length, at which the body turns, has no row.
+    let rows: Vec<_> = beginnings
+        .iter()
+        .zip(ends.chain([(duration, at_end)]))
+        .filter(|((from, ..), (to, _))| to > from)
+        .collect();
+    let nexts: Vec<_> = rows.iter().skip(1).map(|(next, _)| Some(next.3)).chain([None]).collect();
+    let rows = rows.into_iter().zip(nexts).map(|((&(from, x, v, direction), (to, end)), next)| {
         let kind = match direction {
             1 => "slide-forward",
             -1 => "slide-backward",

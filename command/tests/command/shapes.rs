@@ -149,6 +149,12 @@ fn segments_under_shapes_are_closed_forms() {
     close(number(&step[0]["end_displacement"]), 0.02, 1e-14);
     close(number(&step[0]["end_time"]), PI / 20.0, 1e-14);
     assert_eq!([&step[0]["ends_by"], &step[1]["ends_by"]], ["stop", "end"]);
+    // One of 30 N turns three times, at 65, 20 and 45 mm, and rests at 40 mm.
+    let step = of(
+        "simulate --mass 2kg --stiffness 800N/m --friction 4N --force 30N --shape step --duration 2s --format jsonl",
+    );
+    let ends: Vec<_> = step.iter().map(|row| row["ends_by"].as_str().unwrap()).collect();
+    assert_eq!(ends, ["reversal", "reversal", "reversal", "stop", "end"]);
     // A ramp of 24 N/s on a block: released at 4/24 s, then x = 24 t³/12.
     let ramp = of(
         "simulate --mass 2kg --no-spring --friction 4N --force 12N --shape ramp --rise 0.5s --duration 0.4s \
@@ -382,4 +388,27 @@ fn a_curve_of_too_many_stops_is_refused_at_once() {
     let begin = std::time::Instant::now();
     refused("response-curve force --omega=1e-6:0.0787:5 --alpha 13.46", &["--omega 1e-6…", "must be ≤ 5e5"]);
     assert!(begin.elapsed().as_secs() < 5);
+}
+
+/// Every shape, with and without a spring, on slopes, with static friction, with two frictions and one way.
+#[test]
+fn drives_are_those_of_an_independent_program() {
+    let file: Value = serde_json::from_str(include_str!("../../../tests/data/drives.json")).unwrap();
+    let cases = file["cases"].as_array().unwrap();
+    assert_eq!(cases.len(), 30);
+    for case in cases {
+        let arguments = case["arguments"].as_str().unwrap();
+        let rows = stdout(&format!("simulate {arguments} --units N,m --format jsonl"));
+        let rows: Vec<Value> = rows.lines().map(|row| serde_json::from_str(row).unwrap()).collect();
+        let due = case["states"].as_array().unwrap();
+        assert!(rows.len() >= due.len() && due.len() == 10, "{arguments}");
+        for (row, state) in rows.iter().zip(due) {
+            for (place, name) in ["displacement", "velocity"].into_iter().enumerate() {
+                let (found, due) = (number(&row[name]), number(&state[place]));
+                // The steps are ω h < 1e-4, of which a Runge–Kutta method has an error far below 1e-13 a step, times 2e5 steps.
+                let allowed = 1e-10 * number(&case["scale"][place]);
+                assert!((found - due).abs() < allowed, "{arguments}: {name} {found} {due}\n{row}");
+            }
+        }
+    }
 }
