@@ -12,7 +12,7 @@ use stickslip::design::{
     self, Aim, AmplitudeKind, Edge, Holding, Measurement, OptimumKind, PhaseKind, Reading, TurningPoints,
 };
 use stickslip::uncertainty::Estimate;
-use stickslip::{Drive, Error, Excitation, Oscillator};
+use stickslip::{Drive, Error, Excitation, Oscillator, inputs};
 use stickslip_figures as figures;
 
 /// A question of design about one body under one drive, with an answer in a few numbers.
@@ -37,6 +37,33 @@ impl Question {
         ("force_for_velocity", Self::ForceForVelocity),
         ("hold", Self::Holding),
     ];
+
+    /// The answer for a body of these values, of which a friction of 0 needs no force, and in other questions is one far below
+    /// the rounding of the motion.
+    fn answered(
+        self,
+        of: Body,
+        kind: Excitation,
+        target: f64,
+        frequency: f64,
+    ) -> Result<([f64; 3], u8), Error> {
+        let (mass, stiffness, forward, backward, damping, ratio) = of;
+        if forward != 0.0 || backward > 0.0 {
+            return self.answer(&body(of)?, kind, target, frequency);
+        }
+        let nothing = inputs::Given::<f64>::nothing();
+        let with = |friction: f64| body((mass, stiffness, friction, f64::NAN, damping, ratio));
+        let friction = match self {
+            Self::MinAmplitude | Self::Holding => 1.0,
+            Self::ForceForDisplacement | Self::ForceForVelocity => (stiffness * target).abs() * nothing,
+            _ => Drive::new(kind, target, frequency)?.force_amplitude(&with(1.0)?) * nothing,
+        };
+        let (mut numbers, word) = self.answer(&with(friction)?, kind, target, frequency)?;
+        if let (Self::MinAmplitude | Self::Holding, [first, ..]) = (self, &mut numbers) {
+            *first = 0.0;
+        }
+        Ok((numbers, word))
+    }
 
     /// The answer: its numbers, and the number of a word.
     fn answer(
@@ -100,12 +127,12 @@ fn design_each<'py>(
         (0..n)
             .into_par_iter()
             .map(|place| {
-                let at = bodies.at(place).zip(target.at(place).zip(frequency.at(place)));
+                let at = bodies.given_at(place).zip(target.at(place).zip(frequency.at(place)));
                 let Some((body, (target, frequency))) = at else { return Err(Error::Interrupted) };
                 if stop.asked().is_break() {
                     return Err(Error::Interrupted);
                 }
-                match body.and_then(|body| asked.answer(&body, excited, target, frequency)) {
+                match asked.answered(body, excited, target, frequency) {
                     Err(_) if many => Ok(([f64::NAN; 3], u8::MAX)),
                     answer => answer,
                 }
@@ -241,6 +268,45 @@ fn identify_decay<'py>(
     Ok(dict)
 }
 
+/// Friction, damping and the stiffness if it is not given, from a load and the displacements at the times of its samples.
+#[pyfunction]
+fn identify_motion<'py>(
+    py: Python<'py>,
+    mass: f64,
+    stiffness: Option<f64>,
+    load: (String, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>),
+    displacement: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (of, times, samples) = &load;
+    let record = crate::record::load(of, times.as_slice()?, samples.as_slice()?, None)?;
+    let values = displacement.as_slice()?.to_vec();
+    let work = move || match stiffness {
+        Some(stiffness) => {
+            design::identify_motion(mass, stiffness, &record, &values).map(|found| (found, None))
+        }
+        None => design::identify_motion_and_stiffness(mass, &record, &values)
+            .map(|(found, stiffness)| (found, Some(stiffness))),
+    };
+    let (found, stiffness) = left_behind(py, work)?.map_err(refused)?;
+    let dict = PyDict::new(py);
+    let estimate = |e: Estimate| (e.value, e.standard_error, e.interval());
+    for (name, own) in [
+        ("friction", found.friction),
+        ("damping_ratio", found.damping_ratio),
+        ("damping", found.damping),
+        ("friction_displacement", found.friction_displacement),
+        ("offset", found.offset),
+        ("start_displacement", found.start_displacement),
+    ] {
+        dict.set_item(name, estimate(own))?;
+    }
+    dict.set_item("start_velocity", found.start_velocity.map(estimate))?;
+    dict.set_item("stiffness", stiffness.map(estimate))?;
+    dict.set_item("noise", found.noise)?;
+    dict.set_item("residuals", found.residuals)?;
+    Ok(dict)
+}
+
 /// The kind of this name.
 fn kind<K: Copy>(argument: &str, text: &str, kinds: &[K], name: impl Fn(K) -> &'static str) -> PyResult<K> {
     kinds.iter().copied().find(|&kind| name(kind) == text).ok_or_else(|| {
@@ -337,5 +403,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(best_friction_over, module)?)?;
     module.add_function(wrap_pyfunction!(identify, module)?)?;
     module.add_function(wrap_pyfunction!(identify_decay, module)?)?;
+    module.add_function(wrap_pyfunction!(identify_motion, module)?)?;
     module.add_function(wrap_pyfunction!(figure, module)?)
 }

@@ -256,8 +256,13 @@ impl<'a> Bodies<'a> {
 
     /// The body at a place.
     pub(crate) fn at(&self, place: usize) -> Option<Result<Oscillator<f64>, Error>> {
+        self.given_at(place).map(body)
+    }
+
+    /// The values of the body at a place.
+    pub(crate) fn given_at(&self, place: usize) -> Option<Body> {
         let [mass, stiffness, friction, backward, damping, ratio] = self.0.map(|values| values.at(place));
-        Some(body((mass?, stiffness?, friction?, backward?, damping?, ratio?)))
+        Some((mass?, stiffness?, friction?, backward?, damping?, ratio?))
     }
 }
 

@@ -3,6 +3,9 @@
 import json
 import math
 import os
+import pickle
+import pydoc
+import re
 import subprocess
 
 import numpy as np
@@ -392,3 +395,59 @@ def test_a_body_without_friction_is_the_linear_oscillator(excitation):
     still = drive.replace(**{excitation: 0.0})
     for machine in (free, ss.Machine(**body, friction=2.0)):
         assert machine.steady(still).regime == "stuck" and machine.steady(still).max_displacement == 0.0
+
+
+def test_no_friction_needs_no_force():
+    bodies = ss.Machine(mass=2.0, stiffness=800.0, friction=[0.0, 4.0], damping_ratio=0.02)
+    drive = ss.Drive(force=5.0, frequency=1.0)
+    assert bodies.min_force(frequency=1.0)[0] == 0.0 < bodies.min_force(frequency=1.0)[1]
+    assert bodies.replace(friction=0.0).min_force(frequency=1.0) == 0.0
+    # These do not depend on the friction that the machine has.
+    assert np.ptp(bodies.max_friction(drive)) <= 1e-14 * bodies.max_friction(drive)[1]
+    assert np.ptp(bodies.best_friction(drive).friction) <= 1e-12
+    # A linear body: p₀ = X |k − mω² + icω|, ω X of a velocity.
+    w = 2 * np.pi
+    stiff = abs(800.0 - 2.0 * w**2 + 1j * w * 2 * 0.02 * np.sqrt(1600.0))
+    assert bodies.force_for_displacement(0.01, frequency=1.0)[0] == pytest.approx(0.01 * stiff, rel=1e-12)
+    assert bodies.force_for_velocity(0.01, frequency=1.0)[0] == pytest.approx(0.01 / w * stiff, rel=1e-12)
+
+
+@pytest.mark.parametrize("of", ["force", "base_acceleration", "foot_displacement"])
+def test_friction_and_damping_of_a_motion(of):
+    pd = pytest.importorskip("pandas")
+    machine = ss.Machine(mass="2 t", stiffness="800 kN/m", friction="3 kN", damping_ratio="3 %", units="kN,mm")
+    time = np.arange(0, 2, 0.02)
+    size = {"force": ("kN", 9.0), "base_acceleration": ("g", 0.45), "foot_displacement": ("mm", 11.0)}[of]
+    record = ss.Record(size[1] * np.sin(15 * time) + 0.5 * size[1] * np.sin(23 * time), time_step=0.02, of=of, unit=size[0])
+    motion = machine.motion(record)
+    measured = np.interp(time, motion.time, motion.displacement) + 4.0
+    known = ss.identify_motion("2 t", "800 kN/m", record=record, displacement=measured, units="kN,mm")
+    found = ss.identify_motion("2 t", record=record, displacement=pd.Series(measured, index=pd.Index(time, name="time")), units="kN,mm")
+    assert known.stiffness is None and known.start_velocity is None
+    for one in (known, found):
+        for estimate, truth in ((one.friction, 3.0), (one.damping_ratio, 0.03), (one.friction_displacement, 3.75), (one.offset, 4.0)):
+            assert estimate.value == pytest.approx(truth, rel=1e-6)
+            assert estimate.interval[0] <= truth * (1 + 1e-6) and estimate.interval[1] >= truth * (1 - 1e-6)
+    assert found.stiffness.value == pytest.approx(0.8, rel=1e-7)
+    assert isinstance(found.residuals, pd.Series) and np.abs(found.residuals).max() < 1e-5
+    for wrong, said in (
+        (measured[1:], "must have 100 values"),
+        (np.where(time > 1, np.nan, measured), "must have a number"),
+        (pd.Series(measured, index=pd.Index(time + 1, name="time")), "labels must be the times"),
+    ):
+        with pytest.raises(ss.Error, match=said):
+            ss.identify_motion("2 t", record=record, displacement=wrong, units="kN,mm")
+    with pytest.raises(ss.Error, match="has no unit"):
+        ss.identify_motion("2 t", record=record, displacement=measured)
+
+
+def test_help_has_what_is_new_and_nothing_of_dict_or_tuple():
+    for of in (ss.Response, ss.MachineSteady, ss.Motion, ss.Estimate):
+        text = pydoc.plain(pydoc.render_doc(of))
+        assert not re.search(r"popitem|setdefault|__contains__|__ror__|sizeof", text)
+        assert len(text.splitlines()) < 130
+    assert "max_displacement" in pydoc.plain(pydoc.render_doc(ss.Response))
+    assert "max_displacement" in dir(ss.response(0.5, 4.0))
+    assert len(pydoc.plain(pydoc.render_doc(ss)).splitlines()) < 4500
+    estimate = ss.Estimate(1.0, 0.1, (0.8, 1.2))
+    assert pickle.loads(pickle.dumps(estimate)) == estimate and estimate._replace(value=2.0).value == 2.0

@@ -38,10 +38,12 @@ from ._design import (
     Estimate,
     Figure,
     Identified,
+    MotionIdentified,
     TargetFriction,
     figure,
     identify,
     identify_decay,
+    identify_motion,
 )
 from ._drive import Drive
 from ._machine import Machine
@@ -96,6 +98,7 @@ __all__ = [
     "MachineSteady",
     "MonteCarlo",
     "Motion",
+    "MotionIdentified",
     "Phases",
     "Polarities",
     "Record",
@@ -120,6 +123,7 @@ __all__ = [
     "figure",
     "identify",
     "identify_decay",
+    "identify_motion",
     "monte_carlo",
     "response",
     "sensitivities",

@@ -11,14 +11,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._drive import Quantity, angular_of, read
-from ._labels import Like, aligned
+from ._help import brief
+from ._labels import Like, aligned, is_labelled
 from ._native import Error
-from ._result import Floats
+from ._record import Record
+from ._result import Floats, of_type
 
 #: Names of the figures that `figure` draws.
 FIGURES: tuple[str, ...] = tuple(_native.FIGURES)
 
 
+@brief
 class Band(NamedTuple):
     """A band of frequency in which the body does not stick, both ends included, in the unit of the requested range."""
 
@@ -29,6 +32,7 @@ class Band(NamedTuple):
     high_is_end_of_range: bool
 
 
+@brief
 class BestFriction(NamedTuple):
     """The friction force that dissipates most: numbers, or arrays for several machines or drives."""
 
@@ -39,6 +43,7 @@ class BestFriction(NamedTuple):
     optimum: Any
 
 
+@brief
 class BestStiffness(NamedTuple):
     """The stiffness that dissipates most without sticking; see `Machine.best_stiffness`."""
 
@@ -49,6 +54,7 @@ class BestStiffness(NamedTuple):
     optimum: str
 
 
+@brief
 class TargetFriction(NamedTuple):
     """A friction force with which the steady motion has a given displacement; see `Machine.frictions_for_displacement`."""
 
@@ -57,6 +63,7 @@ class TargetFriction(NamedTuple):
     max_displacement: float
 
 
+@brief
 class BandFriction(NamedTuple):
     """The friction force whose greatest amplitude over a band is least; see `Machine.best_friction_over`."""
 
@@ -71,6 +78,7 @@ class BandFriction(NamedTuple):
     rest_friction: float
 
 
+@brief
 class Estimate(NamedTuple):
     """An estimate from measurements."""
 
@@ -87,6 +95,7 @@ def _in_hertz(angular: Optional[Estimate]) -> Optional[Estimate]:
     return Estimate(float(value), float(error), (float(low), float(high)))
 
 
+@brief
 class Identified(NamedTuple):
     """Friction and damping from a measured response curve; see `identify`."""
 
@@ -119,6 +128,7 @@ class Identified(NamedTuple):
         return _in_hertz(self.natural_angular_frequency)
 
 
+@brief
 class DecayIdentified(NamedTuple):
     """Friction and damping from a free decay; see `identify_decay`."""
 
@@ -143,6 +153,30 @@ class DecayIdentified(NamedTuple):
         return _in_hertz(self.natural_angular_frequency)
 
 
+@brief
+class MotionIdentified(NamedTuple):
+    """Friction and damping from a measured load and the motion under it; see `identify_motion`."""
+
+    friction: Estimate
+    damping_ratio: Estimate
+    #: The constant of the damper.
+    damping: Estimate
+    #: Friction bound over stiffness.
+    friction_displacement: Estimate
+    #: The displacement, as it was measured, at which the spring is relaxed under no load.
+    offset: Estimate
+    start_displacement: Estimate
+    #: None where the body starts at rest.
+    start_velocity: Optional[Estimate]
+    #: None where it was given.
+    stiffness: Optional[Estimate]
+    #: Standard error of one displacement, estimated from the residuals.
+    noise: float
+    #: Measured minus computed displacements.
+    residuals: Floats
+
+
+@brief
 class Figure(NamedTuple):
     """A figure that a notebook displays."""
 
@@ -311,6 +345,79 @@ def identify_decay(
         turning_points=np.array(found["turning_points"]),
         times=np.array(found["times"]),
         residuals=residuals,
+    )
+
+
+def identify_motion(
+    mass: Quantity,
+    stiffness: Optional[Quantity] = None,
+    *,
+    record: Record,
+    displacement: ArrayLike,
+    units: Optional[str] = None,
+) -> MotionIdentified:
+    """Friction bound and damping ratio from a measured load and the motion under it, by least squares.
+
+    The motion may stop or not, and begin at rest or not. Friction is one, static and kinetic. The load counts as exact, and the
+    errors of the displacements as normal; where neighbouring ones are alike, the intervals are wider.
+
+    Parameters
+    ----------
+    mass, stiffness : float or str
+        Mass and stiffness of the machine, with or without units. Without the stiffness it is found, too.
+    record : Record
+        The load: a force, the acceleration of the base, or the motion of the spring's foot.
+    displacement : array
+        The displacement at the time of each sample of the record, from any zero; with a moving base in relation to it.
+    units : str, optional
+        The system of units of bare numbers, such as ``"kN,mm"``; it is required if other values have units.
+
+    Returns
+    -------
+    MotionIdentified
+        In the system of units.
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0, damping_ratio=0.03)
+    >>> time = np.arange(0, 2, 0.02)
+    >>> record = ss.Record(9 * np.sin(15 * time) + 5 * np.sin(23 * time), time_step=0.02, of="force")
+    >>> motion = machine.motion(record)
+    >>> measured = np.interp(time, motion.time, motion.displacement)
+    >>> found = ss.identify_motion(2.0, 800.0, record=record, displacement=measured)
+    >>> round(found.friction.value, 4), round(found.damping_ratio.value, 4)
+    (3.0, 0.03)
+    >>> round(ss.identify_motion(2.0, record=record, displacement=measured).stiffness.value, 1)
+    800.0
+    """
+    of_type("record", record, Record)
+    columns, like = _curve({"displacement": displacement})
+    values = columns["displacement"]
+    if is_labelled(displacement) and hasattr(displacement, "index"):
+        index = displacement.index
+        if index.dtype.kind in "f" and index.name is not None and not np.array_equal(index, record.times):
+            raise Error("displacement: its labels must be the times of the record")
+    if not np.isfinite(values).all():
+        raise Error("displacement: must have a number for each sample of the record; one is NaN, masked or infinite")
+    if len(values) != len(record):
+        raise Error(f"displacement: must have {len(record)} values, one for each sample of the record, not {len(values)}")
+    # The greatest displacement stands for all when units are checked.
+    texts = {"mass": (mass, "mass"), "displacement": (float(np.max(np.abs(values))), "length")}
+    if stiffness is not None:
+        texts["stiffness"] = (stiffness, "stiffness")
+    body, system = read(texts, units)
+    of, times, samples = record._in(system, True, "the mass")
+    found = _native.identify_motion(body["mass"], body.get("stiffness"), (of, times, samples), values)
+    start, spring = found["start_velocity"], found["stiffness"]
+    residuals: Any = np.array(found["residuals"])
+    return MotionIdentified(
+        **{name: Estimate(*found[name]) for name in ("friction", "damping_ratio", "damping", "friction_displacement", "offset")},
+        start_displacement=Estimate(*found["start_displacement"]),
+        start_velocity=None if start is None else Estimate(*start),
+        stiffness=None if spring is None else Estimate(*spring),
+        noise=found["noise"],
+        residuals=residuals if like is None else like.dressed("residuals", residuals, {}),
     )
 
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, NoReturn, Optional,
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._help import Brief
 from ._labels import Like, WrongType, aligned, is_labelled, module, numbers, shape_of
 from ._native import Error
 
@@ -67,7 +68,7 @@ class Output:
         raise AttributeError(f"{type(result).__name__} cannot be changed")
 
 
-class Result(dict[str, Any]):
+class Result(dict[str, Any], metaclass=Brief):
     """Named values, read as attributes or as items. A value that is not there yet is computed when it is read."""
 
     #: The names of all values, in order: those annotated.
