@@ -131,7 +131,7 @@ const FILES = {
     const [omegas, alphas] = [centres(width, omega), centres(height, alpha)];
     return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((own) => omegas.map(() => own)), sticks_per_cycle: stops.map((n) => (n < 0 ? NAMED[n] : n)) };
   }],
-  record: [["load", "shaken", "speed", "spectrum"], () => ({ "time[s]": shown.record.time, [`displacement[${shown.record.units.displacement}]`]: shown.record.displacement, [`velocity[${shown.record.units.velocity}]`]: shown.record.velocity })],
+  record: [["load", "shaken", "speed", "hysteresis", "spectrum"], () => ({ "time[s]": shown.record.time, [`displacement[${shown.record.units.displacement}]`]: shown.record.displacement, [`velocity[${shown.record.units.velocity}]`]: shown.record.velocity, [`transmitted_force[${shown.record.units.force}]`]: shown.record.force })],
 };
 
 // Draws in the light theme, so that a file prints in black, and comes back to the theme that was.

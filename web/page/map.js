@@ -32,7 +32,7 @@ function askMap() {
   fileButtons();
   // The border has poles, and needs more points than the colours.
   const border = centres(1000, omega);
-  $("map-note").textContent = shown.map ? "" : "Computing …";
+  $("map-note").textContent = "Computing …";
   charts.map.host.classList.add("stale");
   const cells = Array.from({ length: ACROSS * UP }, (_, cell) => cell);
   // Every eighth row first, then those between.
@@ -71,13 +71,20 @@ function refine(grid) {
     answerCells(fine, open, undefined, () => {
       fine.open = undefined;
       fine.isFinal = true;
+      $("map-note").textContent = "";
       later("map", fine);
     });
   });
 }
 
+// Says how much of the map is computed, in steps that a screen reader can follow.
+function progress(grid, part) {
+  const text = `Computing ${grid.width > ACROSS ? "in detail " : ""}… ${10 * Math.floor(10 * part)} %`;
+  if ($("map-note").textContent !== text) $("map-note").textContent = text;
+}
+
 // Asks some cells in parts, as long as the map is of the same machine, and draws what is there.
-function answerCells(grid, cells, periods, done) {
+function answerCells(grid, cells, periods, done, total = cells.length) {
   const part = cells.slice(0, periods ? (grid.same.static_friction_ratio > 1 ? 800 : 6200) : MANY);
   if (grid.key !== mapOf) return;
   if (!part.length) {
@@ -94,7 +101,8 @@ function answerCells(grid, cells, periods, done) {
       grid.open?.delete(cell);
     });
     later("map", { ...grid });
-    answerCells(grid, cells.slice(part.length), periods, done);
+    progress(grid, 1 - (cells.length - part.length) / total);
+    answerCells(grid, cells.slice(part.length), periods, done, total);
   });
 }
 

@@ -12,6 +12,7 @@ const charts = {
   load: new Chart($("load"), { title: "The record", height: 150 }),
   shaken: new Chart($("shaken"), { title: "Displacement under the record", height: 190 }),
   speed: new Chart($("speed"), { title: "Velocity under the record", height: 150 }),
+  hysteresis: new Chart($("hysteresis"), { title: "Force on the support over the displacement under the record", height: 260 }),
   spectrum: new Chart($("spectrum"), { title: "Peak displacement over the natural period", height: 230 }),
 };
 charts.map.svg.removeAttribute("role");

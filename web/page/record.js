@@ -86,6 +86,7 @@ function showRecord(found) {
       return { x: times[at], text: `${four(times[at])} s: ${four(values[at])} ${unit}${chart !== load && found.rest[at] ? ", at rest" : ""}` };
     };
   });
+  showHysteresis(found);
   if (!playingRecord) recordSketch(found, 0);
   const value = (name) => found.values.find((row) => row.name === name)?.value;
   const [slides, rest] = [value("slides"), value("residual_displacement")];
@@ -97,6 +98,15 @@ function showRecord(found) {
   const list = $("record-values");
   list.replaceChildren();
   for (const { name, value, unit } of found.values) if (RECORD_KEY.includes(name) && value !== null) entry(list, label(name), readable(value, unit), `${value} ${unit}`);
+}
+
+// The loops of spring, damper and friction together.
+function showHysteresis(found) {
+  const chart = charts.hysteresis;
+  const [way, force] = [fitted(found.displacement, found.units.displacement), fitted(found.force, found.units.force)];
+  chart.begin({ x: range(way.values), y: range(force.values), xlabel: `displacement (${way.unit})`, ylabel: `force on the support (${force.unit})` });
+  chart.line(way.values, force.values, chart.ink.slide, { width: 1.2 });
+  chart.read = (x, y) => ({ x, text: `${four(x)} ${way.unit}, ${four(y)} ${force.unit}` });
 }
 
 function showSpectrum(found) {

@@ -83,8 +83,10 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
         "values": answers(&answer, &system),
         "time": column(|state| state.time), "displacement": column(|state| state.displacement),
         "velocity": column(|state| state.velocity), "rest": rests,
+        "force": column(|state| state.transmitted_force),
         "load": { "time": times, "value": samples, "unit": load_unit },
-        "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity) },
+        "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity),
+            "force": system.name(Kind::Force) },
         "unused": unused, "channel": summary.channel, "follows": follows(&record),
         "read": summary.sentence(stickslip::words::digits),
     }))

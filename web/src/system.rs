@@ -81,34 +81,78 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
     Ok(Value::Object(found))
 }
 
-/// The greatest displacements and the rests of the steady motion over the `frequencies` of the loads in Hz; null where a
-/// frequency has no answer.
+/// The most answers that the peaks of one coordinate ask for, as in a picture of the command.
+const MOST_ADDED: usize = 200;
+
+/// The steady motion at a frequency of the loads: the greatest displacements, the rests of the contacts and the kind, where
+/// there is one.
+#[derive(Clone)]
+struct Place {
+    frequency: f64,
+    sizes: Vec<f64>,
+    rests: Option<usize>,
+    kind: Option<&'static str>,
+}
+
+impl Place {
+    const fn none(frequency: f64) -> Self {
+        Self { frequency, sizes: Vec::new(), rests: None, kind: None }
+    }
+
+    fn of(system: &NamedSystem, frequency: f64) -> Result<Self, String> {
+        let at = system.clone().at_frequency(frequency * std::f64::consts::TAU)?;
+        let Ok(steady) = at.system.steady(&at.described.start) else {
+            return Ok(Self::none(frequency));
+        };
+        let (most, least) = (&steady.motion.max_displacement, &steady.motion.min_displacement);
+        let kinds = at.described.model.elements.iter().map(stickslip_front::system::kind_of);
+        let held = steady.motion.elements.iter().zip(kinds).filter(|(_, kind)| *kind != "stop");
+        Ok(Self {
+            frequency,
+            sizes: most.iter().zip(least).map(|(most, least)| most.abs().max(least.abs())).collect(),
+            rests: Some(held.map(|(element, _)| element.stops).sum()),
+            kind: Some(steady.kind.name()),
+        })
+    }
+
+    fn size(&self, coordinate: usize) -> Option<f64> {
+        self.sizes.get(coordinate).copied()
+    }
+
+    /// A motion that has not settled has no height of its own.
+    fn height(&self, coordinate: usize) -> f64 {
+        let settled = matches!(self.kind, Some("periodic" | "rest"));
+        self.size(coordinate).filter(|_| settled).unwrap_or(f64::NAN)
+    }
+}
+
+/// The greatest displacements and the rests of the steady motion over the `frequencies` of the loads in Hz, and over further
+/// ones beside the peaks; null where a frequency has no answer.
 pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let system = named(asked)?;
     let coordinates = system.described.coordinates.clone();
     let frequencies = asked.numbers("frequencies");
-    let mut sizes: Vec<Vec<Option<f64>>> = coordinates.iter().map(|_| Vec::new()).collect();
-    let (mut rests, mut kinds) = (Vec::new(), Vec::new());
-    for &frequency in frequencies.iter().take(MOST as usize) {
-        let at = system.clone().at_frequency(frequency * std::f64::consts::TAU)?;
-        let steady = at.system.steady(&at.described.start).ok();
-        for (i, column) in sizes.iter_mut().enumerate() {
-            column.push(steady.as_ref().and_then(|steady| {
-                let of = |list: &[f64]| list.get(i).map(|x| x.abs());
-                Some(of(&steady.motion.max_displacement)?.max(of(&steady.motion.min_displacement)?))
-            }));
-        }
-        let contacts = steady.as_ref().map(|steady| {
-            let kinds = at.described.model.elements.iter().map(stickslip_front::system::kind_of);
-            let held = steady.motion.elements.iter().zip(kinds).filter(|(_, kind)| *kind != "stop");
-            held.map(|(element, _)| element.stops).sum::<usize>()
-        });
-        rests.push(contacts);
-        kinds.push(steady.map(|steady| steady.kind.name()));
+    let frequencies = frequencies.iter().take(MOST as usize);
+    let mut places =
+        frequencies.map(|&frequency| Place::of(&system, frequency)).collect::<Result<Vec<_>, _>>()?;
+    for coordinate in 0..coordinates.len() {
+        let added = std::cell::Cell::new(0);
+        let at = |frequency: f64| {
+            added.set(added.get() + 1);
+            if added.get() > MOST_ADDED { Ok(Place::none(frequency)) } else { Place::of(&system, frequency) }
+        };
+        let of = |place: &Place| (place.frequency, place.height(coordinate));
+        let found = stickslip_front::curve::resolved(&places, true, of, |_| false, at)?;
+        places = found.into_iter().map(|(place, _)| place).collect();
     }
     let unit = system.described.units.map_or_else(String::new, |units| units.name(Kind::Length));
+    let column = |coordinate| places.iter().map(|place| place.size(coordinate)).collect::<Vec<_>>();
     Ok(json!({
-        "frequency": frequencies, "coordinates": coordinates, "displacement": sizes, "rests": rests, "kind": kinds,
+        "frequency": places.iter().map(|place| place.frequency).collect::<Vec<_>>(),
+        "displacement": (0..coordinates.len()).map(column).collect::<Vec<_>>(),
+        "rests": places.iter().map(|place| place.rests).collect::<Vec<_>>(),
+        "kind": places.iter().map(|place| place.kind).collect::<Vec<_>>(),
+        "coordinates": coordinates,
         "unit": unit,
     }))
 }

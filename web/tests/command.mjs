@@ -277,6 +277,13 @@ test("a record is followed as the command follows it", () => {
   }
   const count = (wanted) => found.values.find(({ name }) => name === wanted).value;
   assert.ok(count("stops") + count("reversals") > 3);
+  // The loops: their greatest force, and their area, which is what friction and damper dissipate and the spring stores.
+  const [most, friction, damper, end] = ["max_transmitted_force", "friction_work", "damper_work", "end_displacement"].map(count);
+  assert.ok(Math.abs(Math.max(...found.force.map(Math.abs)) / most - 1) < 1e-4, String(most));
+  const last = found.time.findIndex((t) => t >= times.at(-1) - 1e-9);
+  const area = found.force.slice(1, last + 1).reduce((sum, f, i) => sum + ((f + found.force[i]) / 2) * (found.displacement[i + 1] - found.displacement[i]), 0);
+  const stored = (2000 * (2 * Math.PI / 0.8) ** 2 * end ** 2) / 2;
+  assert.ok(Math.abs(area / (friction + damper + stored) - 1) < 0.02, `${area} ${friction} ${damper} ${stored}`);
   // A body of the spectrum is the same as one alone.
   const alone = ask({ ask: "record", inputs: { ...inputs, period: "0.5 s" }, text });
   const spectrum = ask({ ask: "spectrum", inputs, text, periods: [0.25, 0.5] });
