@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 _Tuple = TypeVar("_Tuple", bound="tuple[Any, ...]")
 
@@ -21,5 +21,4 @@ class Brief(type):
 
 def brief(cls: type[_Tuple]) -> type[_Tuple]:
     """A named tuple with a short help."""
-    made: type[_Tuple] = Brief(cls.__name__, cls.__bases__, dict(cls.__dict__))
-    return made
+    return cast("type[_Tuple]", Brief(cls.__name__, cls.__bases__, dict(cls.__dict__)))
