@@ -395,7 +395,8 @@ def identify_motion(
     columns, like = _curve({"displacement": displacement})
     values = columns["displacement"]
     if is_labelled(displacement) and hasattr(displacement, "index"):
-        index = displacement.index
+        labelled: Any = displacement
+        index = labelled.index
         if index.dtype.kind in "f" and index.name is not None and not np.array_equal(index, record.times):
             raise Error("displacement: its labels must be the times of the record")
     if not np.isfinite(values).all():
