@@ -157,7 +157,7 @@ fn identified(
     let hopeless = (MOST_NOISE * spread).powi(2) * found as f64;
     let ends = Ends { tolerance: TOLERANCE, hopeless };
     let fit = |moves: bool| {
-        let count = scales.len() - usize::from(!moves);
+        let count = scales.len().saturating_sub(usize::from(!moves));
         let mut starts = Vec::new();
         for (&spring, friction) in springs.iter().flat_map(|spring| FRICTIONS.map(|part| (spring, part))) {
             for (zeta, offset) in DAMPINGS.iter().flat_map(|zeta| [(*zeta, 0.0), (*zeta, mean)]) {
@@ -173,7 +173,7 @@ fn identified(
             }
         }
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let most = if stiffness.is_some() { STARTS } else { 2 * STARTS };
+        let most = if stiffness.is_some() { STARTS } else { STARTS.saturating_mul(2) };
         let starts: Vec<_> = starts.into_iter().take(most).map(|(_, at)| at).collect();
         Fit::best(displacements, &|at: &[f64]| known.model(at), &starts, scales.get(..count)?, ends)
     };
@@ -219,7 +219,7 @@ fn identified(
             }
             Some(found.error_along(&gradient))
         };
-        let velocity = FURTHER + usize::from(is_fitted);
+        let velocity = FURTHER.saturating_add(usize::from(is_fitted));
         let answer = MotionIdentified {
             friction: not_negative(FRICTION)?,
             damping_ratio: not_negative(ZETA)?,
@@ -300,7 +300,7 @@ impl Known<'_> {
         }
         let mut sum = vec![0.0; self.load.samples().len()];
         for (part, r, z) in parts {
-            let velocity = value(FURTHER + usize::from(self.stiffness.is_none()));
+            let velocity = value(FURTHER.saturating_add(usize::from(self.stiffness.is_none())));
             let found = self.displacements((r, self.spring(at), z), value(OFFSET), [value(PLACE), velocity]);
             for (i, total) in sum.iter_mut().enumerate() {
                 *total += part * found.as_ref().and_then(|found| found.get(i)).copied().unwrap_or(f64::NAN);

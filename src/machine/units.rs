@@ -211,7 +211,7 @@ fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, Inpu
         }
         // A comma before three digits may be one of thousands or of decimals.
         let (before, after) = text.split_once(',').unwrap_or_default();
-        let digits = after.len() - after.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let digits = after.chars().take_while(char::is_ascii_digit).count();
         let hint = if digits == 3 {
             let rest = after.get(digits..).unwrap_or_default();
             let after = after.get(..digits).unwrap_or_default();

@@ -5,6 +5,7 @@ use crate::machine::excitation::Excitation;
 use crate::motion::record::Record;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 /// The stiffness by linear least squares; `None` where it is not > 0.
 ///
@@ -31,7 +32,11 @@ pub(super) fn stiffness(mass: f64, load: &Record<f64>, displacements: &[f64]) ->
     let force: Vec<f64> = load.samples().iter().map(|f| forced * f).collect();
     let mut signs: Vec<f64> = displacements
         .windows(2)
-        .map(|pair| if let [a, b] = pair { (b - a).signum() * f64::from(u8::from(a != b)) } else { 0.0 })
+        .map(|pair| match pair.last().partial_cmp(&pair.first()) {
+            Some(Ordering::Greater) => 1.0,
+            Some(Ordering::Less) => -1.0,
+            _ => 0.0,
+        })
         .collect();
     signs.extend(signs.last().copied());
     let columns = [
