@@ -1,12 +1,12 @@
 //! Every output at f64 and at f32 is within its allowance in the table of ulp bounds (`tests/ulps`), compared
 //! with 128 bits and with f64.
 
-use crate::ulps::OUTPUTS;
 use crate::ulps::damped::{self, Worst};
-use crate::ulps::points::{ALPHAS, OMEGAS};
-use crate::ulps::reference::{Narrow, errors};
+use crate::ulps::points::{ALPHAS, OMEGAS, Random};
+use crate::ulps::reference::{Narrow, answers, difference_in_ulp, errors, widened};
 use crate::ulps::worst::{Survey, hex};
-use stickslip::Ratios;
+use crate::ulps::{COUNT, OUTPUTS};
+use stickslip::{Border, Float, Ratios};
 
 fn no_error_exceeds_its_allowance_and_no_allowance_is_stale<F: Narrow>() {
     let survey = Survey::of::<F>(20, 200).merge(&Survey::of::<F>(21, 200));
@@ -51,6 +51,48 @@ fn double_precision_with_a_damper() {
         // Some points must come within a fifth of the allowance; otherwise the allowance is too generous.
         assert!(allowed.is_infinite() || error * 5.0 >= allowed, "{}: {error} at worst", output.name);
     }
+}
+
+/// ω_d t₁ and Δ₁ by the text without a damper, and by that with one at ζ = 10⁻³⁰, beside one number of 128 bits: both are
+/// within the goals of their units, so that neither is off. They are many units of their own apart where t₁ is small and
+/// Δ₁ is beside its zero.
+#[test]
+fn the_time_of_the_peak_velocity_is_as_accurate_by_both_texts() {
+    let mut random = Random(29);
+    let mut apart = [0.0_f64; 2];
+    for (low, high) in [(0.01, 0.2), (0.2, 0.5), (0.5, 2.0)] {
+        let (mut worst, mut compared) = ([[0.0_f64; 2]; 2], 0);
+        for _ in 0..400 {
+            let (omega, over) = (random.between(low, high), random.between(1.0001, 8.0));
+            let least: f64 = Border::new(omega).unwrap().min_force_ratio;
+            let undamped = Ratios::new(omega, least * over).unwrap();
+            let exact = answers(widened(&undamped).unwrap()).unwrap();
+            let both = [undamped, undamped.with_damping_ratio(1e-30).unwrap()].map(|r| answers(r).unwrap());
+            let speed = exact[2].unwrap();
+            // Of two maxima that are equal up to rounding either may be found.
+            let is_same =
+                |found: &[Option<f64>; COUNT]| (found[3].unwrap() - exact[3].unwrap().to_f64()).abs() < 0.01;
+            if !both.iter().all(is_same) {
+                continue;
+            }
+            compared += 1;
+            for (i, output) in [3, 4].into_iter().enumerate() {
+                let (right, values) = (exact[output].unwrap(), both.map(|found| found[output].unwrap()));
+                for (worst, value) in worst.iter_mut().zip(values) {
+                    let wide = value.widened();
+                    let off = difference_in_ulp::<f64>(OUTPUTS[output].unit, wide, right, speed);
+                    worst[i] = worst[i].max(off);
+                }
+                let [one, other] = values;
+                apart[i] = apart[i].max((one - other).abs() / (f64::EPSILON / 2.0 * one.abs()));
+            }
+        }
+        assert!(compared > 350, "{compared}");
+        for (text, [time, place]) in ["without a damper", "with one"].into_iter().zip(worst) {
+            assert!(time <= 4.0 && place <= 4.0, "{text}, Ω from {low} to {high}: {time} {place} ulp");
+        }
+    }
+    assert!(apart.iter().all(|apart| *apart > 20.0), "{apart:?}");
 }
 
 /// The worst two of ten million points before cos Ωψ − 1 replaced cos Ωψ, and a pair replaced sin β: 4.71 ulp
