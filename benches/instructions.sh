@@ -53,7 +53,7 @@ all() { # as many kernels at a time as there are processors
         printf "exact $exact %s\n" steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides
         printf "stops $exact steady-with-stops-%s\n" {0.7-1.2,0.4-6,0.15-3,0.9-1.1}-{0,0.05}
         printf "map $exact steady-map\n"
-        printf "batch $batch %s\n" batch-{triple,peaks,cycles}{,-fixed,-low} batch-{triple,peaks}-damped
+        printf "batch $batch %s\n" batch-{triple,peaks,cycles}{,-fixed,-low} batch-{triple,peaks}-damped{,-low}
     } | xargs -P "$(nproc)" -L 1 benches/instructions.sh --one
 }
 

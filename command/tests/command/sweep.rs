@@ -56,11 +56,15 @@ fn a_point_without_an_answer_is_one_row_with_its_reason() {
         let alone = alone.split(" --outputs").next().unwrap().to_owned();
         refused(&alone, &["must be finite"]);
     }
-    let asked = format!("map loop_size_stiffness {}", machine.replace("--alpha 5", "--alpha 5,6"));
-    let output = stickslip(&asked).assert().success().get_output().clone();
-    let (map, said) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
-    assert_eq!(map.lines().filter(|row| row.ends_with(',')).count(), 2, "{map}");
-    assert_eq!(said.matches("--omega 0.9999999 --alpha").count(), 2, "{said}");
+    // In ratios that point has a loop, and in joules none.
+    for (name, missing) in [("energy_per_cycle", 2), ("loop_size_stiffness", 0)] {
+        let asked = format!("map {name} {}", machine.replace("--alpha 5", "--alpha 5,6"));
+        let output = stickslip(&asked).assert().success().get_output().clone();
+        let map = String::from_utf8(output.stdout).unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(map.lines().filter(|row| row.ends_with(',')).count(), missing, "{map}");
+        assert_eq!(said.matches("--omega 0.9999999 --alpha").count(), missing, "{said}");
+    }
 }
 
 /// Outputs of a batch's loops have the digits of the rows with all columns, which are computed one by one.
