@@ -90,7 +90,11 @@ impl<F: Float, const L: usize> State<F, L> {
     /// Takes the state of a body into its lane.
     fn read(&mut self, lane: usize, body: &Followed<F>) {
         if body.failure.is_some() {
+            // An empty lane rests at 0, whatever its body left there.
             self.limits.set(lane, &Limits::none());
+            for row in [&mut self.x, &mut self.v, &mut self.load_work, &mut self.foot_work] {
+                set(row, lane, F::int(0));
+            }
             return;
         }
         self.limits.set(lane, &Limits::of(body));
@@ -278,7 +282,7 @@ fn take<F: Float, const L: usize>(
     steps: usize,
 ) {
     for (lane, (body, whole)) in bodies.iter_mut().zip(whole).enumerate() {
-        if at(&lanes.event, lane) == F::int(0) {
+        if at(&lanes.event, lane) == F::int(0) || body.failure.is_some() {
             continue;
         }
         lanes.write(now, lane, body, step.length, steps);

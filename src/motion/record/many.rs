@@ -87,6 +87,19 @@ mod tests {
     use core::sync::atomic::{AtomicU32, Ordering};
 
     #[test]
+    fn a_body_that_leaves_the_range_fails_once_beside_others() {
+        let samples = [0.0, 0.0, 1e200, -1e200, 0.0].repeat(10);
+        let record = Record::new(Excitation::Force, 0.01, samples).unwrap();
+        let body = |mass: f64| Body::new(mass, 0.1 * mass).unwrap().with_stiffness(4.0 * mass).unwrap();
+        let bodies = [1e200, 1e-120, 3e200, 1e-100, 1e-140].map(body);
+        let together = follow_each(&bodies, &record);
+        assert!(together.iter().any(Result::is_err) && together.iter().any(Result::is_ok), "{together:?}");
+        for (body, together) in bodies.iter().zip(together) {
+            assert_eq!(format!("{:?}", body.follow(&record)), format!("{together:?}"));
+        }
+    }
+
+    #[test]
     fn a_long_record_is_left_before_its_end() {
         let record = Record::new(Excitation::SurfaceAcceleration, 0.01, vec![1.0; 20_000]).unwrap();
         let body = Body::new(1.0, 0.1).unwrap().with_stiffness(4.0).unwrap();
