@@ -124,7 +124,7 @@ fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
 }
 
 /// The most answers that the peaks of one coordinate ask for.
-const MOST_ADDED: usize = 200;
+const MOST_ADDED: usize = 500;
 
 /// A place on the axis, with its answer.
 pub(super) type Placed = (f64, Vec<Cell<'static>>);
@@ -151,12 +151,13 @@ fn resolved_for_all(
             interrupt::check()?;
             added.set(added.get() + 1);
             if added.get() > MOST_ADDED {
-                return Ok((x, grid.blank().to_vec()));
+                // Not asked for, and left out below.
+                return Ok((x, Vec::new()));
             }
             Ok::<Placed, Failure>((x, grid.answer_at(0, x).unwrap_or_else(|_| grid.blank().to_vec())))
         };
         let found = stickslip_front::curve::resolved(&places, is_log, of, |_| false, at)?;
-        places = found.into_iter().map(|(place, _)| place).collect();
+        places = found.into_iter().map(|(place, _)| place).filter(|(_, answer)| !answer.is_empty()).collect();
     }
     Ok(places)
 }
