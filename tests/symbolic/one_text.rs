@@ -40,8 +40,13 @@ fn files_that(asks: impl Fn(&str) -> bool) -> Vec<String> {
 /// from which all formulae start: K(Ω), and with a damper q, G and H of the half period.
 fn is_arithmetic(name: &str) -> bool {
     let rooms = ["float.rs", "float/", "cycle/phase_function.rs", "cycle/phase_function/"];
-    let of_the_half_period =
-        ["cycle/damped/half_period.rs", "cycle/damped/pole.rs", "cycle/damped/tangent.rs"];
+    let of_the_half_period = [
+        "cycle/damped/free.rs",
+        "cycle/damped/half_period.rs",
+        "cycle/damped/long.rs",
+        "cycle/damped/pole.rs",
+        "cycle/damped/tangent.rs",
+    ];
     rooms.iter().chain(&of_the_half_period).any(|room| name.starts_with(room))
 }
 

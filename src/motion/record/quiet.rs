@@ -324,7 +324,9 @@ impl<F: Float> Quiet<F> {
         let is_a = (greater(a, end_a) + of_a <= limits.most_a) & (lesser(a, end_a) - of_a >= limits.least_a);
         let is_free = (greater(free, end_free) + of_a <= limits.most_free)
             & (lesser(free, end_free) - of_a >= limits.least_free);
-        let goes_on = (speed > of_v) & (end_speed > of_v);
+        // A greatest speed that is not known yet is NaN.
+        let is_known = limits.most_speed.abs() >= F::int(0);
+        let goes_on = (speed > of_v) & (end_speed > of_v) & is_known;
         let area = self.area_of_v * start[1] + (self.ramp * a + self.area_of_slope * load.slope);
         let work = load.to * moved - load.slope * area;
         let is_within = is_v & is_a & is_free;
