@@ -101,7 +101,7 @@ fn the_friction_of_an_isolator() -> Outcome {
     assert!(best.friction > 0.0 && best.greatest < 2.0, "{best:?}");
     let at = |friction: f64, w: f64| {
         let body = Oscillator::new(800.0, 5053.0, friction)?;
-        Ok::<_, Error>(Steady::of(&body, &drive.at(w)?)?)
+        Steady::of(&body, &drive.at(w)?)
     };
     let greatest = |friction: f64| {
         (0..200).map(|k| TAU * (0.5 + 3.5 * f64::from(k) / 199.0)).try_fold(0.0, |most: f64, w| {

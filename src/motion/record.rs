@@ -29,6 +29,7 @@
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
+mod alone;
 mod answers;
 #[cfg(feature = "mp")]
 #[cfg_attr(
@@ -43,6 +44,7 @@ mod body;
 mod floor;
 mod follow;
 mod history;
+#[cfg(feature = "batch")]
 mod lanes;
 mod linear;
 mod load;

@@ -7,15 +7,25 @@ use stickslip::inputs::units::{Reader, System};
 
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
-    /// CSV with a header, answered row by row: columns omega and alpha, or of a machine, such as
-    /// frequency[Hz] (values that all rows share may be arguments). - is standard input
-    #[arg(long, value_name = "FILE")]
+    // Rustdoc would take the unit for a link.
+    #[arg(
+        long,
+        value_name = "FILE",
+        help = "CSV with a header, answered row by row: columns omega and alpha, or of a machine, such as \
+                frequency[Hz] (values that all rows share may be arguments). - is standard input"
+    )]
     pub(crate) points: Option<PathBuf>,
     /// text or json for one answer [default: text], jsonl or csv for --points [default: jsonl]
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
-    /// Header of CSV: names, or names with their units in brackets, such as max_displacement[B]
-    #[arg(long, value_enum, default_value = "names", value_name = "HEADER")]
+    // Rustdoc would take the unit for a link.
+    #[arg(
+        long,
+        value_enum,
+        default_value = "names",
+        value_name = "HEADER",
+        help = "Header of CSV: names, or names with their units in brackets, such as max_displacement[B]"
+    )]
     pub(crate) header: Header,
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]

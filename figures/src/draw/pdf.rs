@@ -115,12 +115,13 @@ fn style(stroke: &Stroke, transform: Transform, content: &mut String) {
 
 /// The parts of a colour, from 0 to 1.
 fn colour(paint: &Paint, opacity: f32) -> io::Result<[f32; 3]> {
-    match paint {
-        Paint::Color(Color { red, green, blue }) if opacity == 1.0 => {
-            Ok([red, green, blue].map(|part| f32::from(*part) / 255.0))
-        }
-        _ => Err(io::Error::other("a drawing with gradients, patterns or transparency has no PDF")),
+    let Paint::Color(Color { red, green, blue }) = paint else {
+        return Err(io::Error::other("a drawing with gradients or patterns has no PDF"));
+    };
+    if opacity < 1.0 {
+        return Err(io::Error::other("a transparent drawing has no PDF"));
     }
+    Ok([red, green, blue].map(|part| f32::from(*part) / 255.0))
 }
 
 /// Numbers and an operator, on a line.
@@ -155,18 +156,18 @@ fn file(width: f32, height: f32, content: &[u8]) -> io::Result<Vec<u8>> {
     let mut places = Vec::new();
     for (object, index) in objects.iter().zip(1..) {
         places.push(out.len());
-        write!(out, "{index} 0 obj\n{object}\nendobj\n")?;
+        writeln!(out, "{index} 0 obj\n{object}\nendobj")?;
     }
     places.push(out.len());
-    write!(out, "4 0 obj\n<</Length {}/Filter/FlateDecode>>\nstream\n", packed.len())?;
+    writeln!(out, "4 0 obj\n<</Length {}/Filter/FlateDecode>>\nstream", packed.len())?;
     out.extend(packed);
     out.extend(b"\nendstream\nendobj\n");
     let table = out.len();
-    write!(out, "xref\n0 {}\n0000000000 65535 f \n", places.len() + 1)?;
+    writeln!(out, "xref\n0 {}\n0000000000 65535 f ", places.len() + 1)?;
     for place in &places {
-        write!(out, "{place:010} 00000 n \n")?;
+        writeln!(out, "{place:010} 00000 n ")?;
     }
     let count = places.len() + 1;
-    write!(out, "trailer\n<</Size {count}/Root 1 0 R>>\nstartxref\n{table}\n%%EOF\n")?;
+    writeln!(out, "trailer\n<</Size {count}/Root 1 0 R>>\nstartxref\n{table}\n%%EOF")?;
     Ok(out)
 }

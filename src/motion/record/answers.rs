@@ -1,8 +1,8 @@
 //! What a record does to a body: its extremes, its residual displacement, its stops and its work.
 
+use super::alone;
 use super::body::{Body, Constants};
 use super::follow::{Failed, Failure, Follower, Mode, Onset, Watch};
-use super::lanes;
 use super::load::{After, Factors, Piece, Record};
 use super::number::Number;
 use super::quiet::Followed;
@@ -226,7 +226,7 @@ impl<F: Float> Body<F> {
     /// As [`Body::follow`], and where x or v is not finite, or v < 0 in a body that moves one way.
     pub fn follow_from(&self, record: &Record<F>, x: F, v: F) -> Result<RecordAnswer<F>, Error> {
         let mut followed = self.followed(record, x, v)?;
-        lanes::follow_alone(&mut followed, record);
+        alone::follow_alone(&mut followed, record);
         self.settled(record, [x, v], followed)
     }
 
@@ -439,6 +439,7 @@ pub(super) fn failed<F: Float>((failure, time): Failed<F>) -> Error {
     match failure {
         Failure::Uncertain => Error::BeyondRange { time },
         Failure::Bound => Error::TooManyEvents { time },
+        #[cfg(feature = "batch")]
         Failure::Interrupted => Error::Interrupted,
     }
 }

@@ -177,10 +177,12 @@ pub(crate) fn follow<const N: usize, const W: usize>(
     record: &Record<Mp<N>>,
     [x, v]: [Mp<N>; 2],
 ) -> Result<RecordAnswer<Ball<W>>, Error> {
-    let failed = |(failure, time): (Failure, Mp<N>)| match failure {
-        Failure::Uncertain => Error::UncertainEvent { time: written(time) },
-        Failure::Bound => Error::TooManyEvents { time: written(time) },
-        Failure::Interrupted => Error::Interrupted,
+    let failed = |(failure, time): (Failure, Mp<N>)| {
+        if failure == Failure::Uncertain {
+            Error::UncertainEvent { time: written(time) }
+        } else {
+            super::answers::failed((failure, time))
+        }
     };
     let (constants, weights) = (Constants::of(body, known::<N, W>), Weights::of(body, known::<N, W>));
     let uncertain = |time: Mp<N>| failed((Failure::Uncertain, time));

@@ -85,6 +85,7 @@ pub(super) enum Failure {
     /// More events in a stretch than there can be.
     Bound,
     /// The caller ended the work.
+    #[cfg(feature = "batch")]
     Interrupted,
 }
 
