@@ -30,4 +30,5 @@ mod precision;
 mod reference;
 #[cfg(all(feature = "dual", feature = "mp"))]
 mod sensitivity;
+mod tasks;
 mod uncertainty;
