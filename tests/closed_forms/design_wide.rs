@@ -58,8 +58,8 @@ fn what_f64_leaves_open_a_wider_type_decides() {
             let verdict = Verdict::new(Ratios::new(omega, alpha).unwrap());
             assert_eq!(verdict, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
             let wide = Verdict::new(Ratios::new(Wide::from(omega), Wide::from(alpha)).unwrap());
-            let least = Border::new(Mp::<16>::from(omega)).unwrap().min_force_ratio;
-            let slides = Mp::<16>::from(alpha) >= least;
+            let least = Border::new(Mp::<8>::from(omega)).unwrap().min_force_ratio;
+            let slides = Mp::<8>::from(alpha) >= least;
             assert_eq!(wide.regime() == Some(Regime::NonSticking), slides, "{omega} {alpha}");
             assert!(wide.regime().is_some());
         }

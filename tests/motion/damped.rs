@@ -101,9 +101,9 @@ impl<F: Float> Textbook<F> {
 }
 
 /// Random motions: a speed below zero before the computed end is a missed zero. Signs that are uncertain in
-/// double precision are decided at 192 bits.
+/// double precision are decided at 256 bits.
 fn no_zero_is_missed(motions: u64, seed: u64) -> (u64, u64) {
-    type Wide = Mp<3>;
+    type Wide = Mp<4>;
     let mut random = Random(seed);
     let (mut slides, mut looked_closely) = (0, 0);
     for number in 0..motions {

@@ -93,17 +93,17 @@ fn half_turns<F: Float>(ratios: Ratios<F>, (x, w): (f64, f64)) -> impl Iterator<
 /// The approach of two motions: the number of half turns until they are 10⁻²⁵ apart, if within `most`, and
 /// their distance then as a fraction of the initial one. The distance must never grow, and where the motions
 /// meet, the motion must be symmetric.
-fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Option<usize>, f64) {
+fn approach(ratios: Ratios<Mp<4>>, starts: [(f64, f64); 2], most: usize) -> (Option<usize>, f64) {
     let [one, other] = starts.map(|start| half_turns(ratios, start));
     let near = Mp::from(1e-25);
     let (mut first, mut last, mut before) = (None, None, None);
     for (i, ((x, w), (y, u))) in one.zip(other).take(most).enumerate() {
         let size = Mp::int(1) + x.abs() + w.abs() + y.abs() + u.abs();
-        let (distance, rounding) = ((x - y).hypot(w - u), Mp::exp2i(-110) * size);
+        let (distance, rounding) = ((x - y).hypot(w - u), Mp::exp2i(-230) * size);
         let (begin, previous) = (*first.get_or_insert(distance), last.replace(distance).unwrap_or(distance));
         assert!(distance <= previous + rounding, "{ratios:?}: {previous} to {distance} in half turn {i}");
         if distance < near * size {
-            let (x_before, w_before): (Mp<2>, Mp<2>) = before.unwrap_or((x, w));
+            let (x_before, w_before): (Mp<4>, Mp<4>) = before.unwrap_or((x, w));
             let apart = (x + x_before).hypot(w + w_before);
             // Both are close to the limit only where the convergence to it is no slower than that of the two.
             assert!(apart < Mp::from(1e-12) * size, "{ratios:?}: not symmetric by {apart}");
@@ -115,13 +115,13 @@ fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Opt
     (None, left)
 }
 
-/// There is one symmetric limit for α > 1 (docs/development/theory/stability.md): at 128 bits, two motions from anywhere
+/// There is one symmetric limit for α > 1 (docs/development/theory/stability.md): at 256 bits, two motions from anywhere
 /// meet.
 #[test]
 fn two_motions_meet_in_a_symmetric_one() {
     let mut random = Random(81);
     let mut start = || (random.between(-9.0, 9.0), random.between(-9.0, 9.0));
-    let mut meet = |omega: Mp<2>, alpha: f64, most| {
+    let mut meet = |omega: Mp<4>, alpha: f64, most| {
         approach(Ratios::new(omega, Mp::from(alpha)).unwrap(), [start(), start()], most)
     };
     let mut points = Random(82);
@@ -137,7 +137,7 @@ fn two_motions_meet_in_a_symmetric_one() {
     }
     assert!(met * 10 > all * 8, "{met} of {all}");
     println!("{met} of {all} pairs of starts meet within 1500 half turns");
-    // At Ω = 1/J to 128 bits, where a free vibration returns in step with the drive. For odd J > 1 there are
+    // At Ω = 1/J to 256 bits, where a free vibration returns in step with the drive. For odd J > 1 there are
     // cases with stops, and one of six reversals at 1/3. For even J and J = 1 they are below the border.
     for (inverse, alpha) in [
         (3, 1.5),
@@ -157,7 +157,7 @@ fn two_motions_meet_in_a_symmetric_one() {
     }
     // The exceptions: a family at Ω = 1/(2n) at the border and above, and no bounded motion at Ω = 1.
     for (inverse, alpha) in [(2, 3.5), (4, 17.0), (1, 1.3)] {
-        let ratios = Ratios::new(Mp::<2>::int(1) / Mp::int(inverse), Mp::from(alpha)).unwrap();
+        let ratios = Ratios::new(Mp::<4>::int(1) / Mp::int(inverse), Mp::from(alpha)).unwrap();
         let (found, left) = approach(ratios, [(0.3, 0.1), (-0.2, -0.3)], 400);
         assert!(found.is_none() && left > 1e-6, "(1/{inverse}, {alpha}): {left}");
     }

@@ -26,7 +26,7 @@ fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
 /// Counts the points at which both sides have an answer, and those at which one of them has none.
 ///
 /// A body that nearly stops in the middle of a slide touches zero to within the rounding of its velocity.
-/// There the exact motion at f64 cannot distinguish a stop from none, and 192 bits decide on both sides.
+/// There the exact motion at f64 cannot distinguish a stop from none, and 256 bits decide on both sides.
 #[derive(Default)]
 struct Count {
     agreed: u32,
@@ -41,7 +41,7 @@ impl Count {
     fn print(&self, name: &str) {
         let Self { agreed, undecided, unsettled, wider, furthest } = self;
         println!(
-            "{name}: {agreed} agree, {undecided} undecided, {unsettled} unsettled, {wider} at 192 bits up \
+            "{name}: {agreed} agree, {undecided} undecided, {unsettled} unsettled, {wider} at 256 bits up \
              to {furthest:e}"
         );
     }
@@ -53,7 +53,7 @@ impl Count {
             (Some(_), None) => self.unsettled += 1,
             (Some(here), Some(exact)) if here == exact => self.agreed += 1,
             (Some(here), Some(exact)) => {
-                let wide = Ratios::new(Mp::<3>::from(omega), Mp::from(alpha)).unwrap();
+                let wide = Ratios::new(Mp::<4>::from(omega), Mp::from(alpha)).unwrap();
                 let margin = wide.alpha() / Border::of(&wide).min_force_ratio;
                 let off = (margin.to_f64() - 1.0).abs();
                 assert_eq!(Verdict::new(wide).regime(), Some(here), "({omega:?}, {alpha:?})");
@@ -108,7 +108,7 @@ fn stops_per_cycle_and_what_has_none() {
     assert!(stops(1e-9, 2.0).is_err());
     // A fifth below the border, near the pole 1/15, the body reverses without a stop.
     let below = Ratios::new(0.066_658_079_476_532_49, 42_358.137_294_718_49).unwrap();
-    let wide = Ratios::new(Mp::<3>::from(below.omega()), Mp::from(below.alpha())).unwrap();
+    let wide = Ratios::new(Mp::<4>::from(below.omega()), Mp::from(below.alpha())).unwrap();
     assert!(below.alpha() < 0.8 * Border::of(&below).min_force_ratio);
     for found in [stops_per_cycle(below), stops_per_cycle(wide)] {
         assert!(matches!(found, Ok(Some(Stops { sticks: 0, velocity_zeros: 4.. }))), "{found:?}");

@@ -1,4 +1,4 @@
-//! A limit that is approached slowly is symmetric or not, and found once, by an independent criterion at 128
+//! A limit that is approached slowly is symmetric or not, and found once, by an independent criterion at 256
 //! bits.
 #![allow(clippy::print_stdout, reason = "a campaign reports with --nocapture")]
 
@@ -6,7 +6,7 @@ use stickslip::float::Mp;
 use stickslip::motion::{DrivePhase, LongRun, State, SteadyState, Trajectory, attractors, periodic_motions};
 use stickslip::{Field, Float, Ratios};
 
-type F128 = Mp<2>;
+type F256 = Mp<4>;
 
 /// Ω, ζ, η, α.
 type Machine = [f64; 4];
@@ -69,16 +69,16 @@ fn mirrored<F: Float>(ratios: Ratios<F>, (x, v): (F, F)) -> (F, F) {
 
 /// The symmetric motion to which Newton's method, with differences for derivatives, converges from a state at
 /// ω_d t = 0; if it converges to one that its neighbours approach.
-fn symmetric_motion(ratios: Ratios<F128>, from: (F128, F128)) -> Option<(F128, F128)> {
-    let (one, two) = (F128::int(1), F128::int(2));
-    let (mut z, h) = (from, F128::exp2i(-44));
+fn symmetric_motion(ratios: Ratios<F256>, from: (F256, F256)) -> Option<(F256, F256)> {
+    let (one, two) = (F256::int(1), F256::int(2));
+    let (mut z, h) = (from, F256::exp2i(-44));
     for _ in 0..8 {
         let to = mirrored(ratios, z);
         let (right, up) = (mirrored(ratios, (z.0 + h, z.1)), mirrored(ratios, (z.0, z.1 + h)));
         let (a, c) = ((right.0 - to.0) / h, (right.1 - to.1) / h);
         let (b, d) = ((up.0 - to.0) / h, (up.1 - to.1) / h);
         let left = (to.0 - z.0, to.1 - z.1);
-        if left.0.hypot(left.1) < F128::exp2i(-96) {
+        if left.0.hypot(left.1) < F256::exp2i(-96) {
             // Within the unit circle: |det J| < 1 and |tr J| < 1 + det J.
             let (trace, det) = (a + d, a * d - b * c);
             return (det.abs() < one && trace.abs() < one + det).then_some(z);
@@ -93,8 +93,8 @@ fn symmetric_motion(ratios: Ratios<F128>, from: (F128, F128)) -> Option<(F128, F
     None
 }
 
-/// Whether a limit is a symmetric motion of one turn, at 128 bits.
-fn is_symmetric_at_128_bits(machine: Machine, steady: &SteadyState<f64>) -> bool {
+/// Whether a limit is a symmetric motion of one turn, at 256 bits.
+fn is_symmetric_at_256_bits(machine: Machine, steady: &SteadyState<f64>) -> bool {
     let (x, v) = (steady.state.x, steady.state.v);
     // At a phase nπ; from an odd one the mirror image.
     let sign = if steady.state.phase.reduced() == 0.0 { 1.0 } else { -1.0 };
@@ -105,7 +105,7 @@ fn is_symmetric_at_128_bits(machine: Machine, steady: &SteadyState<f64>) -> bool
     if (next.0 - z.0).hypot(next.1 - z.1) > 1e-3 {
         return false;
     }
-    let wide = (F128::from_f64(z.0), F128::from_f64(z.1));
+    let wide = (F256::from_f64(z.0), F256::from_f64(z.1));
     symmetric_motion(ratios(machine), wide)
         .is_some_and(|(x, v)| (x - wide.0).hypot(v - wide.1).to_f64() < 1e-7 * (1.0 + z.0.abs() + z.1.abs()))
 }
@@ -120,7 +120,7 @@ fn limits(machine: Machine, starts: &[State<f64>]) -> (u64, u64, Vec<String>) {
         periodic += found.starts;
         if !steady.is_symmetric {
             asymmetric += found.starts;
-            if is_symmetric_at_128_bits(machine, steady) {
+            if is_symmetric_at_256_bits(machine, steady) {
                 wrong.push(format!("{machine:?}: symmetric, and called asymmetric: {steady:?}"));
             }
         }

@@ -68,15 +68,15 @@ fn state<F: Float>(given: &State<f64>) -> State<F> {
 }
 
 /// The largest difference of two states, relative to the largest value.
-fn difference(a: &State<Mp<2>>, b: &State<Mp<3>>) -> f64 {
+fn difference(a: &State<Mp<2>>, b: &State<Mp<4>>) -> f64 {
     let pairs = || a.displacement.iter().zip(&b.displacement).chain(a.velocity.iter().zip(&b.velocity));
     let size = pairs().map(|(_, b)| b.to_f64().abs()).fold(1e-3, f64::max);
     // The decimal digits of the narrower number, read at the wider precision.
-    let wider = |x: &Mp<2>| x.to_string().parse::<Mp<3>>().expect("digits");
+    let wider = |x: &Mp<2>| x.to_string().parse::<Mp<4>>().expect("digits");
     pairs().map(|(a, &b)| (wider(a) - b).to_f64().abs()).fold(0.0, f64::max) / size
 }
 
-/// Steady motions found at 128 bits are those found at 192 bits, to 20 digits.
+/// Steady motions found at 128 bits are those found at 256 bits, to 20 digits.
 #[test]
 fn steady_motions() {
     let mut count = 0;
@@ -93,7 +93,7 @@ fn steady_motions() {
             .expect("valid")
             .steady(&State::rest(n))
             .expect("it settles");
-        let wide = System::new(&model::<Mp<3>>(&case.model))
+        let wide = System::new(&model::<Mp<4>>(&case.model))
             .expect("valid")
             .steady(&State::rest(n))
             .expect("it settles");
@@ -105,7 +105,7 @@ fn steady_motions() {
     assert_eq!(count, chosen.len());
 }
 
-/// Random systems at 128 bits end where they do at 192 bits, with the same events.
+/// Random systems at 128 bits end where they do at 256 bits, with the same events.
 #[cfg(feature = "generators")]
 #[test]
 fn random_systems() {
@@ -124,7 +124,7 @@ fn random_systems() {
         let narrow = System::new(&model::<Mp<2>>(&given))
             .and_then(|s| s.simulate(&state(&start), Float::from_f64(until)))
             .expect("it moves");
-        let wide = System::new(&model::<Mp<3>>(&given))
+        let wide = System::new(&model::<Mp<4>>(&given))
             .and_then(|s| s.simulate(&state(&start), Float::from_f64(until)))
             .expect("it moves");
         let kinds = |e: &stickslip::system::Event<Mp<2>>| (e.element, e.kind);

@@ -27,8 +27,8 @@ fn the_border_is_known_to_its_error_bound() {
     for _ in 0..3000 {
         let (omega, zeta) = plane(&mut random);
         let narrow = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
-        let wide = Border::with_damping(Mp::<3>::from(omega), Mp::from(zeta)).unwrap().min_force_ratio;
-        let error = ((Mp::<3>::from(narrow) - wide) / wide).to_f64().abs() / f64::EPSILON;
+        let wide = Border::with_damping(Mp::<4>::from(omega), Mp::from(zeta)).unwrap().min_force_ratio;
+        let error = ((Mp::<4>::from(narrow) - wide) / wide).to_f64().abs() / f64::EPSILON;
         assert!(error < f64::from(Verdict::<f64>::DAMPED_BORDER_ERROR), "{omega} {zeta}: {error}");
     }
 }
