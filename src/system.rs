@@ -104,7 +104,8 @@ impl<F: Float> System<F> {
         self
     }
 
-    /// This system on a base that moves, so that its motions have [`Motion::max_absolute_acceleration`].
+    /// This system on a base that moves, so that its motions have [`Motion::max_absolute_acceleration`], and its states
+    /// [`State::absolute_acceleration`].
     ///
     /// # Errors
     /// [`Error`] where the influence has another length than the coordinates, a list is longer than that of the loads, or a
@@ -197,7 +198,8 @@ impl<F: Float> System<F> {
         border::cycle(&self.assembly)
     }
 
-    /// The states of the exact motion at times that increase, with the forces of all elements.
+    /// The states of the exact motion at times that increase, with the forces of all elements, and on a base the absolute
+    /// accelerations.
     ///
     /// # Errors
     /// As [`System::simulate`]; also where a time is below the one before it.

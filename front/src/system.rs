@@ -13,7 +13,7 @@ mod named;
 mod node;
 mod sentence;
 
-pub use answer::{Answer, OfBorder, Samples, kind_of};
+pub use answer::{Answer, OfBorder, Samples, Units, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement};

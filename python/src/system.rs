@@ -13,7 +13,7 @@ use stickslip::inputs::units::{Kind, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::Error;
 use stickslip_front::system::{
-    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, parsed,
+    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, parsed,
 };
 
 /// Rows that are computed before signals are asked for.
@@ -74,6 +74,11 @@ impl NativeSystem {
         json(&Description::new(&self.named))
     }
 
+    /// The units of states by quantity, as JSON; null for matrices.
+    fn units_of_states(&self) -> PyResult<String> {
+        json(&UnitsOf::states(&self.named.described))
+    }
+
     /// A time in seconds, or in the unit of time of matrices.
     fn time(&self, name: &str, text: &str) -> PyResult<f64> {
         self.named.reader().value(name, text, Kind::Time).map_err(refused)
@@ -111,26 +116,29 @@ impl NativeSystem {
         json(&Answer::transient(&self.named.described, &found.map_err(refused)?))
     }
 
-    /// Displacements, velocities and forces at times, row by row, from the start or over a steady motion.
+    /// Displacements, velocities, forces and absolute accelerations at times, row by row, from the start or over a steady
+    /// motion. A base that does not move leaves the last one out.
     fn states<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
         is_steady: bool,
-    ) -> PyResult<[Bound<'py, PyArray1<f64>>; 3]> {
+    ) -> PyResult<[Bound<'py, PyArray1<f64>>; 4]> {
         let times = times.as_slice()?.to_vec();
         if let Some(last) = times.last().filter(|last| **last > 0.0) {
             self.named.check_until(*last, &format!("times up to {last}")).map_err(refused)?;
         }
         let named = Arc::clone(&self.named);
-        let work = move || -> Result<[Vec<f64>; 3], Error> {
+        let work = move || -> Result<[Vec<f64>; 4], Error> {
             let start = match is_steady {
                 true => named.system.steady(&named.described.start)?.start,
                 false => named.described.start.clone(),
             };
             let states = named.system.states(&start, &times)?;
             let samples = Samples::new(&named.described, &times, &states);
-            Ok([samples.displacement.concat(), samples.velocity.concat(), samples.force.concat()])
+            let lists =
+                [samples.displacement, samples.velocity, samples.force, samples.absolute_acceleration];
+            Ok(lists.map(|list| list.concat()))
         };
         let found = left_behind(py, work)?.map_err(refused)?;
         Ok(found.map(|column| column.into_pyarray(py)))

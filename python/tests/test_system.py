@@ -215,6 +215,31 @@ def test_systems_are_copied_pickled_and_compared_by_value(machine):
     assert softer != by_names().with_values({"bearing.friction": "600 N"})
 
 
+def test_absolute_accelerations_are_those_of_the_velocity_and_the_base():
+    still = by_names()
+    assert still.steady().max_absolute_acceleration is None and still.states([0.1]).absolute_acceleration is None
+    assert still.states([0.1]).units == {"time": "s", "displacement": "mm", "velocity": "mm/s", "force": "N"}
+    shaken = by_names(forces=[], base={"acceleration": {"amplitude": "0.2 g", "frequency": "2 Hz"}})
+    motion = shaken.simulate(3)
+    assert motion.units["acceleration"] == "mm/s²"
+    times = np.linspace(0, 3, 30001)
+    states = shaken.states(times)
+    assert states.units == {"time": "s", "displacement": "mm", "velocity": "mm/s", "acceleration": "mm/s²", "force": "N"}
+    seen = states.absolute_acceleration
+    most = motion.max_absolute_acceleration
+    assert seen.shape == (30001, 2) and np.all(np.abs(seen) <= most * (1 + 1e-12))
+    assert np.abs(seen).max(axis=0) == pytest.approx(most, rel=1e-3)
+    base = 0.2 * 9806.65 * np.sin(2 * np.pi * 2 * times)
+    due = (states.velocity[2:] - states.velocity[:-2]) / (times[2:] - times[:-2])[:, None] + base[1:-1, None]
+    events = np.searchsorted(times, motion.event_time)
+    smooth = np.ones(len(due), dtype=bool)
+    for by in (-2, -1, 0):
+        smooth[np.clip(events + by, 0, len(due) - 1)] = False
+    assert smooth.sum() > 29_800 and len(motion.event_time) > 3
+    # ω² of the fastest vibration is 977 s⁻², and (0.1 ms)²/6 of it 2·10⁻⁶ of the acceleration.
+    assert np.all(np.abs(seen[1:-1] - due)[smooth] < 4e-6 * most)
+
+
 def test_states_take_times_with_units():
     system = by_names()
     due = system.states([0.1, 0.25])

@@ -153,7 +153,7 @@ impl<F: Float> Law<F> {
     }
 }
 
-/// Displacements, velocities and the forces of the elastic contacts at one instant.
+/// Displacements, velocities, and the forces of the elements at one instant.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<F> {
@@ -164,6 +164,10 @@ pub struct State<F> {
     /// The force T of each element; a start needs those of the elastic contacts only, and takes 0 where the list
     /// ends early.
     pub force: Vec<F>,
+    /// `q″ + influence · acceleration`, the absolute acceleration of each coordinate; where it jumps, as at an event, its value
+    /// just after. None without a [`Base`], and a start needs none.
+    #[cfg_attr(feature = "serde", serde(default = "Vec::new"))]
+    pub absolute_acceleration: Vec<F>,
 }
 
 impl<F: Float> State<F> {
@@ -171,6 +175,11 @@ impl<F: Float> State<F> {
     #[must_use]
     pub fn rest(coordinates: usize) -> Self {
         let zero = vec![F::int(0); coordinates];
-        Self { displacement: zero.clone(), velocity: zero, force: Vec::new() }
+        Self {
+            displacement: zero.clone(),
+            velocity: zero,
+            force: Vec::new(),
+            absolute_acceleration: Vec::new(),
+        }
     }
 }

@@ -315,7 +315,14 @@ pub(crate) fn state<F: Float>(system: &Assembly<F>, follower: &Follower<'_, F>) 
     let force = follower.branch().map_or_else(Vec::new, |branch| forces(system, branch, z));
     let displacement = z.get(..n).unwrap_or(&[]).to_vec();
     let velocity = z.get(n..2 * n).unwrap_or(&[]).to_vec();
-    State { displacement, velocity, force }
+    let absolute_acceleration = match follower.branch() {
+        Some(branch) if !system.base.is_empty() => {
+            let slope = branch.derivative(z);
+            system.base.iter().zip(slope.iter().skip(n)).map(|(row, &slope)| slope + dot(row, z)).collect()
+        }
+        _ => Vec::new(),
+    };
+    State { displacement, velocity, force, absolute_acceleration }
 }
 
 /// The force of each element. Where dependent directions leave the shares of contacts that stick open, none exceeds its bound.

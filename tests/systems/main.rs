@@ -17,3 +17,8 @@ mod random;
 mod references;
 mod self_excited;
 mod verdicts;
+
+/// How many are compared: the second number under `.ci/slow systems`.
+fn count(usual: usize, all: usize) -> usize {
+    if std::env::var_os("STICKSLIP_ALL_SYSTEMS").is_some() { all } else { usual }
+}

@@ -6,8 +6,10 @@ use stickslip::motion::{DrivePhase, End, State as Phase, Trajectory};
 use stickslip::system::{EventKind, Model, Record, State, System};
 use stickslip::{Excitation, Ratios};
 
-/// A tenth of the machines that were compared once.
-const MACHINES: usize = 2_000;
+/// The number of machines: a tenth of those of `.ci/slow systems`.
+fn machines() -> usize {
+    crate::count(2_000, 20_000)
+}
 
 /// The events of a segment's end.
 const fn kind(end: End) -> Option<EventKind> {
@@ -25,7 +27,7 @@ const fn kind(end: End) -> Option<EventKind> {
 fn harmonic_loads() {
     let mut draw = Draw(3);
     let (mut count, mut stops) = (0, 0);
-    for number in 0..MACHINES {
+    for number in 0..machines() {
         let omega = draw.within(0.1_f64.ln(), 5.0_f64.ln()).exp();
         let damping = draw.within(0.0, 0.4) * draw.unit();
         let peak = if draw.unit() < 0.5 { 1.0 } else { draw.within(1.0, 2.0) };
@@ -56,7 +58,7 @@ fn harmonic_loads() {
         }
         let model = Model { constant: vec![mean], ..one_body(omega, alpha, damping, peak) };
         let system = System::new(&model).expect("valid");
-        let start = State { displacement: vec![x + mean], velocity: vec![v], force: vec![] };
+        let start = State { displacement: vec![x + mean], velocity: vec![v], ..State::rest(1) };
         let until = f64::from(u32::try_from(periods).expect("small")) * std::f64::consts::TAU / omega;
         let motion = system.simulate(&start, until).expect("it is found");
         let seen: Vec<_> =
@@ -86,7 +88,7 @@ fn harmonic_loads() {
         stops += seen.iter().filter(|e| e.1 == EventKind::Stick).count();
         count += seen.len();
     }
-    assert!(stops > 5 * MACHINES && count > 10 * MACHINES, "{count} events, {stops} stops");
+    assert!(stops > 5 * machines() && count > 10 * machines(), "{count} events, {stops} stops");
 }
 
 /// Bodies under random records, and after them until they rest.
@@ -94,7 +96,7 @@ fn harmonic_loads() {
 fn records() {
     let mut draw = Draw(4);
     let mut stops = 0;
-    for number in 0..MACHINES / 4 {
+    for number in 0..machines() / 4 {
         let (mass, stiffness) = (draw.within(0.5, 4.0), draw.within(1.0, 60.0));
         let damping = draw.within(0.0, 0.3) * 2.0 * (stiffness * mass).sqrt();
         let friction = draw.within(0.1, 1.0);
@@ -153,5 +155,5 @@ fn records() {
         assert_eq!(turns, Some(expected.reversals), "{number}: reversals");
         stops += seen;
     }
-    assert!(stops > MACHINES / 2, "{stops}");
+    assert!(stops > machines() / 2, "{stops}");
 }

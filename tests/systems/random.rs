@@ -2,7 +2,7 @@
 
 #[cfg(feature = "generators")]
 #[path = "../invariants/systems.rs"]
-mod systems;
+pub(crate) mod systems;
 
 use crate::closed_form::{Draw, contact};
 use stickslip::system::{Element, EventKind, Harmonic, Kind, Law, Model, Record, Signal, State, System};
@@ -203,24 +203,33 @@ mod any {
     use proptest::test_runner::TestRunner;
     use stickslip::generators::Structure;
 
-    /// Of the 20,000 that were tried once.
-    const SYSTEMS: u32 = 150;
-
     pub(super) fn run() {
+        let most = crate::count(150, 20_000);
+        let samples = if most > 150 { 200 } else { 60 };
         let (events, balances, slips) = (Cell::new(0), Cell::new(0), Cell::new(0));
+        let (energy, parts) = (Cell::new(0.0_f64), Cell::new(0.0_f64));
         let bytes = proptest::collection::vec(any::<u8>(), 300..900);
-        TestRunner::new(cases(SYSTEMS))
+        TestRunner::new(cases(u32::try_from(most).expect("few")))
             .run(&bytes, |bytes| {
                 let structure = Structure::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
-                let seen = systems::motion(&structure, 60);
+                let seen = systems::motion(&structure, samples);
                 assert!(seen.samples > 0, "rounding cannot tell the events");
                 events.set(events.get() + seen.events);
                 balances.set(balances.get() + seen.balances);
                 slips.set(slips.get() + systems::slips(&structure));
+                energy.set(energy.get().max(seen.energy));
+                parts.set(parts.get().max(seen.parts));
                 Ok(())
             })
             .unwrap();
-        let most = SYSTEMS as usize;
+        println!(
+            "{most} systems: {} events, {} balances, {} slips, energy by {:e}, parts by {:e}",
+            events.get(),
+            balances.get(),
+            slips.get(),
+            energy.get(),
+            parts.get()
+        );
         assert!(events.get() > 5 * most, "{} events", events.get());
         assert!(balances.get() > 20 * most, "{} balances", balances.get());
         assert!(slips.get() > most / 10, "{} slips", slips.get());

@@ -63,7 +63,7 @@ fn a_falling_law_has_one_cycle() {
         ..Model::default()
     };
     let system: System<f64> = System::new(&model).expect("valid");
-    let near = State { displacement: vec![0.38, 0.38], velocity: vec![0.0, 0.01], force: vec![] };
+    let near = State { displacement: vec![0.38, 0.38], velocity: vec![0.0, 0.01], ..State::rest(2) };
     let far = State { displacement: vec![2.0, -1.0], ..State::rest(2) };
     let found: Vec<Steady<f64>> = [near, far].iter().map(|s| system.steady(s).expect("it moves")).collect();
     for steady in &found {

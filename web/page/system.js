@@ -149,6 +149,8 @@ function showSystem(found) {
     entry(list, `${name}: displacement`, `${readable(low, units.displacement)} to ${readable(high, units.displacement)}`, `${low} to ${high} ${units.displacement}`);
     const speed = Math.max(Math.abs(motion.min_velocity[i]), Math.abs(motion.max_velocity[i]));
     entry(list, `${name}: peak velocity`, readable(speed, units.velocity), `${speed} ${units.velocity}`);
+    const most = motion.max_absolute_acceleration?.[i];
+    if (most !== undefined) entry(list, `${name}: peak absolute acceleration`, readable(most, units.acceleration), `${most} ${units.acceleration}`);
   });
   for (const element of motion.elements) {
     const words = { contact: "sticks", elastic: "holds", stop: "open" }[element.kind];
@@ -251,15 +253,17 @@ function placeSystem(now) {
 }
 
 $("system-download").onclick = () => saved("two-masses.toml", "text/plain", systemText());
+// The samples in columns, with the names and in the order of the command's.
+function systemColumns(samples) {
+  const { units, coordinates, elements } = samples;
+  const columns = { [`time[${units.time}]`]: samples.time };
+  const add = (names, what, unit) => names.forEach((name, i) => (columns[`${name}.${what}[${unit}]`] = samples[what].map((row) => row[i])));
+  add(coordinates, "displacement", units.displacement);
+  add(coordinates, "velocity", units.velocity);
+  add(elements, "force", units.force);
+  if (samples.absolute_acceleration) add(coordinates, "absolute_acceleration", units.acceleration);
+  return columns;
+}
 $("system-csv").onclick = () => {
-  if (!twoAnswer?.samples) return;
-  const { samples } = twoAnswer;
-  const { units, coordinates } = twoAnswer.motion;
-  const columns = { "time[s]": samples.time };
-  coordinates.forEach((name, i) => {
-    columns[`${name}.displacement[${units.displacement}]`] = samples.displacement.map((row) => row[i]);
-    columns[`${name}.velocity[${units.velocity}]`] = samples.velocity.map((row) => row[i]);
-  });
-  samples.elements.forEach((name, i) => (columns[`${name}.force[${unitOfForce()}]`] = samples.force.map((row) => row[i])));
-  saved("stickslip-two-masses.csv", "text/csv", csvText(columns));
+  if (twoAnswer?.samples) saved("stickslip-two-masses.csv", "text/csv", csvText(systemColumns(twoAnswer.samples)));
 };

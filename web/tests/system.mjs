@@ -20,6 +20,8 @@ const source = readFileSync(new URL("../page/system.js", import.meta.url), "utf8
 const body = /function systemText\(of = two\) {[^]*?\n}\n/.exec(source)[0];
 const zero = (text) => Number.parseFloat(text) === 0;
 const systemText = new Function("two", "isZero", `${body}; return systemText;`)({}, zero);
+const columnsBody = /function systemColumns\(samples\) {[^]*?\n}\n/.exec(source)[0];
+const systemColumns = new Function(`${columnsBody}; return systemColumns;`)();
 
 function run(words) {
   const ran = spawnSync(command, words, { encoding: "utf8", maxBuffer: 1 << 28 });
@@ -30,7 +32,7 @@ test("two masses are those of the command", (t) => {
   const next = random(7);
   const between = (low, high) => Number((low * (high / low) ** next()).toPrecision(6));
   const some = (part, text) => (next() < part ? text() : "");
-  let [numbers, steady, borders, kinds] = [0, 0, 0, new Map()];
+  let [numbers, steady, borders, kinds, sampled] = [0, 0, 0, new Map(), new Map()];
   for (let i = 0; i < count; i++) {
     const force = next() < 0.7;
     const of = {
@@ -58,6 +60,13 @@ test("two masses are those of the command", (t) => {
     numbers += 4 * own.coordinates.length + 3 * own.elements.length + 2 * own.events.length + 2 * (own.multipliers?.length || 0) + 8;
     steady += 1;
     if (i % 10 === 0) {
+      const rows = run(["system", file, "steady", "--samples", "3"]).trimEnd().split("\n").map((line) => line.split(","));
+      if (found.samples) {
+        const columns = systemColumns(found.samples);
+        assert.deepEqual(Object.keys(columns), rows[0], text);
+        Object.values(columns).forEach((list, k) => assert.deepEqual(list, rows.slice(1).map((row) => Number(row[k])), text));
+        sampled.set(force, (sampled.get(force) || 0) + 1);
+      }
       assert.ok(run(["system", file, "steady"]).startsWith(found.verdict), found.verdict);
       const border = run(["system", file, "border", "--format", "json"]);
       if (found.border === null) assert.ok(border.startsWith("error"), border);
@@ -70,6 +79,7 @@ test("two masses are those of the command", (t) => {
   }
   assert.ok(steady > 0.9 * count, `${steady} of ${count}`);
   assert.ok(borders > count / 40, String(borders));
+  assert.ok(sampled.get(true) > 0 && sampled.get(false) > 0, JSON.stringify([...sampled]));
   t.diagnostic(`${numbers} numbers of ${steady} systems, ${borders} borders; ${[...kinds].map(([kind, n]) => `${kind}: ${n}`).join(", ")}`);
 });
 

@@ -80,7 +80,8 @@ pub(crate) struct SystemArgs {
     /// Time at which the motion ends, with simulate
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) until: Option<String>,
-    /// Evenly spaced states of the motion, with simulate, steady and record
+    /// Evenly spaced states of the motion, with simulate, steady and record: displacements, velocities, forces, and absolute
+    /// accelerations on a base that moves
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(crate) samples: Option<String>,
     /// Frequencies of the load with the lowest frequency, such as 1Hz:10Hz:100, with curve

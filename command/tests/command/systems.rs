@@ -114,14 +114,46 @@ fn absolute_accelerations_are_the_forces_over_the_masses() {
     let found = json(&format!("{line} simulate --until 3s --format json"));
     assert_eq!(found["units"]["acceleration"], "mm/s²");
     let samples = json(&format!("{line} simulate --until 3s --samples 30000 --format json"));
-    let lists = ["displacement", "velocity", "force"].map(|name| samples[name].as_array().unwrap());
+    let units = serde_json::json!({ "time": "s", "displacement": "mm", "velocity": "mm/s", "acceleration": "mm/s²", "force": "N" });
+    assert_eq!(samples["units"], units);
+    let lists = ["displacement", "velocity", "force", "absolute_acceleration"];
+    let lists = lists.map(|name| samples[name].as_array().unwrap().iter().map(numbers).collect::<Vec<_>>());
+    let times = numbers(&samples["time"]);
+    let [x, v, force, seen] = &lists;
     let mut due = [0.0f64; 2];
-    for (i, time) in numbers(&samples["time"]).into_iter().enumerate() {
-        let [x, v, force] = lists.map(|list| numbers(&list[i]));
-        let spring = 300.0 * (x[1] - x[0]);
-        let block = spring - 200.0 * x[0] - 0.3 * v[0] - force[0];
-        let roof = 1500.0 * (std::f64::consts::TAU * 3.0 * time).sin() - spring;
-        due = [due[0].max(block.abs()), due[1].max((roof / 0.5).abs())];
+    for (i, time) in times.iter().enumerate() {
+        let spring = 300.0 * (x[i][1] - x[i][0]);
+        let block = spring - 200.0 * x[i][0] - 0.3 * v[i][0] - force[i][0];
+        let roof = (1500.0 * (std::f64::consts::TAU * 3.0 * time).sin() - spring) / 0.5;
+        assert!(distance(&seen[i], &[block, roof]) < 1e-10, "{time}: {:?} for {block}, {roof}", seen[i]);
+        due = [due[0].max(block.abs()), due[1].max(roof.abs())];
+    }
+    // The differences of the velocity with the acceleration of the base, away from events.
+    let events: Vec<f64> =
+        found["events"].as_array().unwrap().iter().map(|e| e["time"].as_f64().unwrap()).collect();
+    let mut compared = 0;
+    for i in 1..times.len() - 1 {
+        let between = times[i - 1]..=times[i + 1];
+        if events.iter().any(|time| between.contains(time)) {
+            continue;
+        }
+        let base = 0.2 * 9806.65 * (std::f64::consts::TAU * 2.0 * times[i]).sin();
+        for body in 0..2 {
+            let slope = (v[i + 1][body] - v[i - 1][body]) / (times[i + 1] - times[i - 1]);
+            // ω² of the fastest vibration is 977 s⁻², and (0.1 ms)²/6 of it 2·10⁻⁶ of the acceleration.
+            let by = (seen[i][body] - slope - base).abs();
+            assert!(by < 4e-6 * due[body], "{body} at {}: {} by {by:e}", times[i], seen[i][body]);
+            compared += 1;
+        }
+    }
+    assert!(compared > 59_000, "{compared}");
+    let rows = stdout(&format!("{line} simulate --until 3s --samples 30"));
+    let mut rows = rows.lines().map(|row| row.rsplitn(3, ',').take(2).map(str::to_owned).collect::<Vec<_>>());
+    let header = ["roof", "block"].map(|name| format!("{name}.absolute_acceleration[mm/s²]"));
+    assert_eq!(rows.next().unwrap(), header);
+    for (i, row) in rows.enumerate() {
+        let row: Vec<f64> = row.iter().rev().map(|text| text.parse().unwrap()).collect();
+        assert!(distance(&row, &seen[1000 * i]) < 1e-11, "{i}: {row:?}");
     }
     for (seen, due) in numbers(&found["max_absolute_acceleration"]).into_iter().zip(due) {
         // A jump is up to 10⁻⁴ s from a sample.
@@ -138,6 +170,8 @@ fn absolute_accelerations_are_the_forces_over_the_masses() {
     std::fs::write(&file, MACHINE).unwrap();
     let still = json(&format!("{line} simulate --until 3s --format json"));
     assert!(still.get("max_absolute_acceleration").is_none() && still["units"].get("acceleration").is_none());
+    let still = json(&format!("{line} simulate --until 3s --samples 3 --format json"));
+    assert!(still.get("absolute_acceleration").is_none() && still["units"].get("acceleration").is_none());
 }
 
 /// The foreseen steps of 60 bodies exceed their budget, which is below that of few bodies.
@@ -536,7 +570,7 @@ fn rows_and_samples_are_the_same_as_parquet() {
     let folder = place("parquet-of-systems");
     std::fs::create_dir(&*folder).unwrap();
     let file = folder.join("machine.toml");
-    std::fs::write(&file, MACHINE).unwrap();
+    std::fs::write(&file, shaken()).unwrap();
     for (name, line) in [
         ("samples", "simulate --until 1s --samples 50"),
         ("grid", "curve --frequency 1Hz:5Hz:9 --set bearing.friction=1N,450N"),
@@ -548,5 +582,8 @@ fn rows_and_samples_are_the_same_as_parquet() {
         let text = std::fs::read_to_string(&csv).unwrap();
         let rows = crate::parquet::text(&parquet);
         assert_eq!(rows, text, "{name}");
+        assert!(
+            text.lines().next().unwrap().contains("roof.") && text.contains("absolute_acceleration[mm/s²]")
+        );
     }
 }

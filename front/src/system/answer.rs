@@ -2,7 +2,7 @@
 
 use super::described::Described;
 use serde::Serialize;
-use stickslip::inputs::units::Kind as Of;
+use stickslip::inputs::units::{Kind as Of, System};
 use stickslip::system::{Border, Cycle, Element, Event, Kind, Motion, State, Steady};
 
 /// Displacements and velocities.
@@ -71,15 +71,40 @@ pub struct Answer<'a> {
     units: Option<Units>,
 }
 
-/// The units of the answer.
+/// The units of an answer by its quantities.
 #[derive(Debug, Clone, Serialize)]
-struct Units {
+pub struct Units {
     time: &'static str,
     displacement: String,
     velocity: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     acceleration: Option<String>,
-    work: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    work: Option<String>,
+}
+
+impl Units {
+    /// The units of states; none for matrices.
+    #[must_use]
+    pub fn states(described: &Described) -> Option<Self> {
+        Self::of(described).map(|(units, system)| Self { force: Some(system.name(Of::Force)), ..units })
+    }
+
+    /// The units of displacements, velocities and accelerations, and the system they are of; none for matrices.
+    fn of(described: &Described) -> Option<(Self, System)> {
+        let system = described.units?;
+        let units = Self {
+            time: "s",
+            displacement: system.name(Of::Length),
+            velocity: system.name(Of::Velocity),
+            acceleration: described.base.is_some().then(|| system.name(Of::Acceleration)),
+            force: None,
+            work: None,
+        };
+        Some((units, system))
+    }
 }
 
 /// The kind of an element in a word.
@@ -97,13 +122,8 @@ impl<'a> Answer<'a> {
         let name = |event: &Event<f64>| {
             described.model.elements.get(event.element).map_or("", |element| element.name.as_str())
         };
-        let units = described.units.map(|system| Units {
-            time: "s",
-            displacement: system.name(Of::Length),
-            velocity: system.name(Of::Velocity),
-            acceleration: described.base.is_some().then(|| system.name(Of::Acceleration)),
-            work: system.name(Of::Energy),
-        });
+        let units = Units::of(described)
+            .map(|(units, system)| Units { work: Some(system.name(Of::Energy)), ..units });
         Self {
             kind,
             period: None,
@@ -178,8 +198,11 @@ pub struct Samples<'a> {
     pub velocity: Vec<&'a [f64]>,
     /// At each time, of each element on the bodies.
     pub force: Vec<&'a [f64]>,
-    #[serde(skip)]
-    units: Option<stickslip::inputs::units::System>,
+    /// At each time, of each coordinate, on a base that moves.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub absolute_acceleration: Vec<&'a [f64]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    units: Option<Units>,
 }
 
 impl<'a> Samples<'a> {
@@ -193,30 +216,41 @@ impl<'a> Samples<'a> {
             displacement: states.iter().map(|state| &*state.displacement).collect(),
             velocity: states.iter().map(|state| &*state.velocity).collect(),
             force: states.iter().map(|state| &*state.force).collect(),
-            units: described.units,
+            absolute_acceleration: if described.base.is_some() {
+                states.iter().map(|state| &*state.absolute_acceleration).collect()
+            } else {
+                Vec::new()
+            },
+            units: Units::states(described),
         }
     }
 
     /// The names of the columns of its rows, with their units.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
-        let unit =
-            |kind: Of| self.units.map_or_else(String::new, |system| format!("[{}]", system.name(kind)));
-        let names = |what: &str, kind: Of| -> Vec<String> {
-            self.coordinates.iter().map(|name| format!("{name}.{what}{}", unit(kind))).collect()
+        let bracketed = |unit: Option<&str>| unit.map_or_else(String::new, |unit| format!("[{unit}]"));
+        let unit = |of: fn(&Units) -> Option<&str>| bracketed(self.units.as_ref().and_then(of));
+        let names = |what: &str, unit: String| -> Vec<String> {
+            self.coordinates.iter().map(|name| format!("{name}.{what}{unit}")).collect()
         };
-        let mut header = vec![if self.units.is_some() { "time[s]".to_owned() } else { "time".to_owned() }];
-        header.extend(names("displacement", Of::Length));
-        header.extend(names("velocity", Of::Velocity));
-        header.extend(self.elements.iter().map(|name| format!("{name}.force{}", unit(Of::Force))));
+        let mut header = vec![format!("time{}", unit(|units| Some(units.time)))];
+        header.extend(names("displacement", unit(|units| Some(&units.displacement))));
+        header.extend(names("velocity", unit(|units| Some(&units.velocity))));
+        let force = unit(|units| units.force.as_deref());
+        header.extend(self.elements.iter().map(|name| format!("{name}.force{force}")));
+        if !self.absolute_acceleration.is_empty() {
+            header.extend(names("absolute_acceleration", unit(|units| units.acceleration.as_deref())));
+        }
         header
     }
 
-    /// A row for each time: the displacements, the velocities, and the force of each element on the bodies.
+    /// A row for each time: the displacements, the velocities, the force of each element on the bodies, and the absolute
+    /// accelerations on a base that moves.
     pub fn rows(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
         let states = self.displacement.iter().zip(&self.velocity).zip(&self.force);
-        self.time.iter().zip(states).map(|(time, ((displacement, velocity), force))| {
-            [&[*time], *displacement, *velocity, *force].concat()
+        self.time.iter().zip(states).enumerate().map(|(i, (time, ((displacement, velocity), force)))| {
+            let absolute = self.absolute_acceleration.get(i).copied().unwrap_or_default();
+            [&[*time], *displacement, *velocity, *force, absolute].concat()
         })
     }
 }

@@ -56,6 +56,8 @@ class SystemMotion(Result):
         States at the beginning and at the end.
     max_displacement, min_displacement, max_velocity, min_velocity : array
         Extremes, those between events too.
+    max_absolute_acceleration : array, or None
+        Greatest size of the acceleration in space; None where the base does not move.
     elements : dict of str to ElementMotion
     event_time : array
     event_element, event_kind : array of str
@@ -77,6 +79,7 @@ class SystemMotion(Result):
     min_displacement: Floats
     max_velocity: Floats
     min_velocity: Floats
+    max_absolute_acceleration: Optional[Floats]
     elements: Mapping[str, ElementMotion]
     event_time: Floats
     event_element: NDArray[np.str_]
@@ -118,16 +121,23 @@ class SystemStates(Result):
         A row for each time, a column for each coordinate.
     force : array
         A row for each time, a column for each element.
+    absolute_acceleration : array, or None
+        Acceleration in space, a row for each time, a column for each coordinate; just after the event where it jumps. None
+        where the base does not move.
     coordinates, elements : tuple of str
         The names of the columns.
+    units : dict of str to str, or None
+        The unit of each quantity; None for matrices.
     """
 
     time: Floats
     displacement: Floats
     velocity: Floats
     force: Floats
+    absolute_acceleration: Optional[Floats]
     coordinates: tuple[str, ...]
     elements: tuple[str, ...]
+    units: Optional[Mapping[str, str]]
 
     def __repr__(self) -> str:
         return f"SystemStates({len(self.time)} times: {_some([*self.coordinates, *self.elements])})"
@@ -400,12 +410,15 @@ class System:
         array = self._times(times)
         if array.ndim != 1:
             raise Error(f"times: must be an array of one dimension, not of shape {array.shape}")
-        found = self._handle.states(array, steady)
+        *found, absolute = self._handle.states(array, steady)
         coordinates, elements, _ = self._handle.names()
         names = (coordinates, coordinates, elements)
         shaped = [column.reshape(len(array), len(name)) for column, name in zip(found, names)]
         values = dict(zip(("displacement", "velocity", "force"), shaped))
-        return SystemStates({"time": array, **values, "coordinates": tuple(coordinates), "elements": tuple(elements)})
+        values["absolute_acceleration"] = absolute.reshape(shaped[0].shape) if len(absolute) == shaped[0].size else None
+        named = {"coordinates": tuple(coordinates), "elements": tuple(elements)}
+        units = json.loads(self._handle.units_of_states())
+        return SystemStates({"time": array, **values, **named, "units": units})
 
     def border(self) -> SystemBorder:
         """The least load that keeps the one contact from sticking, in closed form; one contact, one harmonic load."""
@@ -505,6 +518,8 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
         name: np.array(found[name], dtype=float)
         for name in ("max_displacement", "min_displacement", "max_velocity", "min_velocity")
     }
+    absolute = found.get("max_absolute_acceleration")
+    extremes["max_absolute_acceleration"] = None if absolute is None else np.array(absolute, dtype=float)
     names = ("kind", "time_at_rest", "stops", "work")
     elements = {
         element["name"]: ElementMotion({name: element[name] for name in names}) for element in found["elements"]
