@@ -14,6 +14,9 @@ use stickslip_figures::{self as figures, Figure};
 #[cfg(feature = "png")]
 const WIDTH: u32 = 1600;
 
+/// The greatest width and height in pixels of a drawing that is no figure.
+const MOST: u32 = 10_000;
+
 /// The look of a picture that has no options for it.
 pub(crate) static PLAIN: LookArgs = LookArgs { title: None, size: None };
 
@@ -171,6 +174,35 @@ impl<'a> Target<'a> {
             }
             None => write(&titled(drawn()?), Picture::Svg, self.size, out),
         }
+    }
+
+    /// Writes a drawing that is no figure: its text as SVG, with the title, and the width and height in pixels.
+    pub(crate) fn write_svg(
+        &self,
+        drawn: impl FnOnce(Option<&str>, Option<(u32, u32)>) -> Result<String, Failure>,
+    ) -> Outcome {
+        let Some((file, picture)) = self.file else { return Ok(()) };
+        if let Some((width, height)) =
+            self.size.filter(|(width, height)| *width.min(height) == 0 || *width.max(height) > MOST)
+        {
+            return Err(format!("--size {width}x{height}: must be ≥ 1x1 and ≤ {MOST}x{MOST}").into());
+        }
+        self.pending(file)?.fill(|out| {
+            let svg = drawn(self.title, self.size)?;
+            let file = match picture {
+                #[cfg(feature = "png")]
+                Picture::Png => {
+                    let width = self.size.map_or(WIDTH, |(width, _)| width.saturating_mul(2));
+                    figures::png_of_svg(&svg, width)
+                }
+                #[cfg(feature = "png")]
+                Picture::Pdf => figures::pdf_of_svg(&svg),
+                #[cfg(not(feature = "png"))]
+                Picture::Png | Picture::Pdf => Ok(Vec::new()),
+                Picture::Svg | Picture::Csv => Ok(svg.into_bytes()),
+            };
+            Ok(out.write_all(&file.map_err(|e| e.to_string())?)?)
+        })
     }
 
     /// The temporary file, opened before drawing.

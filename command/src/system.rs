@@ -154,14 +154,12 @@ fn drawn(args: &SystemArgs, figure: impl FnOnce() -> Result<Figure, Failure>) ->
 /// The system in words, and as a drawing.
 fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     if let Some(file) = &args.picture {
-        let name = file.display();
-        if file.extension().and_then(|end| end.to_str()) != Some("svg") {
-            return Err(format!("--picture {name}: the drawing of a system must end in .svg").into());
-        }
-        let drawing = sketch::svg(&asked.described)
-            .ok_or_else(|| format!("--picture {name}: shows at most {} bodies", sketch::MOST))?;
-        let pending = PendingFile::create(file, &format!("--picture {name}"), args.overwrite)?;
-        pending.fill(|out| Ok(out.write_all(drawing.as_bytes())?))?;
+        let target = Target::new("--picture", Some(file), args.overwrite, &args.look)?;
+        target.write_svg(|title, size| {
+            sketch::svg(&asked.described, title, size).ok_or_else(|| {
+                Failure::Input(format!("--picture {}: shows at most {} bodies", file.display(), sketch::MOST))
+            })
+        })?;
     }
     words::describe(asked, args, out)
 }

@@ -377,6 +377,24 @@ impl Figure {
     }
 }
 
+/// A drawing in SVG as PNG, `width` pixels wide, in DejaVu Sans.
+///
+/// # Errors
+/// [`io::ErrorKind::Other`] where the text is no SVG, or the width is 0, or too large for an image in memory.
+#[cfg(feature = "png")]
+pub fn png_of_svg(svg: &str, width: u32) -> io::Result<Vec<u8>> {
+    draw::png(svg, width)
+}
+
+/// A drawing in SVG of solid lines, areas and texts as a page of PDF of its own size, letters as outlines of DejaVu Sans.
+///
+/// # Errors
+/// [`io::ErrorKind::Other`] where the text is no SVG, or has images or gradients.
+#[cfg(feature = "png")]
+pub fn pdf_of_svg(svg: &str) -> io::Result<Vec<u8>> {
+    draw::pdf(svg)
+}
+
 /// A field of CSV, quoted if necessary.
 fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n']) {

@@ -153,7 +153,8 @@ fn laws_hold(
     let model = model::<Wide>(given);
     let count = i32::try_from(crate::count(500, 2_000)).expect("few");
     let end = Wide::from_f64(until);
-    let times: Vec<Wide> = (1..count).map(|i| end * Wide::from_f64(f64::from(i)) / Wide::from_f64(f64::from(count))).collect();
+    let times: Vec<Wide> =
+        (1..count).map(|i| end * Wide::from_f64(f64::from(i)) / Wide::from_f64(f64::from(count))).collect();
     let system = System::new(&model).expect("valid");
     let states = system.states(&state(start), &times).expect("it moves");
     let near = end * Wide::exp2i(-30);

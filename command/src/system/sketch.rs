@@ -1,4 +1,4 @@
-//! A drawing of a system as SVG: bodies in columns by their distance from the ground, and the springs, dampers, contacts
+//! A drawing of a system, as SVG text: bodies in columns by their distance from the ground, and the springs, dampers, contacts
 //! and stops between them.
 
 use crate::bits::digits;
@@ -171,8 +171,11 @@ fn draw(svg: &mut String, symbol: Symbol, (x0, x1, y): (f64, f64, f64), text: &s
     );
 }
 
-/// The drawing; `None` for more bodies than it shows.
-pub(super) fn svg(described: &Described) -> Option<String> {
+/// The height of a title above the drawing.
+const TITLE: f64 = 30.0;
+
+/// The drawing, with a title and of a width and a height in pixels if they are given; `None` for more bodies than it shows.
+pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32, u32)>) -> Option<String> {
     let count = described.coordinates.len();
     if count > MOST {
         return None;
@@ -277,6 +280,21 @@ pub(super) fn svg(described: &Described) -> Option<String> {
     }
     let deepest = column.iter().copied().max().unwrap_or(1) as f64;
     let (width, height) = (2.0 * MARGIN + deepest * COLUMN + BODY, under + MARGIN);
+    let (top, title) = title.map_or_else(Default::default, |title| {
+        let middle = width / 2.0;
+        let (line, text) = (-TITLE / 3.0, escaped(title));
+        let shown = format!(
+            r#"<text x="{middle:.1}" y="{line:.1}" text-anchor="middle" font-size="15">{text}</text>"#
+        );
+        (TITLE, shown + "\n")
+    });
+    let whole = height + top;
+    let (wide, high) = size.map_or((width, whole), |(wide, high)| (wide.into(), high.into()));
+    // What is seen has the proportions of the size, with the drawing in its middle.
+    let scale = f64::min(wide / width, high / whole);
+    let seen = (wide / scale, high / scale);
+    let from = ((width - seen.0) / 2.0, (whole - seen.1) / 2.0 - top);
+    let view = format!("{:.1} {:.1} {:.1} {:.1}", from.0, from.1, seen.0, seen.1);
     let mut hatching = String::new();
     let mut y = MARGIN / 2.0;
     while y < height - MARGIN {
@@ -284,15 +302,19 @@ pub(super) fn svg(described: &Described) -> Option<String> {
         y += 10.0;
     }
     Some(format!(
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0}" height="{height:.0}" viewBox="0 0 {width:.0} {height:.0}" font-family="sans-serif" font-size="12">
-<rect width="100%" height="100%" fill="white"/>
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{wide:.0}" height="{high:.0}" viewBox="{view}" font-family="sans-serif" font-size="12">
+<rect x="{4:.1}" y="{5:.1}" width="{6:.1}" height="{7:.1}" fill="white"/>
 <path d="M{0:.1},{1:.1}V{2:.1}{hatching}" stroke="black" fill="none"/>
 <text x="{0:.1}" y="{3:.1}" text-anchor="middle">ground</text>
-{svg}</svg>
+{title}{svg}</svg>
 "#,
         MARGIN + 12.0,
         MARGIN / 2.0,
         height - MARGIN,
         height - MARGIN + 18.0,
+        from.0,
+        from.1,
+        seen.0,
+        seen.1,
     ))
 }

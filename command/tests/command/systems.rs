@@ -453,7 +453,59 @@ damping = "4 N*s/mm"
         }
     }
     refused(&format!("system {} --picture {}", file.display(), drawing.display()), &["--picture", "exist"]);
-    refused(&format!("system {} --picture none.png", file.display()), &["must end in .svg"]);
+    refused(&format!("system {} --picture none.eps", file.display()), &["must end in .svg, .png or .pdf"]);
+    let line = format!("system {} --overwrite --picture {}", file.display(), drawing.display());
+    refused(&format!("{line} --size 0x9"), &["--size 0x9", "1x1"]);
+    stdout(&format!("{line} --size 900x500 --title A&B"));
+    let sized = std::fs::read_to_string(&drawing).unwrap();
+    assert!(sized.contains(r#"width="900" height="500""#) && sized.contains(">A&amp;B</text>"), "{sized}");
+    // The title stands above all else, and what is seen has the proportions of the size.
+    let numbers = |from: &str| -> Vec<f64> {
+        let text = sized.split(from).nth(1).unwrap().split('"').next().unwrap();
+        text.split(' ').map(|x| x.parse().unwrap()).collect()
+    };
+    let view = numbers("viewBox=\"");
+    assert!((view[2] * 5.0 - view[3] * 9.0).abs() < 2.0, "{view:?}");
+    let lines: Vec<_> = self::texts(&sized).into_iter().map(|(_, y, text)| (y, text)).collect();
+    let top = lines.iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+    assert!(top.1 == "A&amp;B" && top.0 > view[1], "{top:?}");
+}
+
+/// A drawing as PNG and PDF: of the proportions of the SVG, or of the size asked for.
+#[cfg(feature = "png")]
+#[test]
+fn a_drawing_may_be_an_image_or_a_page() {
+    let folder = place("drawings-of-all-kinds");
+    std::fs::create_dir(&*folder).unwrap();
+    let file = folder.join("machine.toml");
+    std::fs::write(&file, MACHINE).unwrap();
+    let drawn = |end: &str, look: &str| {
+        let picture = folder.join(format!("machine.{end}"));
+        stdout(&format!("system {} --overwrite --picture {}{look}", file.display(), picture.display()));
+        std::fs::read(picture).unwrap()
+    };
+    let svg = String::from_utf8(drawn("svg", "")).unwrap();
+    let of = |name: &str| -> f64 {
+        svg.split(&format!("{name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    };
+    let (width, height) = (of("width"), of("height"));
+    let size = |png: &[u8]| -> [u32; 2] {
+        assert!(png.starts_with(b"\x89PNG"));
+        [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
+    };
+    let png = drawn("png", "");
+    let [wide, high] = size(&png);
+    assert!(wide == 1600 && (f64::from(high) - 1600.0 * height / width).abs() <= 1.0, "{wide} × {high}");
+    assert_eq!(size(&drawn("png", " --size 500x300")), [1000, 600]);
+    // Letters are outlines, so that the picture is more than its lines.
+    assert!(png.len() > 10_000, "{} bytes", png.len());
+    let pdf = drawn("pdf", "");
+    assert!(pdf.starts_with(b"%PDF-"));
+    let text = String::from_utf8_lossy(&pdf);
+    let page = text.split("/MediaBox").nth(1).unwrap().trim_start().trim_start_matches('[');
+    let page: Vec<f64> = page.split([' ', ']']).filter_map(|x| x.parse().ok()).take(4).collect();
+    assert!((page[2] - 0.75 * width).abs() < 0.1 && (page[3] - 0.75 * height).abs() < 0.1, "{page:?}");
+    assert!(pdf.len() > 3_000, "{} bytes", pdf.len());
 }
 
 #[test]
