@@ -91,7 +91,9 @@ fn closed_forms(count: &mut Count, input: [f64; 3]) {
     count.value(
         "regime",
         input,
-        stickslip::regime(omega, alpha).map(|r| f64::from(u8::from(r == Regime::NonSticking))),
+        Ratios::new(omega, alpha)
+            .map(|at| Response::new(at).regime)
+            .map(|r| f64::from(u8::from(r == Regime::NonSticking))),
         Some(known && moved),
     );
     count.value("V₀ for", input, design::force_ratio_for_velocity(omega, 0.0, third), None);

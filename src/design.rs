@@ -64,10 +64,10 @@ pub use friction::max_friction;
 pub use hold::{Holding, holding_frequency};
 pub use identify::{
     AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading, Residual, identify,
-    identify_as, identify_force, identify_natural_frequency,
+    identify_force, identify_natural_frequency,
 };
 pub use identify_motion::{MotionIdentified, identify_motion, identify_motion_and_stiffness};
-pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
+pub use no_stop::{bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
 pub use over_band::{Aim, BandFriction, BandFrictionKind, best_friction_over_band};
 pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};

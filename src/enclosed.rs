@@ -113,7 +113,7 @@ named! {
 pub struct Response {
     /// The regime; `None` where it is undecided at these [`bits`](Response::bits).
     pub regime: Option<Regime>,
-    /// Whether a body at rest is released at any position, α > η ([`crate::Ratios::moves_from_rest`]); `None`
+    /// Whether a body at rest is released at any position, α > η; `None`
     /// where the intervals do not decide it, or without an α.
     pub moves_from_rest: Option<bool>,
     /// The number of bits of the final computation.

@@ -73,7 +73,6 @@
 //! | ω_n | [`Oscillator::natural_frequency`] | √(k/m) | |
 //! | B | [`Oscillator::friction_displacement`] | r_y/k | length |
 //! | Ω, α | [`Ratios`] | ω_d/ω_n, p₀/r_y | 1 |
-//! | A | [`Ratios::forced_amplitude`] | p₀/(k(1 − Ω²)) | B |
 //! | T | in [`PhaseFunction`] | tan(π/2Ω) = sin π₁/(1 + cos π₁) | 1 |
 //! | K | [`PhaseFunction::value`] | (1 − Ω²) T/Ω | 1 |
 //! | Δ₀, ω_d t₂ | [`Cycle::max_displacement`], [`Cycle::displacement_phase`] | peak displacement, its phase | B, rad |
@@ -220,7 +219,7 @@ pub use named::UnknownName;
 pub use output::{Definition, Measure, Output};
 // The values of whole answers, for the command and the Python package.
 pub use cycle::phase_function::PhaseFunction;
-pub use cycle::regime::{Family, NoStop, Regime, Verdict, no_stop_force_ratios, regime};
+pub use cycle::regime::{Family, NoStop, Regime, Verdict, no_stop_force_ratios};
 pub use machine::ratios::Ratios;
 #[doc(hidden)]
 pub use output::{Column, ResponseAnswer, Value, When, definitions};

@@ -14,7 +14,7 @@ use crate::{input, note, output};
 use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
-use stickslip::design::{self, Band, Edge, Holding, NoStopBand};
+use stickslip::design::{self, Band, Edge, Holding};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
 use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios, no_stop_force_ratios};
@@ -375,7 +375,7 @@ impl<F: Value> AskedDesign<'_, F> {
             self.one_friction()?;
             design::bands_without_stop(self.alpha()?, self.damping_ratio(), low..=high)
         };
-        let row = |band: NoStopBand<F>| {
+        let row = |band: Band<F>| {
             let mut row = self.band([band.low, band.high], [band.low_edge, band.high_edge]);
             let reversals = Cell::Count(Some(band.reversals_per_cycle.into()));
             row.push(("reversals_per_cycle", Kind::Ratio, reversals));

@@ -114,7 +114,7 @@ impl Asked {
         reading: Reading,
     ) -> Result<(Oscillator<f64>, Identified, Option<Fitted>), Error> {
         match *self {
-            Self::Both(body, force) => Ok((body, design::identify_as(&body, force, curve, reading)?, None)),
+            Self::Both(body, force) => Ok((body, design::identify(&body, force, curve, reading)?, None)),
             Self::NoSpring(mass, force) => {
                 let (found, natural) = design::identify_natural_frequency(mass, force, curve, reading)?;
                 let body = Oscillator::new(mass, mass * natural.value.powi(2), 1.0)?;

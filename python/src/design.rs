@@ -348,7 +348,7 @@ fn identify<'py>(
         phase: phase_kind.map(|text| kind("phase_kind", text, &phases, PhaseKind::name)).transpose()?,
     };
     let work = move || match (mass, force) {
-        (None, Some(force)) => Ok((design::identify_as(&body, force, &curve, reading)?, None)),
+        (None, Some(force)) => Ok((design::identify(&body, force, &curve, reading)?, None)),
         (None, None) => {
             let (found, force) = design::identify_force(&body, &curve, reading)?;
             Ok((found, Some(("force", force))))

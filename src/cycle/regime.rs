@@ -15,9 +15,8 @@ use static_friction::leads_from_every_start;
 pub(crate) use static_friction::sliding_bound;
 pub use verdict::{Family, Verdict};
 
-use crate::cycle::{Border, six_reversals};
+use crate::cycle::six_reversals;
 use crate::float::Float;
-use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::named::named;
 
@@ -48,8 +47,7 @@ named! {
         /// without bound.
         Unbounded = "unbounded",
         /// η > 1, α > 1 and none of the others for every start. For α ≤ η a body at rest within |x| ≤ η − α stays at
-        /// rest ([`Ratios::moves_from_rest`]). Where a motion without a stop exists
-        /// ([`crate::Response::has_motion_without_stop`]) it is the limit of its neighbourhood; elsewhere all motions
+        /// rest. Where a motion without a stop exists ([`crate::Response::reversals_per_cycle`]) it is the limit of its neighbourhood; elsewhere all motions
         /// end at rest or stop again and again.
         DependsOnStart = "depends-on-start",
     }
@@ -95,15 +93,10 @@ pub(crate) fn has_two_reversals<F: Float>(omega: F, alpha: F, least: F) -> bool 
     alpha >= least && omega != F::int(1)
 }
 
-/// The regime at (Ω, α), whatever the number of reversals.
-///
-/// The borders are those of [`no_stop_force_ratios`], and themselves count as non-sticking.
-///
-/// # Errors
-/// Where a ratio is outside its domain.
-pub fn regime<F: Float>(omega: F, alpha: F) -> Result<Regime, Error> {
-    let ratios = Ratios::new(omega, alpha)?;
-    Ok(regime_of(ratios, Border::new(omega)?.min_force_ratio))
+/// The regime at (Ω, α).
+#[cfg(test)]
+pub(crate) fn regime<F: Float>(omega: F, alpha: F) -> Result<Regime, crate::Error> {
+    Ok(crate::Response::new(Ratios::new(omega, alpha)?).regime)
 }
 
 #[cfg(test)]

@@ -57,8 +57,8 @@ impl<F: Float> Response<F> {
     /// **With a static friction above the kinetic one** (η > 1) the steady motion can depend on the start, and
     /// three statements are kept apart. The regime is that of every start, or [`Regime::DependsOnStart`]. The
     /// cycle, if there is one, does not stop and attracts its neighbourhood, whatever the regime
-    /// ([`Response::has_motion_without_stop`]). A body at rest is released where α > η
-    /// ([`Ratios::moves_from_rest`]). `motion::LongRun` follows one start, and `motion::attractors` many.
+    /// ([`Response::reversals_per_cycle`]). A body at rest is released where α > η. `motion::LongRun` follows one
+    /// start, and `motion::attractors` many.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.is_damped() {
             return Self::damped(ratios, DampedCycle::at);
@@ -172,7 +172,7 @@ impl<F: Float> Response<F> {
 
     /// Whether a motion without a stop exists and attracts its neighbourhood: a cycle of two or six reversals,
     /// or one that grows without bound. With η = 1 every start leads to it.
-    pub fn has_motion_without_stop(&self) -> bool {
+    pub(crate) fn has_motion_without_stop(&self) -> bool {
         let is_above = self.ratios.alpha() >= self.border.min_force_ratio;
         is_above && self.regime != Regime::Stuck || self.reversals_per_cycle().is_some()
     }

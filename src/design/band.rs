@@ -40,4 +40,6 @@ pub struct Band<F> {
     /// With a damper this is the lobe of the undamped border that contains the band's lower end. Only lobe 0
     /// can contain Ω = 1, where without a damper the body never sticks but its motion grows without bound.
     pub lobe: u16,
+    /// The number of reversals in a cycle: 2, or 6 near the pole 1/(2n+1), of which the band has the number n.
+    pub reversals_per_cycle: u32,
 }

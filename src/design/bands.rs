@@ -239,7 +239,7 @@ fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result<Option<Ban
     } else {
         (root::enclosed(best, first_beyond(best, to, slides), excess).0, Edge::Border)
     };
-    Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe: lobe.index() }))
+    Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe: lobe.index(), reversals_per_cycle: 2 }))
 }
 
 /// A frequency ratio in `(from, to]` where the body sticks, close to the band's end; the body sticks at `to`.

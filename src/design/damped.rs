@@ -282,5 +282,5 @@ impl<F: Float> Iterator for BandSearch<F> {
 /// A band, with the lobe of the undamped border that contains its lower end.
 fn band<F: Float>(low: F, high: F, low_edge: Edge, high_edge: Edge) -> Band<F> {
     let lobe = Lobe::containing(low).unwrap_or(Lobe::new(u16::MAX));
-    Band { low, high, low_edge, high_edge, lobe: lobe.index() }
+    Band { low, high, low_edge, high_edge, lobe: lobe.index(), reversals_per_cycle: 2 }
 }

@@ -59,7 +59,8 @@ named! {
     #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
     pub enum AmplitudeKind [
-        /// Its name in the command and in Python.
+        /// The name, as [`Display`](core::fmt::Display) prints it.
+        #[doc(hidden)]
     ] {
         /// The peak displacement, half of peak to peak.
         #[default]
@@ -77,7 +78,8 @@ named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
     pub enum PhaseKind [
-        /// Its name in the command and in Python.
+        /// The name, as [`Display`](core::fmt::Display) prints it.
+        #[doc(hidden)]
     ] {
         /// ω_d t₂, at which the body arrives at its peak displacement: about π/2 far below
         /// resonance.
@@ -162,16 +164,7 @@ pub struct Identified {
 }
 
 /// The friction force and the damping ratio that fit a response curve of `body` under a force of amplitude
-/// p₀, by [`identify_as`] with the default [`Reading`]: amplitudes are maximum displacements.
-///
-/// # Errors
-/// As for [`identify_as`].
-pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Result<Identified, Error> {
-    identify_as(body, force, curve, Reading::default())
-}
-
-/// The friction force and the damping ratio that fit a response curve of `body` under a force of amplitude
-/// p₀, whose values are read in a given way.
+/// p₀, whose values are read as `reading` says: by default, amplitudes are peak displacements.
 ///
 /// Mass and stiffness are those of `body`; its own friction force and damping play no part. Errors of the
 /// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation unless
@@ -190,7 +183,7 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
 /// separate friction from damping, [`Error::Unexplained`] where the best fit lies at the end of the range
 /// searched, r_y = p₀ or ζ = 100, and [`Error::CurveUnexplained`] where the fit is no nearer to the amplitudes than one
 /// amplitude for all frequencies, but for chance: white noise, for example.
-pub fn identify_as(
+pub fn identify(
     body: &Oscillator<f64>,
     force: f64,
     curve: &[Measurement],

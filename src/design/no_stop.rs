@@ -1,6 +1,6 @@
 //! The minimum force and the bands of frequency without any stop, whatever the number of reversals.
 
-use super::band::Edge;
+use super::band::{Band, Edge};
 use super::bands::{bands, frequency_bands};
 use super::force::ratios_of;
 use crate::cycle::border::Lobe;
@@ -32,24 +32,6 @@ pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F)
     Ok(forces)
 }
 
-/// A band of frequency ratios, or of angular frequencies, in which the body never stops, with its ends
-/// included.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub struct NoStopBand<F> {
-    /// Lower end.
-    pub low: F,
-    /// Upper end.
-    pub high: F,
-    /// The kind of the lower end.
-    pub low_edge: Edge,
-    /// The kind of the upper end.
-    pub high_edge: Edge,
-    /// The number of reversals in a cycle: 2, or 6 near a pole.
-    pub reversals_per_cycle: u32,
-}
-
 /// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α and the damping ratio
 /// ζ, by increasing Ω.
 ///
@@ -77,18 +59,11 @@ pub fn bands_without_stop<F: Float>(
     alpha: F,
     damping_ratio: F,
     range: RangeInclusive<F>,
-) -> Result<Vec<NoStopBand<F>>, Error> {
+) -> Result<Vec<Band<F>>, Error> {
     let (low, high) = range.into_inner();
     let mut found = Vec::new();
     for band in bands(alpha, damping_ratio, low..=high)? {
-        let band = band?;
-        found.push(NoStopBand {
-            low: band.low,
-            high: band.high,
-            low_edge: band.low_edge,
-            high_edge: band.high_edge,
-            reversals_per_cycle: 2,
-        });
+        found.push(band?);
     }
     // √(1 + α/5) exceeds 1/Ω at the last pole that can have such a band. The conversion of a float to an
     // integer saturates.
@@ -104,11 +79,12 @@ pub fn bands_without_stop<F: Float>(
         {
             let (is_cut_below, is_cut_above) = (start < low, end > high);
             let edge = |is_cut| if is_cut { Edge::Range } else { Edge::Border };
-            found.push(NoStopBand {
+            found.push(Band {
                 low: if is_cut_below { low } else { start },
                 high: if is_cut_above { high } else { end },
                 low_edge: edge(is_cut_below),
                 high_edge: edge(is_cut_above),
+                lobe: index,
                 reversals_per_cycle: 6,
             });
         }
@@ -128,7 +104,7 @@ pub fn frequency_bands_without_stop<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
     range: RangeInclusive<F>,
-) -> Result<Vec<NoStopBand<F>>, Error> {
+) -> Result<Vec<Band<F>>, Error> {
     let (low, high) = range.into_inner();
     if !drive.is_same_at_any_frequency() {
         return Err(Error::ForceOfFrequency { drive: drive.excitation().name() });
@@ -138,7 +114,7 @@ pub fn frequency_bands_without_stop<F: Float>(
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
     let (from, to) = (ratios_of(body, low)?.omega(), ratios_of(body, high)?.omega());
-    let in_units = |band: NoStopBand<F>| NoStopBand {
+    let in_units = |band: Band<F>| Band {
         low: band.low_edge.place(low, band.low * natural),
         high: band.high_edge.place(high, band.high * natural),
         ..band

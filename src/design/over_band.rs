@@ -40,7 +40,8 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
     #[non_exhaustive]
     pub enum Aim [
-        /// Its name in the command and in Python.
+        /// The name, as [`Display`](core::fmt::Display) prints it.
+        #[doc(hidden)]
     ] {
         /// The displacement x; on a base that carries the surface in relation to the base.
         Displacement = "displacement",
@@ -66,7 +67,8 @@ named! {
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     #[non_exhaustive]
     pub enum BandFrictionKind [
-        /// Its name in the command and in Python.
+        /// The name, as [`Display`](core::fmt::Display) prints it.
+        #[doc(hidden)]
     ] {
         /// Between none and rest.
         Interior = "interior",

@@ -159,7 +159,7 @@ impl<F: Float> Ratios<F> {
     /// Whether a body at rest is released at any position, α > η. For α ≤ η it stays at rest for ever where
     /// `|α sin θ − x| ≤ η` for all θ, that is for `|x| ≤ η − α`, also at x = 0.
     #[inline]
-    pub fn moves_from_rest(&self) -> bool {
+    pub(crate) fn moves_from_rest(&self) -> bool {
         self.alpha > self.static_friction_ratio
     }
 
@@ -182,7 +182,7 @@ impl<F: Float> Ratios<F> {
     /// Amplitude of the frictionless response in units of B. Without damping it is `A/B = α/(1 − Ω²)` (eq. 5,
     /// 6), negative above the natural frequency and infinite at Ω = 1. With damping it is `α/q`, `q = √((1 −
     /// Ω²)² + 4ζ²Ω²)`, and lags behind the force by a phase in (0, π).
-    pub fn forced_amplitude(&self) -> F {
+    pub(crate) fn forced_amplitude(&self) -> F {
         if self.is_damped() {
             let damper = F::int(2) * self.damping_ratio * self.omega;
             return self.alpha / damper.hypot((F::int(1) - self.omega) * (F::int(1) + self.omega));

@@ -8,7 +8,7 @@ mod steady;
 
 use crate::random::Random;
 use stickslip::batch::{Batch, Columns, FixedOmega, Level};
-use stickslip::{Border, Error, Output, Ratios, Regime, Response, regime};
+use stickslip::{Border, Error, Output, Ratios, Regime, Response};
 
 /// Outputs that need no search of their own: those of the loops, and some that are computed point by point.
 const OUTPUTS: [Output; 13] = [
@@ -309,7 +309,8 @@ fn the_length_of_a_slice_does_not_matter() {
 #[test]
 fn the_regime_is_that_of_the_point() {
     let (omega, alpha) = points_and_others(6000);
-    let due: Vec<_> = omega.iter().zip(&alpha).map(|(&omega, &alpha)| regime(omega, alpha).ok()).collect();
+    let alone = |(&omega, &alpha)| Ratios::new(omega, alpha).ok().map(|at| Response::new(at).regime);
+    let due: Vec<_> = omega.iter().zip(&alpha).map(alone).collect();
     for level in levels() {
         assert!(answer(Batch::new().at_level(level), &omega, &alpha, &[]).regime == due, "{level:?}");
     }

@@ -5,7 +5,7 @@
 
 use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
-use stickslip::design::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, identify, identify_as};
+use stickslip::design::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, identify};
 use stickslip::motion::{LongRun, State, Trajectory};
 use stickslip::{Cycle, Drive, Error, Oscillator, Ratios};
 
@@ -33,7 +33,7 @@ fn coverage(trials: u32, seed: u64) -> (f64, f64) {
             Measurement { angular_frequency, amplitude: exact * (1.0 + 0.01 * normal(random)), phase: None }
         };
         let curve: Vec<_> = (0..30).map(|i| measure(i, &mut random)).collect();
-        let found = identify(&body(1.0, 0.0), 12.0, &curve).unwrap();
+        let found = identify(&body(1.0, 0.0), 12.0, &curve, Reading::default()).unwrap();
         let within = |(low, high): (f64, f64), x: f64| u32::from(low <= x && x <= high);
         friction_within += within(found.friction_bound.interval(), friction);
         damping_within += within(found.damping_ratio.interval(), zeta);
@@ -122,7 +122,7 @@ fn curves_with_stops_are_fitted() {
     let (count, mut left_out, mut inside) = (curves(60), 0, [0; 2]);
     for i in 0..count {
         let (kappa, zeta, curve) = drawn(&mut random, 12 + i % 20);
-        let found = identify(&unit(), 1.0, &curve).unwrap();
+        let found = identify(&unit(), 1.0, &curve, Reading::default()).unwrap();
         let off = |estimate: stickslip::uncertainty::Estimate, truth: f64| {
             (estimate.value - truth).abs() / estimate.standard_error
         };
@@ -157,7 +157,7 @@ fn wrong_amplitudes_do_not_move_the_answer() {
                 wrong.push(i);
             }
         }
-        let found = identify(&unit(), 1.0, &curve).unwrap();
+        let found = identify(&unit(), 1.0, &curve, Reading::default()).unwrap();
         inside[0] += within(found.friction_bound, kappa);
         inside[1] += within(found.damping_ratio, zeta);
         let is_named = |i: usize| found.residuals[i].amplitude_is_suspect;
@@ -183,7 +183,7 @@ fn phases_and_stops_lead_to_the_true_minimum() {
             phase: Some(phases[i]),
         })
         .collect();
-    let found = identify(&unit(), 1.0, &curve).unwrap();
+    let found = identify(&unit(), 1.0, &curve, Reading::default()).unwrap();
     assert!((found.friction_bound.value - 0.2).abs() < 1e-5 && found.damping_ratio.value < 1e-5, "{found:?}");
     assert!(found.noise < 1e-5 && found.phase_noise.unwrap() < 1e-4, "{found:?}");
     assert_eq!((suspects(&found), found.residuals.iter().filter(|r| r.stops).count()), (0, 3));
@@ -202,7 +202,7 @@ fn shaker(read: impl Fn(u32, &Truth) -> (f64, Option<f64>)) -> Vec<Measurement> 
 }
 
 fn of_shaker(curve: &[Measurement], reading: Reading) -> Identified {
-    identify_as(&Oscillator::new(5.0, 20e3, 1.0).unwrap(), 100.0, curve, reading).unwrap()
+    identify(&Oscillator::new(5.0, 20e3, 1.0).unwrap(), 100.0, curve, reading).unwrap()
 }
 
 /// Within three standard errors of the truth, with the noise of the measurements.
@@ -289,7 +289,8 @@ fn the_sign_of_phases_is_found() {
 fn the_measurement_that_is_wrong_is_named() {
     let mut curve = shaker(|_, truth| (truth.peak, Some(truth.phase)));
     curve[3].phase = Some(163.0);
-    let error = identify(&Oscillator::new(5.0, 20e3, 1.0).unwrap(), 100.0, &curve).unwrap_err();
+    let error =
+        identify(&Oscillator::new(5.0, 20e3, 1.0).unwrap(), 100.0, &curve, Reading::default()).unwrap_err();
     assert!(matches!(error, Error::InMeasurement { index: 3, .. }), "{error}");
     let text = "measurement 4: phase ω_d t = 163 must be ≥ -6.283185307179586 and ≤ 6.283185307179586";
     assert_eq!(error.to_string(), text);

@@ -368,14 +368,14 @@ fn friction_and_damping_of_the_samples_are_identified() {
                 Some(Measurement { angular_frequency: frequency, amplitude, phase: None })
             })
             .collect();
-        let exact = identify(&body, force, &curve).unwrap();
+        let exact = identify(&body, force, &curve, Reading::default()).unwrap();
         assert!((exact.friction_bound.value / friction - 1.0).abs() < 1e-4, "{friction} {exact:?}");
         assert!((exact.damping_ratio.value / zeta - 1.0).abs() < 1e-3, "{zeta} {exact:?}");
         let noisy: Vec<_> = curve
             .iter()
             .map(|m| Measurement { amplitude: m.amplitude * (1.0 + 0.01 * normal(&mut random)), ..*m })
             .collect();
-        let found = identify(&body, force, &noisy).unwrap();
+        let found = identify(&body, force, &noisy, Reading::default()).unwrap();
         for (estimate, truth) in [(found.friction_bound, friction), (found.damping_ratio, zeta)] {
             let (low, high) = estimate.interval();
             all += 1;

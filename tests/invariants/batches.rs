@@ -2,7 +2,7 @@
 //! the fuzz target.
 
 use stickslip::batch::{Batch, Columns, FixedOmega, Level};
-use stickslip::{Output, Ratios, Regime, Response, regime};
+use stickslip::{Output, Ratios, Regime, Response};
 
 /// The outputs of the loops, and one that is computed point by point.
 const OUTPUTS: [Output; 10] = [
@@ -92,7 +92,8 @@ struct Due {
 impl Due {
     fn of(points: &[(f64, f64)], offset: usize, length: usize) -> Self {
         let due = |&(omega, alpha): &(f64, f64)| {
-            let (regime, values) = (regime(omega, alpha).ok(), alone(omega, alpha));
+            let (regime, values) =
+                (Ratios::new(omega, alpha).ok().map(|at| Response::new(at).regime), alone(omega, alpha));
             Point { omega, alpha, regime, values }
         };
         Self { points: points.iter().take(offset + length).map(due).collect(), offset, length }

@@ -93,7 +93,7 @@ fn checked(shaken: &Shaken, body: &Body<f64>, record: &Record<f64>, motion: &Rec
         let sign = f64::from(state.direction);
         assert!(sign * state.velocity >= -tiny * speed, "{state:?} of {shaken:?}");
         assert!(state.direction != 0 || state.velocity == 0.0, "{state:?} of {shaken:?}");
-        assert!(state.direction >= 0 || !body.is_one_way(), "{state:?} of {shaken:?}");
+        assert!(state.direction >= 0 || !shaken.is_one_way, "{state:?} of {shaken:?}");
         assert!(state.displacement <= answer.max_displacement + tiny * length, "{state:?} of {shaken:?}");
         assert!(state.displacement >= answer.min_displacement - tiny * length, "{state:?} of {shaken:?}");
         if state.time <= record.end() {

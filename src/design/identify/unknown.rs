@@ -7,7 +7,7 @@
 use super::model::Parameters;
 use super::outliers::{Judged, judge};
 use super::search::{MeasuredPoint, ResponseCurve, Rule, StartGrid, reduced};
-use super::{Identified, Measurement, PhaseKind, Reading, identify_as, in_ratios, sample};
+use super::{Identified, Measurement, PhaseKind, Reading, identify, in_ratios, sample};
 use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::positive;
@@ -218,7 +218,7 @@ fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<(Id
         whole.refined(whole.fit(best.theta, Some(best.judged.at))?)
     };
     let (body, force) = scaled.at(best.theta)?;
-    let mut identified = identify_as(&body, force, curve, reading)?;
+    let mut identified = identify(&body, force, curve, reading)?;
     let (_, matrix) = whole.normal(&best).ok_or(Error::NotIdentified)?;
     // The noise was estimated with two parameters fitted.
     let counted = best.judged.suspect.iter().filter(|is_suspect| !**is_suspect).count() as f64;
@@ -246,13 +246,13 @@ fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<(Id
 }
 
 /// Friction, damping and the natural angular frequency of a body of known mass that fit a response curve under a force of
-/// amplitude p₀: as [`identify_as`], with the stiffness fitted, too.
+/// amplitude p₀: as [`identify`](super::identify()), with the stiffness fitted, too.
 ///
 /// The phases are those that `reading` names, and otherwise [`PhaseKind::Peak`]. The standard errors are those of three
 /// parameters. A curve without the resonance may leave the natural frequency to chance: its interval says so.
 ///
 /// # Errors
-/// As for [`identify_as`], with four measurements in place of three.
+/// As for [`identify`](super::identify()), with four measurements in place of three.
 pub fn identify_natural_frequency(
     mass: f64,
     force: f64,
@@ -264,7 +264,7 @@ pub fn identify_natural_frequency(
     fitted(Scaled::Natural { mass, force }, curve, reading)
 }
 
-/// Friction, damping and the amplitude of the force that fit a response curve of `body`: as [`identify_as`], with p₀ fitted,
+/// Friction, damping and the amplitude of the force that fit a response curve of `body`: as [`identify`](super::identify()), with p₀ fitted,
 /// too.
 ///
 /// As for [`identify_natural_frequency`]. Far from resonance and with friction alone, the force and friction are hardly apart.

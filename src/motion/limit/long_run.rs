@@ -111,7 +111,7 @@ impl<F: Float> LongRun<F> {
     }
 
     /// The position of rest, x/B; `None` for all other limits.
-    pub const fn rest_position(&self) -> Option<F> {
+    pub(crate) const fn rest_position(&self) -> Option<F> {
         if let Self::Rest(rest) = self { Some(rest.position) } else { None }
     }
 

@@ -33,7 +33,7 @@ pub struct Observed {
 /// border itself counts as non-sticking. The borders also decide where the motion has not settled, because
 /// the regime is that of its limit, and where displacements are so large that friction is lost in their
 /// rounding: the body is held while `|α sin θ − x| ≤ 1`, so that a stop says nothing once `64 ε (α + |x|) ≥ 1`
-/// (at f64 from α = 3.5e13 on). This function and [`crate::cycle::regime::regime()`] therefore agree.
+/// (at f64 from α = 3.5e13 on). This function and [`crate::Response::regime`] therefore agree.
 ///
 /// With a static friction above the kinetic one, the regime is that of this motion: where the regime depends on
 /// the start, no border decides.

@@ -173,7 +173,7 @@ impl<F: Float> Body<F> {
     }
 
     /// Whether the body never slides backwards.
-    pub const fn is_one_way(&self) -> bool {
+    pub(crate) const fn is_one_way(&self) -> bool {
         self.is_one_way
     }
 }

@@ -36,7 +36,8 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     pub enum After [
-        /// The name: `zero`, `hold` or `free`.
+        /// The name, as [`Display`](core::fmt::Display) prints it.
+        #[doc(hidden)]
     ] {
         /// It is zero: a foot jumps back to 0.
         Zero = "zero",

@@ -11,7 +11,7 @@ fn one_limit_from_every_start_and_it_is_symmetric() {
     let mut random = Random(8);
     for _ in 0..2000 {
         let (omega, alpha) = (random.scale(0.02, 20.0), random.scale(1.01, 30.0));
-        let regime = stickslip::regime(omega, alpha).unwrap();
+        let regime = stickslip::Response::new(Ratios::new(omega, alpha).unwrap()).regime;
         assert!(regime == Regime::Sticking || regime == Regime::NonSticking);
         let rest = steady(omega, alpha);
         let from = start(&mut random, omega, alpha);

@@ -182,10 +182,10 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
     // At rest the body stays where it is, and friction carries the whole force.
     let or_at_rest = |value: fn(&SteadyState<f64>) -> f64, known: f64| {
-        let at_rest = || limit.rest_position().map(|_| known);
+        let at_rest = || matches!(limit, LongRun::Rest(_)).then_some(known);
         Cell::or_absent(steady.map(value).or_else(at_rest))
     };
-    let place = limit.rest_position().unwrap_or(f64::NAN);
+    let place = if let LongRun::Rest(rest) = limit { rest.position } else { f64::NAN };
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let (regime, sticks, reversals) = counted(ratios, limit);
     let multiplier = |i: usize| steady.map(|s| s.multipliers[i]);
