@@ -1,0 +1,142 @@
+//! Designs and response curves beside the samples.
+
+use super::{keys, rows};
+use crate::command_line::{json, stdout};
+use crate::sampled::{Harmonic, Limit, Load, Machine, Of};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+
+/// Designs by the command: the samples stop on one side of each answer only.
+#[test]
+fn designs_of_the_command_are_those_of_the_samples() {
+    let (mass, stiffness, friction, frequency) = (50.0, 1000.0, 5.0, 6.0);
+    let is_free = |amplitude: f64, friction: f64, eta: f64, load: Load| {
+        let machine = Machine::new([mass, stiffness, 0.0], [friction, 0.0, eta], 0.0);
+        let harmonic = Harmonic { machine, load, amplitude, frequency };
+        match harmonic.limit([0.0, 0.0], 0.0, 3000) {
+            Limit::Periodic(cycle) => (cycle.found.rests == 0, true),
+            Limit::Rest(_) => (false, false),
+            limit @ Limit::Unsettled => panic!("{limit:?}"),
+        }
+    };
+    let answer = json(
+        "design force --mass 50 --stiffness 1000 --friction 5 --frequency 6 --mean-force 3 --format json",
+    );
+    let of = |answer: &Value, name: &str| answer[name].as_f64().unwrap();
+    let square = frequency * frequency;
+    for (name, load, size) in [
+        ("force", Load::Force, 1.0),
+        ("unbalance", Load::Force, square),
+        ("foot_displacement", Load::Foot, 1.0),
+        ("base_displacement", Load::Surface, -square),
+        ("base_acceleration", Load::Surface, -1.0),
+    ] {
+        let amplitude = size * of(&answer, name);
+        assert!(is_free(amplitude * 1.0001, friction, 1.0, load).0, "{name}");
+        assert!(!is_free(amplitude * 0.9999, friction, 1.0, load).0, "{name}");
+    }
+    assert!((of(&answer, "mean_displacement") - 0.003).abs() < 1e-15);
+    let answer = json(
+        "design friction --mass 50 --stiffness 1000 --frequency 6 --force 12 --static-ratio 1.2 --format json",
+    );
+    let best = json("design friction --mass 50 --stiffness 1000 --frequency 6 --force 12 --format json");
+    assert!(is_free(12.0, of(&best, "friction") * 0.9999, 1.0, Load::Force).0);
+    assert!(!is_free(12.0, of(&best, "friction") * 1.0001, 1.0, Load::Force).0);
+    assert!((of(&best, "friction_coefficient") * mass * 9.80665 / of(&best, "friction") - 1.0).abs() < 1e-12);
+    // A body at rest is released below this friction, and not above.
+    let release = of(&answer, "release_friction");
+    assert!(is_free(12.0, release * 0.999, 1.2, Load::Force).1);
+    assert!(!is_free(12.0, release * 1.001, 1.2, Load::Force).1);
+}
+
+/// `design friction --target-amplitude`: with each friction the samples have this amplitude, and between them they have
+/// another.
+#[test]
+fn frictions_for_an_amplitude_are_those_of_the_samples() {
+    let amplitude = |friction: f64| {
+        let machine = Machine::new([50.0, 1000.0, 10.0], [friction, 0.0, 1.0], 0.0);
+        let harmonic = Harmonic { machine, load: Load::Force, amplitude: 12.0, frequency: 3.0 };
+        match harmonic.limit([0.0, 0.0], 0.0, 3000) {
+            Limit::Periodic(cycle) => (cycle.found.most(Of::Displacement).value, cycle.found.rests > 0),
+            limit => panic!("{limit:?}"),
+        }
+    };
+    for target in [0.006, 0.01, 0.018] {
+        let answer = json(&format!(
+            "design friction --mass 50kg --stiffness 1000N/m --damping 10N*s/m --frequency 3rad/s --force 12N \
+             --target-amplitude {target}m --format json"
+        ));
+        let solutions = answer["solutions"].as_array().unwrap();
+        let of = |solution: &Value, name: &str| solution[name].as_f64().unwrap();
+        assert!(!solutions.is_empty(), "{answer}");
+        assert!((of(&answer, "target_amplitude") - target).abs() < 1e-15, "{answer}");
+        for solution in solutions {
+            let friction = of(solution, "friction");
+            let (found, sticks) = amplitude(friction);
+            assert!((found / target - 1.0).abs() < 1e-8, "{solution}: {found}");
+            assert!((of(solution, "max_displacement") / target - 1.0).abs() < 1e-8, "{solution}");
+            assert_eq!(solution["regime"], if sticks { "sticking" } else { "non-sticking" }, "{solution}");
+            let coefficient = of(solution, "friction_coefficient") * 50.0 * 9.80665;
+            assert!((coefficient / friction - 1.0).abs() < 1e-12, "{solution}");
+        }
+        // Over a grid the samples pass the amplitude as often as there are solutions.
+        let grid: Vec<bool> = (1..40).map(|i| amplitude(0.29 * f64::from(i)).0 > target).collect();
+        let passes = grid.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        assert_eq!(passes, solutions.len(), "{target}: {answer} {grid:?}");
+    }
+}
+
+/// The rows of a response curve beside the samples at their frequencies.
+#[test]
+fn curves_of_the_command_are_those_of_the_samples() {
+    let (mass, stiffness, damping, friction) = (50.0, 1000.0, 20.0, 5.0);
+    let mut names = BTreeSet::new();
+    for (drive, load, amplitude) in
+        [("force 12N", Load::Force, 12.0), ("base-displacement 30mm", Load::Surface, 0.03)]
+    {
+        for what in ["displacement", "velocity", "acceleration", "force", "transmissibility", "absolute"] {
+            if what == "absolute" && load == Load::Force {
+                continue;
+            }
+            let line = format!(
+                "response-curve {what} --mass 50kg --stiffness 1kN/m --damping 20N*s/m --friction 5N --{drive} --frequency 0.4Hz:1.5Hz:6"
+            );
+            let text = stdout(&line);
+            let mut reader = csv::Reader::from_reader(text.as_bytes());
+            let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+            names.extend(keys(&text));
+            let column = header.iter().position(|name| name.starts_with(what)).unwrap();
+            let mut compared = 0;
+            for row in reader.records().map(Result::unwrap).step_by(3) {
+                let frequency = TAU * row[1].parse::<f64>().unwrap();
+                let machine = Machine::new([mass, stiffness, damping], [friction, 0.0, 1.0], 0.0);
+                let square = frequency * frequency;
+                let size = if load == Load::Surface { -amplitude * square } else { amplitude };
+                let harmonic = Harmonic { machine, load, amplitude: size, frequency };
+                let force = if load == Load::Surface { mass * square * amplitude } else { amplitude };
+                let Limit::Periodic(cycle) = harmonic.limit([0.0, 0.0], 0.0, 2000) else { continue };
+                let found = &cycle.found;
+                let expected = match what {
+                    "displacement" => found.greatest(Of::Displacement).value,
+                    "velocity" => found.greatest(Of::Velocity).value,
+                    "acceleration" => found.greatest(Of::Acceleration).value,
+                    "force" => found.greatest(Of::Transmitted).value,
+                    "absolute" => found.greatest(Of::AbsoluteDisplacement).value,
+                    _ => found.greatest(Of::Transmitted).value / force,
+                };
+                compared += 1;
+                let value: f64 = row[column].parse().unwrap();
+                assert!((value / expected - 1.0).abs() < 1e-8, "{line}: {row:?} {expected}");
+                let regime = if found.rests == 0 { "non-sticking" } else { "sticking" };
+                assert_eq!(&row[2], regime, "{line}: {row:?}");
+                // The force over the least one that keeps the samples sliding.
+                let margin: f64 = row[4].parse().unwrap();
+                assert_eq!(margin > 1.0, found.rests == 0, "{line}: {row:?}");
+            }
+            assert!(compared > 4, "{line}: {compared}");
+        }
+    }
+    let page = rows()["response-curve"].iter().map(|name| (*name).to_owned()).collect();
+    assert_eq!(names, page);
+}

@@ -1,0 +1,160 @@
+//! What is identified from curves, decays and motions of the samples.
+
+use super::file;
+use crate::command_line::{json, refused, stdout};
+use crate::random::Random;
+use crate::sampled::{Harmonic, Limit, Load, Machine, Of, positions, record};
+use serde_json::json;
+use std::f64::consts::TAU;
+
+/// A response curve of the samples of 5 kg on 2 kN/m with 40 N and ζ = 3 % under 100 N, with relative noise.
+pub(super) fn curve_of_samples(random: &mut Random, noise: f64) -> String {
+    let mut text = "frequency[rad/s],amplitude[mm]\n".to_owned();
+    for i in 0..16 {
+        let frequency = 20.0 * (0.5 + 0.09 * f64::from(i));
+        let damping = 2.0 * 0.03 * 100.0;
+        let machine = Machine::new([5.0, 2000.0, damping], [40.0, 0.0, 1.0], 0.0);
+        let harmonic = Harmonic { machine, load: Load::Force, amplitude: 100.0, frequency };
+        let Limit::Periodic(cycle) = harmonic.limit([0.0, 0.0], 0.0, 3000) else { continue };
+        let by = 1.0 + noise * (random.next() + random.next() - 1.0) * 6f64.sqrt();
+        text += &format!("{frequency},{}\n", 1e3 * by * cycle.found.most(Of::Displacement).value);
+    }
+    text
+}
+
+/// `identify` of a curve of the samples, with a wrong value among them.
+#[test]
+fn a_curve_of_the_samples_is_identified() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = "--mass 5kg --stiffness 2kN/m --force 100N --format json";
+    let exact = file(&folder, "exact.csv", &curve_of_samples(&mut Random(73), 0.0));
+    let answer = json(&format!("identify {exact} {options}"));
+    let value = |name: &str| answer[name]["value"].as_f64().unwrap();
+    assert!((value("friction") / 40.0 - 1.0).abs() < 1e-4, "{answer}");
+    assert!((value("damping_ratio") / 0.03 - 1.0).abs() < 1e-3, "{answer}");
+    assert!((value("damping") / 6.0 - 1.0).abs() < 1e-3, "{answer}");
+    let coefficient = answer["friction_coefficient"]["value"].as_f64().unwrap();
+    assert!((coefficient / (40.0 / 5.0 / 9.80665) - 1.0).abs() < 1e-4, "{answer}");
+    assert!(answer["noise"].as_f64().unwrap() < 1e-4, "{answer}");
+    assert_eq!((answer["measurements"].as_u64(), answer["used"].as_u64()), (Some(16), Some(16)));
+    // A wrong value is named, and moves nothing.
+    let noisy = curve_of_samples(&mut Random(74), 0.01);
+    let mut lines: Vec<String> = noisy.lines().map(str::to_owned).collect();
+    let (frequency, amplitude) = lines[8].split_once(',').unwrap();
+    lines[8] = format!("{frequency},{}", 1.6 * amplitude.parse::<f64>().unwrap());
+    let wrong = file(&folder, "wrong.csv", &lines.join("\n"));
+    let answer = json(&format!("identify {wrong} {options}"));
+    let interval = |name: &str| {
+        let ends = answer[name]["interval_95"].as_array().unwrap();
+        [ends[0].as_f64().unwrap(), ends[1].as_f64().unwrap()]
+    };
+    for (name, truth) in [("friction", 40.0), ("damping_ratio", 0.03), ("damping", 6.0)] {
+        let [low, high] = interval(name);
+        let room = 0.5 * (high - low);
+        assert!(low - room < truth && truth < high + room, "{name} {truth}: {answer}");
+    }
+    assert_eq!(answer["used"].as_u64(), Some(15), "{answer}");
+    assert_eq!(answer["suspects"].as_array().unwrap().len(), 1, "{answer}");
+    assert_eq!(answer["residuals"].as_array().unwrap().len(), 16, "{answer}");
+    let residual = answer["residuals"][7].as_f64().unwrap();
+    assert!((residual - 0.6 / 1.6).abs() < 0.02, "{answer}");
+    assert!((0.004..0.025).contains(&answer["noise"].as_f64().unwrap()), "{answer}");
+}
+
+/// `identify --decay` of turning points of the samples.
+#[test]
+fn a_decay_of_the_samples_is_identified() {
+    let folder = tempfile::tempdir().unwrap();
+    let machine = Machine::new([2.0, 50.0, 2.0 * 0.02 * 10.0], [3.0, 0.0, 1.0], 0.0);
+    let found = record(machine, Load::Force, &[0.0, 0.1], &[0.0, 0.0], [1.5, 0.0], 256.0);
+    let mut text = "time[s],peak[m]\n0,1.5\n".to_owned();
+    for [t, x] in found.found.stops.iter().take(7) {
+        text += &format!("{t},{x}\n");
+    }
+    let peaks = file(&folder, "peaks.csv", &text);
+    let answer = json(&format!("identify --decay {peaks} --mass 2kg --stiffness 50N/m --format json"));
+    let value = |name: &str| answer[name]["value"].as_f64().unwrap();
+    assert!((value("friction_displacement") / 0.06 - 1.0).abs() < 1e-6, "{answer}");
+    assert!((value("damping_ratio") / 0.02 - 1.0).abs() < 1e-5, "{answer}");
+    assert!((value("amplitude") / 1.5 - 1.0).abs() < 1e-7, "{answer}");
+    assert!((value("natural_frequency") * TAU / 5.0 - 1.0).abs() < 1e-6, "{answer}");
+    assert!((value("friction") / 3.0 - 1.0).abs() < 1e-6, "{answer}");
+    assert!(
+        (answer["friction_coefficient"]["value"].as_f64().unwrap() / (3.0 / 2.0 / 9.80665) - 1.0).abs()
+            < 1e-6
+    );
+    assert_eq!(answer["measurements"].as_u64(), Some(8), "{answer}");
+    // Peaks of both sides with signs; they end before the rest, which alone shows static friction.
+    assert_eq!(answer["read_as"], "every-half-cycle", "{answer}");
+    assert!(answer["half_cycles"].is_null() && answer["static_friction_displacement"].is_null(), "{answer}");
+}
+
+/// A load of two sines on a body of 2 kg, 50 N/m, 3 N and ζ = 2 %, and the displacements of the samples, from another zero.
+pub(super) fn load_and_motion() -> String {
+    let machine = Machine::new([2.0, 50.0, 2.0 * 0.02 * 10.0], [3.0, 0.0, 1.0], 0.0);
+    let times: Vec<f64> = (0..250).map(|i| f64::from(i) * 0.03).collect();
+    let load: Vec<f64> = times.iter().map(|t| 6.0 * (4.0 * t).sin() + 4.0 * (6.5 * t).sin()).collect();
+    let found = positions(machine, Load::Force, [&times, &load], [0.0, 0.4], 128.0);
+    let rows = times.iter().zip(&load).zip(&found);
+    rows.fold("time[s],force[N],displacement[mm],temperature\n".to_owned(), |text, ((t, p), x)| {
+        text + &format!("{t},{p},{},20\n", 1e3 * x + 7.0)
+    })
+}
+
+/// `identify --motion` of a motion of the samples.
+#[test]
+fn a_motion_of_the_samples_is_identified() {
+    let folder = tempfile::tempdir().unwrap();
+    let motion = file(&folder, "motion.csv", &load_and_motion());
+    let known = format!("identify --motion {motion} --mass 2kg --stiffness 50N/m");
+    let free = format!("identify --motion {motion} --mass 2kg");
+    for line in [&known, &free] {
+        identified(line, line == &free);
+    }
+    let bare = file(&folder, "bare.csv", "time[s],displacement[mm]\n0,1\n");
+    for (line, said) in [
+        (format!("identify --motion {motion} --stiffness 50N/m"), "--mass is missing"),
+        (format!("{known} --force 3N"), "--force 3N: identify does not use it"),
+        (
+            format!("identify --motion {bare} --mass 2kg --stiffness 50N/m"),
+            "one of the columns force, acceleration and",
+        ),
+    ] {
+        refused(&line, &[said]);
+    }
+}
+
+/// The answers to a load and the motion of the samples, with the stiffness known or fitted.
+fn identified(line: &str, is_fitted: bool) {
+    let answer = json(&format!("{line} --format json"));
+    let value = |name: &str| answer[name]["value"].as_f64().unwrap();
+    let of_spring = [("stiffness", 50.0), ("natural_frequency", 5.0 / TAU)];
+    for (name, due) in of_spring.into_iter().filter(|_| is_fitted).chain([
+        ("friction", 3.0),
+        ("friction_coefficient", 3.0 / 2.0 / 9.80665),
+        ("friction_displacement", 0.06),
+        ("damping_ratio", 0.02),
+        ("damping", 0.4),
+        ("offset", 0.007),
+        ("start_displacement", 0.007),
+        ("start_velocity", 0.4),
+    ]) {
+        assert!((value(name) / due - 1.0).abs() < 1e-6, "{name}: {answer}");
+        let interval = &answer[name]["interval_95"];
+        assert!(
+            interval[0].as_f64() <= Some(due * (1.0 + 1e-6))
+                && interval[1].as_f64() >= Some(due * (1.0 - 1e-6))
+        );
+    }
+    assert_eq!((answer["measurements"].as_u64(), &answer["load"]), (Some(250), &json!("force")));
+    assert_eq!(answer["residuals"].as_array().map(Vec::len), Some(250));
+    assert!(answer["noise"].as_f64().unwrap() < 1e-8 && answer["noise_unit"] == "m", "{answer}");
+    assert_eq!(answer["ignored_columns"], json!(["temperature"]));
+    assert_eq!(answer["stiffness"].is_null(), !is_fitted, "{answer}");
+    let text = stdout(line);
+    assert_eq!(text.contains("stiffness k         50 N/m"), is_fitted, "{text}");
+    assert!(
+        text.contains("friction force r_y  3 N") && text.contains("offset              0.007 m"),
+        "{text}"
+    );
+}
