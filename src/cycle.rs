@@ -116,7 +116,7 @@ use crate::machine::ratios::Ratios;
 use core::fmt;
 use damped::DampedCycle;
 use undamped::Undamped;
-use waveform::Motion;
+use waveform::Basis;
 
 /// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.
 ///
@@ -156,7 +156,7 @@ pub struct Cycle<F> {
     /// Phase `ω_d t₁` of the peak velocity (the root of eq. 46 that is the global maximum). Accuracy at
     /// f64: 4 ulp of max(phase, 1).
     pub velocity_phase: F,
-    motion: Motion<F>,
+    motion: Basis<F>,
 }
 
 /// The public fields: the others are split numbers.
@@ -212,7 +212,7 @@ impl<F: Float> Cycle<F> {
     pub(crate) fn of_damped(found: DampedCycle<F>, ratios: Ratios<F>) -> Self {
         Self {
             ratios,
-            motion: Motion::Damped(found),
+            motion: Basis::Damped(found),
             max_displacement: found.max_displacement,
             displacement_phase: found.displacement_phase,
             max_velocity: found.max_velocity,
@@ -233,7 +233,7 @@ impl<F: Float> Cycle<F> {
         let psi = fastest.psi;
         Self {
             ratios,
-            motion: Motion::Undamped(Undamped { reversal, displacement, psi, deviation, rounded: None }),
+            motion: Basis::Undamped(Undamped { reversal, displacement, psi, deviation, rounded: None }),
             max_displacement: displacement.hi,
             displacement_phase,
             max_velocity: fastest.velocity,
@@ -257,8 +257,8 @@ impl<F: Float> Cycle<F> {
     #[inline]
     pub(crate) fn sin_cos_beta(&self) -> (F, F) {
         match &self.motion {
-            Motion::Undamped(cycle) => cycle.half(self.ratios.omega()).sin_cos_beta(),
-            Motion::Damped(_) => PhaseFunction::of_valid(self.ratios.omega()).sin_cos(),
+            Basis::Undamped(cycle) => cycle.half(self.ratios.omega()).sin_cos_beta(),
+            Basis::Damped(_) => PhaseFunction::of_valid(self.ratios.omega()).sin_cos(),
         }
     }
 
@@ -266,16 +266,16 @@ impl<F: Float> Cycle<F> {
     /// max(|Δ₁/B|, V₀/(Bω_d)).
     pub fn deviation(&self) -> F {
         match &self.motion {
-            Motion::Undamped(cycle) => cycle.deviation(self.ratios.omega()),
-            Motion::Damped(cycle) => cycle.deviation,
+            Basis::Undamped(cycle) => cycle.deviation(self.ratios.omega()),
+            Basis::Damped(cycle) => cycle.deviation,
         }
     }
 
     /// Contraction per half cycle, max |λ|: the factor by which a small disturbance shrinks.
     pub fn contraction(&self) -> F {
         match &self.motion {
-            Motion::Undamped(cycle) => cycle.contraction(self.ratios.omega()),
-            Motion::Damped(cycle) => cycle.contraction(),
+            Basis::Undamped(cycle) => cycle.contraction(self.ratios.omega()),
+            Basis::Damped(cycle) => cycle.contraction(),
         }
     }
 
@@ -315,8 +315,8 @@ impl<F: Float> Cycle<F> {
     /// On the border at Ω = 1 it is right to 1e-7 at f64 down to ζ = 1e-18, where it tends to 7.10434086 ζ.
     pub fn damper_work(&self) -> F {
         match &self.motion {
-            Motion::Undamped(_) => F::int(0),
-            Motion::Damped(cycle) => {
+            Basis::Undamped(_) => F::int(0),
+            Basis::Damped(cycle) => {
                 cycle.damper_work(self.ratios.excitation() == Some(Excitation::DampedFootMotion))
             }
         }

@@ -29,7 +29,7 @@ pub(crate) struct Bound<F> {
 }
 
 /// A piece of the interval, with the function at its middle and a bound of its absolute value.
-struct Piece<F> {
+struct Bounded<F> {
     low: F,
     high: F,
     middle: F,
@@ -38,7 +38,7 @@ struct Piece<F> {
     rest: F,
 }
 
-impl<F: Float> Piece<F> {
+impl<F: Float> Bounded<F> {
     fn new(low: F, high: F, bound: &impl Fn(F, F) -> Bound<F>, f: &impl Fn(F) -> Jet<F>) -> Self {
         let (half, middle, Bound { curvature, value }) =
             (F::ratio(1, 2), low + (high - low) / F::int(2), bound(low, high));
@@ -56,25 +56,25 @@ impl<F: Float> Piece<F> {
 }
 
 /// Pieces are ordered by the greatest value that they may contain.
-impl<F: Float> Ord for Piece<F> {
+impl<F: Float> Ord for Bounded<F> {
     fn cmp(&self, other: &Self) -> Ordering {
         self.reach.partial_cmp(&other.reach).unwrap_or(Ordering::Equal)
     }
 }
 
-impl<F: Float> PartialOrd for Piece<F> {
+impl<F: Float> PartialOrd for Bounded<F> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<F: Float> PartialEq for Piece<F> {
+impl<F: Float> PartialEq for Bounded<F> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl<F: Float> Eq for Piece<F> {}
+impl<F: Float> Eq for Bounded<F> {}
 
 /// The number of pieces of an interval before any is discarded.
 const PIECES: i32 = 16;
@@ -107,12 +107,12 @@ pub(crate) fn greatest<F: Float>(
     }
     let width = (high - low) / F::int(PIECES);
     let mut best = best.or_larger(f(low).value.abs()).or_larger(f(high).value.abs());
-    let mut pieces: BinaryHeap<Piece<F>> = (0..PIECES)
-        .map(|i| Piece::new(low + width * F::int(i), low + width * F::int(i.saturating_add(1)), &bound, &f))
+    let mut pieces: BinaryHeap<Bounded<F>> = (0..PIECES)
+        .map(|i| Bounded::new(low + width * F::int(i), low + width * F::int(i.saturating_add(1)), &bound, &f))
         .collect();
     let slack = F::int(1) + F::int(4) * F::epsilon();
     let mut count = 0u32;
-    while let Some(Piece { low, high, middle, at, reach, rest }) = pieces.pop() {
+    while let Some(Bounded { low, high, middle, at, reach, rest }) = pieces.pop() {
         best = best.or_larger(at.value.abs());
         count = count.saturating_add(1);
         if count > MOST {
@@ -146,8 +146,8 @@ pub(crate) fn greatest<F: Float>(
             }
             best = best.or_larger(f(x).value.abs());
         } else if middle > low && middle < high {
-            pieces.push(Piece::new(low, middle, &bound, &f));
-            pieces.push(Piece::new(middle, high, &bound, &f));
+            pieces.push(Bounded::new(low, middle, &bound, &f));
+            pieces.push(Bounded::new(middle, high, &bound, &f));
         }
     }
     best

@@ -12,7 +12,7 @@
 //! differs by direction has r₊ − (−r₋) = 2r_y between them, so that the mean of both stands in each formula.
 
 use super::Cycle;
-use super::waveform::Motion;
+use super::waveform::Basis;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, Real};
 use crate::greatest::{Bound, Jet, greatest};
@@ -67,14 +67,14 @@ impl<F: Float> Cycle<F> {
             return self.max_displacement;
         }
         match &self.motion {
-            Motion::Damped(cycle) => {
+            Basis::Damped(cycle) => {
                 cycle.max_spring_force(self.ratios.excitation() == Some(Excitation::DampedFootMotion))
             }
             // x − α sin θ = −(x″ + 1)
-            Motion::Undamped(_) if F::int(2) * self.ratios.omega() < F::int(1) => {
+            Basis::Undamped(_) if F::int(2) * self.ratios.omega() < F::int(1) => {
                 self.greatest_below(F::int(0), F::int(1))
             }
-            Motion::Undamped(cycle) => {
+            Basis::Undamped(cycle) => {
                 let omega = self.ratios.omega();
                 let half = cycle.half(omega);
                 let square = omega.square();

@@ -18,7 +18,7 @@
 //! crest of the slow wave, or of an end.
 
 use super::Cycle;
-use super::waveform::Motion;
+use super::waveform::Basis;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Float, Real};
 use crate::greatest::{Bound, Jet, greatest};
@@ -68,8 +68,8 @@ impl<F: Float> Cycle<F> {
     fn carried(&self, support: &Support<F>) -> F {
         match &self.motion {
             _ if support.is_foot() => self.max_acceleration(),
-            Motion::Undamped(_) => transmitted_force(self.max_displacement),
-            Motion::Damped(cycle) => cycle.transmitted_force(),
+            Basis::Undamped(_) => transmitted_force(self.max_displacement),
+            Basis::Damped(cycle) => cycle.transmitted_force(),
         }
     }
 
@@ -80,11 +80,11 @@ impl<F: Float> Cycle<F> {
     pub fn max_acceleration(&self) -> F {
         let omega = self.ratios.omega();
         match &self.motion {
-            Motion::Damped(cycle) => cycle.max_acceleration() / omega.square(),
-            Motion::Undamped(_) if F::int(2) * omega >= F::int(1) => {
+            Basis::Damped(cycle) => cycle.max_acceleration() / omega.square(),
+            Basis::Undamped(_) if F::int(2) * omega >= F::int(1) => {
                 arrival_acceleration(self.max_displacement, omega)
             }
-            Motion::Undamped(_) => {
+            Basis::Undamped(_) => {
                 let square = omega.square();
                 let arrival = arrival_acceleration(self.max_displacement, omega);
                 self.greatest_below(arrival * square, F::int(0)) / square
@@ -140,8 +140,8 @@ impl<F: Float> Cycle<F> {
         }
         let omega = self.ratios.omega();
         let half = match &self.motion {
-            Motion::Damped(cycle) => return cycle.max_absolute_displacement(),
-            Motion::Undamped(cycle) => cycle.half(omega),
+            Basis::Damped(cycle) => return cycle.max_absolute_displacement(),
+            Basis::Undamped(cycle) => cycle.half(omega),
         };
         let square = omega.square();
         let k = PhaseFunction::of_valid(omega).value();

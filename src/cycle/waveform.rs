@@ -9,17 +9,17 @@ use crate::machine::ratios::Ratios;
 
 /// The basis of a cycle's waveform, loop sizes and multipliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Motion<F> {
+pub(super) enum Basis<F> {
     Undamped(Undamped<F>),
     Damped(DampedCycle<F>),
 }
 
-impl<F: Float> Motion<F> {
+impl<F: Float> Basis<F> {
     /// Converts each part of the motion to another number type.
-    pub(super) fn map<G: Float>(self, omega: F, to: impl Fn(F) -> G) -> Motion<G> {
+    pub(super) fn map<G: Float>(self, omega: F, to: impl Fn(F) -> G) -> Basis<G> {
         match self {
-            Self::Undamped(cycle) => Motion::Undamped(cycle.map(omega, to)),
-            Self::Damped(cycle) => Motion::Damped(cycle.map(to)),
+            Self::Undamped(cycle) => Basis::Undamped(cycle.map(omega, to)),
+            Self::Damped(cycle) => Basis::Damped(cycle.map(to)),
         }
     }
 

@@ -39,7 +39,7 @@ use explained::is_unexplained;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 use outliers::{Judged, is_larger, judge};
-use search::{Fit, MeasuredPoint, RANGE, ResponseCurve, Rule, StartGrid, kept};
+use search::{CurveFit, MeasuredPoint, RANGE, ResponseCurve, Rule, StartGrid, kept};
 pub use unknown::{identify_force, identify_natural_frequency};
 
 /// One point of a measured response curve.
@@ -284,7 +284,7 @@ struct ChosenReading {
 /// One reading of the phases with its fits.
 struct Read<'a> {
     curve: ResponseCurve<'a>,
-    trimmed: Fit,
+    trimmed: CurveFit,
     judged: Judged,
 }
 
@@ -332,14 +332,14 @@ fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, E
     }
     let Read { curve: best, trimmed: fit, judged } = best?;
     // A curve that the model explains gives no cause for suspicion. The factors are those of harmonic motions.
-    let is_explained = |fit: &Fit| fit.sum < EXPLAINED.powi(2) * fit.weights.iter().sum::<f64>();
+    let is_explained = |fit: &CurveFit| fit.sum < EXPLAINED.powi(2) * fit.weights.iter().sum::<f64>();
     let (rms, half) = (AmplitudeKind::RootMeanSquare, 0.5);
     let others = match reading.amplitude {
         AmplitudeKind::Peak => [(rms, SQRT_2), (AmplitudeKind::PeakToPeak, half)],
         AmplitudeKind::PeakToPeak => [(AmplitudeKind::Peak, 1.0), (rms, SQRT_2)],
         AmplitudeKind::RootMeanSquare => [(AmplitudeKind::Peak, 1.0), (AmplitudeKind::PeakToPeak, half)],
     };
-    let mut better: Option<(AmplitudeKind, ResponseCurve<'_>, Fit)> = None;
+    let mut better: Option<(AmplitudeKind, ResponseCurve<'_>, CurveFit)> = None;
     for (kind, scale) in others.into_iter().filter(|_| !is_explained(&fit)) {
         let other = ResponseCurve { amplitude: AmplitudeKind::Peak, scale, ..best };
         let Ok(found) = grid.best(&other, Rule::Trimmed, few) else { continue };
@@ -355,7 +355,7 @@ fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, E
 }
 
 /// Whether another trimmed fit of the same curve is better by more than chance.
-fn is_better(curve: &ResponseCurve<'_>, fit: &Fit, other: &Fit) -> bool {
+fn is_better(curve: &ResponseCurve<'_>, fit: &CurveFit, other: &CurveFit) -> bool {
     let count: usize = curve.counts().into_iter().map(kept).sum();
     let degrees_of_freedom = count.saturating_sub(2) as f64;
     is_larger(fit.sum / other.sum, [degrees_of_freedom; 2])

@@ -135,7 +135,7 @@ fn identified(
     }
     // A fit of the stiffness, too, has several times as many starts.
     let most = if stiffness.is_some() { MOST_FOLLOWED } else { 2.0 * MOST_FOLLOWED };
-    let known = Known { mass, stiffness, load, left: Cell::new(most) };
+    let known = KnownBody { mass, stiffness, load, left: Cell::new(most) };
     if let Some(natural) = stiffness.map(|k| (k / mass).sqrt()).filter(|natural| *natural > known.fastest()) {
         let (quantity, value, least) = (Quantity::NaturalFrequency, written(natural), written(0.0));
         return Err(Error::OutOfRange { quantity, value, least, greatest: written(known.fastest()) });
@@ -245,7 +245,7 @@ fn identified(
 }
 
 /// What is known of the body, and its load.
-struct Known<'a> {
+struct KnownBody<'a> {
     mass: f64,
     stiffness: Option<f64>,
     load: &'a Record<f64>,
@@ -253,7 +253,7 @@ struct Known<'a> {
     left: Cell<f64>,
 }
 
-impl Known<'_> {
+impl KnownBody<'_> {
     /// The stiffness, which is a parameter where it is not known.
     fn spring(&self, at: &[f64]) -> f64 {
         self.stiffness.or_else(|| at.get(FURTHER).copied()).unwrap_or(f64::NAN)

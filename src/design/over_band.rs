@@ -190,7 +190,7 @@ type Checked<F> = (F, F, Vec<(F, F)>);
 
 /// The best friction on the mesh of frequencies, found with the steps that are left, and looked at on a finer one.
 fn checked<F: Float>(band: &Band<'_, F>, least: F, rest: F, steps: &mut u64) -> Result<Checked<F>, Error> {
-    let search = Search { band, rest, tried: Vec::new(), much_worse: F::ratio(5, 4) };
+    let search = FrictionSearch { band, rest, tried: Vec::new(), much_worse: F::ratio(5, 4) };
     band.allow(*steps);
     let (friction, greatest) = search.best(least)?;
     *steps = band.allow(CHECK_STEPS);
@@ -200,7 +200,7 @@ fn checked<F: Float>(band: &Band<'_, F>, least: F, rest: F, steps: &mut u64) -> 
 
 /// The frictions tried, in their order, with the greatest amplitude of each; of one that is much worse than the best, with
 /// an amplitude that shows it.
-struct Search<'a, 'b, F> {
+struct FrictionSearch<'a, 'b, F> {
     band: &'a Band<'b, F>,
     rest: F,
     tried: Vec<(F, F)>,
@@ -208,7 +208,7 @@ struct Search<'a, 'b, F> {
     much_worse: F,
 }
 
-impl<F: Float> Search<'_, '_, F> {
+impl<F: Float> FrictionSearch<'_, '_, F> {
     /// The best friction, and its greatest amplitude; with the steps at an end, the best one tried.
     fn best(mut self, least: F) -> Result<(F, F), Error> {
         let mut frictions = geometric(least, self.rest, LOG_STEPS);

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 
 /// A piece of Ω: the bounds of K² and of 1/|1 − Ω²| on it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Piece<F> {
+pub(super) struct OmegaPiece<F> {
     pub(super) omega: Interval<F>,
     pub(super) k_squared: Interval<F>,
     pub(super) resonance: Interval<F>,
@@ -20,7 +20,7 @@ fn ordered<F: Float>(a: F, b: F) -> Interval<F> {
 
 /// The pieces of an interval of Ω that contains neither 1 nor a pole 1/(2n+1): `count` of them, and one more
 /// if K = 0 at an Ω inside.
-pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> {
+pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<OmegaPiece<F>> {
     let one = F::int(1);
     let count = if omega.is_exact() { 1 } else { i32::try_from(count.max(1)).unwrap_or(i32::MAX) };
     let mut ends: Vec<F> = (0..=count).map(|i| omega.at(F::ratio(i, count))).collect();
@@ -40,7 +40,7 @@ pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> 
     pairs
         .map(|(low, high)| {
             let ((k_low, q_low), (k_high, q_high)) = (at(low), at(high));
-            Piece {
+            OmegaPiece {
                 omega: Interval { low, high },
                 k_squared: ordered(k_low, k_high).outward(10),
                 resonance: ordered(q_low, q_high).outward(4),
@@ -59,7 +59,7 @@ pub(super) fn hull<F: Float>(ranges: impl Iterator<Item = Interval<F>>, sharp: b
     Some(Range { low: all.low, high: all.high, evidence: Evidence::Guaranteed { sharp } })
 }
 
-impl<F: Float> Piece<F> {
+impl<F: Float> OmegaPiece<F> {
     /// Bounds of `√(p² − K² r²)`: p the force, r the friction, in one unit.
     pub(super) fn root(&self, force: Interval<F>, friction: Interval<F>) -> Interval<F> {
         let root = |p: F, k_squared: F, r: F| {

@@ -1,6 +1,6 @@
 //! The parameters of a machine in intervals.
 
-use super::enclosure::{Piece, hull, pieces};
+use super::enclosure::{OmegaPiece, hull, pieces};
 use super::{Evidence, Interval, Range, RatioBox, samples};
 use crate::cycle::regime::Verdict;
 use crate::cycle::response::Response;
@@ -213,7 +213,7 @@ impl<F: Float> MachineBox<F> {
 
     /// The stiffnesses for which the frequency ratio can lie in a piece, `k = m ω_d²/Ω²`; `None` where there
     /// are none.
-    fn stiffness_in(&self, piece: &Piece<F>) -> Option<Interval<F>> {
+    fn stiffness_in(&self, piece: &OmegaPiece<F>) -> Option<Interval<F>> {
         let squared = |i: Interval<F>| i.times(i);
         let reachable = self.mass.times(squared(self.angular_frequency)).over(squared(piece.omega));
         // A margin larger than rounding.

@@ -1,6 +1,6 @@
 //! Boxes of Ω, α and ζ.
 
-use super::enclosure::{Piece, hull, pieces};
+use super::enclosure::{OmegaPiece, hull, pieces};
 use super::{Evidence, Interval, Range, samples};
 use crate::cycle::border::border_range;
 #[cfg(not(feature = "mp"))]
@@ -152,11 +152,11 @@ impl<F: Float> RatioBox<F> {
             return Ok(hull(ends.into_iter(), sharp));
         }
         // A₁ = 8 Δ₀/α², with the friction share ρ = 1/α: 8 ρ √(1 − K²ρ²)/|1 − Ω²|; A₂ = Ω² A₁.
-        let loop_size = |piece: &Piece<F>| {
+        let loop_size = |piece: &OmegaPiece<F>| {
             let work = piece.work(one, one.over(alpha)).times(piece.resonance);
             Interval { low: F::int(8) * work.low, high: F::int(8) * work.high }
         };
-        let bounds = |piece: &Piece<F>| {
+        let bounds = |piece: &OmegaPiece<F>| {
             if output == Output::MaxDisplacement {
                 Some(piece.root(alpha, one).times(piece.resonance))
             } else if output == Output::LoopSizeStiffness {

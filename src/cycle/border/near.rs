@@ -15,7 +15,7 @@ use crate::float::pair::Pair;
 use crate::float::{Field, Float};
 
 /// The quantities of an Ω below 1/2 that are known before ξ.
-pub(super) struct Known<F> {
+pub(super) struct LowOmega<F> {
     omega: F,
     /// K(Ω).
     phase_function: Pair<F>,
@@ -24,7 +24,7 @@ pub(super) struct Known<F> {
     sin_gamma: Pair<F>,
 }
 
-impl<F: Float> Known<F> {
+impl<F: Float> LowOmega<F> {
     #[inline(always)]
     pub(super) fn new(omega: F, angle: &LowAngle<F>, phase_function: Pair<F>) -> Self {
         Self { omega, phase_function, gamma: angle.lobe_phase(), sin_gamma: angle.sin_cos().0.abs() }
@@ -68,7 +68,7 @@ impl<F: Float> Known<F> {
 
 /// ξ where Ω and γ say enough of it, at the digits of f64 or fewer.
 #[inline(always)]
-pub(super) fn near<F: Float>(known: &Known<F>) -> Option<F> {
+pub(super) fn near<F: Float>(known: &LowOmega<F>) -> Option<F> {
     if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         return None;
     }
@@ -81,7 +81,8 @@ pub(super) fn near<F: Float>(known: &Known<F>) -> Option<F> {
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn border_near<F: Float>(omega: F, angle: &LowAngle<F>, phase_function: Pair<F>) -> (F, bool) {
-    let (known, one_minus_square) = (Known::new(omega, angle, phase_function), one_minus_square_wide(omega));
+    let (known, one_minus_square) =
+        (LowOmega::new(omega, angle, phase_function), one_minus_square_wide(omega));
     let (xi, is_found) = known.stationary_point();
     let width = known.width(xi);
     let turning_point = turning_point_border(phase_function, one_minus_square, omega.wide()).value();

@@ -1,7 +1,7 @@
 //! The stationary point of the border's function f: where the velocity first touches zero inside the half
 //! cycle.
 
-use super::near::{Known, near};
+use super::near::{LowOmega, near};
 use super::{border_force_ratio, is_stationary_value_larger};
 use crate::cycle::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
 use crate::float::pair::Pair;
@@ -57,7 +57,7 @@ pub(super) fn inner_maximum<F: Float>(p: PhaseFunction<F>) -> Option<Inner<F>> {
             return None;
         }
         let angle = LowAngle::of(&p);
-        let known = Known::new(omega, &angle, p.wide());
+        let known = LowOmega::new(omega, &angle, p.wide());
         let xi = match near(&known) {
             Some(xi) => xi,
             None => stationary_point(omega, known.gamma.value()),

@@ -34,7 +34,7 @@ use super::half_period::HalfPeriod;
 pub(crate) use super::half_period::{has_lobes, turning_point};
 use super::lobes::{self, Lobe};
 use super::rising::Moment;
-use super::touch::{End, Touch};
+use super::touch::{NearerEnd, Touch};
 use super::wide::WideState;
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, at_precision, fused};
@@ -66,11 +66,11 @@ pub(crate) fn supremum<F: Float>(
         let touch = if !lobe.is_decided {
             greatest(half, Supremum { amplitude: least, touch: None }).touch?
         } else if lobe.is_above {
-            Touch::new(if lobe.side < F::int(0) { End::Last } else { End::First }, lobe.time)
+            Touch::new(if lobe.side < F::int(0) { NearerEnd::Last } else { NearerEnd::First }, lobe.time)
         } else {
             return None;
         };
-        let side = if touch.from == End::Last { F::int(-1) } else { F::int(1) };
+        let side = if touch.from == NearerEnd::Last { F::int(-1) } else { F::int(1) };
         let mut found = refined::<F, false>(half, wide, side, touch.time);
         for _ in 0..3 {
             if found.is_near {
@@ -127,23 +127,23 @@ fn polished<F: Float>(half: &HalfPeriod<F>, near: Touch<F>) -> Option<Touch<F>> 
 }
 
 /// The half cycle at a time from one of its ends.
-fn at<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> Moment<F> {
+fn at<F: Float>(half: &HalfPeriod<F>, from: NearerEnd, time: F) -> Moment<F> {
     match from {
-        End::First => half.at(time),
-        End::Last => half.before_end(time),
+        NearerEnd::First => half.at(time),
+        NearerEnd::Last => half.before_end(time),
     }
 }
 
 /// The first zero of p at a time > 0 from the end given, and the distance to the next.
-fn zeros<F: Float>(half: &HalfPeriod<F>, from: End) -> (F, F) {
+fn zeros<F: Float>(half: &HalfPeriod<F>, from: NearerEnd) -> (F, F) {
     let (d, pi) = (half.free.frequency, F::pi());
     let start = at(half, from, F::int(0)).free;
     let (p, slope) = (half.weighted(start.v, start.x), half.weighted(start.a, start.v));
     // p = e^{−ζτ} P cos(dτ − χ); backwards in time the sine changes its sign.
     let sine = (slope + half.free.zeta * p) / d;
     let chi = match from {
-        End::First => sine.atan2(p),
-        End::Last => (-sine).atan2(p),
+        NearerEnd::First => sine.atan2(p),
+        NearerEnd::Last => (-sine).atan2(p),
     };
     let angle = chi + pi / F::int(2);
     let angle = if angle <= F::int(0) {
@@ -165,27 +165,27 @@ impl<F: Field> HalfPeriod<F> {
 }
 
 /// ρ(τ).
-fn needed<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> F {
+fn needed<F: Float>(half: &HalfPeriod<F>, from: NearerEnd, at: &Moment<F>) -> F {
     let b = half.omega * half.h;
     let n = match from {
-        End::First => shortfall(half, at),
-        End::Last => b * at.drive.1 - at.free.v,
+        NearerEnd::First => shortfall(half, at),
+        NearerEnd::Last => b * at.drive.1 - at.free.v,
     };
     n / (half.omega * at.drive.0)
 }
 
 /// The half cycle in pairs, at up to the precision of f64.
 #[inline(always)]
-fn wide_at<F: Float>(half: &HalfPeriod<Pair<F>>, from: End, time: F) -> Moment<Pair<F>> {
+fn wide_at<F: Float>(half: &HalfPeriod<Pair<F>>, from: NearerEnd, time: F) -> Moment<Pair<F>> {
     match from {
-        End::First => half.wide_at(time.wide()),
-        End::Last => half.wide_before_end(time.wide()),
+        NearerEnd::First => half.wide_at(time.wide()),
+        NearerEnd::Last => half.wide_before_end(time.wide()),
     }
 }
 
 /// [`rise`] in pairs, at up to the precision of f64.
-fn wide_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
-    fused!(<'a, F>(half: &'a HalfPeriod<F>, from: End, time: F) -> (F, F) {
+fn wide_rise<F: Float>(half: &HalfPeriod<F>, from: NearerEnd, time: F) -> (F, F) {
+    fused!(<'a, F>(half: &'a HalfPeriod<F>, from: NearerEnd, time: F) -> (F, F) {
         let wide = half.in_pairs();
         let (value, slope) = rise(&wide, from, &wide_at(&wide, from, time));
         (value.value(), slope.value())
@@ -193,7 +193,7 @@ fn wide_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
 }
 
 /// [`rise`] at a time; in pairs beside the ends, where it is of the third order and its terms of the first.
-fn certain_rise<F: Float>(half: &HalfPeriod<F>, from: End, time: F) -> (F, F) {
+fn certain_rise<F: Float>(half: &HalfPeriod<F>, from: NearerEnd, time: F) -> (F, F) {
     let is_beside = time.square() <= F::int(64) * F::epsilon().sqrt();
     if const { F::PRECISION <= f64::MANTISSA_DIGITS } && is_beside {
         wide_rise(half, from, time)
@@ -260,22 +260,22 @@ fn shortfall<F: Float>(half: &HalfPeriod<F>, at: &Moment<F>) -> F {
 /// `g/Ω = n′ sin Ωτ − Ω n cos Ωτ`, which has the sign of ρ′, and its derivative `−p sin Ωτ`: by the time from
 /// the end given.
 #[inline(always)]
-pub(crate) fn rise<F: Field>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> (F, F) {
+pub(crate) fn rise<F: Field>(half: &HalfPeriod<F>, from: NearerEnd, at: &Moment<F>) -> (F, F) {
     let ((s, c), omega, b) = (at.drive, half.omega, half.omega * half.h);
     let (n, slope) = (b * c - at.free.v, -(b * omega * s) - at.free.a);
     let value = slope * s - omega * n * c;
     let derivative = -(half.weighted(at.free.v, at.free.x) * s);
     match from {
-        End::First => (value, derivative),
+        NearerEnd::First => (value, derivative),
         // Rising by the time from the other end is falling, and the derivative of that changes its sign
         // twice.
-        End::Last => (-value, derivative),
+        NearerEnd::Last => (-value, derivative),
     }
 }
 
 /// The maximum of ρ between two neighbouring zeros of p in (0, T), by their times from the end given, if
 /// there is one.
-fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: End, low: F, high: F) -> Option<Touch<F>> {
+fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: NearerEnd, low: F, high: F) -> Option<Touch<F>> {
     let zero = F::int(0);
     if !(low > zero && high < half.period) {
         return None;
@@ -290,10 +290,11 @@ fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: End, low: F, high: F) -
 #[inline(never)]
 fn greatest<F: Float>(half: &HalfPeriod<F>, best: Supremum<F>) -> Supremum<F> {
     let mut best = best;
-    let ((mut low, step), (mut before_end, _)) = (zeros(half, End::First), zeros(half, End::Last));
+    let ((mut low, step), (mut before_end, _)) =
+        (zeros(half, NearerEnd::First), zeros(half, NearerEnd::Last));
     // Lobes inwards from both ends; where the two meet both are searched.
     while low + before_end < half.period && exceeds(half, low, before_end, best.amplitude) {
-        for (from, time) in [(End::First, low), (End::Last, before_end)] {
+        for (from, time) in [(NearerEnd::First, low), (NearerEnd::Last, before_end)] {
             if let Some(touch) = maximum_between(half, from, time, time + step) {
                 let amplitude = needed(half, from, &at(half, from, touch.time));
                 if amplitude > best.amplitude {

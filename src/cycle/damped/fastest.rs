@@ -19,7 +19,7 @@ pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
         (slope, curvature)
     };
     let start = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
-        Search::new(motion).run()
+        FastestSearch::new(motion).run()
     } else {
         let motion = *motion;
         at_precision!(narrowed, <F>(motion: Vibration<F>) -> F, |there, back: G| {
@@ -37,15 +37,15 @@ pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
 
 /// The velocity at one end of a part.
 #[derive(Clone, Copy)]
-struct End<F> {
+struct EndVelocity<F> {
     at: Moment<F>,
     velocity: [F; 3],
     driven: F,
 }
 
-struct Search<'a, F> {
+struct FastestSearch<'a, F> {
     motion: &'a Vibration<F>,
-    best: End<F>,
+    best: EndVelocity<F>,
     /// The rounding error of the velocity.
     noise: F,
     swing: F,
@@ -53,7 +53,7 @@ struct Search<'a, F> {
     turn: F,
 }
 
-impl<'a, F: Float> Search<'a, F> {
+impl<'a, F: Float> FastestSearch<'a, F> {
     fn new(motion: &'a Vibration<F>) -> Self {
         let (two, start) = (F::int(2), end(motion, F::int(0)));
         let swing = motion.swing();
@@ -96,7 +96,7 @@ impl<'a, F: Float> Search<'a, F> {
     }
 
     /// The velocity at τ, kept if it is the greatest.
-    fn consider(&mut self, tau: F) -> End<F> {
+    fn consider(&mut self, tau: F) -> EndVelocity<F> {
         let found = end(self.motion, tau);
         if found.velocity[0] > self.best.velocity[0] {
             self.best = found;
@@ -105,7 +105,7 @@ impl<'a, F: Float> Search<'a, F> {
     }
 
     /// Whether the part contains no greater maximum, or its maximum has been found.
-    fn is_decided(&mut self, left: &End<F>, right: &End<F>) -> bool {
+    fn is_decided(&mut self, left: &EndVelocity<F>, right: &EndVelocity<F>) -> bool {
         let (zero, two, omega) = (F::int(0), F::int(2), self.motion.omega);
         let half = (right.at.tau - left.at.tau) / two;
         let least = self.best.velocity[0] + self.noise;
@@ -154,7 +154,7 @@ impl<'a, F: Float> Search<'a, F> {
     }
 }
 
-fn end<F: Float>(motion: &Vibration<F>, tau: F) -> End<F> {
+fn end<F: Float>(motion: &Vibration<F>, tau: F) -> EndVelocity<F> {
     let at = motion.at(tau);
-    End { at, velocity: motion.velocity(&at), driven: motion.driven(&at).0 }
+    EndVelocity { at, velocity: motion.velocity(&at), driven: motion.driven(&at).0 }
 }

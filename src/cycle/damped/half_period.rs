@@ -288,7 +288,7 @@ fn waves_at_end<F: Float>(free: &Free<F>, omega: F) -> [F; 3] {
 
 /// Which forms apply: decided once for every arithmetic.
 #[derive(Clone, Copy)]
-struct Kind {
+struct Forms {
     /// ζ < 1, = 1 and > 5/4.
     swings: bool,
     is_critical: bool,
@@ -301,14 +301,14 @@ struct Kind {
 #[inline(always)]
 fn half<F: Float>(omega: F, zeta: F) -> Half<Pair<F>, F> {
     let (one, two) = (F::int(1), F::int(2));
-    let kind = Kind {
+    let kind = Forms {
         swings: zeta < one,
         is_critical: zeta == one,
         is_stiff: zeta * F::int(4) > F::int(5),
         is_short: F::pi() * zeta.or_larger(one) <= two * omega,
     };
     if const { F::PRECISION > f64::MANTISSA_DIGITS } {
-        return at_precision!(guarded, <F>(omega: F, zeta: F, kind: Kind) -> Half<Pair<F>, F>, |there, back: G| {
+        return at_precision!(guarded, <F>(omega: F, zeta: F, kind: Forms) -> Half<Pair<F>, F>, |there, back: G| {
             let (omega, free) = (there(omega), Free::new(there(zeta)));
             let middle = G::pi() / (G::int(2) * omega);
             // Towards ζ = 1 d vanishes, and a difference would lose it; there no pole is near enough to ask for
@@ -379,7 +379,7 @@ fn at_middle<R: Field>(
     free: &Free<R>,
     (omega, middle): (R, R),
     angle: (R, R),
-    kind: Kind,
+    kind: Forms,
     exp: impl Fn(R) -> (R, R),
     rest: impl Fn(R, R) -> R,
 ) -> Half<R, R> {

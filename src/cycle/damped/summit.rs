@@ -242,7 +242,7 @@ impl<F: Float> Rising<F> {
             if !(tau.hi > F::int(0) && tau.hi < half.period) {
                 return None;
             }
-            let Place { velocity, slope, displacement, drive } = self.place(tau);
+            let HalfCyclePlace { velocity, slope, displacement, drive } = self.place(tau);
             let found = motion.fastest_near(drive, [velocity.hi, slope]);
             tau = tau + Pair::exact(found.psi);
             // From farther away its last correction, whose square it takes at the start, would be too large.
@@ -262,7 +262,7 @@ impl<F: Float> Rising<F> {
     /// far above Ω = 1 the displacements. Beside Ω = 1 their circular functions would not have digits enough, and both
     /// are computed as one.
     #[inline(always)]
-    fn place(&self, tau: Pair<F>) -> Place<F> {
+    fn place(&self, tau: Pair<F>) -> HalfCyclePlace<F> {
         let (omega, one) = (self.half.omega, F::int(1));
         // After so many turns, or with so small a displacement, pairs would have no more digits than the type.
         let loss = (tau.hi * omega.or_larger(one)).or_larger(omega.square());
@@ -270,7 +270,7 @@ impl<F: Float> Rising<F> {
             let at = self.at(tau.value());
             let [velocity, slope, _] = self.velocity(&at);
             let displacement = self.displacement_by(&at, slope);
-            return Place {
+            return HalfCyclePlace {
                 velocity: velocity.wide(),
                 slope,
                 displacement: displacement.wide(),
@@ -282,12 +282,12 @@ impl<F: Float> Rising<F> {
         let [velocity, slope, _] = rising.velocity(&at);
         let (s, c) = at.drive;
         let displacement = at.free.x - Pair::int(1) - rising.amplitude * c - rising.half.h * s;
-        Place { velocity, slope: slope.value(), displacement, drive: (s.hi, c.hi) }
+        HalfCyclePlace { velocity, slope: slope.value(), displacement, drive: (s.hi, c.hi) }
     }
 }
 
 /// The half cycle at one time: `x′/(B ω_n)`, `x″/(B ω_n²)`, x/B, and sine and cosine of Ωτ.
-struct Place<F> {
+struct HalfCyclePlace<F> {
     velocity: Pair<F>,
     slope: F,
     displacement: Pair<F>,

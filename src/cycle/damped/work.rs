@@ -105,7 +105,7 @@ mod tests {
             [(1.0, 0.01, Some(2.0)), (1.05, 0.02, Some(1.6)), (0.9, 0.03, None), (1.0, 1e-4, None)]
         {
             let cycle = at::<f64>(omega, zeta, alpha);
-            let crate::cycle::waveform::Motion::Damped(damped) = &cycle.motion else { panic!("{cycle:?}") };
+            let crate::cycle::waveform::Basis::Damped(damped) = &cycle.motion else { panic!("{cycle:?}") };
             let integral = 4.0 * zeta * super::square_of_velocity(&damped.rising.vibration());
             assert!(
                 (cycle.damper_work() / integral - 1.0).abs() < 1e-12 / zeta.sqrt(),

@@ -35,13 +35,13 @@ pub struct System<F> {
 
 /// The free vibrations (s, c) from (0, 1) and (1, 0) at one time, and the slope of s.
 #[derive(Clone, Copy)]
-pub(super) struct Waves<F> {
+pub(super) struct SlopeWaves<F> {
     pub(super) s: F,
     pub(super) c: F,
     pub(super) slope: F,
 }
 
-impl<F: Field> Waves<F> {
+impl<F: Field> SlopeWaves<F> {
     /// From `e^{−ζt} cos dt` and `e^{−ζt} sin(dt)/d`.
     fn of(at: free::Waves<F>, zeta: F) -> Self {
         let turned = zeta * at.sine;
@@ -95,8 +95,8 @@ impl<F: Real> System<F> {
     }
 
     /// The free vibrations after a time.
-    pub(super) fn after(&self, time: F, waves: impl Fn(&Free<F>, F) -> free::Waves<F>) -> Waves<F> {
-        Waves::of(waves(&self.free, time), self.free.zeta)
+    pub(super) fn after(&self, time: F, waves: impl Fn(&Free<F>, F) -> free::Waves<F>) -> SlopeWaves<F> {
+        SlopeWaves::of(waves(&self.free, time), self.free.zeta)
     }
 
     /// Displacement and velocity of the falling half at the phase since t₂, by free vibration after a time.

@@ -55,13 +55,13 @@ fn near_pole<F: Float>(omega: F, zeta: F, eta: F) -> Option<Problem<F>> {
 
 /// An end of the force ratios at f64: the cycle at this distance from the pole, and the reversal that is a
 /// stop.
-struct End {
+struct EdgeCycle {
     at: Unknowns<f64>,
     edge: Edge,
     distance: f64,
 }
 
-impl End {
+impl EdgeCycle {
     /// AΩ² at the end, at the precision of the type.
     fn force<F: Float>(&self, problem: &Problem<F>) -> F {
         self.from(problem, self.at.map(F::from_f64))
@@ -134,7 +134,7 @@ impl Path {
     }
 
     /// The least and the greatest force.
-    fn ends(&self) -> Option<(End, End)> {
+    fn ends(&self) -> Option<(EdgeCycle, EdgeCycle)> {
         let start = self.ordinary()?;
         let (least, beyond) = outwards(&self.problem, start, 1.0 / STEP)?;
         let least = self.between(least, beyond);
@@ -156,19 +156,19 @@ impl Path {
     }
 
     /// The greatest force at the true distance or at [`NEAREST`], from that at [`CLOSE`].
-    fn approached(&self, mut end: End) -> End {
+    fn approached(&self, mut end: EdgeCycle) -> EdgeCycle {
         while end.distance > self.distance && end.distance > self.nearest {
             let next = (end.distance / 4.0).max(self.distance).max(self.nearest);
             let problem = self.problem.towards_the_pole(next / self.distance);
             let start = nearer(end.at, end.distance / next);
             let Some((at, edge)) = settled(&problem, end.edge, start) else { break };
-            end = End { at, edge, distance: next };
+            end = EdgeCycle { at, edge, distance: next };
         }
         end
     }
 
     /// The end between a cycle without a stop and one beyond it.
-    fn between(&self, mut inside: Node, mut beyond: Node) -> End {
+    fn between(&self, mut inside: Node, mut beyond: Node) -> EdgeCycle {
         for _ in 0..40 {
             let ratio = (beyond.force / inside.force).sqrt();
             let Some(middle) = stepped(&self.problem, &inside, ratio) else { break };
@@ -182,7 +182,7 @@ impl Path {
             }
         }
         let edge = settled(&self.problem, beyond.nearest, inside.at).map_or(beyond.nearest, |(_, edge)| edge);
-        End { at: inside.at, edge, distance: self.distance }
+        EdgeCycle { at: inside.at, edge, distance: self.distance }
     }
 
     /// A cycle without a stop, from any: that which is farthest from one.

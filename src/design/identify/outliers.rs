@@ -1,7 +1,7 @@
 //! Measurements that do not belong to the curve, and the least squares over the others.
 
 use super::model::Parameters;
-use super::search::{Fit, ResponseCurve, Rule, StartGrid, descend, kept};
+use super::search::{CurveFit, ResponseCurve, Rule, StartGrid, descend, kept};
 use crate::machine::error::Error;
 use crate::uncertainty::student;
 use alloc::vec::Vec;
@@ -267,7 +267,7 @@ fn selected(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGri
                 continue;
             }
             let suspect = places.iter().map(|place| !place.counts()).collect();
-            let Fit { residuals, .. } = fit;
+            let CurveFit { residuals, .. } = fit;
             return Ok(Judged { at, residuals, suspect, noise, covariance, degrees_of_freedom });
         }
     }
@@ -285,12 +285,12 @@ fn of_prediction(covariance: Option<[f64; 3]>, [x, y]: &[f64; 2]) -> f64 {
 }
 
 /// The values that a trimmed fit explains to 2.5 standard errors, as its median residual gives them.
-fn core(curve: &ResponseCurve<'_>, trimmed: &Fit, spread: [f64; 2]) -> Result<Vec<Selection>, Error> {
+fn core(curve: &ResponseCurve<'_>, trimmed: &CurveFit, spread: [f64; 2]) -> Result<Vec<Selection>, Error> {
     let counts = curve.counts();
     let slopes = curve.slopes(trimmed.at, &trimmed.residuals).ok_or(Error::NotIdentified)?;
     let spread_of = |i: usize| of_kind(i, counts, spread);
     let weights = trimmed.weights.iter().enumerate().map(|(i, w)| w / spread_of(i).powi(2)).collect();
-    let covariance = Fit { weights, ..trimmed.clone() }.normal(&slopes).inverse();
+    let covariance = CurveFit { weights, ..trimmed.clone() }.normal(&slopes).inverse();
     let judged = zip(zip(&trimmed.residuals, &trimmed.weights), &slopes).enumerate();
     Ok(judged
         .map(|(i, ((r, weight), slope))| {
@@ -331,7 +331,7 @@ fn numbers(weights: &[f64], counts: [usize; 2]) -> [f64; 2] {
 }
 
 /// The root mean square of the residuals that count, of each kind.
-fn of_each(fit: &Fit, weights: &[f64], counts: [usize; 2]) -> [f64; 2] {
+fn of_each(fit: &CurveFit, weights: &[f64], counts: [usize; 2]) -> [f64; 2] {
     let (amplitudes, phases) = fit.residuals.split_at(counts[0].min(fit.residuals.len()));
     let (of_amplitudes, of_phases) = weights.split_at(counts[0].min(weights.len()));
     [(amplitudes, of_amplitudes), (phases, of_phases)].map(|(residuals, weights)| {

@@ -151,7 +151,7 @@ impl Rule<'_> {
 
 /// A point of the search.
 #[derive(Debug, Clone)]
-pub(super) struct Fit {
+pub(super) struct CurveFit {
     pub(super) at: Parameters,
     pub(super) residuals: Vec<f64>,
     pub(super) weights: Vec<f64>,
@@ -159,7 +159,7 @@ pub(super) struct Fit {
     pub(super) sum: f64,
 }
 
-impl Fit {
+impl CurveFit {
     fn of(curve: &ResponseCurve<'_>, rule: Rule<'_>, at: Parameters, residuals: Vec<f64>) -> Self {
         let weights = rule.weights(curve, &residuals);
         let sum = zip(&residuals, &weights).map(|(r, w)| w * r * r).sum();
@@ -259,8 +259,12 @@ fn moved([kappa, zeta]: Parameters, [x, y]: [f64; 2]) -> Parameters {
 ///
 /// # Errors
 /// [`Error::NotIdentified`] where the steps do not suffice.
-pub(super) fn descend(curve: &ResponseCurve<'_>, rule: Rule<'_>, start: Parameters) -> Result<Fit, Error> {
-    let mut here = Fit::new(curve, rule, start).ok_or(Error::NotIdentified)?;
+pub(super) fn descend(
+    curve: &ResponseCurve<'_>,
+    rule: Rule<'_>,
+    start: Parameters,
+) -> Result<CurveFit, Error> {
+    let mut here = CurveFit::new(curve, rule, start).ok_or(Error::NotIdentified)?;
     let mut damping = 1e-3;
     for _ in 0..STEPS {
         let slopes = curve.slopes(here.at, &here.residuals).ok_or(Error::NotIdentified)?;
@@ -272,7 +276,7 @@ pub(super) fn descend(curve: &ResponseCurve<'_>, rule: Rule<'_>, start: Paramete
         }
         let next = loop {
             let at = moved(here.at, normal.step(here.at, damping));
-            match Fit::new(curve, rule, at).filter(|there| there.sum < here.sum) {
+            match CurveFit::new(curve, rule, at).filter(|there| there.sum < here.sum) {
                 Some(there) => {
                     // The damping follows the ratio of the gain of the step to the predicted gain.
                     let part = (here.sum - there.sum) / normal.gain(here.at, there.at);
@@ -300,7 +304,7 @@ pub(super) fn descend(curve: &ResponseCurve<'_>, rule: Rule<'_>, start: Paramete
 
 /// A better point near one, along eight directions of the ellipse of equal sums, down to a ten-thousandth of
 /// its size.
-fn around(curve: &ResponseCurve<'_>, rule: Rule<'_>, here: &Fit, normal: &Normal) -> Option<Fit> {
+fn around(curve: &ResponseCurve<'_>, rule: Rule<'_>, here: &CurveFit, normal: &Normal) -> Option<CurveFit> {
     let [a, b, c] = normal.matrix;
     let rest = c - b * b / a;
     if !(a > 0.0 && rest > 0.0) {
@@ -322,7 +326,7 @@ fn around(curve: &ResponseCurve<'_>, rule: Rule<'_>, here: &Fit, normal: &Normal
             (-0.7, -0.7),
         ] {
             let step = [size * (x * first - y * second * b / a), size * y * second];
-            let there = Fit::new(curve, rule, moved(here.at, step));
+            let there = CurveFit::new(curve, rule, moved(here.at, step));
             if let Some(there) = there.filter(|there| there.sum < here.sum * (1.0 - 1e-9)) {
                 return Some(there);
             }
@@ -345,10 +349,16 @@ impl StartGrid {
     ///
     /// # Errors
     /// As for [`descend`], where none of the starts leads to a minimum.
-    pub(super) fn best(&self, curve: &ResponseCurve<'_>, rule: Rule<'_>, most: usize) -> Result<Fit, Error> {
+    pub(super) fn best(
+        &self,
+        curve: &ResponseCurve<'_>,
+        rule: Rule<'_>,
+        most: usize,
+    ) -> Result<CurveFit, Error> {
         let sum = |motions: &Option<Vec<ModelMotion>>| {
-            let of =
-                |motions: &Vec<ModelMotion>| Fit::of(curve, rule, [0.0; 2], curve.residuals(motions)).sum;
+            let of = |motions: &Vec<ModelMotion>| {
+                CurveFit::of(curve, rule, [0.0; 2], curve.residuals(motions)).sum
+            };
             motions.as_ref().map_or(f64::INFINITY, of)
         };
         let sums: Vec<Vec<f64>> = self.0.iter().map(|row| row.iter().map(sum).collect()).collect();

@@ -82,14 +82,14 @@ struct At {
 }
 
 /// The search for θ over one reading of a curve.
-struct Search<'a> {
+struct ScaleSearch<'a> {
     scaled: Scaled,
     curve: &'a [Measurement],
     reading: Reading,
     phase: PhaseKind,
 }
 
-impl Search<'_> {
+impl ScaleSearch<'_> {
     /// The fit at θ, from a start or from the grid of starts.
     fn fit(&self, theta: f64, start: Option<Parameters>) -> Result<At, Error> {
         let points = self.scaled.points(self.curve, theta)?;
@@ -205,13 +205,13 @@ fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<(Id
     let phase = reading.phase.unwrap_or(PhaseKind::Peak);
     let reading = Reading { phase: curve.iter().any(|m| m.phase.is_some()).then_some(phase), ..reading };
     let some = sample(curve);
-    let search = Search { scaled, curve: &some, reading, phase };
+    let search = ScaleSearch { scaled, curve: &some, reading, phase };
     let mut found: Vec<At> =
         scaled.starts(curve).into_iter().filter_map(|theta| search.fit(theta, None).ok()).collect();
     found.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
     let best = found.into_iter().take(REFINED).map(|at| search.refined(at));
     let best = best.min_by(|a, b| a.misfit.total_cmp(&b.misfit)).ok_or(Error::NotIdentified)?;
-    let whole = Search { curve, ..search };
+    let whole = ScaleSearch { curve, ..search };
     let best = if some.len() == curve.len() {
         best
     } else {

@@ -9,7 +9,7 @@ use super::moment;
 use crate::cycle::border::border_force_ratio;
 use crate::cycle::damped::border::{rise, turning_point};
 use crate::cycle::damped::half_period::HalfPeriod;
-use crate::cycle::damped::touch::End;
+use crate::cycle::damped::touch::NearerEnd;
 use crate::enclosed::border::Border;
 use crate::enclosed::root::only_zero;
 use crate::float::ball::Ball;
@@ -131,7 +131,7 @@ fn maximum_between<const W: usize>(
     low: Ball<W>,
     high: Ball<W>,
 ) -> Option<Option<Touch<W>>> {
-    let slope = |tau: Ball<W>| rise(half, End::First, &moment(half, tau));
+    let slope = |tau: Ball<W>| rise(half, NearerEnd::First, &moment(half, tau));
     let (rises, falls) = (slope(low).0, slope(high).0);
     if rises.is_negative() || falls.is_positive() {
         return Some(None);

@@ -74,7 +74,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
     /// Refines its value θ at a lower precision: `angle − θ = d + d³/6 + O(d⁵)`, `d = sin(angle − θ)`. This
     /// takes one sine and cosine; the inverse function costs twice that.
     fn angle_of(sine: Self, cosine: Self) -> Self {
-        let start = Self::narrowed(Angle { sine, cosine });
+        let start = Self::narrowed(AngleTask { sine, cosine });
         let (s, c) = start.sin_cos();
         let d = sine * c - cosine * s;
         start + (d + d.square() * d / Self::of_int(6))
@@ -102,12 +102,12 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
 }
 
 /// A task that computes the angle with this sine and cosine at a lower precision.
-struct Angle<F> {
+struct AngleTask<F> {
     sine: F,
     cosine: F,
 }
 
-impl<F: Float> AtPrecision<F> for Angle<F> {
+impl<F: Float> AtPrecision<F> for AngleTask<F> {
     type Output = F;
 
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
