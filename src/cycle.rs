@@ -227,7 +227,7 @@ impl<F: Float> Cycle<F> {
         let reversal = Reversal::new(p, alpha).of_sliding(omega);
         let displacement = reversal.max_displacement_pair();
         let displacement_phase = reversal.displacement_phase();
-        let given = velocity::Given { reversal, displacement, alpha, displacement_phase };
+        let given = velocity::GivenCycle { reversal, displacement, alpha, displacement_phase };
         let (fastest, deviation) = velocity::fastest_of_cycle(p, &given);
         let velocity_phase = velocity_phase(displacement_phase, omega, fastest.psi);
         let psi = fastest.psi;

@@ -9,7 +9,7 @@ use crate::float::Float;
 
 /// The motion at one centred time ψ.
 #[derive(Clone, Copy)]
-pub(crate) struct Moment<F> {
+pub(crate) struct ArrivalMoment<F> {
     /// ψ.
     pub(crate) psi: F,
     /// v/(Bω_n).
@@ -50,7 +50,7 @@ impl<F: Float> Reciprocals<F> {
     }
 }
 
-impl<F: Float> Moment<F> {
+impl<F: Float> ArrivalMoment<F> {
     /// The maximum of the velocity near this moment.
     #[inline(always)]
     pub(crate) fn fastest(&self, reciprocals: &Reciprocals<F>) -> Arrived<F> {

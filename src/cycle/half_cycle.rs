@@ -33,7 +33,7 @@ pub(crate) struct HalfCycle<F> {
 
 /// Velocity `v/(Bω_d)` and its first three derivatives by ψ at one point.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Jet<F> {
+pub(crate) struct VelocityJet<F> {
     pub(crate) value: F,
     pub(crate) first: F,
     pub(crate) second: F,
@@ -157,13 +157,13 @@ impl<F: Float> HalfCycle<F> {
 
     /// Velocity and its derivatives by ψ.
     #[inline]
-    pub(crate) fn velocity(&self, psi: F) -> Jet<F> {
+    pub(crate) fn velocity(&self, psi: F) -> VelocityJet<F> {
         self.velocity_of(&self.angles(psi))
     }
 
     /// [`HalfCycle::velocity`] for known angles.
     #[inline]
-    pub(crate) fn velocity_of(&self, angles: &Angles<F>) -> Jet<F> {
+    pub(crate) fn velocity_of(&self, angles: &Angles<F>) -> VelocityJet<F> {
         let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), half_difference_slope } = angles;
         let (omega, delta, cb) = (self.omega, self.max_displacement, self.cos_beta);
         // H/Ω and its derivative
@@ -184,7 +184,7 @@ impl<F: Float> HalfCycle<F> {
         let second = forcing * s - omega2 * value;
         let third = forcing * c - omega2 * first;
         let fourth = -(forcing * s) - omega2 * second;
-        Jet { value, first, second, third, fourth }
+        VelocityJet { value, first, second, third, fourth }
     }
 
     /// The velocity `v/(Bω_d)` and its first eight derivatives by ψ at ψ = 0.

@@ -4,9 +4,9 @@
 //! On its bracket (`cycle::velocity`) the root solves `sin(e − d) = (ρ/Ω) sin Ωd`, ρ = Ω³α |cos β|/(1 −
 //! Ω²), where e ≤ π is the distance between the crests of the two waves. If Ωd replaces sin Ωd, the solution
 //! is `θ = e − d = arg(1 + ρ exp(ie))`, with an error of at most 0.34. One of Householder's steps reduces it
-//! to 2e-4, and [`Moment`] completes the iteration.
+//! to 2e-4, and [`ArrivalMoment`] completes the iteration.
 
-use super::arrival::{Arrived, Moment, Reciprocals};
+use super::arrival::{ArrivalMoment, Arrived, Reciprocals};
 use crate::cycle::phase_function::one_minus_square;
 use crate::float::Float;
 use crate::float::circular::{ARCTANGENT, Arctangent, SinCos, TO_HALF_PI};
@@ -104,7 +104,7 @@ impl<F: Float> LowWaves<F> {
         let forcing = -one_minus_square(omega) * secant;
         // (sin ψ − sin β sin Ωψ)/cos β
         let swing = (-sin_beta).mul_add(so, s) * secant;
-        let found = Moment {
+        let found = ArrivalMoment {
             psi: zero,
             // v/(Bω_n) = Ω(Δ₀/B) cos Ωψ + (sin ψ − sin β sin Ωψ)/cos β
             velocity: g.mul_add(co, swing),

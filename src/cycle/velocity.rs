@@ -132,7 +132,7 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
 
 /// What is known of a cycle at its frequency ratio.
 #[derive(Clone, Copy)]
-pub(crate) struct Given<F> {
+pub(crate) struct GivenCycle<F> {
     pub(crate) reversal: Reversal<F>,
     /// Δ₀/B as rounded, and what that lacks.
     pub(crate) displacement: Pair<F>,
@@ -144,8 +144,11 @@ pub(crate) struct Given<F> {
 /// [`fastest`] of a cycle, and the deviation Δ₁/B if the iteration computes it; otherwise
 /// [`Circular::deviation`] does.
 #[inline(always)]
-pub(crate) fn fastest_of_cycle<F: Float>(p: &PhaseFunction<F>, given: &Given<F>) -> (Fastest<F>, Option<F>) {
-    let &Given { ref reversal, alpha, displacement, .. } = given;
+pub(crate) fn fastest_of_cycle<F: Float>(
+    p: &PhaseFunction<F>,
+    given: &GivenCycle<F>,
+) -> (Fastest<F>, Option<F>) {
+    let &GivenCycle { ref reversal, alpha, displacement, .. } = given;
     let (omega, k) = (p.omega(), reversal.phase_function());
     if const { F::PRECISION > f64::MANTISSA_DIGITS } {
         let (found, deviation) = fastest_and_displacement(&half_cycle(p, displacement), k.value(), alpha);
@@ -166,7 +169,7 @@ pub(crate) fn fastest_of_cycle<F: Float>(p: &PhaseFunction<F>, given: &Given<F>)
 /// The peak velocity and Δ₁/B where no loop of a batch has them.
 #[cold]
 #[inline(never)]
-fn fastest_afar<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> (Fastest<F>, F) {
+fn fastest_afar<F: Float>(p: PhaseFunction<F>, given: GivenCycle<F>) -> (Fastest<F>, F) {
     let (half, reversal, omega) = (half_cycle(&p, given.displacement), &given.reversal, p.omega());
     let k = reversal.phase_function();
     let (found, at) = from_centre_or_afar(&half, k.value(), given.alpha);
@@ -198,9 +201,9 @@ fn by_waves<F: Float>(omega: F, displacement: Pair<F>, k: Pair<F>) -> Option<Fas
 ///
 /// Not inlined, so that the path above 1/2 keeps everything in registers.
 #[inline(never)]
-fn by_low_waves<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> Option<(Fastest<F>, F)> {
-    fused!(<F>(p: PhaseFunction<F>, given: Given<F>) -> Option<(Fastest<F>, F)> {
-        let Given { alpha, displacement, displacement_phase, .. } = given;
+fn by_low_waves<F: Float>(p: PhaseFunction<F>, given: GivenCycle<F>) -> Option<(Fastest<F>, F)> {
+    fused!(<F>(p: PhaseFunction<F>, given: GivenCycle<F>) -> Option<(Fastest<F>, F)> {
+        let GivenCycle { alpha, displacement, displacement_phase, .. } = given;
         let (omega, circular) = (p.omega(), LowCircular::new());
         let waves = LowWaves {
             omega,

@@ -9,14 +9,14 @@
 //! v/(Bω_n) = Ω(Δ₀/B) cos Ωψ + e cos p + u sin ψ,   v′ = κ cos Ωψ − e sin p + u cos ψ − Ω²(Δ₀/B) sin Ωψ,
 //! ```
 //!
-//! and [`Moment`] has the rest of the way.
+//! and [`ArrivalMoment`] has the rest of the way.
 //!
 //! **Start.** Divided by cos Ωψ, v′ = 0 is an equation for `T = tan Ωψ`:
 //! `Ω²(Δ₀/B) T = κ + u + (Ft²/2) T² [1 − (3 + t²) T²/12 + …]`, t = 1/Ω. Two of Newton's steps with one
 //! quotient: off by 2e-8 in the angle of the faster wave for most points, by 0.03 for the worst (Ω just above
 //! 1/2, near the border).
 
-use super::arrival::{Arrived, Moment, Reciprocals};
+use super::arrival::{ArrivalMoment, Arrived, Reciprocals};
 use super::deviation::of_fastest;
 use crate::cycle::phase_function::Frequency;
 use crate::float::Float;
@@ -106,7 +106,7 @@ impl<F: Float> Waves<F> {
         let g = omega * delta;
         let (offset_c, e_sp, forcing) = (offset * c, e * sp, self.at.forcing());
         let swing = e.mul_add(cp, offset * s);
-        let found = Moment {
+        let found = ArrivalMoment {
             psi,
             // v/(Bω_n) = Ω(Δ₀/B) cos Ωψ + e cos p + u sin ψ
             velocity: g.mul_add(co, swing),

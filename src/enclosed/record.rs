@@ -43,7 +43,7 @@ pub fn follow<const N: usize>(
     let bits = valid(bits)?;
     body.check_start(x, v)?;
     let mut last = Err(Error::UncertainEvent { time: written(record.time(0)) });
-    let motion = Motion { body, record, start: [x, v], bits };
+    let motion = AskedRecord { body, record, start: [x, v], bits };
     let found = with_more_bits(&PRECISIONS, bits, &motion, |words, found| {
         match found {
             Ok((true, Ok(found))) => return Some(Ok(found)),
@@ -60,14 +60,14 @@ pub fn follow<const N: usize>(
 }
 
 /// A motion under a record, to so many bits.
-struct Motion<'a, const N: usize> {
+struct AskedRecord<'a, const N: usize> {
     body: &'a Body<Mp<N>>,
     record: &'a Record<Mp<N>>,
     start: [Mp<N>; 2],
     bits: u32,
 }
 
-impl<const N: usize> InBalls for Motion<'_, N> {
+impl<const N: usize> InBalls for AskedRecord<'_, N> {
     /// The answers, and whether they have so many bits.
     type Found = Result<(bool, Result<RecordAnswer<Enclosure>, Error>), Error>;
 

@@ -63,7 +63,7 @@ pub(crate) mod stretch;
 pub(crate) mod velocity_zero;
 pub(crate) mod window;
 
-use super::slide::motion::Jet;
+use super::slide::motion::SlideJet;
 use crate::float::Float;
 use search::{Verdict, ZeroSearch};
 use stretch::{Stretch, in_helping, in_opposing};
@@ -76,8 +76,8 @@ use window::VelocityWaves;
 /// instant.
 pub(crate) fn next_zero<F: Float, M: Copy>(
     search: &ZeroSearch<'_, F>,
-    start: Jet<F>,
-    f: impl Fn(F) -> (Jet<F>, M),
+    start: SlideJet<F>,
+    f: impl Fn(F) -> (SlideJet<F>, M),
 ) -> Verdict<F, M> {
     let longest = search.cover.longest();
     let mut phi = F::int(0);
@@ -187,7 +187,7 @@ fn modulo_two<F: Float>(n: F) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Jet, Verdict, ZeroSearch, next_zero};
+    use super::{SlideJet, Verdict, ZeroSearch, next_zero};
     use crate::cycle::damped::free::Free;
     use crate::motion::event::cover::Cover;
     use std::cell::Cell;
@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn a_search_that_passes_its_bound_says_so() {
         for omega in [1e-3, 0.3, 0.7, 1.0, 1.9, 40.0] {
-            let jet = Jet { value: 1.0, first: 0.0, second: 0.0, third: 0.0 };
+            let jet = SlideJet { value: 1.0, first: 0.0, second: 0.0, third: 0.0 };
             let evaluations = Cell::new(0);
             let f = |_| {
                 evaluations.set(evaluations.get() + 1);

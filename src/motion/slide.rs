@@ -30,7 +30,7 @@ pub(crate) mod stick;
 pub(crate) mod work;
 
 use super::drive::DrivePhase;
-use super::state::Point;
+use super::state::PhasePoint;
 use crate::float::Float;
 use alloc::vec::Vec;
 use equation::{Equation, Responses};
@@ -180,9 +180,9 @@ impl<F: Float> Slide<F> {
     }
 
     /// The point of the motion at natural time φ.
-    pub(crate) fn point(&self, phi: F) -> Point<F> {
+    pub(crate) fn point(&self, phi: F) -> PhasePoint<F> {
         let motion = self.motion(phi);
-        Point { phase: self.start.advanced(self.equation.omega * phi), x: motion.x, w: motion.w }
+        PhasePoint { phase: self.start.advanced(self.equation.omega * phi), x: motion.x, w: motion.w }
     }
 
     /// The motion from the functions of its natural time.

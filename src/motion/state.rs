@@ -65,13 +65,13 @@ impl<F: Float> Default for State<F> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "F: Float + serde::Deserialize<'de>")))]
-pub(crate) struct Point<F> {
+pub(crate) struct PhasePoint<F> {
     pub(crate) phase: DrivePhase<F>,
     pub(crate) x: F,
     pub(crate) w: F,
 }
 
-impl<F: Float> Point<F> {
+impl<F: Float> PhasePoint<F> {
     /// The point of a state, at the frequency ratio Ω.
     pub(crate) fn of(state: &State<F>, omega: F) -> Self {
         Self { phase: state.phase, x: state.x, w: state.v * omega }

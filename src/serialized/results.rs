@@ -10,7 +10,7 @@ use crate::motion::drive::DrivePhase;
 use crate::motion::limit::measures::Extreme;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::{Point, State};
+use crate::motion::state::{PhasePoint, State};
 use crate::{Border, Cycle, Excitation, Ratios, Response};
 use serde::{Deserialize, Serialize};
 
@@ -97,7 +97,7 @@ impl<F: Float> TryFrom<ResponseFields<F>> for Response<F> {
 #[serde(bound(serialize = "F: Float + Serialize", deserialize = "F: Float + Deserialize<'de>"))]
 pub(crate) struct Followed<F> {
     ratios: Ratios<F>,
-    start: Point<F>,
+    start: PhasePoint<F>,
     /// The phases of the maximum and the minimum displacement, of the maximum and the minimum velocity.
     phases: [DrivePhase<F>; 4],
     distance: (F, F),

@@ -37,7 +37,7 @@ pub(crate) struct Waves<F> {
 
 /// Displacement, velocity and their derivatives at one time.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct State<F> {
+pub(crate) struct FreeState<F> {
     pub(crate) x: F,
     pub(crate) v: F,
     pub(crate) a: F,
@@ -46,7 +46,7 @@ pub(crate) struct State<F> {
     pub(crate) snap: F,
 }
 
-impl<F: Field> State<F> {
+impl<F: Field> FreeState<F> {
     /// A bound of all later velocities: `x′` is a free vibration, too, whose energy `(x′² + x″²)/2`
     /// decreases.
     #[inline]
@@ -89,7 +89,7 @@ impl<F: Field> Free<F> {
 
     /// The motion from (x₀, v₀) after the time t whose waves are given.
     #[inline(always)]
-    pub(crate) fn after(&self, waves: Waves<F>, x0: F, v0: F) -> State<F> {
+    pub(crate) fn after(&self, waves: Waves<F>, x0: F, v0: F) -> FreeState<F> {
         let (zeta, two) = (self.zeta, F::int(2));
         let Waves { cosine, sine } = waves;
         let x = x0 * cosine + (v0 + zeta * x0) * sine;
@@ -97,7 +97,7 @@ impl<F: Field> Free<F> {
         let next = |x: F, v: F| -(x + two * zeta * v);
         let a = next(x, v);
         let jerk = next(v, a);
-        State { x, v, a, jerk, snap: next(a, jerk) }
+        FreeState { x, v, a, jerk, snap: next(a, jerk) }
     }
 }
 

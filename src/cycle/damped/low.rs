@@ -50,7 +50,7 @@ struct Crests<F> {
 }
 
 /// v and its first three derivatives.
-type Jet<F> = [F; 4];
+type LowJet<F> = [F; 4];
 
 /// A maximum of the velocity: a time near it since the start of the half cycle, the velocity close by, and more than the
 /// maximum exceeds it.
@@ -113,7 +113,7 @@ impl<F: Float> Crests<F> {
     /// At the distance δ from the driven part's crest towards a crest of the free part e away, on the side `side`, where
     /// 0 ≤ x ≤ π: v and its derivatives by δ.
     #[inline(always)]
-    fn at(&self, side: F, e: F, delta: F) -> Jet<F> {
+    fn at(&self, side: F, e: F, delta: F) -> LowJet<F> {
         let (Free { zeta, square, frequency: d }, omega) = (self.free, self.omega);
         let ((sin_drive, cos_drive), (sine, cosine)) =
             (self.upper(omega * delta), self.upper(d.mul_add(-delta, e)));

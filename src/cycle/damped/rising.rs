@@ -6,7 +6,7 @@
 //!
 //! h being free vibration from `(1 + G, b)`, a = √((α/q)² − H²).
 
-use super::free::{Free, State, Waves};
+use super::free::{Free, FreeState, Waves};
 use super::half_period::HalfPeriod;
 use super::resonance::Responses;
 use crate::cycle::phase_function::one_minus_square_wide;
@@ -31,7 +31,7 @@ pub(crate) struct Moment<F> {
     pub(crate) tau: F,
     pub(crate) drive: (F, F),
     pub(crate) waves: Waves<F>,
-    pub(crate) free: State<F>,
+    pub(crate) free: FreeState<F>,
 }
 
 impl<F: Float> HalfPeriod<F> {
@@ -155,7 +155,7 @@ impl<F: Float> Vibration<F> {
         let jerk = rate - v - two * zeta * a;
         let snap = -(omega.square() * force) - a - two * zeta * jerk;
         let waves = Waves { cosine: cosine - zeta * sine, sine };
-        Moment { tau, drive, waves, free: State { x, v, a, jerk, snap } }
+        Moment { tau, drive, waves, free: FreeState { x, v, a, jerk, snap } }
     }
 
     /// A bound of the drive's contribution to any of these in half a period, for any number of derivatives by

@@ -33,7 +33,7 @@
 //! are left of the acceleration.
 
 use super::border::has_lobes;
-use super::free::{Free, State, Waves};
+use super::free::{Free, FreeState, Waves};
 use super::half_period::HalfPeriod;
 use super::middle::{Constants, Crest, slopes};
 use super::rising::{Moment, Rising, Vibration};
@@ -84,7 +84,7 @@ impl<F: Float> Rising<F> {
 
     /// Whether the velocity has one stationary point, by the proof above, given the middle.
     #[inline(always)]
-    fn has_one_summit(&self, middle: &State<F>) -> bool {
+    fn has_one_summit(&self, middle: &FreeState<F>) -> bool {
         let (half, n) = (&self.half, F::int);
         let (u, square) = (n(9) * half.omega.square(), half.free.zeta.square());
         let is_falling = n(3) * u.square() + (n(10) - n(20) * square) * u >= n(13);

@@ -7,7 +7,7 @@
 
 use super::Fastest;
 use super::step::{arrive, householder, is_final};
-use crate::cycle::half_cycle::{HalfCycle, Jet};
+use crate::cycle::half_cycle::{HalfCycle, VelocityJet};
 use crate::float::Float;
 
 /// The peak velocity, and (sin, cos) of its ψ; `None` where four steps do not settle in |ψ| ≤ π/2.
@@ -41,7 +41,7 @@ pub(super) fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<(Fastest<F>, 
 fn start<F: Float>(half: &HalfCycle<F>) -> F {
     let derivatives = half.derivatives_at_centre();
     let [_, first, second, third, fourth, ..] = derivatives;
-    let psi = householder(&Jet { value: half.max_displacement(), first, second, third, fourth });
+    let psi = householder(&VelocityJet { value: half.max_displacement(), first, second, third, fourth });
     // Far above Ω = 1 the derivatives grow like powers of Ω, without bound, and the first step is good
     // enough.
     if half.omega() > F::int(1024) { psi } else { psi + householder(&expanded(&derivatives, psi)) }
@@ -49,7 +49,7 @@ fn start<F: Float>(half: &HalfCycle<F>) -> F {
 
 /// v′ … v⁗ at ψ by Taylor's polynomials; the velocity itself is left out.
 #[inline]
-fn expanded<F: Float>(derivatives: &[F; 9], psi: F) -> Jet<F> {
+fn expanded<F: Float>(derivatives: &[F; 9], psi: F) -> VelocityJet<F> {
     // Horner's scheme over the derivatives from the n-th on.
     let polynomial = |n: usize| {
         let terms = derivatives.iter().skip(n).enumerate().rev();
@@ -58,7 +58,7 @@ fn expanded<F: Float>(derivatives: &[F; 9], psi: F) -> Jet<F> {
         });
         sum.unwrap_or(psi)
     };
-    Jet {
+    VelocityJet {
         value: derivatives[0],
         first: polynomial(1),
         second: polynomial(2),

@@ -5,7 +5,7 @@ use super::centre::from_centre;
 use super::step::{arrive, householder, is_final};
 use super::{Fastest, fastest};
 use crate::cycle::displacement::squared_sine;
-use crate::cycle::half_cycle::{HalfCycle, Jet};
+use crate::cycle::half_cycle::{HalfCycle, VelocityJet};
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::{Field, Float, Real, at_precision};
 use crate::root;
@@ -79,7 +79,7 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
 }
 
 /// The displacement a step from `x`, dx/dψ = −Ωv, by Taylor's formula to the fourth order.
-fn slide<F: Float>(x: F, omega: F, jet: &Jet<F>, step: F) -> F {
+fn slide<F: Float>(x: F, omega: F, jet: &VelocityJet<F>, step: F) -> F {
     let third = jet.second + jet.third * step / F::int(4);
     let second = jet.first + third * step / F::int(3);
     x - omega * step * (jet.value + second * step / F::int(2))

@@ -2,7 +2,7 @@
 
 use super::centre::from_centre;
 use super::iteration::from_bracket;
-use super::{Given, by_low_waves, fastest};
+use super::{GivenCycle, by_low_waves, fastest};
 use crate::cycle::half_cycle::HalfCycle;
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
 use crate::cycle::reversal::Reversal;
@@ -74,7 +74,7 @@ fn the_first_start_is_near_enough() {
         let reversal = Reversal::new(&p, alpha).of_sliding(omega);
         let displacement = reversal.max_displacement_pair();
         let displacement_phase = reversal.displacement_phase();
-        let found = by_low_waves(p, Given { reversal, displacement, alpha, displacement_phase });
+        let found = by_low_waves(p, GivenCycle { reversal, displacement, alpha, displacement_phase });
         let (half, k) = half(omega, alpha);
         let Some((found, _)) = found else { continue };
         arrived[usize::from(half.sin_cos_beta().1 < 0.0)] += 1;

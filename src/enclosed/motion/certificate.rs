@@ -1,6 +1,6 @@
 //! Certificates that no event was missed: signs over whole intervals, by bisection until a ball proves them.
 
-use super::slide::{DrivenBody, Slide};
+use super::slide::{DrivenBody, SlideBall};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
@@ -38,7 +38,7 @@ fn stretch<const W: usize>(edge: Mp<W>, reach: Mp<W>, holds: impl Fn(Ball<W>) ->
 /// At the start the acceleration has the sign of the slide; where the acceleration is zero, at a release with
 /// η = 1, its rate has that sign. At the end the acceleration has the opposite sign. Between these, the
 /// velocity itself has the sign.
-pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> bool {
+pub(super) fn is_one_slide<const W: usize>(slide: &SlideBall<W>, duration: &Ball<W>) -> bool {
     let (zero, low, high) = (Mp::ZERO, duration.lower(), duration.upper());
     let is_released = slide.start.sign() == Some(core::cmp::Ordering::Equal);
     let starts = |phi| {

@@ -2,7 +2,7 @@
 
 use super::certificate::{is_one_slide, is_one_stop, reverses};
 use super::outline::Outline;
-use super::slide::{DrivenBody, Slide, SlideEnd};
+use super::slide::{DrivenBody, SlideBall, SlideEnd};
 use super::unproved::{Event, Unproved};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
@@ -18,13 +18,13 @@ pub(super) struct MapStart<const W: usize> {
 /// One slide, with its end and, after a stop, the phase of the release.
 #[derive(Clone, Copy)]
 pub(super) struct SlideStep<const W: usize> {
-    pub(super) slide: Slide<W>,
+    pub(super) slide: SlideBall<W>,
     pub(super) end: SlideEnd<W>,
     pub(super) release: Option<Ball<W>>,
 }
 
 /// The computed part of a motion that repeats.
-pub(super) struct Followed<const W: usize> {
+pub(super) struct FollowedBalls<const W: usize> {
     pub(super) start: MapStart<W>,
     pub(super) steps: Vec<SlideStep<W>>,
     /// Phase and place at the end, with the half turns subtracted, and mirrored after an odd number of half
@@ -69,7 +69,7 @@ impl<const W: usize> Map<'_, W> {
     }
 
     /// Computes the motion from a start.
-    pub(super) fn follow(&self, start: MapStart<W>) -> Result<Followed<W>, Unproved> {
+    pub(super) fn follow(&self, start: MapStart<W>) -> Result<FollowedBalls<W>, Unproved> {
         let start = self.start(start)?;
         let (zero, one) = (Ball::int(0), Ball::int(1));
         let MapStart { mut phase, mut place } = start;
@@ -84,7 +84,7 @@ impl<const W: usize> Map<'_, W> {
         let mut steps = Vec::new();
         let mut parts = self.outline.parts.iter().peekable();
         while let Some(part) = parts.next() {
-            let slide = Slide::new(self.machine, part.sign, phase, place, released);
+            let slide = SlideBall::new(self.machine, part.sign, phase, place, released);
             let end = slide.end(Mp::of_f64(part.duration)).ok_or_else(|| undecided(Event::End, phase))?;
             derivatives = product(&end.derivatives, &derivatives);
             (phase, place) = (end.phase, end.place);
@@ -104,7 +104,7 @@ impl<const W: usize> Map<'_, W> {
             steps.push(SlideStep { slide, end, release });
         }
         let end = MapStart { phase: phase - self.span(), place: self.image() * place };
-        Ok(Followed { start, steps, end, derivatives })
+        Ok(FollowedBalls { start, steps, end, derivatives })
     }
 
     /// dθ/dx of a release, where α sin θ = x ± η.
@@ -113,7 +113,7 @@ impl<const W: usize> Map<'_, W> {
     }
 }
 
-impl<const W: usize> Followed<W> {
+impl<const W: usize> FollowedBalls<W> {
     /// Whether every start in the ball has this motion: no event is missed, and none is added.
     pub(super) fn is_the_motion(&self, map: &Map<'_, W>) -> Result<(), Unproved> {
         let outline = map.outline;

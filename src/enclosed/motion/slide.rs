@@ -52,7 +52,7 @@ impl<const W: usize> DrivenBody<W> {
 
 /// Displacement, velocity, acceleration and rate of acceleration, in natural time.
 #[derive(Clone, Copy)]
-pub(super) struct Motion<const W: usize> {
+pub(super) struct MotionBall<const W: usize> {
     pub(super) x: Ball<W>,
     pub(super) w: Ball<W>,
     pub(super) acceleration: Ball<W>,
@@ -61,7 +61,7 @@ pub(super) struct Motion<const W: usize> {
 
 /// A slide from rest.
 #[derive(Clone, Copy)]
-pub(super) struct Slide<const W: usize> {
+pub(super) struct SlideBall<const W: usize> {
     machine: DrivenBody<W>,
     pub(super) sign: Ball<W>,
     pub(super) phase: Ball<W>,
@@ -82,7 +82,7 @@ pub(super) struct SlideEnd<const W: usize> {
     pub(super) derivatives: [[Ball<W>; 2]; 2],
 }
 
-impl<const W: usize> Slide<W> {
+impl<const W: usize> SlideBall<W> {
     /// The slide in the direction σ = ±1 from a phase and a place; `released` means that the force equals the
     /// static friction.
     pub(super) fn new(
@@ -101,7 +101,7 @@ impl<const W: usize> Slide<W> {
         Self { machine, sign, phase, start, free }
     }
 
-    pub(super) fn at(&self, phi: Ball<W>) -> Motion<W> {
+    pub(super) fn at(&self, phi: Ball<W>) -> MotionBall<W> {
         let DrivenBody { omega, alpha, zeta, free, forced: (p, q), .. } = self.machine;
         let (s, c) = (self.phase + omega * phi).sin_cos();
         let f = free.after(waves(&free, phi), self.free.0, self.free.1);
@@ -109,7 +109,7 @@ impl<const W: usize> Slide<W> {
         let two_zeta = zeta * Ball::int(2);
         let acceleration = alpha * s - x - self.sign - two_zeta * w;
         let jerk = alpha * omega * c - w - two_zeta * acceleration;
-        Motion { x, w, acceleration, jerk }
+        MotionBall { x, w, acceleration, jerk }
     }
 
     /// The velocity in the direction of the slide over an interval of time, by the mean value theorem about

@@ -1,7 +1,7 @@
 //! Properties of a proved cycle: its maximum speed and its multipliers.
 
 use super::map::Map;
-use super::slide::Slide;
+use super::slide::SlideBall;
 use crate::enclosed::greatest::greatest;
 use crate::float::Field;
 use crate::float::ball::Ball;
@@ -10,7 +10,7 @@ use crate::greatest::Jet;
 use core::cmp::Ordering;
 
 /// The maximum speed of a slide, at whose ends the body is at rest.
-pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> Option<Ball<W>> {
+pub(super) fn fastest<const W: usize>(slide: &SlideBall<W>, duration: &Ball<W>) -> Option<Ball<W>> {
     let speed = |phi| {
         let at = slide.at(phi);
         let [value, slope, second] = [at.w, at.acceleration, at.jerk].map(|x| slide.sign * x);

@@ -1,6 +1,6 @@
 //! A proved steady motion: its box of uniqueness, extrema, stops and multipliers.
 
-use super::map::{Followed, Map, MapStart};
+use super::map::{FollowedBalls, Map, MapStart};
 use super::outline::{Outline, outline};
 use super::slide::DrivenBody;
 use super::statistics::{fastest, multipliers};
@@ -162,7 +162,7 @@ fn alone_is_not_shown<const W: usize>() -> Unproved {
 /// The zero, if it is the only one in the box of these half widths around the start of `at`.
 fn only_in<const W: usize>(
     map: &Map<'_, W>,
-    at: &Followed<W>,
+    at: &FollowedBalls<W>,
     reach: (Radius, Radius),
 ) -> Result<MapStart<W>, Unproved> {
     let stops = map.outline.stops;
@@ -185,8 +185,8 @@ fn only_in<const W: usize>(
 /// Newton's step: the start minus the image of the end at `at`, divided by the derivatives of `over`.
 fn newton<const W: usize>(
     map: &Map<'_, W>,
-    at: &Followed<W>,
-    over: &Followed<W>,
+    at: &FollowedBalls<W>,
+    over: &FollowedBalls<W>,
 ) -> Result<(Ball<W>, Ball<W>), Unproved> {
     let one = Ball::int(1);
     // F = (θ₁ − nπ − θ₀, x₀ ∓ x₁)
@@ -210,7 +210,7 @@ fn newton<const W: usize>(
 /// The properties of the motion, and whether `bits` of its extrema and its start are certain.
 fn described<const W: usize>(
     map: &Map<'_, W>,
-    followed: &Followed<W>,
+    followed: &FollowedBalls<W>,
     only_within: (Option<Radius>, Radius),
     bits: u32,
 ) -> Result<(Steady, bool), Unproved> {

@@ -13,7 +13,7 @@
 
 use crate::cycle::damped::free::Free;
 use crate::float::Float;
-use crate::motion::slide::motion::Jet;
+use crate::motion::slide::motion::SlideJet;
 
 /// The free vibration of u.
 #[derive(Debug, Clone, Copy)]
@@ -29,37 +29,37 @@ impl<F: Float> Cover<F> {
 
     /// How far ahead f is positive where g ≥ 0.
     #[inline]
-    pub(crate) fn forward(self, jet: Jet<F>) -> F {
+    pub(crate) fn forward(self, jet: SlideJet<F>) -> F {
         self.first_zero(jet.value, self.slope(jet))
     }
 
     /// How far back f is positive where g ≥ 0.
     #[inline]
-    pub(crate) fn backward(self, jet: Jet<F>) -> F {
+    pub(crate) fn backward(self, jet: SlideJet<F>) -> F {
         self.first_zero(jet.value, -self.slope(jet))
     }
 
     /// Whether f is positive for the time `length` after this point, where g ≥ 0.
     #[inline]
-    pub(crate) fn reaches_forward(self, jet: Jet<F>, length: F) -> bool {
+    pub(crate) fn reaches_forward(self, jet: SlideJet<F>, length: F) -> bool {
         self.reaches(jet.value, self.slope(jet), length)
     }
 
     /// Whether f is positive for the time `length` before this point, where g ≥ 0.
     #[inline]
-    pub(crate) fn reaches_back(self, jet: Jet<F>, length: F) -> bool {
+    pub(crate) fn reaches_back(self, jet: SlideJet<F>, length: F) -> bool {
         self.reaches(jet.value, -self.slope(jet), length)
     }
 
     /// Whether u = e^{ζφ} f decreases.
     #[inline]
-    pub(crate) fn falls(self, jet: Jet<F>) -> bool {
+    pub(crate) fn falls(self, jet: SlideJet<F>) -> bool {
         self.slope(jet) < F::int(0)
     }
 
     /// u′ where u = f.
     #[inline]
-    fn slope(self, jet: Jet<F>) -> F {
+    fn slope(self, jet: SlideJet<F>) -> F {
         jet.first + self.free.zeta * jet.value
     }
 
@@ -107,7 +107,7 @@ impl<F: Float> Cover<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cover, Free, Jet};
+    use super::{Cover, Free, SlideJet};
 
     /// The free vibration itself (g = 0) is positive exactly up to its cover. Where the cover is only a
     /// bound, it is positive at least up to it.
@@ -118,7 +118,7 @@ mod tests {
             for slope in [-30.0, -3.0, -1.0, -0.4, 0.0, 0.7, 4.0] {
                 let (value, second) = (0.6, -2.0 * zeta * slope - 0.6);
                 let cover = Cover::new(Free::new(zeta));
-                let jet = Jet { value, first: slope, second, third: 0.0 };
+                let jet = SlideJet { value, first: slope, second, third: 0.0 };
                 for (ahead, end) in [(1.0, cover.forward(jet)), (-1.0, cover.backward(jet))] {
                     let u = |h: f64| {
                         let (c, s) = if zeta < 1.0 {
@@ -149,7 +149,7 @@ mod tests {
             let cover = Cover::new(Free::new(zeta));
             for value in [1e-3, 0.6, 7.0] {
                 for slope in [-30.0, -3.0, -1.0, -0.4, -1e-3, 0.0, 1e-3, 0.7, 4.0, 50.0] {
-                    let jet = Jet { value, first: slope, second: 0.0, third: 0.0 };
+                    let jet = SlideJet { value, first: slope, second: 0.0, third: 0.0 };
                     for i in 1..400 {
                         let length = 0.0079 * f64::from(i);
                         let ahead = cover.reaches_forward(jet, length);

@@ -4,7 +4,7 @@ use super::cover::Cover;
 use super::window::VelocityWaves;
 use crate::float::Float;
 use crate::motion::slide::Slide;
-use crate::motion::slide::motion::Jet;
+use crate::motion::slide::motion::SlideJet;
 
 /// The first zero is at `at + step`, where `step` is the last step; `motion` is the motion at `at`.
 #[derive(Debug, Clone, Copy)]
@@ -86,7 +86,7 @@ impl<F: Float> ZeroSearch<'_, F> {
 /// The result for a stretch: a zero, or none with f at the end of the stretch if it was evaluated.
 pub(crate) enum Verdict<F, M> {
     Zero(FoundZero<F, M>),
-    Clear(Option<(Jet<F>, M)>),
+    Clear(Option<(SlideJet<F>, M)>),
     /// A proved bound was exceeded without an answer, at this φ.
     Lost(F),
 }

@@ -3,14 +3,14 @@
 
 use super::search::{FoundZero, Verdict, ZeroSearch};
 use crate::float::Float;
-use crate::motion::slide::motion::Jet;
+use crate::motion::slide::motion::SlideJet;
 
 /// A stretch (beginning, end) on which g has one sign, and the known properties of f at its beginning.
 #[derive(Clone, Copy)]
 pub(crate) struct Stretch<F> {
     pub(crate) from: F,
     pub(crate) to: F,
-    pub(crate) jet: Option<Jet<F>>,
+    pub(crate) jet: Option<SlideJet<F>>,
     pub(crate) from_zero: bool,
 }
 
@@ -18,7 +18,7 @@ pub(crate) struct Stretch<F> {
 pub(crate) fn in_opposing<F: Float, M: Copy>(
     search: &ZeroSearch<'_, F>,
     stretch: Stretch<F>,
-    f: &impl Fn(F) -> (Jet<F>, M),
+    f: &impl Fn(F) -> (SlideJet<F>, M),
 ) -> Verdict<F, M> {
     let Stretch { from, to, jet, .. } = stretch;
     // A hint beyond the stretch predicts no zero: the end decides.
@@ -38,8 +38,8 @@ pub(crate) fn in_opposing<F: Float, M: Copy>(
 
 /// The first zero of the bound `f cos h + f′ sin h + g (1 − cos h)` with g fixed at its value at h = 0; zero
 /// if there is none.
-fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
-    let Jet { value, first, second, .. } = jet;
+fn first_zero_of_bound<F: Float>(jet: SlideJet<F>) -> F {
+    let SlideJet { value, first, second, .. } = jet;
     let g = second + value;
     let discriminant = first.square() + value * (value - F::int(2) * g);
     if discriminant < F::int(0) {
@@ -64,7 +64,7 @@ fn bracketed<F: Float, M: Copy>(
     high: F,
     below: bool,
     guess: F,
-    f: &impl Fn(F) -> (Jet<F>, M),
+    f: &impl Fn(F) -> (SlideJet<F>, M),
 ) -> Verdict<F, M> {
     let (begin, end) = (low, high);
     let (mut low, mut high, mut below, mut phi) = (low, high, below, guess);
@@ -118,8 +118,8 @@ fn bracketed<F: Float, M: Copy>(
 /// Householder's step of third order towards a zero, which quadruples the good digits:
 /// `−f (6f′² − 3ff″)/(6f′³ − 6ff′f″ + f²f‴)`.
 #[inline]
-fn householder<F: Float>(jet: &Jet<F>) -> F {
-    let Jet { value, first, second, third } = *jet;
+fn householder<F: Float>(jet: &SlideJet<F>) -> F {
+    let SlideJet { value, first, second, third } = *jet;
     let (three, six) = (F::int(3), F::int(6));
     let bent = value * second;
     let above = value * (six * first.square() - three * bent);
@@ -132,7 +132,7 @@ fn householder<F: Float>(jet: &Jet<F>) -> F {
 /// The step leaves an error of order `h⁴`. Its factor consists of κ = f″h/f′ and of derivatives of the order
 /// of `max(1, Ω, 2ζ) h` each.
 #[inline]
-fn is_final<F: Float>(pace: F, jet: &Jet<F>, phi: F, step: F) -> bool {
+fn is_final<F: Float>(pace: F, jet: &SlideJet<F>, phi: F, step: F) -> bool {
     let curvature = (jet.second * step / jet.first).abs();
     let turned = step.abs() * pace;
     let left = step.abs() * (curvature + turned) * (curvature + turned).square();
@@ -145,7 +145,7 @@ fn is_final<F: Float>(pace: F, jet: &Jet<F>, phi: F, step: F) -> bool {
 pub(crate) fn in_helping<F: Float, M: Copy>(
     search: &ZeroSearch<'_, F>,
     stretch: Stretch<F>,
-    f: &impl Fn(F) -> (Jet<F>, M),
+    f: &impl Fn(F) -> (SlideJet<F>, M),
 ) -> Verdict<F, M> {
     let Stretch { from, to, jet, from_zero } = stretch;
     // From zero upwards the cover is π/√(1 − ζ²) long: the whole stretch.
@@ -193,7 +193,7 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
 }
 
 /// A first guess inside a bracket: where the tangent bound vanishes, or the middle.
-fn start_of_bracket<F: Float>(from: F, to: F, left: Jet<F>) -> F {
+fn start_of_bracket<F: Float>(from: F, to: F, left: SlideJet<F>) -> F {
     let h = first_zero_of_bound(left);
     if h > F::int(0) && from + h < to { from + h } else { (from + to) / F::int(2) }
 }
@@ -203,7 +203,7 @@ pub(crate) fn polished_guess<F: Float, M: Copy>(
     hint: F,
     pace: F,
     (from, to): (F, F),
-    f: &impl Fn(F) -> (Jet<F>, M),
+    f: &impl Fn(F) -> (SlideJet<F>, M),
 ) -> Option<FoundZero<F, M>> {
     let mut phi = hint;
     for _ in 0..MOST_POLISHES {
@@ -233,10 +233,10 @@ const MOST_POLISHES: u32 = 6;
 /// where it rises, the right one.
 fn dip<F: Float, M: Copy>(
     search: &ZeroSearch<'_, F>,
-    left: (F, Jet<F>),
-    right: (F, Jet<F>),
+    left: (F, SlideJet<F>),
+    right: (F, SlideJet<F>),
     right_motion: M,
-    f: &impl Fn(F) -> (Jet<F>, M),
+    f: &impl Fn(F) -> (SlideJet<F>, M),
 ) -> Verdict<F, M> {
     let end = right.1;
     let (from, two) = (left.0, F::int(2));
@@ -276,7 +276,7 @@ fn dip<F: Float, M: Copy>(
 
 /// The rounding error of the lowest value of a dip: the rounding of f and of φ, which has a relative error of
 /// ε.
-fn noise<F: Float>(search: &ZeroSearch<'_, F>, phi: F, jet: &Jet<F>) -> F {
+fn noise<F: Float>(search: &ZeroSearch<'_, F>, phi: F, jet: &SlideJet<F>) -> F {
     let unit = F::int(4) * F::epsilon() * phi;
     search.noise_at(phi) + jet.second.abs() * unit.square() / F::int(2)
 }

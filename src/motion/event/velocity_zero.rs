@@ -8,8 +8,8 @@ use crate::float::Float;
 use crate::motion::broken::Broken;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
-use crate::motion::slide::motion::Jet;
 use crate::motion::slide::motion::Motion;
+use crate::motion::slide::motion::SlideJet;
 use crate::motion::slide::{Direction, Slide};
 
 /// How a slide ends.
@@ -135,7 +135,7 @@ impl<F: Float> Slide<F> {
 
     /// The speed with its derivatives, and the motion from which it is computed.
     #[inline]
-    fn velocity(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
+    fn velocity(&self) -> impl Fn(F) -> (SlideJet<F>, Motion<F>) + '_ {
         let sign = self.direction.sign::<F>();
         move |phi| {
             let m = self.motion(phi);
@@ -144,7 +144,7 @@ impl<F: Float> Slide<F> {
     }
 
     #[inline]
-    fn velocity_at_start(&self) -> Jet<F> {
+    fn velocity_at_start(&self) -> SlideJet<F> {
         self.motion_at_start().velocity_jet(&self.equation, self.direction.sign::<F>())
     }
 

@@ -7,7 +7,7 @@ use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::work::Works;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use crate::motion::{LongRun, State, SteadyState, Trajectory, errors_after};
 use crate::{Cycle, Ratios};
 use core::f64::consts::{PI, TAU};
@@ -24,7 +24,7 @@ fn the_works_balance_the_energy() {
     for i in 0..200 {
         let part = |step: f64| (f64::from(i) * step).fract();
         let (omega, alpha) = (0.1 + 3.0 * part(0.618_034), 1.1 + 4.0 * part(0.754_878));
-        let start = Point {
+        let start = PhasePoint {
             phase: DrivePhase::of(TAU * part(0.569_841)).unwrap(),
             x: 6.0 * part(0.437_016) - 3.0,
             w: 4.0 * part(0.324_718) - 2.0,

@@ -22,7 +22,7 @@ use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 
 /// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. If Ω is 1/(2n) only to within rounding, the
 /// limit is unique.
@@ -44,7 +44,7 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
 /// As for [`HalfTurns::new`].
 pub(crate) fn member<F: Float>(
     equation: Equation<F>,
-    start: Point<F>,
+    start: PhasePoint<F>,
     hint: F,
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
@@ -83,14 +83,14 @@ pub(crate) fn member<F: Float>(
         // The neutral disturbance of the jump is of second order: below rounding for a jump of its root.
         let jump = !added && left.square() <= F::epsilon() * F::ratio(1, 64) * size.square() && settles;
         let reach = if jump { one / (one - other) } else { one };
-        y = Point { phase: y.phase, x: y.x + dx * reach, w: y.w + dw * reach };
+        y = PhasePoint { phase: y.phase, x: y.x + dx * reach, w: y.w + dw * reach };
         added = added || jump;
     }
 }
 
 /// Whether a point is within the range of the members, to within a factor: their displacements are `|x| ≤ α(1
 /// + Ω²)/(1 − Ω²) − 1`.
-fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
+fn is_near<F: Float>(equation: &Equation<F>, y: &PhasePoint<F>) -> bool {
     let (one, omega) = (F::int(1), equation.omega);
     let reach = equation.alpha * (one + omega.square()) / ((one - omega) * (one + omega));
     y.x.abs() + y.w.abs() <= F::int(8) * reach
@@ -102,7 +102,7 @@ const LONG_CREEP: u64 = 400;
 /// The member at the edge of the family that is nearest to y, at the phase of y.
 ///
 /// The members are sums of the symmetric cycle and `c cos ω_n(t − t₂)`, |c| up to `αΩ²/(1 − Ω²) − 1`.
-fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
+fn nearest_edge<F: Float>(equation: Equation<F>, y: &PhasePoint<F>) -> PhasePoint<F> {
     let (zero, one) = (F::int(0), F::int(1));
     let Equation { omega, alpha, .. } = equation;
     let amplitude = alpha / ((one - omega) * (one + omega));
@@ -114,10 +114,10 @@ fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
     let phi = y.phase.since(before) / omega;
     let at = |c: F| {
         let motion = Slide::new(equation, before, side * amplitude + c, zero, direction).motion(phi);
-        Point { phase: y.phase, x: motion.x, w: motion.w }
+        PhasePoint { phase: y.phase, x: motion.x, w: motion.w }
     };
     let (high, low) = (at(room), at(-room));
-    let distance = |p: &Point<F>| (p.x - y.x).hypot(p.w - y.w);
+    let distance = |p: &PhasePoint<F>| (p.x - y.x).hypot(p.w - y.w);
     if distance(&high) <= distance(&low) { high } else { low }
 }
 

@@ -10,7 +10,7 @@ use super::steady::SteadyState;
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 
 /// The residual `Hᵐ(y) − y`, and its rounding error where it is zero.
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +24,7 @@ pub(crate) struct Residual<F> {
 impl<F: Float> Residual<F> {
     /// The residual (x, w) from y, with the rounding of the terms of x and w (two units each) and of the
     /// phase: half a unit of θ moves x by w/Ω and w by w′/Ω.
-    pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
+    pub(crate) fn new(equation: &Equation<F>, y: &PhasePoint<F>, (x, w): (F, F)) -> Self {
         let Equation { omega, alpha, damping, .. } = *equation;
         let (one, unit) = (F::int(1), F::int(4) * F::epsilon());
         let forced = alpha / (one + omega.square());
@@ -78,7 +78,7 @@ pub(crate) fn rate_noise<F: Float>(parts: u64) -> F {
 }
 
 /// Whether a possible distance from the limit is small compared with the motion itself.
-pub(crate) fn is_known<F: Float>(y: &Point<F>, (x, w): (F, F)) -> bool {
+pub(crate) fn is_known<F: Float>(y: &PhasePoint<F>, (x, w): (F, F)) -> bool {
     let size = y.x.abs() + y.w.abs();
     F::int(16) * x <= size && F::int(16) * w <= size
 }
@@ -88,7 +88,7 @@ pub(crate) fn is_known<F: Float>(y: &Point<F>, (x, w): (F, F)) -> bool {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "F: Float + serde::Deserialize<'de>")))]
 pub(crate) struct Located<F> {
-    pub(crate) at: Point<F>,
+    pub(crate) at: PhasePoint<F>,
     /// The possible distance of (x, w) from the motion.
     pub(crate) off: (F, F),
 }
@@ -129,7 +129,7 @@ impl<F: Float> Trial<F> {
     /// As for [`HalfTurns::new`].
     pub(crate) fn at(
         equation: Equation<F>,
-        y: Point<F>,
+        y: PhasePoint<F>,
         m: u32,
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
@@ -161,7 +161,7 @@ impl<F: Float> Trial<F> {
             for part in parts {
                 let Some((dx, dw)) = best.step(*part) else { return Ok(best) };
                 let HalfTurns { equation, start: y, m, .. } = best.motion;
-                let tried = Self::at(equation, Point { x: y.x + dx, w: y.w + dw, ..y }, m, budget)?;
+                let tried = Self::at(equation, PhasePoint { x: y.x + dx, w: y.w + dw, ..y }, m, budget)?;
                 let twice = F::int(2) * F::int(*part);
                 if tried.left.norm() * twice <= best.left.norm() * (twice - F::int(1)) {
                     best = tried;
@@ -232,10 +232,10 @@ impl<F: Float> Trial<F> {
 /// The greatest number of steps of Newton's method.
 const MOST_STEPS: u32 = 24;
 
-pub(crate) fn distance<F: Float>(p: &Point<F>, q: &Point<F>) -> F {
+pub(crate) fn distance<F: Float>(p: &PhasePoint<F>, q: &PhasePoint<F>) -> F {
     (p.x - q.x).hypot(p.w - q.w)
 }
 
-pub(crate) fn size<F: Float>(p: &Point<F>) -> F {
+pub(crate) fn size<F: Float>(p: &PhasePoint<F>) -> F {
     F::int(1) + p.x.abs() + p.w.abs()
 }

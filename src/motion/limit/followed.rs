@@ -49,7 +49,7 @@ use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::{Point, State};
+use crate::motion::state::{PhasePoint, State};
 use observation::{GrowthAtResonance, Observation};
 
 /// Half turns that a periodic motion may take.
@@ -65,7 +65,7 @@ pub(crate) fn limit<F: Float>(
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
     let equation = Equation::new(ratios);
-    let mut y = Point::of(&start, equation.omega);
+    let mut y = PhasePoint::of(&start, equation.omega);
     let mut reference = y;
     let (mut lag, mut next_reference) = (0u32, 16u64);
     let usual = F::pi() / equation.omega;
@@ -116,7 +116,7 @@ pub(crate) fn limit<F: Float>(
 /// The periodic motion of m half turns next to a point of the motion followed, where it is the limit.
 fn periodic<F: Float>(
     ratios: Ratios<F>,
-    near: &Point<F>,
+    near: &PhasePoint<F>,
     m: u32,
     budget: &mut Budget<'_>,
 ) -> Result<Option<LongRun<F>>, Broken> {

@@ -6,7 +6,7 @@ use crate::float::Float;
 use crate::machine::ratios::Ratios;
 use crate::motion::broken::Budget;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::{Point, State};
+use crate::motion::state::{PhasePoint, State};
 
 /// The limit of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,7 +149,7 @@ pub(crate) fn growth_at_resonance<F: Float>(ratios: &Ratios<F>) -> Option<F> {
 /// [`LongRun::NotConverged`] with the state at a point.
 pub(crate) fn unsettled<F: Float>(
     equation: &Equation<F>,
-    y: &Point<F>,
+    y: &PhasePoint<F>,
     residual: F,
     budget: &Budget<'_>,
 ) -> LongRun<F> {

@@ -8,7 +8,7 @@ use crate::motion::event::velocity_zero::VelocityZero;
 use crate::motion::slide::Slide;
 use crate::motion::slide::motion::Motion;
 use crate::motion::slide::work::Works;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 
 /// An extreme value and its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +61,7 @@ pub(crate) struct CycleStatistics<F> {
 
 impl<F: Float> CycleStatistics<F> {
     /// The statistics of no time, at the point `start`.
-    pub(crate) fn at(start: &Point<F>, omega: F) -> Self {
+    pub(crate) fn at(start: &PhasePoint<F>, omega: F) -> Self {
         let zero = F::int(0);
         let x = Extreme { value: start.x, phase: start.phase };
         let v = Extreme { value: start.w / omega, phase: start.phase };
@@ -210,10 +210,10 @@ impl<F: Float> CycleStatistics<F> {
 /// Those of `each`.
 #[inline]
 pub(crate) fn seam<F: Float>(
-    start: &Point<F>,
+    start: &PhasePoint<F>,
     greatest: F,
     each: impl FnOnce(&mut dyn FnMut(&MotionPart<F>) -> Result<(), Broken>) -> Result<(), Broken>,
-) -> Result<Option<(Point<F>, F)>, Broken> {
+) -> Result<Option<(PhasePoint<F>, F)>, Broken> {
     if start.w.abs() * F::int(1024) > greatest {
         return Ok(None);
     }
@@ -260,7 +260,7 @@ pub struct ErrorMeasures<F> {
 mod tests {
     use super::{CycleStatistics, Extreme};
     use crate::motion::drive::DrivePhase;
-    use crate::motion::state::Point;
+    use crate::motion::state::PhasePoint;
 
     fn phase(theta: f64) -> DrivePhase<f64> {
         DrivePhase::of(theta).unwrap()
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn error_measures_of_a_lopsided_cycle() {
-        let start = Point { phase: phase(0.0), x: 0.0, w: 0.0 };
+        let start = PhasePoint { phase: phase(0.0), x: 0.0, w: 0.0 };
         let extreme = |value, theta| Extreme { value, phase: phase(theta) };
         let statistics = CycleStatistics {
             max_x: extreme(4.0, 1.0),
@@ -284,7 +284,7 @@ mod tests {
 
     #[test]
     fn a_tally_begins_at_the_start() {
-        let statistics = CycleStatistics::at(&Point { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5);
+        let statistics = CycleStatistics::at(&PhasePoint { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5);
         let (x, v) = (Extreme { value: 1.5, phase: phase(0.3) }, Extreme { value: 4.0, phase: phase(0.3) });
         assert_eq!((statistics.max_x, statistics.min_x, statistics.max_v, statistics.min_v), (x, x, v, v));
         assert_eq!(

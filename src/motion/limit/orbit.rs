@@ -7,7 +7,7 @@ use crate::machine::error::Error;
 use crate::motion::broken::Budget;
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use alloc::vec::Vec;
 
 /// The relation between two motions.
@@ -34,7 +34,7 @@ impl<F: Float> Orbit<F> {
     /// As for [`HalfTurns::new`].
     pub(crate) fn of(equation: Equation<F>, count: u32, (x, w): (F, F)) -> Result<Self, Error> {
         let budget = &mut Budget::of(0);
-        let mut y = Point { phase: DrivePhase::of_half_turn(0, F::int(0)), x, w };
+        let mut y = PhasePoint { phase: DrivePhase::of_half_turn(0, F::int(0)), x, w };
         let usual = F::pi() / equation.omega;
         let mut states = Vec::new();
         for _ in 0..count {

@@ -9,7 +9,7 @@ use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;
 use crate::motion::slide::stick::Stick;
 use crate::motion::slide::{Direction, Slide};
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use crate::motion::trajectory::Next;
 use alloc::vec::Vec;
 
@@ -28,12 +28,12 @@ pub(crate) enum MotionPart<F> {
 #[derive(Debug)]
 pub(crate) struct HalfTurns<F> {
     pub(crate) equation: Equation<F>,
-    pub(crate) start: Point<F>,
+    pub(crate) start: PhasePoint<F>,
     /// The number of half turns.
     pub(crate) m: u32,
     /// The point at the end, at the phase of the start and with the opposite sign after an odd number of half
     /// turns.
-    pub(crate) end: Point<F>,
+    pub(crate) end: PhasePoint<F>,
     /// The matrix that maps (δx, δw) at the start to the end.
     pub(crate) derivative: Matrix<F>,
     /// The first parts, up to [`MOST_KEPT`].
@@ -60,14 +60,15 @@ impl<F: Float> HalfTurns<F> {
     /// As for [`follow`].
     pub(crate) fn new(
         equation: Equation<F>,
-        start: Point<F>,
+        start: PhasePoint<F>,
         m: u32,
         hint: F,
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
         // A negligible speed counts as rest, as in a start, because the slide would end after a time that
         // underflows.
-        let start = if start.w.abs() < F::least_ratio() { Point { w: F::int(0), ..start } } else { start };
+        let start =
+            if start.w.abs() < F::least_ratio() { PhasePoint { w: F::int(0), ..start } } else { start };
         let (mut parts, mut count) = (Vec::with_capacity(4), 0u64);
         let (mut sticks, mut rest) = (false, None);
         let (end, derivative) = follow(equation, start, m, hint, budget, |part| {
@@ -82,11 +83,11 @@ impl<F: Float> HalfTurns<F> {
             Ok(())
         })?;
         budget.spend(u64::from(m));
-        let end = Point { phase: start.phase, ..end };
+        let end = PhasePoint { phase: start.phase, ..end };
         let (end, derivative) = if m.is_multiple_of(2) {
             (end, derivative)
         } else {
-            (Point { x: -end.x, w: -end.w, ..end }, derivative.negated())
+            (PhasePoint { x: -end.x, w: -end.w, ..end }, derivative.negated())
         };
         Ok(Self { equation, start, m, end, derivative, parts, count, sticks, rest, hint })
     }
@@ -128,7 +129,7 @@ impl<F: Float> HalfTurns<F> {
     /// As for [`follow`].
     pub(crate) fn moved_to(
         &self,
-        start: Point<F>,
+        start: PhasePoint<F>,
         change: (F, F),
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
@@ -157,12 +158,12 @@ impl<F: Float> HalfTurns<F> {
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`], and the errors of `visit`.
 pub(crate) fn follow<F: Float>(
     equation: Equation<F>,
-    from: Point<F>,
+    from: PhasePoint<F>,
     half_turns: u32,
     hint: F,
     budget: &mut Budget<'_>,
     mut visit: impl FnMut(MotionPart<F>) -> Result<(), Broken>,
-) -> Result<(Point<F>, Matrix<F>), Broken> {
+) -> Result<(PhasePoint<F>, Matrix<F>), Broken> {
     let zero = F::int(0);
     let usual = F::pi() / equation.omega;
     let target = from.phase.later_by_half_turns(i64::from(half_turns));
@@ -185,7 +186,7 @@ pub(crate) fn follow<F: Float>(
                 }
                 _ => {
                     visit(MotionPart::Stick(stick, target.since(stick.start)))?;
-                    return Ok((Point { phase: target, x: stick.x, w: zero }, monodromy));
+                    return Ok((PhasePoint { phase: target, x: stick.x, w: zero }, monodromy));
                 }
             },
             Next::Slide(slide) => {
@@ -198,7 +199,7 @@ pub(crate) fn follow<F: Float>(
                         hint = usual;
                     }
                     Outcome::Onward(motion) => {
-                        let end = Point { phase: target, x: motion.x, w: motion.w };
+                        let end = PhasePoint { phase: target, x: motion.x, w: motion.w };
                         visit(MotionPart::Onward(slide, limit, target, motion))?;
                         return Ok((end, monodromy.after_slide(motion.rotation, equation.damping)));
                     }

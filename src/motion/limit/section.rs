@@ -7,7 +7,7 @@ use crate::motion::broken::{Broken, Budget};
 use crate::motion::drive::DrivePhase;
 use crate::motion::slide::Slide;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::{Point, State};
+use crate::motion::state::{PhasePoint, State};
 use crate::motion::trajectory::{Body, Trajectory};
 
 /// Follows the motion for two half turns, and takes the middle of its longest slide as the section, with the
@@ -19,7 +19,7 @@ pub(crate) fn settle_in<F: Float>(
     equation: Equation<F>,
     start: State<F>,
     budget: &mut Budget<'_>,
-) -> Result<(Point<F>, F), Broken> {
+) -> Result<(PhasePoint<F>, F), Broken> {
     let mut longest: Option<(Slide<F>, F)> = None;
     let begin = start.phase;
     let turn = F::pi();
@@ -37,7 +37,7 @@ pub(crate) fn settle_in<F: Float>(
         }
     }
     budget.spend(2);
-    let here = Point { phase: begin, ..Point::of(&start, equation.omega) };
+    let here = PhasePoint { phase: begin, ..PhasePoint::of(&start, equation.omega) };
     let Some((slide, length)) = longest else { return Ok((here, turn / equation.omega)) };
     let half = length / F::int(2);
     Ok((slide.point(half), half))
@@ -52,23 +52,26 @@ pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> 
 
 /// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the
 /// maximum displacement.
-pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
+pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (PhasePoint<F>, F) {
     let lag = cycle.displacement_phase - cycle.velocity_phase;
     let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
     let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.velocity_phase);
-    let point = Point { phase, x: cycle.deviation(), w: cycle.max_velocity * equation.omega };
+    let point = PhasePoint { phase, x: cycle.deviation(), w: cycle.max_velocity * equation.omega };
     (point, lag / equation.omega)
 }
 
 /// A point of the six-reversal cycle half way from its third reversal to the next, and the natural time to
 /// the next reversal.
-pub(crate) fn on_six_reversals<F: Float>(equation: Equation<F>, cycle: &SixReversals<F>) -> (Point<F>, F) {
+pub(crate) fn on_six_reversals<F: Float>(
+    equation: Equation<F>,
+    cycle: &SixReversals<F>,
+) -> (PhasePoint<F>, F) {
     let [first, _, third] = cycle.reversal_phases();
     let next = first + F::pi();
     let theta = (third + next) / F::int(2);
     let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(theta);
     let (x, w) = (cycle.displacement_at(theta), cycle.velocity_at(theta) * equation.omega);
-    (Point { phase, x, w }, (next - theta) / equation.omega)
+    (PhasePoint { phase, x, w }, (next - theta) / equation.omega)
 }
 
 #[cfg(test)]

@@ -24,11 +24,11 @@ use super::propagation::HalfTurns;
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 
 /// A second start for the shooting method.
 pub(crate) struct Guess<F> {
-    pub(crate) at: Point<F>,
+    pub(crate) at: PhasePoint<F>,
     /// The natural time from the start to its first velocity zero.
     pub(crate) hint: F,
     /// Whether the start is known to be the limit of every motion, to within rounding: the closed-form cycle,
@@ -45,7 +45,7 @@ pub(crate) struct Guess<F> {
 /// As for [`HalfTurns::new`].
 pub(crate) fn shoot<F: Float>(
     equation: Equation<F>,
-    start: Point<F>,
+    start: PhasePoint<F>,
     hint: F,
     guess: impl FnOnce() -> Result<Option<Guess<F>>, Broken>,
     budget: &mut Budget<'_>,
@@ -66,7 +66,7 @@ pub(crate) fn shoot<F: Float>(
         }
         if let Some((dx, dw)) = best.step(1) {
             let y = best.motion.start;
-            let there = Point { x: y.x + dx, w: y.w + dw, ..y };
+            let there = PhasePoint { x: y.x + dx, w: y.w + dw, ..y };
             let tried = Trial::of(best.motion.moved_to(there, (dx, dw), budget)?);
             let after = tried.left;
             // Where the rounding of w exceeds all of x, the norm does not show that x has settled.

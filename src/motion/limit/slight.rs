@@ -17,7 +17,7 @@ use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::stick::Stick;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use alloc::vec::Vec;
 
 /// The greatest δ/Ω² for which the slide is slight.
@@ -76,8 +76,8 @@ fn steady<F: Float>(
     };
     let length = found.release.since(stop.start);
     // The state is in the middle of the stop, where the force is far from friction.
-    let start = Point { phase: stop.start.advanced(length / F::int(2)), x: stop.x, w: zero };
-    let mut statistics = CycleStatistics::at(&Point { phase: stop.start, ..start }, equation.omega);
+    let start = PhasePoint { phase: stop.start.advanced(length / F::int(2)), x: stop.x, w: zero };
+    let mut statistics = CycleStatistics::at(&PhasePoint { phase: stop.start, ..start }, equation.omega);
     statistics.add(&MotionPart::Stick(stop, length))?;
     for part in &found.parts {
         statistics.add(part)?;

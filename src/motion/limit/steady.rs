@@ -8,7 +8,7 @@ use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::{Point, State};
+use crate::motion::state::{PhasePoint, State};
 use crate::motion::trajectory::resolved;
 
 /// A periodic motion, with or without stops.
@@ -85,13 +85,13 @@ pub struct SteadyState<F> {
     /// The number of periods of the drive that were followed to find the motion.
     pub periods: F,
     pub(crate) equation: Equation<F>,
-    pub(crate) start: Point<F>,
+    pub(crate) start: PhasePoint<F>,
 }
 
 /// The parts from which a steady state is made.
 pub(crate) struct SteadyParts<F> {
     pub(crate) equation: Equation<F>,
-    pub(crate) start: Point<F>,
+    pub(crate) start: PhasePoint<F>,
     /// The number of half turns after which the state repeats, mirrored if the number is odd.
     pub(crate) half_turns: u32,
     /// The statistics of one whole cycle.
@@ -204,7 +204,7 @@ impl<F: Float> HalfTurns<F> {
 /// The error measures of the cycle of `turns` turns that begins at a point.
 fn error_measures<F: Float>(
     equation: Equation<F>,
-    start: &Point<F>,
+    start: &PhasePoint<F>,
     turns: u32,
 ) -> Result<ErrorMeasures<F>, Error> {
     let usual = F::pi() / equation.omega;
@@ -227,7 +227,7 @@ pub fn errors_after<F: Float>(
 ) -> Result<ErrorMeasures<F>, Error> {
     let equation = Equation::new(resolved(ratios)?);
     let usual = F::pi() / equation.omega;
-    let mut point = Point::of(&start, equation.omega);
+    let mut point = PhasePoint::of(&start, equation.omega);
     for _ in 0..cycles {
         (point, _) = follow(equation, point, 2, usual, &mut Budget::of(0), |_| Ok(()))?;
     }

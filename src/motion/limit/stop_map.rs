@@ -16,7 +16,7 @@ use crate::motion::event::velocity_zero::{Lost, VelocityZero};
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::stick::{Stick, release_angle};
 use crate::motion::slide::{Direction, Slide};
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use crate::motion::trajectory::Next;
 use alloc::vec::Vec;
 
@@ -107,7 +107,7 @@ pub(crate) fn passage<F: Float>(
             Next::Stick(stop) => {
                 let Some((phase, direction)) = stop.release else { return Ok(None) };
                 if phase.half_turns() == next_half_turn && direction != station.direction {
-                    let (zero, rest) = (F::int(0), Point { phase: release, x, w: F::int(0) });
+                    let (zero, rest) = (F::int(0), PhasePoint { phase: release, x, w: F::int(0) });
                     let left = Residual::new(&equation, &rest, (-stop.x - x, zero));
                     let rate = -monodromy.a;
                     return Ok(Some(Passage { from: x, release, parts, stop, left, rate, is_proved }));

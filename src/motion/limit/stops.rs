@@ -34,7 +34,7 @@ use crate::motion::limit::stop_map::Miss;
 use crate::motion::slide::Direction;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::stick::Stick;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use alloc::vec::Vec;
 
 /// The search uses stops that are released forward, around θ = 0.
@@ -228,7 +228,7 @@ fn steady<F: Float>(
         ..found.stop
     };
     let mut statistics =
-        CycleStatistics::at(&Point { phase: stop.start, x: stop.x, w: zero }, equation.omega);
+        CycleStatistics::at(&PhasePoint { phase: stop.start, x: stop.x, w: zero }, equation.omega);
     let length = found.release.since(stop.start);
     statistics.add(&MotionPart::Stick(stop, length))?;
     let mut longest = None;
@@ -246,7 +246,7 @@ fn steady<F: Float>(
     // turn later, so that the next stop is this one again.
     let middle = slide.motion(phi / two);
     let phase = slide.start.advanced(equation.omega * phi / two).later_by_half_turns(1);
-    let y = Point { phase, x: -middle.x, w: -middle.w };
+    let y = PhasePoint { phase, x: -middle.x, w: -middle.w };
     let distance = Residual::new(&equation, &y, (off, off)).bounds();
     if !is_known(&y, distance) || length < zero {
         return Ok(None);

@@ -36,11 +36,11 @@ use crate::float::Float;
 use crate::motion::drive::DrivePhase;
 use crate::motion::event::cover::Cover;
 use crate::motion::slide::equation::Equation;
-use crate::motion::slide::motion::{Jet, Motion};
+use crate::motion::slide::motion::{Motion, SlideJet};
 use crate::motion::slide::stick::force_rounding;
 use crate::motion::slide::work::Works;
 use crate::motion::slide::{Direction, Slide};
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 
 /// The steady state of a cycle with a maximum displacement and its phase, if half a turn of the motion agrees with
 /// it to within rounding. `cycle` is the cycle without damping.
@@ -52,7 +52,7 @@ pub(crate) fn validated<F: Float>(
     equation: Equation<F>,
     (displacement, displacement_phase): (F, F),
     cycle: Option<&Cycle<F>>,
-) -> Result<SteadyState<F>, (Point<F>, F)> {
+) -> Result<SteadyState<F>, (PhasePoint<F>, F)> {
     let (zero, two, pi) = (F::int(0), F::int(2), F::pi());
     let Equation { omega, damping, .. } = equation;
     let length = pi / omega;
@@ -66,7 +66,7 @@ pub(crate) fn validated<F: Float>(
         (fastest, if lag > pi { lag - two * pi } else { lag } / omega)
     });
     let middle = slide.motion(before);
-    let y = Point { phase: section, x: middle.x, w: middle.w };
+    let y = PhasePoint { phase: section, x: middle.x, w: middle.w };
     let start = (y, length - before);
     let slides = slide.acceleration > equation.static_excess() + force_rounding(&equation, slide.x);
     let is_fastest = middle.acceleration.square() <= F::epsilon() * middle.w.square();
@@ -142,7 +142,7 @@ impl<F: Float> Slide<F> {
         }
         let Motion { w, acceleration, jerk, .. } = self.motion(boundary);
         let zero = F::int(0);
-        let jet = Jet { value: w, first: acceleration, second: jerk, third: zero };
+        let jet = SlideJet { value: w, first: acceleration, second: jerk, third: zero };
         w > zero && cover.reaches_back(jet, boundary - longest)
     }
 }

@@ -13,7 +13,7 @@ use crate::motion::drive::DrivePhase;
 use crate::motion::limit::fixed_point::Located;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::orbit::{Likeness, Orbit};
-use crate::motion::state::{Point, State};
+use crate::motion::state::{PhasePoint, State};
 use alloc::vec::Vec;
 use core::ops::ControlFlow;
 pub use signature::Signature;
@@ -193,7 +193,7 @@ impl<F: Float> Attractor<F> {
             (LongRun::Periodic(steady), &Signature::Periodic { half_turns, x, v, distance }) => {
                 let omega = steady.equation.omega;
                 let phase = DrivePhase::of_half_turn(0, F::int(0));
-                let at = Point { phase, x, w: v * omega };
+                let at = PhasePoint { phase, x, w: v * omega };
                 let state = Located { at, off: (distance.0, distance.1 * omega) };
                 self.orbit.as_ref().map_or(Likeness::Other, |orbit| orbit.compare(half_turns, &state))
             }

@@ -10,7 +10,7 @@ use crate::motion::limit::orbit::{Likeness, Orbit};
 use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::{Point, State};
+use crate::motion::state::{PhasePoint, State};
 use crate::motion::trajectory::resolved;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -146,7 +146,7 @@ pub fn periodic_motions_from<F: Float>(
     let budget = &mut Budget::of(0).while_allowed(keep_going);
     let most = turns.saturating_mul(2);
     let usual = F::pi() / equation.omega;
-    let mut y = Point::of(&start, equation.omega);
+    let mut y = PhasePoint::of(&start, equation.omega);
     let mut path = vec![y];
     for _ in 0..most.saturating_mul(4).saturating_add(FOLLOWED) {
         let step = HalfTurns::new(equation, y, 1, usual, budget)?;
@@ -189,7 +189,7 @@ const FOLLOWED: u32 = 32;
 const FIRST: usize = 8;
 
 /// The state that returns closest to itself after m half turns.
-fn closest_return<F: Float>(path: &[Point<F>], m: u32) -> Option<&Point<F>> {
+fn closest_return<F: Float>(path: &[PhasePoint<F>], m: u32) -> Option<&PhasePoint<F>> {
     let later = path.iter().skip(usize::try_from(m).ok()?);
     let missed = path.iter().zip(later).map(|(y, back)| (y, distance(y, back)));
     missed.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(y, _)| y)

@@ -25,7 +25,7 @@ use crate::motion::limit::matrix::Matrix;
 use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use crate::motion::trajectory::resolved;
 use crate::root::enclosed;
 use alloc::vec::Vec;
@@ -110,7 +110,7 @@ struct VariedForce<F>(Ratios<F>);
 
 impl<F: Float> VariedForce<F> {
     /// The symmetric motion to which Newton's method converges from a state.
-    fn symmetric(&self, alpha: F, seed: Point<F>) -> Result<Option<Symmetric<F>>, Error> {
+    fn symmetric(&self, alpha: F, seed: PhasePoint<F>) -> Result<Option<Symmetric<F>>, Error> {
         let equation = Equation::new(resolved(self.0.with_force_ratio(alpha)?)?);
         let budget = &mut Budget::of(0);
         let trial = Trial::at(equation, seed, 1, budget)?.newton_from_far(budget)?;
@@ -133,7 +133,7 @@ impl<F: Float> VariedForce<F> {
         let ahead = |a: F, b: F| b + (b - a) * share;
         if share.is_finite() {
             let (from, to) = (before.state.at, last.state.at);
-            let y = Point { x: ahead(from.x, to.x), w: ahead(from.w, to.w), ..to };
+            let y = PhasePoint { x: ahead(from.x, to.x), w: ahead(from.w, to.w), ..to };
             let found = self.symmetric(alpha, y)?.filter(|found| found.shape() == last.shape());
             if found.is_some() {
                 return Ok(found);
@@ -147,9 +147,10 @@ impl<F: Float> VariedForce<F> {
     fn all(&self, alpha: F, known: &[Symmetric<F>]) -> Result<Vec<Symmetric<F>>, Error> {
         let equation = Equation::new(resolved(self.0.with_force_ratio(alpha)?)?);
         let origin = DrivePhase::of_half_turn(0, F::int(0));
-        let mut seeds: Vec<Point<F>> = known.iter().map(|motion| motion.state.at).collect();
+        let mut seeds: Vec<PhasePoint<F>> = known.iter().map(|motion| motion.state.at).collect();
         for (place, speed) in [(0, 0), (1, -1), (-1, 1), (3, -3)] {
-            let mut y = Point { phase: origin, x: F::ratio(place, 2) * alpha, w: F::ratio(speed, 3) * alpha };
+            let mut y =
+                PhasePoint { phase: origin, x: F::ratio(place, 2) * alpha, w: F::ratio(speed, 3) * alpha };
             for _ in 0..FOLLOWED {
                 y = HalfTurns::new(equation, y, 1, F::pi() / equation.omega, &mut Budget::of(0))?.end;
             }

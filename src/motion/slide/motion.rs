@@ -1,4 +1,4 @@
-//! The motion at one instant of a slide, and a value with its derivatives ([`Jet`]), the input of the search
+//! The motion at one instant of a slide, and a value with its derivatives ([`SlideJet`]), the input of the search
 //! for a zero.
 
 use super::equation::Equation;
@@ -32,9 +32,9 @@ impl<F: Float> Motion<F> {
 
     /// The velocity with its derivatives, multiplied by the sign of the slide.
     #[inline]
-    pub(crate) fn velocity_jet(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
+    pub(crate) fn velocity_jet(&self, equation: &Equation<F>, sign: F) -> SlideJet<F> {
         let third = self.higher(equation).0;
-        Jet {
+        SlideJet {
             value: sign * self.w,
             first: sign * self.acceleration,
             second: sign * self.jerk,
@@ -44,9 +44,9 @@ impl<F: Float> Motion<F> {
 
     /// The acceleration with its derivatives, multiplied by a sign.
     #[inline]
-    pub(crate) fn acceleration_jet(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
+    pub(crate) fn acceleration_jet(&self, equation: &Equation<F>, sign: F) -> SlideJet<F> {
         let (second, third) = self.higher(equation);
-        Jet {
+        SlideJet {
             value: sign * self.acceleration,
             first: sign * self.jerk,
             second: sign * second,
@@ -57,7 +57,7 @@ impl<F: Float> Motion<F> {
 
 /// A value and its first three derivatives.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Jet<F> {
+pub(crate) struct SlideJet<F> {
     pub(crate) value: F,
     pub(crate) first: F,
     pub(crate) second: F,

@@ -6,7 +6,7 @@ use crate::motion::broken::Budget;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::propagation::HalfTurns;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use crate::{Border, Ratios};
 
 /// The equation at Ω = 2⁻ⁿ and a multiple of the border, with α/(1 − Ω²) and the greatest |c|.
@@ -20,16 +20,16 @@ fn family(n: u32, times: f64) -> (Equation<f64>, f64, f64) {
 }
 
 /// A state at t₂, where the members have their maximum: ω_d t₂ = π/2.
-fn at_maximum(x: f64, w: f64) -> Point<f64> {
-    Point { phase: DrivePhase::of(std::f64::consts::FRAC_PI_2).unwrap(), x, w }
+fn at_maximum(x: f64, w: f64) -> PhasePoint<f64> {
+    PhasePoint { phase: DrivePhase::of(std::f64::consts::FRAC_PI_2).unwrap(), x, w }
 }
 
-fn limit(equation: Equation<f64>, y: Point<f64>, most: u64) -> LongRun<f64> {
+fn limit(equation: Equation<f64>, y: PhasePoint<f64>, most: u64) -> LongRun<f64> {
     member(equation, y, 1.0, &mut Budget::of(most)).unwrap()
 }
 
 /// Computes some cycles of the motion, and returns its state and whether it sticks in the last cycle.
-fn followed(equation: Equation<f64>, mut y: Point<f64>, cycles: u32) -> (Point<f64>, bool) {
+fn followed(equation: Equation<f64>, mut y: PhasePoint<f64>, cycles: u32) -> (PhasePoint<f64>, bool) {
     let mut sticks = false;
     for _ in 0..cycles {
         let cycle = HalfTurns::new(equation, y, 2, 1.0, &mut Budget::of(0)).unwrap();
@@ -176,7 +176,7 @@ fn the_edge_is_a_member() {
                 let (outside, _) = followed(equation, at_maximum(amplitude + side * room, 0.0), 1);
                 let on = HalfTurns::new(equation, outside, 4, 1.0, &mut Budget::of(0)).unwrap().end;
                 assert!((on.x - amplitude - side * room).abs() < 1e-9 * amplitude);
-                let edge = nearest_edge(equation, &Point { phase, x: side * 1e6, w: 0.0 });
+                let edge = nearest_edge(equation, &PhasePoint { phase, x: side * 1e6, w: 0.0 });
                 let (back, _) = followed(equation, edge, 1);
                 assert!((back.x - edge.x).hypot(back.w - edge.w) < 1e-9 * amplitude, "n = {n}, {i}");
             }

@@ -9,7 +9,7 @@ use crate::motion::limit::long_run::growth_at_resonance;
 use crate::motion::limit::matrix::Matrix;
 use crate::motion::limit::propagation::MotionPart;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -30,7 +30,7 @@ impl<F: Float> GrowthAtResonance<F> {
 
     /// The growth per turn of a motion that is so large that it no longer stops, if it grows. The averaged
     /// motion then approaches the phase of the drive, and the motion grows without bound.
-    pub(super) fn seen(&self, before: &Point<F>, after: &Point<F>) -> Option<F> {
+    pub(super) fn seen(&self, before: &PhasePoint<F>, after: &PhasePoint<F>) -> Option<F> {
         let (early, late) = (before.x.hypot(before.w), after.x.hypot(after.w));
         (early > self.large && late > early).then_some(self.growth)
     }
@@ -113,7 +113,7 @@ impl<F: Float> Observation<F> {
     }
 
     /// A state of the motion, with the change of sign undone.
-    pub(super) fn upright(&self, y: &Point<F>) -> Point<F> {
+    pub(super) fn upright(&self, y: &PhasePoint<F>) -> PhasePoint<F> {
         if self.is_upside_down { y.mirrored() } else { *y }
     }
 
@@ -121,7 +121,7 @@ impl<F: Float> Observation<F> {
     pub(super) fn irregular(
         &self,
         equation: &Equation<F>,
-        y: &Point<F>,
+        y: &PhasePoint<F>,
         budget: &Budget<'_>,
     ) -> Option<Irregular<F>> {
         let whole = self.whole_parts().min(PARTS as usize);

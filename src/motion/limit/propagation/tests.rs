@@ -4,7 +4,7 @@ use crate::Ratios;
 use crate::motion::DrivePhase;
 use crate::motion::broken::Budget;
 use crate::motion::slide::equation::Equation;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use core::ops::ControlFlow;
 
 #[test]
@@ -21,12 +21,14 @@ fn the_monodromy_is_the_derivative_of_the_walk() {
         let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
         let equation = Equation::new(ratios);
         let phase = DrivePhase::of(theta).unwrap();
-        let at = |x, w| HalfTurns::new(equation, Point { phase, x, w }, 2, 1.0, &mut Budget::of(0)).unwrap();
+        let at =
+            |x, w| HalfTurns::new(equation, PhasePoint { phase, x, w }, 2, 1.0, &mut Budget::of(0)).unwrap();
         let m = at(x, w).derivative;
         let h = 1e-6;
         let (right, left) = (at(x + h, w).end, at(x - h, w).end);
         let (up, down) = (at(x, w + h).end, at(x, w - h).end);
-        let difference = |p: Point<f64>, q: Point<f64>| ((p.x - q.x) / (2.0 * h), (p.w - q.w) / (2.0 * h));
+        let difference =
+            |p: PhasePoint<f64>, q: PhasePoint<f64>| ((p.x - q.x) / (2.0 * h), (p.w - q.w) / (2.0 * h));
         let ((a, c), (b, d)) = (difference(right, left), difference(up, down));
         for (got, expected) in [(m.a, a), (m.b, b), (m.c, c), (m.d, d)] {
             assert!((got - expected).abs() < 1e-6, "Ω = {omega}: {m:?} {a} {b} {c} {d}");
@@ -41,7 +43,7 @@ fn no_part_drives_two_motions_apart() {
     let equation =
         Equation::new(Ratios::new(1.319_799_361_868_836_2e-6f64, 8.987_385_541_686_157e62).unwrap());
     let phase = DrivePhase::of_half_turn(1, 2.606_010_784_944_601e-7);
-    let from = Point { phase, x: -2.342_122_367_685_313_4e56, w: -1.186_154_571_116_979_4e57 };
+    let from = PhasePoint { phase, x: -2.342_122_367_685_313_4e56, w: -1.186_154_571_116_979_4e57 };
     let half_turn = HalfTurns::new(equation, from, 1, 1.0, &mut Budget::of(0)).unwrap();
     assert!((half_turn.derivative.determinant() - 1.0).abs() < 1e-15, "{:?}", half_turn.derivative);
 }
@@ -50,7 +52,7 @@ fn no_part_drives_two_motions_apart() {
 #[test]
 fn parts_that_are_not_kept_are_met_again() {
     let equation = Equation::new(Ratios::new(1e-4, 3.0).unwrap());
-    let from = Point { phase: DrivePhase::of(0.1).unwrap(), x: 0.2, w: 0.3 };
+    let from = PhasePoint { phase: DrivePhase::of(0.1).unwrap(), x: 0.2, w: 0.3 };
     let mut budget = Budget::of(0);
     let half_turn = HalfTurns::new(equation, from, 1, 1.0, &mut budget).unwrap();
     let mut starts = Vec::new();
@@ -74,7 +76,7 @@ fn parts_that_are_not_kept_are_met_again() {
 #[test]
 fn a_walk_is_broken_off() {
     let equation = Equation::new(Ratios::new(1e-3, 3.0).unwrap());
-    let from = Point { phase: DrivePhase::of(0.1).unwrap(), x: 0.2, w: 0.3 };
+    let from = PhasePoint { phase: DrivePhase::of(0.1).unwrap(), x: 0.2, w: 0.3 };
     let mut asked = 0;
     let mut keep_going = || {
         asked += 1;
@@ -112,7 +114,7 @@ fn a_turn_at_the_end_ends_it() {
         for by in -40..=40 {
             let w = w * (1.0 + f64::from(by) * f64::EPSILON);
             for half_turns in 1..=4 {
-                let (from, free) = (Point { phase, x, w }, &mut Budget::of(0));
+                let (from, free) = (PhasePoint { phase, x, w }, &mut Budget::of(0));
                 let motion = HalfTurns::new(Equation::new(ratios), from, half_turns, 1.0, free).unwrap();
                 assert!(
                     motion.end.x.is_finite() && motion.end.w.is_finite(),

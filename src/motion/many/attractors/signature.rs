@@ -7,7 +7,7 @@ use crate::motion::drive::DrivePhase;
 use crate::motion::limit::fixed_point::{Located, Trial};
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::steady::SteadyState;
-use crate::motion::state::Point;
+use crate::motion::state::PhasePoint;
 use crate::motion::trajectory::Trajectory;
 
 /// The signature of a limit: it identifies the limit but does not describe the motion. A signature that was
@@ -94,7 +94,7 @@ impl<F: Float> Signature<F> {
 pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<Located<F>, Error> {
     let (x, v) = state_at_zero(steady)?;
     let phase = DrivePhase::of_half_turn(0, F::int(0));
-    let y = Point { phase, x, w: v * steady.equation.omega };
+    let y = PhasePoint { phase, x, w: v * steady.equation.omega };
     Ok(Trial::at(steady.equation, y, steady.half_turns(), &mut Budget::of(0))?.located())
 }
 

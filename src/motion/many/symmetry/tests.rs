@@ -50,7 +50,7 @@ fn symmetry_breaks_at_a_multiplier_of_minus_one() {
             assert!((one.alpha - expected).abs() < 1e-12 * 10.0 && one.loss == Loss::Multiplier, "{one:?}");
             let machine = VariedForce(ratios(omega, 0.02, eta, 2.0));
             let state = one.motion.state;
-            let y = crate::motion::state::Point { phase: state.phase, x: state.x, w: state.v * omega };
+            let y = crate::motion::state::PhasePoint { phase: state.phase, x: state.x, w: state.v * omega };
             let there = machine.symmetric(one.alpha, y).unwrap().unwrap();
             let (trace, determinant) = (there.derivative.trace(), there.derivative.determinant());
             assert!(there.f().abs() < 1e-11 && 1.0 - trace + determinant > 1.9, "{one:?}");
