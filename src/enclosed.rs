@@ -85,10 +85,7 @@ named! {
     /// The regime, where it is certain.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     #[non_exhaustive]
-    pub enum Regime [
-        /// The name, as [`Display`](core::fmt::Display) prints it.
-        #[doc(hidden)]
-    ] {
+    pub enum Regime [name] {
         /// α ≤ 1: the body ends at rest.
         Stuck = "stuck",
         /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. The body sticks, except at the

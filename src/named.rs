@@ -22,18 +22,16 @@ impl UnknownName {
     }
 }
 
-/// An enumeration with the name of each variant beside it, which it displays and is parsed from; the brackets describe
-/// its method `name`, which is the crate's own without them.
+/// An enumeration with the name of each variant beside it, which it displays and is parsed from. Its method `name` is the
+/// crate's own, or with `[name]` that of the programs of this repository, too, and then hidden from the reference.
 macro_rules! named {
-    ($(#[$attribute:meta])* pub enum $type:ident [$(#[$about:meta])+] { $($variants:tt)+ }) => {
-        $crate::named::named! { @of ($(#[$about])+ pub) $(#[$attribute])* pub enum $type { $($variants)+ } }
+    ($(#[$attribute:meta])* pub enum $type:ident [name] { $($variants:tt)+ }) => {
+        $crate::named::named! { @of (#[doc(hidden)] pub) $(#[$attribute])* pub enum $type { $($variants)+ } }
     };
     ($(#[$attribute:meta])* pub enum $type:ident { $($variants:tt)+ }) => {
-        $crate::named::named! {
-            @of (#[doc = "The name."] pub(crate)) $(#[$attribute])* pub enum $type { $($variants)+ }
-        }
+        $crate::named::named! { @of (pub(crate)) $(#[$attribute])* pub enum $type { $($variants)+ } }
     };
-    (@of ($(#[$about:meta])+ $seen:vis) $(#[$attribute:meta])* pub enum $type:ident {
+    (@of ($(#[$hidden:meta])? $seen:vis) $(#[$attribute:meta])* pub enum $type:ident {
         $($(#[$of_variant:meta])* $variant:ident = $name:literal,)+
     }) => {
         $(#[$attribute])*
@@ -42,7 +40,8 @@ macro_rules! named {
         }
 
         impl $type {
-            $(#[$about])+
+            /// The name, as [`Display`](core::fmt::Display) prints it.
+            $(#[$hidden])?
             #[must_use]
             $seen const fn name(self) -> &'static str {
                 match self {

@@ -29,10 +29,7 @@ named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-    pub enum Regime [
-        /// The name, as [`Display`](core::fmt::Display) prints it.
-        #[doc(hidden)]
-    ] {
+    pub enum Regime [name] {
         /// α ≤ 1: the force cannot overcome friction permanently, and the body ends at rest.
         Stuck = "stuck",
         /// α > 1 and no motion without a stop: the body stops for some time in every cycle. With η > 1 it stops

@@ -58,10 +58,7 @@ named! {
     /// The amplitude that was measured.
     #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-    pub enum AmplitudeKind [
-        /// The name, as [`Display`](core::fmt::Display) prints it.
-        #[doc(hidden)]
-    ] {
+    pub enum AmplitudeKind [name] {
         /// The peak displacement, half of peak to peak.
         #[default]
         Peak = "peak",
@@ -77,10 +74,7 @@ named! {
     /// The phase that was measured, the force being p₀ sin ω_d t.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-    pub enum PhaseKind [
-        /// The name, as [`Display`](core::fmt::Display) prints it.
-        #[doc(hidden)]
-    ] {
+    pub enum PhaseKind [name] {
         /// ω_d t₂, at which the body arrives at its peak displacement: about π/2 far below
         /// resonance.
         Peak = "peak",

@@ -39,10 +39,7 @@ named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
     #[non_exhaustive]
-    pub enum Aim [
-        /// The name, as [`Display`](core::fmt::Display) prints it.
-        #[doc(hidden)]
-    ] {
+    pub enum Aim [name] {
         /// The displacement x; on a base that carries the surface in relation to the base.
         Displacement = "displacement",
         /// The displacement in space, on a base that carries the surface.
@@ -66,10 +63,7 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     #[non_exhaustive]
-    pub enum BandFrictionKind [
-        /// The name, as [`Display`](core::fmt::Display) prints it.
-        #[doc(hidden)]
-    ] {
+    pub enum BandFrictionKind [name] {
         /// Between none and rest.
         Interior = "interior",
         /// The less friction the better: the answer is the least friction that was tried, 10⁻⁶ of the one that holds the

@@ -14,10 +14,7 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     #[non_exhaustive]
-    pub enum Excitation [
-        /// The text that [`Display`](core::fmt::Display) prints.
-        #[doc(hidden)]
-    ] {
+    pub enum Excitation [name] {
         /// A force `p₀ sin ω_d t` on the body.
         Force = "force on the body",
         /// The force of a mass m_e that rotates on the body at an eccentricity e with the speed ω_d, given by the

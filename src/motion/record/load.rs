@@ -35,10 +35,7 @@ named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-    pub enum After [
-        /// The name, as [`Display`](core::fmt::Display) prints it.
-        #[doc(hidden)]
-    ] {
+    pub enum After [name] {
         /// It is zero: a foot jumps back to 0.
         Zero = "zero",
         /// It stays at the last sample. A foot then rests, so that its damper carries no velocity of it.
