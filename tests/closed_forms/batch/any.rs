@@ -17,7 +17,7 @@ fn keeps_its_promises(bytes: &[u8], offset: usize, length: usize) {
 }
 
 proptest! {
-    #![proptest_config(cases(100))]
+    #![proptest_config(cases(40))]
 
     /// For any number of deliberately difficult points, wherever their slice begins.
     #[test]
