@@ -11,13 +11,14 @@ use crate::figure::Target;
 use crate::interrupt;
 use crate::measured::Described as OfRecord;
 use crate::output::{self, PendingFile};
+use crate::progress;
 use crate::record::{Cell, Record as Named};
 use crate::rows;
 use crate::sink::Sink;
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;
-use stickslip::inputs::units::Kind as Of;
+use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::State;
 use stickslip_figures::Figure;
@@ -77,12 +78,22 @@ fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shakin
         Some(file) => {
             let (record, summary) =
                 crate::measured::read::<f64>(file, &LoadArgs::default(), &found.reader())?;
+            note_of_units(found.described.units.as_ref(), &file.display().to_string());
             (found.with_record(&record, &file.display().to_string())?, Some((summary, record)))
         }
         None => (found, None),
     };
     found.system = found.system.while_allowed(interrupt::keep_going);
     Ok((found, read))
+}
+
+/// Says in which units a record is beside matrices that name none.
+fn note_of_units(units: Option<&Units>, record: &str) {
+    if units.is_none() {
+        progress::note(&format!(
+            "{record}: taken in m/s² beside the matrices; units = \"N,mm\" in their file names other units"
+        ));
+    }
 }
 
 /// The two parts of `PATH=VALUE`.

@@ -18,6 +18,7 @@ use super::model::State;
 use super::motion::{Motion, Observer, state};
 use super::zero::integer;
 use crate::float::Float;
+use crate::machine::error::written;
 use alloc::string::ToString;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -333,6 +334,27 @@ impl<F: Float> Search<'_, F> {
     }
 }
 
+impl<F: Float> Search<'_, F> {
+    /// The answers of the latest period that, with its energy, stays within the range of numbers.
+    fn last_finite(&mut self, states: &[Vec<F>]) -> Result<Answers<F>, Error> {
+        let mut last = Err(Error::Unbounded { time: written(self.period) });
+        for from in states.iter().rev() {
+            last = self.observed(Some(from), 1);
+            match &last {
+                Ok((_, motion)) => {
+                    let works = [motion.stored, motion.load_work, motion.damper_work];
+                    if works.iter().all(|work| work.is_finite()) {
+                        break;
+                    }
+                }
+                Err(Error::Unbounded { .. }) => {}
+                Err(_) => break,
+            }
+        }
+        last
+    }
+}
+
 /// The motion that a start leads to.
 pub(crate) fn steady<'a, F: Float>(
     system: &'a Assembly<F>,
@@ -455,8 +477,7 @@ pub(crate) fn steady<'a, F: Float>(
             && size * F::int(2) > middle * F::int(3));
     let before = states.iter().rev().nth(1).cloned().unwrap_or_default();
     let change = search.distance(states.last().map_or(&[][..], Vec::as_slice), &before, &sizes);
-    let from = states.last().cloned().unwrap_or_default();
-    let (start, motion) = search.observed(Some(&from), 1)?;
+    let (start, motion) = search.last_finite(&states)?;
     let kind = if grows { SteadyKind::Growing } else { SteadyKind::Unsettled };
     Ok(Steady { kind, period, periods: 1, start, motion, multipliers: Vec::new(), change, followed })
 }

@@ -46,6 +46,9 @@ fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
     let reader = Reader::new(units.as_ref(), "units in the file");
     let records = args.records.iter().map(|file| {
         let (record, _) = crate::measured::read::<f64>(file, &Default::default(), &reader)?;
+        if value.get("masses").is_none() {
+            super::note_of_units(units.as_ref(), &file.display().to_string());
+        }
         Ok((file.display().to_string(), record))
     });
     let records = records.collect::<Result<Vec<(String, Load<f64>)>, Failure>>()?;

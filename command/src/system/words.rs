@@ -18,6 +18,15 @@ fn frequency(units: Option<&Units>, omega: f64) -> String {
     if units.is_some() { format!("{} Hz", digits(omega / TAU)) } else { digits(omega) }
 }
 
+/// A natural frequency, or the growth of a direction whose stiffness is negative.
+fn own(units: Option<&Units>, omega: f64) -> String {
+    if omega >= 0.0 {
+        return frequency(units, omega);
+    }
+    let per = if units.is_some() { "/s" } else { "" };
+    format!("unstable (grows at the rate {}{per})", digits(-omega))
+}
+
 /// What the file describes, with natural frequencies free and with contacts at rest.
 pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let (described, system) = (&asked.described, &asked.system);
@@ -76,7 +85,7 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     }
     let list = |frequencies: &[f64]| match frequencies {
         [] => "none".to_owned(),
-        _ => frequencies.iter().map(|omega| frequency(units, *omega)).collect::<Vec<_>>().join(", "),
+        _ => frequencies.iter().map(|omega| own(units, *omega)).collect::<Vec<_>>().join(", "),
     };
     writeln!(out, "\nNatural frequencies, without dampers")?;
     let has_contacts = elements.iter().any(|element| kind_of(element) != "stop");
@@ -88,6 +97,9 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     }
     if has_contacts {
         line(out, "all contacts at rest", list(stuck))?;
+    }
+    if description.negative_damping {
+        writeln!(out, "\nThe damping is negative in some direction: it feeds the motion.")?;
     }
     if *rigid > 0 {
         writeln!(

@@ -174,6 +174,80 @@ fn absolute_accelerations_are_the_forces_over_the_masses() {
     assert!(still.get("absolute_acceleration").is_none() && still["units"].get("acceleration").is_none());
 }
 
+/// A record beside matrices is in the units that their file names, or in SI, which is said.
+#[test]
+fn a_record_beside_matrices_is_in_their_units() {
+    let folder = place("matrices-under-a-record");
+    std::fs::create_dir(&*folder).unwrap();
+    let record = folder.join("record.csv");
+    let rows =
+        (0..300).map(|i| format!("{:.2},{}\n", 0.01 * f64::from(i), 0.3 * (0.12 * f64::from(i)).sin()));
+    std::fs::write(&record, "time[s],acceleration[g]\n".to_owned() + &rows.collect::<String>()).unwrap();
+    // 1.5 t on 20 N/mm with 300 N, in N and mm, and in SI.
+    let run = |name: &str, units: &str, scale: [f64; 3]| {
+        let file = folder.join(name);
+        let [mass, stiffness, friction] = scale;
+        let text = format!(
+            r#"{{{units}"mass": [[{mass}]], "stiffness": [[{stiffness}]],
+                "elements": [{{"type": "contact", "direction": [1], "friction": {friction}}}]}}"#
+        );
+        std::fs::write(&file, text).unwrap();
+        let line = format!("system {} record {} --format json", file.display(), record.display());
+        let ran = stickslip(&line).assert().success().get_output().clone();
+        let table = format!("system {} spectrum {}", file.display(), record.display());
+        let grid = stickslip(&table).assert().success().get_output().clone();
+        let said = [ran.stderr, grid.stderr].map(|text| String::from_utf8(text).unwrap());
+        let answer: Value = serde_json::from_slice(&ran.stdout).unwrap();
+        (answer, String::from_utf8(grid.stdout).unwrap(), said)
+    };
+    let (small, rows, said) = run("mm.json", "\"units\": \"N,mm\", ", [1.5, 20.0, 300.0]);
+    assert_eq!(small["units"]["displacement"], "mm");
+    assert!(
+        rows.contains("q1.max_displacement[mm]") && said.iter().all(|text| !text.contains("m/s²")),
+        "{rows}"
+    );
+    let (plain, rows, said) = run("si.json", "", [1500.0, 20_000.0, 300.0]);
+    assert!(plain.get("units").is_none() && rows.contains("q1.max_displacement,"), "{rows}");
+    for text in said {
+        assert!(text.contains("record.csv: taken in m/s² beside the matrices; units = \"N,mm\""), "{text}");
+    }
+    for name in ["max_displacement", "min_velocity", "max_absolute_acceleration"] {
+        let due: Vec<f64> = numbers(&plain[name]).iter().map(|x| 1000.0 * x).collect();
+        assert!(distance(&numbers(&small[name]), &due) < 1e-11, "{name}");
+    }
+}
+
+/// A strut past its buckling load, and a damper that feeds: by matrices only, and named as what they are.
+#[test]
+fn what_grows_is_named() {
+    let file = place("grows.json");
+    let system = |stiffness: f64, damping: f64| {
+        let system = value!({
+            "mass": [[1.0, 0.0], [0.0, 2.0]], "damping": [[0.3, 0.0], [0.0, damping]], "stiffness": [[stiffness, 0.0], [0.0, 8.0]],
+            "elements": [{"type": "contact", "direction": [1, 0], "friction": 0.5}],
+            "harmonics": [{"frequency": 1.0, "sin": [1, 1]}],
+        });
+        std::fs::write(&file, system.to_string()).unwrap();
+        let line = format!("system {}", file.display());
+        (json(&format!("{line} --format json")), stdout(&line), stdout(&format!("{line} steady")))
+    };
+    let growing = "Growing: the motion grows without bound.";
+    let (found, text, steady) = system(-2.0, 0.1);
+    assert_eq!(numbers(&found["natural_frequencies"])[0], -std::f64::consts::SQRT_2);
+    assert_eq!(found["negative_damping"], false);
+    assert!(text.contains("all contacts sliding     unstable (grows at the rate 1.414214), 2"), "{text}");
+    assert!(!text.contains("feeds") && steady.starts_with(growing) && !steady.contains("inf"), "{steady}");
+    let (found, text, steady) = system(2.0, -0.1);
+    assert_eq!(found["negative_damping"], true);
+    assert!(text.contains("The damping is negative in some direction: it feeds the motion."), "{text}");
+    assert!(steady.starts_with(growing), "{steady}");
+    let (_, text, steady) = system(2.0, 0.1);
+    assert!(
+        !text.contains("unstable") && !text.contains("feeds") && steady.starts_with("Periodic"),
+        "{text}"
+    );
+}
+
 /// The foreseen steps of 60 bodies exceed their budget, which is below that of few bodies.
 #[test]
 fn a_long_motion_of_a_large_system_is_refused_at_once() {
@@ -322,6 +396,16 @@ fn each_mistake_is_one_line_with_its_place() {
             "[\"block\", \"roof\"]",
             "[\"block\", \"rof\"]",
             vec!["springs[2].between[2] rof: is no body. Did you mean roof?"],
+        ),
+        (
+            "\"200 N/mm\"",
+            "\"-200 N/mm\"",
+            vec!["springs[1].stiffness -200 N/mm: must be ≥ 0", "buckled strut"],
+        ),
+        (
+            "\"0.3 N*s/mm\"",
+            "\"-0.3 N*s/mm\"",
+            vec!["springs[1].damping -0.3", "must be ≥ 0", "feeds the motion"],
         ),
         ("[masses]", "[masses", vec!["line 3"]),
         ("frequency = \"3 Hz\"", "frequency = \"0 Hz\"", vec!["forces[1].frequency 0 Hz: must be > 0"]),

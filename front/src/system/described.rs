@@ -16,7 +16,7 @@ pub struct Described {
     pub model: Model<f64>,
     /// The names of the coordinates: those of the bodies, or q1, q2, …
     pub coordinates: Vec<String>,
-    /// The system of units; `None` for matrices, whose units are any consistent ones.
+    /// The system of units; `None` for matrices whose file names none: they are any consistent ones.
     pub units: Option<Units>,
     /// Displacements and velocities at the beginning.
     pub start: State<f64>,

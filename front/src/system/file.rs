@@ -79,13 +79,15 @@ pub(super) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> 
         return named::described(&Node::root(value, &reader), folder, asked.unwrap_or_default());
     }
     if let Some(typed) = units {
-        return Err(format!("units {typed}: must be left out: matrices are in any consistent units"));
+        return Err(format!(
+            "units {typed}: must be left out: matrices have the units that their file names, or none"
+        ));
     }
-    by_matrices(&fields)
+    by_matrices(&fields, own)
 }
 
-/// A system of matrices, in any consistent units.
-fn by_matrices(fields: &Fields<'_>) -> Result<Described, String> {
+/// A system of matrices: in the units that the file names, or in any consistent ones.
+fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, String> {
     if fields.get("mass").is_none() {
         return Err(
             "masses is missing: bodies by name, such as [masses] block = \"1 t\", or the matrix mass"
@@ -150,7 +152,7 @@ fn by_matrices(fields: &Fields<'_>) -> Result<Described, String> {
     fields.end()?;
     let inertia = model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect();
     let coordinates = (1..=n).map(|i| format!("q{i}")).collect();
-    Ok(Described { model, coordinates, units: None, start, inertia, base: None })
+    Ok(Described { model, coordinates, units, start, inertia, base: None })
 }
 
 /// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.

@@ -160,18 +160,18 @@ impl Builder<'_> {
 
     fn spring(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (_, ends) = self.direction(fields)?;
-        let value = |name: &'static str, kind: Of| {
+        let value = |name: &'static str, kind: Of, like: &str| {
             let Some(node) = fields.get(name) else { return Ok(0.0) };
             let value = node.quantity(kind)?;
             if value < 0.0 {
                 return Err(
-                    node.wrong("must be ≥ 0 (a negative one, as of a buckled strut, is given by matrices)")
+                    node.wrong(&format!("must be ≥ 0 (a negative one, {like}, is given by matrices)"))
                 );
             }
             Ok(value)
         };
-        let stiffness = value("stiffness", Of::Stiffness)?;
-        let damping = value("damping", Of::Damping)?;
+        let stiffness = value("stiffness", Of::Stiffness, "as of a buckled strut")?;
+        let damping = value("damping", Of::Damping, "which feeds the motion")?;
         let _ = fields.get("name");
         fields.end()?;
         for (matrix, value) in [(&mut self.model.stiffness, stiffness), (&mut self.model.damping, damping)] {

@@ -218,7 +218,7 @@ class System:
     units : str
         Such as ``"N,mm"``.
     mass, damping, stiffness : matrix
-        In place of bodies: matrices in consistent units, with ``elements`` and ``harmonics`` as dicts, ``constant``,
+        In place of bodies: matrices in ``units``, or without them in any consistent ones, with ``elements`` and ``harmonics`` as dicts, ``constant``,
         ``record`` and ``start``.
     folder : path
         The folder of files that are named.
