@@ -164,8 +164,8 @@ pub struct State<F> {
     /// The force T of each element; a start needs those of the elastic contacts only, and takes 0 where the list
     /// ends early.
     pub force: Vec<F>,
-    /// `q″ + influence · acceleration`, the absolute acceleration of each coordinate; where it jumps, as at an event, its value
-    /// just after. None without a [`Base`], and a start needs none.
+    /// `q″ + influence · acceleration`, the absolute acceleration of each coordinate; at an instant where it jumps, such as an
+    /// event, the value of one side. None without a [`Base`], and a start needs none.
     #[cfg_attr(feature = "serde", serde(default = "Vec::new"))]
     pub absolute_acceleration: Vec<F>,
 }

@@ -8,9 +8,11 @@ use proptest::test_runner::RngSeed;
 /// The environment variable `PROPTEST_RNG_SEED` draws other inputs, as `.ci/slow properties` does. No failure is stored:
 /// the same seed finds it again, and a find becomes a test of its own.
 pub(crate) fn cases(count: u32) -> ProptestConfig {
-    ProptestConfig {
-        rng_seed: RngSeed::Fixed(1),
-        failure_persistence: None,
-        ..ProptestConfig::with_cases(count)
-    }
+    let given = ProptestConfig::with_cases(count);
+    let rng_seed = match given.rng_seed {
+        // The environment names none.
+        RngSeed::Random => RngSeed::Fixed(1),
+        seed @ RngSeed::Fixed(_) => seed,
+    };
+    ProptestConfig { rng_seed, failure_persistence: None, ..given }
 }

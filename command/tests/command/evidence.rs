@@ -124,6 +124,7 @@ fn every_output_of_every_command_has_its_row() {
             &[
                 format!("system {system} simulate --until 2s --format json"),
                 format!("system {shaken} simulate --until 2s --format json"),
+                format!("system {shaken} simulate --until 2s --samples 4 --format json"),
             ],
         ),
         ("system border", &[format!("system {system} border --format json")]),

@@ -263,11 +263,12 @@ mod tests {
 
     /// As `tests/drawn` of the library.
     fn cases(count: u32) -> ProptestConfig {
-        ProptestConfig {
-            rng_seed: RngSeed::Fixed(1),
-            failure_persistence: None,
-            ..ProptestConfig::with_cases(count)
-        }
+        let given = ProptestConfig::with_cases(count);
+        let rng_seed = match given.rng_seed {
+            RngSeed::Random => RngSeed::Fixed(1),
+            seed @ RngSeed::Fixed(_) => seed,
+        };
+        ProptestConfig { rng_seed, failure_persistence: None, ..given }
     }
 
     proptest! {

@@ -122,8 +122,8 @@ class SystemStates(Result):
     force : array
         A row for each time, a column for each element.
     absolute_acceleration : array, or None
-        Acceleration in space, a row for each time, a column for each coordinate; just after the event where it jumps. None
-        where the base does not move.
+        Acceleration in space, a row for each time, a column for each coordinate; of one side where it jumps, as at an event.
+        None where the base does not move.
     coordinates, elements : tuple of str
         The names of the columns.
     units : dict of str to str, or None
