@@ -3,49 +3,29 @@
 use super::assembly::Assembly;
 use super::branch::Branch;
 use super::matrix::Matrix;
+use crate::named::named;
 
-/// The kind of an event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
-pub enum EventKind {
-    /// A contact comes to rest.
-    Stick,
-    /// A contact begins to slide.
-    Slip,
-    /// A contact turns without a rest.
-    Reverse,
-    /// The velocity of a contact, or the force of a stop, touches zero and goes on.
-    Touch,
-    /// The slider of an elastic contact begins to slide.
-    Yield,
-    /// The slider of an elastic contact stops.
-    Lock,
-    /// A stop, or a contact's normal load, ends.
-    Open,
-    /// A stop, or a contact's normal load, begins.
-    Close,
-}
-
-impl EventKind {
-    /// The name: `stick`, `slip`, …
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stick => "stick",
-            Self::Slip => "slip",
-            Self::Reverse => "reverse",
-            Self::Touch => "touch",
-            Self::Yield => "yield",
-            Self::Lock => "lock",
-            Self::Open => "open",
-            Self::Close => "close",
-        }
-    }
-}
-
-impl core::fmt::Display for EventKind {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.pad(self.name())
+named! {
+    /// The kind of an event.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
+    pub enum EventKind [name] {
+        /// A contact comes to rest.
+        Stick = "stick",
+        /// A contact begins to slide.
+        Slip = "slip",
+        /// A contact turns without a rest.
+        Reverse = "reverse",
+        /// The velocity of a contact, or the force of a stop, touches zero and goes on.
+        Touch = "touch",
+        /// The slider of an elastic contact begins to slide.
+        Yield = "yield",
+        /// The slider of an elastic contact stops.
+        Lock = "lock",
+        /// A stop, or a contact's normal load, ends.
+        Open = "open",
+        /// A stop, or a contact's normal load, begins.
+        Close = "close",
     }
 }
 

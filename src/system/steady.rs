@@ -19,35 +19,25 @@ use super::motion::{Motion, Observer, state};
 use super::zero::integer;
 use crate::float::Float;
 use crate::machine::error::written;
+use crate::named::named;
 use alloc::string::ToString;
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, Schur};
 
-/// The kind of a motion after a long time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
-pub enum SteadyKind {
-    /// It repeats itself.
-    Periodic,
-    /// Nothing moves.
-    Rest,
-    /// It grows without bound.
-    Growing,
-    /// It has not settled within the periods that were followed.
-    Unsettled,
-}
-
-impl SteadyKind {
-    /// The name: `periodic`, `rest`, `growing`, `unsettled`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Periodic => "periodic",
-            Self::Rest => "rest",
-            Self::Growing => "growing",
-            Self::Unsettled => "unsettled",
-        }
+named! {
+    /// The kind of a motion after a long time.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
+    pub enum SteadyKind [name] {
+        /// It repeats itself.
+        Periodic = "periodic",
+        /// Nothing moves.
+        Rest = "rest",
+        /// It grows without bound.
+        Growing = "growing",
+        /// It has not settled within the periods that were followed.
+        Unsettled = "unsettled",
     }
 }
 
