@@ -189,7 +189,7 @@ impl<'a> Target<'a> {
         }
         self.pending(file)?.fill(|out| {
             let svg = drawn(self.title, self.size)?;
-            let file = match picture {
+            let file: Result<Vec<u8>, std::io::Error> = match picture {
                 #[cfg(feature = "png")]
                 Picture::Png => {
                     let width = self.size.map_or(WIDTH, |(width, _)| width.saturating_mul(2));

@@ -75,11 +75,14 @@ pub(super) fn write<F: Value>(
     let record = load.record(shape, duration, hertz).map_err(|e| behind_all(&given, Failure::from(e)))?;
     let motion = body.motion(&record, start[0], start[1], duration);
     let motion = motion.map_err(|e| behind_all(&given, Failure::from(e)))?;
-    let rows = match hertz {
-        Some(hertz) => samples_of(&motion, (duration, hertz), (given.system, has_mass)),
-        None => segments_of(&motion, (duration, start), given.system),
-    };
-    rows.into_iter().try_for_each(|row| sink.write(&row.finite()?))
+    let mut write = |row: Row| sink.write(&row.finite()?);
+    match hertz {
+        // One row at a time: a million of them have no room.
+        Some(hertz) => {
+            samples_of(&motion, (duration, hertz), (given.system, has_mass)).try_for_each(&mut write)
+        }
+        None => segments_of(&motion, (duration, start), given.system).into_iter().try_for_each(write),
+    }
 }
 
 const fn named(shape: ShapeArg) -> &'static str {
@@ -182,11 +185,11 @@ fn samples_of<F: Value>(
     motion: &RecordMotion<F>,
     (duration, hertz): (F, F),
     (system, has_mass): (System, bool),
-) -> Vec<Row> {
+) -> impl Iterator<Item = Row> {
     let count = (duration * hertz * (F::int(1) + F::int(4) * F::epsilon())).floor().to_f64() as i32;
     let number = |x: F| Cell::Number(Some(x));
     let mut states = motion.states.iter().peekable();
-    let rows = (0..=count).filter_map(|i| {
+    (0..=count).filter_map(move |i| {
         let time = F::int(i) / hertz;
         let last = if time < duration { time } else { duration };
         while states.peek().is_some_and(|state| state.time < last) {
@@ -206,8 +209,7 @@ fn samples_of<F: Value>(
         // On the side of the spring's force, as under a harmonic drive.
         values.extend(has_mass.then(|| ("friction_force", Kind::Force, number(F::int(0) - found.friction))));
         Some(Cells::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())
-    });
-    rows.collect()
+    })
 }
 
 /// A row of each slide and stick up to the duration.
