@@ -33,6 +33,19 @@ fn an_undamped_resonance_grows() {
     );
 }
 
+/// A body on a spring of negative stiffness leaves the range of numbers: the period that is told is a late one within it, over
+/// which the motion grows as e^{κt}, κ² = 2.
+#[test]
+fn a_motion_that_leaves_the_range_of_numbers_grows() {
+    let model = Model { stiffness: vec![vec![-2.0]], ..linear(1.0, 0.0) };
+    let steady = System::new(&model).unwrap().steady(&State::rest(1)).unwrap();
+    assert_eq!(steady.kind, SteadyKind::Growing);
+    let (from, to) = (steady.start.displacement[0], steady.motion.end.displacement[0]);
+    let due = (2.0_f64.sqrt() * steady.period).exp();
+    assert!(from > 1e100 && (to / from / due - 1.0).abs() < 1e-12, "{from}, {to}");
+    assert!(steady.motion.stored.is_finite() && steady.motion.load_work.is_finite(), "{:?}", steady.motion);
+}
+
 /// Without a damper the body keeps the vibration of its start: (sin ωt − (ω/Ω) sin Ωt) F/(k − mω²) from rest.
 #[test]
 fn an_undamped_vibration_of_its_own_does_not_settle() {
