@@ -1,5 +1,7 @@
 //! The same cases at 128 bits, to 20 digits; steady motions and random systems at 128 bits beside 192.
 
+#![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
+
 use crate::cases::{cases, number, start, text};
 use stickslip::Float;
 use stickslip::float::{Field, Mp};

@@ -1,5 +1,7 @@
 //! Random systems against an independent check, symmetric ones, and ones whose contacts have dependent directions.
 
+#![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
+
 #[cfg(feature = "generators")]
 #[path = "../invariants/systems.rs"]
 pub(crate) mod systems;
