@@ -308,7 +308,7 @@ impl<F: Float> Cycle<F> {
 
     /// The energy that the damper dissipates in a cycle, in units of r_y B; 0 without a damper. Friction
     /// dissipates 4Δ₀/B. A damper on the moving support ([`Ratios::excitation`]) dissipates by the velocity between body
-    /// and foot, `∮ 2ζ (x′ − u′)² dφ`.
+    /// and support, `∮ 2ζ (x′ − u′)² dφ`.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of
     /// `docs/development/theory/damping.md`; the integral itself where these cancel, near Ω = 1 with little damping.

@@ -178,11 +178,11 @@ outputs! {
         .searched():
         cycle => cycle.transmissibility();
     MaxAbsoluteDisplacement("max_absolute_displacement", Length,
-            "maximum absolute displacement of the body, where its foot or a base that carries the surface moves")
+            "maximum absolute displacement of the body, where its support or a base that carries the surface moves")
         .searched().over_base("max_absolute_displacement"):
         motion => motion.absolute_displacement();
     MaxSpringForce("max_spring_force", Force,
-            "maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement")
+            "maximum force in the spring k |x − u|, u the motion of its support, without that of the mean displacement")
         .title("maximum force in the spring").searched():
         cycle => cycle.max_spring_force();
     EquivalentDamping("equivalent_damping", Damping,

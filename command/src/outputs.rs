@@ -132,7 +132,7 @@ For a machine, under physical, each with its unit
   min_force, min_force_turning_point, best_force, no_stop_forces
                                  the force ratios of these names times r_y
   energy_per_cycle               energy that friction dissipates in a cycle, 4 r_y Δ₀
-  damper_energy_per_cycle        energy that the damper dissipates, on a moving support by the velocity between body and foot
+  damper_energy_per_cycle        energy that the damper dissipates, on a moving support by the velocity between body and support
   best_force_energy              friction's energy in a cycle at best_force
   followed_for                   time for which the exact motion was followed
 ";

@@ -59,7 +59,7 @@ impl<F: Float> Cycle<F> {
         Equivalent { omega: self.ratios.omega(), amplitude, work }
     }
 
-    /// Greatest force in the spring, in r_y: Δ₀/B, or the greatest |x − u|/B where the foot of the spring moves by u.
+    /// Greatest force in the spring, in r_y: Δ₀/B, or the greatest |x − u|/B where the support of the spring moves by u.
     ///
     /// Accuracy at f64: 1e-13 of Δ₀/B + α.
     pub(crate) fn max_spring_force(&self) -> F {
@@ -103,7 +103,7 @@ impl<F: Float> Cycle<F> {
 mod tests {
     use crate::{Cycle, Excitation, Ratios};
 
-    /// No dense sample of the force in the spring exceeds its maximum, and some come close, where the foot of the spring
+    /// No dense sample of the force in the spring exceeds its maximum, and some come close, where the support of the spring
     /// moves without the damper or with it, at slow and at fast drives.
     #[test]
     fn the_force_in_the_spring_is_the_greatest_of_samples() {

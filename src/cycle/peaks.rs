@@ -51,14 +51,14 @@ impl<F: Float> Cycle<F> {
     /// Maximum force on the support, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of
     /// `|x + 2ζx′ + sgn x′|`, which includes the damper's force.
     ///
-    /// Where the foot moves ([`crate::Ratios::excitation`]), foot and surface together carry m x″: the maximum of `|x″|`.
+    /// Where the support moves ([`crate::Ratios::excitation`]), support and surface together carry m x″: the maximum of `|x″|`.
     pub fn transmitted_force(&self) -> F {
         let support = Support::from(&self.ratios);
         support.force(self.carried(&support))
     }
 
-    /// The transmissibility: [`Cycle::transmitted_force`] over p₀. Where the foot moves, the peak acceleration of the
-    /// body over that of the foot.
+    /// The transmissibility: [`Cycle::transmitted_force`] over p₀. Where the support moves, the peak acceleration of the
+    /// body over that of the support.
     pub fn transmissibility(&self) -> F {
         let support = Support::from(&self.ratios);
         support.transmissibility(self.carried(&support))
@@ -133,7 +133,7 @@ impl<F: Float> Cycle<F> {
     /// Hence y′ increases and then decreases, from −K/Ω² to K/Ω²; it has one zero, and y one extremum.
     /// Accuracy at f64: 1e-14 of Δ₀/B + α/Ω²; with damping 1e-13 of it.
     ///
-    /// Where the foot moves, the surface is fixed, and this is Δ₀/B.
+    /// Where the support moves, the surface is fixed, and this is Δ₀/B.
     pub fn max_absolute_displacement(&self) -> F {
         if self.ratios.excitation().is_some_and(Excitation::moves_foot) {
             return self.max_displacement.abs();
@@ -152,7 +152,7 @@ impl<F: Float> Cycle<F> {
         at(low).or_larger(at(high))
     }
 
-    /// The maximum absolute displacement where the foot or the base moves, and of ratios without an excitation.
+    /// The maximum absolute displacement where the support or the base moves, and of ratios without an excitation.
     pub(crate) fn absolute_displacement(&self) -> Option<F> {
         let moves = self.ratios.excitation().is_none_or(Excitation::moves_base);
         moves.then(|| self.max_absolute_displacement())

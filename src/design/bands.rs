@@ -142,7 +142,7 @@ pub fn frequency_bands<F: Float>(
     Ok(Bands { frequency: Some(FrequencyScale { natural, low, high }), ..found })
 }
 
-/// α as a function of Ω: a foot with its damper has `p₀² = (k² + c²ω_d²) u₀²`, other drives a power of ω_d.
+/// α as a function of Ω: a support with its damper has `p₀² = (k² + c²ω_d²) u₀²`, other drives a power of ω_d.
 fn growing<F: Float>(body: &Oscillator<F>, drive: &Drive<F>, natural: F) -> Result<Force<F>, Error> {
     let zero = F::int(0);
     let alpha = drive.at(natural)?.force_amplitude(body) / body.friction_bound();

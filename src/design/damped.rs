@@ -75,7 +75,7 @@ impl<F: Float> Damper<F> {
 }
 
 /// The force ratio while the frequency ratio changes, `α = √(α₀² + α₁²Ω² + α₂²Ω⁴)`: of a force, of a base motion by its
-/// velocity, of a rotating unbalance or a base motion by its displacement, or of a foot with its damper.
+/// velocity, of a rotating unbalance or a base motion by its displacement, or of a support with its damper.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Force<F>(pub(super) [F; 3]);
 

@@ -23,7 +23,7 @@ pub enum Holding<F> {
 /// of `drive`: the ω_d at which the force on the body, p₀(ω_d), is the static friction `r_s = η r_y`.
 ///
 /// The force of an unbalance or of a base that carries the surface grows with ω_d from 0 on: m_e e ω_d² = r_s, m ω_d² u₀ =
-/// r_s, m ω_d v₀ = r_s. A foot with the damper has √(k² + c²ω_d²) u₀, from k u₀ on. The force of all others is the same at
+/// r_s, m ω_d v₀ = r_s. A support with the damper has √(k² + c²ω_d²) u₀, from k u₀ on. The force of all others is the same at
 /// every frequency. The frequency of `drive` plays no part. A body at rest elsewhere is released earlier. Accuracy at f64: 4
 /// units in the last place.
 ///

@@ -154,7 +154,7 @@ fn best_of_band<F: Float>(
 ///
 /// # Errors
 /// Those of [`most_dissipating_frequency_ratio`] (except that with a damper there is an answer at Ω = 1);
-/// [`Error::BaseMotion`], because the force of a moving foot, k u_g0, is not fixed; and where a stiffness is
+/// [`Error::BaseMotion`], because the force of a moving support, k u_g0, is not fixed; and where a stiffness is
 /// not finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,

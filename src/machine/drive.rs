@@ -133,7 +133,7 @@ impl<F: Float> Drive<F> {
         }
     }
 
-    /// The phase by which the force on the body is ahead of the motion of the base: `atan(c ω_d/k)` of a foot
+    /// The phase by which the force on the body is ahead of the motion of the base: `atan(c ω_d/k)` of a support
     /// with a damper, otherwise 0.
     ///
     /// Phases of this crate are those of the force, ω_d t. The displacement of the base is

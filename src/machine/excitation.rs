@@ -6,7 +6,7 @@ use crate::named::named;
 named! {
     /// The kind of a harmonic excitation, and the quantity that gives its amplitude.
     ///
-    /// Two kinds of base motion must be distinguished. If only the **foot** of the spring moves, the surface
+    /// Two kinds of base motion must be distinguished. If only the **support** of the spring moves, the surface
     /// under the body is fixed, x is the displacement over the surface, and the force is that of the spring. If
     /// the base also carries the **surface**, as under an isolator or in an earthquake, x is the displacement
     /// relative to the base, and the force is that of inertia.

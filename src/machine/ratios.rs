@@ -96,7 +96,7 @@ impl<F: Float> Ratios<F> {
     /// These ratios under an excitation of this kind.
     ///
     /// The motion does not depend on it, as phases are those of the force. The transmitted force, the
-    /// transmissibility, the absolute displacement and the works of a damped foot do.
+    /// transmissibility, the absolute displacement and the works of a damped support do.
     #[must_use]
     pub const fn with_excitation(self, excitation: Excitation) -> Self {
         self.under(Some(excitation))

@@ -6,9 +6,9 @@ use crate::machine::ratios::Ratios;
 
 /// The force on the support under an excitation, if there is one.
 ///
-/// If the foot moves, foot and surface together carry the force m x″, which is `Ω²` times the acceleration, because
-/// nothing else acts on the body. The transmissibility is then the ratio of the accelerations of body and foot, where a
-/// damper on the foot leaves `√(1 + (2ζΩ)²) u₀ = p₀/k`. Otherwise the two values are the force of spring, damper and
+/// If the support moves, support and surface together carry the force m x″, which is `Ω²` times the acceleration, because
+/// nothing else acts on the body. The transmissibility is then the ratio of the accelerations of body and support, where a
+/// damper on the support leaves `√(1 + (2ζΩ)²) u₀ = p₀/k`. Otherwise the two values are the force of spring, damper and
 /// friction, and that force over p₀.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Support<F> {
@@ -35,13 +35,13 @@ impl<F: Field> Support<F> {
         self.excitation.is_some_and(Excitation::moves_foot)
     }
 
-    /// The transmitted force in r_y: of the peak acceleration in B ω_d² where the foot moves, otherwise the maximum
+    /// The transmitted force in r_y: of the peak acceleration in B ω_d² where the support moves, otherwise the maximum
     /// force of spring, damper and friction.
     pub(crate) fn force(&self, carried: F) -> F {
         if self.is_foot() { carried * self.omega.square() } else { carried }
     }
 
-    /// The amplitude of the foot of the spring in B where it moves, and 2ζ if the damper stands on it, otherwise 0.
+    /// The amplitude of the support of the spring in B where it moves, and 2ζ if the damper stands on it, otherwise 0.
     pub(crate) fn foot(&self) -> Option<(F, F)> {
         self.is_foot().then(|| {
             let has_damper = self.excitation == Some(Excitation::DampedFootMotion);

@@ -197,7 +197,7 @@ mod tests {
     fn stepped(body: &Oscillator<f64>, speed: f64, damper_moves: bool) -> Option<[f64; 4]> {
         let (m, k, r, c) = (body.mass(), body.stiffness(), body.friction_bound(), body.damping());
         let held = r * body.static_friction_ratio();
-        // The damper on the foot carries a part of the load at the release.
+        // The damper on the support carries a part of the load at the release.
         let carried = if damper_moves { c * speed } else { 0.0 };
         let stretch = (held - carried) / k;
         let rate = |t: f64, [x, v]: [f64; 2]| {

@@ -99,7 +99,7 @@ enum PhysicalName {
     /// The output has no such name.
     Absent,
     Named(&'static str),
-    /// The name, which applies only where the foot or the base moves.
+    /// The name, which applies only where the support or the base moves.
     OverBase(&'static str),
 }
 

@@ -84,7 +84,7 @@ impl<F: Float> MachineBox<F> {
         Ok((body, Drive::new(self.excitation(), amplitude, frequency)?))
     }
 
-    /// A force, or the motion of the foot.
+    /// A force, or the motion of the support.
     pub(super) const fn excitation(&self) -> Excitation {
         if self.is_foot_motion { Excitation::FootMotion } else { Excitation::Force }
     }
@@ -109,7 +109,7 @@ impl<F: Float> MachineBox<F> {
     /// The box of ratios that contains those of all machines of this box: Ω = ω_d √(m/k), α = p₀/r_y, ζ =
     /// c/(2√(km)), each monotone in each parameter.
     ///
-    /// The ends of the box are attained. Under foot motion and with a damper, k and m occur in more than one
+    /// The ends of the box are attained. Under support motion and with a damper, k and m occur in more than one
     /// ratio, so that not all of the box is attained. The box is widened by the possible rounding of the
     /// quotients and the root.
     ///
@@ -132,7 +132,7 @@ impl<F: Float> MachineBox<F> {
 
     /// The verdict that holds for the whole box; [`Verdict::sticks`] says whether the body sticks.
     ///
-    /// Under foot motion and with a damper, a box that is only just decided may be called undecided
+    /// Under support motion and with a damper, a box that is only just decided may be called undecided
     /// ([`MachineBox::ratios`]). A damper needs the feature `mp` ([`RatioBox::verdict`]);
     /// `MachineBox::enclosed_verdict` cuts the box into as many parts as requested.
     ///

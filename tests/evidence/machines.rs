@@ -137,7 +137,7 @@ impl Driven {
         }
     }
 
-    /// The phase by which the force on the body is ahead of the foot's motion.
+    /// The phase by which the force on the body is ahead of the support's motion.
     pub(crate) fn lead(&self) -> f64 {
         if self.excitation == Excitation::DampedFootMotion {
             (self.damping * self.frequency / self.stiffness).atan()

@@ -65,7 +65,7 @@ impl Shaken {
         let size = match excitation {
             Excitation::Force => mass * level,
             Excitation::SurfaceAcceleration => level,
-            // A foot whose spring gives this force, or whose damper does.
+            // A support whose spring gives this force, or whose damper does.
             _ if stiffness > 0.0 => mass * level / stiffness.max(damping / step),
             _ => mass * level * step / damping.max(mass / step),
         };

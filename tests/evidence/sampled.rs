@@ -101,7 +101,7 @@ fn moved(a: &Matrix, z: &Row, t: f64) -> Row {
     total
 }
 
-/// The load: its first state is a force on the body, the displacement of the foot of the spring, that of the foot of
+/// The load: its first state is a force on the body, the displacement of the support of the spring, that of the support of
 /// spring and damper, or the acceleration of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Load {
@@ -256,11 +256,11 @@ impl Equation {
             Of::AbsoluteAcceleration => sum(&[(1.0, a[1]), (of_surface, unit(2))]),
             Of::AbsoluteDisplacement => sum(&[(1.0, unit(0)), (of_surface * self.surface, unit(2))]),
             Of::Transmitted => {
-                // m x″ = load + p̄ − transmitted; a foot and its surface are one support.
+                // m x″ = load + p̄ − transmitted; support and surface bear the body together.
                 let load = if self.load.is_foot() { 0.0 } else { 1.0 };
                 sum(&[(load, self.force()), (self.machine.mean, unit(4)), (-self.machine.mass, a[1])])
             }
-            // The foot is the load's first state where it moves.
+            // The support is the load's first state where it moves.
             Of::Spring => {
                 let foot = if self.load.is_foot() { 1.0 } else { 0.0 };
                 sum(&[(self.machine.stiffness, unit(0)), (-self.machine.stiffness * foot, unit(2))])

@@ -115,7 +115,7 @@ pub(crate) fn transmitted(driven: &Driven, cycle: &Cycle) -> (Extreme, Extreme) 
         ..extreme
     };
     let ratio = if driven.is_foot() {
-        // The acceleration of the body over that of the foot.
+        // The acceleration of the body over that of the support.
         let of_foot = driven.amplitude * driven.frequency * driven.frequency;
         scale(found.greatest(Of::Acceleration), of_foot)
     } else {
@@ -220,7 +220,7 @@ fn expected(name: &str, driven: &Driven, cycle: &Cycle, steady: &SteadyState<f64
         "error_2" => Expected::Either(times(Of::Displacement), TIME),
         "error_3" => asymmetry(Of::Velocity, 0.0),
         "error_4" => Expected::Either(times(Of::Velocity), TIME),
-        // A foot with the damper works on both, and at rest on the damper, too.
+        // A support with the damper works on both, and at rest on the damper, too.
         "energy_in" if driven.harmonic().load == Load::DampedFoot => work(found.foot_work),
         "energy_in" => work(found.load_work),
         "energy_out" => work(driven.friction * (found.path[0] + found.path[1])),

@@ -165,7 +165,7 @@ fn erratum_7_the_force_of_a_base_that_carries_the_surface() {
     close(corrected, 4.349_329_450_233_296, 1e-12);
     close(shaken(omega, base, true), corrected, 1e-4);
     close(shaken(omega, base, false), printed, 1e-4);
-    // The library's foot motion moves the foot of the spring.
+    // The library's support motion moves the support of the spring.
     let body = Oscillator::new(1.0, 1.0, 1.0).unwrap();
     let drive = Drive::new(stickslip::Excitation::FootMotion, base, omega).unwrap();
     assert_eq!(drive.ratios(&body).unwrap().alpha(), base);

@@ -54,7 +54,7 @@ impl Machine {
         drive.with_mean_force(self.mean).unwrap()
     }
 
-    /// The amplitude of the motion of the foot or the base.
+    /// The amplitude of the motion of the support or the base.
     fn moved(&self) -> f64 {
         match self.excitation {
             Excitation::SurfaceVelocity => self.amplitude / self.frequency,
@@ -63,7 +63,7 @@ impl Machine {
         }
     }
 
-    /// The load at the phase θ of the force on the body: a damped foot lags behind it.
+    /// The load at the phase θ of the force on the body: a damped support lags behind it.
     fn load(&self, theta: f64) -> Load {
         let (w, u) = (self.frequency, self.moved());
         let none = Load { force: 0.0, foot: (0.0, 0.0), damper: 0.0, base: (0.0, 0.0) };
@@ -99,7 +99,7 @@ struct Seen {
     force: f64,
     absolute: f64,
     damper: f64,
-    /// The work of what moves: of the force, the foot or the base.
+    /// The work of what moves: of the force, the support or the base.
     drive: f64,
     friction: f64,
     end: (f64, f64),
@@ -260,7 +260,7 @@ fn forces_and_displacements_are_those_of_samples_under_every_drive() {
             (LongRun::Rest(rest), _) => Seen::of(&m, 1, 0.0, (rest.position * scales.length, 0.0)),
             _ => continue,
         };
-        // p₀, and the accelerations of foot and base, by their own formulae.
+        // p₀, and the accelerations of support and base, by their own formulae.
         let p0 = (0..STEPS).map(|i| m.pull(TAU * f64::from(i) / f64::from(STEPS), 0.0, 0.0).abs());
         let p0 = p0.fold(0.0, f64::max);
         let foot = m.moved() * m.frequency.powi(2);
@@ -396,7 +396,7 @@ fn the_amplification_is_that_of_the_maximum_displacement() {
     );
 }
 
-/// The machine of a report: a foot of 12 mm at 6 rad/s carries 26.846 N, 1.2429 times what its acceleration would.
+/// The machine of a report: a support of 12 mm at 6 rad/s carries 26.846 N, 1.2429 times what its acceleration would.
 #[test]
 fn the_support_of_a_moving_foot_carries_the_mass_times_the_acceleration() -> Result<(), Error> {
     let body = Oscillator::new(50.0, 1000.0, 5.0)?;

@@ -143,7 +143,7 @@ fn an_endless_vibration_is_followed_for_a_period() {
     assert_eq!(found.residual_displacement, None);
 }
 
-/// A foot stays where its record ends, so that the body comes to rest beside it; and the damper on it takes ∫ c(v − u′)².
+/// A support stays where its record ends, so that the body comes to rest beside it; and the damper on it takes ∫ c(v − u′)².
 #[test]
 fn a_foot_stays_where_it_ends() {
     for excitation in [Excitation::FootMotion, Excitation::DampedFootMotion] {
@@ -172,7 +172,7 @@ fn what_follows_a_record_is_that_of_a_record_that_goes_on() {
         let times = vec![0.0, 0.3, 0.55, 1.0];
         let record = Record::at_times(excitation, times.clone(), samples.clone()).unwrap();
         let ended = |after| of.follow(&record.clone().followed_by(after)).unwrap();
-        // A long record that says the same, with the step in the load that a damper on the foot does not bear.
+        // A long record that says the same, with the step in the load that a damper on the support does not bear.
         let long = |last: f64| {
             let (mut times, mut samples) = (times.clone(), samples.clone());
             if last != 0.9 * size {
@@ -213,7 +213,7 @@ fn what_follows_a_record_is_that_of_a_record_that_goes_on() {
             assert_eq!(ended(After::Free), ended(After::Zero));
             continue;
         }
-        // A foot that has let go: a block without a spring, with the damper where that stands on the ground.
+        // A support that has let go: a block without a spring, with the damper where that stands on the ground.
         let held = ended(After::Hold);
         let damping = if excitation == Excitation::DampedFootMotion { 0.0 } else { 1.5 };
         let block = body(2.0, 0.0, damping, 1.0);
@@ -222,7 +222,7 @@ fn what_follows_a_record_is_that_of_a_record_that_goes_on() {
         let free = ended(After::Free);
         let rest = slide.residual_displacement.unwrap();
         close("rest", free.residual_displacement.unwrap(), rest, 1e-13);
-        // The works of the record are those of a foot that stays, less those of the way to rest beside it.
+        // The works of the record are those of a support that stays, less those of the way to rest beside it.
         let (x, last) = (held.end_displacement, 0.9 * size);
         let settled = of.follow_from(&still, x - last, held.end_velocity).unwrap();
         let damper = held.damper_work - settled.damper_work;

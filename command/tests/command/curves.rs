@@ -74,7 +74,7 @@ fn a_damped_peak_has_its_height_at_any_number_of_points() {
     }
 }
 
-/// The motion of a foot and of a base, whose force depends on the frequency, with and without stops at the
+/// The motion of a support and of a base, whose force depends on the frequency, with and without stops at the
 /// peak.
 #[test]
 fn a_peak_of_a_base_motion_has_its_height() {

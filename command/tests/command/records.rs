@@ -430,7 +430,7 @@ fn records_have_names_in_spectra() {
     assert!(!text.contains(&a));
 }
 
-/// The answer says what follows the record: by default a foot stays, and an acceleration ends.
+/// The answer says what follows the record: by default a support stays, and an acceleration ends.
 #[test]
 fn the_answer_says_what_follows_the_record() {
     let folder = folder();
@@ -451,7 +451,7 @@ fn the_answer_says_what_follows_the_record() {
         assert_eq!(stdout(&format!("record {args}")).lines().nth(2), Some(line), "{args}");
         assert_eq!(json(&format!("record {args} --format json"))["record"]["after"], name, "{args}");
     }
-    // Beside a foot that stays the body rests within r/k of it, and of one that jumped back within r/k of 0.
+    // Beside a support that stays the body rests within r/k of it, and of one that jumped back within r/k of 0.
     let rest = |after: &str| {
         let found = json(&format!("record {foot} {machine} {after} --format json"));
         found["residual_displacement"].as_f64().unwrap()

@@ -134,7 +134,7 @@ fn rows_of_spreadsheets() {
 }
 
 /// Two values at one time are a step of the load: its answers are the limit of those of a steep ramp. Three are refused,
-/// and so is a step of a foot on which a damper stands.
+/// and so is a step of a support on which a damper stands.
 #[test]
 fn two_values_at_one_time_are_a_step() {
     let record = |gap: f64, unit: &str| {

@@ -366,7 +366,7 @@ def identify_motion(
     mass, stiffness : float or str
         Mass and stiffness of the machine, with or without units. Without the stiffness it is found, too.
     record : Record
-        The load: a force, the acceleration of the base, or the motion of the spring's foot.
+        The load: a force, the acceleration of the base, or the motion of the spring's support.
     displacement : array
         The displacement at the time of each sample of the record, from any zero; with a moving base in relation to it.
     units : str, optional

@@ -271,9 +271,9 @@ class ResponseOutputs(Result, Generic[V, W]):
     """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
     support or base."""
     max_absolute_displacement: V
-    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
+    """Maximum absolute displacement of the body, where its support or a base that carries the surface moves (B)."""
     max_spring_force: V
-    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement
+    """Maximum force in the spring k |x − u|, u the motion of its support, without that of the mean displacement
     (r_y)."""
     equivalent_damping: V
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude (k/ω_d)."""
@@ -381,9 +381,9 @@ class SteadyOutputs(Result, Generic[V, W]):
     """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
     support or base."""
     max_absolute_displacement: V
-    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves (B)."""
+    """Maximum absolute displacement of the body, where its support or a base that carries the surface moves (B)."""
     max_spring_force: V
-    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement
+    """Maximum force in the spring k |x − u|, u the motion of its support, without that of the mean displacement
     (r_y)."""
     equivalent_damping: V
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude (k/ω_d)."""
@@ -494,11 +494,11 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
     support or base."""
     max_absolute_displacement: V
-    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves, as a
+    """Maximum absolute displacement of the body, where its support or a base that carries the surface moves, as a
     length."""
     max_spring_force: V
-    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement, as a
-    force."""
+    """Maximum force in the spring k |x − u|, u the motion of its support, without that of the mean displacement, as
+    a force."""
     equivalent_damping: V
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude, as a damping
     constant."""
@@ -600,11 +600,11 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
     support or base."""
     max_absolute_displacement: V
-    """Maximum absolute displacement of the body, where its foot or a base that carries the surface moves, as a
+    """Maximum absolute displacement of the body, where its support or a base that carries the surface moves, as a
     length."""
     max_spring_force: V
-    """Maximum force in the spring k |x − u|, u the motion of its foot, without that of the mean displacement, as a
-    force."""
+    """Maximum force in the spring k |x − u|, u the motion of its support, without that of the mean displacement, as
+    a force."""
     equivalent_damping: V
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude, as a damping
     constant."""

@@ -114,7 +114,7 @@ impl<F: Float> DampedCycle<F> {
         )
     }
 
-    /// Greatest |x − u|, in B, where the foot of the spring moves by u, with the damper or without it.
+    /// Greatest |x − u|, in B, where the support of the spring moves by u, with the damper or without it.
     pub(crate) fn max_spring_force(&self, has_damper: bool) -> F {
         let (seen, one) = (self.rising.seen_from_foot(has_damper), F::int(1));
         let (square, (a, h), (along, across)) = (seen.omega.square(), seen.driven, seen.force());

@@ -7,7 +7,7 @@ use crate::float::{Field, Float};
 
 impl<F: Float> DampedCycle<F> {
     /// The energy that the damper takes in a cycle, in units of r_y B: with the damper on the moving support by the velocity
-    /// between body and foot.
+    /// between body and support.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near
     /// resonance these nearly cancel, and the power series of x′ is integrated.
@@ -33,8 +33,8 @@ impl<F: Field> Rising<F> {
         (driven + F::int(4) * half.shift + F::int(8) * zeta * mixed, driven)
     }
 
-    /// The body as seen from the foot, which moves by `u = c cos Ωτ + s sin Ωτ`: a vibration of the same free part, whose
-    /// driven part `−(a + c) cos Ωτ − (H + s) sin Ωτ` is written without a difference. With the damper on the foot
+    /// The body as seen from the support, which moves by `u = c cos Ωτ + s sin Ωτ`: a vibration of the same free part, whose
+    /// driven part `−(a + c) cos Ωτ − (H + s) sin Ωτ` is written without a difference. With the damper on the support
     /// `u + 2ζu′` is the drive, and `(a + c, H + s) = Ω²(a − dH, H + da)/(1 + d²)`, d = 2ζΩ; otherwise u is the drive,
     /// and `(a + c, H + s) = (Ω²a − dH, Ω²H + da)`.
     pub(crate) fn seen_from_foot(&self, has_damper: bool) -> Vibration<F> {

@@ -86,7 +86,7 @@ fn in_physical_units() {
     }
 }
 
-/// An unbalance, base motions by displacement and velocity, and a damped foot: against the border on a mesh of its own.
+/// An unbalance, base motions by displacement and velocity, and a damped support: against the border on a mesh of its own.
 #[test]
 fn bands_of_forces_that_change_with_the_frequency() {
     use crate::Excitation;

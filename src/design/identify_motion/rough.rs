@@ -10,7 +10,7 @@ use core::cmp::Ordering;
 /// The stiffness by linear least squares; `None` where it is not > 0.
 ///
 /// The equation of motion, twice integrated over the time τ since the start, is linear in k, c, r and three constants:
-/// `k ∬x + c ∫x + r ∬sgn x′ + a + bτ + dτ² = ∬f − m x`. A foot that moves by u has `k ∬(x − u)` and no load. Integrals by the
+/// `k ∬x + c ∫x + r ∬sgn x′ + a + bτ + dτ² = ∬f − m x`. A support that moves by u has `k ∬(x − u)` and no load. Integrals by the
 /// trapezoidal rule; the sign of the velocity is that of the difference of neighbours, which at rest is as often + as −.
 pub(super) fn stiffness(mass: f64, load: &Record<f64>, displacements: &[f64]) -> Option<f64> {
     let excitation = load.excitation();

@@ -23,14 +23,14 @@ pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².
     pub acceleration: F,
     /// Force on the support, in r_y: of spring, friction and damper, `|k x + r + c x′|`, which at rest is the force of the
-    /// drive. Where the foot moves ([`crate::Ratios::excitation`]), foot and surface together carry m x″.
+    /// drive. Where the support moves ([`crate::Ratios::excitation`]), support and surface together carry m x″.
     pub transmitted_force: F,
-    /// The transmissibility: that force over p₀. Where the foot moves, the acceleration over that of the foot.
+    /// The transmissibility: that force over p₀. Where the support moves, the acceleration over that of the support.
     pub transmissibility: F,
-    /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B; |x| where the foot
+    /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B; |x| where the support
     /// moves over a fixed surface.
     pub absolute_displacement: F,
-    /// Force in the spring k |x − u|, in r_y, where the foot of the spring moves by u; k |x| otherwise.
+    /// Force in the spring k |x − u|, in r_y, where the support of the spring moves by u; k |x| otherwise.
     pub spring_force: F,
 }
 
@@ -226,7 +226,7 @@ impl<F: Float> Peaks<F> {
             })
         });
         let Some((foot, on_foot)) = equation.support().foot() else { return };
-        // With c = 2ζ of a damper on the foot and c = 0 of another, u + cu′ = α sin θ gives
+        // With c = 2ζ of a damper on the support and c = 0 of another, u + cu′ = α sin θ gives
         // (1 + c²Ω²)(x − u) = c²Ω²x − x″ − s − (2ζ − c)x′ + c(x‴ + 2ζx″).
         // The driven part of x″ − u″ is that of x times Ω² hypot(Ω²/√(1 + c²Ω²), (2ζ − c)Ω).
         let (on_ground, turn) = (damping - on_foot, (on_foot * omega).square());

@@ -116,7 +116,7 @@ answers! {
     stick_time: F, number Time;
     /// Amplitude D of the greatest cycle: half the way of the longest swing from one turning point to the next, over the rests
     /// in it. The cycle is this swing and its mirror image back. `None` where the body does not swing from rest to rest, and
-    /// where it moves one way. A foot that lets go ends the last cycle.
+    /// where it moves one way. A support that lets go ends the last cycle.
     cycle_amplitude: Option<F>, optional Length;
     /// Equivalent stiffness of the greatest cycle, k + r/D: the difference of the resisting force k x + c x′ + friction
     /// between the turning points, on arrival, over that of the displacements.
@@ -129,7 +129,7 @@ answers! {
     /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving support u.
     damper_work: F, number Energy;
     /// Work of the load and of the constant force on the body: ∫ (p + p̄)x′ dt with the force p, −m a of an acceleration a of
-    /// the surface, or k u + c u′ of a foot.
+    /// the surface, or k u + c u′ of a support.
     load_work: F, number Energy;
 }
 
@@ -139,14 +139,14 @@ pub(super) struct End<F> {
     pub(super) x: F,
     pub(super) v: F,
     pub(super) rest: Rest<F>,
-    /// Whether the foot of the spring has let go at the end of the record.
+    /// Whether the support of the spring has let go at the end of the record.
     pub(super) is_free: bool,
-    /// ∫ 2βu′² dt of a foot on which the damper stands.
+    /// ∫ 2βu′² dt of a support on which the damper stands.
     pub(super) foot: F,
 }
 
 impl<F: Number> Follower<F> {
-    /// Follows the body from the end of a record, with this last sample, to its rest; whether the foot of its spring has let
+    /// Follows the body from the end of a record, with this last sample, to its rest; whether the support of its spring has let
     /// go.
     pub(super) fn ended(
         &mut self,
@@ -373,11 +373,11 @@ impl<F: Number> Weights<F> {
         let net = last - x;
         let friction_work = friction * totals.path + friction_offset * net;
         let load_work = mass * totals.load_work + mean_force * net;
-        // A spring whose foot has let go keeps what it stores.
+        // A spring whose support has let go keeps what it stores.
         let stretched = if end.is_free { end.x } else { last };
         let stored =
             mass * (speed - v) * (speed + v) * half + stiffness * (stretched - x) * (stretched + x) * half;
-        // ∫ c(x′ − u′)² dt is the work of the force −c x′, and what the foot adds.
+        // ∫ c(x′ − u′)² dt is the work of the force −c x′, and what the support adds.
         let of_foot = mass * (end.foot - F::int(2) * totals.foot_work);
         let damper_work = if has_damper { load_work - friction_work - stored + of_foot } else { F::int(0) };
         let (acceleration, free) = (&totals.acceleration, &totals.free_acceleration);

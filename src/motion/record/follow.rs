@@ -45,7 +45,7 @@ pub(super) trait Watch<F> {
     fn released(&mut self, time: F, x: F, sign: F, onset: Onset);
     /// A slide ends.
     fn stopped(&mut self, time: F, x: F) -> Option<()>;
-    /// The foot of the spring lets go.
+    /// The support of the spring lets go.
     fn freed(&mut self);
     /// The counts end here: the motion has no last stop.
     fn counted(&mut self);
@@ -70,7 +70,7 @@ pub(super) struct Stretch<'a, F> {
     pub(super) load: [F; 2],
     pub(super) responses: &'a Responses<F>,
     pub(super) end: &'a Moment<F>,
-    /// 2βu′ of a foot on which the damper stands.
+    /// 2βu′ of a support on which the damper stands.
     pub(super) foot: F,
     /// Whether it is no longer than the certificate allows. A longer one is inside a slide whose extremes are in the
     /// stretches before and after it.
@@ -345,7 +345,7 @@ impl<F: Number> Follower<F> {
         watch.stopped(time, self.x)
     }
 
-    /// Takes away the spring, whose foot lets go, and the damper if it stands on the foot, too.
+    /// Takes away the spring, whose support lets go, and the damper if it stands on the support, too.
     pub(super) fn let_go(&mut self, is_damper_on_foot: bool) {
         (self.constants.square, self.omega) = (F::int(0), F::int(0));
         if is_damper_on_foot {

@@ -35,11 +35,11 @@ pub struct RecordState<F> {
     /// Friction force on the body: against its motion, and at rest the force that holds it. It is the opposite of the
     /// friction of an `Instant`, which stands on the side of the spring in the equation of motion.
     pub friction: F,
-    /// Force of spring, damper and friction together on the body's support: `k x + c x′ − friction` beside a foot at 0, on a
-    /// moving support `k(x − u) + c x′ − friction`.
+    /// Force of spring, damper and friction together on all that bears the body: `k x + c x′ − friction`, and where the
+    /// support of the spring moves by u, `k(x − u) + c x′ − friction`.
     pub transmitted_force: F,
     /// Force of the load on the body, without the constant force: p, −m a of an acceleration a of the surface, or k u + c u′
-    /// of a foot, with the damper on it.
+    /// of a support, with the damper on it.
     pub load: F,
 }
 
@@ -87,7 +87,7 @@ struct History<F> {
 }
 
 impl<F: Float> History<F> {
-    /// Adds a state under a load per mass; `spring` is the force of the spring on its foot at 0, which a body at rest bears.
+    /// Adds a state under a load per mass; `spring` is the force of the spring on its support at 0, which a body at rest bears.
     fn push(&mut self, time: F, [x, v, a]: [F; 3], sign: F, [load, spring]: [F; 2]) {
         let &Weights { mass, friction, friction_offset, mean_force, .. } = &self.weights;
         let direction = direction(sign);
@@ -242,7 +242,7 @@ impl<F: Float> Body<F> {
         let time = history.events.last().map_or(last, |event| event.time).or_larger(last);
         if followed.follower.mode.sign() == zero {
             let load = followed.factors.after(record.after(), record.last());
-            // A foot that has let go leaves no spring.
+            // A support that has let go leaves no spring.
             let spring = self.mass() * followed.follower.constants.square * followed.follower.x;
             history.push(time.or_larger(end), [followed.follower.x, zero, zero], zero, [load, spring]);
         }

@@ -13,7 +13,7 @@ use core::str::FromStr;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
 /// spring's support, with straight lines between them. After its last sample a force and an acceleration are zero, and a
-/// foot stays where it is, unless [`Record::followed_by`] says otherwise.
+/// support stays where it is, unless [`Record::followed_by`] says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(
@@ -36,18 +36,18 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     pub enum After [name] {
-        /// It is zero: a foot jumps back to 0.
+        /// It is zero: a support jumps back to 0.
         Zero = "zero",
-        /// It stays at the last sample. A foot then rests, so that its damper carries no velocity of it.
+        /// It stays at the last sample. A support then rests, so that its damper carries no velocity of it.
         Hold = "hold",
-        /// No load is left. A foot lets go of the spring, and of the damper that stands on it, so that friction alone
+        /// No load is left. A support lets go of the spring, and of the damper that stands on it, so that friction alone
         /// and a damper on the ground stop the body. Of a force and an acceleration it is [`After::Zero`].
         Free = "free",
     }
 }
 
 impl After {
-    /// That of a record of this kind by default: a foot stays, a force and an acceleration end.
+    /// That of a record of this kind by default: a support stays, a force and an acceleration end.
     const fn of(excitation: Excitation) -> Self {
         if excitation.moves_foot() { Self::Hold } else { Self::Zero }
     }
@@ -77,7 +77,7 @@ impl<F: Float> Record<F> {
     }
 
     /// A record with samples at these times, which increase. Two samples at one time are a step of the load, unless a
-    /// damper stands on the foot, whose velocity would be infinite.
+    /// damper stands on the support, whose velocity would be infinite.
     ///
     /// # Errors
     /// As [`Record::new`], and where the times are not as many as the samples, or do not increase.
@@ -200,7 +200,7 @@ impl<F: Float> Record<F> {
         Self { times, samples, ..self }.checked()
     }
 
-    /// This record with another load after its last sample. By default a force and an acceleration are zero, and a foot
+    /// This record with another load after its last sample. By default a force and an acceleration are zero, and a support
     /// stays.
     #[must_use]
     pub fn followed_by(self, after: After) -> Self {
@@ -332,7 +332,7 @@ pub(super) struct Piece<F> {
     pub(super) from: F,
     pub(super) to: F,
     pub(super) slope: F,
-    /// 2βu′ of a foot on which the damper stands, else 0: a part of the load.
+    /// 2βu′ of a support on which the damper stands, else 0: a part of the load.
     pub(super) foot: F,
 }
 
@@ -342,7 +342,7 @@ impl<F: Number> Piece<F> {
     pub(super) fn new(factors: &Factors<F>, [first, second]: [F; 2], length: F, inverse: F) -> Self {
         let slope = (second - first) * inverse;
         let (from, to) = (first * factors.factor, second * factors.factor);
-        // The damper on the foot carries the velocity of the foot, which is constant over the step.
+        // The damper on the support carries the velocity of the support, which is constant over the step.
         let foot = factors.damper * slope;
         Self { length, from: from + foot, to: to + foot, slope: slope * factors.factor, foot }
     }

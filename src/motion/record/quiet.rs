@@ -51,7 +51,7 @@ pub(super) struct Load<F> {
     pub(super) from: F,
     pub(super) to: F,
     pub(super) slope: F,
-    /// 2βu′ of a foot on which the damper stands.
+    /// 2βu′ of a support on which the damper stands.
     pub(super) foot: F,
 }
 

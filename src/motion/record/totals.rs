@@ -117,10 +117,10 @@ pub(super) struct Totals<F> {
     pub(super) path: F,
     /// ∫ f v dt, without the constant force.
     pub(super) load_work: F,
-    /// ∫ 2βu′v dt of a foot on which the damper stands.
+    /// ∫ 2βu′v dt of a support on which the damper stands.
     pub(super) foot_work: F,
     pub(super) swing: Swing<F>,
-    /// Whether the foot has let go of the spring, without which there is no further cycle.
+    /// Whether the support has let go of the spring, without which there is no further cycle.
     is_free: bool,
     /// The turning point before; none at a start with a velocity.
     turn: Option<Turn<F>>,

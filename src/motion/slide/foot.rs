@@ -1,14 +1,14 @@
 //! The works where the damper stands on the moving support of the spring.
 //!
-//! The foot moves by `u = U sin(θ − l)`, `U = α/√(1 + (2ζΩ)²)`, `tan l = 2ζΩ`, so that `u + 2ζu′ = α sin θ`. The body
-//! as seen from the foot, y = x − u, obeys the same equation of motion under another force,
+//! The support moves by `u = U sin(θ − l)`, `U = α/√(1 + (2ζΩ)²)`, `tan l = 2ζΩ`, so that `u + 2ζu′ = α sin θ`. The body
+//! as seen from the support, y = x − u, obeys the same equation of motion under another force,
 //!
 //! ```text
 //! y″ + 2ζy′ + y + s = −u″ = Ω²U sin(θ − l),
 //! ```
 //!
 //! and the work against the damper is that of its slide, `∫ 2ζ y′² dφ`: the difference of two velocities is never
-//! formed. The foot pulls with `(u − x) + 2ζ(u′ − x′)`; in a cycle its work exceeds that of the force `α sin θ` along x
+//! formed. The support pulls with `(u − x) + 2ζ(u′ − x′)`; in a cycle its work exceeds that of the force `α sin θ` along x
 //! by as much as the damper's work exceeds `∫ 2ζ x′² dφ`.
 
 use super::Slide;
@@ -45,7 +45,7 @@ impl<F: Float> Equation<F> {
 }
 
 impl<F: Float> Slide<F> {
-    /// The works of a foot with the damper, from those of the force α sin θ and of 2ζx′.
+    /// The works of a support with the damper, from those of the force α sin θ and of 2ζx′.
     pub(super) fn works_of_foot(&self, works: Works<F>, phi: F) -> Works<F> {
         let relative = self.seen_from_foot();
         let damper = relative.damped_works(phi, &relative.motion(phi)).damper;

@@ -21,7 +21,7 @@ use crate::float::Float;
 /// The works of one slide, in r_y B.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Works<F> {
-    /// The work of the drive, ∫ α sin θ dx; with a damper on the moving support, of the foot.
+    /// The work of the drive, ∫ α sin θ dx; with a damper on the moving support, of the support.
     pub(crate) drive: F,
     /// The work against the damper, ∫ 2ζw dx; of its own velocity where it stands on the moving support (`foot`).
     pub(crate) damper: F,

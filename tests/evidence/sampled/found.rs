@@ -116,7 +116,7 @@ impl Found {
         }
         if sign == 0 {
             self.rest += length;
-            // The foot works on a spring that the body does not move, too.
+            // The support works on a spring that the body does not move, too.
         } else {
             self.path[usize::from(sign < 0)] += (end[0] - start[0]).abs();
         }

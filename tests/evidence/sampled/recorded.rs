@@ -101,7 +101,7 @@ pub(crate) fn watched(
         found.as_ref().map_or([0; 3], |found| [found.slides, found.ends - found.reversals, found.reversals])
     };
     let in_record = counted(&found);
-    // A foot stays where it is; a force and an acceleration end.
+    // A support stays where it is; a force and an acceleration end.
     let held = if load.is_foot() { samples[samples.len() - 1] } else { 0.0 };
     follower.set_load([held, 0.0]);
     follower.time = times[samples.len() - 1];

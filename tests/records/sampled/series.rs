@@ -147,7 +147,7 @@ impl<'a> Other<'a> {
         }
     }
 
-    /// Follows a step with the load from + slope t per mass; `foot` is the velocity of a foot with the damper on it.
+    /// Follows a step with the load from + slope t per mass; `foot` is the velocity of a support with the damper on it.
     fn step(&mut self, length: f64, [from, slope, foot]: [f64; 3]) {
         let mut t = 0.0;
         let mean = self.machine.mean / self.machine.mass;

@@ -181,7 +181,7 @@ fn a_decay_of_the_command_is_that_of_the_samples() {
     }
 }
 
-/// `pull` beside a long motion of the samples under a foot that moves at the speed.
+/// `pull` beside a long motion of the samples under a support that moves at the speed.
 #[test]
 fn a_pull_of_the_command_is_that_of_the_samples() {
     let machine = Machine::new([2.0, 450.0, 0.6], [3.0, 0.0, 4.0 / 3.0], 0.0);

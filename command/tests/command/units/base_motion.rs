@@ -82,7 +82,7 @@ fn an_isolator_moves_as_small_steps_of_time_say() {
         (&physical["units"]["max_displacement"], &physical["units"]["max_acceleration"]),
         (&"mm".into(), &"mm/s²".into())
     );
-    // The base moves by a₀/ω², and carries both the surface and the foot.
+    // The base moves by a₀/ω², and carries both the surface and the support.
     let base = 0.15 * 9.80665 / (2.0 * TAU).powi(2);
     let room = isolator(0.05, 2.0);
     let stepped = room.stepped(0.0, base, base, 40, 40_000);
@@ -156,7 +156,7 @@ fn the_two_base_motions_differ_and_say_which_they_are() {
     assert_eq!(design["units"]["friction"], "N");
     close(number(&design["friction_coefficient"]) * 800.0 * 9.80665, number(&design["friction"]), 1e-14);
 }
-/// If only foot and surface act on the body, they together carry the inertia m x″, where x is the absolute
+/// If only support and surface act on the body, they together carry the inertia m x″, where x is the absolute
 /// motion.
 #[test]
 fn a_moving_foot_and_the_surface_feel_the_inertia() {

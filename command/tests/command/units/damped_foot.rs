@@ -4,8 +4,8 @@ use super::{close, number};
 use crate::command_line::{json, refused, stdout};
 use std::f64::consts::TAU;
 
-/// With the damper on the foot, too, the force is √(k² + c²ω_d²) u₀, ahead of the foot by atan(c ω_d/k); small
-/// time steps with the foot's own place and velocity give the same motion.
+/// With the damper on the support, too, the force is √(k² + c²ω_d²) u₀, ahead of the support by atan(c ω_d/k); small
+/// time steps with the support's own place and velocity give the same motion.
 #[test]
 fn a_foot_of_spring_and_damper_acts_by_both() {
     let (mass, stiffness, damping, friction, frequency, foot) = (2.0, 8.0, 3.0, 4.0, 4.0, 1.5);
@@ -29,7 +29,7 @@ fn a_foot_of_spring_and_damper_acts_by_both() {
         let after = free - free.clamp(-lost, lost);
         if step >= 380_000 {
             acceleration = acceleration.max(((after - v) / dt).abs());
-            // The velocity between body and foot in the middle of the step.
+            // The velocity between body and support in the middle of the step.
             let relative = (v + after) / 2.0 - speed;
             heat += damping * relative * relative * dt;
             rubbed += friction * (v + after).abs() / 2.0 * dt;
@@ -45,7 +45,7 @@ fn a_foot_of_spring_and_damper_acts_by_both() {
     close(number(&answer["transmissibility"]), acceleration / (foot * frequency * frequency), 1e-3);
     close(of("displacement_time") - of("lead_time"), when / frequency, 1e-2);
     let steady = json(&format!("steady {machine} --damped-foot-displacement {foot} --format json"));
-    // The damper's heat is that of the velocity between body and foot, and the foot does the work of both.
+    // The damper's heat is that of the velocity between body and support, and the support does the work of both.
     for answer in [&answer, &steady] {
         close(number(&answer["physical"]["damper_energy_per_cycle"]), heat, 1e-3);
         close(number(&answer["damper_work"]) * friction * friction / stiffness, heat, 1e-3);
