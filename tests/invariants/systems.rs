@@ -60,7 +60,9 @@ pub(crate) fn broken<F: Float>(
                 None => law.points[0].1,
             };
             let due = if v < zero { -(r * load) } else { r * load };
-            let holds = force.abs() - *peak * law.points[0].1 * load;
+            // At a speed within the doubt a law that rises may be above its peak.
+            let bound = *peak * law.points[0].1;
+            let holds = force.abs() - if r > bound { r } else { bound } * load;
             if speed > doubt { (force - due).abs() > doubt } else { holds > doubt }
         }
         Kind::Elastic { friction, .. } => {

@@ -415,8 +415,8 @@ class System:
         names = (coordinates, coordinates, elements)
         shaped = [column.reshape(len(array), len(name)) for column, name in zip(found, names)]
         values = dict(zip(("displacement", "velocity", "force"), shaped))
-        values["absolute_acceleration"] = absolute.reshape(shaped[0].shape) if len(absolute) == shaped[0].size else None
-        named = {"coordinates": tuple(coordinates), "elements": tuple(elements)}
+        in_space = absolute.reshape(shaped[0].shape) if len(absolute) == shaped[0].size else None
+        named = {"absolute_acceleration": in_space, "coordinates": tuple(coordinates), "elements": tuple(elements)}
         units = json.loads(self._handle.units_of_states())
         return SystemStates({"time": array, **values, **named, "units": units})
 
@@ -519,7 +519,7 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
         for name in ("max_displacement", "min_displacement", "max_velocity", "min_velocity")
     }
     absolute = found.get("max_absolute_acceleration")
-    extremes["max_absolute_acceleration"] = None if absolute is None else np.array(absolute, dtype=float)
+    in_space = None if absolute is None else np.array(absolute, dtype=float)
     names = ("kind", "time_at_rest", "stops", "work")
     elements = {
         element["name"]: ElementMotion({name: element[name] for name in names}) for element in found["elements"]
@@ -531,6 +531,7 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
         "duration": duration,
         **places,
         **extremes,
+        "max_absolute_acceleration": in_space,
         "elements": elements,
         "event_time": np.array([event["time"] for event in events], dtype=float),
         "event_element": np.array([event["name"] for event in events], dtype=np.str_),
