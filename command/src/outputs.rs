@@ -156,7 +156,7 @@ record, spectrum: the motion under a record, each with its unit
   slides                         number of slides: motion in one direction
   stops, reversals               numbers of slides that end with a rest, and of those that a slide back follows at once
   stick_time                     time at rest during the record
-  cycle_amplitude                half the way D of the longest swing from one turning point to the next: the greatest cycle
+  cycle_amplitude                half the distance D between the turning points of the longest swing: the greatest cycle
   equivalent_stiffness           stiffness k + r/D of the oscillator with the forces of this cycle at its turning points
   equivalent_damping_ratio       damping ratio of this oscillator, with which it dissipates the energy of this cycle, E/(2π k_eq D²)
   friction_work, damper_work     work dissipated by friction and by the damper, which may stand on the moving support

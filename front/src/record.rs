@@ -219,13 +219,15 @@ impl Summary {
 #[must_use]
 pub fn follows<F: Float>(record: &Record<F>) -> &'static str {
     match (record.after(), record.excitation()) {
-        (After::Hold, excitation) if excitation.moves_foot() => "After it the foot stays where it is.",
-        (After::Zero, excitation) if excitation.moves_foot() => "After it the foot is at 0.",
-        (After::Free, excitation) if excitation.moves_foot() => "After it the foot lets go.",
-        (After::Hold, Excitation::Force) => "After it the force stays at its last sample.",
-        (After::Hold, _) => "After it the acceleration stays at its last sample.",
-        (_, Excitation::Force) => "After it the force is zero.",
-        _ => "After it the acceleration is zero.",
+        (After::Hold, excitation) if excitation.moves_foot() => {
+            "After the record the support stays where it is."
+        }
+        (After::Zero, excitation) if excitation.moves_foot() => "After the record the support is at 0.",
+        (After::Free, excitation) if excitation.moves_foot() => "After the record the support lets go.",
+        (After::Hold, Excitation::Force) => "After the record the force stays at its last sample.",
+        (After::Hold, _) => "After the record the acceleration stays at its last sample.",
+        (_, Excitation::Force) => "After the record the force is zero.",
+        _ => "After the record the acceleration is zero.",
     }
 }
 

@@ -183,7 +183,7 @@ pub enum Error {
     NotADecay,
     /// Samples of which no free decay stands out of the noise.
     #[error(
-        "free decay: no decay stands out of the noise of the samples, whose standard deviation is {noise}"
+        "free decay: no decay exceeds the noise of the samples, whose standard deviation is {noise}"
     )]
     NoDecay {
         /// The standard deviation of the samples.

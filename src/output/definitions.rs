@@ -3,7 +3,7 @@
 
 crate::define! {
     pub REGIME("regime", Plain,
-        "what the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction leaves it to the start");
+        "kind of motion: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction leaves it to the start");
     pub MOTION_WITHOUT_STOP("motion_without_stop", Plain,
         "whether a motion without a stop exists and attracts its neighbourhood, where static friction was given");
     pub MOVES_FROM_REST("moves_from_rest", Plain,

@@ -43,8 +43,8 @@ pub(crate) struct AttractorsArgs {
     /// Periods of the drive to follow from each start
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
-    /// Also search for periodic motions of up to N turns of the drive that no start leads to, such as
-    /// unstable ones, by Newton's method from the same starts (there may be others)
+    /// Also search by Newton's method for periodic motions of up to N turns of the drive that no start
+    /// leads to, such as unstable ones. There may be others
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) unstable: Option<u32>,
     #[command(flatten)]

@@ -77,13 +77,13 @@ pub(crate) struct QuestionArgs {
     /// space)
     #[arg(long, value_enum, value_name = "WHAT", requires = "over", hide_possible_values = true)]
     pub(crate) of: Option<DesignAim>,
-    /// The curves with half the best friction, with it and with twice as much, FILE.svg, FILE.png or FILE.pdf
+    /// The response curves with half the best friction, the best and twice the best, FILE.svg, FILE.png or FILE.pdf
     #[arg(long, value_name = "FILE", requires = "over")]
     pub(crate) picture: Option<PathBuf>,
     /// Replace a picture that exists
     #[arg(long, requires = "picture")]
     pub(crate) overwrite: bool,
-    /// For friction: the greatest displacement that it is to give, unit of length
+    /// For friction: the peak displacement to reach, unit of length
     #[arg(long, value_name = "X", allow_hyphen_values = true, conflicts_with = "over")]
     pub(crate) target_amplitude: Option<String>,
     /// Target value: in units of B or B ω_d, or of length or length per time

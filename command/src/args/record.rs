@@ -15,7 +15,7 @@ pub(crate) struct LoadArgs {
     /// by row
     #[arg(long, value_name = "NAME|N")]
     pub(crate) column: Option<String>,
-    /// Lines before the columns to leave out
+    /// Number of lines to skip before the columns
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub(crate) skip: u64,
     /// Unit of the samples in a file that does not state it, such as g, cm/s^2 or kN
@@ -70,13 +70,13 @@ pub(crate) struct SurfaceArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-FILE is a record of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose units are obeyed, or columns of text with
-commas, semicolons, tabs or blanks between them, such as time[s],acceleration[g]. The load is the column acceleration
-(acc, of the surface that the body slides on), force, or foot-displacement (of the spring's support, with
-damped-foot-displacement if the damper stands on it, too). Columns without names need --record-units, and --column if
-there are several. Samples without times need --time-step. The answer says what was read. Between samples the load is a
-straight line. After the last one a force or an acceleration is zero, a support stays (or --after says otherwise), and the
-body slides to its rest. No stop is missed.
+FILE is a record of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose units are read from it, or columns of text
+separated by commas, semicolons, tabs or blanks, such as time[s],acceleration[g]. The load is the column acceleration
+(acc, of the surface that the body slides on), force, or foot-displacement (of the spring's support). A support with
+the damper on it, too, is damped-foot-displacement. Columns without names need --record-units, and --column if there
+are several. Samples without times need --time-step. The answer states the content of the file. Between samples the
+load is a straight line. After the last one a force or an acceleration is zero, a support stays (or --after says
+otherwise), and the body slides to its rest. No stop is missed.
 
 Examples:
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
@@ -118,7 +118,7 @@ pub(crate) struct RecordArgs {
     /// load
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) out: Option<PathBuf>,
-    /// Greatest distance of the states in it [default: the longest step of the record]
+    /// Longest time between the states of --out [default: the longest step of the record]
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub(crate) interval: Option<String>,
     /// The motion as a picture, FILE.svg, FILE.png or FILE.pdf

@@ -17,7 +17,7 @@ pub(crate) enum SystemQuestion {
     Record,
     /// The steady motion over --frequency
     Curve,
-    /// The least load that keeps the one contact from sticking
+    /// The minimum load that keeps the only contact from sticking
     Border,
     /// The motion under each record, a row for each system of a grid
     Spectrum,

@@ -438,13 +438,13 @@ fn the_answer_says_what_follows_the_record() {
     let quake = file(&folder, "quake.at2", &peer(300));
     let machine = "--mass 2kg --stiffness 40N/m --friction 1N";
     for (args, line, name) in [
-        (format!("{foot} {machine}"), "After it the foot stays where it is.", "hold"),
-        (format!("{foot} {machine} --after zero"), "After it the foot is at 0.", "zero"),
-        (format!("{foot} {machine} --after free"), "After it the foot lets go.", "free"),
-        (format!("{quake} {ISOLATOR}"), "After it the acceleration is zero.", "zero"),
+        (format!("{foot} {machine}"), "After the record the support stays where it is.", "hold"),
+        (format!("{foot} {machine} --after zero"), "After the record the support is at 0.", "zero"),
+        (format!("{foot} {machine} --after free"), "After the record the support lets go.", "free"),
+        (format!("{quake} {ISOLATOR}"), "After the record the acceleration is zero.", "zero"),
         (
             format!("{quake} {ISOLATOR} --after hold"),
-            "After it the acceleration stays at its last sample.",
+            "After the record the acceleration stays at its last sample.",
             "hold",
         ),
     ] {

@@ -138,7 +138,7 @@ pub enum Asked {
     Steady,
     /// The motion from the start to a time, or to the end of the records.
     Transient(Option<f64>),
-    /// The least load that keeps the one contact from sticking.
+    /// The minimum load that keeps the only contact from sticking.
     Border,
 }
 

@@ -92,7 +92,7 @@ _ANSWERS = {
     "stops": "Slides that end with a rest",
     "reversals": "Slides that a slide back follows at once",
     "stick_time": "Time at rest during the record",
-    "cycle_amplitude": "Half the way of the longest swing from one turning point to the next",
+    "cycle_amplitude": "Half the distance between the turning points of the longest swing",
     "friction_work": "Work against friction",
     "damper_work": "Work against the damper",
     "load_work": "Work of the load",
@@ -107,7 +107,7 @@ def _meanings(texts: Mapping[str, str]) -> dict[str, Meaning]:
 class Record:
     """A measured load: samples, and straight lines between them. It cannot be changed.
 
-    ``record * 2``, ``-record``, ``record / 9.81`` and the sum of two records of the same times are records, as is a slice such
+    ``record * 2``, ``-record``, ``record / 9.81`` and the sum of two records of the same times are records. So is a slice such
     as ``record[100:]``, whose samples keep their times.
 
     Parameters
@@ -172,7 +172,7 @@ class Record:
             Column by its name or its number from 1, or the channel of an agency's file; ``"all"`` reads columns without
             names row by row.
         skip : int
-            Lines before the columns to leave out.
+            Number of lines to skip before the columns.
         record_units : str, optional
             Unit of the samples in a file that does not state it, such as ``"g"``.
         after : str, optional
@@ -383,8 +383,8 @@ class Followed(PhysicalResult, Generic[V]):
     stick_time : float
         Time at rest during the record.
     cycle_amplitude, equivalent_stiffness, equivalent_damping_ratio : float
-        Half the way of the longest swing from one turning point to the next, and the stiffness and the damping ratio of the
-        oscillator with the forces at these points and the energy of the cycle; NaN without a swing.
+        Half the distance between the turning points of the longest swing. The oscillator with the forces at these points and
+        the energy of the cycle has this stiffness and this damping ratio; NaN without a swing.
     friction_work, damper_work, load_work : V
     errors : dict of int to str
         Of several bodies: the places without an answer, counted in the order of NumPy, and the reasons; their values are NaN.

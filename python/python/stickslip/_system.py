@@ -421,7 +421,7 @@ class System:
         return SystemStates({"time": array, **values, **named, "units": units})
 
     def border(self) -> SystemBorder:
-        """The least load that keeps the one contact from sticking, in closed form; one contact, one harmonic load."""
+        """The minimum load that keeps the only contact from sticking, in closed form; one contact, one harmonic load."""
         return SystemBorder(json.loads(self._handle.border()))
 
     def grid(

@@ -172,11 +172,11 @@ def monte_carlo(
     machine : Machine
     load : Drive or Record
     vary : dict
-        The values to vary, by their names: those of a machine (``mass``, ``stiffness``, ``friction``, ``damping_ratio``, …) and of
-        a drive (``amplitude``, ``frequency``, ``mean_force``). Each by the relative standard deviation of a normal distribution
-        about it, the ends (low, high) of a uniform one, a function of a generator and a number of draws, a distribution of
-        ``scipy.stats``, or an array of draws. Numbers are in the units of the machine, frequencies in hertz. Of the damper,
-        its ratio is held if it was given so, and otherwise its constant.
+        The values to vary, by their names: those of a machine (``mass``, ``stiffness``, ``friction``, ``damping_ratio``, …)
+        and of a drive (``amplitude``, ``frequency``, ``mean_force``). A number is the relative standard deviation of a
+        normal distribution about the value, a pair (low, high) the ends of a uniform one. Otherwise give a distribution of
+        ``scipy.stats``, an array of draws, or a function of a generator and a number of draws. Numbers are in the units of
+        the machine, frequencies in hertz. Of the damper, its ratio is held if it was given so, and otherwise its constant.
     draws : int
     seed : int or numpy.random.Generator
         The same seed gives the same draws.
