@@ -190,7 +190,7 @@ fn text<F: Value>(
         } else if two < one {
             "The record moves the body further than its mirror image"
         } else {
-            "The record and its mirror image move the body as far"
+            "The record and its mirror image move the body equally far"
         };
         writeln!(out, "{which}. Below, the record stands first, and its mirror image second.")?;
     }

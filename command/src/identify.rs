@@ -396,7 +396,7 @@ impl IdentifyAnswer {
         }
         if let Some(kind) = self.better_phase {
             remarks.push(format!(
-                "The phases look like {0} values, with more than chance: --phase {0} explains more of the curve.",
+                "The phases look like {0} values: --phase {0} fits significantly better.",
                 kind.name()
             ));
         }

@@ -187,7 +187,7 @@ impl Report {
         };
         let (first, second) = (widest(|v| v.equation).max(3), widest(|v| v.statement).max(8));
         let what = if self.enclosed {
-            "how far the ball of a residual reaches from 0, in units of the last place of the terms"
+            "greatest magnitude in the ball of a residual, in units of the last place of the terms"
         } else {
             "residuals in units of the last place of the terms, or of its square root for differences"
         };

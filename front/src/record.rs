@@ -201,7 +201,8 @@ pub struct Summary {
 impl Summary {
     /// The summary in one sentence, with numbers written by `number`.
     pub fn sentence(&self, number: impl Fn(f64) -> String) -> String {
-        let Self { kind, quantity, samples, unit, .. } = self;
+        let Self { kind, samples, unit, .. } = self;
+        let quantity = self.quantity.replace("foot", "support");
         let channel = self.channel.as_ref().map_or(String::new(), |channel| format!(" “{channel}”"));
         let step =
             self.time_step.map_or("at unequal steps".to_owned(), |step| format!("{} s apart", number(step)));

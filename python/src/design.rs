@@ -386,9 +386,8 @@ fn identify<'py>(
 #[pyfunction]
 fn figure(py: Python<'_>, name: &str) -> PyResult<(String, String, String)> {
     py.detach(|| {
-        let figure = figures::figure(name).ok_or_else(|| {
-            refused(format!("figure {name}: is none; there are {}", figures::NAMES.join(", ")))
-        })?;
+        let figure = figures::figure(name)
+            .ok_or_else(|| refused(format!("figure {name}: must be one of {}", figures::NAMES.join(", "))))?;
         let svg = figure.svg().map_err(refused)?;
         Ok((figure.title, figure.caption, svg))
     })

@@ -267,7 +267,7 @@ def test_pictures():
     assert machine.steady(ss.Drive(force="9 N", frequency=2.0)).waveform().plot().get_xlabel() == "time (s)"
     assert ss.Record([0.0, 1.0, 0.0], time_step=1.0, unit="g").plot().get_ylabel() == "base acceleration (g)"
     assert ss.basins(0.5, 4, 0.02, 1.3, displacement=[-9, 0, 9], velocity=[-9, 9]).plot().get_xlabel() == "displacement (B)"
-    with pytest.raises(ss.Error, match="'stroke' is none of"):
+    with pytest.raises(ss.Error, match="'stroke' must be one of"):
         curve.plot("stroke")
 
 

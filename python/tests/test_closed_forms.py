@@ -87,7 +87,7 @@ def test_the_border_is_where_the_regime_changes():
         (lambda: ss.response(-1, 2), "omega = -1 must be > 0"),
         (lambda: ss.response(1, math.nan), "alpha = NaN must be finite"),
         (lambda: ss.response(1, 2, -0.1), "damping_ratio = -0.1 must be >= 0"),
-        (lambda: ss.response([1], 2, outputs=["max_speed"]), "'max_speed' is none of"),
+        (lambda: ss.response([1], 2, outputs=["max_speed"]), "'max_speed' must be one of"),
         (lambda: ss.border(0), "omega = 0 must be > 0"),
     ],
 )
@@ -125,8 +125,8 @@ def test_out_is_filled_and_returned() -> None:
 @pytest.mark.parametrize(
     ("out", "text"),
     [
-        ({"regime": np.zeros(3)}, "'regime' is none of"),
-        ({"speed": np.zeros(3)}, "'speed' is none of"),
+        ({"regime": np.zeros(3)}, "'regime' must be one of"),
+        ({"speed": np.zeros(3)}, "'speed' must be one of"),
         ({"margin": np.zeros(4)}, "float64 of shape (3,)"),
         ({"margin": np.zeros(3, dtype=np.float32)}, "float64 of shape (3,)"),
         ({"margin": np.zeros(6)[::2]}, "C-contiguous"),

@@ -241,7 +241,7 @@ MISTAKES = {
     "no frequency": (lambda: ss.identify(2.0, 800.0, 9.0, amplitude=[1.0]), ss.Error, "give one of frequency"),
     "a range as one number": (lambda: machine().bands(frequency=2.0, force=9.0), TypeError, "must be .low, high."),
     "an unknown output": (lambda: ss.response(0.7, 2).stroke, AttributeError, "has no value stroke. Its values are omega,"),
-    "an unknown name": (lambda: ss.steady([0.7], 2, outputs="stroke"), ss.Error, "'stroke' is none of regime"),
+    "an unknown name": (lambda: ss.steady([0.7], 2, outputs="stroke"), ss.Error, "'stroke' must be one of regime"),
     "a unit in a ratio": (lambda: ss.response("2 Hz", 2), ss.Error, "omega: must be numbers, not '2 Hz'"),
     "a ratio of the wrong sign": (lambda: ss.response(-0.7, 2), ss.Error, "omega = -0.7 must be > 0"),
     "shapes that do not fit": (lambda: ss.steady([0.7, 1.0], [1.0, 2.0, 3.0]), ss.Error, "omega .2,., alpha .3,."),

@@ -160,7 +160,7 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
         (lambda: ss.Machine(mass=1, period=0, friction=1), "period 0.0: natural period T = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=1), "friction .or friction_coefficient. is missing"),
         (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "w_d = -1 must be > 0"),
-        (lambda: ss.figure("11"), "figure 11: is none"),
+        (lambda: ss.figure("11"), "figure 11: must be one of"),
     ],
 )
 def test_bad_input_is_refused_in_words(call, words):
@@ -283,7 +283,7 @@ def test_transmissibility_with_stops_over_frequency_is_one_call():
             assert found.transmissibility[i] == alone.transmissibility
             assert found.max_acceleration[i] == alone.max_acceleration
     assert "stick_fraction" not in found and found.stick_fraction.shape == (7,)
-    with pytest.raises(ss.Error, match="'stroke' is none of"):
+    with pytest.raises(ss.Error, match="'stroke' must be one of"):
         ss.steady([0.4], 2, outputs=["stroke"])
 
 

@@ -63,7 +63,7 @@ def test_draws_are_copied_pickled_and_compared_by_value(drawn):
 @pytest.mark.parametrize(
     ("is_met", "why"),
     [
-        ("slipping", "is_met = 'slipping' is none of stuck, sticking, non-sticking"),
+        ("slipping", "is_met = 'slipping' must be one of stuck, sticking, non-sticking"),
         ("stiking", "Did you mean 'sticking'"),
         ("invalid", "none of"),
         (True, "a flag for each"),
@@ -102,7 +102,7 @@ MANY = ss.Machine(mass=50, stiffness=1000, friction=[4.0, 5.0])
         (lambda _: ss.sensitivities(MACHINE, DRIVE, "max_displacment"), "none of .*Did you mean 'max_displacement'"),
         (lambda _: ss.sensitivities(MACHINE, DRIVE, "max_displacement", by=["friction_backward"]), "friction_backward = None"),
         (lambda drawn: drawn.mean("regime"), "output 'regime': must be a number, not a word"),
-        (lambda drawn: drawn.mean("x"), "output 'x' is none of"),
+        (lambda drawn: drawn.mean("x"), "output 'x' must be one of"),
         (lambda drawn: drawn.quantile("multipliers", 0.5), "must be a number"),
         (lambda _: ss.monte_carlo(MACHINE, DRIVE, {"friction_backward": 0.1}, draws=10, seed=1), "friction_backward = None"),
     ],

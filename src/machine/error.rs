@@ -182,9 +182,7 @@ pub enum Error {
     #[error("free decay: the amplitude must fall from one turning point to the next")]
     NotADecay,
     /// Samples of which no free decay stands out of the noise.
-    #[error(
-        "free decay: no decay exceeds the noise of the samples, whose standard deviation is {noise}"
-    )]
+    #[error("free decay: no decay exceeds the noise of the samples, whose standard deviation is {noise}")]
     NoDecay {
         /// The standard deviation of the samples.
         noise: Number,
@@ -201,8 +199,8 @@ pub enum Error {
     },
     /// A measured free decay that the model does not explain.
     #[error(
-        "free decay: no friction and damping explain it: the best fit is off by {misfit} of the first amplitude, and not \
-         by chance"
+        "free decay: no friction and damping explain it: the best fit is off by {misfit} of the first amplitude, which \
+         is more than noise"
     )]
     DecayUnexplained {
         /// The root mean square of the residuals, relative to the first amplitude.
@@ -228,7 +226,7 @@ pub enum Error {
     /// A response curve that no friction and damping explain better than one amplitude for all frequencies.
     #[error(
         "response curve: no friction and damping explain it. The best fit is off by {noise} of an amplitude, and one \
-         amplitude for all frequencies explains it as well, but for chance"
+         amplitude for all frequencies fits equally well"
     )]
     CurveUnexplained {
         /// The standard error of one amplitude beside the best fit, relative to it.

@@ -84,7 +84,7 @@ pub enum Error {
         condition: &'static str,
     },
     /// No sign that rounding leaves certain: events follow each other without end.
-    #[error("{name} at time {time}: its events must lie apart, but rounding cannot tell them")]
+    #[error("{name} at time {time}: its events must be further apart than rounding errors")]
     Undecided {
         /// The element.
         name: String,

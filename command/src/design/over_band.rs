@@ -87,11 +87,11 @@ impl<F: Value> AskedDesign<'_, F> {
         match found.kind {
             BandFrictionKind::Rest if found.greatest == F::int(0) => format!(
                 "The peak {words} from {band} is 0 with a friction force of {friction} or more, because the \
-                 body rests. Short of that, more friction is as a rule less motion."
+                 body rests. Below that, more friction usually means less motion."
             ),
-            BandFrictionKind::None => format!(
-                "The less friction, the less is the peak {words} from {band}: {greatest} with next to none."
-            ),
+            BandFrictionKind::None => {
+                format!("The peak {words} from {band} falls with the friction: {greatest} with almost none.")
+            }
             BandFrictionKind::Rest | BandFrictionKind::Interior | _ => {
                 let places: Vec<String> = found
                     .at

@@ -132,7 +132,7 @@ impl Builder<'_> {
         };
         let ends = [self.body(first)?, self.body(second)?];
         if ends[0] == ends[1] {
-            return Err(second.wrong("must be another body than the first"));
+            return Err(second.wrong("must differ from the first body"));
         }
         let mut direction = vec![0.0; self.names.len()];
         for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {

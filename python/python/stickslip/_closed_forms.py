@@ -330,7 +330,7 @@ def _flat(out: Mapping[str, Any], shape: tuple[int, ...], given: Iterable[Any]) 
     numbers = tuple(name for name, row in _ROWS.items() if row[1] != "text")
     for name, array in out.items():
         if name not in numbers:
-            raise Error(f"out: {name!r} is none of {', '.join(numbers)}")
+            raise Error(f"out: {name!r} must be one of {', '.join(numbers)}")
         if not isinstance(array, np.ndarray) or array.dtype != np.float64 or array.shape != shape:
             kind = Error if isinstance(array, np.ndarray) else WrongType
             raise kind(f"out[{name!r}]: must be an array of float64 of shape {shape}")

@@ -161,7 +161,7 @@ class Record:
         after: Optional[str] = None,
     ) -> "Record":
         """The record of a file, as ``stickslip record`` reads it: of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose
-        units are obeyed, or columns of text. Samples are then in SI units; ``summary`` says what was read.
+        units are read from it, or columns of text. Samples are then in SI units; ``summary`` describes the file.
 
         Parameters
         ----------

@@ -310,7 +310,7 @@ class Result(dict[str, Any], metaclass=Brief):
         shown = names or (next(name for name in ("displacement", "max_displacement", "min_force_ratio", *self) if name in self._names),)
         for name in (*shown, *([] if over is None else [over])):
             if name not in self._names:
-                raise Error(f"{name!r} is none of {', '.join(self._names)}")
+                raise Error(f"{name!r} must be one of {', '.join(self._names)}")
         shape = self._shape()
         if len(shape) == 1:
             x = over or self._along or next((name for name in self._axes() if np.ptp(self._array(name)) > 0), None)
@@ -622,7 +622,7 @@ def named(outputs: Iterable[str], known: Iterable[str]) -> tuple[str, ...]:
 def unknown(what: str, name: object, known: Sequence[str]) -> Error:
     """The refusal of a name that is none of the known ones, with the one that it resembles."""
     near = difflib.get_close_matches(str(name), known, 1)
-    return Error(f"{what} is none of {', '.join(known)}" + (f". Did you mean {near[0]!r}?" if near else ""))
+    return Error(f"{what} must be one of {', '.join(known)}" + (f". Did you mean {near[0]!r}?" if near else ""))
 
 
 def shaped(columns: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> dict[str, Any]:

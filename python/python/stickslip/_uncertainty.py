@@ -334,7 +334,7 @@ def _value(machine: Machine[float], load: Any, name: str) -> float:
             raise Error(f"{name}: must be one number, not an array")
         return float(value)
     known = (*_OF_MACHINE, *_OF_LOAD) if isinstance(load, Drive) else _OF_MACHINE
-    raise Error(f"{name!r} is none of {', '.join(known)}")
+    raise Error(f"{name!r} must be one of {', '.join(known)}")
 
 
 def _draws(name: str, of: Any, value: float, random: np.random.Generator, n: int) -> Floats:
