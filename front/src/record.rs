@@ -152,7 +152,7 @@ impl Unit {
         self.factor.map_or(value, |factor| factor.times(value))
     }
 
-    /// The load of a unit without a name: the acceleration of the surface, a force, or the displacement of the foot.
+    /// The load of a unit without a name: the acceleration of the surface, a force, or the displacement of the support.
     const fn excitation(&self) -> Excitation {
         match self.kind {
             Kind::Force => Excitation::Force,
@@ -180,7 +180,7 @@ pub struct Summary {
     pub kind: &'static str,
     /// The channel or the name of the column, where the file states it.
     pub channel: Option<String>,
-    /// What the samples are: `acceleration`, `force` or `foot displacement`.
+    /// The quantity of the samples: `acceleration`, `force` or `foot displacement`.
     pub quantity: &'static str,
     /// The number of samples.
     pub samples: usize,

@@ -114,7 +114,7 @@ answers! {
     reversals: u64, count Ratio;
     /// Time at rest during the record.
     stick_time: F, number Time;
-    /// Amplitude D of the greatest cycle: half the way of the longest swing from one turning point to the next, over the rests
+    /// Amplitude D of the greatest cycle: half the distance between the turning points of the longest swing, over the rests
     /// in it. The cycle is this swing and its mirror image back. `None` where the body does not swing from rest to rest, and
     /// where it moves one way. A support that lets go ends the last cycle.
     cycle_amplitude: Option<F>, optional Length;
