@@ -451,6 +451,11 @@ fn the_answer_says_what_follows_the_record() {
         assert_eq!(stdout(&format!("record {args}")).lines().nth(2), Some(line), "{args}");
         assert_eq!(json(&format!("record {args} --format json"))["record"]["after"], name, "{args}");
     }
+    // The sentence names the support, and the key keeps its value.
+    let read = stdout(&format!("record {foot} {machine}"));
+    assert!(read.contains(": 2 samples of support displacement 2 s apart"), "{read}");
+    let found = json(&format!("record {foot} {machine} --format json"));
+    assert_eq!(found["record"]["quantity"], "foot displacement");
     // Beside a support that stays the body rests within r/k of it, and of one that jumped back within r/k of 0.
     let rest = |after: &str| {
         let found = json(&format!("record {foot} {machine} {after} --format json"));
