@@ -8,7 +8,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::panic::catch_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
-use std::sync::{Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
 /// The interval at which the interpreter is asked for signals.
@@ -47,21 +47,34 @@ fn pool() -> Option<&'static ThreadPool> {
     own.get_or_init(|| ThreadPoolBuilder::new().build().ok()).as_ref()
 }
 
-/// Waits for an answer, and calls `signalled` at intervals to check for signals. The wait fails if
-/// `signalled` fails, or if the work ends without an answer.
-fn awaited<T: Send>(
+/// Waits for the end of work, and calls `signalled` at intervals to check for signals. The wait fails if
+/// `signalled` fails, or if the work ends without a word.
+fn awaited(
     py: Python<'_>,
-    ended: Receiver<T>,
+    ended: Receiver<()>,
     mut signalled: impl FnMut(Python<'_>) -> PyResult<()>,
-) -> PyResult<T> {
+) -> PyResult<()> {
     let ended = Mutex::new(ended);
     loop {
         match py.detach(|| ended.lock().ok().map(|ended| ended.recv_timeout(EVERY))) {
-            Some(Ok(answer)) => return Ok(answer),
+            Some(Ok(())) => return Ok(()),
             Some(Err(RecvTimeoutError::Timeout)) => signalled(py)?,
             Some(Err(RecvTimeoutError::Disconnected)) | None => return Err(no_answer()),
         }
     }
+}
+
+/// Work of any result, which it leaves in a slot: threads and channels are compiled once for all results.
+type Task<'a> = Box<dyn FnOnce() + Send + 'a>;
+
+/// The work whose result the slot takes.
+fn into_slot<'a, T: Send>(slot: &'a Mutex<Option<T>>, work: impl FnOnce() -> T + Send + 'a) -> Task<'a> {
+    Box::new(move || {
+        let answer = work();
+        if let Ok(mut slot) = slot.lock() {
+            *slot = Some(answer);
+        }
+    })
 }
 
 fn no_answer() -> PyErr {
@@ -73,13 +86,20 @@ fn no_answer() -> PyErr {
 pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop::never();
     let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };
+    let slot = Mutex::new(None);
+    spawned(py, pool, &stop, into_slot(&slot, || work(&stop)))?;
+    slot.into_inner().ok().flatten().ok_or_else(no_answer)
+}
+
+/// Runs a task on the worker threads, as [`interruptible`] says; one that panics ends like any other.
+fn spawned(py: Python<'_>, pool: &ThreadPool, stop: &Stop, task: Task<'_>) -> PyResult<()> {
     let mut raised = None;
     let (done, ended) = mpsc::channel();
     let result = pool.in_place_scope(|scope| {
-        let stop = &stop;
         scope.spawn(move |_| {
+            let _ = catch_unwind(AssertUnwindSafe(task));
             // Sending succeeds: the receiver is this function, which waits.
-            let _ = done.send(catch_unwind(AssertUnwindSafe(|| work(stop))));
+            let _ = done.send(());
         });
         awaited(py, ended, |py| {
             if raised.is_none()
@@ -91,10 +111,7 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Se
             Ok(())
         })
     });
-    match raised {
-        Some(signal) => Err(signal),
-        None => result?.map_err(|_| no_answer()),
-    }
+    raised.map_or(result, Err)
 }
 
 /// Runs work that cannot be interrupted on a separate thread, which is abandoned on a signal.
@@ -102,12 +119,18 @@ pub fn left_behind<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
+    let slot = Arc::new(Mutex::new(None));
     let (done, ended) = mpsc::channel();
-    std::thread::spawn(move || {
+    let filled = slot.clone();
+    let task: Task<'static> = Box::new(move || {
+        into_slot(&filled, work)();
         // After a signal there is no receiver, and the result is discarded.
-        let _ = done.send(work());
+        let _ = done.send(());
     });
-    awaited(py, ended, |py| py.check_signals())
+    std::thread::spawn(task);
+    awaited(py, ended, |py| py.check_signals())?;
+    let answer = slot.lock().ok().and_then(|mut slot| slot.take());
+    answer.ok_or_else(no_answer)
 }
 
 /// Adds the function that a fork calls.
