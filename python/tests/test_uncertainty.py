@@ -65,7 +65,7 @@ def test_draws_are_copied_pickled_and_compared_by_value(drawn):
     [
         ("slipping", "is_met = 'slipping' must be one of stuck, sticking, non-sticking"),
         ("stiking", "Did you mean 'sticking'"),
-        ("invalid", "none of"),
+        ("invalid", "must be one of"),
         (True, "a flag for each"),
         (None, "flags"),
         (0.5, "flags"),
@@ -99,7 +99,7 @@ MANY = ss.Machine(mass=50, stiffness=1000, friction=[4.0, 5.0])
         (lambda _: ss.monte_carlo(MANY, DRIVE, {"mass": 0.1}, draws=10, seed=1), "machine: must be one machine"),
         (lambda _: ss.sensitivities(MACHINE, ss.Drive(force=[1.0, 2.0], frequency=1), "max_displacement"), "load: must be one drive"),
         (lambda _: ss.sensitivities(MACHINE, DRIVE, "regime"), "output 'regime': must be a number, not a word"),
-        (lambda _: ss.sensitivities(MACHINE, DRIVE, "max_displacment"), "none of .*Did you mean 'max_displacement'"),
+        (lambda _: ss.sensitivities(MACHINE, DRIVE, "max_displacment"), "must be one of .*Did you mean 'max_displacement'"),
         (lambda _: ss.sensitivities(MACHINE, DRIVE, "max_displacement", by=["friction_backward"]), "friction_backward = None"),
         (lambda drawn: drawn.mean("regime"), "output 'regime': must be a number, not a word"),
         (lambda drawn: drawn.mean("x"), "output 'x' must be one of"),

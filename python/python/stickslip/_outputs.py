@@ -216,8 +216,8 @@ class ResponseOutputs(Result, Generic[V, W]):
     static_friction_ratio: V
     """Ratio η of static to kinetic friction."""
     regime: W
-    """What the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction
-    leaves it to the start."""
+    """Kind of motion: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction leaves
+    it to the start."""
     motion_without_stop: V
     """Whether a motion without a stop exists and attracts its neighbourhood, where static friction was given (True
     or False; 1 or 0 in an array)."""
@@ -243,7 +243,7 @@ class ResponseOutputs(Result, Generic[V, W]):
     loop_size_stiffness: V
     """Friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64): 8 (Δ₀/B)/α²."""
     loop_size_inertia: V
-    """The same per p₀²/(2 m ω_d²), A₂ (eq. 67): Ω² A₁."""
+    """Friction's energy in a cycle per p₀²/(2 m ω_d²), A₂ (eq. 67): Ω² A₁."""
     contraction: V
     """Fraction of a disturbance that remains after half a cycle."""
     margin: V
@@ -251,7 +251,7 @@ class ResponseOutputs(Result, Generic[V, W]):
     min_force_ratio: V
     """Minimum force ratio α_min without sticking: q hypot(S, H)."""
     min_force_ratio_turning_point: V
-    """The same by eq. 61, which falls short below Ω = 1/2."""
+    """Minimum force ratio by eq. 61, which falls short below Ω = 1/2."""
     least_displacement: V
     """Peak displacement on the border (B)."""
     border_phase: V
@@ -259,7 +259,7 @@ class ResponseOutputs(Result, Generic[V, W]):
     best_force_ratio: V
     """Force ratio α* of the largest A₁ (eq. 65): √(2 Q (Q + q G)), and not below α_min."""
     best_loop_size: V
-    """That largest A₁ (eq. 66)."""
+    """Largest A₁ at this Ω (eq. 66)."""
     dynamic_amplification: V
     """Peak displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
     max_acceleration: V
@@ -268,8 +268,8 @@ class ResponseOutputs(Result, Generic[V, W]):
     """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
     mean force (r_y)."""
     transmissibility: V
-    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
-    support or base."""
+    """Force on the support over p₀, or with a moving support or base the body's absolute acceleration over that of
+    the support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its support or a base that carries the surface moves (B)."""
     max_spring_force: V
@@ -278,7 +278,7 @@ class ResponseOutputs(Result, Generic[V, W]):
     equivalent_damping: V
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude (k/ω_d)."""
     equivalent_damping_ratio: V
-    """Its ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
+    """Equivalent damping ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
     equivalent_stiffness: V
     """Stiffness of the loop of spring and friction from end to end, k + r_y/X (k)."""
     effective_damping_ratio: V
@@ -298,7 +298,7 @@ class BorderOutputs(Result, Generic[V]):
     min_force_ratio: V
     """Minimum force ratio α_min without sticking: q hypot(S, H)."""
     min_force_ratio_turning_point: V
-    """The same by eq. 61, which falls short below Ω = 1/2."""
+    """Minimum force ratio by eq. 61, which falls short below Ω = 1/2."""
     least_displacement: V
     """Peak displacement on the border (B)."""
     border_phase: V
@@ -322,26 +322,26 @@ class SteadyOutputs(Result, Generic[V, W]):
     static_friction_ratio: V
     """Ratio η of static to kinetic friction."""
     regime: W
-    """What the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction
-    leaves it to the start."""
+    """Kind of motion: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction leaves
+    it to the start."""
     limit: W
     """Periodic, family (one of many, by the start), rest, irregular, none or not-converged."""
     max_displacement: V
     """Peak displacement Δ₀ (eq. 44): a − G (B)."""
     max_displacement_phase: V
-    """Phase ω_d t of the peak displacement (rad)."""
+    """Phase ω_d t of the maximum displacement (rad)."""
     min_displacement: V
     """Minimum displacement (B)."""
     min_displacement_phase: V
-    """Its phase (rad)."""
+    """Phase of the minimum displacement (rad)."""
     max_velocity: V
     """Peak velocity V₀ (eq. 49) (B ω_d)."""
     max_velocity_phase: V
-    """Phase of the peak velocity (rad)."""
+    """Phase of the maximum velocity (rad)."""
     min_velocity: V
     """Minimum velocity (B ω_d)."""
     min_velocity_phase: V
-    """Its phase (rad)."""
+    """Phase of the minimum velocity (rad)."""
     sticks_per_cycle: V
     """Stops in a cycle (a count)."""
     velocity_zeros_per_cycle: V
@@ -378,8 +378,8 @@ class SteadyOutputs(Result, Generic[V, W]):
     """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
     mean force (r_y)."""
     transmissibility: V
-    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
-    support or base."""
+    """Force on the support over p₀, or with a moving support or base the body's absolute acceleration over that of
+    the support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its support or a base that carries the surface moves (B)."""
     max_spring_force: V
@@ -388,7 +388,7 @@ class SteadyOutputs(Result, Generic[V, W]):
     equivalent_damping: V
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude (k/ω_d)."""
     equivalent_damping_ratio: V
-    """Its ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
+    """Equivalent damping ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
     equivalent_stiffness: V
     """Stiffness of the loop of spring and friction from end to end, k + r_y/X (k)."""
     effective_damping_ratio: V
@@ -403,7 +403,7 @@ class SteadyOutputs(Result, Generic[V, W]):
     lyapunov_exponent: V
     """Lyapunov exponent of an irregular motion, per turn of the drive."""
     lyapunov_exponent_error: V
-    """Its standard error."""
+    """Standard error of the Lyapunov exponent."""
     turns_observed: V
     """Turns of the drive over which an irregular motion was observed (a count)."""
     contraction: V
@@ -423,8 +423,8 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     mean_displacement: V
     """The shift due to a mean force or to friction that depends on the direction."""
     regime: W
-    """What the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction
-    leaves it to the start."""
+    """Kind of motion: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction leaves
+    it to the start."""
     motion_without_stop: V
     """Whether a motion without a stop exists and attracts its neighbourhood, where static friction was given (True
     or False; 1 or 0 in an array)."""
@@ -456,7 +456,7 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     energy_per_cycle: V
     """Friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64), as an energy."""
     loop_size_inertia: V
-    """The same per p₀²/(2 m ω_d²), A₂ (eq. 67): Ω² A₁."""
+    """Friction's energy in a cycle per p₀²/(2 m ω_d²), A₂ (eq. 67): Ω² A₁."""
     contraction: V
     """Fraction of a disturbance that remains after half a cycle."""
     margin: V
@@ -466,9 +466,9 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     min_force: V
     """Minimum force ratio α_min without sticking, as a force."""
     min_force_ratio_turning_point: V
-    """The same by eq. 61, which falls short below Ω = 1/2."""
+    """Minimum force ratio by eq. 61, which falls short below Ω = 1/2."""
     min_force_turning_point: V
-    """The same by eq. 61, which falls short below Ω = 1/2, as a force."""
+    """Minimum force ratio by eq. 61, which falls short below Ω = 1/2, as a force."""
     least_displacement: V
     """Peak displacement on the border, as a length."""
     border_phase: V
@@ -480,9 +480,9 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     best_force: V
     """Force ratio α* of the largest A₁ (eq. 65), as a force."""
     best_loop_size: V
-    """That largest A₁ (eq. 66)."""
+    """Largest A₁ at this Ω (eq. 66)."""
     best_force_energy: V
-    """That largest A₁ (eq. 66), as an energy."""
+    """Largest A₁ at this Ω (eq. 66), as an energy."""
     dynamic_amplification: V
     """Peak displacement over p₀/k: compares machines of different friction: (Δ₀/B)/α."""
     max_acceleration: V
@@ -491,8 +491,8 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
     mean force, as a force."""
     transmissibility: V
-    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
-    support or base."""
+    """Force on the support over p₀, or with a moving support or base the body's absolute acceleration over that of
+    the support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its support or a base that carries the surface moves, as a
     length."""
@@ -503,7 +503,7 @@ class MachineResponseOutputs(PhysicalResult, Generic[V, W]):
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude, as a damping
     constant."""
     equivalent_damping_ratio: V
-    """Its ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
+    """Equivalent damping ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
     equivalent_stiffness: V
     """Stiffness of the loop of spring and friction from end to end, k + r_y/X, as a stiffness."""
     effective_damping_ratio: V
@@ -531,34 +531,34 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     mean_displacement: V
     """The shift due to a mean force or to friction that depends on the direction."""
     regime: W
-    """What the body does: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction
-    leaves it to the start."""
+    """Kind of motion: non-sticking, sticking, stuck or unbounded, or depends-on-start where static friction leaves
+    it to the start."""
     limit: W
     """Periodic, family (one of many, by the start), rest, irregular, none or not-converged."""
     max_displacement: V
     """Peak displacement Δ₀ (eq. 44), as a length."""
     max_displacement_phase: V
-    """Phase ω_d t of the peak displacement (rad)."""
+    """Phase ω_d t of the maximum displacement (rad)."""
     max_displacement_time: V
-    """Phase ω_d t of the peak displacement, as a time."""
+    """Phase ω_d t of the maximum displacement, as a time."""
     min_displacement: V
     """Minimum displacement, as a length."""
     min_displacement_phase: V
-    """Its phase (rad)."""
+    """Phase of the minimum displacement (rad)."""
     min_displacement_time: V
-    """Its phase, as a time."""
+    """Phase of the minimum displacement, as a time."""
     max_velocity: V
     """Peak velocity V₀ (eq. 49), as a velocity."""
     max_velocity_phase: V
-    """Phase of the peak velocity (rad)."""
+    """Phase of the maximum velocity (rad)."""
     max_velocity_time: V
-    """Phase of the peak velocity, as a time."""
+    """Phase of the maximum velocity, as a time."""
     min_velocity: V
     """Minimum velocity, as a velocity."""
     min_velocity_phase: V
-    """Its phase (rad)."""
+    """Phase of the minimum velocity (rad)."""
     min_velocity_time: V
-    """Its phase, as a time."""
+    """Phase of the minimum velocity, as a time."""
     sticks_per_cycle: V
     """Stops in a cycle (a count)."""
     velocity_zeros_per_cycle: V
@@ -597,8 +597,8 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     """Maximum force of spring, damper and friction on their support, or m x″ with a moving support, without the
     mean force, as a force."""
     transmissibility: V
-    """That force over p₀, or with a moving support or base the body's absolute acceleration over that of the
-    support or base."""
+    """Force on the support over p₀, or with a moving support or base the body's absolute acceleration over that of
+    the support or base."""
     max_absolute_displacement: V
     """Maximum absolute displacement of the body, where its support or a base that carries the surface moves, as a
     length."""
@@ -609,7 +609,7 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     """Equivalent viscous damping W/(π ω_d X²) of friction and damper together, X the amplitude, as a damping
     constant."""
     equivalent_damping_ratio: V
-    """Its ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
+    """Equivalent damping ratio c_eq/(2√(k m)): c_eq/(2√(k m))."""
     equivalent_stiffness: V
     """Stiffness of the loop of spring and friction from end to end, k + r_y/X, as a stiffness."""
     effective_damping_ratio: V
@@ -624,7 +624,7 @@ class MachineSteadyOutputs(PhysicalResult, Generic[V, W]):
     lyapunov_exponent: V
     """Lyapunov exponent of an irregular motion, per turn of the drive."""
     lyapunov_exponent_error: V
-    """Its standard error."""
+    """Standard error of the Lyapunov exponent."""
     turns_observed: V
     """Turns of the drive over which an irregular motion was observed (a count)."""
     contraction: V
