@@ -3,7 +3,6 @@
 mod force;
 
 use crate::bits::{Value, digits};
-use crate::record::{is_of_friction, without_friction};
 use crate::style;
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -12,6 +11,7 @@ use stickslip::inputs::{Driven, Given, Input, Role};
 use stickslip::motion::SteadyOutput;
 use stickslip::words;
 use stickslip::{Cycle, Excitation, Measure, Output, PhaseFunction, Regime, Response, Scales};
+use stickslip_front::frictionless::{is_of_friction, without_friction};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};

@@ -12,6 +12,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
 use stickslip::inputs::{Driven, Given, Point, Role};
 use stickslip::{Column, Measure, NoStop, Output, Ratios, Response, When};
+use stickslip_front::frictionless::{is_of_friction, without_friction};
 
 pub(crate) use cell::{Cell, Number};
 
@@ -31,25 +32,6 @@ pub(crate) fn csv_text(
 /// The name of an output in the machine's units.
 fn physical_name(wanted: &str) -> &str {
     wanted.strip_prefix("physical.").unwrap_or(wanted)
-}
-
-/// Whether a value is in units of the friction, which do not exist without it.
-pub(crate) const fn is_of_friction(measure: Measure) -> bool {
-    use Measure::{Acceleration, EnergyOfLargestLoop, Force, ForceRatio, Length, Velocity, Work};
-    matches!(measure, Length | Velocity | Acceleration | Force | ForceRatio | Work | EnergyOfLargestLoop)
-}
-
-/// A value of a body without friction, computed with a friction of ε² of the drive: 0 where it is a multiple of the
-/// friction. A motion of the drive's own size is ε⁻² in units of the friction, and its work ε⁻⁴.
-pub(crate) fn without_friction<F: Value>(measure: Measure, x: F) -> F {
-    let size = F::int(1) / F::epsilon();
-    let of_motion = [Measure::Length, Measure::Velocity, Measure::Acceleration, Measure::Force];
-    let of_friction =
-        [Measure::ForceRatio, Measure::EnergyStiffness, Measure::EnergyInertia, Measure::EnergyOfLargestLoop];
-    let is_multiple = of_friction.contains(&measure)
-        || of_motion.contains(&measure) && x.abs() < size
-        || measure == Measure::Work && x.abs() < size.square() * size;
-    if is_multiple { F::int(0) } else { x }
 }
 
 /// Named values in order, and those in physical units: of a number type while they are computed, as a [`Row`] where they are

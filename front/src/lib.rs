@@ -21,6 +21,7 @@
 )]
 
 pub mod curve;
+pub mod frictionless;
 pub mod grid;
 pub mod names;
 pub mod record;

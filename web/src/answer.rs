@@ -8,6 +8,7 @@ use stickslip::inputs::{Given, Input, Point, Role};
 use stickslip::motion::{LongRun, SteadyAnswer};
 use stickslip::words::{self, digits};
 use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAnswer, When};
+use stickslip_front::frictionless::{is_of_friction, without_friction};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
@@ -16,7 +17,8 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
     let named = |e: stickslip::Error| String::from(given.at_fault(&e));
     let response = Response::guarded(point.ratios);
     let found = ResponseAnswer { response: &response, peaks: true };
-    let values = Values { given, point, best: response.best_force_ratio };
+    let is_frictionless = problem.is_frictionless;
+    let values = Values { given, point, best: response.best_force_ratio, is_frictionless };
     let limit = LongRun::from_start(point.ratios, *start);
     let place = place(point.ratios, &limit);
     let steady = match limit.map_err(named) {
@@ -138,6 +140,7 @@ struct Values<'a> {
     point: &'a Point<f64>,
     /// The force ratio of the largest loop.
     best: f64,
+    is_frictionless: bool,
 }
 
 impl Values<'_> {
@@ -157,7 +160,18 @@ impl Values<'_> {
         add("symbol", json!(definition.symbol));
         add("meaning", json!(definition.meaning));
         add("unit", json!(definition.measure.unit()));
+        let is_frictionless = self.is_frictionless;
+        let value = match value {
+            stickslip::Value::Number(Some(x)) if is_frictionless => {
+                stickslip::Value::Number(Some(without_friction(definition.measure, x)))
+            }
+            value => value,
+        };
         let own = match value {
+            // Values in units of the friction do not exist without it.
+            stickslip::Value::Number(_) if is_frictionless && is_of_friction(definition.measure) => {
+                Value::Null
+            }
             stickslip::Value::Number(number) => json!(number),
             stickslip::Value::Count(count) => json!(count),
             stickslip::Value::Flag(flag) => json!(flag),

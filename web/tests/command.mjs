@@ -78,7 +78,7 @@ test("sentences and numbers are written as the command writes them", () => {
       const velocity = values.find(({ name }) => name === "max_velocity");
       // The text of a body at rest has no velocity.
       if (!velocity.value) continue;
-      const written = /peak velocity +(\S+)[^=\n]*(?:= (\S+))?/.exec(ran.stdout);
+      const written = /maximum velocity +(\S+)[^=\n]*(?:= (\S+))?/.exec(ran.stdout);
       assert.equal(glue.digits(velocity.value), written[1], ran.stdout);
       if (velocity.physical) assert.equal(glue.digits(velocity.physical.value), written[2], ran.stdout);
       texts += 1;

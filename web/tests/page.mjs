@@ -508,7 +508,7 @@ test("each example has an answer, and two masses have theirs", async () => {
   }
   await page.click("#tab-two");
   await page.waitForFunction(() => document.getElementById("system-verdict").textContent.startsWith("Periodic: it repeats itself after 0.3333 s, with no rest"));
-  assert.match(await page.getAttribute("#system-border", "title"), /if the load is at least 0\.3040677 times this one/);
+  assert.match(await page.getAttribute("#system-border", "title"), /if the load on upper is at least 0\.3040677 times this one/);
   assert.match(await page.textContent("#system-values"), /-6\.057 mm to 6\.057 mm/);
   for (const button of await page.locator("#system-presets button").all()) {
     await button.click();
@@ -742,7 +742,7 @@ test("a reason is given where two masses have no least load", async () => {
   const values = await page.textContent("#system-values");
   assert.match(values, /a disturbanceshrinks to 0\.8115 of its size in each period/);
   assert.match(values, /natural frequency with the contact stuck3\.898/);
-  for (const [name, text, words] of [["friction", "0", /^There is no contact with friction/], ["friction", "450 N", /^The contact bearing never sticks if the load on roof is at least/], ["amplitude", "0 N", /^There is no load/], ["amplitude", "", /^There is no load/]]) {
+  for (const [name, text, words] of [["friction", "0", /^There is no contact with friction/], ["friction", "450 N", /^The contact contact never sticks if the load on upper is at least/], ["amplitude", "0 N", /^There is no load/], ["amplitude", "", /^There is no load/]]) {
     await page.fill(`#two-${name}`, text);
     await page.waitForFunction((source) => new RegExp(source).test(document.getElementById("system-border").textContent), words.source);
   }
