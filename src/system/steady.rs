@@ -306,11 +306,7 @@ impl<F: Float> Search<'_, F> {
     }
 
     /// The answers over `multiple` periods from a state.
-    pub(super) fn observed(
-        &mut self,
-        from: Option<&[F]>,
-        multiple: usize,
-    ) -> Result<(State<F>, Motion<F>), Error> {
+    pub(super) fn observed(&mut self, from: Option<&[F]>, multiple: usize) -> Result<Answers<F>, Error> {
         match from {
             Some(from) => self.follower.restart(from)?,
             None => self.follower.rewind(),
@@ -322,9 +318,7 @@ impl<F: Float> Search<'_, F> {
         self.follower.run(until, &mut observer)?;
         Ok((start, observer.finish(self.system, &first, &self.follower)))
     }
-}
 
-impl<F: Float> Search<'_, F> {
     /// The answers of the latest period that, with its energy, stays within the range of numbers.
     fn last_finite(&mut self, states: &[Vec<F>]) -> Result<Answers<F>, Error> {
         let mut last = Err(Error::Unbounded { time: written(self.period) });
