@@ -8,14 +8,11 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use stickslip_figures::{self as figures, Figure};
+use stickslip_figures::{self as figures, Figure, MOST_PIXELS as MOST};
 
 /// The width of a PNG in pixels.
 #[cfg(feature = "png")]
 const WIDTH: u32 = 1600;
-
-/// The greatest width and height in pixels of a drawing that is no figure.
-const MOST: u32 = 10_000;
 
 /// The look of a picture that has no options for it.
 pub(crate) static PLAIN: LookArgs = LookArgs { title: None, size: None };
@@ -187,22 +184,7 @@ impl<'a> Target<'a> {
         {
             return Err(format!("--size {width}x{height}: must be ≥ 1x1 and ≤ {MOST}x{MOST}").into());
         }
-        self.pending(file)?.fill(|out| {
-            let svg = drawn(self.title, self.size)?;
-            let file: Result<Vec<u8>, std::io::Error> = match picture {
-                #[cfg(feature = "png")]
-                Picture::Png => {
-                    let width = self.size.map_or(WIDTH, |(width, _)| width.saturating_mul(2));
-                    figures::png_of_svg(&svg, width)
-                }
-                #[cfg(feature = "png")]
-                Picture::Pdf => figures::pdf_of_svg(&svg),
-                #[cfg(not(feature = "png"))]
-                Picture::Png | Picture::Pdf => Ok(Vec::new()),
-                Picture::Svg | Picture::Csv => Ok(svg.into_bytes()),
-            };
-            Ok(out.write_all(&file.map_err(|e| e.to_string())?)?)
-        })
+        self.pending(file)?.fill(|out| write_drawing(&drawn(self.title, self.size)?, picture, self.size, out))
     }
 
     /// The temporary file, opened before drawing.
@@ -213,29 +195,40 @@ impl<'a> Target<'a> {
 
 /// Writes a figure, with a width and a height in pixels if they are given.
 fn write(figure: &Figure, picture: Picture, size: Option<(u32, u32)>, out: &mut impl Write) -> Outcome {
-    let of_size = |e: std::io::Error| match size {
-        Some((width, height)) => format!("--size {width}x{height}: {e}"),
-        None => e.to_string(),
-    };
-    let svg = || size.map_or_else(|| figure.svg(), |size| figure.svg_of_size(size));
+    if picture == Picture::Csv {
+        return Ok(figure.write_csv(out)?);
+    }
+    let svg = size.map_or_else(|| figure.svg(), |size| figure.svg_of_size(size));
+    write_drawing(&svg.map_err(|e| of_size(size, &e))?, picture, size, out)
+}
+
+/// Writes a drawing, whose text as SVG has this width and this height in pixels if they are given.
+fn write_drawing(
+    svg: &str,
+    picture: Picture,
+    #[cfg_attr(not(feature = "png"), expect(unused_variables, reason = "the text has its size"))]
+    size: Option<(u32, u32)>,
+    out: &mut impl Write,
+) -> Outcome {
     match picture {
-        Picture::Svg => {
-            let text = svg().map_err(of_size)?;
-            out.write_all(text.as_bytes())?;
-        }
+        Picture::Svg | Picture::Csv => out.write_all(svg.as_bytes())?,
         #[cfg(feature = "png")]
         Picture::Png => {
-            let image = size.map_or_else(|| figure.png(WIDTH), |size| figure.png_of_size(size));
-            out.write_all(&image.map_err(of_size)?)?;
+            let width = size.map_or(WIDTH, |(width, _)| width.saturating_mul(2));
+            out.write_all(&figures::png_of_svg(svg, width).map_err(|e| of_size(size, &e))?)?;
         }
         #[cfg(feature = "png")]
-        Picture::Pdf => {
-            let page = size.map_or_else(|| figure.pdf(), |size| figure.pdf_of_size(size));
-            out.write_all(&page.map_err(of_size)?)?;
-        }
+        Picture::Pdf => out.write_all(&figures::pdf_of_svg(svg).map_err(|e| of_size(size, &e))?)?,
         #[cfg(not(feature = "png"))]
         Picture::Png | Picture::Pdf => check(picture, picture.extension())?,
-        Picture::Csv => figure.write_csv(out)?,
     }
     Ok(())
+}
+
+/// The error of a drawing, behind its size if that was given.
+fn of_size(size: Option<(u32, u32)>, error: &std::io::Error) -> String {
+    match size {
+        Some((width, height)) => format!("--size {width}x{height}: {error}"),
+        None => error.to_string(),
+    }
 }

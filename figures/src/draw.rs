@@ -125,8 +125,8 @@ const LEAST: (i32, i32) = (90, 120);
 const NARROW: i32 = 220;
 /// The size of one of several plots that are one below the other.
 const STACKED: (i32, i32) = (640, 180);
-/// The greatest width and height of a figure.
-const MOST: i32 = 10_000;
+/// The greatest width and height of a drawing in pixels.
+pub(super) const MOST: i32 = 10_000;
 
 /// The margins of the plots, in pixels: each grows with the lines of its texts.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -339,43 +339,10 @@ impl Figure {
     pub fn svg_of_size(&self, size: (u32, u32)) -> io::Result<String> {
         draw::svg(self, Some(size))
     }
-
-    /// The drawing as PNG, `width` pixels wide, in DejaVu Sans.
-    ///
-    /// # Errors
-    /// [`io::ErrorKind::Other`] where the width is 0, or too large for an image in memory.
-    #[cfg(feature = "png")]
-    pub fn png(&self, width: u32) -> io::Result<Vec<u8>> {
-        draw::png(&self.svg()?, width)
-    }
-
-    /// The drawing as a page of PDF of its own size, letters as outlines of DejaVu Sans.
-    ///
-    /// # Errors
-    /// Errors of the drawing library, none of which are known to occur.
-    #[cfg(feature = "png")]
-    pub fn pdf(&self) -> io::Result<Vec<u8>> {
-        draw::pdf(&self.svg()?)
-    }
-
-    /// The drawing as a page of PDF with a width and a height in pixels, of 0.75 pt each.
-    ///
-    /// # Errors
-    /// As [`Figure::svg_of_size`].
-    #[cfg(feature = "png")]
-    pub fn pdf_of_size(&self, size: (u32, u32)) -> io::Result<Vec<u8>> {
-        draw::pdf(&self.svg_of_size(size)?)
-    }
-
-    /// The drawing as a PNG image with a width and a height in pixels, twice as many of which the image has.
-    ///
-    /// # Errors
-    /// As [`Figure::svg_of_size`].
-    #[cfg(feature = "png")]
-    pub fn png_of_size(&self, size: (u32, u32)) -> io::Result<Vec<u8>> {
-        draw::png(&self.svg_of_size(size)?, size.0.saturating_mul(2))
-    }
 }
+
+/// The greatest width and height of a drawing in pixels.
+pub const MOST_PIXELS: u32 = draw::MOST.unsigned_abs();
 
 /// A drawing in SVG as PNG, `width` pixels wide, in DejaVu Sans.
 ///

@@ -293,9 +293,10 @@ fn figure_8_has_a_dot_wherever_alpha_is_above_the_exact_border() {
 #[test]
 fn a_png_is_drawn_with_its_words() {
     use resvg::tiny_skia::Pixmap;
+    use stickslip_figures::png_of_svg;
     let figure = figure("9a").unwrap();
-    let pixels = Pixmap::decode_png(&figure.png(800).unwrap()).unwrap();
     let svg = figure.svg().unwrap();
+    let pixels = Pixmap::decode_png(&png_of_svg(&svg, 800).unwrap()).unwrap();
     let number = |name: &str| -> f64 {
         let rest = svg.split_once(&format!(" {name}=\"")).unwrap().1;
         rest.split_once('"').unwrap().0.parse().unwrap()
@@ -310,7 +311,7 @@ fn a_png_is_drawn_with_its_words() {
     assert!(paper * 10 > 9 * pixels.pixels().len(), "{paper}");
     // Only the title is above the frame.
     assert!((200..5000).contains(&dark(0, 35)), "{}", dark(0, 35));
-    assert!(figure.png(0).is_err());
+    assert!(png_of_svg(&svg, 0).is_err());
 }
 
 /// A page has the size of the drawing in points, and as many filled outlines as the drawing has areas and letters.
@@ -318,8 +319,9 @@ fn a_png_is_drawn_with_its_words() {
 #[test]
 fn a_pdf_is_a_page_of_outlines() {
     use std::io::Read;
+    use stickslip_figures::pdf_of_svg;
     let figure = figure("9a").unwrap();
-    let page = figure.pdf_of_size((600, 400)).unwrap();
+    let page = pdf_of_svg(&figure.svg_of_size((600, 400)).unwrap()).unwrap();
     let place = |part: &[u8]| page.windows(part.len()).position(|own| own == part).unwrap();
     let head = String::from_utf8_lossy(&page[..place(b"stream")]).into_owned();
     assert!(head.starts_with("%PDF-1.4\n") && head.contains("/MediaBox[0 0 450 300]"), "{head}");
