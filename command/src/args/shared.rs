@@ -5,6 +5,10 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use stickslip::inputs::units::{Reader, System};
 
+/// The help of `--header`, a text because rustdoc would take the unit for a link.
+pub(super) const HEADER: &str =
+    "Header of CSV: names, or names with their units in brackets, such as max_displacement[B]";
+
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
     // Rustdoc would take the unit for a link.
@@ -18,14 +22,7 @@ pub(crate) struct OutputArgs {
     /// text or json for one answer [default: text], jsonl or csv for --points [default: jsonl]
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
-    // Rustdoc would take the unit for a link.
-    #[arg(
-        long,
-        value_enum,
-        default_value = "names",
-        value_name = "HEADER",
-        help = "Header of CSV: names, or names with their units in brackets, such as max_displacement[B]"
-    )]
+    #[arg(long, value_enum, default_value = "names", value_name = "HEADER", help = HEADER)]
     pub(crate) header: Header,
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]

@@ -108,14 +108,7 @@ pub(crate) struct TableArgs {
     /// Part I of N parts of the rows, each a run of them
     #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
     pub(crate) shard: Option<String>,
-    // Rustdoc would take the unit for a link.
-    #[arg(
-        long,
-        value_enum,
-        default_value = "names",
-        value_name = "HEADER",
-        help = "Header of CSV: names, or names with their units in brackets, such as max_displacement[B]"
-    )]
+    #[arg(long, value_enum, default_value = "names", value_name = "HEADER", help = super::shared::HEADER)]
     pub(crate) header: Header,
     /// Omit the line of column names
     #[arg(long)]
