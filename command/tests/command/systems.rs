@@ -1,5 +1,7 @@
 //! `stickslip system` from the user's side: cases of other projects, a file of named bodies, and what is wrong with files.
 
+mod pictures;
+
 use crate::command_line::{json, refused, stdout, stickslip};
 use crate::place::place;
 use serde_json::{Value, json as value};
@@ -104,7 +106,6 @@ fn a_machine_by_names_is_the_same_as_by_matrices() {
     assert!(text.contains("all contacts at rest     3.898484 Hz"), "{text}");
 }
 
-/// Just below the least load the contact rests in each period, just above it never.
 /// On a base that moves, the forces on a body give its acceleration in space: the motion of the base is not among them.
 #[test]
 fn absolute_accelerations_are_the_forces_over_the_masses() {
@@ -274,6 +275,7 @@ fn a_long_motion_of_a_large_system_is_refused_at_once() {
     stdout(&format!("{line} simulate --until 1"));
 }
 
+/// Just below the least load the contact rests in each period, just above it never.
 #[test]
 fn the_border_is_between_sticking_and_not() {
     let file = place("machine.toml");
@@ -466,201 +468,6 @@ fn each_mistake_is_one_line_with_its_place() {
     refused(&format!("{line} curve --frequency 1Hz:2kHz:5"), &["both ends must have the same unit"]);
     refused(&format!("{line} record none.at2"), &["none.at2"]);
     refused("system none.toml", &["none.toml"]);
-}
-
-/// The places of the texts of a drawing.
-fn texts(svg: &str) -> Vec<(f64, f64, String)> {
-    let attribute = |tag: &str, name: &str| -> f64 {
-        let (_, rest) = tag.split_once(&format!(" {name}=\"")).unwrap();
-        rest.split_once('"').unwrap().0.parse().unwrap()
-    };
-    let found = svg.split("<text").skip(1).map(|part| {
-        let (tag, rest) = part.split_once('>').unwrap();
-        (attribute(tag, "x"), attribute(tag, "y"), rest.split_once('<').unwrap().0.to_owned())
-    });
-    found.collect()
-}
-
-#[test]
-fn a_drawing_names_each_part_once_and_no_text_meets_another() {
-    let folder = place("drawings-of-systems");
-    std::fs::create_dir(&*folder).unwrap();
-    let (file, drawing) = (folder.join("machine.toml"), folder.join("machine.svg"));
-    // A chain, a ring, and a contact that leaps over bodies.
-    let extra = r#"
-[[contacts]]
-between = ["ground", "roof"]
-friction = "5 N"
-stiffness = "2 N/mm"
-[[stops]]
-name = "end <stop>"
-between = ["block", "mast"]
-gap = "9 mm"
-stiffness = "1 kN/mm"
-[[springs]]
-between = ["roof", "mast"]
-stiffness = "3 N/mm"
-damping = "4 N*s/mm"
-"#;
-    std::fs::write(&file, MACHINE.replace("[masses]", "[masses]\nmast = \"20 kg\"") + extra).unwrap();
-    stdout(&format!("system {} --picture {}", file.display(), drawing.display()));
-    let svg = std::fs::read_to_string(&drawing).unwrap();
-    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
-    let texts = texts(&svg);
-    let due = [
-        "ground",
-        "block",
-        "roof",
-        "mast",
-        "1 t",
-        "0.5 t",
-        "0.02 t",
-        "200 N/mm",
-        "0.3 N·s/mm",
-        "300 N/mm",
-        "3 N/mm",
-        "4 N·s/mm",
-        "bearing: 450 N",
-        "contacts[2]: 2 N/mm, 5 N",
-        "end &lt;stop&gt;: gap 9 mm",
-    ];
-    let mut own: Vec<&str> = texts.iter().map(|text| text.2.as_str()).collect();
-    let mut due = due.to_vec();
-    own.sort_unstable();
-    due.sort_unstable();
-    assert_eq!(own, due);
-    let half = |text: &str| 3.6 * text.chars().count() as f64;
-    for (i, (x, y, text)) in texts.iter().enumerate() {
-        for (other_x, other_y, other) in &texts[i + 1..] {
-            let apart = (x - other_x).abs() > half(text) + half(other) || (y - other_y).abs() > 11.0;
-            assert!(apart, "{text} meets {other}");
-        }
-    }
-    refused(&format!("system {} --picture {}", file.display(), drawing.display()), &["--picture", "exist"]);
-    refused(&format!("system {} --picture none.eps", file.display()), &["must end in .svg, .png or .pdf"]);
-    let line = format!("system {} --overwrite --picture {}", file.display(), drawing.display());
-    refused(&format!("{line} --size 0x9"), &["--size 0x9", "1x1"]);
-    stdout(&format!("{line} --size 900x500 --title A&B"));
-    let sized = std::fs::read_to_string(&drawing).unwrap();
-    assert!(sized.contains(r#"width="900" height="500""#) && sized.contains(">A&amp;B</text>"), "{sized}");
-    // The title stands above all else, and what is seen has the proportions of the size.
-    let numbers = |from: &str| -> Vec<f64> {
-        let text = sized.split(from).nth(1).unwrap().split('"').next().unwrap();
-        text.split(' ').map(|x| x.parse().unwrap()).collect()
-    };
-    let view = numbers("viewBox=\"");
-    assert!((view[2] * 5.0 - view[3] * 9.0).abs() < 2.0, "{view:?}");
-    let lines: Vec<_> = self::texts(&sized).into_iter().map(|(_, y, text)| (y, text)).collect();
-    let top = lines.iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
-    assert!(top.1 == "A&amp;B" && top.0 > view[1], "{top:?}");
-}
-
-/// A drawing as PNG and PDF: of the proportions of the SVG, or of the size asked for.
-#[cfg(feature = "png")]
-#[test]
-fn a_drawing_may_be_an_image_or_a_page() {
-    let folder = place("drawings-of-all-kinds");
-    std::fs::create_dir(&*folder).unwrap();
-    let file = folder.join("machine.toml");
-    std::fs::write(&file, MACHINE).unwrap();
-    let drawn = |end: &str, look: &str| {
-        let picture = folder.join(format!("machine.{end}"));
-        stdout(&format!("system {} --overwrite --picture {}{look}", file.display(), picture.display()));
-        std::fs::read(picture).unwrap()
-    };
-    let svg = String::from_utf8(drawn("svg", "")).unwrap();
-    let of = |name: &str| -> f64 {
-        svg.split(&format!("{name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
-    };
-    let (width, height) = (of("width"), of("height"));
-    let size = |png: &[u8]| -> [u32; 2] {
-        assert!(png.starts_with(b"\x89PNG"));
-        [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
-    };
-    let png = drawn("png", "");
-    let [wide, high] = size(&png);
-    assert!(wide == 1600 && (f64::from(high) - 1600.0 * height / width).abs() <= 1.0, "{wide} × {high}");
-    assert_eq!(size(&drawn("png", " --size 500x300")), [1000, 600]);
-    // Letters are outlines, so that the picture is more than its lines.
-    assert!(png.len() > 10_000, "{} bytes", png.len());
-    let pdf = drawn("pdf", "");
-    assert!(pdf.starts_with(b"%PDF-"));
-    let text = String::from_utf8_lossy(&pdf);
-    let page = text.split("/MediaBox").nth(1).unwrap().trim_start().trim_start_matches('[');
-    let page: Vec<f64> = page.split([' ', ']']).filter_map(|x| x.parse().ok()).take(4).collect();
-    assert!((page[2] - 0.75 * width).abs() < 0.1 && (page[3] - 0.75 * height).abs() < 0.1, "{page:?}");
-    assert!(pdf.len() > 3_000, "{} bytes", pdf.len());
-}
-
-#[test]
-fn pictures_show_each_coordinate_and_the_loop_of_each_element() {
-    let folder = place("pictures-of-systems");
-    std::fs::create_dir(&*folder).unwrap();
-    let file = folder.join("machine.toml");
-    std::fs::write(&file, MACHINE).unwrap();
-    for (name, line, parts) in [
-        (
-            "steady",
-            "steady",
-            vec!["Steady motion (periodic): block, roof, load at 3 Hz", "loop of bearing", "force (N)"],
-        ),
-        ("motion", "simulate --until 2s", vec!["displacement (mm)", "time (s)", "loop of bearing"]),
-        ("curve", "curve --frequency 1Hz:9Hz:9", vec!["frequency (Hz)", "\na contact sticks\n"]),
-        ("grid", "steady --set bearing.friction=100N:2kN:4", vec![]),
-        ("friction", "steady --set bearing.friction=100N:900N:4", vec!["bearing.friction (N)"]),
-    ] {
-        let picture = folder.join(format!("{name}.svg"));
-        let line = format!("system {} {line} --picture {}", file.display(), picture.display());
-        if name == "grid" {
-            refused(&line, &["both ends must have the same unit"]);
-            continue;
-        }
-        stdout(&line);
-        let svg = std::fs::read_to_string(&picture).unwrap();
-        for part in parts {
-            assert!(svg.contains(part), "{name}: {part}");
-        }
-    }
-    refused(
-        &format!(
-            "system {} curve --frequency 1Hz:2Hz:2 --set bearing.friction=1N,2N --picture x.svg",
-            file.display()
-        ),
-        &["--picture: needs one axis"],
-    );
-    refused(&format!("system {} border --picture x.svg", file.display()), &["--picture: this question"]);
-}
-
-/// The least pixel of a picture's lines of a colour, and the greatest: the top of the curve, and its foot.
-fn heights(svg: &str, is_line: impl Fn(&str) -> bool) -> (f64, f64) {
-    let lines = svg.split("<polyline ").skip(1).filter_map(|line| line.split("/>").next());
-    let points = lines.filter(|line| is_line(line)).filter_map(|line| line.split("points=\"").nth(1));
-    let ys = points.flat_map(|points| {
-        let pairs = points.trim_end_matches('"').split_whitespace();
-        pairs.filter_map(|pair| pair.split(',').nth(1)?.parse::<f64>().ok()).collect::<Vec<_>>()
-    });
-    ys.fold((f64::INFINITY, 0.0), |(low, high), y| (low.min(y), f64::max(high, y)))
-}
-
-/// Six frequencies, none at the peak of a lightly damped body, draw as high a peak as 601.
-#[test]
-fn a_drawn_curve_shows_its_peaks() {
-    let folder = place("peaks-of-systems");
-    std::fs::create_dir(&*folder).unwrap();
-    let file = folder.join("one.toml");
-    let text = "units = \"N,mm\"\n[masses]\nbody = \"1 t\"\n[[springs]]\nbetween = [\"ground\", \"body\"]\n\
-                stiffness = \"200 N/mm\"\ndamping = \"0.2 N*s/mm\"\n[[contacts]]\nbetween = [\"ground\", \"body\"]\n\
-                friction = \"10 N\"\n[[forces]]\non = \"body\"\namplitude = \"100 N\"\nfrequency = \"1 Hz\"\n";
-    std::fs::write(&file, text).unwrap();
-    let top = |count: usize| {
-        let picture = folder.join(format!("{count}.svg"));
-        let line = format!("system {} curve --frequency 1.5Hz:3Hz:{count}", file.display());
-        stdout(&format!("{line} --picture {}", picture.display()));
-        let svg = std::fs::read_to_string(&picture).unwrap();
-        heights(&svg, |line| !line.contains("#DEDEDE") && line.split(',').count() > 8)
-    };
-    let (coarse, fine) = (top(6), top(601));
-    assert!((coarse.0 - fine.0).abs() <= 4.0 && fine.1 - fine.0 > 1000.0, "{coarse:?} {fine:?}");
 }
 
 /// The rows of a resolved curve are those of the grid, as they were, and others, the highest of which is the peak of a fine grid.
