@@ -64,17 +64,14 @@ fn awaited(
     }
 }
 
-/// Work of any result, which it leaves in a slot: threads and channels are compiled once for all results.
+/// Work that leaves its result in a slot, so that threads and channels are compiled once for all results.
 type Task<'a> = Box<dyn FnOnce() + Send + 'a>;
 
-/// The work whose result the slot takes.
-fn into_slot<'a, T: Send>(slot: &'a Mutex<Option<T>>, work: impl FnOnce() -> T + Send + 'a) -> Task<'a> {
-    Box::new(move || {
-        let answer = work();
-        if let Ok(mut slot) = slot.lock() {
-            *slot = Some(answer);
-        }
-    })
+/// Leaves a result in its slot.
+fn leave<T>(slot: &Mutex<Option<T>>, result: T) {
+    if let Ok(mut slot) = slot.lock() {
+        *slot = Some(result);
+    }
 }
 
 fn no_answer() -> PyErr {
@@ -87,7 +84,7 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Se
     let stop = Stop::never();
     let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };
     let slot = Mutex::new(None);
-    spawned(py, pool, &stop, into_slot(&slot, || work(&stop)))?;
+    spawned(py, pool, &stop, Box::new(|| leave(&slot, work(&stop))))?;
     slot.into_inner().ok().flatten().ok_or_else(no_answer)
 }
 
@@ -123,7 +120,7 @@ pub fn left_behind<T: Send + 'static>(
     let (done, ended) = mpsc::channel();
     let filled = slot.clone();
     let task: Task<'static> = Box::new(move || {
-        into_slot(&filled, work)();
+        leave(&filled, work());
         // After a signal there is no receiver, and the result is discarded.
         let _ = done.send(());
     });
