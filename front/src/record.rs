@@ -202,6 +202,7 @@ impl Summary {
     /// The summary in one sentence, with numbers written by `number`.
     pub fn sentence(&self, number: impl Fn(f64) -> String) -> String {
         let Self { kind, samples, unit, .. } = self;
+        // The field has the name of the column, which sentences do not use.
         let quantity = self.quantity.replace("foot", "support");
         let channel = self.channel.as_ref().map_or(String::new(), |channel| format!(" “{channel}”"));
         let step =

@@ -160,16 +160,15 @@ impl Values<'_> {
         add("symbol", json!(definition.symbol));
         add("meaning", json!(definition.meaning));
         add("unit", json!(definition.measure.unit()));
-        let is_frictionless = self.is_frictionless;
         let value = match value {
-            stickslip::Value::Number(Some(x)) if is_frictionless => {
+            stickslip::Value::Number(Some(x)) if self.is_frictionless => {
                 stickslip::Value::Number(Some(without_friction(definition.measure, x)))
             }
             value => value,
         };
         let own = match value {
             // Values in units of the friction do not exist without it.
-            stickslip::Value::Number(_) if is_frictionless && is_of_friction(definition.measure) => {
+            stickslip::Value::Number(_) if self.is_frictionless && is_of_friction(definition.measure) => {
                 Value::Null
             }
             stickslip::Value::Number(number) => json!(number),
