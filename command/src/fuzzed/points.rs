@@ -51,12 +51,14 @@ fn rows(content: &[u8]) -> (StringRecord, Vec<StringRecord>) {
 fn arguments(used: &[Input], header: &StringRecord, row: &StringRecord) -> Vec<String> {
     let option = |(name, text): (&str, &str)| {
         let name = name.trim_start_matches('\u{feff}').trim();
-        let (own, unit) = match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
+        let within = |open, close| name.strip_suffix(close).and_then(|name| name.split_once(open));
+        let (own, unit) = match within('[', ']').or_else(|| within('(', ')')) {
             Some((own, unit)) => (own.trim(), unit.trim()),
             None => (name, ""),
         };
-        let own = own.replace('-', "_");
-        let known = used.iter().find(|p| p.column() == own)?;
+        let own = own.to_lowercase().replace(['-', ' '], "_");
+        let named = used.iter().find(|p| p.is_column(&own));
+        let known = named.or_else(|| used.iter().find(|p| p.letter() == Some(own.as_str())))?;
         Some(format!("{}={text}{unit}", known.option()))
     };
     header.iter().zip(row).filter_map(option).collect()
