@@ -28,7 +28,7 @@ impl<F: Float> Border<F> {
     /// The derivative dα_min/dΩ of the exact border at the frequency ratio of `p`.
     ///
     /// This is a closed form except for the bracketed root of the border. No float is a pole 1/(2n+1), so
-    /// that it is finite for every float Ω unless its value overflows: at f64, for Ω below 2⁻²⁴⁰. Accuracy at
+    /// that it is finite for every float Ω unless its value overflows: at f64 it can for Ω below 2⁻²³⁶. Accuracy at
     /// f64: a few units in the last place of the larger of its two terms, so that near a minimum of the
     /// border the accuracy is absolute.
     #[must_use]
