@@ -29,6 +29,8 @@ const machine = (page) => page.evaluate(() => JSON.stringify([state, chosen, [..
 // A page that has answered; every request that leaves it and every fault in it fails the test.
 async function opened(link = "", { width = 1440, height = 1000, ...more } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...more });
+  // Beside other work an answer has taken more than the usual limit of 30 s: this one is for a hang.
+  context.setDefaultTimeout(180_000);
   const page = await context.newPage();
   page.faults = [];
   page.on("pageerror", (error) => page.faults.push(error.message));
