@@ -7,10 +7,10 @@ cd "$(dirname "$0")/.."
 points=${1:-100000}
 bits() { # TARGET
     # The compiler's default target shares its build with the other benchmarks.
-    [ "$1" != x86-64 ] || { cargo bench --quiet --features batch --bench bits -- "$points"; return; }
+    [ "$1" != x86-64 ] || { cargo bench --quiet -p stickslip-benches --features batch --bench bits -- "$points"; return; }
     # These settings shorten the compilation; the bits do not depend on them.
     RUSTFLAGS="-C target-cpu=$1" CARGO_TARGET_DIR="target/bits-$1" CARGO_PROFILE_BENCH_LTO=off CARGO_PROFILE_BENCH_CODEGEN_UNITS=16 \
-        CARGO_PROFILE_BENCH_OPT_LEVEL=1 cargo bench --quiet --features batch --bench bits -- "$points"
+        CARGO_PROFILE_BENCH_OPT_LEVEL=1 cargo bench --quiet -p stickslip-benches --features batch --bench bits -- "$points"
 }
 first=""
 shift || true

@@ -7,7 +7,7 @@
 set -euo pipefail
 [ "${1:-}" = --one ] || cd "$(dirname "$0")/.."
 program() {
-    cargo bench --features batch --bench "$1" --no-run --message-format json 2>/dev/null |
+    cargo bench -p stickslip-benches --features batch --bench "$1" --no-run --message-format json 2>/dev/null |
         sed -n "s/.*\"executable\":\"\([^\"]*$1-[^\"]*\)\".*/\1/p" | tail -n 1
 }
 collected() { # [OPTION] PROGRAM KERNEL N: instructions of the whole program

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 n=${1:-10000} # few, so that the best of many runs is one that nothing interrupted
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
-ours=$(cargo bench --features rayon --bench peers --no-run --message-format json 2>/dev/null |
+ours=$(cargo bench -p stickslip-benches --features rayon --bench peers --no-run --message-format json 2>/dev/null |
     sed -n 's/.*"executable":"\([^"]*peers-[^"]*\)".*/\1/p' | tail -n 1)
 gcc -O2 -march=native benches/peers/closed_forms.c -o "$work/scalar" -lm
 gcc -O3 -march=native -ffast-math -fopenmp-simd -DVECTOR benches/peers/closed_forms.c -o "$work/vector" -lmvec -lm

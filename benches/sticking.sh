@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
-ours=$(cargo bench --features batch --bench sticking --no-run --message-format json 2>/dev/null |
+ours=$(cargo bench -p stickslip-benches --features batch --bench sticking --no-run --message-format json 2>/dev/null |
     sed -n 's/.*"executable":"\([^"]*sticking-[^"]*\)".*/\1/p' | tail -n 1)
 gcc -O3 benches/peers/sticking.c -o "$work/cvode" -lsundials_cvode -lsundials_nvecserial -lm ||
     echo "without CVODE: no SUNDIALS"
