@@ -96,9 +96,9 @@ impl Amplitude {
         one_minus_square: Pair<f64>,
         border: f64,
     ) -> Self {
-        // Without a cycle, all results that depend on α are NaN.
-        let sliding = select(alpha >= border, alpha, domain.nan);
-        let reversal = Reversal::by_formula(phase_function, one_minus_square, sliding);
+        // Without a cycle, all results that depend on α are NaN. Δ₀ does not wait for the border.
+        let reversal = Reversal::by_formula(phase_function, one_minus_square, alpha);
+        let reversal = reversal.or_nan(alpha >= border, domain.nan);
         let is_answered = domain.alpha.has(alpha) & !reversal.falls_short(omega);
         Self { reversal, border: select(is_answered, border, domain.nan) }
     }

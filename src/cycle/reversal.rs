@@ -54,6 +54,14 @@ impl<F: Float> Reversal<F> {
         if self.over_least(omega) >= least_but_for_rounding() { self } else { self.on_the_border(omega) }
     }
 
+    /// This reversal, or one of NaN.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn or_nan(self, is_known: bool, nan: F) -> Self {
+        let hi = if is_known { self.displacement.hi } else { nan };
+        Self { displacement: Pair::new(hi, self.displacement.lo), ..self }
+    }
+
     /// Whether Δ₀/B is less than that of a body that does not stick, by more than rounding; not where it is
     /// NaN.
     #[cfg(feature = "batch")]
