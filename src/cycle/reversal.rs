@@ -5,10 +5,8 @@
 //! above ([`PhaseFunction::wide`]), so that pairs suffice for the formulae. The exception, at f64, is Ω
 //! closer to 1 than 2⁻²⁴, where the pair itself has no further digits ([`excess_close_to_one`]).
 
-use super::displacement::{
-    cos_displacement_phase, displacement_of_leg, max_displacement, phase, sin_displacement_phase,
-};
-use super::dissipation::{loop_size_inertia, loop_size_stiffness};
+use super::displacement::{cos_displacement_phase, displacement_of_leg, phase, sin_displacement_phase};
+use super::dissipation::loop_size_inertia;
 use crate::cycle::phase_function::{PhaseFunction, excess_close_to_one, is_close_to_one};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
@@ -23,6 +21,8 @@ pub struct Reversal<F> {
     one_minus_square: Pair<F>,
     /// Δ₀/B (eq. 44).
     displacement: Pair<F>,
+    /// 1/α, within a few units in the last place.
+    inverse: F,
 }
 
 impl<F: Float> Reversal<F> {
@@ -34,16 +34,29 @@ impl<F: Float> Reversal<F> {
         let (phase_function, one_minus_square) = (p.wide(), p.one_minus_square());
         if is_close_to_one(p.omega()) {
             let displacement = displacement_close_to_one(p.omega(), phase_function, one_minus_square, alpha);
-            return Self { alpha, phase_function, one_minus_square, displacement };
+            return Self {
+                alpha,
+                phase_function,
+                one_minus_square,
+                displacement,
+                inverse: F::int(1) / alpha,
+            };
         }
         Self::by_formula(phase_function, one_minus_square, alpha)
     }
 
-    /// [`Reversal::new`] where K and 1 − Ω² have the digits that α asks for.
+    /// [`Reversal::new`] where K and 1 − Ω² have the digits that α asks for: [`max_displacement`] with 1/|1 − Ω²|
+    /// and 1/α by one division.
+    ///
+    /// [`max_displacement`]: super::displacement::max_displacement
     #[inline(always)]
     pub(crate) fn by_formula(phase_function: Pair<F>, one_minus_square: Pair<F>, alpha: F) -> Self {
-        let displacement = max_displacement(phase_function, alpha.wide(), one_minus_square);
-        Self { alpha, phase_function, one_minus_square, displacement }
+        let width = one_minus_square.abs();
+        let both = F::int(1) / (alpha * width.hi);
+        // Δ₀/B = √(α² − K²) / |1 − Ω²|
+        let leg = Pair::square_of(alpha).leg_of_square(phase_function);
+        let displacement = leg.over(width, both * alpha);
+        Self { alpha, phase_function, one_minus_square, displacement, inverse: both * width.hi }
     }
 
     /// The reversal of a body that does not stick, which has Δ₀/B ≥ 1/Ω² (eq. 61).
@@ -120,9 +133,12 @@ impl<F: Float> Reversal<F> {
         loop_size_inertia(self.wide_loop_size(), omega.wide()).value()
     }
 
+    /// [`loop_size_stiffness`](super::dissipation::loop_size_stiffness) with the reciprocal of α that is known.
     #[inline(always)]
     fn wide_loop_size(&self) -> Pair<F> {
-        loop_size_stiffness(self.displacement, self.alpha.wide())
+        // A₁ = 8(Δ₀/B)/α²
+        let square = Pair::square_of(self.alpha);
+        self.displacement.over(square, self.inverse * self.inverse).times(8)
     }
 
     /// Converts each part of the reversal to another number type.
@@ -132,6 +148,7 @@ impl<F: Float> Reversal<F> {
             phase_function: self.phase_function.map(&to),
             one_minus_square: self.one_minus_square.map(&to),
             displacement: self.displacement.map(&to),
+            inverse: to(self.inverse),
         }
     }
 

@@ -49,15 +49,12 @@ impl<F: Float> Mul<F> for Pair<F> {
     }
 }
 
-/// From one quotient, 1/y: lo contains the remainder of hi.
+/// From one quotient, 1/y.
 impl<F: Float> Div for Pair<F> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        let inverse = F::int(1) / other.hi;
-        let hi = self.hi * inverse;
-        let rest = (-hi).mul_add(other.lo, self.lo) + (-hi).mul_add(other.hi, self.hi);
-        Self { hi, lo: rest * inverse }
+        self.over(other, F::int(1) / other.hi)
     }
 }
 
