@@ -27,7 +27,7 @@ one() { # KIND PROGRAM KERNEL: the line of one kernel
         closed)
             # The difference of two numbers of points removes the start-up, but not the loop over the points.
             once=$(collected "$program" "$kernel" 10000)
-            report "$kernel" $(($(collected "$program" "$kernel" 30000) - once)) 20000
+            report "$kernel" $(($(collected "$program" "$kernel" 20000) - once)) 10000
             ;;
         exact)
             [ "$kernel" != steady-beside-resonance ] || function=steady_from_rest
@@ -38,7 +38,7 @@ one() { # KIND PROGRAM KERNEL: the line of one kernel
         batch)
             # The difference of two numbers of rounds removes the start-up.
             once=$(collected "$program" "$kernel" 1)
-            report "$kernel" $(($(collected "$program" "$kernel" 3) - once)) $((2 * 128000))
+            report "$kernel" $(($(collected "$program" "$kernel" 2) - once)) 128000
             ;;
     esac
 }

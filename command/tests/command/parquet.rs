@@ -207,7 +207,7 @@ fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i
 #[cfg(unix)]
 #[test]
 fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
-    let sweep = "sweep steady --omega 0.05:1.3:230 --alpha 0.9:8:330";
+    let sweep = "sweep steady --omega 0.05:1.3:100 --alpha 0.9:8:220";
     let whole = place("all.parquet");
     let begin = std::time::Instant::now();
     stdout(&format!("{sweep} --out {}", whole.display()));
