@@ -253,7 +253,7 @@ test("no swipe, no scroll and no touch in passing changes the machine", async (t
     const session = await page.context().newCDPSession(page);
     const touch = (type, x, y) => session.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
     const before = await machine(page);
-    for (let i = 0; i < 250; i++) {
+    for (let i = 0; i < Number(process.env.STICKSLIP_SWIPES || 100) / 2; i++) {
       const top = await page.evaluate((part) => {
         scrollTo(0, part * (document.documentElement.scrollHeight - innerHeight));
         return scrollY;
