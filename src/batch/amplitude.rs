@@ -3,8 +3,9 @@
 
 use super::block::{AtPoint, select};
 use crate::cycle::Reversal;
-use crate::cycle::border::rounded_turning_point_border;
+use crate::cycle::border::turning_point_border;
 use crate::cycle::phase_function::{Quotient, is_close_to_one, one_minus_moderate_square};
+use crate::float::Float;
 use crate::float::circular::held;
 use crate::float::pair::Pair;
 
@@ -73,7 +74,7 @@ impl Amplitude {
     #[inline(always)]
     pub(crate) fn high(domain: &Domain, omega: f64, alpha: f64, phase_function: Pair<f64>) -> Self {
         let one_minus_square = one_minus_moderate_square(omega);
-        let border = rounded_turning_point_border(phase_function, one_minus_square, omega);
+        let border = turning_point_border(phase_function, one_minus_square, omega.wide()).value();
         let is_answered = domain.omega.has(omega) & !is_close_to_one(omega);
         Self::at(
             domain,

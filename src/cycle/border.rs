@@ -58,7 +58,6 @@ use stationary::{Inner, inner_maximum};
 #[cfg(feature = "mp")]
 pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
 pub(crate) use turning_point::border_force_ratio;
-pub(crate) use turning_point::rounded_turning_point_border;
 #[cfg(test)]
 pub(crate) use turning_point::turning_point_criterion;
 pub use turning_point::{slip_excess, turning_point_border, turning_point_residual};
@@ -183,7 +182,7 @@ impl<F: Float> Border<F> {
     /// Dimensionless; in compensated pairs. Accuracy at f64: 2 ulp.
     #[inline(always)]
     pub fn turning_point_at(p: &PhaseFunction<F>) -> F {
-        rounded_turning_point_border(p.wide(), p.one_minus_square(), p.omega())
+        turning_point_border(p.wide(), p.one_minus_square(), p.omega().wide()).value()
     }
 }
 
@@ -191,7 +190,7 @@ impl<F: Float> Border<F> {
 #[inline(always)]
 fn parts<F: Float>(p: &PhaseFunction<F>, eta: F) -> (F, Option<Inner<F>>) {
     let held = held(p, eta);
-    let turning_point = rounded_turning_point_border(p.wide(), held, p.omega());
+    let turning_point = turning_point_border(p.wide(), held, p.omega().wide()).value();
     if p.omega() >= F::ratio(1, 2) {
         return (turning_point, None);
     }

@@ -16,15 +16,26 @@ use crate::float::{Field, Float};
 /// relative error of `α²/(α² − K²)` times that of K.
 #[inline(always)]
 pub fn max_displacement<R: Field>(phase_function: R, alpha: R, one_minus_square: R) -> R {
+    max_displacement_by(phase_function, alpha, one_minus_square, |a, b| a / b)
+}
+
+/// [`max_displacement`] with a quotient `over` that may know a reciprocal.
+#[inline(always)]
+pub(crate) fn max_displacement_by<R: Field>(
+    phase_function: R,
+    alpha: R,
+    one_minus_square: R,
+    over: impl Fn(R, R) -> R,
+) -> R {
     // Δ₀/B = √(α² − K²) / |1 − Ω²|
-    displacement_of_leg(alpha.leg(phase_function), one_minus_square)
+    displacement_of_leg(alpha.leg(phase_function), one_minus_square, over)
 }
 
 /// [`max_displacement`] for a known `√(α² − K²) = α |sin ω_d t₂|`.
 #[inline(always)]
-pub(crate) fn displacement_of_leg<R: Field>(leg: R, one_minus_square: R) -> R {
+pub(crate) fn displacement_of_leg<R: Field>(leg: R, one_minus_square: R, over: impl Fn(R, R) -> R) -> R {
     // Δ₀/B = √(α² − K²) / |1 − Ω²|
-    leg / one_minus_square.abs()
+    over(leg, one_minus_square.abs())
 }
 
 /// `α² − K² = (α − K)(α + K)`, the square of `α sin ω_d t₂` (eq. 40, 41).

@@ -17,8 +17,14 @@ pub fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
 /// `max_displacement` is Δ₀/B. It compares frictions at given k, p₀ and Ω. Source: Hong & Liu 2001, eq. 64.
 #[inline(always)]
 pub fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
+    loop_size_stiffness_by(max_displacement, alpha, |a, b| a / b)
+}
+
+/// [`loop_size_stiffness`] with a quotient `over` that may know a reciprocal.
+#[inline(always)]
+pub(crate) fn loop_size_stiffness_by<R: Field>(max_displacement: R, alpha: R, over: impl Fn(R, R) -> R) -> R {
     // A₁ = 8(Δ₀/B)/α²
-    (max_displacement / alpha / alpha).times(8)
+    over(over(max_displacement, alpha), alpha).times(8)
 }
 
 /// Loop size per lossless static pseudo-elastic energy (eq. 67): `A₂ = 2 m ω_d² s/p₀² = Ω² A₁`.

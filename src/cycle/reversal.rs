@@ -5,8 +5,10 @@
 //! above ([`PhaseFunction::wide`]), so that pairs suffice for the formulae. The exception, at f64, is Ω
 //! closer to 1 than 2⁻²⁴, where the pair itself has no further digits ([`excess_close_to_one`]).
 
-use super::displacement::{cos_displacement_phase, displacement_of_leg, phase, sin_displacement_phase};
-use super::dissipation::loop_size_inertia;
+use super::displacement::{
+    cos_displacement_phase, displacement_of_leg, max_displacement_by, phase, sin_displacement_phase,
+};
+use super::dissipation::{loop_size_inertia, loop_size_stiffness_by};
 use crate::cycle::phase_function::{PhaseFunction, excess_close_to_one, is_close_to_one};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float};
@@ -45,18 +47,15 @@ impl<F: Float> Reversal<F> {
         Self::by_formula(phase_function, one_minus_square, alpha)
     }
 
-    /// [`Reversal::new`] where K and 1 − Ω² have the digits that α asks for: [`max_displacement`] with 1/|1 − Ω²|
-    /// and 1/α by one division.
-    ///
-    /// [`max_displacement`]: super::displacement::max_displacement
+    /// [`Reversal::new`] where K and 1 − Ω² have the digits that α asks for. One division gives 1/|1 − Ω²| and 1/α.
     #[inline(always)]
     pub(crate) fn by_formula(phase_function: Pair<F>, one_minus_square: Pair<F>, alpha: F) -> Self {
-        let width = one_minus_square.abs();
-        let both = F::int(1) / (alpha * width.hi);
-        // Δ₀/B = √(α² − K²) / |1 − Ω²|
-        let leg = Pair::square_of(alpha).leg_of_square(phase_function);
-        let displacement = leg.over(width, both * alpha);
-        Self { alpha, phase_function, one_minus_square, displacement, inverse: both * width.hi }
+        let width = one_minus_square.hi.abs();
+        let both = F::int(1) / (alpha * width);
+        let displacement = max_displacement_by(phase_function, alpha.wide(), one_minus_square, |a, b| {
+            a.over(b, both * alpha)
+        });
+        Self { alpha, phase_function, one_minus_square, displacement, inverse: both * width }
     }
 
     /// The reversal of a body that does not stick, which has Δ₀/B ≥ 1/Ω² (eq. 61).
@@ -133,12 +132,9 @@ impl<F: Float> Reversal<F> {
         loop_size_inertia(self.wide_loop_size(), omega.wide()).value()
     }
 
-    /// [`loop_size_stiffness`](super::dissipation::loop_size_stiffness) with the reciprocal of α that is known.
     #[inline(always)]
     fn wide_loop_size(&self) -> Pair<F> {
-        // A₁ = 8(Δ₀/B)/α²
-        let square = Pair::square_of(self.alpha);
-        self.displacement.over(square, self.inverse * self.inverse).times(8)
+        loop_size_stiffness_by(self.displacement, self.alpha.wide(), |a, b| a.over(b, self.inverse))
     }
 
     /// Converts each part of the reversal to another number type.
@@ -184,7 +180,7 @@ fn displacement_close_to_one<F: Float>(omega: F, k: Pair<F>, width: Pair<F>, alp
         return Pair::exact(excess.hi.sqrt() / width.hi.abs());
     }
     // K < 0
-    displacement_of_leg(((alpha.wide() - k) * excess).sqrt(), width)
+    displacement_of_leg(((alpha.wide() - k) * excess).sqrt(), width, |a, b| a / b)
 }
 
 /// `(sin, cos)` of a pair, each with the one rounding of the type's own function.

@@ -96,13 +96,6 @@ impl<F: Float> Pair<F> {
         Self { hi, lo: a.mul_add(b, -hi) }
     }
 
-    /// `x²` exactly; the square of [`Pair::exact`] has two operations more.
-    #[inline(always)]
-    #[must_use]
-    pub(crate) fn square_of(x: F) -> Self {
-        Self::two_prod(x, x)
-    }
-
     /// `1/x`, given a number within a few units in the last place of it.
     #[inline(always)]
     #[must_use]
@@ -121,16 +114,6 @@ impl<F: Float> Pair<F> {
     #[must_use]
     pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> Pair<G> {
         Pair { hi: to(self.hi), lo: to(self.lo) }
-    }
-
-    /// `√(self − other²)`, other² ≤ self: the digits of a pair remain even if the two nearly cancel.
-    #[inline(always)]
-    pub(crate) fn leg_of_square(self, other: Self) -> Self {
-        let less = other.square();
-        // The fast sum of the leading parts, written as a difference.
-        let hi = self.hi - less.hi;
-        let lo = (self.hi - hi) - less.hi;
-        Self::fast_two_sum(hi, lo + (self.lo - less.lo)).sqrt()
     }
 
     /// `self/other`, given a number within a few units in the last place of 1/other: lo contains the remainder of hi.
@@ -186,7 +169,11 @@ impl<F: Float> Field for Pair<F> {
     /// The digits of a pair remain even if the two squares nearly cancel.
     #[inline(always)]
     fn leg(self, other: Self) -> Self {
-        self.square().leg_of_square(other)
+        let (square, less) = (self.square(), other.square());
+        // The fast sum of the leading parts, written as a difference.
+        let hi = square.hi - less.hi;
+        let lo = (square.hi - hi) - less.hi;
+        Self::fast_two_sum(hi, lo + (square.lo - less.lo)).sqrt()
     }
 
     /// The leading part is not rounded where n is a power of two.

@@ -42,7 +42,7 @@ fn at_1024_bits() {
     all::<Mp<16>>("1024 bits", 12).is_on_the_page("1024 bits");
 }
 
-/// A third of the time of all unit tests; 256 and 1024 bits run the same text each time.
+/// A quarter of the processor time of all unit tests; 256 and 1024 bits run the same text each time.
 #[ignore = "run by `.ci/slow wide`"]
 #[test]
 fn at_4096_bits() {

@@ -6,7 +6,7 @@
 //! rounding.
 
 #[cfg(feature = "batch")]
-use super::{border_force_ratio, is_stationary_value_larger, rounded_turning_point_border};
+use super::{border_force_ratio, is_stationary_value_larger, turning_point_border};
 use crate::cycle::phase_function::LowAngle;
 #[cfg(feature = "batch")]
 use crate::cycle::phase_function::one_minus_square_wide;
@@ -85,7 +85,7 @@ pub(crate) fn border_near<F: Float>(omega: F, angle: &LowAngle<F>, phase_functio
         (LowOmega::new(omega, angle, phase_function), one_minus_square_wide(omega));
     let (xi, is_found) = known.stationary_point();
     let width = known.width(xi);
-    let turning_point = rounded_turning_point_border(phase_function, one_minus_square, omega);
+    let turning_point = turning_point_border(phase_function, one_minus_square, omega.wide()).value();
     let inner = turning_point.or_larger(border_force_ratio(phase_function, width).value());
     let is_inner = is_stationary_value_larger(one_minus_square, omega, width, angle.is_tangent_positive());
     (if is_inner { inner } else { turning_point }, is_found)

@@ -1,8 +1,9 @@
 //! The border at the turning point (eq. 57–62): the force there has to exceed friction.
 
 use crate::cycle::phase_function::one_minus_square;
-use crate::float::pair::Pair;
-use crate::float::{Field, Float};
+use crate::float::Field;
+#[cfg(test)]
+use crate::float::Float;
 
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
 ///
@@ -38,16 +39,6 @@ pub fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) ->
 pub fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
     // α = hypot(K, (1 − Ω²)/Ω²)
     border_force_ratio(phase_function, one_minus_square / omega.square())
-}
-
-/// [`turning_point_border`] in pairs, rounded once.
-#[inline(always)]
-pub(crate) fn rounded_turning_point_border<F: Float>(
-    phase_function: Pair<F>,
-    one_minus_square: Pair<F>,
-    omega: F,
-) -> F {
-    border_force_ratio(phase_function, one_minus_square / Pair::square_of(omega)).value()
 }
 
 /// The border from the minimum displacement S of a cycle without stops: `α_min = hypot(K, (1 − Ω²) S)`, eq.
