@@ -290,8 +290,7 @@ pub enum Error {
         /// Force ratio α.
         alpha: Number,
     },
-    /// A search that exceeded its proved bound without an answer. The inputs that are known to cause it have α above
-    /// 10⁶⁶ and start with a velocity far below the rounding of the forces.
+    /// A search that exceeded its proved bound without an answer. No input is known that causes it.
     #[error(
         "{search} from phase ω_d t = {phase} on at Ω = {omega}, α = {alpha} must be found within {bound}: \
          the search stopped at that bound"

@@ -195,8 +195,8 @@ impl<F: Float> Next<F> {
 /// The motion from a start, segment by segment: an iterator that ends only when the body rests permanently,
 /// or after an error.
 ///
-/// The error is [`Error::SearchBound`]: the search for the end of a slide exceeded its proved bound. The inputs
-/// that are known to cause it have α above 10⁶⁶ and start with a velocity far below the rounding of the forces.
+/// The error is [`Error::SearchBound`]: the search for the end of a slide exceeded its proved bound. No input
+/// is known that causes it.
 ///
 /// ```
 /// use stickslip::Ratios;

@@ -33,6 +33,19 @@ fn findings() {
     // The force exceeds friction by a relative 9e-15: phases jumped by half a turn, and x by 5e-6.
     motion::trajectory(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
     motion::long_run(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
+    // A dip of the velocity at 1e-67 of a period: halving a stretch reached its bound before it reached the dip.
+    for v in [4.111_207_314_947_044_6e-72, 4.1e-152, 4.1e-272, 5e-324] {
+        let (alpha, phase, x) =
+            (7.729_564_831_726_876e66, 0.105_792_230_718_256_16, 8.162_034_247_927_696e65);
+        motion::trajectory(0.5, alpha, phase, x, v);
+        motion::long_run(0.5, alpha, phase, x, v);
+    }
+    for v in [9.556_923_314_068_412e-58, 9.6e-158, 5e-324] {
+        let (alpha, phase, x) =
+            (4.164_631_570_763_594e71, 0.084_264_278_183_292_25, 3.505_145_264_377_164e70);
+        motion::trajectory(2f64.powi(-20), alpha, phase, x, v);
+        motion::long_run(2f64.powi(-20), alpha, phase, x, v);
+    }
     // Accelerations of the size of the force's rounding, whose quotient drove two motions apart.
     motion::long_run(
         1.319_799_361_868_836_2e-6,

@@ -243,11 +243,11 @@ fn dip<F: Float, M: Copy>(
     let mut low = left.0 + search.cover.forward(left.1);
     let mut high = right.0 - search.cover.backward(right.1);
     let mut lowest = right;
-    for _ in 0..F::precision().saturating_mul(2) {
+    for _ in 0..F::precision().saturating_mul(2).saturating_add(MOST_ORDERS) {
         if low >= high {
             return Verdict::Clear(Some((end, right_motion)));
         }
-        let phi = (low + high) / two;
+        let phi = between(low, high);
         let (jet, motion) = f(phi);
         // The greatest depth of the dip below this point: f′²/2f″.
         let depth = jet.first.square() / (two * jet.second);
@@ -273,6 +273,23 @@ fn dip<F: Float, M: Copy>(
     }
     Verdict::Zero(FoundZero { at: phi, step: F::int(0), motion, grazes: true })
 }
+
+/// A point within a gap (low, high) with 0 ≤ low: its middle, or, for a dip that begins many orders of magnitude before the gap
+/// ends, the geometric mean. A start with a velocity far below the rounding of the forces has its dip there.
+fn between<F: Float>(low: F, high: F) -> F {
+    let distant = F::epsilon() * high;
+    if low >= distant {
+        (low + high) / F::int(2)
+    } else if low > F::int(0) {
+        low.sqrt() * high.sqrt()
+    } else {
+        distant
+    }
+}
+
+/// The geometric means that take a gap from any exponent of a number to the order of its end: each halves the difference of the
+/// exponents, which is below 2³².
+const MOST_ORDERS: u32 = 32;
 
 /// The rounding error of the lowest value of a dip: the rounding of f and of φ, which has a relative error of
 /// ε.
