@@ -14,7 +14,7 @@ struct Row {
 }
 
 fn rows() -> Vec<Row> {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/cycles.csv");
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/cycles.csv");
     let text: &'static str = std::fs::read_to_string(file).unwrap().leak();
     let mut lines = text.lines();
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
