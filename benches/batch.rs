@@ -5,7 +5,7 @@ mod points;
 
 use columns::{ALL, FIVE, Room, THREE};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use stickslip::batch::{Batch, FixedOmega, Level};
+use stickslip::batch::{Batch, Level};
 
 fn batch(criterion: &mut Criterion) {
     let n = 8192;
@@ -31,17 +31,16 @@ fn batch(criterion: &mut Criterion) {
         group.bench_function(format!("cycles from 0.35/{name}"), |b| {
             b.iter(|| room.run(batch, &low_omega, &low_alpha, ALL));
         });
-        if let Ok(row) = FixedOmega::new(1.5) {
-            group.bench_function(format!("triple at fixed Ω/{name}"), |b| {
-                b.iter(|| room.run_at(batch, &row, &alpha, THREE));
-            });
-            group.bench_function(format!("peaks at fixed Ω/{name}"), |b| {
-                b.iter(|| room.run_at(batch, &row, &alpha, FIVE));
-            });
-            group.bench_function(format!("cycles at fixed Ω/{name}"), |b| {
-                b.iter(|| room.run_at(batch, &row, &alpha, ALL));
-            });
-        }
+        let row = vec![1.5; alpha.len()];
+        group.bench_function(format!("triple at fixed Ω/{name}"), |b| {
+            b.iter(|| room.run(batch, &row, &alpha, THREE));
+        });
+        group.bench_function(format!("peaks at fixed Ω/{name}"), |b| {
+            b.iter(|| room.run(batch, &row, &alpha, FIVE));
+        });
+        group.bench_function(format!("cycles at fixed Ω/{name}"), |b| {
+            b.iter(|| room.run(batch, &row, &alpha, ALL));
+        });
     }
     group.finish();
     let (omega, alpha) = (omega.split_at(64).0, alpha.split_at(64).0);

@@ -12,7 +12,7 @@ mod points;
 
 use columns::{ALL, FIVE, Room, THREE};
 use stickslip::Ratios;
-use stickslip::batch::{Batch, FixedOmega};
+use stickslip::batch::Batch;
 
 const POINTS: usize = 128_000;
 
@@ -29,19 +29,19 @@ fn main() {
     all.retain(|&(omega, _)| !is_low || omega < 0.5);
     let (omega, alpha): (Vec<_>, Vec<_>) = all.iter().copied().cycle().take(POINTS).unzip();
     let (mut room, batch) = (Room::new(POINTS), Batch::new());
-    let Ok(row) = FixedOmega::new(1.5) else { return };
+    let row = [1.5; POINTS];
     let damped = |(&omega, &alpha)| Ratios::new(omega, alpha).and_then(|at| at.with_damping_ratio(0.02)).ok();
     let damped: Vec<_> = omega.iter().zip(&alpha).filter_map(damped).collect();
     for _ in 0..n {
         match kernel.as_str() {
             "batch-triple" | "batch-triple-low" => room.run(batch, &omega, &alpha, THREE),
             "batch-peaks" | "batch-peaks-low" => room.run(batch, &omega, &alpha, FIVE),
-            "batch-peaks-fixed" => room.run_at(batch, &row, &alpha, FIVE),
+            "batch-peaks-fixed" => room.run(batch, &row, &alpha, FIVE),
             "batch-cycles" | "batch-cycles-low" => room.run(batch, &omega, &alpha, ALL),
             "batch-triple-damped" | "batch-triple-damped-low" => room.run_each(batch, &damped, THREE),
             "batch-peaks-damped" | "batch-peaks-damped-low" => room.run_each(batch, &damped, FIVE),
-            "batch-triple-fixed" => room.run_at(batch, &row, &alpha, THREE),
-            "batch-cycles-fixed" => room.run_at(batch, &row, &alpha, ALL),
+            "batch-triple-fixed" => room.run(batch, &row, &alpha, THREE),
+            "batch-cycles-fixed" => room.run(batch, &row, &alpha, ALL),
             other => {
                 eprintln!("no kernel {other}");
                 std::process::exit(2);

@@ -13,7 +13,7 @@ mod points;
 
 use columns::{ALL, FIVE, Room, THREE};
 use std::time::Instant;
-use stickslip::batch::{Batch, FixedOmega, Level};
+use stickslip::batch::{Batch, Level};
 use stickslip::{Output, Ratios, Response};
 
 const AMPLITUDE: [Output; 3] = [Output::MaxDisplacement, Output::MinForceRatio, Output::LoopSizeStiffness];
@@ -86,11 +86,10 @@ fn time(omega: &[f64], alpha: &[f64]) {
         report(&name, "damped, five", &mut || room.run_each(batch, &damped, FIVE));
         report(&name, "five", &mut || room.run(batch, omega, alpha, FIVE));
         report(&name, "all", &mut || room.run(batch, omega, alpha, ALL));
-        if let Ok(row) = FixedOmega::new(1.5) {
-            report(&name, "triple, fixed Ω", &mut || room.run_at(batch, &row, alpha, THREE));
-            report(&name, "five, fixed Ω", &mut || room.run_at(batch, &row, alpha, FIVE));
-            report(&name, "all, fixed Ω", &mut || room.run_at(batch, &row, alpha, ALL));
-        }
+        let row = vec![1.5; alpha.len()];
+        report(&name, "triple, fixed Ω", &mut || room.run(batch, &row, alpha, THREE));
+        report(&name, "five, fixed Ω", &mut || room.run(batch, &row, alpha, FIVE));
+        report(&name, "all, fixed Ω", &mut || room.run(batch, &row, alpha, ALL));
     }
 }
 

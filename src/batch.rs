@@ -54,7 +54,7 @@ mod velocity;
 pub use columns::Columns;
 #[doc(hidden)]
 pub use columns::is_looped_with_damper;
-pub use fixed::FixedOmega;
+use fixed::FixedOmega;
 pub use level::Level;
 pub(crate) use level::Loops;
 
@@ -116,26 +116,16 @@ impl Batch {
     /// Computes the requested outputs at the points (Ω, α).
     ///
     /// Nine outputs are computed by loops: {Δ₀, α_min, A₁} need one loop; V₀ with its phase, Δ₁ and λ need
-    /// one more each. The others are computed point by point.
+    /// one more each. The others are computed point by point. Where all Ω are one number, as in a row of a map, what
+    /// depends on Ω alone is computed once: the same bits, sooner.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] where the slices differ in length.
     pub fn run(&self, omega: &[f64], alpha: &[f64], columns: Columns<'_>) -> Result<(), Error> {
         same_length(omega.len(), "alpha", alpha.len())?;
         let mut columns = columns.of_length(omega.len())?;
-        self.looped(None, omega, alpha, columns.take_looped());
+        self.looped(omega, alpha, columns.take_looped());
         self.each(omega.len(), columns, &|i| Ratios::new(*omega.get(i)?, *alpha.get(i)?).ok());
-        Ok(())
-    }
-
-    /// Computes the requested outputs at one Ω.
-    ///
-    /// # Errors
-    /// [`Error::LengthMismatch`] where the slices differ in length.
-    pub fn run_at(&self, row: &FixedOmega, alpha: &[f64], columns: Columns<'_>) -> Result<(), Error> {
-        let mut columns = columns.of_length(alpha.len())?;
-        self.looped(Some(row), alpha, alpha, columns.take_looped());
-        self.each(alpha.len(), columns, &|i| Ratios::new(row.omega(), *alpha.get(i)?).ok());
         Ok(())
     }
 
@@ -178,12 +168,13 @@ impl Batch {
         Ok(omega.iter().zip(alpha).map(steady).collect())
     }
 
-    fn looped(&self, row: Option<&FixedOmega>, omega: &[f64], alpha: &[f64], out: Looped<'_>) {
-        let kernel = Kernel::new(&out, row);
-        let level = kernel.level(self.level);
+    fn looped(&self, omega: &[f64], alpha: &[f64], out: Looped<'_>) {
         if out.is_empty() {
             return;
         }
+        let row = FixedOmega::of_all(omega);
+        let kernel = Kernel::new(&out, row.as_ref());
+        let level = kernel.level(self.level);
         #[cfg(feature = "rayon")]
         if self.threads {
             return threads::run_on_threads(&kernel, level, omega, alpha, out);

@@ -1,7 +1,7 @@
 //! Slices for the results of batches.
 
 use std::hint::black_box;
-use stickslip::batch::{Batch, Columns, FixedOmega};
+use stickslip::batch::{Batch, Columns};
 use stickslip::{Output, Ratios, Regime};
 
 /// {Δ₀, α_min, A₁}, which one loop computes, and the outputs that need further loops.
@@ -48,9 +48,5 @@ impl Room {
         let points = black_box(points);
         let at = |i: usize| points.get(i).copied();
         assert_eq!(batch.run_each(points.len(), at, self.columns(count)), Ok(()));
-    }
-
-    pub(crate) fn run_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64], count: usize) {
-        assert_eq!(batch.run_at(black_box(row), black_box(alpha), self.columns(count)), Ok(()));
     }
 }

@@ -8,21 +8,13 @@ use super::velocity::Parts;
 use crate::cycle::Border;
 use crate::cycle::phase_function::{PhaseFunction, is_close_to_one};
 use crate::float::pair::Pair;
-use crate::machine::error::Error;
+
+/// The least number of points for which the quantities of Ω pay off.
+const WORTH: usize = POINTS;
 
 /// A frequency ratio with all quantities that depend on it alone, for many force ratios.
-///
-/// ```
-/// use stickslip::Output;
-/// use stickslip::batch::{Batch, Columns, FixedOmega};
-/// let row = FixedOmega::new(0.4)?;
-/// let mut displacement = [0.0; 2];
-/// Batch::new().run_at(&row, &[6.0, 9.0], Columns::new().with(Output::MaxDisplacement, &mut displacement))?;
-/// assert!(displacement[0].is_nan() && displacement[1] > 0.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Debug, Clone)]
-pub struct FixedOmega {
+pub(crate) struct FixedOmega {
     point: PointAt,
     omega: Block,
     of_omega: OfOmega,
@@ -40,13 +32,17 @@ pub(crate) enum OfOmega {
 }
 
 impl FixedOmega {
+    /// The Ω of a slice long enough for this to pay off, if it is one number inside the domain of [`crate::Ratios`].
+    pub(crate) fn of_all(omega: &[f64]) -> Option<Self> {
+        let (&first, rest) = omega.split_first()?;
+        let is_one = omega.len() >= WORTH && rest.iter().all(|&other| other == first);
+        if is_one { Self::new(first) } else { None }
+    }
+
     /// At the frequency ratio Ω.
-    ///
-    /// # Errors
-    /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
-    pub fn new(omega: f64) -> Result<Self, Error> {
-        let p = PhaseFunction::new(omega)?;
-        let border = Border::new(omega)?.min_force_ratio;
+    fn new(omega: f64) -> Option<Self> {
+        let p = PhaseFunction::new(omega).ok()?;
+        let border = Border::new(omega).ok()?.min_force_ratio;
         let point =
             PointAt { omega, phase_function: p.wide(), one_minus_square: p.one_minus_square(), border };
         let of_omega = if has_loops(omega) {
@@ -59,12 +55,11 @@ impl FixedOmega {
             // The points of this Ω are computed one by one, as in a batch.
             OfOmega::None
         };
-        Ok(Self { point, omega: [omega; POINTS], of_omega })
+        Some(Self { point, omega: [omega; POINTS], of_omega })
     }
 
     /// Ω.
-    #[must_use]
-    pub const fn omega(&self) -> f64 {
+    pub(crate) const fn omega(&self) -> f64 {
         self.point.omega
     }
 

@@ -1,7 +1,7 @@
 //! Invariants of batches for any points, any number of them and any start of a slice, shared by the tests and
 //! the fuzz target.
 
-use stickslip::batch::{Batch, Columns, FixedOmega, Level};
+use stickslip::batch::{Batch, Columns, Level};
 use stickslip::{Output, Ratios, Regime, Response};
 
 /// The outputs of the loops, and one that is computed point by point.
@@ -54,11 +54,11 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     let (omega, alpha): (Vec<f64>, Vec<f64>) = points.iter().cycle().take(offset + length).copied().unzip();
     let (omega, alpha) = (&omega[offset..], &alpha[offset..]);
     let due = Due::of(points, offset, length);
-    let row = omega.first().and_then(|&omega| FixedOmega::new(omega).ok());
-    let row = row.map(|row| {
-        let points: Vec<_> = points.iter().map(|&(_, alpha)| (row.omega(), alpha)).collect();
-        (row, Due::of(&points, offset, length))
-    });
+    let row = vec![omega.first().copied().unwrap_or_default(); length];
+    let due_of_row = {
+        let points: Vec<_> = points.iter().zip(&row).map(|(&(_, alpha), &omega)| (omega, alpha)).collect();
+        Due::of(&points, offset, length)
+    };
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
         let batch = Batch::new().at_level(level);
         let all: Vec<usize> = (0..OUTPUTS.len()).collect();
@@ -67,10 +67,8 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
             let (regimes, columns) = outputs(length, places, |columns| batch.run(omega, alpha, columns));
             due.check(places, &regimes, &columns, level);
         }
-        if let Some((row, due)) = &row {
-            let (regimes, columns) = outputs(length, &all, |columns| batch.run_at(row, alpha, columns));
-            due.check(&all, &regimes, &columns, level);
-        }
+        let (regimes, columns) = outputs(length, &all, |columns| batch.run(&row, alpha, columns));
+        due_of_row.check(&all, &regimes, &columns, level);
     }
 }
 

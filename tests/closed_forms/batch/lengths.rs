@@ -1,6 +1,6 @@
 //! Slices whose lengths differ.
 
-use stickslip::batch::{Batch, Columns, FixedOmega};
+use stickslip::batch::{Batch, Columns};
 use stickslip::{Error, Output, Ratios};
 
 #[test]
@@ -15,10 +15,9 @@ fn slices_of_different_lengths() {
     let wanted = Columns::new().with(Output::Deviation, &mut regime);
     let error = Batch::new().run_each(10, |i| Ratios::new(omega[i], alpha[i]).ok(), wanted).unwrap_err();
     assert_eq!(error.to_string(), "deviation has 9 elements, but must have 10, as the others");
-    let row = FixedOmega::new(1.5).unwrap();
     let wanted = Columns::new().with(Output::Margin, &mut regime);
     let short = Error::LengthMismatch { name: "margin", found: 9, expected: 10 };
-    assert_eq!(Batch::new().run_at(&row, &alpha, wanted).unwrap_err(), short);
+    assert_eq!(Batch::new().run(&omega, &alpha, wanted).unwrap_err(), short);
     let mut regime = [None; 9];
     let error = Batch::new().run(&omega, &alpha, Columns::new().with_regime(&mut regime)).unwrap_err();
     assert!(error.to_string().starts_with("regime has 9"), "{error}");
