@@ -1,24 +1,26 @@
 //! Inverse problems: the force, friction, frequency or stiffness for a required motion.
 //!
-//! | question | in ratios | in physical units | file |
-//! |---|---|---|---|
-//! | minimum force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`min_amplitude`] | `force.rs` |
-//! | maximum friction that lets the body slide | p₀/α_min | [`max_friction`] | `friction.rs` |
-//! | frequencies at which the body never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
-//! | frequency up to which friction holds a body at rest | | [`holding_frequency`] | `hold.rs` |
-//! | forces without any stop, two or six reversals | [`crate::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
-//! | frequencies without any stop | [`bands_without_stop`] | [`frequency_bands_without_stop`] | `no_stop.rs` |
-//! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
-//! | friction for a displacement | | [`frictions_for_displacement`] | `target_friction.rs` |
-//! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
-//! | friction that dissipates most, with sticking allowed | [`most_dissipating_force_ratio_of_all`] |
-//! [`most_dissipating_friction_of_all`] | `sticking.rs` |
-//! | friction with the least amplitude over a band of frequencies | | [`best_friction_over_band`] | `over_band.rs` |
-//! | friction and damping from a measured response curve | | [`identify()`] | `identify.rs` |
-//! | friction and damping from a measured free decay | | [`identify_turning_points`], [`identify_decay`] | `free_decay.rs` |
-//! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
+//! | question | function | file |
+//! |---|---|---|
+//! | minimum force that keeps the body sliding | [`min_amplitude`]; in ratios [`crate::Border::min_force_ratio`] | `force.rs` |
+//! | maximum friction that lets the body slide | [`max_friction`] | `friction.rs` |
+//! | frequencies at which the body never sticks | [`frequency_bands`] | `bands.rs` |
+//! | frequency up to which friction holds a body at rest | [`holding_frequency`] | `hold.rs` |
+//! | forces without any stop, two or six reversals | [`forces_without_stop`]; in ratios [`crate::NoStop::of`] | `no_stop.rs` |
+//! | frequencies without any stop | [`frequency_bands_without_stop`] | `no_stop.rs` |
+//! | force for a displacement or a velocity | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
+//! | friction for a displacement | [`frictions_for_displacement`] | `target_friction.rs` |
+//! | friction that dissipates most | [`most_dissipating_friction`]; in ratios [`crate::Response::best_force_ratio`] | `dissipation.rs` |
+//! | friction that dissipates most, with sticking allowed | [`most_dissipating_friction_of_all`] | `sticking.rs` |
+//! | friction with the least amplitude over a band of frequencies | [`best_friction_over_band`] | `over_band.rs` |
+//! | friction and damping from a measured response curve | [`identify()`] | `identify.rs` |
+//! | friction and damping from a measured free decay | [`identify_turning_points`], [`identify_decay`] | `free_decay.rs` |
+//! | friction, damping and stiffness from a measured load and the motion under it | [`identify_motion`] | `identify_motion.rs` |
+//! | stiffness that dissipates most | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! All functions allow a damper; in ratios the damping ratio ζ is an argument, 0 without a damper. With
+//! A body with m = k = r_y = 1 has ratios for units: Ω = ω_d, α = p₀, displacements in B.
+//!
+//! All functions allow a damper. With
 //! damping, the force, the friction, the displacement, the velocity and the friction that dissipates most
 //! have their own proofs of uniqueness; the bands are **searched** (`damped`), and the stiffness that
 //! dissipates most is proved to be the best of the bands found (`tuning`).
@@ -62,11 +64,8 @@ pub use force::min_amplitude;
 pub use free_decay::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
 pub use friction::max_friction;
 pub use hold::{Holding, holding_frequency};
-pub use identify::{
-    AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading, Residual, identify,
-    identify_force, identify_natural_frequency,
-};
-pub use identify_motion::{MotionIdentified, identify_motion, identify_motion_and_stiffness};
+pub use identify::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, Residual, identify};
+pub use identify_motion::{MotionIdentified, identify_motion};
 pub use no_stop::{bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
 pub use over_band::{Aim, BandFriction, BandFrictionKind, best_friction_over_band};

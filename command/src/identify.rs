@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 use std::io::{Read, Write};
 use std::iter::zip;
 use std::path::Path;
-use stickslip::design::{self, AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading};
+use stickslip::design::{self, AmplitudeKind, Identified, Measurement, PhaseKind, Reading};
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::uncertainty::Estimate;
@@ -86,6 +86,13 @@ enum Asked {
     NoForce(Oscillator<f64>),
 }
 
+/// A reading of the amplitudes that fits better.
+#[derive(Clone, Copy, Serialize)]
+struct BetterReading {
+    amplitude: AmplitudeKind,
+    noise: f64,
+}
+
 /// What was fitted besides friction and damping.
 enum Fitted {
     NaturalFrequency(Estimate),
@@ -113,18 +120,17 @@ impl Asked {
         curve: &[Measurement],
         reading: Reading,
     ) -> Result<(Oscillator<f64>, Identified, Option<Fitted>), Error> {
-        match *self {
-            Self::Both(body, force) => Ok((body, design::identify(&body, force, curve, reading)?, None)),
-            Self::NoSpring(mass, force) => {
-                let (found, natural) = design::identify_natural_frequency(mass, force, curve, reading)?;
-                let body = Oscillator::new(mass, mass * natural.value.powi(2), 1.0)?;
-                Ok((body, found, Some(Fitted::NaturalFrequency(natural))))
-            }
-            Self::NoForce(body) => {
-                let (found, force) = design::identify_force(&body, curve, reading)?;
-                Ok((body, found, Some(Fitted::Force(force))))
-            }
-        }
+        let (mass, stiffness, force) = match *self {
+            Self::Both(body, force) => (body.mass(), Some(body.stiffness()), Some(force)),
+            Self::NoSpring(mass, force) => (mass, None, Some(force)),
+            Self::NoForce(body) => (body.mass(), Some(body.stiffness()), None),
+        };
+        let found = design::identify(mass, stiffness, force, curve, reading)?;
+        let natural = found.natural_frequency.map(Fitted::NaturalFrequency);
+        let fitted = natural.or(found.force.map(Fitted::Force));
+        let stiffness = stiffness.or(found.natural_frequency.map(|natural| mass * natural.value.powi(2)));
+        let body = Oscillator::new(mass, stiffness.ok_or(Error::NotIdentified)?, 1.0)?;
+        Ok((body, found, fitted))
     }
 }
 
@@ -360,7 +366,7 @@ impl IdentifyAnswer {
             amplitude_kind,
             phase_kind: found.phase,
             better_phase: found.better_phase,
-            better_reading: found.better,
+            better_reading: found.better.map(|(amplitude, noise)| BetterReading { amplitude, noise }),
             suspects,
             residuals: found.residuals.iter().map(|r| r.amplitude).collect(),
             phase_residuals: found.residuals.iter().map(|r| r.phase).collect(),

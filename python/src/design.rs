@@ -280,14 +280,8 @@ fn identify_motion<'py>(
     let (of, times, samples) = &load;
     let record = crate::record::load(of, times.as_slice()?, samples.as_slice()?, None)?;
     let values = displacement.as_slice()?.to_vec();
-    let work = move || match stiffness {
-        Some(stiffness) => {
-            design::identify_motion(mass, stiffness, &record, &values).map(|found| (found, None))
-        }
-        None => design::identify_motion_and_stiffness(mass, &record, &values)
-            .map(|(found, stiffness)| (found, Some(stiffness))),
-    };
-    let (found, stiffness) = left_behind(py, work)?.map_err(refused)?;
+    let work = move || design::identify_motion(mass, stiffness, &record, &values);
+    let found = left_behind(py, work)?.map_err(refused)?;
     let dict = PyDict::new(py);
     let estimate = |e: Estimate| (e.value, e.standard_error, e.interval());
     for (name, own) in [
@@ -301,7 +295,7 @@ fn identify_motion<'py>(
         dict.set_item(name, estimate(own))?;
     }
     dict.set_item("start_velocity", found.start_velocity.map(estimate))?;
-    dict.set_item("stiffness", stiffness.map(estimate))?;
+    dict.set_item("stiffness", found.stiffness.map(estimate))?;
     dict.set_item("noise", found.noise)?;
     dict.set_item("residuals", found.residuals)?;
     Ok(dict)
@@ -347,21 +341,19 @@ fn identify<'py>(
         amplitude: kind("amplitude_kind", amplitude_kind, &amplitudes, AmplitudeKind::name)?,
         phase: phase_kind.map(|text| kind("phase_kind", text, &phases, PhaseKind::name)).transpose()?,
     };
-    let work = move || match (mass, force) {
-        (None, Some(force)) => Ok((design::identify(&body, force, &curve, reading)?, None)),
-        (None, None) => {
-            let (found, force) = design::identify_force(&body, &curve, reading)?;
-            Ok((found, Some(("force", force))))
-        }
-        (Some(mass), force) => {
-            let force = force.unwrap_or(f64::NAN);
-            let (found, natural) = design::identify_natural_frequency(mass, force, &curve, reading)?;
-            Ok::<_, Error>((found, Some(("natural_angular_frequency", natural))))
-        }
-    };
-    let (found, fitted) = left_behind(py, work)?.map_err(refused)?;
+    let static_friction_ratio = body.static_friction_ratio();
+    if static_friction_ratio > 1.0 {
+        let static_friction_ratio = static_friction_ratio.into();
+        return Err(refused(Error::StaticFriction { static_friction_ratio }));
+    }
+    let stiffness = mass.is_none().then(|| body.stiffness());
+    // Neither is refused as a force that is no number.
+    let force = if mass.is_some() { Some(force.unwrap_or(f64::NAN)) } else { force };
+    let work = move || design::identify(body.mass(), stiffness, force, &curve, reading);
+    let found = left_behind(py, work)?.map_err(refused)?;
     let dict = PyDict::new(py);
-    if let Some((name, estimate)) = fitted {
+    for (name, fitted) in [("force", found.force), ("natural_angular_frequency", found.natural_frequency)] {
+        let Some(estimate) = fitted else { continue };
         dict.set_item(name, (estimate.value, estimate.standard_error, estimate.interval()))?;
     }
     for (name, estimate) in [("friction", found.friction_bound), ("damping_ratio", found.damping_ratio)] {
@@ -378,7 +370,7 @@ fn identify<'py>(
     dict.set_item("suspect", residuals.iter().map(|r| r.is_suspect()).collect::<Vec<_>>())?;
     dict.set_item("stops", residuals.iter().map(|r| r.stops).collect::<Vec<_>>())?;
     dict.set_item("phase_kind", found.phase.map(PhaseKind::name))?;
-    dict.set_item("better_amplitude_kind", found.better.map(|better| better.amplitude.name()))?;
+    dict.set_item("better_amplitude_kind", found.better.map(|(kind, _)| kind.name()))?;
     Ok(dict)
 }
 

@@ -40,7 +40,7 @@ use explained::is_unexplained;
 use num_traits::Float as _;
 use outliers::{Judged, is_larger, judge};
 use search::{CurveFit, MeasuredPoint, RANGE, ResponseCurve, Rule, StartGrid, kept};
-pub use unknown::{identify_force, identify_natural_frequency};
+use unknown::{Scaled, fitted};
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,17 +121,6 @@ impl Residual {
     }
 }
 
-/// A reading of the amplitudes that fits better.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub struct BetterReading {
-    /// The kind of the amplitudes.
-    pub amplitude: AmplitudeKind,
-    /// The standard error of an amplitude with this reading.
-    pub noise: f64,
-}
-
 /// Friction and damping estimated from a measured response curve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -142,6 +131,10 @@ pub struct Identified {
     pub friction_bound: Estimate,
     /// The damping ratio ζ ≥ 0; `c = 2ζ√(k m)`.
     pub damping_ratio: Estimate,
+    /// The natural angular frequency ω_n where the stiffness was not known.
+    pub natural_frequency: Option<Estimate>,
+    /// The amplitude p₀ of the force where it was not known.
+    pub force: Option<Estimate>,
     /// The standard error of one amplitude, relative to it, estimated from the residuals.
     pub noise: f64,
     /// The standard error of one phase in radians, estimated from the residuals.
@@ -152,16 +145,16 @@ pub struct Identified {
     pub phase: Option<PhaseKind>,
     /// Another kind of phase that explains the curve better by more than chance than the one asked for.
     pub better_phase: Option<PhaseKind>,
-    /// Another kind of amplitude that fits better than expected by chance: the amplitudes were probably of
-    /// that kind.
-    pub better: Option<BetterReading>,
+    /// Another kind of amplitude that fits better than expected by chance, with the standard error of an amplitude
+    /// read so: the amplitudes were probably of that kind.
+    pub better: Option<(AmplitudeKind, f64)>,
 }
 
-/// The friction force and the damping ratio that fit a response curve of `body` under a force of amplitude
-/// p₀, whose values are read as `reading` says: by default, amplitudes are peak displacements.
+/// The friction force and the damping ratio that fit a response curve of a body of this mass on a spring of this
+/// stiffness, under a force of amplitude p₀, whose values are read as `reading` says: by default, amplitudes are peak
+/// displacements.
 ///
-/// Mass and stiffness are those of `body`; its own friction force and damping play no part. Errors of the
-/// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation unless
+/// Errors of the amplitudes count as relative, errors of the phases in radians, both with the same standard deviation unless
 /// the residuals of the two differ by more than chance.
 ///
 /// Values that the others contradict are left out: up to three of ten amplitudes, and as many phases. A model that
@@ -171,20 +164,44 @@ pub struct Identified {
 /// The answer is the least sum of squares found from several starts. It is not proved to be the global
 /// minimum. Below Ω = 0.002 the amplitude of a body that stops is that under a slow force, to within 20Ω² p₀/k.
 ///
+/// **With the stiffness or the force unknown**, `None`, the natural angular frequency or p₀ is fitted, too. The phases are
+/// then those that `reading` names, and otherwise [`PhaseKind::Peak`], and the standard errors are those of three
+/// parameters. A curve without the resonance may leave the natural frequency to chance: its interval says so. Far from
+/// resonance and with friction alone, the force and friction are hardly apart.
+///
 /// # Errors
+/// Where mass, stiffness or force is not > 0, [`Error::NotIdentified`] where both stiffness and force are unknown,
 /// [`Error::InMeasurement`] where a measurement is not finite, not > 0 or out of range,
-/// [`Error::TooFewMeasurements`] for fewer than three, [`Error::NotIdentified`] where the curve does not
+/// [`Error::TooFewMeasurements`] for fewer than three, or four with an unknown, [`Error::NotIdentified`] where the curve does not
 /// separate friction from damping, [`Error::Unexplained`] where the best fit lies at the end of the range
 /// searched, r_y = p₀ or ζ = 100, and [`Error::CurveUnexplained`] where the fit is no nearer to the amplitudes than one
 /// amplitude for all frequencies, but for chance: white noise, for example.
 pub fn identify(
+    mass: f64,
+    stiffness: Option<f64>,
+    force: Option<f64>,
+    curve: &[Measurement],
+    reading: Reading,
+) -> Result<Identified, Error> {
+    let mass = positive(Quantity::Mass, mass)?;
+    let force = force.map(|force| positive(Quantity::ForceAmplitude, force)).transpose()?;
+    // A friction of any size: it plays no part.
+    let body = stiffness.map(|stiffness| Oscillator::new(mass, stiffness, 1.0)).transpose()?;
+    match (body, force) {
+        (Some(body), Some(force)) => identified(&body, force, curve, reading),
+        (None, Some(force)) => fitted(Scaled::Natural { mass, force }, curve, reading),
+        (Some(body), None) => fitted(Scaled::Force { body }, curve, reading),
+        (None, None) => Err(Error::NotIdentified),
+    }
+}
+
+/// The fit with mass, stiffness and force known.
+fn identified(
     body: &Oscillator<f64>,
     force: f64,
     curve: &[Measurement],
     reading: Reading,
 ) -> Result<Identified, Error> {
-    body.with_one_friction()?;
-    let force = positive(Quantity::ForceAmplitude, force)?;
     let point = |(index, measured): (usize, &Measurement)| {
         in_ratios(body, force, measured).map_err(|e| Error::InMeasurement { index, error: Box::new(e) })
     };
@@ -220,6 +237,8 @@ pub fn identify(
     Ok(Identified {
         friction_bound: estimate(kappa * force, of_friction * force * force, (0.0, force)),
         damping_ratio: estimate(zeta, of_damping, (0.0, f64::INFINITY)),
+        natural_frequency: None,
+        force: None,
         noise,
         phase_noise: has_phases.then_some(phase_noise),
         residuals: residuals(&curve, &found)?,
@@ -272,7 +291,7 @@ struct ChosenReading {
     phase: PhaseKind,
     better_phase: Option<PhaseKind>,
     judged: Judged,
-    better: Option<BetterReading>,
+    better: Option<(AmplitudeKind, f64)>,
 }
 
 /// One reading of the phases with its fits.
@@ -343,7 +362,7 @@ fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, E
     }
     let better = better.and_then(|(amplitude, other, found)| {
         let noise = judge(&other, found.at, None).ok()?.noise[0];
-        Some(BetterReading { amplitude, noise })
+        Some((amplitude, noise))
     });
     Ok(ChosenReading { phase: best.phase, better_phase, judged, better })
 }

@@ -34,6 +34,8 @@ pub struct MotionIdentified {
     pub damping: Estimate,
     /// The friction as a displacement r_y/k.
     pub friction_displacement: Estimate,
+    /// The stiffness k of the spring where it was not known.
+    pub stiffness: Option<Estimate>,
     /// The displacement, as it was measured, at which the spring is relaxed under no load.
     pub offset: Estimate,
     /// The displacement at the start, as it would have been measured without noise.
@@ -80,7 +82,7 @@ const ROUNDING: f64 = 1e-7;
 const MOST_NOISE: f64 = 0.5;
 
 /// The friction and the damping ratio of a body of this mass on a spring of this stiffness, from a measured load and the
-/// displacements at the times of its samples.
+/// displacements at the times of its samples; with `None` the stiffness, too.
 ///
 /// Friction is one, static and kinetic. The displacements may be from any zero, and a constant error of the load is a part of
 /// this offset. Errors of the displacements count as independent and normal; where neighbouring residuals are alike, the
@@ -93,34 +95,11 @@ const MOST_NOISE: f64 = 0.5;
 /// [`Error::MotionUnexplained`] where no friction and damping explain them.
 pub fn identify_motion(
     mass: f64,
-    stiffness: f64,
-    load: &Record<f64>,
-    displacements: &[f64],
-) -> Result<MotionIdentified, Error> {
-    identified(mass, Some(positive(Quantity::Stiffness, stiffness)?), load, displacements)
-        .map(|(found, _)| found)
-}
-
-/// As [`identify_motion`], with the stiffness of the spring unknown: its estimate beside the others.
-///
-/// # Errors
-/// As [`identify_motion`].
-pub fn identify_motion_and_stiffness(
-    mass: f64,
-    load: &Record<f64>,
-    displacements: &[f64],
-) -> Result<(MotionIdentified, Estimate), Error> {
-    let (found, stiffness) = identified(mass, None, load, displacements)?;
-    Ok((found, stiffness.ok_or(Error::MotionNotIdentified)?))
-}
-
-/// The estimates, and that of the stiffness where it is not known.
-fn identified(
-    mass: f64,
     stiffness: Option<f64>,
     load: &Record<f64>,
     displacements: &[f64],
-) -> Result<(MotionIdentified, Option<Estimate>), Error> {
+) -> Result<MotionIdentified, Error> {
+    let stiffness = stiffness.map(|stiffness| positive(Quantity::Stiffness, stiffness)).transpose()?;
     let mass = positive(Quantity::Mass, mass)?;
     let (found, expected) = (displacements.len(), load.samples().len());
     if found != expected {
@@ -220,7 +199,7 @@ fn identified(
             Some(found.error_along(&gradient))
         };
         let velocity = FURTHER.saturating_add(usize::from(is_fitted));
-        let answer = MotionIdentified {
+        Some(MotionIdentified {
             friction: not_negative(FRICTION)?,
             damping_ratio: not_negative(ZETA)?,
             damping: estimate(zeta * critical, along(ZETA, critical, zeta * critical / (2.0 * k))?, 0.0),
@@ -229,16 +208,16 @@ fn identified(
                 along(FRICTION, 1.0 / k, -friction / (k * k))?,
                 0.0,
             ),
+            stiffness: if is_fitted { Some(not_negative(FURTHER)?) } else { None },
             offset: any(OFFSET)?,
             start_displacement: any(PLACE)?,
             start_velocity: any(velocity),
             noise,
             residuals: found.residuals.clone(),
-        };
-        Some((answer, is_fitted.then(|| not_negative(FURTHER)).flatten()))
+        })
     };
-    let is_known = |(found, stiffness): &(MotionIdentified, Option<Estimate>)| {
-        let errors = [Some(found.friction), *stiffness].map(|e| e.map_or(0.0, |e| e.standard_error));
+    let is_known = |found: &MotionIdentified| {
+        let errors = [Some(found.friction), found.stiffness].map(|e| e.map_or(0.0, |e| e.standard_error));
         errors.iter().all(|error| error.is_finite())
     };
     all().filter(is_known).ok_or(Error::MotionNotIdentified)

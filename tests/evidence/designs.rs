@@ -5,11 +5,10 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Machine, Of, positions, record};
 use std::f64::consts::TAU;
 use stickslip::design::{
-    Aim, Holding, Measurement, OptimumKind, Reading, TurningPoints, bands, bands_without_stop,
+    Aim, Holding, Identified, Measurement, OptimumKind, Reading, TurningPoints, bands, bands_without_stop,
     best_friction_over_band, force_for_displacement, force_for_velocity, force_ratio_for_displacement,
     force_ratio_for_velocity, forces_without_stop, frequency_bands, frequency_bands_without_stop,
-    holding_frequency, identify, identify_decay, identify_force, identify_motion,
-    identify_motion_and_stiffness, identify_natural_frequency, identify_turning_points, max_friction,
+    holding_frequency, identify, identify_decay, identify_motion, identify_turning_points, max_friction,
     min_amplitude, most_dissipating_force_ratio, most_dissipating_force_ratio_of_all,
     most_dissipating_frequency_ratio, most_dissipating_friction, most_dissipating_friction_of_all,
     most_dissipating_stiffness,
@@ -358,7 +357,6 @@ fn friction_and_damping_of_the_samples_are_identified() {
     for _ in 0..12 {
         let (mass, stiffness, force) = (5.0, 2000.0, 100.0);
         let (friction, zeta) = (random.between(15.0, 55.0), random.between(0.01, 0.08));
-        let body = Oscillator::new(mass, stiffness, 1.0).unwrap();
         let damping = 2.0 * zeta * f64::sqrt(mass * stiffness);
         let curve: Vec<Measurement> = (0..16)
             .filter_map(|i| {
@@ -368,14 +366,14 @@ fn friction_and_damping_of_the_samples_are_identified() {
                 Some(Measurement { angular_frequency: frequency, amplitude, phase: None })
             })
             .collect();
-        let exact = identify(&body, force, &curve, Reading::default()).unwrap();
+        let exact = identify(mass, Some(stiffness), Some(force), &curve, Reading::default()).unwrap();
         assert!((exact.friction_bound.value / friction - 1.0).abs() < 1e-4, "{friction} {exact:?}");
         assert!((exact.damping_ratio.value / zeta - 1.0).abs() < 1e-3, "{zeta} {exact:?}");
         let noisy: Vec<_> = curve
             .iter()
             .map(|m| Measurement { amplitude: m.amplitude * (1.0 + 0.01 * normal(&mut random)), ..*m })
             .collect();
-        let found = identify(&body, force, &noisy, Reading::default()).unwrap();
+        let found = identify(mass, Some(stiffness), Some(force), &noisy, Reading::default()).unwrap();
         for (estimate, truth) in [(found.friction_bound, friction), (found.damping_ratio, zeta)] {
             let (low, high) = estimate.interval();
             all += 1;
@@ -409,16 +407,17 @@ fn the_natural_frequency_and_the_force_of_the_samples_are_identified() {
                 Some(Measurement { angular_frequency: frequency, amplitude, phase: None })
             })
             .collect();
-        let body = Oscillator::new(mass, stiffness, 1.0).unwrap();
         let fit = |curve: &[Measurement]| {
             if n % 2 == 0 {
-                identify_natural_frequency(mass, force, curve, Reading::default()).unwrap()
+                identify(mass, None, Some(force), curve, Reading::default()).unwrap()
             } else {
-                identify_force(&body, curve, Reading::default()).unwrap()
+                identify(mass, Some(stiffness), None, curve, Reading::default()).unwrap()
             }
         };
         let truth = if n % 2 == 0 { natural } else { force };
-        let (exact, value) = fit(&curve);
+        let scale = |found: &Identified| found.natural_frequency.or(found.force).unwrap();
+        let exact = fit(&curve);
+        let value = scale(&exact);
         assert!((value.value / truth - 1.0).abs() < 1e-5, "{n}: {truth} {value:?}");
         assert!((exact.friction_bound.value / friction - 1.0).abs() < 1e-3, "{n}: {friction} {exact:?}");
         assert!((exact.damping_ratio.value / zeta - 1.0).abs() < 3e-3, "{n}: {zeta} {exact:?}");
@@ -426,7 +425,8 @@ fn the_natural_frequency_and_the_force_of_the_samples_are_identified() {
             .iter()
             .map(|m| Measurement { amplitude: m.amplitude * (1.0 + 0.01 * normal(&mut random)), ..*m })
             .collect();
-        let (found, value) = fit(&noisy);
+        let found = fit(&noisy);
+        let value = scale(&found);
         for (estimate, truth) in
             [(found.friction_bound, friction), (found.damping_ratio, zeta), (value, truth)]
         {
@@ -526,11 +526,10 @@ fn friction_and_damping_of_a_motion_of_the_samples_are_identified() {
         for noise in [0.0, 0.02] {
             let measured: Vec<f64> =
                 exact.iter().map(|x| x + offset + noise * spread * normal(&mut random)).collect();
-            let known = identify_motion(mass, stiffness, &record, &measured).unwrap();
+            let known = identify_motion(mass, Some(stiffness), &record, &measured).unwrap();
             // Each load with each start, in half of the machines: a fit of the stiffness takes ten times as long.
-            let free = (n % 4 < 2).then(|| identify_motion_and_stiffness(mass, &record, &measured).unwrap());
-            let free = free.map(|(found, spring)| (1, found, Some(spring)));
-            for (which, found, spring) in core::iter::once((0, known, None)).chain(free) {
+            let free = (n % 4 < 2).then(|| identify_motion(mass, None, &record, &measured).unwrap());
+            for (which, found) in core::iter::once((0, known)).chain(free.map(|found| (1, found))) {
                 assert_eq!(found.residuals.len(), 300);
                 let truths = [
                     (Some(found.friction), friction, friction),
@@ -540,7 +539,7 @@ fn friction_and_damping_of_a_motion_of_the_samples_are_identified() {
                     (Some(found.offset), offset, spread),
                     (Some(found.start_displacement), offset, spread),
                     (found.start_velocity, start[1], spread * natural),
-                    (spring, stiffness, stiffness),
+                    (found.stiffness, stiffness, stiffness),
                 ];
                 assert_eq!(found.start_velocity.is_some(), n % 2 == 1, "{n} {noise}");
                 for (estimate, truth, scale) in truths {
@@ -562,12 +561,12 @@ fn friction_and_damping_of_a_motion_of_the_samples_are_identified() {
         }
         // A body at rest says nothing, and noise has no reason.
         assert!(matches!(
-            identify_motion(mass, stiffness, &record, &vec![offset; 300]),
+            identify_motion(mass, Some(stiffness), &record, &vec![offset; 300]),
             Err(Error::MotionNotIdentified)
         ));
         let nothing: Vec<f64> = times.iter().map(|_| spread * normal(&mut random)).collect();
         assert!(matches!(
-            identify_motion(mass, stiffness, &record, &nothing),
+            identify_motion(mass, Some(stiffness), &record, &nothing),
             Err(Error::MotionUnexplained { .. } | Error::MotionNotIdentified)
         ));
     }

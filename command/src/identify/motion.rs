@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use std::io::Write;
 use std::path::Path;
 use stickslip::Excitation;
-use stickslip::design::{MotionIdentified, identify_motion, identify_motion_and_stiffness};
+use stickslip::design::{MotionIdentified, identify_motion};
 use stickslip::inputs::Given;
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::motion::record::Record;
@@ -56,19 +56,15 @@ pub(super) fn run(
         format!("{name} line {line}: {error}")
     };
     let load = Record::at_times(file.excitation, file.times, file.samples).map_err(of_sample)?;
-    let found = match stiffness {
-        Some(stiffness) => {
-            identify_motion(mass, stiffness, &load, &file.displacements).map(|found| (found, None))
-        }
-        None => identify_motion_and_stiffness(mass, &load, &file.displacements)
-            .map(|(found, stiffness)| (found, Some(stiffness))),
-    };
-    let (found, stiffness) = found.map_err(|e| match e.quantity() {
-        Some(_) if !matches!(e, stickslip::Error::InMeasurement { .. }) => Failure::from(given.at_fault(&e)),
-        _ => in_line(e, &name, lines).into(),
-    })?;
+    let found =
+        identify_motion(mass, stiffness, &load, &file.displacements).map_err(|e| match e.quantity() {
+            Some(_) if !matches!(e, stickslip::Error::InMeasurement { .. }) => {
+                Failure::from(given.at_fault(&e))
+            }
+            _ => in_line(e, &name, lines).into(),
+        })?;
     // ω_n = √(k/m), and the error of it is half that of k.
-    let natural = stiffness.map(|stiffness| {
+    let natural = found.stiffness.map(|stiffness| {
         let mut natural = stiffness;
         natural.value = (stiffness.value / mass).sqrt();
         natural.standard_error = stiffness.standard_error * natural.value / (2.0 * stiffness.value);
@@ -87,7 +83,7 @@ pub(super) fn run(
         offset: of(offset, 1.0, Kind::Length),
         start_displacement: of(start_displacement, 1.0, Kind::Length),
         start_velocity: start_velocity.as_ref().map(|estimate| of(estimate, 1.0, Kind::Velocity)),
-        stiffness: stiffness.as_ref().map(|estimate| of(estimate, 1.0, Kind::Stiffness)),
+        stiffness: found.stiffness.as_ref().map(|estimate| of(estimate, 1.0, Kind::Stiffness)),
         natural_frequency: natural.as_ref().map(|estimate| of(estimate, 1.0 / TAU, Kind::Hertz)),
         load: file.load,
         noise: found.noise,

@@ -32,7 +32,7 @@ fn curve(friction: f64, zeta: f64, (low, high): (f64, f64), count: u32, phases: 
 }
 
 fn found(curve: &[Measurement]) -> Identified {
-    identify(&body(1.0, 0.0), FORCE, curve, Reading::default()).unwrap()
+    identify(2.0, Some(8.0), Some(FORCE), curve, Reading::default()).unwrap()
 }
 
 #[test]
@@ -47,7 +47,7 @@ fn a_body_without_a_damper_is_found() {
 #[test]
 fn one_frequency_does_not_tell_friction_from_damping() {
     let point = curve(3.0, 0.05, (1.5, 3.6), 2, false)[0];
-    let error = identify(&body(1.0, 0.0), FORCE, &[point; 4], Reading::default()).unwrap_err();
+    let error = identify(2.0, Some(8.0), Some(FORCE), &[point; 4], Reading::default()).unwrap_err();
     assert!(matches!(error, Error::NotIdentified), "{error}");
 }
 
@@ -105,16 +105,16 @@ fn a_slow_body_follows_the_force() {
 fn too_little_or_bad_input_is_refused() {
     let few = curve(3.0, 0.05, (1.2, 3.6), 2, false);
     assert_eq!(
-        identify(&body(1.0, 0.0), FORCE, &few, Reading::default()),
+        identify(2.0, Some(8.0), Some(FORCE), &few, Reading::default()),
         Err(Error::TooFewMeasurements { count: 2 })
     );
     let mut bad = curve(3.0, 0.05, (1.2, 3.6), 5, false);
     bad[2].amplitude = -1.0;
-    let error = identify(&body(1.0, 0.0), FORCE, &bad, Reading::default()).unwrap_err();
+    let error = identify(2.0, Some(8.0), Some(FORCE), &bad, Reading::default()).unwrap_err();
     assert_eq!(error.to_string(), "measurement 3: peak displacement Δ₀ = -1 must be > 0");
     // A force far too large for these amplitudes.
     let curve = curve(3.0, 0.05, (1.2, 3.6), 9, false);
-    let error = identify(&body(1.0, 0.0), 1e12 * FORCE, &curve, Reading::default()).unwrap_err();
+    let error = identify(2.0, Some(8.0), Some(1e12 * FORCE), &curve, Reading::default()).unwrap_err();
     assert!(matches!(error, Error::Unexplained { .. }), "{error}");
 }
 
@@ -167,7 +167,7 @@ fn white_noise_is_refused_and_a_noisy_resonance_is_not() {
             point.amplitude =
                 if i % 2 == 0 { 10.0 * next(&mut seed) } else { 10f64.powf(2.0 * next(&mut seed)) };
         }
-        match identify(&body(1.0, 0.0), FORCE, &noise, Reading::default()) {
+        match identify(2.0, Some(8.0), Some(FORCE), &noise, Reading::default()) {
             Ok(_) => noise_answered += 1,
             Err(error) => assert!(
                 matches!(
@@ -181,7 +181,8 @@ fn white_noise_is_refused_and_a_noisy_resonance_is_not() {
         for point in &mut noisy {
             point.amplitude *= 1.0 + 0.2 * (next(&mut seed) + next(&mut seed) + next(&mut seed) - 1.5) * 2.0;
         }
-        curves_refused += u32::from(identify(&body(1.0, 0.0), FORCE, &noisy, Reading::default()).is_err());
+        curves_refused +=
+            u32::from(identify(2.0, Some(8.0), Some(FORCE), &noisy, Reading::default()).is_err());
     }
     assert!(noise_answered <= 3 && curves_refused <= 1, "{noise_answered} {curves_refused}");
 }

@@ -7,10 +7,9 @@
 use super::model::Parameters;
 use super::outliers::{Judged, judge};
 use super::search::{MeasuredPoint, ResponseCurve, Rule, StartGrid, reduced};
-use super::{Identified, Measurement, PhaseKind, Reading, identify, in_ratios, sample};
-use crate::machine::error::{Error, Quantity};
+use super::{Identified, Measurement, PhaseKind, Reading, identified, in_ratios, sample};
+use crate::machine::error::Error;
 use crate::machine::oscillator::Oscillator;
-use crate::machine::ratios::positive;
 use crate::uncertainty::Estimate;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -20,7 +19,7 @@ use num_traits::Float as _;
 
 /// What is known of the machine besides its friction and its damping.
 #[derive(Debug, Clone, Copy)]
-enum Scaled {
+pub(super) enum Scaled {
     /// Mass and force; e^θ is ω_n.
     Natural { mass: f64, force: f64 },
     /// The body; e^θ is p₀.
@@ -195,8 +194,8 @@ fn inverse([[a, b, c], [_, d, e], [.., f]]: &[[f64; 3]; 3]) -> Option<[[f64; 3];
     })
 }
 
-/// The fit with the unknown of `scaled`, and its value.
-fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<(Identified, Estimate), Error> {
+/// The fit with the unknown of `scaled`.
+pub(super) fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<Identified, Error> {
     if curve.len() < 4 {
         return Err(Error::TooFewMeasurements { count: curve.len() });
     }
@@ -218,7 +217,7 @@ fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<(Id
         whole.refined(whole.fit(best.theta, Some(best.judged.at))?)
     };
     let (body, force) = scaled.at(best.theta)?;
-    let mut identified = identify(&body, force, curve, reading)?;
+    let mut identified = identified(&body, force, curve, reading)?;
     let (_, matrix) = whole.normal(&best).ok_or(Error::NotIdentified)?;
     // The noise was estimated with two parameters fitted.
     let counted = best.judged.suspect.iter().filter(|is_suspect| !**is_suspect).count() as f64;
@@ -242,40 +241,10 @@ fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<(Id
     identified.friction_bound = estimate(kappa * force, of_friction * force * force, (0.0, greatest));
     identified.damping_ratio = estimate(zeta, of_zeta, ranges.1);
     let value = best.theta.exp();
-    Ok((identified, estimate(value, of_theta * value * value, (0.0, f64::INFINITY))))
-}
-
-/// Friction, damping and the natural angular frequency of a body of known mass that fit a response curve under a force of
-/// amplitude p₀: as [`identify`](super::identify()), with the stiffness fitted, too.
-///
-/// The phases are those that `reading` names, and otherwise [`PhaseKind::Peak`]. The standard errors are those of three
-/// parameters. A curve without the resonance may leave the natural frequency to chance: its interval says so.
-///
-/// # Errors
-/// As for [`identify`](super::identify()), with four measurements in place of three.
-pub fn identify_natural_frequency(
-    mass: f64,
-    force: f64,
-    curve: &[Measurement],
-    reading: Reading,
-) -> Result<(Identified, Estimate), Error> {
-    let mass = positive(Quantity::Mass, mass)?;
-    let force = positive(Quantity::ForceAmplitude, force)?;
-    fitted(Scaled::Natural { mass, force }, curve, reading)
-}
-
-/// Friction, damping and the amplitude of the force that fit a response curve of `body`: as [`identify`](super::identify()), with p₀ fitted,
-/// too.
-///
-/// As for [`identify_natural_frequency`]. Far from resonance and with friction alone, the force and friction are hardly apart.
-///
-/// # Errors
-/// As for [`identify_natural_frequency`].
-pub fn identify_force(
-    body: &Oscillator<f64>,
-    curve: &[Measurement],
-    reading: Reading,
-) -> Result<(Identified, Estimate), Error> {
-    body.with_one_friction()?;
-    fitted(Scaled::Force { body: *body }, curve, reading)
+    let scale = Some(estimate(value, of_theta * value * value, (0.0, f64::INFINITY)));
+    match scaled {
+        Scaled::Natural { .. } => identified.natural_frequency = scale,
+        Scaled::Force { .. } => identified.force = scale,
+    }
+    Ok(identified)
 }
