@@ -219,7 +219,7 @@ pub use named::UnknownName;
 pub use output::{Definition, Measure, Output};
 // The values of whole answers, for the command and the Python package.
 pub use cycle::phase_function::PhaseFunction;
-pub use cycle::regime::{Family, NoStop, Regime, Verdict, no_stop_force_ratios};
+pub use cycle::regime::{Family, NoStop, Regime, Verdict};
 pub use machine::ratios::Ratios;
 #[doc(hidden)]
 pub use output::{Column, ResponseAnswer, Value, When, definitions};

@@ -132,7 +132,8 @@ impl<F: Value> LimitData<F> {
         let limit = self.limit.as_ref();
         let steady = limit.and_then(LongRun::steady_state);
         let (least, most) = limit.and_then(LongRun::extrema).unzip();
-        let exponent = limit.and_then(LongRun::irregular);
+        let exponent =
+            limit.and_then(|it| if let LongRun::Irregular(motion) = it { Some(motion) } else { None });
         let count = |of: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(of(s))));
         Record::of(vec![
             (ATTRACTOR, Cell::Count(Some(self.number as u64))),

@@ -12,7 +12,7 @@ use crate::record::{Record, Row};
 use std::io::Write;
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
 use stickslip::inputs::{Given, Point};
-use stickslip::{Error, NoStop, Ratios, Response, ResponseAnswer, no_stop_force_ratios};
+use stickslip::{Error, NoStop, Ratios, Response, ResponseAnswer};
 
 pub(crate) fn response(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
@@ -63,7 +63,7 @@ fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
         let static_friction_ratio = ratios.static_friction_ratio().into();
         return Err(Error::StaticFriction { static_friction_ratio });
     }
-    no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
+    Ok(NoStop::of(&ratios))
 }
 
 /// The answer at a point, with the forces without a stop if requested, and its record.

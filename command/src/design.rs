@@ -17,7 +17,7 @@ use std::io::Write;
 use stickslip::design::{self, Band, Edge, Holding};
 use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
-use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios, no_stop_force_ratios};
+use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios};
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
     at_bits!(arguments(question).answer.bits, respond(question: &Question, out))
@@ -354,7 +354,8 @@ impl<F: Value> AskedDesign<'_, F> {
         } else {
             self.one_friction()?;
             let omega = self.omega()?;
-            let ratios = no_stop_force_ratios(omega, self.damping_ratio()).map_err(|e| self.fail(e))?;
+            let at = Ratios::new(omega, F::int(1)).and_then(|at| at.with_damping_ratio(self.damping_ratio()));
+            let ratios = NoStop::of(&at.map_err(|e| self.fail(e))?);
             let least = ("force_ratio", Kind::Ratio, some(ratios.min()));
             let fields = vec![("omega", Kind::Ratio, some(omega)), least];
             (ratios, "r_y", fields, "no_stop_force_ratios", Kind::Ratio)

@@ -2,7 +2,7 @@
 //! stops.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly, settled};
-use stickslip::{Border, no_stop_force_ratios};
+use stickslip::{Border, NoStop, Ratios};
 
 /// The exact border, eq. 61, and the points where the exact motion has no stop.
 pub(super) fn least_force() -> Figure {
@@ -53,7 +53,7 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
     let omegas = || evenly(from, to, 1201);
     let border = omegas().filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio)));
     let edges: Vec<(f64, (f64, f64))> = omegas()
-        .filter_map(|omega| Some((omega, no_stop_force_ratios(omega, 0.0).ok()?.six_reversals?)))
+        .filter_map(|omega| Some((omega, NoStop::of(&Ratios::new(omega, 1.0).ok()?).six_reversals?)))
         .collect();
     let least = edges.iter().map(|&(omega, (low, _))| (omega, low));
     let greatest = edges.iter().map(|&(omega, (_, high))| (omega, high));

@@ -8,17 +8,17 @@ use stickslip::{Cycle, Ratios};
 pub(super) fn of_the_cycle() -> Figure {
     let contraction = |(index, alpha, name): (usize, f64, String)| {
         let points = frequency_ratios()
-            .map(move |omega| (omega, multipliers_at(omega, alpha).map_or(f64::NAN, |m| m.contraction())));
+            .map(move |omega| (omega, multipliers_at(omega, alpha).map_or(f64::NAN, |m| m.contraction)));
         Series::new(name, Style::Marked(36 + index), index, points)
     };
     let locus = |(index, alpha, name): (usize, f64, String)| {
         let one = move |which: MultiplierPart| {
             frequency_ratios().map(move |omega| {
-                multipliers_at(omega, alpha).map_or((f64::NAN, f64::NAN), |m| which(m.half_cycle()))
+                multipliers_at(omega, alpha).map_or((f64::NAN, f64::NAN), |m| which(m.half_cycle))
             })
         };
         let points = one(|[first, _]| first).chain([(f64::NAN, f64::NAN)]).chain(one(|[_, second]| second));
-        let marked = multipliers_at(MARKED, alpha).map(|m| m.half_cycle());
+        let marked = multipliers_at(MARKED, alpha).map(|m| m.half_cycle);
         [
             Series::new(name.clone(), Style::Dots, index, points),
             Series::new(name, Style::Marks, index, marked.into_iter().flatten()),

@@ -92,7 +92,8 @@ fn row<'py>(
     starts: &[State<f64>],
 ) -> PyResult<Bound<'py, PyDict>> {
     let limit = &found.limit;
-    let (steady, irregular) = (limit.steady_state(), limit.irregular());
+    let irregular = if let LongRun::Irregular(motion) = limit { Some(motion) } else { None };
+    let steady = limit.steady_state();
     let first = starts.get(found.first_start);
     let dict = PyDict::new(py);
     dict.set_item("attractor", place)?;

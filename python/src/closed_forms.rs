@@ -2,16 +2,15 @@
 
 use crate::columns::{self, Kind, Places, Row, Slot, Store, Target, halves, named};
 use crate::machine::excitation;
-use crate::points::{Given, Point, Points, Values, ratios};
+use crate::points::{Given, Point, Points, ratios};
 use crate::refused;
 use interrupt::{Stop, interruptible};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::LazyLock;
-use stickslip::batch::{Batch, Columns, FixedOmega};
+use stickslip::batch::{Batch, Columns};
 use stickslip::definitions::REGIME;
-use stickslip::no_stop_force_ratios;
-use stickslip::{Error, Excitation, Output, Ratios, Regime, Response, ResponseAnswer, Value};
+use stickslip::{Error, Excitation, NoStop, Output, Ratios, Regime, Response, ResponseAnswer, Value};
 
 /// Points per task: enough work to justify a task, and little enough to check for signals between tasks.
 const TASK: usize = 1 << 13;
@@ -154,23 +153,17 @@ fn fill(
     for (row, _) in &mut places.0 {
         row.column = row.column.under(excitation);
     }
-    // A single Ω inside the domain is evaluated once for all points.
-    let row = match points.omega {
-        Values::One(omega, _) if points.is_plain() && points.n > 1 => FixedOmega::new(omega).ok(),
-        Values::One(..) | Values::Many(_) => None,
-    };
     let mut room = [Vec::new(), Vec::new()];
     let points = points.with_room(&mut room, points.n.min(TASK));
     // Points with damping or static friction are computed one by one, which takes longer.
     let task = if points.is_plain() { TASK } else { TASK / 32 };
-    halves(points, places, task, stop, &|points, places| fill_task(points, places, row.as_ref(), excitation))
+    halves(points, places, task, stop, &|points, places| fill_task(points, places, excitation))
 }
 
 /// Fills the places of one task.
 fn fill_task(
     points: Points<'_>,
     places: Places<'_, Column>,
-    fixed: Option<&FixedOmega>,
     excitation: Option<Excitation>,
 ) -> Result<(), Error> {
     let mut wanted = Columns::new();
@@ -190,10 +183,10 @@ fn fill_task(
     }
     let batch = Batch::new();
     let (omega, alpha) = points.slices();
-    match fixed {
-        _ if !points.is_plain() => batch.run_each(points.n, at, wanted)?,
-        Some(fixed) => batch.run_at(fixed, alpha, wanted)?,
-        None => batch.run(omega, alpha, wanted)?,
+    if points.is_plain() {
+        batch.run(omega, alpha, wanted)?;
+    } else {
+        batch.run_each(points.n, at, wanted)?;
     }
     for (slot, regime) in codes.into_iter().flatten().zip(regimes) {
         *slot = code(regime);
@@ -218,8 +211,8 @@ fn code(regime: Option<Regime>) -> u8 {
 /// not exist.
 #[pyfunction]
 fn no_stop(omega: f64, damping_ratio: f64) -> PyResult<Vec<(f64, Option<f64>)>> {
-    let found = no_stop_force_ratios(omega, damping_ratio).map_err(refused)?;
-    Ok(found.intervals().collect())
+    let ratios = Ratios::new(omega, 1.0).and_then(|at| at.with_damping_ratio(damping_ratio));
+    Ok(NoStop::of(&ratios.map_err(refused)?).intervals().collect())
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -9,7 +9,7 @@ mod no_stop;
 mod static_friction;
 mod verdict;
 
-pub use no_stop::{NoStop, no_stop_force_ratios};
+pub use no_stop::NoStop;
 use static_friction::leads_from_every_start;
 #[cfg(feature = "mp")]
 pub(crate) use static_friction::sliding_bound;

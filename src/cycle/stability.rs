@@ -134,9 +134,18 @@ impl<F: Float> MultiplierPair<F> {
 /// The multipliers of a non-sticking cycle, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 #[must_use]
 pub struct Multipliers<F> {
-    half_cycle: MultiplierPair<F>,
+    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the
+    /// one with im > 0 first; of two real ones the one of larger modulus is first.
+    pub half_cycle: [(F, F); 2],
+    /// Of a whole cycle: λ², in the same form.
+    pub cycle: [(F, F); 2],
+    /// The asymptotic contraction of a small disturbance per cycle: `max |λ|²`.
+    ///
+    /// The first few cycles may do better or worse, the map being not normal.
+    pub contraction: F,
 }
 
 impl<F: Float> Multipliers<F> {
@@ -158,42 +167,16 @@ impl<F: Float> Multipliers<F> {
         let (sine, cosine) = ((two * s * c).abs(), (c - s) * (c + s));
         let discriminant = (inverse - sine) * (inverse + sine);
         let mean = -(cosine / (one + inverse));
-        Self { half_cycle: MultiplierPair::new((mean, discriminant), inverse, one) }
+        Self::of_half_cycle(MultiplierPair::new((mean, discriminant), inverse, one))
     }
 
     /// The multipliers of a known pair.
-    pub(super) const fn of_half_cycle(half_cycle: MultiplierPair<F>) -> Self {
-        Self { half_cycle }
-    }
-
-    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the
-    /// one with im > 0 first; of two real ones the one of larger modulus is first.
-    #[must_use]
-    pub fn half_cycle(&self) -> [(F, F); 2] {
-        self.half_cycle.parts()
-    }
-
-    /// Of a whole cycle: λ², in the same form.
-    #[must_use]
-    pub fn cycle(&self) -> [(F, F); 2] {
-        self.half_cycle.squared().parts()
-    }
-
-    /// λ, with its kind.
-    #[cfg(test)]
-    pub(crate) const fn pair(&self) -> MultiplierPair<F> {
-        self.half_cycle
-    }
-
-    /// The asymptotic contraction of a small disturbance per cycle: `max |λ|²`.
-    ///
-    /// The first few cycles may do better or worse, the map being not normal.
-    pub fn contraction(&self) -> F {
-        self.half_cycle.modulus().square()
+    pub(super) fn of_half_cycle(pair: MultiplierPair<F>) -> Self {
+        Self { half_cycle: pair.parts(), cycle: pair.squared().parts(), contraction: pair.modulus().square() }
     }
 
     /// The least number of cycles after which a small disturbance is down to `tolerance` of itself, at the
-    /// rate of [`Multipliers::contraction`]; `None` where it never is (Ω = 1/n), or not in 2⁶³ cycles.
+    /// rate of the contraction; `None` where it never is (Ω = 1/n), or not in 2⁶³ cycles.
     ///
     /// By repeated squaring, without logarithms: exact for the contraction as rounded, whose distance from 1
     /// it inherits.
@@ -202,7 +185,7 @@ impl<F: Float> Multipliers<F> {
         if tolerance >= one {
             return Some(0);
         }
-        let rate = self.contraction();
+        let rate = self.contraction;
         if rate >= one || tolerance <= F::int(0) {
             return None;
         }

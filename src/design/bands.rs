@@ -1,7 +1,7 @@
 //! The bands of frequency in which a given force keeps the body sliding.
 //!
 //! Sliding is the motion that reverses twice a cycle and does not stop. A body that reverses more often
-//! without stopping, which happens near the poles ([`super::bands_without_stop`]), is outside the bands. In
+//! without stopping, which happens near the poles ([`super::frequency_bands_without_stop`]), is outside the bands. In
 //! each lobe of the border, `α_min(Ω) ≤ α` holds on at most one interval, because α_min decreases strictly to
 //! one minimum and then increases strictly (`src/cycle/border/lobe.rs`). The interval is empty in every
 //! lobe n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens at most √(1+α)/2 + 1 bands.
@@ -24,7 +24,7 @@ use core::ops::RangeInclusive;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// The bands of a range, by increasing frequency: see [`bands`].
+/// The bands of a range, by increasing frequency: see [`frequency_bands`].
 #[derive(Debug, Clone)]
 pub struct Bands<F> {
     low: F,
@@ -50,33 +50,8 @@ struct FrequencyScale<F> {
     high: F,
 }
 
-/// All bands of Ω in `[low, high]` in which the force ratio α keeps the body sliding: `α_min(Ω) ≤ α`.
-///
-/// The list is complete, and contains each band once (see the module's documentation). At each end the
-/// computed border is at most α, and a float or two outside it is above α, so that [`crate::Response`] agrees
-/// with the band. A band narrower than two floats next to an end of the range may be missing. Bands in lobes
-/// beyond the resolution of the type near a pole are known only to rounding.
-///
-/// **With a damping ratio ζ > 0**, the same at every frequency, the bands are searched, not proved. The
-/// border is evaluated on a mesh that is fine near its peaks, each of its extrema near α is located, and the
-/// ends are exact. A band or a gap far narrower than any known structure of the border may be missed. There
-/// is provably none below Ω = 1/√(1 + α) (`src/design/damped.rs`).
-///
-/// ```
-/// use stickslip::design::{Edge, bands};
-/// let found = bands(12.0f64, 0.0, 0.1..=2.0)?.collect::<Result<Vec<_>, _>>()?;
-/// assert_eq!(found.len(), 2); // around 0.2971, and from 0.3707 on
-/// assert!((found[0].low - 0.280666).abs() < 1e-6 && (found[0].high - 0.301070).abs() < 1e-6);
-/// assert!((found[1].low - 0.370699).abs() < 1e-6 && found[1].high_edge == Edge::Range);
-/// let damped = bands(12.0f64, 0.05, 0.1..=2.0)?.collect::<Result<Vec<_>, _>>()?;
-/// assert!(damped.len() == 1 && (damped[0].low - 0.378354).abs() < 1e-6);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-///
-/// # Errors
-/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last lobe, Ω =
-/// 7.6e-6, and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a
-/// lobe whose minimum is too close to α for the type to decide whether it contains a band.
+/// [`frequency_bands`] with m = k = r_y = 1 under a force of amplitude α; its errors name ratios.
+#[doc(hidden)]
 pub fn bands<F: Float>(alpha: F, damping_ratio: F, range: RangeInclusive<F>) -> Result<Bands<F>, Error> {
     let (low, high) = range.into_inner();
     Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;
@@ -114,15 +89,40 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
     Ok(Bands { low, high, method: Method::Lobes(alpha, Some(next), last), frequency: None })
 }
 
-/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
+/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding: `α_min(Ω) ≤ α`.
 ///
 /// Only the amplitude of the drive matters, not its frequency. Where the force is the same at every frequency, p₀ or
-/// `k u_g0`, accuracy and proofs are those of [`bands`]. The force of a rotating unbalance, of a moving base given by
-/// its displacement or velocity, or of a damper on a moving support changes with the frequency: these bands are searched
-/// on a mesh, as with a damper ([`Bands::is_searched`]).
+/// `k u_g0`, and without a damper the list is complete, and contains each band once (see the module's documentation). At
+/// each end the computed border is at most α, and a float or two outside it is above α, so that [`crate::Response`] agrees
+/// with the band. A band narrower than two floats next to an end of the range may be missing. Bands in lobes
+/// beyond the resolution of the type near a pole are known only to rounding.
+///
+/// **With a damper**, the same at every frequency, the bands are searched, not proved ([`Bands::is_searched`]). The
+/// border is evaluated on a mesh that is fine near its peaks, each of its extrema near α is located, and the
+/// ends are exact. A band or a gap far narrower than any known structure of the border may be missed. There
+/// is provably none below Ω = 1/√(1 + α) (`src/design/damped.rs`). The force of a rotating unbalance, of a moving base given
+/// by its displacement or velocity, or of a damper on a moving support changes with the frequency: these bands are searched
+/// on a mesh, too.
+///
+/// ```
+/// use stickslip::design::{Edge, frequency_bands};
+/// use stickslip::{Drive, Oscillator};
+/// // In ratios: m = k = r_y = 1.
+/// let (body, drive) = (Oscillator::new(1.0, 1.0, 1.0)?, Drive::force(12.0_f64, 1.0)?);
+/// let found = frequency_bands(&body, &drive, 0.1..=2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// assert_eq!(found.len(), 2); // around 0.2971, and from 0.3707 on
+/// assert!((found[0].low - 0.280666).abs() < 1e-6 && (found[0].high - 0.301070).abs() < 1e-6);
+/// assert!((found[1].low - 0.370699).abs() < 1e-6 && found[1].high_edge == Edge::Range);
+/// let damped = body.with_damping_ratio(0.05)?;
+/// let damped = frequency_bands(&damped, &drive, 0.1..=2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// assert!(damped.len() == 1 && (damped[0].low - 0.378354).abs() < 1e-6);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
 ///
 /// # Errors
-/// Those of [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y.
+/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last lobe, Ω =
+/// 7.6e-6, and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a
+/// lobe whose minimum is too close to α for the type to decide whether it contains a band.
 pub fn frequency_bands<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

@@ -19,16 +19,8 @@ use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::{Ratios, positive};
 
-/// The force ratio without sticking that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥
-/// 0: `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where only the loop
-/// of friction counts.
-///
-/// For Ω ≥ 1/2 and ζ = 0 the optimum is in the interior where `Ω|T| ≥ 1`. It is continuous in Ω: where the
-/// two candidates meet, rounding may select either. Accuracy at f64 for ζ = 0: 8 ulp.
-///
-/// # Errors
-/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside
-/// the domain of [`crate::Ratios`].
+/// α = p₀/r_y of [`most_dissipating_friction`] with m = k = p₀ = 1, and A₁; its errors name ratios.
+#[doc(hidden)]
 pub fn most_dissipating_force_ratio<F: Float>(omega: F, damping_ratio: F) -> Result<Optimum<F>, Error> {
     optimum_at(&Ratios::of_machine(omega, damping_ratio)?)
 }
@@ -52,15 +44,19 @@ fn optimum_at<F: Float>(ratios: &Ratios<F>) -> Result<Optimum<F>, Error> {
     })
 }
 
-/// The friction force with which `drive` dissipates most in a cycle without sticking.
+/// The friction force with which `drive` dissipates most in a cycle without sticking, and the energy.
 ///
 /// Mass, stiffness and damping are those of `body`; its own friction force plays no part.
-/// [`most_dissipating_force_ratio`] in physical units: r_y = p₀/α. With a damper only the energy dissipated
-/// by friction counts, not the work of the damper ([`crate::Cycle::damper_work`]).
+/// r_y = p₀/α with `α = max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG). Only the energy
+/// dissipated by friction counts, not the work of the damper ([`crate::Cycle::damper_work`]).
+/// [`crate::Response::best_force_ratio`] is this α.
+///
+/// For Ω ≥ 1/2 and ζ = 0 the optimum is in the interior where `Ω|T| ≥ 1`. It is continuous in Ω: where the
+/// two candidates meet, rounding may select either. Accuracy at f64 for ζ = 0: 8 ulp of α.
 ///
 /// # Errors
-/// Those of [`most_dissipating_force_ratio`] (except that with damping there is an answer at Ω = 1), and
-/// where r_y or the energy overflows or underflows.
+/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, where Ω or ζ is outside
+/// the domain of [`crate::Ratios`], and where r_y or the energy overflows or underflows.
 pub fn most_dissipating_friction<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

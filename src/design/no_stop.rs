@@ -17,9 +17,9 @@ use core::ops::RangeInclusive;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::no_stop_force_ratios`].
+/// The forces p₀ under which `body` never stops at ω_d: r_y times [`NoStop::of`].
 ///
-/// Unit of force. The same parts are proved and searched as in [`crate::no_stop_force_ratios`].
+/// Unit of force. The same parts are proved and searched as in [`NoStop::of`].
 ///
 /// # Errors
 /// Those of [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the
@@ -32,29 +32,8 @@ pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F)
     Ok(forces)
 }
 
-/// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α and the damping ratio
-/// ζ, by increasing Ω.
-///
-/// The list contains the bands of [`bands`], with two reversals a cycle, and a band with six reversals around
-/// or just below each pole 1/(2n+1) where α is at least `5 (1/Ω² − 1)` or slightly more. Without damping the
-/// bands with two reversals are proved to be complete, and those with six rest on a search
-/// ([`crate::cycle::SixReversals`]). With damping both are searched, those with six reversals on a mesh of 64
-/// frequencies near each pole. The ends are accurate to a few floats.
-///
-/// ```
-/// use stickslip::design::bands_without_stop;
-/// let found = bands_without_stop(80.0f64, 0.0, 0.3..=0.4)?;
-/// // Up to 0.3250, from 0.3298 to 0.3342 around 1/3, and from 0.3436 on.
-/// assert_eq!(found.iter().map(|band| band.reversals_per_cycle).collect::<Vec<_>>(), [2, 6, 2]);
-/// assert!((found[1].low - 0.32984).abs() < 1e-4 && (found[1].high - 0.33422).abs() < 1e-4);
-/// // A little damping narrows the second band, and more removes it.
-/// assert_eq!(bands_without_stop(80.0f64, 0.002, 0.32..=0.36)?.len(), 3);
-/// assert_eq!(bands_without_stop(80.0f64, 0.01, 0.32..=0.36)?.len(), 2);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-///
-/// # Errors
-/// Those of [`bands`].
+/// [`frequency_bands_without_stop`] with m = k = r_y = 1 under a force of amplitude α; its errors name ratios.
+#[doc(hidden)]
 pub fn bands_without_stop<F: Float>(
     alpha: F,
     damping_ratio: F,
@@ -93,10 +72,30 @@ pub fn bands_without_stop<F: Float>(
     Ok(found)
 }
 
-/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping:
-/// [`bands_without_stop`] in physical units.
+/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping, by increasing frequency.
 ///
 /// Only the amplitude of the drive matters: the force, p₀ or `k u_g0`, must be the same at every frequency.
+///
+/// The list contains the bands of [`frequency_bands`], with two reversals a cycle, and a band with six reversals around
+/// or just below each pole Ω = 1/(2n+1) where α is at least `5 (1/Ω² − 1)` or slightly more. Without damping the
+/// bands with two reversals are proved to be complete, and those with six rest on a search
+/// ([`crate::cycle::SixReversals`]). With damping both are searched, those with six reversals on a mesh of 64
+/// frequencies near each pole. The ends are accurate to a few floats.
+///
+/// ```
+/// use stickslip::design::frequency_bands_without_stop;
+/// use stickslip::{Drive, Oscillator};
+/// // In ratios: m = k = r_y = 1.
+/// let (body, drive) = (Oscillator::new(1.0, 1.0, 1.0)?, Drive::force(80.0_f64, 1.0)?);
+/// let found = frequency_bands_without_stop(&body, &drive, 0.3..=0.4)?;
+/// // Up to 0.3250, from 0.3298 to 0.3342 around 1/3, and from 0.3436 on.
+/// assert_eq!(found.iter().map(|band| band.reversals_per_cycle).collect::<Vec<_>>(), [2, 6, 2]);
+/// assert!((found[1].low - 0.32984).abs() < 1e-4 && (found[1].high - 0.33422).abs() < 1e-4);
+/// // A little damping narrows the second band, and more removes it.
+/// assert_eq!(frequency_bands_without_stop(&body.with_damping_ratio(0.002)?, &drive, 0.32..=0.36)?.len(), 3);
+/// assert_eq!(frequency_bands_without_stop(&body.with_damping_ratio(0.01)?, &drive, 0.32..=0.36)?.len(), 2);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
 ///
 /// # Errors
 /// Those of [`frequency_bands`], and [`Error::ForceOfFrequency`] for other drives.

@@ -187,28 +187,8 @@ impl<F: Float> LoopSearch<F> {
 /// The initial number of intervals.
 const COARSE: i32 = 32;
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, with sticking
-/// allowed. It is the global maximum to within a relative `tolerance` in A₁, by the bound in the module's
-/// documentation.
-///
-/// With a damper only the loop of friction counts.
-///
-/// The search takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the square
-/// root of the precision, like the place of any maximum. For Ω → 0 the force ratio tends to 2, and so does
-/// A₁. Where the best motion does not stick, the result is [`super::most_dissipating_force_ratio`].
-///
-/// ```
-/// use stickslip::design::{OptimumKind, most_dissipating_force_ratio_of_all};
-/// let best = most_dissipating_force_ratio_of_all(0.3_f64, 0.0, 1e-4)?;
-/// assert_eq!(best.kind, OptimumKind::Sticking);
-/// assert!(best.value > 2.0 * best.non_sticking.value && best.bound < best.value * 1.0001);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-///
-/// # Errors
-/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, [`Error::NotSettled`] where a motion creeps too long for its
-/// work to be known (Ω near 1/n), where `tolerance` is not in [ε^½, 1] or ζ is outside the domain of
-/// [`Ratios`], and as for [`crate::motion::Trajectory::new`].
+/// α = p₀/r_y of [`most_dissipating_friction_of_all`] with m = k = p₀ = 1, and A₁; its errors name ratios.
+#[doc(hidden)]
 pub fn most_dissipating_force_ratio_of_all<F: Float>(
     omega: F,
     damping_ratio: F,
@@ -236,14 +216,30 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     Ok(BoundedOptimum { at, value, kind, bound, non_sticking, motions: sticking.motions })
 }
 
-/// The friction force with which `drive` dissipates most in a cycle, with sticking allowed:
-/// [`most_dissipating_force_ratio_of_all`] in physical units.
+/// The friction force with which `drive` dissipates most in a cycle, with sticking allowed. It is the global maximum to
+/// within a relative `tolerance` in the energy, by the bound in the module's documentation.
 ///
 /// Mass, stiffness and damping are those of `body`; its own friction force plays no part. With a damper, only
 /// the energy dissipated by friction counts.
 ///
+/// The search takes about 3/√tolerance exact motions: 300 for 1e-4. The friction is known to the square
+/// root of the precision, like the place of any maximum. For Ω → 0 p₀/r_y tends to 2, and so does
+/// A₁. Where the best motion does not stick, the result is [`super::most_dissipating_friction`].
+///
+/// ```
+/// use stickslip::design::{OptimumKind, most_dissipating_friction_of_all};
+/// use stickslip::{Drive, Oscillator};
+/// let (body, drive) = (Oscillator::new(1.0, 1.0, 1.0)?, Drive::force(1.0, 0.3)?);
+/// let best = most_dissipating_friction_of_all(&body, &drive, 1e-4)?;
+/// assert_eq!(best.kind, OptimumKind::Sticking);
+/// assert!(best.value > 2.0 * best.non_sticking.value && best.bound < best.value * 1.0001_f64);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
 /// # Errors
-/// Those of [`most_dissipating_force_ratio_of_all`], and where r_y or the energy overflows or underflows.
+/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, [`Error::NotSettled`] where a motion creeps too long for its
+/// work to be known (Ω near 1/n), where `tolerance` is not in [ε^½, 1] or ζ is outside the domain of
+/// [`Ratios`], where r_y or the energy overflows or underflows, and as for [`crate::motion::Trajectory::new`].
 pub fn most_dissipating_friction_of_all<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

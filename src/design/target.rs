@@ -10,14 +10,8 @@ use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::{Ratios, positive};
 
-/// The force ratio whose non-sticking cycle has the peak displacement Δ₀/B: eq. 44 solved for α.
-///
-/// `α = hypot(K, (1 − Ω²) Δ₀/B)`, and with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`. These closed
-/// forms are the only solutions, because Δ₀ increases with α. Accuracy at f64 for ζ = 0: 8 ulp.
-///
-/// # Errors
-/// [`Error::TargetSticks`] where Δ₀/B is below that of the cycle on the border, [`Error::AtResonance`] at
-/// Ω = 1 for ζ = 0, and where an argument is outside its domain.
+/// [`force_for_displacement`] with m = k = r_y = 1; its errors name ratios.
+#[doc(hidden)]
 pub fn force_ratio_for_displacement<F: Float>(
     omega: F,
     damping_ratio: F,
@@ -27,12 +21,15 @@ pub fn force_ratio_for_displacement<F: Float>(
     displacement_target(&ratios, max_displacement, F::int(1), quantity)
 }
 
-/// The force amplitude p₀ with which `body` at ω_d has the peak displacement Δ₀ (unit of length).
+/// The force amplitude p₀ with which `body` at ω_d has the peak displacement Δ₀ (unit of length) in its non-sticking
+/// cycle: eq. 44 solved for α = p₀/r_y; u_g0 of a base motion is p₀/k.
 ///
-/// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k.
+/// `α = hypot(K, (1 − Ω²) Δ₀/B)`, and with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`. These closed
+/// forms are the only solutions, because Δ₀ increases with α. Accuracy at f64 for ζ = 0: 8 ulp of α.
 ///
 /// # Errors
-/// Those of [`force_ratio_for_displacement`], with the values in physical units.
+/// [`Error::TargetSticks`] where Δ₀ is below that of the cycle on the border, [`Error::AtResonance`] at
+/// Ω = 1 for ζ = 0, and where an argument is outside its domain.
 pub fn force_for_displacement<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,
@@ -44,17 +41,28 @@ pub fn force_for_displacement<F: Float>(
     positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
 }
 
-/// The force ratio whose non-sticking cycle has the peak velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
+/// [`force_for_velocity`] with m = k = r_y = 1; its errors name ratios.
+#[doc(hidden)]
+pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_velocity: F) -> Result<F, Error> {
+    let (ratios, quantity) = (Ratios::of_machine(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
+    velocity_target(&ratios, max_velocity, F::int(1), quantity)
+}
+
+/// The force amplitude p₀ with which `body` at ω_d has the peak velocity V₀ (unit of velocity) in its non-sticking cycle;
+/// u_g0 of a base motion is p₀/k.
 ///
 /// For ζ = 0, V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0
 /// (`src/cycle/velocity.rs`), so that it increases with Δ₀ and is convex in it. Moreover, `V₀/(Bω_d) ≥ Δ₀/B`,
 /// its value at ψ = 0. The target, taken as Δ₀, is therefore at or above the only solution, and Newton's
 /// method descends to the solution without a bracket. With damping, V₀ increases with the amplitude of the
-/// driven part in the same way. Accuracy at f64 for ζ = 0: 16 ulp.
+/// driven part in the same way. Accuracy at f64 for ζ = 0: 16 ulp of α.
+///
+/// In ratios, take m = k = r_y = 1:
 ///
 /// ```
-/// use stickslip::{Cycle, Ratios};
-/// let alpha: f64 = stickslip::design::force_ratio_for_velocity(1.0, 0.05, 8.0)?;
+/// use stickslip::{Cycle, Oscillator, Ratios};
+/// let body = Oscillator::new(1.0, 1.0, 1.0)?.with_damping_ratio(0.05)?;
+/// let alpha: f64 = stickslip::design::force_for_velocity(&body, 1.0, 8.0)?;
 /// let cycle = Cycle::new(Ratios::new(1.0, alpha)?.with_damping_ratio(0.05)?)?;
 /// assert!((cycle.max_velocity - 8.0).abs() < 1e-13);
 /// # Ok::<(), stickslip::Error>(())
@@ -62,18 +70,7 @@ pub fn force_for_displacement<F: Float>(
 ///
 /// # Errors
 /// [`Error::TargetSticks`] where V₀ is below that of the cycle on the border, and otherwise those of
-/// [`force_ratio_for_displacement`].
-pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_velocity: F) -> Result<F, Error> {
-    let (ratios, quantity) = (Ratios::of_machine(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
-    velocity_target(&ratios, max_velocity, F::int(1), quantity)
-}
-
-/// The force amplitude p₀ with which `body` at ω_d has the peak velocity V₀ (unit of velocity).
-///
-/// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
-///
-/// # Errors
-/// Those of [`force_ratio_for_velocity`], with the values in physical units.
+/// [`force_for_displacement`].
 pub fn force_for_velocity<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,

@@ -3,7 +3,7 @@
 //! At fixed m, c, p₀, r_y and ω_d the energy `4 r_y Δ₀` that friction dissipates in a cycle is A₂ p₀²/(2 m
 //! ω_d²) (eq. 67), a function of `v = k/(mω_d²) = 1/Ω²` alone. In each band of frequencies in which the body
 //! slides its greatest value is proved, with and without a damper ([`work`]). The bands are proved without a
-//! damper and searched with one ([`super::bands()`]).
+//! damper and searched with one ([`super::frequency_bands`]).
 //!
 //! Bands are taken from high frequencies to low ones, a part of the range at a time: below the resonance A₂ is at most
 //! `8/(α √((v − 1)² + 4γ²))`, which falls with Ω, so that the rest is skipped once the bound is below the best
@@ -29,14 +29,8 @@ use work::FrictionWork;
 /// range; each further part has twice as many.
 const HARMONICS: i32 = 64;
 
-/// The Ω in `[low, high]` that makes A₂ largest at the force ratio α without sticking.
-///
-/// The result is the global maximum (see the module's documentation). Accuracy at f64: 16 ulp in A₂; for an
-/// interior optimum, Ω is accurate as a root of the derivative, to 1e-15.
-///
-/// # Errors
-/// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range
-/// contains Ω = 1, at which A₂ is infinite, and those of [`bands`].
+/// Ω of [`most_dissipating_stiffness`] with m = r_y = ω_d = 1 under a force of amplitude α, and A₂; its errors name ratios.
+#[doc(hidden)]
 pub fn most_dissipating_frequency_ratio<F: Float>(
     alpha: F,
     range: RangeInclusive<F>,
@@ -145,15 +139,17 @@ fn best_of_band<F: Float>(
 }
 
 /// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle without
-/// sticking.
+/// sticking, and the energy.
 ///
 /// Mass, friction force and damping constant c are those of `body`; its own stiffness plays no part.
-/// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper the stiffness
-/// maximises the energy dissipated by friction. It is proved to be the best of each band of stiffness in
-/// which the body slides, but the bands themselves are searched, not proved ([`super::bands()`]).
+/// `k = m ω_d²/Ω²` with the Ω that makes A₂ largest. With a damper the stiffness maximises the energy dissipated by friction.
+/// It is proved to be the best of each band of stiffness in which the body slides (see the module's documentation); the bands
+/// themselves are proved without a damper, and searched with one ([`super::frequency_bands`]). Accuracy at f64: 16 ulp in A₂;
+/// for an interior optimum, Ω is accurate as a root of the derivative, to 1e-15.
 ///
 /// # Errors
-/// Those of [`most_dissipating_frequency_ratio`] (except that with a damper there is an answer at Ω = 1);
+/// [`Error::SticksThroughout`] where there is no such stiffness, [`Error::AtResonance`] where α > 4/π and the range
+/// contains Ω = 1 without a damper, at which A₂ is infinite, and those of [`super::frequency_bands`];
 /// [`Error::BaseMotion`], because the force of a moving support, k u_g0, is not fixed; and where a stiffness is
 /// not finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(

@@ -42,6 +42,7 @@ pub trait Field:
     /// `other` leg.
     ///
     /// The default multiplies the difference by the sum; a type may provide a better algorithm.
+    #[doc(hidden)]
     #[inline(always)]
     fn leg(self, other: Self) -> Self {
         ((self - other) * (self + other)).sqrt()

@@ -138,6 +138,7 @@ impl<F: Float> Ratios<F> {
     }
 
     /// Whether there is a damper, ζ > 0.
+    #[doc(hidden)]
     #[inline]
     pub fn is_damped(&self) -> bool {
         self.damping_ratio > F::int(0)
@@ -151,6 +152,7 @@ impl<F: Float> Ratios<F> {
 
     /// Whether the static friction is above the kinetic one, η > 1: the steady motion can then depend on the
     /// start.
+    #[doc(hidden)]
     #[inline]
     pub fn has_higher_static_friction(&self) -> bool {
         self.static_friction_ratio > F::int(1)

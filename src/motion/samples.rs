@@ -82,6 +82,7 @@ impl<F: Float> Trajectory<F> {
     /// # Errors
     /// Where `turns` is not finite or not > 0, or so small that the number of a sample at the start is above 2⁵³, and as
     /// for the first item of the trajectory.
+    #[doc(hidden)]
     pub fn samples_every(mut self, turns: F) -> Result<Samples<F>, Error> {
         let turns = crate::machine::ratios::positive(Quantity::SamplesPerCycle, turns)?;
         let current = self.next().transpose()?;

@@ -48,6 +48,7 @@ macro_rules! measures {
             }
 
             /// The physical size of one unit.
+            #[doc(hidden)]
             pub fn size<F: Real>(self, scales: &Scales<F>) -> F {
                 match self {
                     $(Self::$measure => {

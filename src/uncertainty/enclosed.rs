@@ -49,26 +49,9 @@ impl<F: Float> RatioBox<F> {
         Ok(found.map(guaranteed))
     }
 
-    /// The verdict that holds for the whole box, with its damping, from the margin in ball arithmetic. Where
-    /// the margin may lie on either side of 1, the box is cut into at most `pieces` parts.
-    /// [`super::MachineBox::enclosed_verdict`] says which part of a verdict is proved and which is found by a
-    /// search.
-    ///
-    /// # Errors
-    /// As for [`RatioBox::enclosed`].
-    ///
-    /// ```
-    /// use stickslip::Verdict;
-    /// use stickslip::uncertainty::{Interval, RatioBox};
-    /// let ratios = |alpha| {
-    ///     let undamped = RatioBox::new(Interval::relative(0.85, 0.002)?, Interval::relative(alpha, 0.02)?)?;
-    ///     undamped.with_damping_ratio(Interval::relative(0.04, 0.1)?)
-    /// };
-    /// assert_eq!(ratios(2.4)?.enclosed_verdict(1000)?, Verdict::NonSticking);
-    /// assert_eq!(ratios(1.1)?.enclosed_verdict(1000)?, Verdict::Sticking);
-    /// # Ok::<(), stickslip::Error>(())
-    /// ```
-    pub fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
+    /// The verdict from the margin in ball arithmetic; where that may lie on either side of 1, the box is cut into at most
+    /// `pieces` parts.
+    pub(super) fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
         let Some([omega, alpha, zeta]) = self.ends() else {
             return Ok(Verdict::Undecided(Decided::Sticking, Decided::NonSticking));
         };

@@ -1,6 +1,8 @@
 //! The parameters of a machine in intervals.
 
 use super::enclosure::{OmegaPiece, hull, pieces};
+#[cfg(feature = "mp")]
+use super::ratios::VERDICT_PARTS;
 use super::{Evidence, Interval, Range, RatioBox, samples};
 use crate::cycle::regime::Verdict;
 use crate::cycle::response::Response;
@@ -132,14 +134,34 @@ impl<F: Float> MachineBox<F> {
 
     /// The verdict that holds for the whole box; [`Verdict::sticks`] says whether the body sticks.
     ///
-    /// Under support motion and with a damper, a box that is only just decided may be called undecided
-    /// ([`MachineBox::ratios`]). A damper needs the feature `mp` ([`RatioBox::verdict`]);
-    /// `MachineBox::enclosed_verdict` cuts the box into as many parts as requested.
+    /// Under support motion, a box that is only just decided may be called undecided ([`MachineBox::ratios`]). A damper
+    /// needs the feature `mp`, as in [`RatioBox::verdict`], which also says what is proved and what is searched.
+    ///
+    /// ```
+    /// # #[cfg(feature = "mp")] {
+    /// use stickslip::Verdict;
+    /// use stickslip::uncertainty::{Interval, MachineBox};
+    /// let machine = |force| {
+    ///     let friction = Interval::relative(5.0, 0.05)?;
+    ///     let exactly = Interval::exactly;
+    ///     let undamped = MachineBox::force(exactly(50.0), exactly(1000.0), friction, exactly(force), exactly(6.0))?;
+    ///     undamped.with_damping(Interval::relative(20.0, 0.2)?)
+    /// };
+    /// assert_eq!(machine(12.0)?.verdict()?, Verdict::NonSticking);
+    /// assert_eq!(machine(5.5)?.verdict()?, Verdict::Sticking);
+    /// # }
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`MachineBox::ratios`] and [`RatioBox::verdict`].
     pub fn verdict(&self) -> Result<Verdict<F>, Error> {
-        self.ratios()?.verdict()
+        let ratios = self.ratios()?;
+        #[cfg(feature = "mp")]
+        if self.is_damped() {
+            return self.enclosed_verdict(VERDICT_PARTS);
+        }
+        ratios.verdict()
     }
 
     /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where the output

@@ -14,7 +14,7 @@ use crate::output::Output;
 
 /// The greatest number of parts for a verdict with damping.
 #[cfg(feature = "mp")]
-const VERDICT_PARTS: u32 = 1000;
+pub(super) const VERDICT_PARTS: u32 = 1000;
 
 /// Frequency and force ratio in intervals, and the damping ratio if there is a damper
 /// ([`RatioBox::with_damping_ratio`]).
@@ -73,9 +73,14 @@ impl<F: Float> RatioBox<F> {
 
     /// The verdict that holds for all ratios in the box.
     ///
-    /// With damping the verdict is that of `RatioBox::enclosed_verdict` with at most 1000 parts. This takes
-    /// some tenths of a second and needs the feature `mp`; without the feature the verdict is undecided where
-    /// α exceeds 1.
+    /// With damping it needs the feature `mp`, and takes some tenths of a second: it follows from the margin in ball
+    /// arithmetic, where need be over 1000 parts of the box. Without the feature the verdict is undecided where α
+    /// exceeds 1.
+    ///
+    /// **Proved** with damping: where the margin is above 1 throughout, the body never stops; where it is below, there is
+    /// no cycle of two reversals without a stop. **Searched:** that the body then stops, as in [`Verdict::Sticking`]. The
+    /// verdict is undecided where a cycle of six reversals may exist (next to a pole, with little damping), where the box
+    /// would need more parts, and where it contains Ω = 1 without damping, so that the motion is unbounded.
     ///
     /// # Errors
     /// Where Ω or α leaves the domain of [`Ratios`].

@@ -251,7 +251,7 @@ fn multipliers_are_those_of_the_differenced_map() {
         let slope = |a: (f64, f64), b: (f64, f64)| ((a.0 - b.0) / (2.0 * h), (a.1 - b.1) / (2.0 * h));
         let (by_t, by_x) = (slope(map(h, 0.0), map(-h, 0.0)), slope(map(0.0, h), map(0.0, -h)));
         let (trace, product) = (by_t.0 + by_x.1, by_t.0 * by_x.1 - by_t.1 * by_x.0);
-        let [(re, im), (other, _)] = c.multipliers().half_cycle();
+        let [(re, im), (other, _)] = c.multipliers().half_cycle;
         let found = (re + other, if im == 0.0 { re * other } else { re * re + im * im });
         assert!(
             (found.0 - trace).abs() < 1e-7 && (found.1 - product).abs() < 1e-7,

@@ -121,7 +121,7 @@ fn cycles_over_the_phase_are_those_of_the_samples() {
             let of_samples = at[1] * (omega * found.found.most(Of::Displacement).time).cos();
             assert!((k - of_samples).abs() < 1e-6 * at[1], "{at:?}: {k} {of_samples}");
         }
-        let multipliers = cycle.multipliers().cycle();
+        let multipliers = cycle.multipliers().cycle;
         let [(a, b), (c, d)] = multipliers;
         let [sum, product] = found.multipliers;
         assert!((a + c - sum).abs() < 2e-6 && (a * c - b * d - product).abs() < 2e-6, "{at:?}");

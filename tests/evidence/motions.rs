@@ -7,7 +7,7 @@ use stickslip::motion::{
     DEFAULT_BUDGET, DrivePhase, FreeDecay, Kind, LongRun, Starts, State, Trajectory, attractors,
     errors_after, periodic_motions, symmetry_breaks,
 };
-use stickslip::{NoStop, Ratios, Verdict, no_stop_force_ratios, stops_per_cycle};
+use stickslip::{NoStop, Ratios, Verdict, stops_per_cycle};
 
 /// The machine of ratios: displacements in B, times in 1/ω_n.
 fn harmonic([omega, alpha, zeta, eta]: [f64; 4]) -> Harmonic {
@@ -205,7 +205,7 @@ fn stops_and_verdicts_are_those_of_the_samples() {
 fn six_reversals_are_those_of_the_samples() {
     let mut compared = 0;
     for (omega, zeta) in [(0.331, 0.0), (0.3325, 0.0), (0.1995, 0.0), (0.3325, 1e-4)] {
-        let forces: NoStop<f64> = no_stop_force_ratios(omega, zeta).unwrap();
+        let forces = NoStop::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap());
         let Some((low, high)) = forces.six_reversals else { continue };
         assert_eq!(forces.min(), low);
         let counts = |alpha: f64| match harmonic([omega, alpha, zeta, 1.0]).limit([0.0, 0.0], 0.0, 3000) {

@@ -3,7 +3,7 @@
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
-use stickslip::no_stop_force_ratios;
+use stickslip::NoStop;
 use stickslip::{
     Border, Cycle, Drive, Error, Oscillator, PhaseFunction, Quantity, Ratios, Regime, Response, Scales,
     Verdict, design,
@@ -29,7 +29,7 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
     assert!(omega < 0.5 || least == by_turning_point, "eq. 61 is exact for Ω ≥ 1/2");
     assert!(border.border_phase >= 0.0 && border.border_phase <= std::f64::consts::PI);
     assert!(border.least_displacement >= 1.0 / (omega * omega));
-    let no_stop = no_stop_force_ratios(omega, 0.0).unwrap();
+    let no_stop = NoStop::of(&Ratios::new(omega, alpha).unwrap());
     let is_without_stop =
         no_stop.intervals().any(|(low, high)| low <= alpha && high.is_none_or(|high| alpha <= high));
     match answer.regime {
@@ -135,7 +135,7 @@ fn verdict(ratios: Ratios<f64>, regime: Regime) {
 
 /// Whether α is within rounding of an edge of six reversals.
 fn is_at_an_edge(ratios: Ratios<f64>) -> bool {
-    let no_stop = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap();
+    let no_stop = NoStop::of(&ratios);
     let close = |edge: f64| (ratios.alpha() / edge - 1.0).abs() < 1e-12;
     no_stop.six_reversals.is_some_and(|(low, high)| close(low) || close(high))
 }
@@ -192,10 +192,10 @@ fn cycle(cycle: &Cycle<f64>, phase: f64) {
     assert!((0.0..=1.0 + 1e-15).contains(&cycle.contraction()), "λ = {:e}", cycle.contraction());
     let multipliers = cycle.multipliers();
     let modulus = |[first, second]: [(f64, f64); 2]| first.0.hypot(first.1).max(second.0.hypot(second.1));
-    assert!(modulus(multipliers.cycle()) <= 1.0 + 4e-15, "{multipliers:?}");
-    let [first, second] = multipliers.half_cycle();
+    assert!(modulus(multipliers.cycle) <= 1.0 + 4e-15, "{multipliers:?}");
+    let [first, second] = multipliers.half_cycle;
     assert!(first.0.hypot(first.1) >= second.0.hypot(second.1), "{multipliers:?}");
-    assert!((modulus(multipliers.half_cycle()) - cycle.contraction()).abs() <= 1e-7, "{multipliers:?}");
+    assert!((modulus(multipliers.half_cycle) - cycle.contraction()).abs() <= 1e-7, "{multipliers:?}");
     assert!(cycle.loop_size_stiffness() >= 0.0 && cycle.loop_size_inertia() >= 0.0);
     let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));
     assert_eq!(x.is_nan(), !phase.is_finite());

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use stickslip::float::Mp;
 use stickslip::generators::Point;
 use stickslip::motion::{DrivePhase, Kind, Segment, State, Trajectory};
-use stickslip::{Border, Cycle, Drive, Float, Oscillator, Ratios, Response, Scales, no_stop_force_ratios};
+use stickslip::{Border, Cycle, Drive, Float, NoStop, Oscillator, Ratios, Response, Scales};
 
 /// Cycles at an ordinary Ω ≠ 1, with α at the border and above.
 fn cycles() -> impl Strategy<Value = Cycle<f64>> {
@@ -181,7 +181,7 @@ fn regime_of_512_bits(bytes: &[u8]) -> Result<(), TestCaseError> {
     let is_near =
         |border: Mp<8>, units: f64| (alpha / border - Mp::from(1)).to_f64().abs() < units * f64::EPSILON;
     // An edge of six reversals has an error of 64 units in the last place, and where the two meet half its digits.
-    let edges = no_stop_force_ratios(omega, Mp::ZERO).unwrap().six_reversals;
+    let edges = NoStop::of(&Ratios::new(omega, alpha).unwrap()).six_reversals;
     let near_edge = edges.is_some_and(|(low, high)| {
         let units = if high < low * Mp::from(1.2) { f64::EPSILON.sqrt().recip() } else { 64.0 };
         is_near(low, units) || is_near(high, units)

@@ -119,7 +119,7 @@ fn stops_per_cycle_and_what_has_none() {
 fn multipliers_apart<F: Float>(omega: F, alpha: F) -> F {
     let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
     let LongRun::Periodic(steady) = LongRun::try_from(&cycle).unwrap() else { panic!("({omega}, {alpha})") };
-    let (closed, monodromy) = (cycle.multipliers().cycle(), steady.multipliers);
+    let (closed, monodromy) = (cycle.multipliers().cycle, steady.multipliers);
     let apart = |(a, b): (F, F), (c, d): (F, F)| (a - c).hypot(b - d);
     let both = |i: usize| apart(closed[0], monodromy[i]).or_larger(apart(closed[1], monodromy[1 - i]));
     let (straight, crossed) = (both(0), both(1));

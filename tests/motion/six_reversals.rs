@@ -12,11 +12,16 @@ use stickslip::cycle::SixReversals;
 use stickslip::float::Mp;
 use stickslip::motion::{Kind, LongRun, State, Trajectory};
 use stickslip::{Border, Error, Float, Ratios, Regime, Response};
-use stickslip::{no_stop_force_ratios, observed, stops_per_cycle};
+use stickslip::{NoStop, observed, stops_per_cycle};
+
+/// The force ratios without a stop.
+fn without_stop<F: Float>(omega: F, zeta: F) -> Result<NoStop<F>, Error> {
+    Ok(NoStop::of(&Ratios::new(omega, F::int(1))?.with_damping_ratio(zeta)?))
+}
 
 /// The least and the greatest force ratio of six reversals.
 fn force_ratios<F: Float>(omega: F) -> Result<Option<(F, F)>, Error> {
-    no_stop_force_ratios(omega, F::int(0)).map(|found| found.six_reversals)
+    without_stop(omega, F::int(0)).map(|found| found.six_reversals)
 }
 
 fn long_run<F: Float>(omega: F, alpha: F) -> LongRun<F> {
@@ -121,7 +126,7 @@ fn stops_from<F: Float>(start: State<F>, omega: F, alpha: F) -> usize {
 fn the_edges_are_sharp_at_any_precision() {
     let (mut worst, mut settled) = (0.0, 0);
     for (i, (omega, low, high)) in beside_poles().take(40).enumerate() {
-        let wide = no_stop_force_ratios(Mp::<8>::from(omega), Mp::ZERO).unwrap();
+        let wide = without_stop(Mp::<8>::from(omega), Mp::ZERO).unwrap();
         let (wide_low, wide_high) = wide.six_reversals.unwrap();
         let error = ulps(low, wide_low).max(ulps(high, wide_high));
         // Where the two edges meet, their error is a square root of rounding.
@@ -164,10 +169,10 @@ fn the_edges_keep_their_digits_up_to_the_pole() {
             for (sign, share) in [(-1.0, 0.0), (1.0, 0.0), (-1.0, 0.5), (1.0, 1.0)] {
                 let off = 2f64.powi(-exponent);
                 let (omega, zeta) = ((1.0 + sign * off) / n, share * off / n);
-                let Some((low, high)) = no_stop_force_ratios(omega, zeta).unwrap().six_reversals else {
+                let Some((low, high)) = without_stop(omega, zeta).unwrap().six_reversals else {
                     continue;
                 };
-                let wide = no_stop_force_ratios(Mp::<8>::from(omega), Mp::from(zeta)).unwrap();
+                let wide = without_stop(Mp::<8>::from(omega), Mp::from(zeta)).unwrap();
                 let (wide_low, wide_high) = wide.six_reversals.unwrap();
                 let error = ulps(low, wide_low).max(ulps(high, wide_high));
                 assert!(exponent < 14 || error < 40.0, "{omega} {zeta}: {error}");
@@ -259,9 +264,7 @@ fn one_verdict_on_a_border_and_beside_it() {
     let mut random = Random(65);
     for (i, (beside, ..)) in beside_poles().take(40).enumerate() {
         let omega = if i % 3 == 0 { random.scale(0.05, 20.0) } else { beside };
-        for edge in
-            no_stop_force_ratios(omega, 0.0).unwrap().intervals().flat_map(|(low, high)| [Some(low), high])
-        {
+        for edge in without_stop(omega, 0.0).unwrap().intervals().flat_map(|(low, high)| [Some(low), high]) {
             let Some(edge) = edge else { continue };
             for alpha in [edge, edge.next_up(), edge.next_down(), edge * (1.0 + 1e-11), edge * (1.0 - 1e-11)]
             {

@@ -184,7 +184,7 @@ fn count<F: Float>(found: u32, expected: u32) -> F {
 
 /// Sum and product of the half-cycle multipliers among the answers.
 fn half_cycle<F: Float>(p: &AnsweredPoint<F>) -> (F, F) {
-    let [(a, b), (c, d)] = p.cycle.multipliers().half_cycle();
+    let [(a, b), (c, d)] = p.cycle.multipliers().half_cycle;
     (a + c, a * c - b * d)
 }
 
@@ -282,7 +282,7 @@ fn of_motion<F: Float>() -> Vec<Statement<AnsweredPoint<F>, F>> {
         },
         "λ" "the contraction is the larger |λ|": |p| {
             let (c, m) = (&p.case, p.motion.as_ref()?);
-            let [(a, b), (d, e)] = p.cycle.multipliers().half_cycle();
+            let [(a, b), (d, e)] = p.cycle.multipliers().half_cycle;
             let (found, listed) = (c.get(Output::Contraction)?, a.hypot(b).or_larger(d.hypot(e)));
             // A double root keeps half of the digits.
             let off = (found - listed).abs().or_larger((found.square() - m.steady.contraction()).square());

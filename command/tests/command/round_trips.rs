@@ -15,7 +15,7 @@ use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::generators::{Machine, Point, Start};
 use stickslip::motion::{LongRun, State, Trajectory};
-use stickslip::{Drive, Oscillator, Ratios, Regime, Response, Scales, no_stop_force_ratios};
+use stickslip::{Drive, NoStop, Oscillator, Ratios, Regime, Response, Scales};
 
 /// Random values of a type of `stickslip::generators`.
 fn hard<T: for<'a> Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
@@ -205,7 +205,7 @@ fn beside_a_pole_the_motion_and_the_border_agree() {
 #[test]
 fn where_friction_is_lost_in_rounding_the_border_decides() {
     let omega: f64 = 0.010_309_278_350_515_464;
-    let no_stop = no_stop_force_ratios(omega, 0.0).unwrap();
+    let no_stop = NoStop::of(&Ratios::new(omega, 1.0).unwrap());
     let (_, greatest) = no_stop.six_reversals.unwrap();
     for (alpha, regime, stops) in [
         (3.335_884_628_701_366_8e16, Regime::NonSticking, Cell::of(0)),

@@ -8,9 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::float::{Mp, ParseError};
 use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput, SteadyState};
-use stickslip::{
-    Definition, Float, Output, Ratios, Response, ResponseAnswer, Value, no_stop_force_ratios, observed,
-};
+use stickslip::{Definition, Float, NoStop, Output, Ratios, Response, ResponseAnswer, Value, observed};
 
 /// A value on its way to Python.
 enum Cell {
@@ -102,9 +100,8 @@ fn response<F: Float + Display>(ratios: Ratios<F>) -> Cells {
     let others = ResponseAnswer::COLUMNS.iter().filter(|column| !is_output(column.definition));
     let mut cells: Cells = others.map(|c| (c.definition.name, (c.of)(&answer).into())).collect();
     cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&response)))));
-    if !ratios.has_higher_static_friction()
-        && let Ok(no_stop) = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
-    {
+    if !ratios.has_higher_static_friction() {
+        let no_stop = NoStop::of(&ratios);
         let ends = no_stop.intervals().map(|(low, high)| (low.to_string(), high.map(|x| x.to_string())));
         cells.push(("no_stop_force_ratios", Cell::Pairs(ends.collect())));
     }

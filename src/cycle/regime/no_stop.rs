@@ -4,11 +4,10 @@ use super::static_friction::every_start;
 use crate::cycle::Border;
 use crate::cycle::six_reversals::force_ratios;
 use crate::float::{Float, at_precision};
-use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 
-/// All force ratios at one Ω for which a cycle without a stop exists, of two or of six reversals: see
-/// [`no_stop_force_ratios`], and [`NoStop::of`] for a static friction above the kinetic one.
+/// All force ratios at one Ω for which a cycle without a stop exists, of two or of six reversals
+/// ([`NoStop::of`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -26,13 +25,36 @@ pub struct NoStop<F> {
 }
 
 impl<F: Float> NoStop<F> {
-    /// The force ratios of the cycles without a stop at the Ω, ζ and η of `ratios`; their α plays no part.
+    /// The force ratios at the Ω, ζ and η of `ratios` for which the body never stops, as intervals with their ends; their
+    /// α plays no part.
     ///
-    /// With η = 1 the cycle is the limit of every start, as [`no_stop_force_ratios`] says. With a static
-    /// friction above the kinetic one it is the same cycle, at the force ratios for which the force at each of
-    /// its reversals is at least η, and attracts its neighbourhood; other starts may lead to other motions.
+    /// They begin at the border of the two-reversal cycle. Near the poles 1/(2n+1) there is also an interval
+    /// below it, of six reversals a cycle ([`crate::cycle::SixReversals`]). At Ω = 1 without damping, the
+    /// motion at and above the border is unbounded and does not stop either. A little damping preserves some of
+    /// the intervals below the border; from ζ = 0.0215/(2n+1) on there is none.
     ///
-    /// The accuracy is that of [`no_stop_force_ratios`].
+    /// **Proved** for η = 1: in these intervals no motion stops in the long run. **Searched:** the body stops at all other
+    /// α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
+    /// (`docs/development/theory/six-reversals.md`). With a static friction above the kinetic one it is the same cycle, at
+    /// the force ratios for which the force at each of its reversals is at least η, and attracts its neighbourhood; other
+    /// starts may lead to other motions.
+    ///
+    /// The accuracy is that of [`Border::min_force_ratio`], and 64 ulp for six reversals; the
+    /// computation uses the type's guard bits.
+    ///
+    /// ```
+    /// use stickslip::{NoStop, Ratios};
+    /// let at = |omega: f64, zeta| Ok::<_, stickslip::Error>(NoStop::of(&Ratios::new(omega, 1.0)?.with_damping_ratio(zeta)?));
+    /// let found = at(0.331, 0.0)?;
+    /// let (low, high) = found.six_reversals.unwrap();
+    /// assert!((low - 53.67330651204315).abs() < 1e-12 && (high - 155.36188887727886).abs() < 1e-11);
+    /// assert!((found.border - 179.87627993590212).abs() < 1e-11);
+    /// assert_eq!(at(0.4, 0.0)?.intervals().count(), 1);
+    /// let (low, high) = at(0.331, 0.001)?.six_reversals.unwrap();
+    /// assert!((low - 56.24322231107378).abs() < 1e-11 && (high - 147.55834811749975).abs() < 1e-10);
+    /// assert_eq!(at(0.331, 0.01)?.intervals().count(), 1);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
     pub fn of(ratios: &Ratios<F>) -> Self {
         at_precision!(guarded, <'a, F>(ratios: &'a Ratios<F>) -> NoStop<F>, |there, back: G| {
             let ratios = ratios.map(&there);
@@ -68,47 +90,15 @@ impl<F: Float> NoStop<F> {
     }
 }
 
-/// The force ratios for which a body of the damping ratio ζ never stops at Ω, as intervals with their ends.
-///
-/// They begin at the border of the two-reversal cycle. Near the poles 1/(2n+1) there is also an interval
-/// below it, of six reversals a cycle ([`crate::cycle::SixReversals`]). At Ω = 1 without damping, the
-/// motion at and above the border is unbounded and does not stop either. A little damping preserves some of
-/// the intervals below the border; from ζ = 0.0215/(2n+1) on there is none.
-///
-/// **Proved:** in these intervals no motion stops in the long run. **Searched:** the body stops at all other
-/// α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
-/// (`docs/development/theory/six-reversals.md`).
-///
-/// ```
-/// use stickslip::no_stop_force_ratios;
-/// let found = no_stop_force_ratios(0.331f64, 0.0)?;
-/// let (low, high) = found.six_reversals.unwrap();
-/// assert!((low - 53.67330651204315).abs() < 1e-12 && (high - 155.36188887727886).abs() < 1e-11);
-/// assert!((found.border - 179.87627993590212).abs() < 1e-11);
-/// assert_eq!(no_stop_force_ratios(0.4f64, 0.0)?.intervals().count(), 1);
-/// let (low, high) = no_stop_force_ratios(0.331f64, 0.001)?.six_reversals.unwrap();
-/// assert!((low - 56.24322231107378).abs() < 1e-11 && (high - 147.55834811749975).abs() < 1e-10);
-/// assert_eq!(no_stop_force_ratios(0.331f64, 0.01)?.intervals().count(), 1);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-///
-/// The accuracy is that of [`Border::min_force_ratio`], and 64 ulp for six reversals; the
-/// computation uses the type's guard bits.
-///
-/// # Errors
-/// Where Ω or ζ is outside the domain of [`crate::Ratios`].
-pub fn no_stop_force_ratios<F: Float>(omega: F, damping_ratio: F) -> Result<NoStop<F>, Error> {
-    Ok(NoStop::of(&Ratios::of_machine(omega, damping_ratio)?))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::no_stop_force_ratios;
+    use super::NoStop;
+    use crate::Ratios;
 
     #[test]
     fn away_from_the_poles_it_is_the_border_alone() {
         for omega in [0.01f64, 0.22, 0.3, 0.336, 0.3295, 0.4, 0.5, 0.7, 1.0, 3.0] {
-            let found = no_stop_force_ratios(omega, 0.0).unwrap();
+            let found = NoStop::of(&Ratios::new(omega, 1.0).unwrap());
             let intervals: Vec<_> = found.intervals().collect();
             assert_eq!(intervals, [(found.border, None)], "{omega}");
             assert_eq!(found.min(), found.border);
@@ -122,7 +112,7 @@ mod tests {
                 if n == 1 && off == -0.019 {
                     continue;
                 }
-                let found = no_stop_force_ratios(1.0 / (f64::from(2 * n + 1) + off), 0.0).unwrap();
+                let found = NoStop::of(&Ratios::new(1.0 / (f64::from(2 * n + 1) + off), 1.0).unwrap());
                 let (low, high) = found.six_reversals.unwrap();
                 assert!(low < high && high < found.border && found.min() == low, "{n} {off}: {found:?}");
             }

@@ -20,7 +20,7 @@
 //!   a motion of η = 1, and tends to the limit of η = 1, which is one for all starts (`motion::shooting`). If this
 //!   limit has a stop, where the force left over is below friction, its neighbours stop there, too. If it has none,
 //!   it is a cycle whose force at some reversal is below η, and its neighbours stop at that reversal. (That the limit
-//!   of η = 1 is one of these cycles is proved and searched as in [`super::no_stop_force_ratios`].)
+//!   of η = 1 is one of these cycles is proved and searched as in [`super::NoStop::of`].)
 //! * **ζ > 0 and a great α: the cycle of two reversals.** Let `x = x_l + y`, x_l the motion of the linear
 //!   oscillator, of amplitude α/q. Friction is at most η, moving or not, so that in the long run `|y| ≤ ηC` and
 //!   `|y′| ≤ η(1 + C)`, where C = coth(πζ/2d) and 1 + C are bounds of the integrals of |h| and |h′|, h the impulse

@@ -116,7 +116,7 @@ impl<F: Float> LongRun<F> {
     }
 
     /// The irregular motion, if the limit is one.
-    pub const fn irregular(&self) -> Option<&Irregular<F>> {
+    pub(crate) const fn irregular(&self) -> Option<&Irregular<F>> {
         if let Self::Irregular(motion) = self { Some(motion) } else { None }
     }
 

@@ -110,6 +110,7 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
 /// Stops and velocity zeros in one cycle of the steady motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
 pub struct Stops {
     /// The number of stops of finite duration.
     pub sticks: u32,
@@ -145,6 +146,7 @@ pub struct Stops {
 /// [`Error::Undecided`] where a stop, or the clearance without one, is below the accuracy of the motion;
 /// [`Error::StaticFriction`] where η > 1; [`Error::NotSettled`] where the motion creeps for longer than
 /// [`crate::motion::DEFAULT_BUDGET`] periods; and as for [`crate::motion::Trajectory::new`].
+#[doc(hidden)]
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
     let limit = LongRun::from_start(ratios.with_one_friction()?, State::default())?;
     if limit.steady_state().is_some() && observed(ratios, &limit).by_border {
@@ -173,7 +175,7 @@ pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Err
 mod tests {
     use super::{is_hidden, observed};
     use crate::motion::{LongRun, State};
-    use crate::{Border, Ratios, Regime};
+    use crate::{Border, NoStop, Ratios, Regime};
 
     /// A motion without a period sticks where it has stops.
     #[test]
@@ -242,8 +244,7 @@ mod tests {
             }
             // The edges of six reversals are decided at reversals.
             let border = Border::new(0.331).unwrap();
-            let (low, high) =
-                crate::cycle::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals.unwrap();
+            let (low, high) = NoStop::of(&Ratios::new(0.331, 1.0).unwrap()).six_reversals.unwrap();
             let share = 0.331f64.powi(2) / (1.0 + 0.331f64.powi(2));
             for edge in [low, high] {
                 let reach = f64::max(64.0 * f64::EPSILON * edge, known / share);

@@ -32,6 +32,7 @@ macro_rules! steady_outputs {
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[non_exhaustive]
+        #[doc(hidden)]
         #[allow(missing_docs, reason = "each is the field or the method of that name")]
         pub enum SteadyOutput {
             $($output,)*

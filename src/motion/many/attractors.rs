@@ -109,6 +109,7 @@ impl<F: Float> Attractors<F> {
     ///
     /// # Errors
     /// As for [`crate::motion::Trajectory::new`].
+    #[doc(hidden)]
     pub fn of_limits(limits: impl IntoIterator<Item = LongRun<F>>) -> Result<Self, Error> {
         let mut all = Self::new();
         limits.into_iter().try_for_each(|limit| all.add(limit))?;
@@ -116,6 +117,7 @@ impl<F: Float> Attractors<F> {
     }
 
     /// The number of starts that had not settled.
+    #[doc(hidden)]
     #[must_use]
     pub fn unsettled(&self) -> usize {
         self.of_start.iter().filter(|place| place.is_none()).count()

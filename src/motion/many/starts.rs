@@ -41,6 +41,7 @@ impl<F: Float> Starts<F> {
     }
 
     /// The range R.
+    #[doc(hidden)]
     pub const fn reach(&self) -> F {
         self.reach
     }

@@ -271,6 +271,7 @@ impl<F: Float> Record<F> {
     }
 
     /// The longest step.
+    #[doc(hidden)]
     pub fn longest_step(&self) -> F {
         match &self.times {
             Times::Equal(_, step) => *step,

@@ -58,32 +58,8 @@ impl<F: Float> MachineBox<F> {
 }
 
 impl<F: Float> MachineBox<F> {
-    /// The verdict that holds for the whole box, with its damper, from the margin in ball arithmetic. Where
-    /// the margin may lie on either side of 1, the box is cut into at most `pieces` parts.
-    ///
-    /// **Proved:** where the margin is above 1 throughout, the body never stops; where it is below, there is
-    /// no cycle of two reversals without a stop. **Searched:** that the body then stops, as in
-    /// [`crate::Verdict::Sticking`]. The verdict is undecided where a cycle of six reversals may exist (next
-    /// to a pole, with little damping), where the box would need more parts, and where it contains Ω = 1
-    /// without damping, so that the motion is unbounded.
-    ///
-    /// # Errors
-    /// As for [`MachineBox::enclosed`].
-    ///
-    /// ```
-    /// use stickslip::Verdict;
-    /// use stickslip::uncertainty::{Interval, MachineBox};
-    /// let machine = |force| {
-    ///     let friction = Interval::relative(5.0, 0.05)?;
-    ///     let exactly = Interval::exactly;
-    ///     let undamped = MachineBox::force(exactly(50.0), exactly(1000.0), friction, exactly(force), exactly(6.0))?;
-    ///     undamped.with_damping(Interval::relative(20.0, 0.2)?)
-    /// };
-    /// assert_eq!(machine(12.0)?.enclosed_verdict(100)?, Verdict::NonSticking);
-    /// assert_eq!(machine(5.5)?.enclosed_verdict(100)?, Verdict::Sticking);
-    /// # Ok::<(), stickslip::Error>(())
-    /// ```
-    pub fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
+    /// As `RatioBox::enclosed_verdict`, of the parameters themselves, which may occur in more than one ratio.
+    pub(in crate::uncertainty) fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
         let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
         let ratios =
             whole.as_deref().and_then(|parts| MachineEnds::of(parts, self.is_foot_motion())?.ratios());

@@ -1,9 +1,10 @@
 //! Six reversals with a damper, compared with the exact motion.
 
+use super::without_stop;
 use super::{counts, matching_problem_gives_the_exact_motion, ulps};
 use crate::random::Random;
+use stickslip::NoStop;
 use stickslip::float::Mp;
-use stickslip::no_stop_force_ratios;
 use stickslip::{Border, Ratios, Regime, Response};
 
 /// Frequency and damping ratios near the poles with a cycle of six reversals, and its edges.
@@ -17,7 +18,7 @@ fn damped_beside_poles(seed: u64) -> impl Iterator<Item = (Ratios<f64>, f64, f64
         Some(ratios.with_damping_ratio(random.scale(1e-6, 7e-3)).unwrap())
     });
     points.filter_map(|ratios| {
-        let found = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap();
+        let found = NoStop::of(&ratios);
         found.six_reversals.map(|(low, high)| (ratios, low, high))
     })
 }
@@ -142,7 +143,7 @@ fn with_a_damper_the_edges_are_known_to_rounding() {
     let mut worst = 0.0;
     for (ratios, low, high) in damped_beside_poles(121).take(60).filter(|(_, low, high)| high > &(low * 1.2))
     {
-        let wide = no_stop_force_ratios(Mp::<8>::from(ratios.omega()), Mp::from(ratios.damping_ratio()));
+        let wide = without_stop(Mp::<8>::from(ratios.omega()), Mp::from(ratios.damping_ratio()));
         let (wide_low, wide_high) = wide.unwrap().six_reversals.unwrap();
         let error = ulps(low, wide_low).max(ulps(high, wide_high));
         assert!(error < 64.0, "{ratios:?}: {error}");

@@ -3,8 +3,8 @@
 use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
+use stickslip::NoStop;
 use stickslip::motion::{End, Kind, LongRun, Segment, SteadyOutput, SteadyState};
-use stickslip::no_stop_force_ratios;
 use stickslip::{Drive, Float, Oscillator, Output, Ratios, Regime, Response, Scales};
 
 /// A value. A number is stored as the digits of `{:e}`, which identify it within its type, including the sign
@@ -142,8 +142,7 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 /// on it knows nothing, and from 64 ε (α + |x|) = 1 on friction itself is lost in the rounding of each force, so
 /// that stops cannot be counted either.
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
-    let (alpha, without_stop) =
-        (ratios.alpha(), no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap());
+    let (alpha, without_stop) = (ratios.alpha(), NoStop::of(&ratios));
     let six = without_stop.six_reversals;
     let due = if alpha >= without_stop.border && ratios.omega() == 1.0 {
         (Regime::Unbounded, None)

@@ -1,4 +1,4 @@
-use crate::{Border, Drive, Error, Oscillator, Ratios, Regime, Verdict};
+use crate::{Border, Drive, Error, NoStop, Oscillator, Ratios, Regime, Verdict};
 
 const EITHER: Verdict<f64> = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
 
@@ -54,7 +54,7 @@ fn at_the_lowest_frequencies_it_may_reverse_six_times() {
     let mut found = 0;
     for i in 0..400 {
         let omega = 5.596_158_043_149_874e-17 * (1.0 + f64::from(i) * f64::from(i) * 2f64.powi(-12));
-        let Some((low, high)) = crate::no_stop_force_ratios(omega, 0.0).unwrap().six_reversals else {
+        let Some((low, high)) = NoStop::of(&Ratios::new(omega, 1.0).unwrap()).six_reversals else {
             continue;
         };
         if high > low * 1.001 {
@@ -67,7 +67,7 @@ fn at_the_lowest_frequencies_it_may_reverse_six_times() {
 
 #[test]
 fn beside_a_pole_it_may_reverse_six_times() {
-    let (low, high) = crate::cycle::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals.unwrap();
+    let (low, high) = NoStop::of(&Ratios::new(0.331, 1.0).unwrap()).six_reversals.unwrap();
     for (alpha, expected) in [
         (low * 0.999, Verdict::Sticking),
         (low * (1.0 - 1e-15), EITHER),
@@ -162,7 +162,7 @@ fn with_damping_the_error_bound_is_16_units() {
     ] {
         assert_eq!(at(0.7, alpha, 0.1), verdict, "{alpha:?}");
     }
-    let (low, high) = crate::cycle::regime::no_stop_force_ratios(0.331, 1e-3).unwrap().six_reversals.unwrap();
+    let (low, high) = NoStop::of(&Ratios::of_machine(0.331, 1e-3).unwrap()).six_reversals.unwrap();
     let due = [Verdict::Sticking, EITHER, Verdict::SixReversals, EITHER, Verdict::Sticking];
     assert_eq!([low * 0.999, low, 60.0, high, high * 1.001].map(|alpha| at(0.331, alpha, 1e-3)), due);
 }
