@@ -1,5 +1,6 @@
-//! Least squares of a model of a few parameters, by Levenberg and Marquardt's descent from several starts.
+//! Fits of a model of a few parameters to values of one noise, from several starts.
 
+use crate::design::least_squares::{Squares, descend, inverse};
 use crate::uncertainty::Estimate;
 use alloc::vec::Vec;
 #[cfg(not(feature = "std"))]
@@ -24,10 +25,6 @@ impl Ends {
     }
 }
 
-/// The part of the sum of squares that a step gains where it hardly falls, and the steps in a row that do.
-const HARDLY: f64 = 0.01;
-const IN_A_ROW: u32 = 6;
-
 /// A least-squares fit.
 #[derive(Debug, Clone)]
 pub(in crate::design) struct Fit {
@@ -48,11 +45,11 @@ impl Fit {
         scales: &[f64],
         ends: Ends,
     ) -> Option<Self> {
+        let model = Model { measured, model, scales, ends };
         let fits = starts.iter().filter_map(|start| {
-            let at = descend(measured, model, start.clone(), scales, ends)?;
-            let residuals = residuals(measured, model, &at);
-            let sum = squares(&residuals);
-            Some(Self { covariance: inverse(&normal(model, &at, scales).0)?, at, sum, residuals })
+            let (Place { at, residuals, sum }, _) = descend(&model, model.place(start.clone()))?;
+            let covariance = inverse(&model.equations(&at).0)?;
+            at.iter().all(|x| x.is_finite()).then_some(Self { covariance, at, sum, residuals })
         });
         fits.min_by(|a, b| a.sum.total_cmp(&b.sum))
     }
@@ -135,108 +132,106 @@ impl Alike {
     }
 }
 
-fn squares(residuals: &[f64]) -> f64 {
-    residuals.iter().map(|r| r * r).sum()
-}
-
-fn residuals(measured: &[f64], model: &impl Fn(&[f64]) -> Vec<f64>, at: &[f64]) -> Vec<f64> {
-    measured.iter().zip(model(at)).map(|(m, c)| m - c).collect()
-}
-
-/// The slopes by each parameter, by central differences, and the matrix of the normal equations.
-fn normal(model: &impl Fn(&[f64]) -> Vec<f64>, at: &[f64], scales: &[f64]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
-    let slopes: Vec<Vec<f64>> = scales
-        .iter()
-        .enumerate()
-        .map(|(i, scale)| {
-            let step = 1e-6 * scale;
-            let moved = |by: f64| {
-                let mut at = at.to_vec();
-                at[i] += by;
-                model(&at)
-            };
-            moved(step).iter().zip(moved(-step)).map(|(a, b)| (a - b) / (2.0 * step)).collect()
-        })
-        .collect();
-    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum();
-    (slopes.iter().map(|a| slopes.iter().map(|b| product(a, b)).collect()).collect(), slopes)
-}
-
-/// Levenberg and Marquardt's descent.
-fn descend(
-    measured: &[f64],
-    model: &impl Fn(&[f64]) -> Vec<f64>,
-    mut at: Vec<f64>,
-    scales: &[f64],
+/// A model with the values that it is to explain, and the sizes of its parameters.
+struct Model<'a, M> {
+    measured: &'a [f64],
+    model: &'a M,
+    scales: &'a [f64],
     ends: Ends,
-) -> Option<Vec<f64>> {
-    let mut rest = residuals(measured, model, &at);
-    let mut sum = squares(&rest);
-    let (mut damping, mut slow) = (1e-3, 0);
-    for _ in 0..200 {
-        let (matrix, slopes) = normal(model, &at, scales);
-        let gradient: Vec<f64> =
-            slopes.iter().map(|slope| slope.iter().zip(&rest).map(|(a, b)| a * b).sum()).collect();
-        let mut is_moved = false;
-        for _ in 0..30 {
-            let mut damped = matrix.clone();
-            for (i, row) in damped.iter_mut().enumerate() {
-                row[i] *= 1.0 + damping;
-            }
-            let inverse = inverse(&damped)?;
-            let along = |row: &Vec<f64>| -> f64 { row.iter().zip(&gradient).map(|(a, g)| a * g).sum() };
-            let step: Vec<f64> = inverse.iter().map(along).collect();
-            let mut next: Vec<f64> = at.iter().zip(&step).map(|(a, s)| a + s).collect();
-            // ζ stays where κ is defined.
-            next[1] = next[1].clamp(-0.9, 0.99);
-            let trial = residuals(measured, model, &next);
-            let smaller = squares(&trial);
-            if smaller <= sum {
-                let gain = sum - smaller;
-                (at, rest, damping) = (next, trial, (damping / 10.0).max(1e-12));
-                is_moved = gain > ends.tolerance * sum;
-                slow = if gain > HARDLY * sum { 0 } else { slow + 1 };
-                sum = smaller;
-                break;
-            }
-            damping *= 10.0;
-        }
-        if !is_moved || sum > ends.hopeless && slow >= IN_A_ROW {
-            break;
-        }
-    }
-    at.iter().all(|x| x.is_finite()).then_some(at)
 }
 
-/// The inverse of a positive matrix, by elimination with the rows scaled by the diagonal.
-pub(in crate::design) fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    let n = matrix.len();
-    let scale: Vec<f64> = (0..n).map(|i| matrix[i][i].sqrt()).collect();
-    if scale.iter().any(|s| !(*s > 0.0 && s.is_finite())) {
-        return None;
+/// A point of a descent.
+struct Place {
+    at: Vec<f64>,
+    residuals: Vec<f64>,
+    sum: f64,
+}
+
+/// The matrix of the normal equations, and the products of its slopes with the residuals.
+struct Normal {
+    matrix: Vec<Vec<f64>>,
+    gradient: Vec<f64>,
+}
+
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+impl<M: Fn(&[f64]) -> Vec<f64>> Model<'_, M> {
+    fn place(&self, at: Vec<f64>) -> Place {
+        let residuals: Vec<f64> = self.measured.iter().zip((self.model)(&at)).map(|(m, c)| m - c).collect();
+        Place { sum: product(&residuals, &residuals), at, residuals }
     }
-    let mut left: Vec<Vec<f64>> =
-        (0..n).map(|i| (0..n).map(|j| matrix[i][j] / (scale[i] * scale[j])).collect()).collect();
-    let mut right: Vec<Vec<f64>> =
-        (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
-    for i in 0..n {
-        let pivot = left[i][i];
-        if pivot <= 1e-14 {
-            return None;
-        }
-        for j in 0..n {
-            left[i][j] /= pivot;
-            right[i][j] /= pivot;
-        }
-        for k in 0..n {
-            if k != i {
-                let factor = left[k][i];
-                for j in 0..n {
-                    left[k][j] -= factor * left[i][j];
-                    right[k][j] -= factor * right[i][j];
-                }
-            }
-        }
+
+    /// The matrix of the normal equations, and the slopes by each parameter, by central differences.
+    fn equations(&self, at: &[f64]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+        let slopes: Vec<Vec<f64>> = self
+            .scales
+            .iter()
+            .enumerate()
+            .map(|(i, scale)| {
+                let step = 1e-6 * scale;
+                let moved = |by: f64| {
+                    let mut at = at.to_vec();
+                    at[i] += by;
+                    (self.model)(&at)
+                };
+                moved(step).iter().zip(moved(-step)).map(|(a, b)| (a - b) / (2.0 * step)).collect()
+            })
+            .collect();
+        (slopes.iter().map(|a| slopes.iter().map(|b| product(a, b)).collect()).collect(), slopes)
     }
-    Some((0..n).map(|i| (0..n).map(|j| right[i][j] / (scale[i] * scale[j])).collect()).collect())
+}
+
+impl Normal {
+    fn step(&self, damping: f64) -> Option<Vec<f64>> {
+        let mut damped = self.matrix.clone();
+        for (i, row) in damped.iter_mut().enumerate() {
+            row[i] *= 1.0 + damping;
+        }
+        Some(inverse(&damped)?.iter().map(|row| product(row, &self.gradient)).collect())
+    }
+}
+
+impl<M: Fn(&[f64]) -> Vec<f64>> Squares for Model<'_, M> {
+    type Point = Place;
+    type Normal = Normal;
+
+    fn sum(&self, place: &Place) -> f64 {
+        place.sum
+    }
+
+    fn normal(&self, place: &Place) -> Option<Normal> {
+        let (matrix, slopes) = self.equations(&place.at);
+        let gradient = slopes.iter().map(|slope| product(slope, &place.residuals)).collect();
+        Some(Normal { matrix, gradient })
+    }
+
+    fn moved(&self, place: &Place, normal: &Normal, damping: f64) -> Option<Place> {
+        let step = normal.step(damping)?;
+        let mut next: Vec<f64> = place.at.iter().zip(&step).map(|(a, s)| a + s).collect();
+        // ζ stays where κ is defined.
+        next[1] = next[1].clamp(-0.9, 0.99);
+        Some(self.place(next))
+    }
+
+    fn gain(&self, normal: &Normal, from: &Place, to: Option<&Place>) -> f64 {
+        let step = match to {
+            Some(to) => Some(to.at.iter().zip(&from.at).map(|(b, a)| b - a).collect()),
+            None => normal.step(0.0),
+        };
+        let of = |step: Vec<f64>| {
+            let curved: Vec<f64> = normal.matrix.iter().map(|row| product(row, &step)).collect();
+            2.0 * product(&normal.gradient, &step) - product(&curved, &step)
+        };
+        step.map_or(f64::INFINITY, of)
+    }
+
+    fn least_gain(&self, place: &Place) -> f64 {
+        self.ends.tolerance * place.sum
+    }
+
+    fn hopeless(&self) -> f64 {
+        self.ends.hopeless
+    }
 }

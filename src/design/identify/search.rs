@@ -2,6 +2,7 @@
 
 use super::model::{ModelMotion, Parameters, motion};
 use super::{AmplitudeKind, PhaseKind};
+use crate::design::least_squares::{self, Squares};
 use crate::machine::error::Error;
 use alloc::vec::Vec;
 use core::iter::zip;
@@ -32,10 +33,6 @@ pub(super) const RANGE: [(f64, f64); 2] = [(0.0, 1.0), (0.0, 100.0)];
 const FRICTIONS: [f64; 15] =
     [0.001, 0.01, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97];
 const DAMPINGS: [f64; 9] = [0.0, 1e-3, 4e-3, 0.01, 0.025, 0.06, 0.15, 0.5, 2.0];
-/// The greatest number of steps from a start.
-const STEPS: usize = 200;
-/// The greatest factor by which a step may be damped.
-const STIFFEST: f64 = 1e8;
 
 /// An angle reduced to half a turn.
 pub(super) fn reduced(angle: f64) -> f64 {
@@ -253,8 +250,45 @@ fn moved([kappa, zeta]: Parameters, [x, y]: [f64; 2]) -> Parameters {
     [(kappa + x).clamp(least_kappa, most_kappa), (zeta + y).clamp(least_zeta, most_zeta)]
 }
 
-/// A minimum found from a start: by the method of Levenberg and Marquardt, whose steps are accepted by the
-/// sum of squares itself, and by a search along eight directions where the method stops at a kink. A motion
+/// A curve and the residuals of it that count.
+struct Counted<'a> {
+    curve: &'a ResponseCurve<'a>,
+    rule: Rule<'a>,
+}
+
+impl Squares for Counted<'_> {
+    type Point = CurveFit;
+    type Normal = Normal;
+
+    fn sum(&self, fit: &CurveFit) -> f64 {
+        fit.sum
+    }
+
+    fn normal(&self, fit: &CurveFit) -> Option<Normal> {
+        Some(fit.normal(&self.curve.slopes(fit.at, &fit.residuals)?))
+    }
+
+    fn moved(&self, fit: &CurveFit, normal: &Normal, damping: f64) -> Option<CurveFit> {
+        CurveFit::new(self.curve, self.rule, moved(fit.at, normal.step(fit.at, damping)))
+    }
+
+    fn gain(&self, normal: &Normal, from: &CurveFit, to: Option<&CurveFit>) -> f64 {
+        match to {
+            Some(to) => normal.gain(from.at, to.at),
+            None => normal.gain([0.0; 2], normal.step(from.at, 0.0)),
+        }
+    }
+
+    fn least_gain(&self, fit: &CurveFit) -> f64 {
+        1e-13 * fit.sum + 1e-28 * fit.residuals.len() as f64
+    }
+
+    fn beside(&self, fit: &CurveFit, normal: &Normal) -> Option<CurveFit> {
+        around(self.curve, self.rule, fit, normal)
+    }
+}
+
+/// A minimum found from a start, with a search along eight directions where no step gains: at a kink. A motion
 /// that begins to stop, and a trimmed sum that changes its selection, make kinks.
 ///
 /// # Errors
@@ -264,42 +298,11 @@ pub(super) fn descend(
     rule: Rule<'_>,
     start: Parameters,
 ) -> Result<CurveFit, Error> {
-    let mut here = CurveFit::new(curve, rule, start).ok_or(Error::NotIdentified)?;
-    let mut damping = 1e-3;
-    for _ in 0..STEPS {
-        let slopes = curve.slopes(here.at, &here.residuals).ok_or(Error::NotIdentified)?;
-        let normal = here.normal(&slopes);
-        let whole = normal.step(here.at, 0.0);
-        // The remaining gain is below the rounding of the residuals.
-        if normal.gain([0.0; 2], whole) <= 1e-13 * here.sum + 1e-28 * here.residuals.len() as f64 {
-            return Ok(here);
-        }
-        let next = loop {
-            let at = moved(here.at, normal.step(here.at, damping));
-            match CurveFit::new(curve, rule, at).filter(|there| there.sum < here.sum) {
-                Some(there) => {
-                    // The damping follows the ratio of the gain of the step to the predicted gain.
-                    let part = (here.sum - there.sum) / normal.gain(here.at, there.at);
-                    damping = if part < 0.25 {
-                        4.0 * damping.max(0.1)
-                    } else {
-                        damping * if part > 0.75 { 0.1 } else { 1.0 }
-                    };
-                    break Some(there);
-                }
-                None if damping > STIFFEST => break None,
-                None => damping *= 10.0,
-            }
-        };
-        match next {
-            Some(there) => here = there,
-            None => match around(curve, rule, &here, &normal) {
-                Some(there) => (here, damping) = (there, 1e-3),
-                None => return Ok(here),
-            },
-        }
+    let start = CurveFit::new(curve, rule, start).ok_or(Error::NotIdentified)?;
+    match least_squares::descend(&Counted { curve, rule }, start) {
+        Some((fit, true)) => Ok(fit),
+        Some((_, false)) | None => Err(Error::NotIdentified),
     }
-    Err(Error::NotIdentified)
 }
 
 /// A better point near one, along eight directions of the ellipse of equal sums, down to a ten-thousandth of

@@ -8,10 +8,12 @@ use super::model::Parameters;
 use super::outliers::{Judged, judge};
 use super::search::{MeasuredPoint, ResponseCurve, Rule, StartGrid, reduced};
 use super::{Identified, Measurement, PhaseKind, Reading, identified, in_ratios, sample};
+use crate::design::least_squares::inverse;
 use crate::machine::error::Error;
 use crate::machine::oscillator::Oscillator;
 use crate::uncertainty::Estimate;
 use alloc::boxed::Box;
+use alloc::vec;
 use alloc::vec::Vec;
 use core::iter::zip;
 #[cfg(not(feature = "std"))]
@@ -106,7 +108,7 @@ impl ScaleSearch<'_> {
     }
 
     /// Gradient and matrix of the sum of squares by (κ, ζ, θ), in units of the noise, of the values that count.
-    fn normal(&self, at: &At) -> Option<([f64; 3], [[f64; 3]; 3])> {
+    fn normal(&self, at: &At) -> Option<([f64; 3], Vec<Vec<f64>>)> {
         const STEP: f64 = 1e-5;
         let points = self.scaled.points(self.curve, at.theta).ok()?;
         let curve = ResponseCurve::of(&points, self.reading.amplitude, self.phase);
@@ -117,7 +119,7 @@ impl ScaleSearch<'_> {
         };
         let (ahead, behind) = (shifted(at.theta + STEP)?, shifted(at.theta - STEP)?);
         let counts = curve.counts();
-        let (mut gradient, mut matrix) = ([0.0; 3], [[0.0; 3]; 3]);
+        let (mut gradient, mut matrix) = ([0.0; 3], vec![vec![0.0; 3]; 3]);
         let rows = zip(zip(&at.judged.residuals, &at.judged.suspect), zip(slopes, zip(ahead, behind)));
         for (i, ((residual, is_suspect), ([by_kappa, by_zeta], (ahead, behind)))) in rows.enumerate() {
             if *is_suspect {
@@ -156,7 +158,7 @@ impl ScaleSearch<'_> {
                 }
             }
             let Some(inverse) = inverse(&matrix) else { break };
-            let [.., last] = inverse;
+            let Some(last) = inverse.last() else { break };
             let mut step = -zip(last, gradient).map(|(a, b)| a * b).sum::<f64>();
             step = step.clamp(-FARTHEST, FARTHEST);
             let mut better = None;
@@ -182,17 +184,6 @@ const STEPS: usize = 40;
 const FARTHEST: f64 = 0.05;
 /// The number of starts from which the least misfit is sought.
 const REFINED: usize = 3;
-
-/// The inverse of a symmetric matrix, if it is far enough from singular.
-fn inverse([[a, b, c], [_, d, e], [.., f]]: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
-    let (p, q, r) = (d * f - e * e, c * e - b * f, b * e - c * d);
-    let determinant = a * p + b * q + c * r;
-    let is_regular = determinant > 1e-12 * a * d * f;
-    is_regular.then(|| {
-        let (s, t, u) = (a * f - c * c, b * c - a * e, a * d - b * b);
-        [[p, q, r], [q, s, t], [r, t, u]].map(|line| line.map(|x| x / determinant))
-    })
-}
 
 /// The fit with the unknown of `scaled`.
 pub(super) fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) -> Result<Identified, Error> {
@@ -223,8 +214,10 @@ pub(super) fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) ->
     let counted = best.judged.suspect.iter().filter(|is_suspect| !**is_suspect).count() as f64;
     let degrees_of_freedom = (counted - 3.0).max(1.0);
     let inflated = (counted - 2.0).max(1.0) / degrees_of_freedom;
-    let [[of_kappa, _, both], [_, of_zeta, _], [.., of_theta]] =
-        inverse(&matrix).ok_or(Error::NotIdentified)?.map(|line| line.map(|x| x * inflated));
+    let covariance = inverse(&matrix).ok_or(Error::NotIdentified)?;
+    let of =
+        |i: usize, j: usize| covariance.get(i).and_then(|row| row.get(j)).map_or(f64::NAN, |x| x * inflated);
+    let (of_kappa, of_zeta, of_theta, both) = (of(0, 0), of(1, 1), of(2, 2), of(0, 2));
     let [kappa, zeta] = best.judged.at;
     let of_friction = match scaled {
         Scaled::Natural { .. } => of_kappa,

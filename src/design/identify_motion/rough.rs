@@ -1,6 +1,6 @@
 //! A first stiffness from a load and the motion under it.
 
-use crate::design::free_decay::fit::inverse;
+use crate::design::least_squares::inverse;
 use crate::machine::excitation::Excitation;
 use crate::motion::record::Record;
 use alloc::vec;
