@@ -43,8 +43,6 @@ fn batch(criterion: &mut Criterion) {
         });
     }
     group.finish();
-    let (omega, alpha) = (omega.split_at(64).0, alpha.split_at(64).0);
-    criterion.bench_function("batch/steady, 64 points", |b| b.iter(|| Batch::new().steady(omega, alpha)));
 }
 
 criterion_group!(benches, batch);

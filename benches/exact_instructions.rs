@@ -11,6 +11,7 @@ mod motions;
 mod points;
 
 use std::hint::black_box;
+use stickslip::motion::{LongRun, State};
 use stickslip::{Cycle, Ratios};
 
 /// A motion with stops, whose (Ω, α, ζ) are the numbers in the kernel's name.
@@ -21,7 +22,6 @@ fn with_stops(kernel: &str) -> Option<(f64, f64, f64)> {
 
 /// Every 97th cell, in order, of a map of 1,000 × 500 steady states with Ω from 0.1 to 2 and α from 1.05 to
 /// 10.
-#[cfg(feature = "batch")]
 fn map(n: usize) -> (Vec<f64>, Vec<f64>) {
     let cell = |i: usize| ((97 * i) / 500 % 1000, 97 * i % 500);
     let at = |i: usize| {
@@ -32,11 +32,13 @@ fn map(n: usize) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// The sum of their maximum displacements.
-#[cfg(feature = "batch")]
 #[inline(never)]
 fn steady_map(omega: &[f64], alpha: &[f64]) -> f64 {
-    let motions = stickslip::batch::Batch::new().steady(omega, alpha).unwrap_or_default();
-    motions.iter().flatten().filter_map(|m| Some(m.steady_state()?.max_displacement.value)).sum()
+    let motion = |(&omega, &alpha)| {
+        let limit = LongRun::from_start(Ratios::new(omega, alpha).ok()?, State::default()).ok()?;
+        Some(limit.steady_state()?.max_displacement.value)
+    };
+    omega.iter().zip(alpha).filter_map(motion).sum()
 }
 
 fn main() {
@@ -68,7 +70,6 @@ fn main() {
                 .sum()
         }
         "twenty-slides" => over(|omega, alpha| motions::twenty_slides(omega, alpha)[0]),
-        #[cfg(feature = "batch")]
         "steady-map" => {
             let (omega, alpha) = map(n);
             black_box(steady_map(&omega, &alpha))

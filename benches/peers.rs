@@ -98,11 +98,7 @@ fn time(omega: &[f64], alpha: &[f64]) {
 fn threads(omega: &[f64], alpha: &[f64]) {
     let mut room = Room::new(omega.len());
     let batches = [("one thread", Batch::new()), ("all threads", Batch::new().on_threads())];
-    let steady = omega.len().min(20_000);
-    let (some_omega, some_alpha) = (omega.split_at(steady).0, alpha.split_at(steady).0);
-    for (kernel, n) in
-        [("triple", omega.len()), ("five", omega.len()), ("all", omega.len()), ("steady", steady)]
-    {
+    for (kernel, n) in [("triple", omega.len()), ("five", omega.len()), ("all", omega.len())] {
         let mut best = [f64::INFINITY; 2];
         for _ in 0..15 {
             for (best, (_, batch)) in best.iter_mut().zip(batches) {
@@ -110,8 +106,7 @@ fn threads(omega: &[f64], alpha: &[f64]) {
                 match kernel {
                     "triple" => room.run(batch, omega, alpha, THREE),
                     "five" => room.run(batch, omega, alpha, FIVE),
-                    "all" => room.run(batch, omega, alpha, ALL),
-                    _ => drop(std::hint::black_box(batch.steady(some_omega, some_alpha))),
+                    _ => room.run(batch, omega, alpha, ALL),
                 }
                 *best = best.min(start.elapsed().as_secs_f64());
             }

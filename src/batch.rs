@@ -60,7 +60,6 @@ pub(crate) use level::Loops;
 
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
-use crate::motion::{LongRun, State};
 use crate::output::Output;
 use columns::{Looped, Slices, same_length};
 use kernel::Kernel;
@@ -149,23 +148,6 @@ impl Batch {
     ) -> Result<(), Error> {
         self.each(n, columns.of_length(n)?, &ratios);
         Ok(())
-    }
-
-    /// The steady state of the exact motion from rest at the points (Ω, α): [`LongRun::from_start`] for each.
-    ///
-    /// A point outside the domain has an [`Error`] in its place.
-    ///
-    /// # Errors
-    /// [`Error::LengthMismatch`] where the slices differ in length.
-    pub fn steady(&self, omega: &[f64], alpha: &[f64]) -> Result<Vec<Result<LongRun<f64>, Error>>, Error> {
-        same_length(omega.len(), "alpha", alpha.len())?;
-        let steady = |(&omega, &alpha)| LongRun::from_start(Ratios::new(omega, alpha)?, State::default());
-        #[cfg(feature = "rayon")]
-        if self.threads {
-            use rayon::prelude::*;
-            return Ok(omega.par_iter().zip(alpha).with_min_len(16).map(steady).collect());
-        }
-        Ok(omega.iter().zip(alpha).map(steady).collect())
     }
 
     fn looped(&self, omega: &[f64], alpha: &[f64], out: Looped<'_>) {

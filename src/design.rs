@@ -49,6 +49,12 @@ mod friction;
 mod hold;
 mod identify;
 mod identify_motion;
+#[allow(
+    clippy::indexing_slicing,
+    clippy::arithmetic_side_effects,
+    reason = "matrices and parameters of one size"
+)]
+mod least_squares;
 mod no_stop;
 mod optimum;
 mod over_band;

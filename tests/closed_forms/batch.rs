@@ -4,7 +4,6 @@
 #[cfg(feature = "generators")]
 mod any;
 mod lengths;
-mod steady;
 
 use crate::random::Random;
 use stickslip::batch::{Batch, Columns, Level};
@@ -349,9 +348,4 @@ fn threads_change_nothing() {
     // The same for outputs that are computed point by point.
     let (omegas, alphas) = (&omega[..3000], &alpha[..3000]);
     assert!(answer(one, omegas, alphas, &OUTPUTS) == answer(many, omegas, alphas, &OUTPUTS));
-    let (a, b) = (
-        one.steady(&omega[3000..3100], &alpha[3000..3100]),
-        many.steady(&omega[3000..3100], &alpha[3000..3100]),
-    );
-    assert_eq!(format!("{a:?}"), format!("{b:?}"));
 }

@@ -30,6 +30,7 @@
 //! exceed the supremum so far. With `A = hypot(h′, h″)` at the left end, ρ ≤ (max b cos Ωτ + A)/(Ω min sin
 //! Ωτ), because h′ is a free vibration with decreasing energy.
 
+use super::free::FreeState;
 use super::half_period::HalfPeriod;
 pub(crate) use super::half_period::{has_lobes, turning_point};
 use super::lobes::{self, Lobe};

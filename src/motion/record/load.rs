@@ -257,11 +257,6 @@ impl<F: Float> Record<F> {
         self.time(self.samples.len().saturating_sub(1))
     }
 
-    /// The greatest absolute value of the samples.
-    pub fn greatest(&self) -> F {
-        self.samples.iter().fold(F::int(0), |most, sample| most.or_larger(sample.abs()))
-    }
-
     /// The step, where all steps are equal.
     pub fn step(&self) -> Option<F> {
         match &self.times {
