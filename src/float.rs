@@ -58,6 +58,7 @@ pub mod pair;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "digits of 24 bits in integers of 64"))]
 mod pi_digits;
 mod primitive;
+mod sign;
 mod task;
 
 use circular::TO_HALF_PI;
@@ -75,6 +76,7 @@ pub(crate) use mp::words;
 pub use mp::{
     Inexact, Mp, ParseError, PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision,
 };
+pub(crate) use sign::Signed;
 #[doc(hidden)]
 pub use task::{AtPrecision, Task};
 pub(crate) use task::{at_precision, fused};

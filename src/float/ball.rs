@@ -25,6 +25,7 @@ mod field;
 mod radius;
 mod text;
 
+use super::Signed;
 use super::mp::Mp;
 use core::cmp::Ordering;
 pub(crate) use radius::Radius;
@@ -208,6 +209,19 @@ fn bound<const N: usize>(parts: [Radius; N]) -> Radius {
     #[cfg(test)]
     let parts = faults::injected(parts, core::panic::Location::caller());
     parts.into_iter().fold(Radius::ZERO, Radius::plus)
+}
+
+impl<const W: usize> Signed for Ball<W> {
+    fn positive(self) -> Option<bool> {
+        match self.sign() {
+            Some(sign) => Some(sign == Ordering::Greater),
+            None => (self.upper() <= Mp::ZERO).then_some(false),
+        }
+    }
+
+    fn larger(self, other: Self) -> Self {
+        Self::larger(&self, &other)
+    }
 }
 
 #[cfg(test)]

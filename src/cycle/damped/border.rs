@@ -38,7 +38,7 @@ use super::rising::Moment;
 use super::touch::{NearerEnd, Touch};
 use super::wide::WideState;
 use crate::float::pair::Pair;
-use crate::float::{Field, Float, at_precision, fused};
+use crate::float::{Field, Float, Signed, at_precision, fused};
 use crate::root::newton_within;
 
 /// The greatest ρ so far.
@@ -122,7 +122,7 @@ fn narrowed<F: Float>(half: HalfPeriod<F>) -> Option<Touch<F>> {
 
 /// The maximum next to one found at a lower precision: it is the only one between the zeros of p around it.
 fn polished<F: Float>(half: &HalfPeriod<F>, near: Touch<F>) -> Option<Touch<F>> {
-    let (first, step) = zeros(half, near.from);
+    let (first, step) = zeros(half, near.from, &at(half, near.from, F::int(0)).free)?;
     let low = first + ((near.time - first) / step).floor() * step;
     maximum_between(half, near.from, low, low + step)
 }
@@ -135,10 +135,14 @@ fn at<F: Float>(half: &HalfPeriod<F>, from: NearerEnd, time: F) -> Moment<F> {
     }
 }
 
-/// The first zero of p at a time > 0 from the end given, and the distance to the next.
-fn zeros<F: Float>(half: &HalfPeriod<F>, from: NearerEnd) -> (F, F) {
-    let (d, pi) = (half.free.frequency, F::pi());
-    let start = at(half, from, F::int(0)).free;
+/// The first zero of p at a time > 0 from the end given, where the free vibration is `start`, and the distance to the next;
+/// `None` where it is uncertain.
+pub(crate) fn zeros<N: Signed>(
+    half: &HalfPeriod<N>,
+    from: NearerEnd,
+    start: &FreeState<N>,
+) -> Option<(N, N)> {
+    let (d, pi) = (half.free.frequency, N::pi());
     let (p, slope) = (half.weighted(start.v, start.x), half.weighted(start.a, start.v));
     // p = e^{−ζτ} P cos(dτ − χ); backwards in time the sine changes its sign.
     let sine = (slope + half.free.zeta * p) / d;
@@ -146,15 +150,15 @@ fn zeros<F: Float>(half: &HalfPeriod<F>, from: NearerEnd) -> (F, F) {
         NearerEnd::First => sine.atan2(p),
         NearerEnd::Last => (-sine).atan2(p),
     };
-    let angle = chi + pi / F::int(2);
-    let angle = if angle <= F::int(0) {
+    let angle = chi + pi / N::int(2);
+    let angle = if !angle.positive()? {
         angle + pi
-    } else if angle > pi {
+    } else if angle.is_above(pi) == Some(true) {
         angle - pi
     } else {
         angle
     };
-    (angle / d, pi / d)
+    (angle.positive() == Some(true)).then(|| (angle / d, pi / d))
 }
 
 impl<F: Field> HalfPeriod<F> {
@@ -291,10 +295,17 @@ fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: NearerEnd, low: F, high
 #[inline(never)]
 fn greatest<F: Float>(half: &HalfPeriod<F>, best: Supremum<F>) -> Supremum<F> {
     let mut best = best;
-    let ((mut low, step), (mut before_end, _)) =
-        (zeros(half, NearerEnd::First), zeros(half, NearerEnd::Last));
+    let from_end = |from| zeros(half, from, &at(half, from, F::int(0)).free);
+    let (Some((mut low, step)), Some((mut before_end, _))) =
+        (from_end(NearerEnd::First), from_end(NearerEnd::Last))
+    else {
+        return best;
+    };
+    let may_exceed = |low: F, before_end: F, best: F| {
+        exceeds(half, [&half.at(low), &half.before_end(before_end)], best) == Some(true)
+    };
     // Lobes inwards from both ends; where the two meet both are searched.
-    while low + before_end < half.period && exceeds(half, low, before_end, best.amplitude) {
+    while low + before_end < half.period && may_exceed(low, before_end, best.amplitude) {
         for (from, time) in [(NearerEnd::First, low), (NearerEnd::Last, before_end)] {
             if let Some(touch) = maximum_between(half, from, time, time + step) {
                 let amplitude = needed(half, from, &at(half, from, touch.time));
@@ -308,10 +319,17 @@ fn greatest<F: Float>(half: &HalfPeriod<F>, best: Supremum<F>) -> Supremum<F> {
     best
 }
 
-/// Whether ρ could exceed the supremum so far from the time `low` on to `before_end` before the end.
-fn exceeds<F: Float>(half: &HalfPeriod<F>, low: F, before_end: F, best: F) -> bool {
-    let (start, end, b) = (half.at(low), half.before_end(before_end), half.omega * half.h);
-    let driven = (b * start.drive.1).or_larger(b * end.drive.1);
-    let sine = if start.drive.0 < end.drive.0 { start.drive.0 } else { end.drive.0 };
-    driven + start.free.velocity_bound() > best * half.omega * sine
+/// Whether ρ could exceed the supremum so far between two times; `None` where that is uncertain.
+///
+/// b cos Ωτ is monotone, and sin Ωτ has no minimum inside.
+#[inline(always)]
+pub(crate) fn exceeds<N: Signed>(
+    half: &HalfPeriod<N>,
+    [start, end]: [&Moment<N>; 2],
+    best: N,
+) -> Option<bool> {
+    let b = half.omega * half.h;
+    let driven = (b * start.drive.1).larger(b * end.drive.1);
+    let sine = start.drive.0.smaller(end.drive.0);
+    (driven + start.free.velocity_bound()).is_above(best * half.omega * sine)
 }

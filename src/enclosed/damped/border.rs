@@ -7,7 +7,7 @@
 
 use super::moment;
 use crate::cycle::border::border_force_ratio;
-use crate::cycle::damped::border::{rise, turning_point};
+use crate::cycle::damped::border::{exceeds, rise, turning_point, zeros};
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::cycle::damped::touch::NearerEnd;
 use crate::enclosed::border::Border;
@@ -58,21 +58,22 @@ fn touches<const W: usize>(half: &HalfPeriod<Ball<W>>, least: Ball<W>) -> Option
         }
         Ordering::Greater => {}
     }
-    let zero = |n: i32| first_zero(half).map(|first| first + Ball::int(n) * Ball::pi() / d);
-    let last = last_zero(half, zero(0)?)?;
+    let (first, _) = zeros(half, NearerEnd::First, &moment(half, Ball::int(0)).free)?;
+    let zero = |n: i32| first + Ball::int(n) * Ball::pi() / d;
+    let last = last_zero(half, first)?;
     let (mut best, mut found) = (least, Vec::new());
     // Pairs of neighbours (n, n + 1), from both ends.
     for n in 0..(last + 1) / 2 {
         if n > MOST {
             return None;
         }
-        let (low, high) = (zero(n)?, zero(last - n)?);
-        if !may_exceed(half, low, high, best) {
+        let (low, high) = (moment(half, zero(n)), moment(half, zero(last - n)));
+        if exceeds(half, [&low, &high], best) == Some(false) {
             break;
         }
         let other = last - n - 1;
         for pair in [Some(n), (other != n).then_some(other)].into_iter().flatten() {
-            let touch = maximum_between(half, zero(pair)?, zero(pair + 1)?)?;
+            let touch = maximum_between(half, zero(pair), zero(pair + 1))?;
             if let Some((value, tau)) = touch {
                 best = best.larger(&value);
                 found.push((value, tau));
@@ -80,21 +81,6 @@ fn touches<const W: usize>(half: &HalfPeriod<Ball<W>>, least: Ball<W>) -> Option
         }
     }
     Some(found)
-}
-
-/// The first zero of p at τ > 0.
-fn first_zero<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Option<Ball<W>> {
-    let (d, start) = (half.free.frequency, moment(half, Ball::int(0)).free);
-    let (p, slope) = (half.weighted(start.v, start.x), half.weighted(start.a, start.v));
-    // p = e^{−ζτ} P cos(dτ − χ)
-    let angle = ((slope + half.free.zeta * p) / d).atan2(p) + Ball::pi() / Ball::int(2);
-    let angle = match angle.sign()? {
-        Ordering::Less => angle + Ball::pi(),
-        Ordering::Equal => Ball::pi(),
-        Ordering::Greater if Ball::pi().is_below(&angle) => angle - Ball::pi(),
-        Ordering::Greater => angle,
-    };
-    angle.is_positive().then(|| angle / d)
 }
 
 /// The number of zeros between the first one and T.
@@ -106,22 +92,6 @@ fn last_zero<const W: usize>(half: &HalfPeriod<Ball<W>>, first: Ball<W>) -> Opti
     let floor = |x: crate::float::mp::Mp<W>| x.to_rational().map(|x| Integer::from(x.floor_ref()));
     let (low, high) = (floor(steps.lower())?, floor(steps.upper())?);
     (low == high).then(|| low.to_i32()).flatten()
-}
-
-/// Whether ρ may exceed `best` between the times `low` and `high`. The bound is the energy of free vibration,
-/// as in the search with plain numbers.
-fn may_exceed<const W: usize>(
-    half: &HalfPeriod<Ball<W>>,
-    low: Ball<W>,
-    high: Ball<W>,
-    best: Ball<W>,
-) -> bool {
-    let (start, end, b) = (moment(half, low), moment(half, high), half.omega * half.h);
-    let driven = (b * start.drive.1).larger(&(b * end.drive.1));
-    let (first, last) = (start.drive.0, end.drive.0);
-    let sine = if first.lower() < last.lower() { first } else { last };
-    // b cos Ωτ is monotone, and sin Ωτ has no minimum inside.
-    !(driven + start.free.velocity_bound()).is_below(&(best * half.omega * sine))
 }
 
 /// The maximum of ρ between two neighbouring zeros of p, if there is one; the outer `None` means undecided.

@@ -14,21 +14,9 @@ use crate::float::mp::Mp;
 use crate::float::{Field, Float};
 use crate::machine::error::{Error, written};
 use crate::machine::excitation::Excitation;
-use core::cmp::Ordering;
 
 impl<const W: usize> Number for Ball<W> {
     const MOST_TERMS: i32 = <Mp<W> as Number>::MOST_TERMS;
-
-    fn positive(self) -> Option<bool> {
-        match self.sign() {
-            Some(sign) => Some(sign == Ordering::Greater),
-            None => (self.upper() <= Mp::ZERO).then_some(false),
-        }
-    }
-
-    fn negative(self) -> Option<bool> {
-        (-self).positive()
-    }
 
     fn is_within(self, reach: Self) -> Option<bool> {
         (!self.is_entire()).then(|| self.upper() <= reach.upper())
@@ -37,10 +25,6 @@ impl<const W: usize> Number for Ball<W> {
     fn widened(self, error: Self) -> Self {
         let most = error.abs().upper();
         Self::new(self.mid(), self.rad().plus(Radius::above(most)))
-    }
-
-    fn larger(self, other: Self) -> Self {
-        Self::larger(&self, &other)
     }
 
     fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self> {

@@ -1,27 +1,16 @@
 //! The numbers by which a record is followed: floats, whose signs are certain, and balls, whose signs may not be.
 
-use crate::float::{Float, Real};
+use crate::float::{Float, Signed};
 use crate::root::halley_within;
 
-/// A number with a sign, which may be uncertain.
-pub(super) trait Number: Real {
+/// A number with a sign, which may be uncertain, and what a record asks of it.
+pub(super) trait Number: Signed {
     /// More terms than a series that converges as eˣ at x = 4 needs.
     const MOST_TERMS: i32;
-    /// Whether the number is above 0; `None` where that is uncertain, and for NaN.
-    fn positive(self) -> Option<bool>;
-    /// Whether the number is below 0.
-    fn negative(self) -> Option<bool>;
-    /// Whether this number is above another one.
-    #[inline(always)]
-    fn is_above(self, other: Self) -> Option<bool> {
-        (self - other).positive()
-    }
     /// Whether this number is at most `reach`, to which a series serves.
     fn is_within(self, reach: Self) -> Option<bool>;
     /// This number, widened by the error of a series.
     fn widened(self, error: Self) -> Self;
-    /// The larger of two numbers.
-    fn larger(self, other: Self) -> Self;
     /// `first` or `second`, as the choice says; a number that may be either, or `None`, where it is uncertain.
     fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self>;
     /// Whether a term of a series, in which the first is of size 1, is lost in rounding.
@@ -50,16 +39,6 @@ impl<F: Float> Number for F {
     const MOST_TERMS: i32 = 40 + F::PRECISION as i32;
 
     #[inline(always)]
-    fn positive(self) -> Option<bool> {
-        if self > F::int(0) { Some(true) } else { (self <= F::int(0)).then_some(false) }
-    }
-
-    #[inline(always)]
-    fn negative(self) -> Option<bool> {
-        (-self).positive()
-    }
-
-    #[inline(always)]
     fn is_within(self, reach: Self) -> Option<bool> {
         (reach - self).negative().map(|is_beyond| !is_beyond)
     }
@@ -67,10 +46,6 @@ impl<F: Float> Number for F {
     #[inline(always)]
     fn widened(self, _: Self) -> Self {
         self
-    }
-
-    fn larger(self, other: Self) -> Self {
-        self.or_larger(other)
     }
 
     #[inline(always)]
