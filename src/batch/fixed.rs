@@ -34,9 +34,11 @@ pub(crate) enum OfOmega {
 impl FixedOmega {
     /// The Ω of a slice long enough for this to pay off, if it is one number inside the domain of [`crate::Ratios`].
     pub(crate) fn of_all(omega: &[f64]) -> Option<Self> {
-        let (&first, rest) = omega.split_first()?;
-        let is_one = omega.len() >= WORTH && rest.iter().all(|&other| other == first);
-        if is_one { Self::new(first) } else { None }
+        let &first = omega.first()?;
+        // A whole part at once, so that the bits are compared in lanes.
+        let differs = |part: &[f64]| part.iter().fold(0, |bits, x| bits | (x.to_bits() ^ first.to_bits()));
+        let is_one = omega.chunks(POINTS).all(|part| differs(part) == 0);
+        if omega.len() >= WORTH && is_one { Self::new(first) } else { None }
     }
 
     /// At the frequency ratio Ω.
