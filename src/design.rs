@@ -15,7 +15,7 @@
 //! | friction with the least amplitude over a band of frequencies | [`best_friction_over_band`] | `over_band.rs` |
 //! | friction and damping from a measured response curve | [`identify()`] | `identify.rs` |
 //! | friction and damping from a measured free decay | [`identify_turning_points`], [`identify_decay`] | `free_decay.rs` |
-//! | friction, damping and stiffness from a measured load and the motion under it | [`identify_motion`] | `identify_motion.rs` |
+//! | friction, damping and stiffness from a measured load and the motion under it | [`identify_motion()`] | `identify_motion.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
 //! A body with m = k = r_y = 1 has ratios for units: Ω = ω_d, α = p₀, displacements in B.
