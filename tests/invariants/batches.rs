@@ -54,11 +54,10 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     let (omega, alpha): (Vec<f64>, Vec<f64>) = points.iter().cycle().take(offset + length).copied().unzip();
     let (omega, alpha) = (&omega[offset..], &alpha[offset..]);
     let due = Due::of(points, offset, length);
-    let row = vec![omega.first().copied().unwrap_or_default(); length];
-    let due_of_row = {
-        let points: Vec<_> = points.iter().zip(&row).map(|(&(_, alpha), &omega)| (omega, alpha)).collect();
-        Due::of(&points, offset, length)
-    };
+    let first = omega.first().copied().unwrap_or_default();
+    let row = vec![first; length];
+    let of_row: Vec<_> = points.iter().map(|&(_, alpha)| (first, alpha)).collect();
+    let due_of_row = Due::of(&of_row, offset, length);
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
         let batch = Batch::new().at_level(level);
         let all: Vec<usize> = (0..OUTPUTS.len()).collect();
