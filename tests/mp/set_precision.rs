@@ -1,9 +1,10 @@
 //! The precision set for a computation: the bits are those of the type that has just as many limbs.
 
 use core::fmt::Display;
+use core::str::FromStr;
 use std::panic::catch_unwind;
 use std::thread;
-use stickslip::float::{Mp, ThreadPrecision, WithPrecision, with_precision};
+use stickslip::float::{Mp, ParseError, ThreadPrecision, WithPrecision, with_precision};
 use stickslip::motion::{LongRun, State};
 use stickslip::{Float, Output, Ratios, Response};
 
@@ -80,8 +81,33 @@ fn the_precision_ends_with_the_computation() {
             panic!("{}", F::precision());
         }
     }
-    let outside = Mp::<10>::from(1.0) / Mp::from(3.0);
+    let outside = Mp::<26>::from(1.0) / Mp::from(3.0);
     assert!(catch_unwind(|| with_precision(256, Panic)).is_err());
-    assert_eq!(Mp::<10>::from(1.0) / Mp::from(3.0), outside);
-    assert_eq!(<Mp<10> as Float>::precision(), 640);
+    assert_eq!(Mp::<26>::from(1.0) / Mp::from(3.0), outside);
+    assert_eq!(<Mp<26> as Float>::precision(), 64 * 26);
+}
+
+/// Each integer beside its decimal text.
+struct Integers;
+
+impl WithPrecision for Integers {
+    type Output = ();
+
+    fn run<F: Float + FromStr<Err = ParseError> + Display>(self) {
+        for n in [0, 1, -1, 3, -10, 1 << 30, i32::MAX, i32::MIN] {
+            let (own, read) = (F::int(n), n.to_string().parse::<F>().unwrap());
+            assert_eq!(own, read, "{n}");
+            assert_eq!(own.to_string(), read.to_string());
+            assert_eq!(own / F::int(7), read / F::int(7));
+        }
+    }
+}
+
+#[test]
+fn integers_are_exact() {
+    for bits in [128, 256, 1024, 4096, 8192] {
+        with_precision(bits, Integers).unwrap();
+    }
+    Integers.run::<Mp<1>>();
+    Integers.run::<Mp<4>>();
 }

@@ -167,7 +167,7 @@ impl Residues<'_> {
             is_sharp.then_some(found)
         });
         found.unwrap_or_else(|| {
-            last.resize(statements::all::<Ball<10>>().len() + OF_MOTIONS.len(), Some(UNKNOWN));
+            last.resize(statements::all::<Ball<26>>().len() + OF_MOTIONS.len(), Some(UNKNOWN));
             last
         })
     }
@@ -237,7 +237,7 @@ pub(super) fn verdicts(bits: u32) -> Result<Vec<StatementVerdict>, Failure> {
         let text = format!("--bits {bits}: number of bits {bits} must be ≥ 1 and ≤ {MOST}");
         return Err(text.into());
     }
-    let of_answers = statements::all::<Ball<10>>();
+    let of_answers = statements::all::<Ball<26>>();
     let of_motions =
         OF_MOTIONS.map(|(equation, words)| StatementVerdict::of(equation, words, Standing::Holds));
     let verdicts = of_answers.iter().map(Statement::verdict).chain(of_motions).collect();

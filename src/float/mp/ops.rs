@@ -19,22 +19,19 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// the time.
     #[inline(never)]
     fn times(self, other: Self) -> Self {
-        let (number, n, sign) = match (other.small_integer(), self.small_integer()) {
-            (Some(n), _) => (self, n, other),
-            (None, Some(n)) => (other, n, self),
-            (None, None) => return self.times_full(other),
-        };
-        let product = number.times_int(n);
-        if sign.is_sign_negative() { -product } else { product }
+        match (other.small_integer(), self.small_integer()) {
+            (Some(n), _) => self.times_int(n, other.is_sign_negative()),
+            (None, Some(n)) => other.times_int(n, self.is_sign_negative()),
+            (None, None) => self.times_full(&other),
+        }
     }
 
     /// `self / other`, with a fast path for small integers.
     #[inline(never)]
     fn over(self, other: Self) -> Self {
         match other.small_integer() {
-            Some(n) if other.is_sign_negative() => -self.over_int(n),
-            Some(n) => self.over_int(n),
-            None => self.over_full(other),
+            Some(n) => self.over_int(n, other.is_sign_negative()),
+            None => self.over_full(&other),
         }
     }
 }

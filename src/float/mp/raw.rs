@@ -1,9 +1,11 @@
 //! The number itself and MPFR's functions of it, through MPFR's custom interface.
 //!
 //! All unsafe code is in this file, and rests on two facts. A value's fields are written only by
-//! [`Mp::output`], from the result of an MPFR call (`parts` only changes signs), so that they always describe
+//! [`Mp::output`], from the result of an MPFR call, and by [`Mp::of_int`] (`parts` only changes signs), so that they always describe
 //! a valid MPFR number of `words` ≤ LIMBS limbs whose exponent is in range. MPFR writes only to the number that a
 //! function names as its result, whose significand has the right size and is on the stack during the call.
+//!
+//! Limbs that MPFR has not written hold nothing. Only [`Mp::significand`] reads limbs here: those of a regular number.
 
 #![allow(unsafe_code, reason = "the calls of MPFR, each behind a safe function")]
 
@@ -21,7 +23,7 @@ use gmp_mpfr_sys::mpfr::{self, exp_t, mpfr_t, prec_t, rnd_t};
 /// Every function gives the exact result rounded once, to nearest, ties to even. An infinity, a NaN or a zero
 /// is made from that of `f64`: `Mp::from(f64::NAN)`.
 ///
-/// Three capacities, of 10, 26 and 130 limbs, serve [`with_precision`](super::with_precision): inside it their numbers have as
+/// Two capacities, of 26 and 130 limbs, serve [`with_precision`](super::with_precision): inside it their numbers have as
 /// many bits as it says, in place of a type for every precision.
 ///
 /// The limbs are inline, so that the type is `Copy` and the generic code reads the same as for `f64`.
@@ -47,8 +49,8 @@ pub struct Mp<const LIMBS: usize> {
     words: u32,
     /// The exponent of a regular number in `[1/2, 1) · 2^exponent`; 0 for the other kinds.
     exponent: exp_t,
-    /// The significand of a regular number, least limb first, top bit of the last one set.
-    limbs: [limb_t; LIMBS],
+    /// The significand of a regular number, least limb first, top bit of the last one set; nothing beyond `words`.
+    limbs: [MaybeUninit<limb_t>; LIMBS],
 }
 
 impl<const LIMBS: usize> Mp<LIMBS> {
@@ -63,8 +65,12 @@ impl<const LIMBS: usize> Mp<LIMBS> {
 
     /// +0.
     #[doc(hidden)]
-    pub const ZERO: Self =
-        Self { kind: mpfr::ZERO_KIND, words: Self::BITS / 64, exponent: 0, limbs: [0; LIMBS] };
+    pub const ZERO: Self = Self {
+        kind: mpfr::ZERO_KIND,
+        words: Self::BITS / 64,
+        exponent: 0,
+        limbs: [MaybeUninit::uninit(); LIMBS],
+    };
     /// +∞.
     #[doc(hidden)]
     pub const INFINITY: Self = Self { kind: mpfr::INF_KIND, ..Self::ZERO };
@@ -90,6 +96,14 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         64 * self.words
     }
 
+    /// The significand of a regular number, least limb first; nothing for the other kinds.
+    #[inline]
+    pub(super) fn significand(&self) -> &[limb_t] {
+        let count = if self.kind.abs() == mpfr::REGULAR_KIND { self.words as usize } else { 0 };
+        // SAFETY: the `words` ≤ LIMBS limbs of a regular number have been written.
+        unsafe { core::slice::from_raw_parts(self.limbs.as_ptr().cast(), count) }
+    }
+
     /// An MPFR number whose significand is at `limbs`.
     #[inline]
     fn header(kind: c_int, words: u32, exponent: exp_t, limbs: *mut c_void) -> mpfr_t {
@@ -108,15 +122,61 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 
     /// The number that `compute` writes to the place it is given.
-    #[inline]
+    #[inline(always)]
     fn output(compute: impl FnOnce(*mut mpfr_t)) -> Self {
-        let mut result = Self { words: Self::words(), ..Self::NAN };
-        let mut header = Self::header(mpfr::NAN_KIND, result.words, 0, result.limbs.as_mut_ptr().cast());
+        let words = Self::words();
+        let mut limbs = [MaybeUninit::uninit(); LIMBS];
+        let mut header = Self::header(mpfr::NAN_KIND, words, 0, limbs.as_mut_ptr().cast());
         compute(&mut header);
         // SAFETY: both read fields of a header that was initialised above.
         let (kind, exponent) = unsafe { (mpfr::custom_get_kind(&header), mpfr::custom_get_exp(&header)) };
-        let regular = kind.abs() == mpfr::REGULAR_KIND;
-        Self { kind, exponent: if regular { exponent } else { 0 }, ..result }
+        let exponent = if kind.abs() == mpfr::REGULAR_KIND { exponent } else { 0 };
+        Self::of_parts(kind, exponent, words, &limbs)
+    }
+
+    /// The number with these fields, of whose limbs `words` are copied, or a few more.
+    #[inline(always)]
+    fn of_parts(kind: c_int, exponent: exp_t, words: u32, limbs: &[MaybeUninit<limb_t>; LIMBS]) -> Self {
+        // Copying a whole capacity takes longer than adding two numbers of a few words. The counts are constants, because only
+        // then do the limbs go straight to the place of the result.
+        if const { words::is_capacity(LIMBS) } {
+            if words <= 5 {
+                return Self { kind, words, exponent, limbs: Self::first::<5>(limbs) };
+            }
+            if words <= 17 {
+                return Self { kind, words, exponent, limbs: Self::first::<17>(limbs) };
+            }
+        }
+        Self { kind, words, exponent, limbs: *limbs }
+    }
+
+    /// The first COUNT of some limbs.
+    #[inline(always)]
+    fn first<const COUNT: usize>(limbs: &[MaybeUninit<limb_t>; LIMBS]) -> [MaybeUninit<limb_t>; LIMBS] {
+        let mut first = [MaybeUninit::uninit(); LIMBS];
+        let count = const { if COUNT < LIMBS { COUNT } else { LIMBS } };
+        if let (Some(to), Some(from)) = (first.get_mut(..count), limbs.get(..count)) {
+            to.copy_from_slice(from);
+        }
+        first
+    }
+
+    /// The integer n, exactly. The formulae contain many, so that they are made without MPFR.
+    #[inline(never)]
+    #[must_use]
+    pub(crate) fn of_int(n: i32) -> Self {
+        let words = Self::words();
+        if n == 0 {
+            return Self { words, ..Self::ZERO };
+        }
+        let magnitude = u64::from(n.unsigned_abs());
+        let unused = magnitude.leading_zeros();
+        let mut limbs = [MaybeUninit::new(0); LIMBS];
+        if let Some(top) = limbs.get_mut(words as usize - 1) {
+            *top = MaybeUninit::new(magnitude << unused);
+        }
+        let kind = if n < 0 { -mpfr::REGULAR_KIND } else { mpfr::REGULAR_KIND };
+        Self::of_parts(kind, exp_t::from(64 - unused as i32), words, &limbs)
     }
 
     /// The largest finite number.
@@ -167,6 +227,52 @@ impl<const LIMBS: usize> Mp<LIMBS> {
             });
         });
         (sine, cosine)
+    }
+
+    /// `self · other`.
+    #[inline(always)]
+    pub(super) fn times_full(&self, other: &Self) -> Self {
+        let (x, y) = (self.input(), other.input());
+        // SAFETY: the arguments are valid and only read.
+        Self::output(|r| unsafe {
+            mpfr::mul(r, &x, &y, rnd_t::RNDN);
+        })
+    }
+
+    /// `self / other`.
+    #[inline(always)]
+    pub(super) fn over_full(&self, other: &Self) -> Self {
+        let (x, y) = (self.input(), other.input());
+        // SAFETY: the arguments are valid and only read.
+        Self::output(|r| unsafe {
+            mpfr::div(r, &x, &y, rnd_t::RNDN);
+        })
+    }
+
+    /// `±n · self`.
+    #[inline(never)]
+    pub(super) fn times_int(&self, n: u64, is_negative: bool) -> Self {
+        let x = self.input();
+        // SAFETY: the argument is valid and only read; the result is written before its sign is changed.
+        Self::output(|r| unsafe {
+            mpfr::mul_ui(r, &x, n, rnd_t::RNDN);
+            if is_negative {
+                mpfr::neg(r, r, rnd_t::RNDN);
+            }
+        })
+    }
+
+    /// `±self / n`.
+    #[inline(never)]
+    pub(super) fn over_int(&self, n: u64, is_negative: bool) -> Self {
+        let x = self.input();
+        // SAFETY: as in `times_int`.
+        Self::output(|r| unsafe {
+            mpfr::div_ui(r, &x, n, rnd_t::RNDN);
+            if is_negative {
+                mpfr::neg(r, r, rnd_t::RNDN);
+            }
+        })
     }
 
     /// The nearest `f64`, ties to even, subnormal numbers included.
@@ -298,16 +404,8 @@ functions! {
     pub(in crate::float) plus_up(self, other;) = add(RNDU);
     /// `self − other`, rounded towards −∞.
     pub(in crate::float) minus_down(self, other;) = sub(RNDD);
-    /// `self · other`.
-    pub(super) times_full(self, other;) = mul(RNDN);
-    /// `self / other`.
-    pub(super) over_full(self, other;) = div(RNDN);
     /// `self · a + b`, rounded once.
     pub(crate) mul_add(self, a, b;) = fma(RNDN);
-    /// `self · n`.
-    pub(super) times_int(self; n: u64) = mul_ui(RNDN);
-    /// `self / n`.
-    pub(super) over_int(self; n: u64) = div_ui(RNDN);
     /// The remainder of `self` after division by `other` with the quotient truncated; it has the sign of
     /// `self`.
     pub(super) remainder(self, other;) = fmod(RNDN);
@@ -328,6 +426,4 @@ functions! {
     pub(crate) ln_2(;) = const_log2(RNDN);
     /// The number nearest to `x`, which is `x` itself.
     pub(crate) of_f64(; x: f64) = set_d(RNDN);
-    /// The integer n, exactly.
-    pub(crate) of_int(; n: i32) = set_si(RNDN);
 }

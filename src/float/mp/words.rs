@@ -1,4 +1,4 @@
-//! The precision of a computation: the number of limbs that the results of the three capacities have on this thread.
+//! The precision of a computation: the number of limbs that the results of the two capacities have on this thread.
 //!
 //! A type for each precision would be a copy of every formula, and compiling the copies is what takes the time. A number
 //! of a capacity keeps its own number of limbs, so that numbers of several precisions may meet: MPFR rounds to that of
@@ -13,7 +13,7 @@ thread_local! {
 /// Whether the numbers with this many limbs take their precision from the computation. No other type takes one of these as
 /// its wider or narrower one.
 pub(crate) const fn is_capacity(limbs: usize) -> bool {
-    matches!(limbs, 10 | 26 | 130)
+    matches!(limbs, 26 | 130)
 }
 
 /// The number of limbs set on this thread; without one, more than any number has.
@@ -41,10 +41,7 @@ macro_rules! at_words {
     ($words:expr, |$capacity:ident| $code:expr) => {{
         let words: u32 = $words;
         $crate::float::words::with_words(words, || {
-            if words < 6 {
-                const $capacity: usize = 10;
-                $code
-            } else if words < 18 {
+            if words < 18 {
                 const $capacity: usize = 26;
                 $code
             } else {

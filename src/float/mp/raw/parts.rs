@@ -1,4 +1,4 @@
-//! Sign, kind, exponent and significand: the operations that need no MPFR call.
+//! Sign, kind and exponent: the operations that need no MPFR call.
 
 use super::{Mp, limb_t, mpfr};
 
@@ -50,12 +50,6 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     #[must_use]
     pub(crate) fn exponent(self) -> Option<i64> {
         (self.kind.abs() == mpfr::REGULAR_KIND).then_some(self.exponent)
-    }
-
-    /// The significand of a regular number, least limb first.
-    #[inline]
-    pub(in crate::float::mp) fn significand(&self) -> &[limb_t] {
-        self.limbs.get(..self.words as usize).unwrap_or(&self.limbs)
     }
 
     /// The top limb of a regular number, and whether any of the others is nonzero.
