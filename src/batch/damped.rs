@@ -202,11 +202,14 @@ impl Wanted {
     }
 }
 
+/// Blocks for what passes from one loop to the next.
+const WORK: usize = 26;
+
 struct Pass<'a> {
     wanted: Wanted,
     given: &'a [Block; 4],
     found: &'a mut Answer,
-    work: &'a mut [Block; 20],
+    work: &'a mut [Block; WORK],
 }
 
 impl Loops for Pass<'_> {
@@ -235,7 +238,7 @@ impl Loops for Pass<'_> {
             return;
         }
         let given = [omega, zeta, a, b, c, d, e, shift];
-        let [x, v, w] = middle;
+        let [x, v, w, ..] = middle;
         let at = [omega, zeta, &*along, across, delta, rest, phase2, mark];
         let [i, j, k, l, m, n, o, q] = at;
         if wanted.deviation {
@@ -262,7 +265,7 @@ struct Run<'a> {
     wanted: Wanted,
     out: Looped<'a>,
     found: Answer,
-    work: [Block; 20],
+    work: [Block; WORK],
 }
 
 impl Run<'_> {
@@ -342,7 +345,7 @@ pub(super) fn run(
     }
     let out = columns.take_looped();
     let wanted = Wanted::of(&out);
-    let (found, work) = ([[0.0; POINTS]; LOOPED.len()], [[0.0; POINTS]; 20]);
+    let (found, work) = ([[0.0; POINTS]; LOOPED.len()], [[0.0; POINTS]; WORK]);
     let mut run = Run { level, wanted, out, found, work };
     let mut given = [[0.0; POINTS]; 4];
     let mut low = Gathered { given, places: [0; POINTS], count: 0 };

@@ -30,7 +30,7 @@ pub(crate) mod squared;
 mod summit;
 pub(crate) mod tangent;
 pub(crate) mod touch;
-mod wide;
+pub(crate) mod wide;
 mod work;
 
 use super::displacement::velocity_phase;
@@ -41,6 +41,8 @@ use crate::float::{Field, Float, fused};
 use crate::machine::ratios::Ratios;
 #[cfg(feature = "batch")]
 use border::{Refined, refined};
+#[cfg(feature = "batch")]
+use wide::WideWaves;
 use border::{least_displacement, supremum, turning_point};
 pub(crate) use half_period::HalfPeriod;
 use pole::Pole;
@@ -333,14 +335,20 @@ pub(crate) fn from_turning_point<F: Float>(half: &HalfPeriod<F>, alpha: F) -> (P
     (half.squared_amplitude(alpha), least, force_ratio(&half, least))
 }
 
-/// α_min by the lobe of a half period, and whether it is that; without branches.
+/// α_min by the lobe of a half period and the waves there, and whether it is that; without branches. `least` is S at the
+/// turning point, and `at_turning_point` the force ratio there.
 #[cfg(feature = "batch")]
 #[inline(always)]
-pub(crate) fn from_lobe<F: Float>(half: &HalfPeriod<F>, side: F, time: F, at_turning_point: F) -> (F, bool) {
+pub(crate) fn from_lobe<F: Float>(
+    half: &HalfPeriod<F>,
+    (side, time): (F, F),
+    waves: &WideWaves<F>,
+    (least, at_turning_point): (Pair<F>, F),
+) -> (F, bool) {
     let wide = half.wide();
-    let Refined { amplitude, is_near, .. } = refined::<F, true>(half, &wide, side, time);
+    let Refined { amplitude, is_near, .. } = refined(half, &wide, side, time, waves);
     let inside = inner_force_ratio(&wide, amplitude).or_larger(at_turning_point);
-    let is_above = (amplitude - turning_point(&wide)).value() > F::int(0);
+    let is_above = (amplitude - least).value() > F::int(0);
     (if is_above { inside } else { at_turning_point }, is_near)
 }
 

@@ -4,47 +4,194 @@ use super::super::block::{AtPoint, each, select};
 use super::super::level::Loops;
 use super::{Pass, Sizes, Squares, half};
 use crate::cycle::damped::from_lobe;
-use crate::cycle::damped::lobes::{self, Lobe};
-use crate::cycle::damped::long::Long;
+use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::lobes::{self, FromEnd, Lobe, Step};
+use crate::cycle::damped::long::{Long, Turn, falling};
 use crate::cycle::damped::rising::Rising;
+use crate::cycle::damped::wide::WideWaves;
 use crate::cycle::velocity_phase;
 use crate::float::circular::held;
 use crate::float::pair::Pair;
 
-/// `[1/Ω, G, H]` below Ω = 1/2, the last two in pairs, from `[Ω, ζ]`; NaN where the point must be recomputed.
+/// `[1/Ω, d, the quarter turns of dT/2, what is left of it]` below Ω = 1/2, d and the last in pairs, from `[Ω, ζ]`.
+struct Turns;
+
+impl AtPoint<2, 6> for Turns {
+    #[inline(always)]
+    fn at(&self, [omega, zeta]: [f64; 2]) -> [f64; 6] {
+        let Turn { d, inverse, quarters, acute, .. } = Turn::at(omega, zeta);
+        [inverse, d.hi, d.lo, quarters, acute.hi, acute.lo]
+    }
+}
+
+#[inline(always)]
+fn turn_of(inverse: f64, [d, d_rest, quarters, acute, acute_rest]: [f64; 5]) -> Turn<f64> {
+    let (d, acute) = (Pair::new(d, d_rest), Pair::new(acute, acute_rest));
+    // 1/d serves the waves at the end, which no loop needs.
+    Turn { d, inverse, over_d: f64::NAN, quarters, acute }
+}
+
+/// The sine and cosine of dT/2 in pairs from the last three results of [`Turns`].
+struct SinCos;
+
+impl AtPoint<3, 4> for SinCos {
+    #[inline(always)]
+    fn at(&self, [quarters, acute, acute_rest]: [f64; 3]) -> [f64; 4] {
+        let (sine, cosine) = turn_of(f64::NAN, [f64::NAN, f64::NAN, quarters, acute, acute_rest]).sin_cos();
+        [sine.hi, sine.lo, cosine.hi, cosine.lo]
+    }
+}
+
+/// `[e^{−ζT/2} − 1, e^{−ζT/2}]` in pairs from `[Ω, ζ, 1/Ω]`.
+struct Falling;
+
+impl AtPoint<3, 4> for Falling {
+    #[inline(always)]
+    fn at(&self, [omega, zeta, inverse]: [f64; 3]) -> [f64; 4] {
+        let (fall, decay) = falling(omega, zeta, inverse);
+        [fall.hi, fall.lo, decay.hi, decay.lo]
+    }
+}
+
+/// `[G, H]` in pairs from `[Ω, ζ]`, the first three results of [`Turns`], and those of [`SinCos`] and [`Falling`]; NaN where
+/// the point must be recomputed.
 struct LongResponses;
 
-impl AtPoint<2, 5> for LongResponses {
+impl AtPoint<13, 4> for LongResponses {
     #[inline(always)]
-    fn at(&self, [omega, zeta]: [f64; 2]) -> [f64; 5] {
-        let Long { inverse, shift, h, is_accurate, .. } = Long::at(omega, zeta);
-        [inverse, select(is_accurate, shift.hi, f64::NAN), shift.lo, h.hi, h.lo]
+    fn at(&self, [omega, zeta, inverse, d, d_rest, waves @ ..]: [f64; 13]) -> [f64; 4] {
+        let turn = turn_of(inverse, [d, d_rest, f64::NAN, f64::NAN, f64::NAN]);
+        let [sine, sine_rest, cosine, cosine_rest, fall, fall_rest, decay, decay_rest] = waves;
+        let swing = (Pair::new(sine, sine_rest), Pair::new(cosine, cosine_rest));
+        let falling = (Pair::new(fall, fall_rest), Pair::new(decay, decay_rest));
+        let Long { shift, h, is_accurate, .. } = Long::of(omega, zeta, &turn, swing, falling);
+        [select(is_accurate, shift.hi, f64::NAN), shift.lo, h.hi, h.lo]
+    }
+}
+
+/// The half cycle below Ω = 1/2 from the end of its lobe.
+struct Ends;
+
+impl AtPoint<7, 9> for Ends {
+    /// `[d, side, 1/d, the cosine and sine of the first zero of p, its angle, own, far, mark]` from the inputs of [`half`]: the
+    /// mark is 1 where the lobe has a maximum, else 0, and NaN where the point must be recomputed.
+    #[inline(always)]
+    fn at(&self, given: [f64; 7]) -> [f64; 9] {
+        let half = half(given);
+        let FromEnd { side, over_d, zero, angle, own, far, has_maximum, is_clear } = FromEnd::of(&half);
+        let mark = select(is_clear, select(has_maximum, 1.0, 0.0), f64::NAN);
+        [half.free.frequency, side, over_d, zero.0, zero.1, angle, own, far, mark]
+    }
+}
+
+/// The half period and its end from the results of [`Ends`] and the inputs of [`half`].
+#[inline(always)]
+fn end_of([d, side, over_d, cosine, sine, angle, own, far, mark, given @ ..]: [f64; 16]) -> (HalfPeriod<f64>, FromEnd<f64>) {
+    let mut half = half(given);
+    half.free.frequency = d;
+    let (has_maximum, is_clear) = (mark > 0.0, !mark.is_nan());
+    (half, FromEnd { side, over_d, zero: (cosine, sine), angle, own, far, has_maximum, is_clear })
+}
+
+/// Steps to the maximum in the lobe, `[y, ρ]`; ρ is NaN where the step is not near.
+struct Steps(lobes::Constants<f64>);
+
+#[inline(always)]
+fn parts(Step { y, amplitude, is_near }: Step<f64>) -> [f64; 2] {
+    [y, select(is_near, amplitude, f64::NAN)]
+}
+
+#[inline(always)]
+fn step_of([y, amplitude]: [f64; 2]) -> Step<f64> {
+    Step { y, amplitude, is_near: !amplitude.is_nan() }
+}
+
+impl AtPoint<16, 2> for Steps {
+    /// The first, from the inputs of [`end_of`].
+    #[inline(always)]
+    fn at(&self, given: [f64; 16]) -> [f64; 2] {
+        let (half, from) = end_of(given);
+        parts(from.step(&half, from.start(&half), &self.0))
+    }
+}
+
+impl AtPoint<18, 2> for Steps {
+    /// The second, from the first and the inputs of [`end_of`].
+    #[inline(always)]
+    fn at(&self, [y, amplitude, given @ ..]: [f64; 18]) -> [f64; 2] {
+        let ((half, from), first) = (end_of(given), step_of([y, amplitude]));
+        parts(first.or(from.step(&half, first.y, &self.0)))
     }
 }
 
 /// The only lobe of the border's condition that may exceed the turning point.
 struct Lobes(lobes::Constants<f64>);
 
-impl AtPoint<8, 3> for Lobes {
-    /// `[side, time, mark]` from η and the inputs of [`half`]: the mark is 1 where there is one, else 0, and NaN where the
-    /// point must be recomputed.
+impl AtPoint<20, 2> for Lobes {
+    /// `[time, mark]` from S at the turning point, the last step and the inputs of [`end_of`]: the mark is 1 where there is
+    /// one, else 0, and NaN where the point must be recomputed.
     #[inline(always)]
-    fn at(&self, [eta, given @ ..]: [f64; 8]) -> [f64; 3] {
-        let half = half(given).with_static_friction(eta);
-        let Lobe { side, time, is_above, is_decided } = Lobe::of_half(&half, &self.0);
+    fn at(&self, [least, rest, y, amplitude, given @ ..]: [f64; 20]) -> [f64; 2] {
+        let (half, from) = end_of(given);
+        let (least, step) = (lobes::least(Pair::new(least, rest)), step_of([y, amplitude]));
+        let Lobe { time, is_above, is_decided, .. } = from.lobe::<true>(&half, least, step, &self.0);
         let mark = select(is_above, 1.0, 0.0);
-        [side, time, select(is_decided, mark, f64::NAN)]
+        [time, select(is_decided, mark, f64::NAN)]
     }
 }
 
-/// `[α_min]` from η, the lobe, the force ratio at the turning point, and the inputs of [`half`].
+/// `[1/d, sin dτ, cos dτ]` in pairs from `[ζ, τ]`.
+struct Swings;
+
+impl AtPoint<2, 6> for Swings {
+    #[inline(always)]
+    fn at(&self, [zeta, time]: [f64; 2]) -> [f64; 6] {
+        let (over_d, (sine, cosine)) = WideWaves::swing(zeta, Pair::exact(time));
+        [over_d.hi, over_d.lo, sine.hi, sine.lo, cosine.hi, cosine.lo]
+    }
+}
+
+/// `e^{−ζτ}` in a pair from `[ζ, side, τ]`.
+struct Decays;
+
+impl AtPoint<3, 2> for Decays {
+    #[inline(always)]
+    fn at(&self, [zeta, side, time]: [f64; 3]) -> [f64; 2] {
+        let Pair { hi, lo } = WideWaves::decay(zeta, side, Pair::exact(time));
+        [hi, lo]
+    }
+}
+
+/// `[sin Ωτ, cos Ωτ]` in pairs from `[Ω, τ]`.
+struct Drives;
+
+impl AtPoint<2, 4> for Drives {
+    #[inline(always)]
+    fn at(&self, [omega, time]: [f64; 2]) -> [f64; 4] {
+        let (sine, cosine) = WideWaves::drive(omega, Pair::exact(time));
+        [sine.hi, sine.lo, cosine.hi, cosine.lo]
+    }
+}
+
+/// The waves from the results of [`Swings`], [`Decays`] and [`Drives`].
+#[inline(always)]
+fn waves_of([a, b, c, d, e, f, g, h, i, j, k, l]: [f64; 12]) -> WideWaves<f64> {
+    let of = Pair::new;
+    WideWaves { over_d: of(a, b), swing: (of(c, d), of(e, f)), decay: of(g, h), drive: (of(i, j), of(k, l)) }
+}
+
+/// `[α_min]`.
 struct Borders;
 
-impl AtPoint<12, 1> for Borders {
+impl AtPoint<26, 1> for Borders {
+    /// From η, `[side, time, mark]` of the lobe, the force ratio at the turning point, S there, the inputs of [`waves_of`]
+    /// and of [`half`].
     #[inline(always)]
-    fn at(&self, [eta, side, time, mark, at_turning_point, given @ ..]: [f64; 12]) -> [f64; 1] {
-        let half = half(given).with_static_friction(eta);
-        let (border, is_near) = from_lobe(&half, side, time, at_turning_point);
+    fn at(&self, [eta, side, time, mark, at_turning_point, least, rest, given @ ..]: [f64; 26]) -> [f64; 1] {
+        let [a, b, c, d, e, f, g, h, i, j, k, l, given @ ..] = given;
+        let (waves, half) = (waves_of([a, b, c, d, e, f, g, h, i, j, k, l]), half(given).with_static_friction(eta));
+        let at_end = (Pair::new(least, rest), at_turning_point);
+        let (border, is_near) = from_lobe(&half, (side, time), &waves, at_end);
         let border = select(is_near, border, f64::NAN);
         [select(mark.is_nan(), f64::NAN, select(mark > 0.0, border, at_turning_point))]
     }
@@ -76,7 +223,11 @@ impl AtPoint<13, 4> for LongArrival {
     #[inline(always)]
     fn at(&self, [time, phase2, border, given @ ..]: [f64; 13]) -> [f64; 4] {
         let rising = known(given);
-        let (summit, _, is_near) = rising.arrive_below::<true>(Pair::exact(time));
+        let tau = Pair::exact(time);
+        let (over_d, swing) = WideWaves::swing(rising.half.free.zeta, tau);
+        let decay = WideWaves::decay(rising.half.free.zeta, 1.0, tau);
+        let waves = WideWaves { over_d, swing, decay, drive: WideWaves::drive(rising.half.omega, tau) };
+        let (summit, _, is_near) = rising.arrive_below(tau, &waves);
         let is_inside = (time > 0.0) & (time < rising.half.period);
         // Without a cycle there is nothing to find.
         let is_found = (is_near & is_inside) | rising.max_displacement.is_nan();
@@ -89,7 +240,7 @@ impl AtPoint<13, 4> for LongArrival {
     }
 }
 
-/// The pass below Ω = 1/2.
+/// The pass below Ω = 1/2, in loops of which none waits long for its own results.
 pub(super) struct LongPass<'a>(pub(super) Pass<'a>);
 
 impl Loops for LongPass<'_> {
@@ -98,17 +249,52 @@ impl Loops for LongPass<'_> {
     #[inline(always)]
     fn run(self) {
         let Pass { wanted, given: [omega, alpha, zeta, eta], found, work } = self.0;
-        let [inverse, shift, shift_rest, h, h_rest, work @ ..] = work;
-        let [square, square_rest, least, least_rest, side, time, mark, turning, rest, amplitude, ..] = work;
+        let [inverse, shift, shift_rest, h, h_rest, square, square_rest, least, least_rest, work @ ..] = work;
         let [delta, border, size1, phase2, size2, velocity, phase1, deviation, _] = found;
-        let half = [&mut *inverse, shift, shift_rest, h, h_rest];
-        each(&LongResponses, [omega, zeta], half);
+        {
+            let [d, d_rest, quarters, acute, acute_rest, work @ ..] = &mut *work;
+            let [sine, sine_rest, cosine, cosine_rest, fall, fall_rest, decay, decay_rest, ..] = work;
+            let turns = [&mut *inverse, &mut *d, &mut *d_rest, &mut *quarters, &mut *acute, &mut *acute_rest];
+            each(&Turns, [omega, zeta], turns);
+            let swing = [&mut *sine, &mut *sine_rest, &mut *cosine, &mut *cosine_rest];
+            each(&SinCos, [quarters, acute, acute_rest], swing);
+            let falling = [&mut *fall, &mut *fall_rest, &mut *decay, &mut *decay_rest];
+            each(&Falling, [omega, zeta, inverse], falling);
+            let waves = [sine, sine_rest, cosine, cosine_rest, fall, fall_rest, decay, decay_rest];
+            let [a, b, c, e, f, g, i, j] = waves.map(|block| &*block);
+            let given = [omega, zeta, inverse, d, d_rest, a, b, c, e, f, g, i, j];
+            each(&LongResponses, given, [&mut *shift, &mut *shift_rest, &mut *h, &mut *h_rest]);
+        }
         let [i, j, k, l, m, n, o] = [omega, zeta, &*inverse, shift, shift_rest, h, h_rest];
-        let squares = [&mut *square, square_rest, least, least_rest, &mut *turning];
-        each(&Squares, [alpha, eta, i, j, k, l, m, n, o], squares);
-        let lobes = Lobes(held(lobes::Constants::new()));
-        each(&lobes, [eta, i, j, k, l, m, n, o], [&mut *side, time, mark]);
-        each(&Borders, [eta, side, time, mark, turning, i, j, k, l, m, n, o], [&mut *border]);
+        {
+            let [turning, side, time, mark, work @ ..] = &mut *work;
+            let squares = [&mut *square, square_rest, &mut *least, &mut *least_rest, &mut *turning];
+            each(&Squares, [alpha, eta, i, j, k, l, m, n, o], squares);
+            {
+                let [d, over_d, cosine, sine, angle, own, far, has, y, rho, next, at_next, ..] = &mut *work;
+                let ends = [&mut *d, side, over_d, cosine, sine, angle, own, far, has];
+                each(&Ends, [i, j, k, l, m, n, o], ends);
+                let [d, a, over_d, b, c, e, f, g, h] =
+                    [&*d, &*side, over_d, cosine, sine, angle, own, far, has];
+                let steps = Steps(held(lobes::Constants::new()));
+                let given = [d, a, over_d, b, c, e, f, g, h, i, j, k, l, m, n, o];
+                each::<16, 2>(&steps, given, [&mut *y, &mut *rho]);
+                let given = [&*y, rho, d, a, over_d, b, c, e, f, g, h, i, j, k, l, m, n, o];
+                each::<18, 2>(&steps, given, [&mut *next, &mut *at_next]);
+                let given =
+                    [&*least, least_rest, next, at_next, d, a, over_d, b, c, e, f, g, h, i, j, k, l, m, n, o];
+                each(&Lobes(held(lobes::Constants::new())), given, [time, mark]);
+            }
+            let [a, b, c, d, e, f, g, h, p, q, r, s, ..] = work;
+            each(&Swings, [zeta, time], [&mut *a, b, c, d, e, f]);
+            each(&Decays, [zeta, side, time], [&mut *g, h]);
+            each(&Drives, [omega, time], [&mut *p, q, r, s]);
+            let given = [eta, &*side, time, mark, turning, least, least_rest];
+            let [t, u, v, w, x, y, z] = given;
+            let given = [t, u, v, w, x, y, z, a, b, c, d, e, f, g, h, p, q, r, s, i, j, k, l, m, n, o];
+            each(&Borders, given, [&mut *border]);
+        }
+        let [time, mark, rest, amplitude, ..] = work;
         let given = [alpha, square, square_rest, least, least_rest, border, i, j, k, l, m, n, o];
         if !wanted.more {
             return each::<13, 2>(&Sizes, given, [delta, size1]);

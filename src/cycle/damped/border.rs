@@ -36,7 +36,7 @@ pub(crate) use super::half_period::{has_lobes, turning_point};
 use super::lobes::{self, Lobe};
 use super::rising::Moment;
 use super::touch::{NearerEnd, Touch};
-use super::wide::WideState;
+use super::wide::{WideState, WideWaves};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, Signed, at_precision, fused};
 use crate::root::newton_within;
@@ -72,12 +72,12 @@ pub(crate) fn supremum<F: Float>(
             return None;
         };
         let side = if touch.from == NearerEnd::Last { F::int(-1) } else { F::int(1) };
-        let mut found = refined::<F, false>(half, wide, side, touch.time);
+        let mut found = refined_at(half, wide, side, touch.time);
         for _ in 0..3 {
             if found.is_near {
                 break;
             }
-            found = refined::<F, false>(half, wide, side, found.time);
+            found = refined_at(half, wide, side, found.time);
         }
         let Refined { time, amplitude, .. } = found;
         (Touch { time, ..touch }, amplitude)
@@ -218,22 +218,32 @@ pub(crate) struct Refined<F> {
     pub(crate) is_near: bool,
 }
 
-/// A step in pairs from a time near a maximum of ρ since the end of the half cycle on this side, 1 or −1.
+/// [`refined`] with the waves.
+#[inline(always)]
+fn refined_at<F: Float>(half: &HalfPeriod<F>, wide: &HalfPeriod<Pair<F>>, side: F, time: F) -> Refined<F> {
+    let at = Pair::exact(time.constant());
+    let waves = WideWaves::at((half.omega, half.free.zeta), side, at);
+    refined(half, wide, side, time, &waves)
+}
+
+/// A step in pairs from a time near a maximum of ρ since the end of the half cycle on this side, 1 or −1, by the waves
+/// there.
 ///
 /// `ρ′ = v/(Ω sin² Ωτ)` with v of [`rise`], so that over the step v/v′ ρ grows by half of −v²/v′ in this place.
 #[inline(always)]
-pub(crate) fn refined<F: Float, const ALL: bool>(
+pub(crate) fn refined<F: Float>(
     half: &HalfPeriod<F>,
     wide: &HalfPeriod<Pair<F>>,
     side: F,
     time: F,
+    waves: &WideWaves<F>,
 ) -> Refined<F> {
     let (zeta, omega, time) = (half.free.zeta, half.omega, time.constant());
     let b = wide.h * omega;
     let shift = Pair::new(side * wide.shift.hi, side * wide.shift.lo);
     let start = (Pair::int(1) + shift, Pair::new(side * b.hi, side * b.lo));
     let WideState { velocity, acceleration, drive: (sine, cosine) } =
-        WideState::at::<ALL>((omega, zeta), start, side, Pair::exact(time));
+        WideState::of(zeta, start, side, waves);
     let cosine = Pair::new(side * cosine.hi, side * cosine.lo);
     let n = b * cosine - velocity;
     let slope = -(b * omega * sine + acceleration);

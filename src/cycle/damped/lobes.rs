@@ -13,8 +13,6 @@
 //! Seen from the last end, the half cycle backwards is one with −ζ, −G and −H.
 
 use super::border::has_lobes;
-#[cfg(feature = "batch")]
-use super::border::turning_point;
 use super::half_period::HalfPeriod;
 use crate::float::Float;
 use crate::float::circular::{Exponential, SinCos, TO_HALF_PI};
@@ -36,7 +34,7 @@ impl<F: Float> Constants<F> {
 
 /// An amplitude below that at the turning point by more than its rounding.
 #[inline(always)]
-pub(super) fn least<F: Float>(at_turning_point: Pair<F>) -> F {
+pub(crate) fn least<F: Float>(at_turning_point: Pair<F>) -> F {
     at_turning_point.hi * (F::int(1) - F::int(64) * F::epsilon())
 }
 
@@ -59,47 +57,66 @@ pub(crate) struct Lobe<F> {
     pub(crate) is_decided: bool,
 }
 
-/// A half cycle seen from one end.
-struct FromEnd<'a, F> {
-    half: &'a HalfPeriod<F>,
-    given: &'a Constants<F>,
-    side: F,
-    /// h and h′ at the end.
-    x: F,
-    v: F,
-    over_d: F,
+/// A half cycle seen from the end after which the lobe is: the first of the parts of [`Lobe`], which are loops of their own in
+/// a batch.
+#[derive(Clone, Copy)]
+pub(crate) struct FromEnd<F> {
+    pub(crate) side: F,
+    pub(crate) over_d: F,
     /// cos and sin of the first zero of p, in (0, π], and that angle.
-    zero: (F, F),
-    angle: F,
+    pub(crate) zero: (F, F),
+    pub(crate) angle: F,
+    /// The time from this end to the end of the lobe, and from the other end to that of its own.
+    pub(crate) own: F,
+    pub(crate) far: F,
+    /// Whether the lobe has a maximum.
+    pub(crate) has_maximum: bool,
+    /// Whether all this is certain.
+    pub(crate) is_clear: bool,
 }
 
 /// A step towards the maximum in a lobe.
 #[derive(Clone, Copy)]
-struct Step<F> {
+pub(crate) struct Step<F> {
     /// The phase after the first zero of p.
-    y: F,
+    pub(crate) y: F,
     /// A value of ρ that the maximum exceeds by no more than a part of 10⁻⁵.
-    amplitude: F,
-    is_near: bool,
+    pub(crate) amplitude: F,
+    pub(crate) is_near: bool,
 }
 
 impl<F: Float> Lobe<F> {
-    /// [`Lobe::of`] without branches, above the turning point but for rounding.
-    #[cfg(feature = "batch")]
-    #[inline(always)]
-    pub(crate) fn of_half(half: &HalfPeriod<F>, given: &Constants<F>) -> Self {
-        Self::of::<true>(half, least(turning_point(&half.wide())), given)
-    }
-
     /// The lobe of a half period whose maximum may be above `least`. `ALL` computes every step, without branches.
     #[inline(always)]
     pub(crate) fn of<const ALL: bool>(half: &HalfPeriod<F>, least: F, given: &Constants<F>) -> Self {
+        let from = FromEnd::of(half);
+        let step = if ALL || from.has_maximum {
+            let first = from.step(half, from.start(half), given);
+            if !ALL && first.is_near { first } else { first.or(from.step(half, first.y, given)) }
+        } else {
+            Step { y: F::pi(), amplitude: F::int(0), is_near: true }
+        };
+        from.lobe::<ALL>(half, least, step, given)
+    }
+}
+
+impl<F: Float> Step<F> {
+    /// This step, or the next if it is not near.
+    #[inline(always)]
+    pub(crate) fn or(self, next: Self) -> Self {
+        if self.is_near { self } else { next }
+    }
+}
+
+impl<F: Float> FromEnd<F> {
+    #[inline(always)]
+    pub(crate) fn of(half: &HalfPeriod<F>) -> Self {
         let (zero, one, pi, omega) = (F::int(0), F::int(1), F::pi(), half.omega);
         let (zeta, d) = (half.free.zeta, half.free.frequency);
         let b = omega * half.h;
         let (first, last) = (half.weighted(b, one + half.shift), half.weighted(-b, one - half.shift));
         let (side, weight, other) = if last < zero { (-one, last, first) } else { (one, first, last) };
-        let (x, v) = (side.mul_add(half.shift, one), side * b);
+        let (x, v) = Self::state(half, side);
         let (over_d, a) = (one / d, -(x + F::int(2) * zeta * v));
         // p = e^{−ζτ} (p cos dτ + [(p′ + ζp)/d] sin dτ)
         let part = side * (half.weighted(a, v) + zeta * weight) * over_d;
@@ -108,7 +125,6 @@ impl<F: Float> Lobe<F> {
         let has_maximum = sine < zero;
         let (sine, cosine) = if has_maximum { (-sine, -cosine) } else { (sine, cosine) };
         let angle = F::angle_of(sine, cosine);
-        let from = FromEnd { half, given, side, x, v, over_d, zero: (cosine, sine), angle };
         // The zero of p next to the other end is a number of half turns before it.
         let whole = d * half.period - angle;
         let beyond = whole - pi * (whole * (one / pi)).floor();
@@ -117,35 +133,49 @@ impl<F: Float> Lobe<F> {
         let is_clear = !has_maximum | (angle * angle > F::int(16) * F::epsilon().sqrt());
         // A zero at the other end would be followed by a lobe.
         let is_clear = is_clear & (beyond < pi - F::ratio(1, 1 << 20));
-        let is_clear = is_clear & (zeta * (angle + pi) * over_d <= reach());
-        let Step { y, amplitude, is_near } = if ALL || has_maximum {
-            from.maximum::<ALL>()
-        } else {
-            Step { y: pi, amplitude: zero, is_near: true }
-        };
-        let is_above = has_maximum & (amplitude > least * (one - F::ratio(1, 1 << 14)));
-        let best = if is_above { least.or_larger(amplitude) } else { least };
+        let is_clear = is_clear & (zeta * (angle + pi) * over_d <= reach()) & (other >= zero);
         let own = (if weight < zero { angle + pi + pi } else { angle + pi }) * over_d;
         let far = (beyond + pi) * over_d;
+        Self { side, over_d, zero: (cosine, sine), angle, own, far, has_maximum, is_clear }
+    }
+
+    /// h and h′ at the end.
+    #[inline(always)]
+    fn state(half: &HalfPeriod<F>, side: F) -> (F, F) {
+        (side.mul_add(half.shift, F::int(1)), side * (half.omega * half.h))
+    }
+
+    /// The lobe after the steps, if its maximum may be above `least`.
+    #[inline(always)]
+    pub(crate) fn lobe<const ALL: bool>(
+        &self,
+        half: &HalfPeriod<F>,
+        least: F,
+        step: Step<F>,
+        given: &Constants<F>,
+    ) -> Lobe<F> {
+        let Self { side, over_d, angle, own, far, has_maximum, is_clear, .. } = *self;
+        let Step { y, amplitude, is_near } = step;
+        let is_above = has_maximum & (amplitude > least * (F::int(1) - F::ratio(1, 1 << 14)));
+        let best = if is_above { least.or_larger(amplitude) } else { least };
         let is_all = (own + far >= half.period) | !has_lobes(half);
         let is_bounded = if ALL {
-            is_all | from.is_bounded(own, far, best)
+            is_all | self.is_bounded(half, best, given)
         } else {
-            is_all || from.is_bounded(own, far, best)
+            is_all || self.is_bounded(half, best, given)
         };
-        let is_decided = is_clear & (other >= zero) & (is_near | !has_maximum) & is_bounded;
-        Self { side, time: (angle + y) * over_d, is_above, is_decided }
+        let is_decided = is_clear & (is_near | !has_maximum) & is_bounded;
+        Lobe { side, time: (angle + y) * over_d, is_above, is_decided }
     }
-}
 
-impl<F: Float> FromEnd<'_, F> {
-    /// Whether no ρ exceeds an amplitude from the time `own` after this end to `far` before the other.
+    /// Whether no ρ exceeds an amplitude between the lobes at both ends.
     #[inline(always)]
-    fn is_bounded(&self, own: F, far: F, best: F) -> bool {
-        let &Self { half, given: Constants { circular, exponential }, side, v, over_d, .. } = self;
+    fn is_bounded(&self, half: &HalfPeriod<F>, best: F, given: &Constants<F>) -> bool {
+        let (&Self { side, over_d, own, far, .. }, Constants { circular, exponential }) = (self, given);
         let (omega, zeta) = (half.omega, half.free.zeta);
         let ((sin_own, cos_own), (sin_far, cos_far)) =
             (circular.upper(omega * own), circular.upper(omega * far));
+        let v = Self::state(half, side).1;
         let driven = (v * cos_own).or_larger(-(v * cos_far));
         let b = omega * half.h;
         let a = -(F::int(1) + half.shift + F::int(2) * zeta * b);
@@ -157,30 +187,24 @@ impl<F: Float> FromEnd<'_, F> {
         driven + size < best * omega * sine
     }
 
-    /// The maximum in the lobe after the first zero of p.
+    /// A phase after the first zero of p near the maximum: a least-squares fit for ζ ≤ 1/2, within 2 %; without damping 10⁻³.
     #[inline(always)]
-    fn maximum<const ALL: bool>(&self) -> Step<F> {
-        let Self { half, side, over_d, angle, .. } = *self;
-        // A least-squares fit for ζ ≤ 1/2, within 2 %; without damping 10⁻³.
+    pub(crate) fn start(&self, half: &HalfPeriod<F>) -> F {
+        let Self { side, over_d, angle, .. } = *self;
         let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = FIT.map(F::from_f64);
         let turn = angle * (F::int(1) / F::pi());
         let (x, w) = (turn * turn, F::int(4) * (half.omega * over_d) * (half.omega * over_d));
         let q = side * half.free.zeta * over_d * turn;
         let by_x = c2.mul_add(x, c3.mul_add(w, c1));
         let by_q = c8.mul_add(q, c5).mul_add(q, c6.mul_add(x, c7.mul_add(w, c4)));
-        let start = angle * by_q.mul_add(q, by_x.mul_add(x, c0));
-        let first = self.step(start);
-        if ALL {
-            let second = self.step(first.y);
-            return if first.is_near { first } else { second };
-        }
-        if first.is_near { first } else { self.step(first.y) }
+        angle * by_q.mul_add(q, by_x.mul_add(x, c0))
     }
 
     /// A step of Halley's from the phase y after the first zero of p.
     #[inline(always)]
-    fn step(&self, y: F) -> Step<F> {
-        let &Self { half, given: Constants { circular, exponential }, side, x, v, over_d, .. } = self;
+    pub(crate) fn step(&self, half: &HalfPeriod<F>, y: F, given: &Constants<F>) -> Step<F> {
+        let (&Self { side, over_d, .. }, Constants { circular, exponential }) = (self, given);
+        let (x, v) = Self::state(half, side);
         let (omega, zeta, two) = (half.omega, half.free.zeta, F::int(2));
         let (time, (s, c)) = ((self.angle + y) * over_d, circular.upper(y));
         let (cos_zero, sin_zero) = self.zero;

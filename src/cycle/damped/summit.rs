@@ -37,7 +37,7 @@ use super::free::{Free, FreeState, Waves};
 use super::half_period::HalfPeriod;
 use super::middle::{Constants, Crest, slopes};
 use super::rising::{Moment, Rising, Vibration};
-use super::wide::WideState;
+use super::wide::{WideState, WideWaves};
 use crate::cycle::arrival::{Arrived, Nearby, Reciprocals};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
@@ -186,7 +186,8 @@ impl<F: Float> Rising<F> {
                 if !(time.hi > F::int(0) && time.hi < rising.half.period) {
                     return None;
                 }
-                let (found, next, is_found) = rising.arrive_below::<false>(time);
+                let waves = WideWaves::at((rising.half.omega, rising.half.free.zeta), F::int(1), time);
+                let (found, next, is_found) = rising.arrive_below(time, &waves);
                 if is_found {
                     return Some(found);
                 }
@@ -202,10 +203,10 @@ impl<F: Float> Rising<F> {
         fused!(<'a, F>(rising: &'a Rising<F>, tau: F) -> Option<Summit<F>> { rising.arrive(tau) })
     }
 
-    /// The maximum velocity near a time τ below Ω = d/2, the time of the next step, and whether it is near enough. `ALL` is
-    /// without branches.
+    /// The maximum velocity near a time τ below Ω = d/2, by the waves there, the time of the next step, and whether it is
+    /// near enough; without branches.
     #[inline(always)]
-    pub(crate) fn arrive_below<const ALL: bool>(&self, tau: Pair<F>) -> (Summit<F>, Pair<F>, bool) {
+    pub(crate) fn arrive_below(&self, tau: Pair<F>, waves: &WideWaves<F>) -> (Summit<F>, Pair<F>, bool) {
         let (motion, half) = (self.vibration(), &self.half);
         let HalfPeriod { omega, free: Free { zeta, .. }, .. } = *half;
         let [_, shift, h] = half.rest;
@@ -213,7 +214,7 @@ impl<F: Float> Rising<F> {
         let rest = Pair::new(self.max_displacement, self.rest);
         let (amplitude, start) = (rest + shift, (Pair::int(1) + shift, h * omega));
         let WideState { velocity, acceleration, drive: (s, c) } =
-            WideState::at::<ALL>((omega, zeta), start, F::int(1), tau);
+            WideState::of(zeta, start, F::int(1), waves);
         // The driven part of the displacement is −(a cos Ωτ + H sin Ωτ).
         let (along, across) = (amplitude * c + h * s, amplitude * s - h * c);
         let displacement = -(along + acceleration + velocity * (F::int(2) * zeta) + Pair::int(1));

@@ -16,31 +16,66 @@ pub(super) struct WideState<F> {
     pub(super) drive: (Pair<F>, Pair<F>),
 }
 
+/// The waves of a half cycle at one time, by parts that are loops of their own in a batch.
+#[derive(Clone, Copy)]
+pub(crate) struct WideWaves<F> {
+    /// 1/d.
+    pub(crate) over_d: Pair<F>,
+    /// (sin dτ, cos dτ).
+    pub(crate) swing: (Pair<F>, Pair<F>),
+    /// `e^{−ζτ}`.
+    pub(crate) decay: Pair<F>,
+    /// (sin Ωτ, cos Ωτ).
+    pub(crate) drive: (Pair<F>, Pair<F>),
+}
+
+impl<F: Float> WideWaves<F> {
+    /// For ζ < 1; with `side` −1 backwards in time.
+    #[inline(always)]
+    pub(super) fn at((omega, zeta): (F, F), side: F, time: Pair<F>) -> Self {
+        let (over_d, swing) = Self::swing(zeta, time);
+        let decay = Self::growth(zeta, side, time).exp();
+        Self { over_d, swing, decay, drive: Self::drive(omega, time) }
+    }
+
+    /// (sin Ωτ, cos Ωτ).
+    #[inline(always)]
+    pub(crate) fn drive(omega: F, time: Pair<F>) -> (Pair<F>, Pair<F>) {
+        wide_sin_cos(time * omega)
+    }
+
+    /// 1/d, and (sin dτ, cos dτ).
+    #[inline(always)]
+    pub(crate) fn swing(zeta: F, time: Pair<F>) -> (Pair<F>, (Pair<F>, Pair<F>)) {
+        let (d, over_d) = wide_frequency(zeta);
+        (over_d, wide_sin_cos(d * time))
+    }
+
+    #[inline(always)]
+    fn growth(zeta: F, side: F, time: Pair<F>) -> Pair<F> {
+        time * -(side * zeta)
+    }
+
+    /// `e^{−ζτ}` without branches, for `ζτ < e ln 2`, e = [`Float::RATIO_EXPONENT`].
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn decay(zeta: F, side: F, time: Pair<F>) -> Pair<F> {
+        Self::growth(zeta, side, time).exp_moderate().1
+    }
+}
+
 impl<F: Float> WideState<F> {
-    /// From (x, v), for ζ < 1; with `side` −1 backwards in time. `ALL` is without branches, for `ζτ < e ln 2`, e =
-    /// [`Float::RATIO_EXPONENT`].
+    /// From (x, v), by the waves.
     ///
     /// The velocity is `v c − (x + ζv) s`, the acceleration `a c − (v + ζa) s`, with c and s/d the two waves.
     #[inline(always)]
-    pub(super) fn at<const ALL: bool>(
-        (omega, zeta): (F, F),
-        (x, v): (Pair<F>, Pair<F>),
-        side: F,
-        time: Pair<F>,
-    ) -> Self {
-        let (d, over_d) = wide_frequency(zeta);
+    pub(super) fn of(zeta: F, (x, v): (Pair<F>, Pair<F>), side: F, waves: &WideWaves<F>) -> Self {
+        let WideWaves { over_d, swing: (sine, cosine), decay, drive } = *waves;
         let a = -(x + v * (F::int(2) * zeta));
         let (across, along) = ((x + v * zeta) * over_d, (v + a * zeta) * over_d);
-        let growth = time * -(side * zeta);
-        let decay = if ALL { growth.exp_moderate().1 } else { growth.exp() };
-        let (sine, cosine) = wide_sin_cos(d * time);
         let (sine, cosine) = (sine * decay, cosine * decay);
         let sine = Pair::new(side * sine.hi, side * sine.lo);
-        Self {
-            velocity: v * cosine - across * sine,
-            acceleration: a * cosine - along * sine,
-            drive: wide_sin_cos(time * omega),
-        }
+        Self { velocity: v * cosine - across * sine, acceleration: a * cosine - along * sine, drive }
     }
 }
 
