@@ -182,7 +182,7 @@ impl<F: Float> Rising<F> {
         let amplitude = square.sqrt();
         let excess = (amplitude.hi - least.hi) + (amplitude.lo - least.lo);
         let amplitude = if excess >= F::int(0) { amplitude } else { least };
-        Self::of_parts(half, amplitude, amplitude - half.wide().shift)
+        Self::of_parts(half, amplitude, amplitude.plus(-half.wide().shift))
     }
 
     #[inline(always)]
@@ -307,7 +307,7 @@ pub(crate) fn at_turning_point<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
 /// `q hypot(S, H)` for an S.
 #[inline(always)]
 fn force_ratio<F: Float>(half: &HalfPeriod<Pair<F>>, amplitude: Pair<F>) -> F {
-    ((amplitude.square() + half.h.square()) * half.squared_stiffness()).value().sqrt()
+    (amplitude.square().plus(half.h.square()) * half.squared_stiffness()).value().sqrt()
 }
 
 /// `hypot(K, qS)` for an S inside the half cycle, rounded once.

@@ -47,6 +47,12 @@ pub trait Field:
     fn leg(self, other: Self) -> Self {
         ((self - other) * (self + other)).sqrt()
     }
+    /// `self + other` where the two do not nearly cancel; a type may then save operations.
+    #[inline(always)]
+    #[must_use]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
     /// `n self`.
     #[inline(always)]
     fn times(self, n: i32) -> Self {

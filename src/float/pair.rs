@@ -158,12 +158,17 @@ impl<F: Float> Field for Pair<F> {
         Self { hi: self.hi.abs(), lo: self.lo.times_sign_of(self.hi) }
     }
 
-    /// Two squares do not cancel, so that their sum needs no normalising.
+    /// Without the last step of a sum: |lo| ≤ 1 + c units, in the table above, where the two have one sign.
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        let sum = Self::two_sum(self.hi, other.hi);
+        Self::new(sum.hi, sum.lo + (self.lo + other.lo))
+    }
+
+    /// Two squares do not cancel.
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {
-        let (square, more) = (self.square(), other.square());
-        let sum = Self::two_sum(square.hi, more.hi);
-        Self::new(sum.hi, sum.lo + (square.lo + more.lo)).sqrt()
+        self.square().plus(other.square()).sqrt()
     }
 
     /// The digits of a pair remain even if the two squares nearly cancel.

@@ -242,7 +242,7 @@ impl<F: Field> HalfPeriod<F> {
     /// q².
     #[inline(always)]
     pub(crate) fn squared_stiffness(&self) -> F {
-        self.damper().square() + self.one_minus_square.square()
+        self.damper().square().plus(self.one_minus_square.square())
     }
 
     /// `1 + G + 2ζΩH`: the deceleration at the maximum of the cycle that is barely held back there, in units
@@ -366,7 +366,7 @@ pub(crate) fn has_lobes<F: Float>(half: &HalfPeriod<F>) -> bool {
 /// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
 #[inline(always)]
 pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
-    (half.static_friction + half.shift + half.damper() * half.h) * half.inverse.square()
+    half.static_friction.plus(half.shift).plus(half.damper() * half.h) * half.inverse.square()
 }
 
 /// G and H from the middle of the half period: `(omega, middle)` is (Ω, T/2), `angle` (sin, cos) of dT/2 for
