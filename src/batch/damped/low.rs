@@ -162,6 +162,14 @@ impl AtPoint<3, 2> for Decays {
     }
 }
 
+impl AtPoint<2, 2> for Decays {
+    /// From the first end, `[ζ, τ]`.
+    #[inline(always)]
+    fn at(&self, [zeta, time]: [f64; 2]) -> [f64; 2] {
+        self.at([zeta, 1.0, time])
+    }
+}
+
 /// `[sin Ωτ, cos Ωτ]` in pairs from `[Ω, τ]`.
 struct Drives;
 
@@ -217,17 +225,13 @@ impl AtPoint<10, 1> for LongStart {
 /// The maximum velocity below Ω = 1/2.
 struct LongArrival;
 
-impl AtPoint<13, 4> for LongArrival {
-    /// `[V₀, ω_d t₁, α_min, Δ₁]` from a time near it, ω_d t₂, α_min and the inputs of [`known`]; a NaN in α_min means that
-    /// the velocity must be recomputed.
+impl AtPoint<25, 4> for LongArrival {
+    /// `[V₀, ω_d t₁, α_min, Δ₁]` from a time near it, ω_d t₂, α_min and the inputs of [`waves_of`] and of [`known`]; a NaN in
+    /// α_min means that the velocity must be recomputed.
     #[inline(always)]
-    fn at(&self, [time, phase2, border, given @ ..]: [f64; 13]) -> [f64; 4] {
-        let rising = known(given);
-        let tau = Pair::exact(time);
-        let (over_d, swing) = WideWaves::swing(rising.half.free.zeta, tau);
-        let decay = WideWaves::decay(rising.half.free.zeta, 1.0, tau);
-        let waves = WideWaves { over_d, swing, decay, drive: WideWaves::drive(rising.half.omega, tau) };
-        let (summit, _, is_near) = rising.arrive_below(tau, &waves);
+    fn at(&self, [time, phase2, border, a, b, c, d, e, f, g, h, i, j, k, l, given @ ..]: [f64; 25]) -> [f64; 4] {
+        let (rising, waves) = (known(given), waves_of([a, b, c, d, e, f, g, h, i, j, k, l]));
+        let (summit, _, is_near) = rising.arrive_below(Pair::exact(time), &waves);
         let is_inside = (time > 0.0) & (time < rising.half.period);
         // Without a cycle there is nothing to find.
         let is_found = (is_near & is_inside) | rising.max_displacement.is_nan();
@@ -287,14 +291,14 @@ impl Loops for LongPass<'_> {
             }
             let [a, b, c, d, e, f, g, h, p, q, r, s, ..] = work;
             each(&Swings, [zeta, time], [&mut *a, b, c, d, e, f]);
-            each(&Decays, [zeta, side, time], [&mut *g, h]);
+            each::<3, 2>(&Decays, [zeta, side, time], [&mut *g, h]);
             each(&Drives, [omega, time], [&mut *p, q, r, s]);
             let given = [eta, &*side, time, mark, turning, least, least_rest];
             let [t, u, v, w, x, y, z] = given;
             let given = [t, u, v, w, x, y, z, a, b, c, d, e, f, g, h, p, q, r, s, i, j, k, l, m, n, o];
             each(&Borders, given, [&mut *border]);
         }
-        let [time, mark, rest, amplitude, ..] = work;
+        let [time, mark, rest, amplitude, a, b, c, d, e, f, g, p, q, r, s, t, ..] = work;
         let given = [alpha, square, square_rest, least, least_rest, border, i, j, k, l, m, n, o];
         if !wanted.more {
             return each::<13, 2>(&Sizes, given, [delta, size1]);
@@ -304,7 +308,12 @@ impl Loops for LongPass<'_> {
             let start = LongStart(held(lobes::Constants::new()));
             each(&start, [delta, rest, amplitude, i, j, k, l, m, n, o], [&mut *time]);
             mark.copy_from_slice(border);
-            let given = [time, phase2, mark, delta, rest, amplitude, i, j, k, l, m, n, o];
+            each(&Swings, [zeta, time], [&mut *a, b, c, d, e, f]);
+            each::<2, 2>(&Decays, [zeta, time], [&mut *g, p]);
+            each(&Drives, [omega, time], [&mut *q, r, s, t]);
+            let given = [time, phase2, &*mark, a, b, c, d, e, f, g, p, q, r, s, t, delta, rest, amplitude];
+            let [a, b, c, d, e, f, g, h, p, q, r, s, t, u, v, w, x, y] = given;
+            let given = [a, b, c, d, e, f, g, h, p, q, r, s, t, u, v, w, x, y, i, j, k, l, m, n, o];
             each(&LongArrival, given, [velocity, phase1, border, deviation]);
         }
     }

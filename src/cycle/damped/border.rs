@@ -241,12 +241,12 @@ pub(crate) fn refined<F: Float>(
     let (zeta, omega, time) = (half.free.zeta, half.omega, time.constant());
     let b = wide.h * omega;
     let shift = Pair::new(side * wide.shift.hi, side * wide.shift.lo);
-    let start = (Pair::int(1) + shift, Pair::new(side * b.hi, side * b.lo));
+    let start = (Pair::int(1).plus(shift), Pair::new(side * b.hi, side * b.lo));
     let WideState { velocity, acceleration, drive: (sine, cosine) } =
         WideState::of(zeta, start, side, waves);
     let cosine = Pair::new(side * cosine.hi, side * cosine.lo);
     let n = b * cosine - velocity;
-    let slope = -(b * omega * sine + acceleration);
+    let slope = -(b * omega * sine).plus(acceleration);
     let value = side * (slope * sine - n * cosine * omega).value().constant();
     let displacement = -(F::int(2) * zeta).mul_add(velocity.hi, acceleration.hi);
     let bend = -(half.weighted(velocity.hi, displacement) * sine.hi).constant();

@@ -107,12 +107,12 @@ impl<F: Float> Long<F> {
         let inverse = Pair::reciprocal(omega, near);
         let (s, c) = (decay * sine, decay * cosine);
         // e^{−ζT} − 1
-        let fall = fall * (fall + Pair::int(2));
+        let fall = fall * fall.plus(Pair::int(2));
         let product = s * c;
-        let under = d * ((fall * half).square() + c.square());
+        let under = d * (fall * half).square().plus(c.square());
         // One quotient serves both.
         let over = Pair::int(1) / under;
-        let rise = -(fall * (fall + Pair::int(2))) * F::ratio(1, 4);
+        let rise = -(fall * fall.plus(Pair::int(2))) * F::ratio(1, 4);
         let shift = ((d * rise) - product * zeta) * over;
         let h = product * over * inverse;
         let (s, c) = (s.hi, c.hi);

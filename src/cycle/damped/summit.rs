@@ -212,11 +212,11 @@ impl<F: Float> Rising<F> {
         let [_, shift, h] = half.rest;
         let (shift, h) = (Pair::new(half.shift, shift), Pair::new(half.h, h));
         let rest = Pair::new(self.max_displacement, self.rest);
-        let (amplitude, start) = (rest + shift, (Pair::int(1) + shift, h * omega));
+        let (amplitude, start) = (rest.plus(shift), (Pair::int(1).plus(shift), h * omega));
         let WideState { velocity, acceleration, drive: (s, c) } =
             WideState::of(zeta, start, F::int(1), waves);
         // The driven part of the displacement is −(a cos Ωτ + H sin Ωτ).
-        let (along, across) = (amplitude * c + h * s, amplitude * s - h * c);
+        let (along, across) = ((amplitude * c).plus(h * s), (amplitude * s).plus(-(h * c)));
         let displacement = -(along + acceleration + velocity * (F::int(2) * zeta) + Pair::int(1));
         let velocity = across * omega + velocity;
         let slope = (along * omega * omega + acceleration).value();

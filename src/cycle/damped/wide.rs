@@ -71,8 +71,8 @@ impl<F: Float> WideState<F> {
     #[inline(always)]
     pub(super) fn of(zeta: F, (x, v): (Pair<F>, Pair<F>), side: F, waves: &WideWaves<F>) -> Self {
         let WideWaves { over_d, swing: (sine, cosine), decay, drive } = *waves;
-        let a = -(x + v * (F::int(2) * zeta));
-        let (across, along) = ((x + v * zeta) * over_d, (v + a * zeta) * over_d);
+        let a = -x.plus(v * (F::int(2) * zeta));
+        let (across, along) = (x.plus(v * zeta) * over_d, v.plus(a * zeta) * over_d);
         let (sine, cosine) = (sine * decay, cosine * decay);
         let sine = Pair::new(side * sine.hi, side * sine.lo);
         Self { velocity: v * cosine - across * sine, acceleration: a * cosine - along * sine, drive }
