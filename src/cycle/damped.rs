@@ -20,7 +20,7 @@ pub(crate) mod free;
 pub(crate) mod half_period;
 pub(crate) mod lobes;
 pub(crate) mod long;
-mod low;
+pub(crate) mod low;
 pub(crate) mod middle;
 mod peaks;
 mod pole;

@@ -6,6 +6,7 @@ use super::{Pass, Sizes, Squares, half};
 use crate::cycle::damped::from_lobe;
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::cycle::damped::lobes::{self, FromEnd, Lobe, Step};
+use crate::cycle::damped::low::{Climb, Crests};
 use crate::cycle::damped::long::{Long, Turn, falling};
 use crate::cycle::damped::rising::Rising;
 use crate::cycle::damped::wide::WideWaves;
@@ -211,14 +212,56 @@ fn known([max_displacement, rest, amplitude, given @ ..]: [f64; 10]) -> Rising<f
     Rising { half: half(given), amplitude, max_displacement, rest }
 }
 
-/// A time near the maximum velocity below Ω = 1/2 from the inputs of [`known`]; NaN where it is not known.
+/// The crests of the velocity below Ω = 1/2 from the inputs of [`known`].
+struct Starts(lobes::Constants<f64>);
+
+impl AtPoint<10, 7> for Starts {
+    #[inline(always)]
+    fn at(&self, given: [f64; 10]) -> [f64; 7] {
+        Crests::in_parts(&known(given), &self.0)
+    }
+}
+
+/// Steps to the maximum velocity: `[δ, a time near the maximum, the velocity]`; δ is NaN where no further step may find it, the time
+/// until one has.
+struct Climbs(lobes::Constants<f64>);
+
+#[inline(always)]
+fn marked(Climb { delta, is_open, is_found, time, velocity }: Climb<f64>) -> [f64; 3] {
+    [select(is_open, delta, f64::NAN), select(is_found, time, f64::NAN), velocity]
+}
+
+#[inline(always)]
+fn climb_of([delta, time, velocity]: [f64; 3]) -> Climb<f64> {
+    Climb { delta, is_open: !delta.is_nan(), is_found: !time.is_nan(), time, velocity }
+}
+
+impl AtPoint<9, 3> for Climbs {
+    /// The first, from `[Ω, ζ]` and the results of [`Starts`].
+    #[inline(always)]
+    fn at(&self, [omega, zeta, crests @ ..]: [f64; 9]) -> [f64; 3] {
+        let crests = Crests::of_parts((omega, zeta), crests, &self.0);
+        marked(crests.climb(&crests.foot()))
+    }
+}
+
+impl AtPoint<12, 3> for Climbs {
+    /// The next, from the one before and these.
+    #[inline(always)]
+    fn at(&self, [delta, time, velocity, omega, zeta, crests @ ..]: [f64; 12]) -> [f64; 3] {
+        marked(Crests::of_parts((omega, zeta), crests, &self.0).climb(&climb_of([delta, time, velocity])))
+    }
+}
+
+/// A time near the maximum velocity below Ω = 1/2; NaN where it is not known.
 struct LongStart(lobes::Constants<f64>);
 
-impl AtPoint<10, 1> for LongStart {
+impl AtPoint<12, 1> for LongStart {
+    /// From the inputs of [`Climbs`].
     #[inline(always)]
-    fn at(&self, given: [f64; 10]) -> [f64; 1] {
-        let (time, is_found) = known(given).fastest_of_most(&self.0);
-        [select(is_found, time, f64::NAN)]
+    fn at(&self, [delta, time, velocity, omega, zeta, crests @ ..]: [f64; 12]) -> [f64; 1] {
+        let crests = Crests::of_parts((omega, zeta), crests, &self.0);
+        [select(crests.is_greatest(&climb_of([delta, time, velocity])), time, f64::NAN)]
     }
 }
 
@@ -305,8 +348,21 @@ impl Loops for LongPass<'_> {
         }
         each::<13, 6>(&Sizes, given, [&mut *delta, size1, phase2, size2, rest, amplitude]);
         if wanted.velocity {
-            let start = LongStart(held(lobes::Constants::new()));
-            each(&start, [delta, rest, amplitude, i, j, k, l, m, n, o], [&mut *time]);
+            let constants = held(lobes::Constants::new());
+            let crests = [&mut *a, b, c, d, e, f, g];
+            each(&Starts(constants), [delta, rest, amplitude, i, j, k, l, m, n, o], crests);
+            {
+                let [a, b, c, d, e, f, g] = [&*a, &*b, &*c, &*d, &*e, &*f, &*g];
+                let climbs = Climbs(constants);
+                let given = [omega, zeta, a, b, c, d, e, f, g];
+                each::<9, 3>(&climbs, given, [&mut *p, &mut *q, &mut *r]);
+                let given = [&*p, q, r, omega, zeta, a, b, c, d, e, f, g];
+                each::<12, 3>(&climbs, given, [&mut *s, &mut *t, &mut *mark]);
+                let given = [&*s, t, mark, omega, zeta, a, b, c, d, e, f, g];
+                each::<12, 3>(&climbs, given, [&mut *p, &mut *q, &mut *r]);
+                let given = [&*p, q, r, omega, zeta, a, b, c, d, e, f, g];
+                each(&LongStart(constants), given, [&mut *time]);
+            }
             mark.copy_from_slice(border);
             each(&Swings, [zeta, time], [&mut *a, b, c, d, e, f]);
             each::<2, 2>(&Decays, [zeta, time], [&mut *g, p]);

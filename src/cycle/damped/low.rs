@@ -35,7 +35,7 @@ use super::rising::Rising;
 use crate::float::Float;
 
 /// The velocity by the time since the driven part's crest.
-struct Crests<F> {
+pub(crate) struct Crests<F> {
     omega: F,
     free: Free<F>,
     over_d: F,
@@ -67,12 +67,62 @@ impl<F: Float> Rising<F> {
     pub(super) fn fastest_of_two(&self) -> Option<F> {
         Crests::of::<false>(self, Constants::new()).fastest()
     }
+}
 
-    /// The same without branches, and whether it is known: at fewer points than there.
-    #[cfg(feature = "batch")]
+/// The steps to the maximum towards the nearer crest, of which each is a loop of its own in a batch.
+#[cfg(feature = "batch")]
+#[derive(Clone, Copy)]
+pub(crate) struct Climb<F> {
+    /// The distance from the driven part's crest after the last step.
+    pub(crate) delta: F,
+    /// Whether another step may find the maximum, and whether one has.
+    pub(crate) is_open: bool,
+    pub(crate) is_found: bool,
+    /// A time near the maximum that was found, and the velocity close by.
+    pub(crate) time: F,
+    pub(crate) velocity: F,
+}
+
+/// By parts without branches, for batches.
+#[cfg(feature = "batch")]
+impl<F: Float> Crests<F> {
     #[inline(always)]
-    pub(crate) fn fastest_of_most(&self, given: &Constants<F>) -> (F, bool) {
-        Crests::of::<true>(self, *given).fastest_of_most()
+    pub(crate) fn in_parts(rising: &Rising<F>, given: &Constants<F>) -> [F; 7] {
+        let Self { free, over_d, swing, size, phase, centre, start, .. } = Self::of::<true>(rising, *given);
+        [free.frequency, over_d, swing, size, phase, centre, start]
+    }
+
+    #[inline(always)]
+    pub(crate) fn of_parts(
+        (omega, zeta): (F, F),
+        [frequency, over_d, swing, size, phase, centre, start]: [F; 7],
+        given: &Constants<F>,
+    ) -> Self {
+        let free = Free { frequency, ..Free::new(zeta) };
+        Self { omega, free, over_d, given: *given, swing, size, phase, centre, start }
+    }
+
+    /// Before the first step.
+    #[inline(always)]
+    pub(crate) fn foot(&self) -> Climb<F> {
+        let (delta, zero) = (self.first_guess(self.phase.abs()), F::int(0));
+        Climb { delta, is_open: true, is_found: false, time: zero, velocity: zero }
+    }
+
+    /// The next step.
+    #[inline(always)]
+    pub(crate) fn climb(&self, from: &Climb<F>) -> Climb<F> {
+        let towards = (F::int(1).times_sign_of(self.phase), self.phase.abs());
+        let (Root { time, velocity, .. }, delta, is_inside, is_near) =
+            self.step(towards, F::int(0), from.delta);
+        let is_now = from.is_open & is_inside & is_near;
+        Climb {
+            delta,
+            is_open: from.is_open & is_inside & !is_near,
+            is_found: from.is_found | is_now,
+            time: if is_now { time } else { from.time },
+            velocity: if is_now { velocity } else { from.velocity },
+        }
     }
 }
 
@@ -164,19 +214,6 @@ impl<F: Float> Crests<F> {
         (root, next, next <= e * self.over_d, is_near)
     }
 
-    /// The maximum towards the nearer crest by three steps at most, and whether it is found.
-    #[cfg(feature = "batch")]
-    #[inline(always)]
-    fn root_of_three(&self, (side, e): (F, F), start: F) -> (Root<F>, bool) {
-        let zero = F::int(0);
-        let (first, next, is_inside, is_near) = self.step((side, e), zero, start);
-        let (second, next, is_inside_again, is_near_again) = self.step((side, e), zero, next);
-        let (third, _, is_inside_at_last, is_near_at_last) = self.step((side, e), zero, next);
-        let found = if is_near_again { second } else { third };
-        let is_found = is_inside_again & (is_near_again | (is_inside_at_last & is_near_at_last));
-        (if is_near { first } else { found }, is_inside & (is_near | is_found))
-    }
-
     /// The distance of the maximum from the crest of the driven part where Ωδ and dδ are small.
     #[inline(always)]
     fn first_guess(&self, e: F) -> F {
@@ -189,14 +226,14 @@ impl<F: Float> Crests<F> {
         (e - F::angle_of(y * scale, x * scale)) * self.over_d
     }
 
-    /// [`Crests::fastest`] by the bounds that most points need, without branches.
+    /// [`Crests::fastest`] by the bounds that most points need, without branches: whether the maximum that was found is the
+    /// greatest.
     #[cfg(feature = "batch")]
     #[inline(always)]
-    fn fastest_of_most(&self) -> (F, bool) {
+    pub(crate) fn is_greatest(&self, top: &Climb<F>) -> bool {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let (side, e) = (one.times_sign_of(self.phase), self.phase.abs());
-        let (near, is_found) = self.root_of_three((side, e), self.first_guess(e));
-        let certain = near.velocity - self.noise();
+        let certain = top.velocity - self.noise();
         let (is_left, beyond) = (side < zero, two * F::pi() - e);
         let left = if is_left { e } else { beyond };
         let height = self.height(left);
@@ -208,7 +245,7 @@ impl<F: Float> Crests<F> {
         let is_moderate =
             (self.free.zeta * self.centre.or_larger(two * two * F::pi() * self.over_d)) <= reach();
         let has_lobes = self.omega * two < self.free.frequency;
-        (near.time, has_lobes & is_moderate & is_found & (is_first | (is_earlier_less & is_other_less)))
+        has_lobes & is_moderate & top.is_found & (is_first | (is_earlier_less & is_other_less))
     }
 
     /// [`Crests::exceeds_earlier`] without branches, where three troughs suffice.
