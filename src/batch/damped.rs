@@ -203,7 +203,7 @@ impl Wanted {
 }
 
 /// Blocks for what passes from one loop to the next.
-const WORK: usize = 26;
+const WORK: usize = 30;
 
 struct Pass<'a> {
     wanted: Wanted,

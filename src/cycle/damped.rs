@@ -42,7 +42,7 @@ use crate::machine::ratios::Ratios;
 #[cfg(feature = "batch")]
 use border::{Refined, refined};
 #[cfg(feature = "batch")]
-use wide::WideWaves;
+use wide::WideState;
 use border::{least_displacement, supremum, turning_point};
 pub(crate) use half_period::HalfPeriod;
 use pole::Pole;
@@ -335,18 +335,18 @@ pub(crate) fn from_turning_point<F: Float>(half: &HalfPeriod<F>, alpha: F) -> (P
     (half.squared_amplitude(alpha), least, force_ratio(&half, least))
 }
 
-/// α_min by the lobe of a half period and the waves there, and whether it is that; without branches. `least` is S at the
+/// α_min by the lobe of a half period and the state there, and whether it is that; without branches. `least` is S at the
 /// turning point, and `at_turning_point` the force ratio there.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn from_lobe<F: Float>(
     half: &HalfPeriod<F>,
     (side, time): (F, F),
-    waves: &WideWaves<F>,
+    state: &WideState<F>,
     (least, at_turning_point): (Pair<F>, F),
 ) -> (F, bool) {
     let wide = half.wide();
-    let Refined { amplitude, is_near, .. } = refined(half, &wide, side, time, waves);
+    let Refined { amplitude, is_near, .. } = refined(half, &wide, side, time, state);
     let inside = inner_force_ratio(&wide, amplitude).or_larger(at_turning_point);
     let is_above = (amplitude - least).value() > F::int(0);
     (if is_above { inside } else { at_turning_point }, is_near)

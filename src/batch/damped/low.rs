@@ -4,12 +4,13 @@ use super::super::block::{AtPoint, each, select};
 use super::super::level::Loops;
 use super::{Pass, Sizes, Squares, half};
 use crate::cycle::damped::from_lobe;
+use crate::cycle::damped::free::Free;
 use crate::cycle::damped::half_period::HalfPeriod;
-use crate::cycle::damped::lobes::{self, FromEnd, Lobe, Step};
+use crate::cycle::damped::lobes::{self, Edge, EndWaves, FromEnd, Lobe, Step};
 use crate::cycle::damped::low::{Climb, Crests};
 use crate::cycle::damped::long::{Long, Turn, falling};
 use crate::cycle::damped::rising::Rising;
-use crate::cycle::damped::wide::WideWaves;
+use crate::cycle::damped::wide::{WideState, WideWaves};
 use crate::cycle::velocity_phase;
 use crate::float::circular::held;
 use crate::float::pair::Pair;
@@ -70,32 +71,91 @@ impl AtPoint<13, 4> for LongResponses {
     }
 }
 
-/// The half cycle below Ω = 1/2 from the end of its lobe.
-struct Ends;
+/// `[d, 1/d]` from `[ζ]`.
+struct Frequencies;
 
-impl AtPoint<7, 9> for Ends {
-    /// `[d, side, 1/d, the cosine and sine of the first zero of p, its angle, own, far, mark]` from the inputs of [`half`]: the
-    /// mark is 1 where the lobe has a maximum, else 0, and NaN where the point must be recomputed.
+impl AtPoint<1, 2> for Frequencies {
     #[inline(always)]
-    fn at(&self, given: [f64; 7]) -> [f64; 9] {
-        let half = half(given);
-        let FromEnd { side, over_d, zero, angle, own, far, has_maximum, is_clear } = FromEnd::of(&half);
-        let mark = select(is_clear, select(has_maximum, 1.0, 0.0), f64::NAN);
-        [half.free.frequency, side, over_d, zero.0, zero.1, angle, own, far, mark]
+    fn at(&self, [zeta]: [f64; 1]) -> [f64; 2] {
+        let d = Free::new(zeta).frequency;
+        [d, 1.0 / d]
     }
 }
 
-/// The half period and its end from the results of [`Ends`] and the inputs of [`half`].
-#[inline(always)]
-fn end_of([d, side, over_d, cosine, sine, angle, own, far, mark, given @ ..]: [f64; 16]) -> (HalfPeriod<f64>, FromEnd<f64>) {
-    let mut half = half(given);
-    half.free.frequency = d;
-    let (has_maximum, is_clear) = (mark > 0.0, !mark.is_nan());
-    (half, FromEnd { side, over_d, zero: (cosine, sine), angle, own, far, has_maximum, is_clear })
+/// The end with the lobe below Ω = 1/2.
+struct Edges;
+
+impl AtPoint<8, 4> for Edges {
+    /// `[side, the cosine and sine of the first zero of p, mark]` from 1/d and the inputs of [`half`]: the mark is 1 where there
+    /// is a lobe, else 0, and NaN where the point must be recomputed.
+    #[inline(always)]
+    fn at(&self, [over_d, given @ ..]: [f64; 8]) -> [f64; 4] {
+        let Edge { side, zero: (cosine, sine), has_lobe, is_alone, .. } = Edge::of(&half(given), over_d);
+        [side, cosine, sine, select(is_alone, select(has_lobe, 1.0, 0.0), f64::NAN)]
+    }
 }
 
-/// Steps to the maximum in the lobe, `[y, ρ]`; ρ is NaN where the step is not near.
-struct Steps(lobes::Constants<f64>);
+/// The half cycle below Ω = 1/2 from that end.
+struct Ends;
+
+impl AtPoint<13, 4> for Ends {
+    /// `[the angle of the first zero of p, own, far, mark]` from `[d, 1/d]`, the results of [`Edges`] and the inputs of
+    /// [`half`]: the mark is 1 where the lobe has a maximum, else 0, and NaN where the point must be recomputed.
+    #[inline(always)]
+    fn at(&self, [d, over_d, side, cosine, sine, mark, given @ ..]: [f64; 13]) -> [f64; 4] {
+        let half = with_frequency(half(given), d);
+        let (has_lobe, is_alone) = (mark > 0.0, !mark.is_nan());
+        let edge = Edge { side, over_d, zero: (cosine, sine), has_lobe, is_alone };
+        let FromEnd { angle, own, far, has_maximum, is_clear, .. } = FromEnd::of(&half, &edge);
+        [angle, own, far, select(is_clear, select(has_maximum, 1.0, 0.0), f64::NAN)]
+    }
+}
+
+#[inline(always)]
+fn with_frequency(half: HalfPeriod<f64>, frequency: f64) -> HalfPeriod<f64> {
+    HalfPeriod { free: Free { frequency, ..half.free }, ..half }
+}
+
+/// The half period and its end from `[d, 1/d, side, cosine, sine]`, the results of [`Ends`] and the inputs of [`half`].
+#[inline(always)]
+fn end_of(
+    [d, over_d, side, cosine, sine, angle, own, far, mark, given @ ..]: [f64; 16],
+) -> (HalfPeriod<f64>, FromEnd<f64>) {
+    let (has_maximum, is_clear) = (mark > 0.0, !mark.is_nan());
+    let from = FromEnd { side, over_d, zero: (cosine, sine), angle, own, far, has_maximum, is_clear };
+    (with_frequency(half(given), d), from)
+}
+
+/// The waves at a place in the lobe, `[sin y, cos y, sin Ωτ, cos Ωτ, e^{−ζτ}]`.
+struct LobeWaves(lobes::Constants<f64>);
+
+#[inline(always)]
+fn five(EndWaves { swing, drive, decay }: EndWaves<f64>) -> [f64; 5] {
+    [swing.0, swing.1, drive.0, drive.1, decay]
+}
+
+impl AtPoint<16, 6> for LobeWaves {
+    /// After the place y itself at the start, from the inputs of [`end_of`].
+    #[inline(always)]
+    fn at(&self, given: [f64; 16]) -> [f64; 6] {
+        let (half, from) = end_of(given);
+        let y = from.start(&half);
+        let [a, b, c, d, e] = five(from.waves(&half, y, &self.0));
+        [y, a, b, c, d, e]
+    }
+}
+
+impl AtPoint<17, 5> for LobeWaves {
+    /// At y, from this and the inputs of [`end_of`].
+    #[inline(always)]
+    fn at(&self, [y, given @ ..]: [f64; 17]) -> [f64; 5] {
+        let (half, from) = end_of(given);
+        five(from.waves(&half, y, &self.0))
+    }
+}
+
+/// A step to the maximum in the lobe, `[y, ρ]`; ρ is NaN where it is not near.
+struct Steps;
 
 #[inline(always)]
 fn parts(Step { y, amplitude, is_near }: Step<f64>) -> [f64; 2] {
@@ -107,21 +167,24 @@ fn step_of([y, amplitude]: [f64; 2]) -> Step<f64> {
     Step { y, amplitude, is_near: !amplitude.is_nan() }
 }
 
-impl AtPoint<16, 2> for Steps {
-    /// The first, from the inputs of [`end_of`].
+impl AtPoint<22, 2> for Steps {
+    /// The first, from y, the waves there and the inputs of [`end_of`].
     #[inline(always)]
-    fn at(&self, given: [f64; 16]) -> [f64; 2] {
+    fn at(&self, [y, a, b, c, d, decay, given @ ..]: [f64; 22]) -> [f64; 2] {
         let (half, from) = end_of(given);
-        parts(from.step(&half, from.start(&half), &self.0))
+        parts(from.step(&half, y, &EndWaves { swing: (a, b), drive: (c, d), decay }))
     }
 }
 
-impl AtPoint<18, 2> for Steps {
-    /// The second, from the first and the inputs of [`end_of`].
+impl AtPoint<23, 2> for Steps {
+    /// The second, from the first, the waves there and the inputs of [`end_of`].
     #[inline(always)]
-    fn at(&self, [y, amplitude, given @ ..]: [f64; 18]) -> [f64; 2] {
-        let ((half, from), first) = (end_of(given), step_of([y, amplitude]));
-        parts(first.or(from.step(&half, first.y, &self.0)))
+    fn at(&self, [y, amplitude, given @ ..]: [f64; 23]) -> [f64; 2] {
+        let [a, b, c, d, e, given @ ..] = given;
+        let first = step_of([y, amplitude]);
+        let [f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = given;
+        let next = self.at([y, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u]);
+        parts(first.or(step_of(next)))
     }
 }
 
@@ -189,18 +252,34 @@ fn waves_of([a, b, c, d, e, f, g, h, i, j, k, l]: [f64; 12]) -> WideWaves<f64> {
     WideWaves { over_d: of(a, b), swing: (of(c, d), of(e, f)), decay: of(g, h), drive: (of(i, j), of(k, l)) }
 }
 
+/// Free vibration at the lobe's maximum, `[h′, h″]` in pairs.
+struct States;
+
+impl AtPoint<20, 4> for States {
+    /// From the side, the inputs of [`waves_of`] and of [`half`].
+    #[inline(always)]
+    fn at(&self, [side, a, b, c, d, e, f, g, h, i, j, k, l, given @ ..]: [f64; 20]) -> [f64; 4] {
+        let half = half(given);
+        let waves = waves_of([a, b, c, d, e, f, g, h, i, j, k, l]);
+        let WideState { velocity, acceleration, .. } = half.wide().free_from(half.free.zeta, side, &waves);
+        [velocity.hi, velocity.lo, acceleration.hi, acceleration.lo]
+    }
+}
+
 /// `[α_min]`.
 struct Borders;
 
-impl AtPoint<26, 1> for Borders {
-    /// From η, `[side, time, mark]` of the lobe, the force ratio at the turning point, S there, the inputs of [`waves_of`]
-    /// and of [`half`].
+impl AtPoint<22, 1> for Borders {
+    /// From η, `[side, time, mark]` of the lobe, the force ratio at the turning point, S there, the results of [`States`] and
+    /// [`Drives`] and the inputs of [`half`].
     #[inline(always)]
-    fn at(&self, [eta, side, time, mark, at_turning_point, least, rest, given @ ..]: [f64; 26]) -> [f64; 1] {
-        let [a, b, c, d, e, f, g, h, i, j, k, l, given @ ..] = given;
-        let (waves, half) = (waves_of([a, b, c, d, e, f, g, h, i, j, k, l]), half(given).with_static_friction(eta));
-        let at_end = (Pair::new(least, rest), at_turning_point);
-        let (border, is_near) = from_lobe(&half, (side, time), &waves, at_end);
+    fn at(&self, [eta, side, time, mark, at_turning_point, least, rest, given @ ..]: [f64; 22]) -> [f64; 1] {
+        let ([a, b, c, d, e, f, g, h, given @ ..], of) = (given, Pair::new);
+        let half = half(given).with_static_friction(eta);
+        let drive = (of(e, f), of(g, h));
+        let state = WideState { velocity: of(a, b), acceleration: of(c, d), drive };
+        let at_end = (of(least, rest), at_turning_point);
+        let (border, is_near) = from_lobe(&half, (side, time), &state, at_end);
         let border = select(is_near, border, f64::NAN);
         [select(mark.is_nan(), f64::NAN, select(mark > 0.0, border, at_turning_point))]
     }
@@ -318,27 +397,36 @@ impl Loops for LongPass<'_> {
             let squares = [&mut *square, square_rest, &mut *least, &mut *least_rest, &mut *turning];
             each(&Squares, [alpha, eta, i, j, k, l, m, n, o], squares);
             {
-                let [d, over_d, cosine, sine, angle, own, far, has, y, rho, next, at_next, ..] = &mut *work;
-                let ends = [&mut *d, side, over_d, cosine, sine, angle, own, far, has];
-                each(&Ends, [i, j, k, l, m, n, o], ends);
-                let [d, a, over_d, b, c, e, f, g, h] =
-                    [&*d, &*side, over_d, cosine, sine, angle, own, far, has];
-                let steps = Steps(held(lobes::Constants::new()));
-                let given = [d, a, over_d, b, c, e, f, g, h, i, j, k, l, m, n, o];
-                each::<16, 2>(&steps, given, [&mut *y, &mut *rho]);
-                let given = [&*y, rho, d, a, over_d, b, c, e, f, g, h, i, j, k, l, m, n, o];
-                each::<18, 2>(&steps, given, [&mut *next, &mut *at_next]);
-                let given =
-                    [&*least, least_rest, next, at_next, d, a, over_d, b, c, e, f, g, h, i, j, k, l, m, n, o];
+                let [d, over_d, cosine, sine, angle, own, far, has, work @ ..] = &mut *work;
+                each(&Frequencies, [zeta], [&mut *d, &mut *over_d]);
+                let edges = [&mut *side, &mut *cosine, &mut *sine, &mut *mark];
+                each(&Edges, [&*over_d, i, j, k, l, m, n, o], edges);
+                let given = [&*d, over_d, side, cosine, sine, mark, i, j, k, l, m, n, o];
+                each(&Ends, given, [&mut *angle, &mut *own, &mut *far, &mut *has]);
+                let end = [&*d, over_d, side, cosine, sine, angle, own, far, has];
+                let [a, b, c, d, e, f, g, h, p] = end;
+                let [y, rho, next, at_next, u, v, w, x, z, ..] = work;
+                let waves = LobeWaves(held(lobes::Constants::new()));
+                let given = [a, b, c, d, e, f, g, h, p, i, j, k, l, m, n, o];
+                each::<16, 6>(&waves, given, [&mut *y, &mut *u, &mut *v, &mut *w, &mut *x, &mut *z]);
+                let given = [&*y, u, v, w, x, z, a, b, c, d, e, f, g, h, p, i, j, k, l, m, n, o];
+                each::<22, 2>(&Steps, given, [&mut *next, &mut *at_next]);
+                let given = [&*next, a, b, c, d, e, f, g, h, p, i, j, k, l, m, n, o];
+                each::<17, 5>(&waves, given, [&mut *u, &mut *v, &mut *w, &mut *x, &mut *z]);
+                let given = [&*next, at_next, u, v, w, x, z, a, b, c, d, e, f, g, h, p, i, j, k, l, m, n, o];
+                each::<23, 2>(&Steps, given, [&mut *y, &mut *rho]);
+                let given = [&*least, least_rest, y, rho, a, b, c, d, e, f, g, h, p, i, j, k, l, m, n, o];
                 each(&Lobes(held(lobes::Constants::new())), given, [time, mark]);
             }
-            let [a, b, c, d, e, f, g, h, p, q, r, s, ..] = work;
+            let [a, b, c, d, e, f, g, h, p, q, r, s, w, x, y, z, ..] = work;
             each(&Swings, [zeta, time], [&mut *a, b, c, d, e, f]);
             each::<3, 2>(&Decays, [zeta, side, time], [&mut *g, h]);
             each(&Drives, [omega, time], [&mut *p, q, r, s]);
+            let given = [&*side, a, b, c, d, e, f, g, h, p, q, r, s, i, j, k, l, m, n, o];
+            each(&States, given, [&mut *w, &mut *x, &mut *y, &mut *z]);
             let given = [eta, &*side, time, mark, turning, least, least_rest];
-            let [t, u, v, w, x, y, z] = given;
-            let given = [t, u, v, w, x, y, z, a, b, c, d, e, f, g, h, p, q, r, s, i, j, k, l, m, n, o];
+            let [a, b, c, d, e, f, g] = given;
+            let given = [a, b, c, d, e, f, g, w, x, y, z, p, q, r, s, i, j, k, l, m, n, o];
             each(&Borders, given, [&mut *border]);
         }
         let [time, mark, rest, amplitude, a, b, c, d, e, f, g, p, q, r, s, t, ..] = work;

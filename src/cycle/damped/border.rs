@@ -218,16 +218,15 @@ pub(crate) struct Refined<F> {
     pub(crate) is_near: bool,
 }
 
-/// [`refined`] with the waves.
+/// [`refined`] with the state.
 #[inline(always)]
 fn refined_at<F: Float>(half: &HalfPeriod<F>, wide: &HalfPeriod<Pair<F>>, side: F, time: F) -> Refined<F> {
     let at = Pair::exact(time.constant());
     let waves = WideWaves::at((half.omega, half.free.zeta), side, at);
-    refined(half, wide, side, time, &waves)
+    refined(half, wide, side, time, &wide.free_from(half.free.zeta, side, &waves))
 }
 
-/// A step in pairs from a time near a maximum of ρ since the end of the half cycle on this side, 1 or −1, by the waves
-/// there.
+/// A step in pairs from a time near a maximum of ρ since the end of the half cycle on this side, 1 or −1, by the state there.
 ///
 /// `ρ′ = v/(Ω sin² Ωτ)` with v of [`rise`], so that over the step v/v′ ρ grows by half of −v²/v′ in this place.
 #[inline(always)]
@@ -236,14 +235,11 @@ pub(crate) fn refined<F: Float>(
     wide: &HalfPeriod<Pair<F>>,
     side: F,
     time: F,
-    waves: &WideWaves<F>,
+    state: &WideState<F>,
 ) -> Refined<F> {
     let (zeta, omega, time) = (half.free.zeta, half.omega, time.constant());
     let b = wide.h * omega;
-    let shift = Pair::new(side * wide.shift.hi, side * wide.shift.lo);
-    let start = (Pair::int(1).plus(shift), Pair::new(side * b.hi, side * b.lo));
-    let WideState { velocity, acceleration, drive: (sine, cosine) } =
-        WideState::of(zeta, start, side, waves);
+    let WideState { velocity, acceleration, drive: (sine, cosine) } = *state;
     let cosine = Pair::new(side * cosine.hi, side * cosine.lo);
     let n = b * cosine - velocity;
     let slope = -(b * omega * sine).plus(acceleration);

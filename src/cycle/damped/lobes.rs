@@ -57,8 +57,20 @@ pub(crate) struct Lobe<F> {
     pub(crate) is_decided: bool,
 }
 
-/// A half cycle seen from the end after which the lobe is: the first of the parts of [`Lobe`], which are loops of their own in
-/// a batch.
+/// The end of a half cycle where p < 0, if there is one: the first of the parts of [`Lobe`], which are loops of their own in a
+/// batch.
+#[derive(Clone, Copy)]
+pub(crate) struct Edge<F> {
+    pub(crate) side: F,
+    pub(crate) over_d: F,
+    /// cos and sin of the first zero of p, in (0, π].
+    pub(crate) zero: (F, F),
+    /// Whether p < 0 at this end, and not at the other.
+    pub(crate) has_lobe: bool,
+    pub(crate) is_alone: bool,
+}
+
+/// A half cycle seen from that end.
 #[derive(Clone, Copy)]
 pub(crate) struct FromEnd<F> {
     pub(crate) side: F,
@@ -75,6 +87,17 @@ pub(crate) struct FromEnd<F> {
     pub(crate) is_clear: bool,
 }
 
+/// The waves at a phase y after the first zero of p.
+#[derive(Clone, Copy)]
+pub(crate) struct EndWaves<F> {
+    /// (sin y, cos y).
+    pub(crate) swing: (F, F),
+    /// (sin Ωτ, cos Ωτ) of the time since the end.
+    pub(crate) drive: (F, F),
+    /// `e^{−ζτ}`, backwards in time from the last end.
+    pub(crate) decay: F,
+}
+
 /// A step towards the maximum in a lobe.
 #[derive(Clone, Copy)]
 pub(crate) struct Step<F> {
@@ -89,10 +112,15 @@ impl<F: Float> Lobe<F> {
     /// The lobe of a half period whose maximum may be above `least`. `ALL` computes every step, without branches.
     #[inline(always)]
     pub(crate) fn of<const ALL: bool>(half: &HalfPeriod<F>, least: F, given: &Constants<F>) -> Self {
-        let from = FromEnd::of(half);
+        let from = FromEnd::of(half, &Edge::of(half, F::int(1) / half.free.frequency));
         let step = if ALL || from.has_maximum {
-            let first = from.step(half, from.start(half), given);
-            if !ALL && first.is_near { first } else { first.or(from.step(half, first.y, given)) }
+            let start = from.start(half);
+            let first = from.step(half, start, &from.waves(half, start, given));
+            if !ALL && first.is_near {
+                first
+            } else {
+                first.or(from.step(half, first.y, &from.waves(half, first.y, given)))
+            }
         } else {
             Step { y: F::pi(), amplitude: F::int(0), is_near: true }
         };
@@ -108,41 +136,49 @@ impl<F: Float> Step<F> {
     }
 }
 
-impl<F: Float> FromEnd<F> {
+impl<F: Float> Edge<F> {
     #[inline(always)]
-    pub(crate) fn of(half: &HalfPeriod<F>) -> Self {
-        let (zero, one, pi, omega) = (F::int(0), F::int(1), F::pi(), half.omega);
-        let (zeta, d) = (half.free.zeta, half.free.frequency);
-        let b = omega * half.h;
+    pub(crate) fn of(half: &HalfPeriod<F>, over_d: F) -> Self {
+        let (zero, one, zeta) = (F::int(0), F::int(1), half.free.zeta);
+        let b = half.omega * half.h;
         let (first, last) = (half.weighted(b, one + half.shift), half.weighted(-b, one - half.shift));
         let (side, weight, other) = if last < zero { (-one, last, first) } else { (one, first, last) };
-        let (x, v) = Self::state(half, side);
-        let (over_d, a) = (one / d, -(x + F::int(2) * zeta * v));
+        let (x, v) = state(half, side);
+        let a = -(x + F::int(2) * zeta * v);
         // p = e^{−ζτ} (p cos dτ + [(p′ + ζp)/d] sin dτ)
         let part = side * (half.weighted(a, v) + zeta * weight) * over_d;
         let scale = one / weight.mul_add(weight, part * part).sqrt();
         let (sine, cosine) = (weight * scale, -(part * scale));
-        let has_maximum = sine < zero;
-        let (sine, cosine) = if has_maximum { (-sine, -cosine) } else { (sine, cosine) };
+        let has_lobe = sine < zero;
+        let zero_of_p = if has_lobe { (-cosine, -sine) } else { (cosine, sine) };
+        Self { side, over_d, zero: zero_of_p, has_lobe, is_alone: other >= zero }
+    }
+}
+
+/// h and h′ at the end on this side.
+#[inline(always)]
+fn state<F: Float>(half: &HalfPeriod<F>, side: F) -> (F, F) {
+    (side.mul_add(half.shift, F::int(1)), side * (half.omega * half.h))
+}
+
+impl<F: Float> FromEnd<F> {
+    #[inline(always)]
+    pub(crate) fn of(half: &HalfPeriod<F>, edge: &Edge<F>) -> Self {
+        let (one, pi, zeta, d) = (F::int(1), F::pi(), half.free.zeta, half.free.frequency);
+        let Edge { side, over_d, zero: (cosine, sine), has_lobe, is_alone } = *edge;
         let angle = F::angle_of(sine, cosine);
         // The zero of p next to the other end is a number of half turns before it.
         let whole = d * half.period - angle;
         let beyond = whole - pi * (whole * (one / pi)).floor();
-        let has_maximum = has_maximum & ((angle + pi) * over_d < half.period) & has_lobes(half);
+        let has_maximum = has_lobe & ((angle + pi) * over_d < half.period) & has_lobes(half);
         // Beside the end g is a small difference, with less than half of the digits.
         let is_clear = !has_maximum | (angle * angle > F::int(16) * F::epsilon().sqrt());
         // A zero at the other end would be followed by a lobe.
         let is_clear = is_clear & (beyond < pi - F::ratio(1, 1 << 20));
-        let is_clear = is_clear & (zeta * (angle + pi) * over_d <= reach()) & (other >= zero);
-        let own = (if weight < zero { angle + pi + pi } else { angle + pi }) * over_d;
+        let is_clear = is_clear & (zeta * (angle + pi) * over_d <= reach()) & is_alone;
+        let own = (if has_lobe { angle + pi + pi } else { angle + pi }) * over_d;
         let far = (beyond + pi) * over_d;
         Self { side, over_d, zero: (cosine, sine), angle, own, far, has_maximum, is_clear }
-    }
-
-    /// h and h′ at the end.
-    #[inline(always)]
-    fn state(half: &HalfPeriod<F>, side: F) -> (F, F) {
-        (side.mul_add(half.shift, F::int(1)), side * (half.omega * half.h))
     }
 
     /// The lobe after the steps, if its maximum may be above `least`.
@@ -175,7 +211,7 @@ impl<F: Float> FromEnd<F> {
         let (omega, zeta) = (half.omega, half.free.zeta);
         let ((sin_own, cos_own), (sin_far, cos_far)) =
             (circular.upper(omega * own), circular.upper(omega * far));
-        let v = Self::state(half, side).1;
+        let v = state(half, side).1;
         let driven = (v * cos_own).or_larger(-(v * cos_far));
         let b = omega * half.h;
         let a = -(F::int(1) + half.shift + F::int(2) * zeta * b);
@@ -200,18 +236,25 @@ impl<F: Float> FromEnd<F> {
         angle * by_q.mul_add(q, by_x.mul_add(x, c0))
     }
 
-    /// A step of Halley's from the phase y after the first zero of p.
+    /// The waves at the phase y after the first zero of p.
     #[inline(always)]
-    pub(crate) fn step(&self, half: &HalfPeriod<F>, y: F, given: &Constants<F>) -> Step<F> {
-        let (&Self { side, over_d, .. }, Constants { circular, exponential }) = (self, given);
-        let (x, v) = Self::state(half, side);
+    pub(crate) fn waves(&self, half: &HalfPeriod<F>, y: F, given: &Constants<F>) -> EndWaves<F> {
+        let (&Self { side, over_d, angle, .. }, Constants { circular, exponential }) = (self, given);
+        let (time, swing) = ((angle + y) * over_d, circular.upper(y));
+        let drive = circular.upper(half.omega * time);
+        EndWaves { swing, drive, decay: exponential.at(-(side * half.free.zeta * time)) }
+    }
+
+    /// A step of Halley's from the phase y after the first zero of p, by the waves there.
+    #[inline(always)]
+    pub(crate) fn step(&self, half: &HalfPeriod<F>, y: F, waves: &EndWaves<F>) -> Step<F> {
+        let &Self { side, over_d, .. } = self;
+        let EndWaves { swing: (s, c), drive: (sin_drive, cos_drive), decay } = *waves;
+        let (x, v) = state(half, side);
         let (omega, zeta, two) = (half.omega, half.free.zeta, F::int(2));
-        let (time, (s, c)) = ((self.angle + y) * over_d, circular.upper(y));
         let (cos_zero, sin_zero) = self.zero;
         let (sine, cosine) = (s.mul_add(cos_zero, c * sin_zero), c.mul_add(cos_zero, -(s * sin_zero)));
-        let (sin_drive, cos_drive) = circular.upper(omega * time);
         let cos_drive = side * cos_drive;
-        let decay = exponential.at(-(side * zeta * time));
         let (cosine, sine) = (decay * cosine, side * decay * (sine * over_d));
         let (x, v) =
             (x.mul_add(cosine, zeta.mul_add(x, v) * sine), v.mul_add(cosine, -(zeta.mul_add(v, x) * sine)));

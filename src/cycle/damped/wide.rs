@@ -9,11 +9,11 @@ use crate::float::{Field, Float};
 
 /// Free vibration and the drive at one time.
 #[derive(Clone, Copy)]
-pub(super) struct WideState<F> {
-    pub(super) velocity: Pair<F>,
-    pub(super) acceleration: Pair<F>,
+pub(crate) struct WideState<F> {
+    pub(crate) velocity: Pair<F>,
+    pub(crate) acceleration: Pair<F>,
     /// (sin Ωτ, cos Ωτ).
-    pub(super) drive: (Pair<F>, Pair<F>),
+    pub(crate) drive: (Pair<F>, Pair<F>),
 }
 
 /// The waves of a half cycle at one time, by parts that are loops of their own in a batch.
@@ -99,6 +99,14 @@ impl<F: Float> HalfPeriod<F> {
 }
 
 impl<F: Float> HalfPeriod<Pair<F>> {
+    /// Free vibration from the end of the half cycle on this side, by the waves.
+    #[inline(always)]
+    pub(crate) fn free_from(&self, zeta: F, side: F, waves: &WideWaves<F>) -> WideState<F> {
+        let (b, shift) = (self.h * self.omega.hi, Pair::new(side * self.shift.hi, side * self.shift.lo));
+        let start = (Pair::int(1).plus(shift), Pair::new(side * b.hi, side * b.lo));
+        WideState::of(zeta, start, side, waves)
+    }
+
     /// The half cycle at τ in [0, T].
     #[inline(always)]
     pub(super) fn wide_at(&self, tau: Pair<F>) -> Moment<Pair<F>> {
