@@ -274,7 +274,8 @@ impl Run<'_> {
         let Self { level, wanted, found, work, .. } = self;
         let [omegas, _, zetas, _] = given;
         // Without a damper the loops would leave every point.
-        if *level == Level::Scalar || !zetas.iter().any(|&zeta| zeta > 0.0) {
+        let has_loops = *level != Level::Scalar && zetas.iter().any(|&zeta| zeta > 0.0);
+        if !has_loops {
             found[BORDER].fill(f64::NAN);
         } else {
             let pass = Pass { wanted: *wanted, given, found, work };
@@ -284,6 +285,9 @@ impl Run<'_> {
             for (i, &omega) in omegas.iter().enumerate().take(count) {
                 let is_left = found[BORDER].get(i).is_some_and(|border| border.is_nan());
                 if is_left && is_low == is_below(omega) {
+                    if has_loops && is_low && wanted.velocity && low::has_summit(given, found, work, i) {
+                        continue;
+                    }
                     if wanted.more {
                         set(found, i, alone::all(point_at(given, i)));
                     } else {

@@ -1,11 +1,12 @@
 //! The loops below Ω = 1/2, by the same functions as a single point.
 
-use super::super::block::{AtPoint, each, select};
+use super::super::block::{AtPoint, Block, each, select};
 use super::super::level::Loops;
-use super::{Pass, Sizes, Squares, half};
+use super::super::stages::Answer;
+use super::{Pass, Sizes, Squares, WORK, half};
 use crate::cycle::damped::from_lobe;
 use crate::cycle::damped::free::Free;
-use crate::cycle::damped::half_period::HalfPeriod;
+use crate::cycle::damped::half_period::{HalfPeriod, has_lobes};
 use crate::cycle::damped::lobes::{self, Edge, EndWaves, FromEnd, Lobe, Step};
 use crate::cycle::damped::low::{Climb, Crests};
 use crate::cycle::damped::long::{Long, Turn, falling};
@@ -364,6 +365,33 @@ impl AtPoint<25, 4> for LongArrival {
             summit.displacement,
         ]
     }
+}
+
+/// Computes the velocity of place `i` by the search for a single point, if all else is known after a pass, and returns whether
+/// it is.
+pub(super) fn has_summit(
+    [omega, _, zeta, _]: &[Block; 4],
+    found: &mut Answer,
+    work: &[Block; WORK],
+    i: usize,
+) -> bool {
+    let at = |block: &Block| block.get(i).copied().unwrap_or(f64::NAN);
+    let [inverse, shift, shift_rest, h, h_rest, _, _, _, _, _, mark, rest, amplitude, ..] = work;
+    let [delta, border, _, phase2, _, velocity, phase1, deviation, _] = found;
+    let given = [delta, rest, amplitude, omega, zeta, inverse, shift, shift_rest, h, h_rest].map(at);
+    let (rising, border_known) = (known(given), at(mark));
+    if border_known.is_nan() || rising.max_displacement.is_nan() || !has_lobes(&rising.half) {
+        return false;
+    }
+    let summit = rising.summit();
+    let phase = velocity_phase(at(phase2), rising.half.omega, -summit.sigma);
+    let answers = [summit.velocity, phase, summit.displacement, border_known];
+    for (block, answer) in [velocity, phase1, deviation, border].into_iter().zip(answers) {
+        if let Some(slot) = block.get_mut(i) {
+            *slot = answer;
+        }
+    }
+    true
 }
 
 /// The pass below Ω = 1/2, in loops of which none waits long for its own results.

@@ -63,7 +63,7 @@ pub(crate) fn supremum<F: Float>(
     }
     let (Touch { from, time }, amplitude) = if const { F::PRECISION <= f64::MANTISSA_DIGITS } {
         let least = lobes::least(at_turning_point);
-        let lobe = Lobe::of::<false>(half, least, &lobes::Constants::new());
+        let lobe = Lobe::of(half, least, &lobes::Constants::new());
         let touch = if !lobe.is_decided {
             greatest(half, Supremum { amplitude: least, touch: None }).touch?
         } else if lobe.is_above {

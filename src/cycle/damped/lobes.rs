@@ -109,14 +109,14 @@ pub(crate) struct Step<F> {
 }
 
 impl<F: Float> Lobe<F> {
-    /// The lobe of a half period whose maximum may be above `least`. `ALL` computes every step, without branches.
+    /// The lobe of a half period whose maximum may be above `least`.
     #[inline(always)]
-    pub(crate) fn of<const ALL: bool>(half: &HalfPeriod<F>, least: F, given: &Constants<F>) -> Self {
+    pub(crate) fn of(half: &HalfPeriod<F>, least: F, given: &Constants<F>) -> Self {
         let from = FromEnd::of(half, &Edge::of(half, F::int(1) / half.free.frequency));
-        let step = if ALL || from.has_maximum {
+        let step = if from.has_maximum {
             let start = from.start(half);
             let first = from.step(half, start, &from.waves(half, start, given));
-            if !ALL && first.is_near {
+            if first.is_near {
                 first
             } else {
                 first.or(from.step(half, first.y, &from.waves(half, first.y, given)))
@@ -124,7 +124,7 @@ impl<F: Float> Lobe<F> {
         } else {
             Step { y: F::pi(), amplitude: F::int(0), is_near: true }
         };
-        from.lobe::<ALL>(half, least, step, given)
+        from.lobe::<false>(half, least, step, given)
     }
 }
 
@@ -181,7 +181,7 @@ impl<F: Float> FromEnd<F> {
         Self { side, over_d, zero: (cosine, sine), angle, own, far, has_maximum, is_clear }
     }
 
-    /// The lobe after the steps, if its maximum may be above `least`.
+    /// The lobe after the steps, if its maximum may be above `least`. `ALL` is without branches.
     #[inline(always)]
     pub(crate) fn lobe<const ALL: bool>(
         &self,
