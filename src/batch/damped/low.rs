@@ -292,13 +292,38 @@ fn known([max_displacement, rest, amplitude, given @ ..]: [f64; 10]) -> Rising<f
     Rising { half: half(given), amplitude, max_displacement, rest }
 }
 
-/// The crests of the velocity below Ω = 1/2 from the inputs of [`known`].
-struct Starts(lobes::Constants<f64>);
+/// The velocity's driven part below Ω = 1/2: its size, the time of its crest, and the free part's velocity at the start, from the
+/// inputs of [`known`].
+struct Driven;
 
-impl AtPoint<10, 7> for Starts {
+impl AtPoint<10, 3> for Driven {
     #[inline(always)]
-    fn at(&self, given: [f64; 10]) -> [f64; 7] {
-        Crests::in_parts(&known(given), &self.0)
+    fn at(&self, given: [f64; 10]) -> [f64; 3] {
+        Crests::driven(&known(given))
+    }
+}
+
+/// `[K sin e, K cos e]` of the free part at that crest.
+struct FreeParts(lobes::Constants<f64>);
+
+impl AtPoint<13, 2> for FreeParts {
+    /// From `[d, 1/d]`, the time of the crest and the inputs of [`known`].
+    #[inline(always)]
+    fn at(&self, [d, over_d, centre, given @ ..]: [f64; 13]) -> [f64; 2] {
+        let rising = known(given);
+        let rising = Rising { half: with_frequency(rising.half, d), ..rising };
+        let waves = Crests::waves_near(&rising.half.free, over_d, centre, &self.0);
+        Crests::free_at(&rising, over_d, waves).into()
+    }
+}
+
+/// `[K, e]` from these.
+struct Polar;
+
+impl AtPoint<2, 2> for Polar {
+    #[inline(always)]
+    fn at(&self, [sine, cosine]: [f64; 2]) -> [f64; 2] {
+        Crests::polar((sine, cosine))
     }
 }
 
@@ -317,11 +342,10 @@ fn climb_of([delta, time, velocity]: [f64; 3]) -> Climb<f64> {
 }
 
 impl AtPoint<9, 3> for Climbs {
-    /// The first, from `[Ω, ζ]` and the results of [`Starts`].
+    /// Before the first, from `[Ω, ζ]` and the parts of [`Crests`].
     #[inline(always)]
     fn at(&self, [omega, zeta, crests @ ..]: [f64; 9]) -> [f64; 3] {
-        let crests = Crests::of_parts((omega, zeta), crests, &self.0);
-        marked(crests.climb(&crests.foot()))
+        marked(Crests::of_parts((omega, zeta), crests, &self.0).foot())
     }
 }
 
@@ -465,8 +489,11 @@ impl Loops for LongPass<'_> {
         each::<13, 6>(&Sizes, given, [&mut *delta, size1, phase2, size2, rest, amplitude]);
         if wanted.velocity {
             let constants = held(lobes::Constants::new());
-            let crests = [&mut *a, b, c, d, e, f, g];
-            each(&Starts(constants), [delta, rest, amplitude, i, j, k, l, m, n, o], crests);
+            each(&Frequencies, [zeta], [&mut *a, &mut *b]);
+            each(&Driven, [delta, rest, amplitude, i, j, k, l, m, n, o], [&mut *c, &mut *f, &mut *g]);
+            let given = [&*a, b, f, delta, rest, amplitude, i, j, k, l, m, n, o];
+            each(&FreeParts(constants), given, [&mut *p, &mut *q]);
+            each(&Polar, [p, q], [&mut *d, &mut *e]);
             {
                 let [a, b, c, d, e, f, g] = [&*a, &*b, &*c, &*d, &*e, &*f, &*g];
                 let climbs = Climbs(constants);
@@ -477,6 +504,8 @@ impl Loops for LongPass<'_> {
                 let given = [&*s, t, mark, omega, zeta, a, b, c, d, e, f, g];
                 each::<12, 3>(&climbs, given, [&mut *p, &mut *q, &mut *r]);
                 let given = [&*p, q, r, omega, zeta, a, b, c, d, e, f, g];
+                each::<12, 3>(&climbs, given, [&mut *s, &mut *t, &mut *mark]);
+                let given = [&*s, t, mark, omega, zeta, a, b, c, d, e, f, g];
                 each(&LongStart(constants), given, [&mut *time]);
             }
             mark.copy_from_slice(border);

@@ -65,7 +65,7 @@ impl<F: Float> Rising<F> {
     /// A time near that of the peak velocity, if it is known to be that below Ω = d/2.
     #[inline(always)]
     pub(super) fn fastest_of_two(&self) -> Option<F> {
-        Crests::of::<false>(self, Constants::new()).fastest()
+        Crests::of(self, Constants::new()).fastest()
     }
 }
 
@@ -86,12 +86,6 @@ pub(crate) struct Climb<F> {
 /// By parts without branches, for batches.
 #[cfg(feature = "batch")]
 impl<F: Float> Crests<F> {
-    #[inline(always)]
-    pub(crate) fn in_parts(rising: &Rising<F>, given: &Constants<F>) -> [F; 7] {
-        let Self { free, over_d, swing, size, phase, centre, start, .. } = Self::of::<true>(rising, *given);
-        [free.frequency, over_d, swing, size, phase, centre, start]
-    }
-
     #[inline(always)]
     pub(crate) fn of_parts(
         (omega, zeta): (F, F),
@@ -128,30 +122,54 @@ impl<F: Float> Crests<F> {
 
 impl<F: Float> Crests<F> {
     #[inline(always)]
-    fn of<const ALL: bool>(rising: &Rising<F>, given: Constants<F>) -> Self {
-        let half = &rising.half;
-        let (omega, free, one) = (half.omega, half.free, F::int(1));
-        let (a, h) = (rising.amplitude, half.h);
+    fn of(rising: &Rising<F>, given: Constants<F>) -> Self {
+        let Free { zeta, frequency, .. } = rising.half.free;
+        let over_d = F::int(1) / frequency;
+        let [swing, centre, start] = Self::driven(rising);
+        let is_far = (zeta * centre > reach()) | (centre > F::int(1024));
+        let waves = if is_far {
+            rising.half.free.waves(centre)
+        } else {
+            Self::waves_near(&rising.half.free, over_d, centre, &given)
+        };
+        let [size, phase] = Self::polar(Self::free_at(rising, over_d, waves));
+        Self { omega: rising.half.omega, free: rising.half.free, over_d, given, swing, size, phase, centre, start }
+    }
+
+    /// R, the time of the driven part's crest, and the velocity of the free part at the start.
+    #[inline(always)]
+    pub(crate) fn driven(rising: &Rising<F>) -> [F; 3] {
+        let (half, a) = (&rising.half, rising.amplitude);
+        let (omega, h) = (half.omega, half.h);
         let drive = a.mul_add(a, h * h).sqrt();
-        let over_drive = one / drive;
+        let over_drive = F::int(1) / drive;
         // Ωτ = π/2 + atan(H/a).
         let turn = F::angle_of(a * over_drive, -(h * over_drive));
-        let (centre, over_d) = (turn * half.inverse, one / free.frequency);
-        let is_far = (free.zeta * centre > reach()) | (centre > F::int(1024));
-        let waves = if !ALL && is_far {
-            free.waves(centre)
-        } else {
-            let decay = given.exponential.at(-(free.zeta * centre));
-            let (sine, cosine) = given.circular.turned(free.frequency * centre);
-            Waves { cosine: decay * cosine, sine: decay * (sine * over_d) }
-        };
-        let start = omega * h;
-        let at = free.after(waves, one + half.shift, start);
-        let (sine, cosine) = (at.a, (at.v + free.zeta * at.a) * over_d);
+        [omega * drive, turn * half.inverse, omega * h]
+    }
+
+    /// The waves at a time that is not far.
+    #[inline(always)]
+    pub(crate) fn waves_near(free: &Free<F>, over_d: F, time: F, given: &Constants<F>) -> Waves<F> {
+        let decay = given.exponential.at(-(free.zeta * time));
+        let (sine, cosine) = given.circular.turned(free.frequency * time);
+        Waves { cosine: decay * cosine, sine: decay * (sine * over_d) }
+    }
+
+    /// K times the sine and the cosine of the free part's phase, by the waves at the driven part's crest.
+    #[inline(always)]
+    pub(crate) fn free_at(rising: &Rising<F>, over_d: F, waves: Waves<F>) -> (F, F) {
+        let half = &rising.half;
+        let at = half.free.after(waves, F::int(1) + half.shift, half.omega * half.h);
+        (at.a, (at.v + half.free.zeta * at.a) * over_d)
+    }
+
+    /// K and that phase.
+    #[inline(always)]
+    pub(crate) fn polar((sine, cosine): (F, F)) -> [F; 2] {
         let size = sine.mul_add(sine, cosine * cosine).sqrt();
-        let over_size = one / size;
-        let phase = F::angle_of(sine.abs() * over_size, cosine * over_size).times_sign_of(sine);
-        Self { omega, free, over_d, given, swing: omega * drive, size, phase, centre, start }
+        let over_size = F::int(1) / size;
+        [size, F::angle_of(sine.abs() * over_size, cosine * over_size).times_sign_of(sine)]
     }
 
     /// `(sin y, cos y)` for y in [0, π].
