@@ -41,13 +41,13 @@ use crate::float::{Field, Float, fused};
 use crate::machine::ratios::Ratios;
 #[cfg(feature = "batch")]
 use border::{Refined, refined};
-#[cfg(feature = "batch")]
-use wide::WideState;
 use border::{least_displacement, supremum, turning_point};
 pub(crate) use half_period::HalfPeriod;
 use pole::Pole;
 use rising::Rising;
 use summit::Summit;
+#[cfg(feature = "batch")]
+use wide::WideState;
 
 /// The steady non-sticking motion with damping: the outputs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,7 +182,7 @@ impl<F: Float> Rising<F> {
         let amplitude = square.sqrt();
         let excess = (amplitude.hi - least.hi) + (amplitude.lo - least.lo);
         let amplitude = if excess >= F::int(0) { amplitude } else { least };
-        Self::of_parts(half, amplitude, amplitude.plus(-half.wide().shift))
+        Self::of_parts(half, amplitude, amplitude.less(half.wide().shift))
     }
 
     #[inline(always)]
@@ -320,7 +320,7 @@ impl<F: Float> HalfPeriod<Pair<F>> {
     /// `a² = α²/q² − H²`.
     #[inline(always)]
     fn squared_amplitude(&self, alpha: F) -> Pair<F> {
-        alpha.wide().square() / self.squared_stiffness() - self.h.square()
+        (alpha.wide().square() / self.squared_stiffness()).less(self.h.square()).normalised()
     }
 }
 

@@ -124,6 +124,16 @@ impl<F: Float> Pair<F> {
         Self { hi, lo: rest * inverse }
     }
 
+    /// `self − other` for |other| ≤ |self|, without the last step of a sum.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn less(self, other: Self) -> Self {
+        // The fast sum of the leading parts, written as a difference.
+        let hi = self.hi - other.hi;
+        let lo = (self.hi - hi) - other.hi;
+        Self { hi, lo: lo + (self.lo - other.lo) }
+    }
+
     /// The number, rounded once.
     #[inline(always)]
     #[must_use]
@@ -174,11 +184,7 @@ impl<F: Float> Field for Pair<F> {
     /// The digits of a pair remain even if the two squares nearly cancel.
     #[inline(always)]
     fn leg(self, other: Self) -> Self {
-        let (square, less) = (self.square(), other.square());
-        // The fast sum of the leading parts, written as a difference.
-        let hi = square.hi - less.hi;
-        let lo = (square.hi - hi) - less.hi;
-        Self::fast_two_sum(hi, lo + (square.lo - less.lo)).sqrt()
+        self.square().less(other.square()).normalised().sqrt()
     }
 
     /// The leading part is not rounded where n is a power of two.

@@ -4,12 +4,12 @@ use super::super::block::{AtPoint, Block, each, select};
 use super::super::level::Loops;
 use super::super::stages::Answer;
 use super::{Pass, Sizes, Squares, WORK, half};
-use crate::cycle::damped::from_lobe;
 use crate::cycle::damped::free::Free;
+use crate::cycle::damped::from_lobe;
 use crate::cycle::damped::half_period::{HalfPeriod, has_lobes};
 use crate::cycle::damped::lobes::{self, Edge, EndWaves, FromEnd, Lobe, Step};
-use crate::cycle::damped::low::{Climb, Crests};
 use crate::cycle::damped::long::{Long, Turn, falling};
+use crate::cycle::damped::low::{Climb, Crests};
 use crate::cycle::damped::rising::Rising;
 use crate::cycle::damped::wide::{WideState, WideWaves};
 use crate::cycle::velocity_phase;
@@ -376,7 +376,10 @@ impl AtPoint<25, 4> for LongArrival {
     /// `[V₀, ω_d t₁, α_min, Δ₁]` from a time near it, ω_d t₂, α_min and the inputs of [`waves_of`] and of [`known`]; a NaN in
     /// α_min means that the velocity must be recomputed.
     #[inline(always)]
-    fn at(&self, [time, phase2, border, a, b, c, d, e, f, g, h, i, j, k, l, given @ ..]: [f64; 25]) -> [f64; 4] {
+    fn at(
+        &self,
+        [time, phase2, border, a, b, c, d, e, f, g, h, i, j, k, l, given @ ..]: [f64; 25],
+    ) -> [f64; 4] {
         let (rising, waves) = (known(given), waves_of([a, b, c, d, e, f, g, h, i, j, k, l]));
         let (summit, _, is_near) = rising.arrive_below(Pair::exact(time), &waves);
         let is_inside = (time > 0.0) & (time < rising.half.period);

@@ -55,7 +55,7 @@ impl<F: Float> Turn<F> {
         let less = Pair::fast_two_sum(one - root, -low);
         let (q, left) = nearest(omega, near);
         let w = Pair::pi() * half * (inverse * left);
-        let (turns, acute) = to_acute(w.normalised() - less * middle(inverse));
+        let (turns, acute) = to_acute(w.normalised().plus(-(less * middle(inverse))));
         Self { d, inverse: near, over_d, quarters: turns + q, acute }
     }
 

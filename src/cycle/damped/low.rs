@@ -133,7 +133,17 @@ impl<F: Float> Crests<F> {
             Self::waves_near(&rising.half.free, over_d, centre, &given)
         };
         let [size, phase] = Self::polar(Self::free_at(rising, over_d, waves));
-        Self { omega: rising.half.omega, free: rising.half.free, over_d, given, swing, size, phase, centre, start }
+        Self {
+            omega: rising.half.omega,
+            free: rising.half.free,
+            over_d,
+            given,
+            swing,
+            size,
+            phase,
+            centre,
+            start,
+        }
     }
 
     /// R, the time of the driven part's crest, and the velocity of the free part at the start.

@@ -51,10 +51,10 @@ impl<F: Float> Pair<F> {
         let square = r.square();
         let [_, factorials @ ..] = RECIPROCAL_FACTORIALS.map(F::from_f64);
         let rest = polynomial(&factorials, r.hi) * (square.hi * r.hi);
-        let rise = r + (square * half + Self::exact(rest));
+        let rise = r.plus((square * half).plus(Self::exact(rest)));
         let (value, power) = (rise + one, F::power_of_two(n));
         let value = Self::new(value.hi * power, value.lo * power);
-        (if n == F::int(0) { rise } else { value - one }, value)
+        (if n == F::int(0) { rise } else { value.plus(-one) }, value)
     }
 
     /// eˣ far below 1 as the square of its root; zero where that underflows.
