@@ -355,15 +355,14 @@ pub(super) fn run(
     let mut low = Gathered { given, places: [0; POINTS], count: 0 };
     for first in (0..n).step_by(POINTS) {
         let count = POINTS.min(n - first);
-        let mut below = 0;
         for i in 0..count {
             let point = ratios(start + first + i).map(|point: Ratios<f64>| {
                 [point.omega(), point.alpha(), point.damping_ratio(), point.static_friction_ratio()]
             });
-            let point = point.unwrap_or(NOWHERE);
-            below += usize::from(is_below(point[0]));
-            set(&mut given, i, point);
+            set(&mut given, i, point.unwrap_or(NOWHERE));
         }
+        let [omegas, ..] = &given;
+        let below = omegas.iter().take(count).filter(|&&omega| is_below(omega)).count();
         run.block(&given, count, below == count);
         run.put(&given, first, count);
         if below == count {
