@@ -47,7 +47,8 @@ pub trait Field:
     fn leg(self, other: Self) -> Self {
         ((self - other) * (self + other)).sqrt()
     }
-    /// `self + other` where the two do not nearly cancel; a type may then save operations.
+    /// `self + other`; a type of several parts may leave them unnormalised, for sums that are used as a whole and do not lose
+    /// half of their digits.
     #[inline(always)]
     #[must_use]
     fn plus(self, other: Self) -> Self {

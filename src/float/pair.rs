@@ -14,7 +14,7 @@
 //! to the last bit. A processor without a fused operation runs it in software ([`super::Float::fused`]).
 //!
 //! The operations built on them are those of Joldes, Muller and Popescu 2017 (ACM Trans. Math. Softw. 44, 15;
-//! their "sloppy" sum). Only the sum keeps their last step, which makes |lo| at most half a unit of hi;
+//! their "sloppy" sum). Only the sum by `+` and `−` keeps their last step, which makes |lo| at most half a unit of hi;
 //! elsewhere [`Pair::value`] rounds once, at the end. For operands with |lo| ≤ c u |hi|, the relative errors
 //! are at most
 //!
@@ -22,6 +22,7 @@
 //! |---|---|---|
 //! | x + y of one sign | (2c + 1) u² | 1 |
 //! | x + y of two signs | (2c + 1) u² (\|x\| + \|y\|)/\|x + y\| | 1 |
+//! | `plus`, `less` | those of the sum | (1 + c) (\|x\| + \|y\|)/\|x + y\| |
 //! | x y | (c² + 5c + 1) u² | 1 + 2c |
 //! | x / y | (2c² + 7c + 6) u² | 3 + 2c |
 //! | √x | (c² + 3c + 3) u² | 1 + c |
@@ -168,7 +169,7 @@ impl<F: Float> Field for Pair<F> {
         Self { hi: self.hi.abs(), lo: self.lo.times_sign_of(self.hi) }
     }
 
-    /// Without the last step of a sum: |lo| ≤ 1 + c units, in the table above, where the two have one sign.
+    /// Without the last step of a sum.
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
         let sum = Self::two_sum(self.hi, other.hi);
