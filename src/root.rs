@@ -119,44 +119,62 @@ pub(crate) fn newton_from<F: Float>(start: F, low: F, high: F, mut f: impl FnMut
 /// This is Halley's method with a bracket, halved as in [`newton_within`]. The search ends after the step whose
 /// error, `|f‴/(6f′) − (f″/2f′)²|` times its cube, is below rounding.
 pub(crate) fn halley_within<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> [F; 4]) -> F {
-    let (mut low, mut high, two) = (low, high, F::int(2));
-    let is_inside = start > low && start < high;
-    let mut x = if is_inside { start } else { low + (high - low) / two };
-    let (mut last, mut last_but_one) = (high - low, high - low);
-    let tolerance = F::epsilon() / two;
+    let mut search = Halley::new(start, low, high);
     loop {
-        let [value, slope, bend, third] = f(x);
-        if value == F::int(0) {
-            return x;
+        let is_found;
+        (search, is_found) = search.step(f(search.x));
+        if is_found {
+            return search.x;
         }
-        if value > F::int(0) {
-            low = x;
-        } else {
-            high = x;
-        }
+    }
+}
+
+/// A place on the way to a zero by Halley's method, in its bracket. Its steps have no branches, so that searches can
+/// run in vector lanes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Halley<F> {
+    pub(crate) x: F,
+    pub(crate) low: F,
+    pub(crate) high: F,
+    /// The length of the last step, and of the one before.
+    pub(crate) last: F,
+    pub(crate) last_but_one: F,
+}
+
+impl<F: Float> Halley<F> {
+    pub(crate) fn none() -> Self {
+        Self::new(F::int(0), F::int(0), F::int(0))
+    }
+
+    #[inline(always)]
+    pub(crate) fn new(start: F, low: F, high: F) -> Self {
+        let is_inside = (start > low) & (start < high);
+        let x = if is_inside { start } else { low + (high - low) / F::int(2) };
+        Self { x, low, high, last: high - low, last_but_one: high - low }
+    }
+
+    /// The next place, given the value and three derivatives at this one, and whether it is the zero.
+    #[inline(always)]
+    pub(crate) fn step(self, [value, slope, bend, third]: [F; 4]) -> (Self, bool) {
+        let (zero, two, x) = (F::int(0), F::int(2), self.x);
+        let tolerance = F::epsilon() / two;
+        let is_before = value > zero;
+        let low = if is_before { x } else { self.low };
+        let high = if is_before { self.high } else { x };
         let inverse = F::int(1) / slope;
         let (newton, curve) = (value * inverse, bend * inverse / two);
         let step = newton / (F::int(1) - newton * curve);
-        let mut next = x - step;
+        let (next, middle) = (x - step, low + (high - low) / two);
         let size = step.abs();
-        let is_fast = size * two <= last_but_one;
-        let is_inside = next > low && next < high;
-        if is_fast && is_inside {
-            let error = step.square() * size * ((third * inverse).abs() / F::int(6) + curve.square());
-            if error <= tolerance * next.abs() {
-                return next;
-            }
-        } else {
-            next = low + (high - low) / two;
-            if !(next > low && next < high) {
-                return x;
-            }
-        }
-        (last_but_one, last) = (last, (next - x).abs());
-        if next == x || last <= tolerance * next.abs() {
-            return next;
-        }
-        x = next;
+        let is_good = (size * two <= self.last_but_one) & (next > low) & (next < high);
+        let error = step.square() * size * ((third * inverse).abs() / F::int(6) + curve.square());
+        let is_exact = is_good & (error <= tolerance * next.abs());
+        let stays = (value == zero) | (!is_good & !((middle > low) & (middle < high)));
+        let next = if is_good { next } else { middle };
+        let next = if stays { x } else { next };
+        let last = (next - x).abs();
+        let is_found = stays | is_exact | (next == x) | (last <= tolerance * next.abs());
+        (Self { x: next, low, high, last, last_but_one: self.last }, is_found)
     }
 }
 

@@ -52,9 +52,12 @@ mod load;
 mod many;
 mod number;
 mod quiet;
+mod rows;
 mod settle;
 mod slide;
 mod totals;
+#[cfg(feature = "batch")]
+mod turns;
 
 #[doc(hidden)]
 pub use answers::Entry;

@@ -5,27 +5,8 @@
 
 use super::load::Record;
 use super::quiet::{Followed, Limits, Passed, Push, Quiet, Step};
+use super::rows::{at, select, set};
 use crate::float::{Float, Task};
-
-/// A number of each lane, or of each step of a block.
-pub(super) type Row<F, const L: usize> = [F; L];
-
-#[inline(always)]
-pub(super) fn at<F: Float, const L: usize>(row: &Row<F, L>, lane: usize) -> F {
-    row.get(lane).copied().unwrap_or_else(|| F::int(0))
-}
-
-#[inline(always)]
-pub(super) fn set<T, const L: usize>(row: &mut [T; L], lane: usize, value: T) {
-    if let Some(place) = row.get_mut(lane) {
-        *place = value;
-    }
-}
-
-#[inline(always)]
-pub(super) fn select<F>(condition: bool, yes: F, no: F) -> F {
-    if condition { yes } else { no }
-}
 
 /// The steps of a block.
 const BLOCK: usize = 16;

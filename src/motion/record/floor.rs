@@ -224,8 +224,8 @@ impl<F: Float> Floor<F> {
             };
             let slide = follower.slide(zero, sign);
             self.drive(Shaking {
-                start: [slide.a, slide.jerk(linear, slide.v, slide.a)],
-                law: [linear.rate, linear.square],
+                start: [slide.a, slide.jerk(&linear.law, slide.v, slide.a)],
+                law: [linear.law.rate, linear.law.square],
                 load: [load, zero],
                 // The rest is below the rounding of the beginning.
                 length: F::count(usize::try_from(F::precision()).unwrap_or(usize::MAX)) * F::ratio(3, 4)
@@ -249,8 +249,8 @@ impl<F: Float> Floor<F> {
 impl<F: Float> Watch<F> for Floor<F> {
     fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()> {
         self.drive(Shaking {
-            start: [slide.a, slide.jerk(linear, slide.v, slide.a)],
-            law: [linear.rate, linear.square],
+            start: [slide.a, slide.jerk(&linear.law, slide.v, slide.a)],
+            law: [linear.law.rate, linear.law.square],
             load: [stretch.load[0], slide.slope],
             length: stretch.length,
         })

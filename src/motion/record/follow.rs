@@ -114,7 +114,7 @@ pub(super) struct Follower<F> {
     pub(super) mode: Mode<F>,
     pub(super) last: Ended<F>,
     /// The greatest |x| at a stop.
-    widest: F,
+    pub(super) widest: F,
     /// Stops and releases beyond the few of each step.
     events: u32,
 }
@@ -226,7 +226,8 @@ impl<F: Number> Follower<F> {
                     // From rest, and a force that is that of sliding, v is the response S₂ ≥ 0 to a unit step times
                     // the slope of the load.
                     goes_on = rest.is_smooth;
-                    self.begin(&rest, start + from, piece.from, watch).ok_or(Failure::Uncertain)?;
+                    self.begin([rest.sign, rest.a], start + from, piece.from, watch)
+                        .ok_or(Failure::Uncertain)?;
                     walked = 0;
                     events = events.saturating_add(1);
                 }
@@ -289,7 +290,7 @@ impl<F: Number> Follower<F> {
     }
 
     /// A rest of a time > 0.
-    fn rested(
+    pub(super) fn rested(
         &mut self,
         piece: &Piece<F>,
         start: F,
@@ -311,13 +312,18 @@ impl<F: Number> Follower<F> {
         load.abs() + c.mean.abs() + c.square * self.widest.larger(self.x.abs()) + c.held
     }
 
-    /// Begins a slide.
+    /// Begins a slide in a direction with an acceleration.
     ///
     /// It continues the slide before where its direction is the same, and where it would have lost no more velocity in
     /// the time of the rest than rounding may have taken: a velocity that touches zero is one that stops for the root of
     /// a rounding. Only a static friction that is that of sliding lets it go on.
-    fn begin(&mut self, release: &Release<F>, time: F, load: F, watch: &mut impl Watch<F>) -> Option<()> {
-        let sign = release.sign;
+    pub(super) fn begin(
+        &mut self,
+        [sign, a]: [F; 2],
+        time: F,
+        load: F,
+        watch: &mut impl Watch<F>,
+    ) -> Option<()> {
         let last = self.last;
         let onset = if (last.sign * sign).positive()? {
             let is_touch = !last.has_rested
@@ -329,7 +335,7 @@ impl<F: Number> Follower<F> {
         } else {
             Onset::Released
         };
-        (self.mode, self.v, self.a) = (Mode::Slide(sign), F::int(0), release.a);
+        (self.mode, self.v, self.a) = (Mode::Slide(sign), F::int(0), a);
         let began = if onset == Onset::Touched { last.began } else { time };
         self.last = Ended { sign, began, length: F::int(0), has_rested: false, lost: None };
         watch.released(time, self.x, sign, onset);
@@ -362,7 +368,7 @@ impl<F: Number> Follower<F> {
     ) -> Option<Option<F>> {
         let zero = F::int(0);
         let Some(release) = self.rest(piece, zero, zero)? else { return Some(None) };
-        self.begin(&release, time, piece.from, watch)?;
+        self.begin([release.sign, release.a], time, piece.from, watch)?;
         Some(Some(release.sign))
     }
 
@@ -392,7 +398,7 @@ impl<F: Number> Follower<F> {
     ) -> Result<Option<F>, Failure> {
         let slide = self.slide(piece.slope, sign);
         let linear = &self.linear;
-        let mut end = slide.moment(linear, &responses);
+        let mut end = slide.moment(&linear.law, &responses);
         let stop = if how.can_stop {
             slide.stop(linear, self.omega, length, &end).ok_or(Failure::Uncertain)?
         } else {
@@ -403,7 +409,7 @@ impl<F: Number> Follower<F> {
         let length = stop.unwrap_or(length);
         if stop.is_some() {
             responses = linear.at(length).ok_or(Failure::Uncertain)?;
-            end = Moment { v: F::int(0), ..slide.moment(linear, &responses) };
+            end = Moment { v: F::int(0), ..slide.moment(&linear.law, &responses) };
         }
         let load = |t: F| piece.from + piece.slope * t;
         let stretch = Stretch {

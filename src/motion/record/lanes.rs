@@ -3,52 +3,15 @@
 //! Whatever else happens is left to the [`Follower`](super::follow::Follower), which takes the step from its start. A
 //! lane depends on no other, so that the answers of a body are the same bits alone and in any company.
 
-use super::alone::{Row, at, select, set};
 use super::follow::Failure;
 use super::linear::Responses;
 use super::load::Record;
 use super::quiet::{Followed, Limits, Quiet, Step};
+use super::rows::{LimitsRows, QuietRows, Row, at, select, set};
+use super::turns::Turns;
 use crate::float::Float;
 use alloc::vec::Vec;
 use core::ops::ControlFlow;
-
-/// The numbers of a structure of all lanes.
-macro_rules! rows {
-    ($rows:ident of $one:ident: $($field:ident,)*) => {
-        #[derive(Debug)]
-        struct $rows<F, const L: usize> {
-            $($field: Row<F, L>,)*
-        }
-
-        impl<F: Float, const L: usize> $rows<F, L> {
-            fn none() -> Self {
-                let none = $one::<F>::none();
-                Self { $($field: [none.$field; L],)* }
-            }
-
-            #[inline(always)]
-            fn at(&self, lane: usize) -> $one<F> {
-                $one { $($field: at(&self.$field, lane),)* }
-            }
-
-            #[inline(always)]
-            fn set(&mut self, lane: usize, one: &$one<F>) {
-                $(set(&mut self.$field, lane, one.$field);)*
-            }
-        }
-    };
-}
-
-rows! {
-    QuietRows of Quiet:
-    factor, damper, push, rate, square, omega, sign, impulse, step, ramp, x_of_x, v_of_x, v_of_v, area_of_v,
-    area_of_slope, beyond_v, beyond_a, below, beyond_jerk, never,
-}
-
-rows! {
-    LimitsRows of Limits:
-    most_speed, fastest, most_a, least_a, most_free, least_free,
-}
 
 /// The numbers of all lanes that a step changes.
 #[derive(Debug)]
@@ -100,15 +63,29 @@ struct Lanes<F, const L: usize> {
     quiet: QuietRows<F, L>,
     event: Row<F, L>,
     since: [usize; L],
+    turns: Turns<F, L>,
 }
 
 impl<F: Float, const L: usize> Lanes<F, L> {
     fn new() -> Self {
-        Self { quiet: QuietRows::none(), event: [F::int(0); L], since: [0; L] }
+        Self { quiet: QuietRows::none(), event: [F::int(0); L], since: [0; L], turns: Turns::new() }
     }
 
     /// Takes a body into its lane, after so many steps; one that is not followed any further leaves it empty.
     fn read(
+        &mut self,
+        lane: usize,
+        body: &Followed<F>,
+        whole: Option<&Responses<F>>,
+        step: &Step<F>,
+        steps: usize,
+    ) {
+        self.turns.read(lane, body, whole, step);
+        self.begin(lane, body, whole, step, steps);
+    }
+
+    /// Takes the numbers of the quiet steps of a body into its lane.
+    fn begin(
         &mut self,
         lane: usize,
         body: &Followed<F>,
@@ -136,8 +113,9 @@ impl<F: Float, const L: usize> Lanes<F, L> {
                 set(&mut self.quiet.push, lane, push);
                 set(&mut self.quiet.sign, lane, sign);
             }
-            _ => self.read(lane, body, whole, step, steps),
+            _ => self.begin(lane, body, whole, step, steps),
         }
+        self.turns.update(lane, body);
     }
 
     /// Returns a lane to its body, after so many steps.
@@ -149,8 +127,8 @@ impl<F: Float, const L: usize> Lanes<F, L> {
         }
     }
 
-    /// Takes the step between two samples, which begins at a time, from one state of all lanes to the next. Returns whether
-    /// something may have happened in a lane.
+    /// Takes the step between two samples, which begins at a time, from one state of all lanes to the next. Returns the
+    /// number of lanes in which something may have happened.
     #[inline(always)]
     fn pass(
         &mut self,
@@ -159,7 +137,7 @@ impl<F: Float, const L: usize> Lanes<F, L> {
         samples: [F; 2],
         time: F,
         step: &Step<F>,
-    ) -> bool {
+    ) -> F {
         let [first, second] = samples;
         let (zero, change, time) = (F::int(0), (second - first) * step.inverse, time + step.length);
         for i in 0..L {
@@ -178,10 +156,12 @@ impl<F: Float, const L: usize> Lanes<F, L> {
             set(&mut next.load_work, i, at(&now.load_work, i) + passed.work);
             set(&mut next.foot_work, i, at(&now.foot_work, i) + load.foot * moved);
         }
-        self.event.iter().fold(false, |any, event| any | (*event != zero))
+        self.event.iter().fold(zero, |events, event| events + *event)
     }
 }
 
+/// The events in a step from which on their turns are taken in lanes.
+const MANY: i32 = 4;
 /// The samples between two looks at whether to go on.
 const SAMPLES: usize = 1 << 12;
 
@@ -230,14 +210,25 @@ pub(super) fn follow<F: Float, const L: usize>(
         }
         let time = record.time(index);
         // Two loops, so that each has states of its own.
-        let is_event = if is_even {
+        let events = if is_even {
             lanes.pass(&even, &mut odd, [first, second], time, &step)
         } else {
             lanes.pass(&odd, &mut even, [first, second], time, &step)
         };
-        if is_event {
+        if events > F::int(0) {
             let (now, next) = if is_even { (&even, &mut odd) } else { (&odd, &mut even) };
-            take(&mut lanes, (now, next), bodies, &whole, ([first, second], time), &step, steps);
+            let are_many = events >= F::int(MANY);
+            if are_many {
+                lanes.turns.take(
+                    &lanes.quiet,
+                    [&now.x, &now.v],
+                    &now.limits,
+                    &lanes.event,
+                    [first, second],
+                    &step,
+                );
+            }
+            take(&mut lanes, are_many, (now, next), bodies, &whole, ([first, second], time), &step, steps);
         }
         steps = steps.saturating_add(1);
     }
@@ -253,6 +244,7 @@ pub(super) fn follow<F: Float, const L: usize>(
 #[inline(never)]
 fn take<F: Float, const L: usize>(
     lanes: &mut Lanes<F, L>,
+    are_turns: bool,
     (now, next): (&State<F, L>, &mut State<F, L>),
     bodies: &mut [Followed<F>],
     whole: &[Option<Responses<F>>],
@@ -265,7 +257,10 @@ fn take<F: Float, const L: usize>(
             continue;
         }
         lanes.write(now, lane, body, step.length, steps);
-        body.take(samples, time, step, whole.as_ref());
+        match are_turns.then(|| lanes.turns.turn(lane)).flatten() {
+            Some(turn) => body.turn(&turn, samples, time, step),
+            None => body.take(samples, time, step, whole.as_ref()),
+        };
         lanes.update(lane, body, whole.as_ref(), step, steps.saturating_add(1));
         next.read(lane, body);
     }

@@ -13,16 +13,50 @@ pub(super) struct Responses<F> {
     pub(super) parabola: F,
 }
 
+/// The constants of a free vibration `g″ + 2βg′ + ω²g = 0`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Law<F> {
+    /// 2β.
+    pub(super) rate: F,
+    /// ω².
+    pub(super) square: F,
+}
+
+impl<F: Number> Responses<F> {
+    /// Those at the time 0.
+    pub(super) fn none() -> Self {
+        let zero = F::int(0);
+        Self { impulse: zero, step: zero, ramp: zero, parabola: zero }
+    }
+}
+
+impl<F: Number> Law<F> {
+    /// The second derivative of a vibration, by its value and its derivative.
+    #[inline(always)]
+    pub(super) fn next(&self, value: F, derivative: F) -> F {
+        -(self.rate * derivative) - self.square * value
+    }
+
+    /// The responses at a time, by the sums S₃/t³ and S₄/t⁴ over even and odd powers of t: `S_n = tⁿ/n! − 2βS_{n+1} −
+    /// ω²S_{n+2}`, whose terms become smaller.
+    #[inline(always)]
+    pub(super) fn responses(&self, t: F, [even, odd]: [[F; 2]; 2]) -> Responses<F> {
+        let square = t.square();
+        let [third, fourth] = [even[0] + t * odd[0], even[1] + t * odd[1]];
+        let (ramp, parabola) = (third * (square * t), fourth * square.square());
+        let step = square * F::ratio(1, 2) - self.rate * ramp - self.square * parabola;
+        let impulse = t - self.rate * step - self.square * ramp;
+        Responses { impulse, step, ramp, parabola }
+    }
+}
+
 /// The constants of a linear oscillator, β ≥ 0 and ω ≥ 0, and the series of its responses.
 ///
 /// Both may be 0: a body without a spring, without a damper. No form here divides by them unless they are
 /// large in comparison with 1/t.
 #[derive(Debug, Clone)]
 pub(super) struct Linear<F> {
-    /// 2β.
-    pub(super) rate: F,
-    /// ω².
-    pub(super) square: F,
+    pub(super) law: Law<F>,
     /// Coefficients of S₃/t³ and S₄/t⁴ by powers of t, the highest first, in pairs of an even power and the odd one
     /// after it.
     series: Vec<[[F; 2]; 2]>,
@@ -119,7 +153,7 @@ impl<F: Number> Linear<F> {
             }
             Free::Creeping { slow, .. } => slow * F::ratio(1, 4),
         };
-        Some(Self { rate, square, series, reach, is_exact, free, shortness })
+        Some(Self { law: Law { rate, square }, series, reach, is_exact, free, shortness })
     }
 
     /// The responses at a time t ≥ 0.
@@ -128,8 +162,17 @@ impl<F: Number> Linear<F> {
         if self.is_exact || t.is_within(self.reach)? { Some(self.near(t)) } else { self.far(t) }
     }
 
-    /// The responses by their series: S₃ and S₄, and from these `S_n = tⁿ/n! − 2βS_{n+1} − ω²S_{n+2}`, whose
-    /// terms become smaller.
+    /// Whether the series serves times up to this one.
+    pub(super) fn is_near(&self, t: F) -> bool {
+        self.is_exact || t.is_within(self.reach) == Some(true)
+    }
+
+    /// The coefficients of S₃/t³ and S₄/t⁴ in pairs of an even power of t and the odd one after it, the highest first.
+    pub(super) fn series(&self) -> &[[[F; 2]; 2]] {
+        &self.series
+    }
+
+    /// The responses by their series.
     #[inline(always)]
     fn near(&self, t: F) -> Responses<F> {
         let square = t.square();
@@ -141,12 +184,7 @@ impl<F: Number> Linear<F> {
                 }
             }
         }
-        let [even, odd] = sums;
-        let [third, fourth] = [even[0] + t * odd[0], even[1] + t * odd[1]];
-        let (ramp, parabola) = (third * (square * t), fourth * square.square());
-        let step = square * F::ratio(1, 2) - self.rate * ramp - self.square * parabola;
-        let impulse = t - self.rate * step - self.square * ramp;
-        Responses { impulse, step, ramp, parabola }
+        self.law.responses(t, sums)
     }
 
     /// The responses in closed form, where `2βt + ω²t² > 4`.
@@ -159,9 +197,9 @@ impl<F: Number> Linear<F> {
                 let size = (-(decay * t)).exponential();
                 let impulse = size * sine / frequency;
                 let free = size * cosine - decay * impulse;
-                let step = (one - free - self.rate * impulse) / self.square;
-                let ramp = (t - impulse - self.rate * step) / self.square;
-                let parabola = (t.square() * half - step - self.rate * ramp) / self.square;
+                let step = (one - free - self.law.rate * impulse) / self.law.square;
+                let ramp = (t - impulse - self.law.rate * step) / self.law.square;
+                let parabola = (t.square() * half - step - self.law.rate * ramp) / self.law.square;
                 Responses { impulse, step, ramp, parabola }
             }
             // S_n is a divided difference of eᶻᵗ at −λ₁, −λ₂ and n − 1 times 0.

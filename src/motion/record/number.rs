@@ -34,6 +34,23 @@ pub(super) trait Number: Signed {
     fn whole(self) -> Option<i32>;
 }
 
+/// The zero between two times of the parabola through a value and a derivative at the first and a value at the second,
+/// improved by the cubic through the derivative at the second, too.
+#[inline(always)]
+pub(super) fn first_guess<F: Float>(
+    [low, high]: [F; 2],
+    [[value, slope], [end, end_slope]]: [[F; 2]; 2],
+) -> F {
+    let (one, two, length) = (F::int(1), F::int(2), high - low);
+    let (first, last) = (slope * length, end_slope * length);
+    let bend = end - value - first;
+    let part = two * value / ((first.square() - two * two * bend * value).sqrt() - first);
+    let cubic = last - first - two * bend;
+    let there = part.square() * (part - one) * cubic;
+    let steepness = first + two * bend * part + part * (F::int(3) * part - two) * cubic;
+    low + length * (part - there / steepness)
+}
+
 impl<F: Float> Number for F {
     #[expect(clippy::cast_possible_wrap, reason = "bits of a type are far below i32::MAX")]
     const MOST_TERMS: i32 = 40 + F::PRECISION as i32;
@@ -69,20 +86,12 @@ impl<F: Float> Number for F {
     fn zero_within(
         low: Self,
         high: Self,
-        [[value, slope], [end, end_slope]]: [[Self; 2]; 2],
+        ends: [[Self; 2]; 2],
         f: impl Fn(Self) -> Option<[Self; 4]>,
     ) -> Option<Self> {
         let nan = F::int(0) / F::int(0);
         let of = |t| f(t).unwrap_or([nan; 4]);
-        // The first guess is the zero of the parabola through the ends, improved by the cubic one.
-        let (one, two, length) = (F::int(1), F::int(2), high - low);
-        let (first, last) = (slope * length, end_slope * length);
-        let bend = end - value - first;
-        let part = two * value / ((first.square() - two * two * bend * value).sqrt() - first);
-        let cubic = last - first - two * bend;
-        let there = part.square() * (part - one) * cubic;
-        let steepness = first + two * bend * part + part * (F::int(3) * part - two) * cubic;
-        let root = halley_within(low + length * (part - there / steepness), low, high, of);
+        let root = halley_within(first_guess([low, high], ends), low, high, of);
         Some(root.implicit_root(|t| {
             let [value, slope, ..] = of(t);
             (value, slope)

@@ -177,16 +177,16 @@ pub(super) struct Passed<F> {
 
 /// `if first > second { first } else { second }`: a second number that is NaN remains.
 #[inline(always)]
-fn greater<F: Float>(first: F, second: F) -> F {
+pub(super) fn greater<F: Float>(first: F, second: F) -> F {
     if first > second { first } else { second }
 }
 
 #[inline(always)]
-fn lesser<F: Float>(first: F, second: F) -> F {
+pub(super) fn lesser<F: Float>(first: F, second: F) -> F {
     if first < second { first } else { second }
 }
 
-fn infinity<F: Float>() -> F {
+pub(super) fn infinity<F: Float>() -> F {
     F::int(1) / F::int(0)
 }
 

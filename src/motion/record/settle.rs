@@ -163,7 +163,7 @@ impl<F: Number> Follower<F> {
     /// Whether the speed of a slide that does not stop falls for ever, ever more slowly: a and a′ have one zero at most,
     /// and their last signs.
     fn is_falling(&self, sign: F) -> bool {
-        let jerk = self.slide(F::int(0), sign).jerk(&self.linear, self.v, self.a);
+        let jerk = self.slide(F::int(0), sign).jerk(&self.linear.law, self.v, self.a);
         (sign * self.a).positive() == Some(false) && (sign * jerk).negative() == Some(false)
     }
 

@@ -14,7 +14,7 @@
 //!
 //! No step size and no tolerance enter; only the rounding of the signs.
 
-use super::linear::{Linear, Responses};
+use super::linear::{Law, Linear, Responses};
 use super::number::Number;
 
 /// The start of a stretch of sliding: velocity and acceleration, and the slope of the load.
@@ -39,50 +39,50 @@ pub(super) struct Moment<F> {
 impl<F: Number> Slide<F> {
     /// The velocity after the time of these responses: `v = v₀(1 − ω²S₂) + a₀S₁ + sS₂`.
     #[inline(always)]
-    pub(super) fn velocity(&self, linear: &Linear<F>, s: &Responses<F>) -> F {
-        self.v * (F::int(1) - linear.square * s.step) + self.a * s.impulse + self.slope * s.step
+    pub(super) fn velocity(&self, law: &Law<F>, s: &Responses<F>) -> F {
+        self.v * (F::int(1) - law.square * s.step) + self.a * s.impulse + self.slope * s.step
     }
 
     /// The acceleration: `a = a₀(1 − 2βS₁ − ω²S₂) + (s − ω²v₀)S₁`.
     #[inline(always)]
-    pub(super) fn acceleration(&self, linear: &Linear<F>, s: &Responses<F>) -> F {
-        self.a * (F::int(1) - linear.rate * s.impulse - linear.square * s.step)
-            + (self.slope - linear.square * self.v) * s.impulse
+    pub(super) fn acceleration(&self, law: &Law<F>, s: &Responses<F>) -> F {
+        self.a * (F::int(1) - law.rate * s.impulse - law.square * s.step)
+            + (self.slope - law.square * self.v) * s.impulse
     }
 
     /// The displacement since the start: `v₀(S₁ + 2βS₂) + a₀S₂ + sS₃`.
     #[inline(always)]
-    pub(super) fn moved(&self, linear: &Linear<F>, s: &Responses<F>) -> F {
-        self.v * (s.impulse + linear.rate * s.step) + self.a * s.step + self.slope * s.ramp
+    pub(super) fn moved(&self, law: &Law<F>, s: &Responses<F>) -> F {
+        self.v * (s.impulse + law.rate * s.step) + self.a * s.step + self.slope * s.ramp
     }
 
     /// The integral of [`Slide::moved`]: `v₀(S₂ + 2βS₃) + a₀S₃ + sS₄`.
     #[inline(always)]
-    pub(super) fn area(&self, linear: &Linear<F>, s: &Responses<F>) -> F {
-        self.v * (s.step + linear.rate * s.ramp) + self.a * s.ramp + self.slope * s.parabola
+    pub(super) fn area(&self, law: &Law<F>, s: &Responses<F>) -> F {
+        self.v * (s.step + law.rate * s.ramp) + self.a * s.ramp + self.slope * s.parabola
     }
 
     /// The jerk a′ at a moment: `s − ω²v − 2βa`.
     #[inline(always)]
-    pub(super) fn jerk(&self, linear: &Linear<F>, v: F, a: F) -> F {
-        self.slope - linear.square * v - linear.rate * a
+    pub(super) fn jerk(&self, law: &Law<F>, v: F, a: F) -> F {
+        self.slope - law.square * v - law.rate * a
     }
 
     #[inline(always)]
-    pub(super) fn moment(&self, linear: &Linear<F>, s: &Responses<F>) -> Moment<F> {
-        Moment { moved: self.moved(linear, s), v: self.velocity(linear, s), a: self.acceleration(linear, s) }
+    pub(super) fn moment(&self, law: &Law<F>, s: &Responses<F>) -> Moment<F> {
+        Moment { moved: self.moved(law, s), v: self.velocity(law, s), a: self.acceleration(law, s) }
     }
 
     /// The state at a time.
     pub(super) fn at(&self, linear: &Linear<F>, t: F) -> Option<Moment<F>> {
-        Some(self.moment(linear, &linear.at(t)?))
+        Some(self.moment(&linear.law, &linear.at(t)?))
     }
 
     /// An upper bound of |a| within a time: `|a₀| + t√(a₀′² + ω²a₀²)`, because the energy `a′² + ω²a²` of a free
     /// vibration does not grow.
     #[inline(always)]
-    pub(super) fn greatest_acceleration(&self, linear: &Linear<F>, omega: F, t: F) -> F {
-        let jerk = self.jerk(linear, self.v, self.a).abs() + omega * self.a.abs();
+    pub(super) fn greatest_acceleration(&self, law: &Law<F>, omega: F, t: F) -> F {
+        let jerk = self.jerk(law, self.v, self.a).abs() + omega * self.a.abs();
         self.a.abs() + t * jerk
     }
 
@@ -109,7 +109,7 @@ impl<F: Number> Slide<F> {
             let is_opposed = if a.positive()? || a.negative()? {
                 a.negative()?
             } else {
-                !(self.sign * self.jerk(linear, self.v, self.a)).positive()?
+                !(self.sign * self.jerk(&linear.law, self.v, self.a)).positive()?
             };
             if is_opposed {
                 // The load has changed at once, to the other direction.
@@ -129,7 +129,7 @@ impl<F: Number> Slide<F> {
     #[inline(never)]
     fn stop_at_turn(&self, linear: &Linear<F>, omega: F, length: F, end: &Moment<F>) -> Option<Option<F>> {
         // The minimum is not below the smaller end by more than t max |a|.
-        let lost = length * self.greatest_acceleration(linear, omega, length);
+        let lost = length * self.greatest_acceleration(&linear.law, omega, length);
         if (self.sign * self.v - lost).positive()? && (self.sign * end.v - lost).positive()? {
             return Some(None);
         }
@@ -149,7 +149,7 @@ impl<F: Number> Slide<F> {
     /// The zero of the acceleration, which has the sign `sign` at the start and the other one at `length`.
     fn turn(&self, linear: &Linear<F>, length: F, sign: F, end: &Moment<F>) -> Option<F> {
         let of = |moment: &Moment<F>| {
-            let [_, a, jerk, bend, third] = self.derivatives(linear, moment.v, moment.a);
+            let [_, a, jerk, bend, third] = self.derivatives(&linear.law, moment.v, moment.a);
             [a, jerk, bend, third].map(|d| sign * d)
         };
         let ends = [&self.start(), end].map(|moment| {
@@ -163,21 +163,33 @@ impl<F: Number> Slide<F> {
     fn zero(&self, linear: &Linear<F>, [low, high]: [F; 2], ends: [&Moment<F>; 2]) -> Option<F> {
         let sign = self.sign;
         let ends = ends.map(|moment| [sign * moment.v, sign * moment.a]);
-        F::zero_within(low, high, ends, |t| {
-            let s = linear.at(t)?;
-            let (v, a) = (self.velocity(linear, &s), self.acceleration(linear, &s));
-            let [v, a, jerk, bend, _] = self.derivatives(linear, v, a);
-            Some([v, a, jerk, bend].map(|d| sign * d))
-        })
+        F::zero_within(low, high, ends, |t| Some(self.speed(&linear.law, &linear.at(t)?)))
+    }
+
+    /// The speed in the direction of the slide and three derivatives, after the time of these responses.
+    #[inline(always)]
+    pub(super) fn speed(&self, law: &Law<F>, s: &Responses<F>) -> [F; 4] {
+        let (v, a) = (self.velocity(law, s), self.acceleration(law, s));
+        let [v, a, jerk, bend, _] = self.derivatives(law, v, a);
+        [v, a, jerk, bend].map(|d| self.sign * d)
+    }
+
+    /// How far v, and a or a less the load, can be beyond the greater of their ends within a time T: an extreme of g is no
+    /// further from the nearer end than T²/8 times the greatest |g″|, which an energy that does not grow bounds.
+    #[inline(always)]
+    pub(super) fn beyond(&self, law: &Law<F>, omega: F, time: F) -> [F; 2] {
+        let jerk = self.jerk(law, self.v, self.a);
+        let bend = law.rate * jerk + law.square * self.a;
+        let eighth = time.square() * F::ratio(1, 8);
+        [(jerk, self.a), (bend, jerk)].map(|(second, first)| (second.abs() + omega * first.abs()) * eighth)
     }
 
     /// The velocity v and its derivatives a, a′, a″ and a‴ at a moment: each derivative of a free vibration is −2β
     /// times itself less ω² times the one before.
     #[inline(always)]
-    pub(super) fn derivatives(&self, linear: &Linear<F>, v: F, a: F) -> [F; 5] {
-        let next = |before: F, now: F| -(linear.rate * now) - linear.square * before;
-        let jerk = self.jerk(linear, v, a);
-        let bend = next(a, jerk);
-        [v, a, jerk, bend, next(jerk, bend)]
+    pub(super) fn derivatives(&self, law: &Law<F>, v: F, a: F) -> [F; 5] {
+        let jerk = self.jerk(law, v, a);
+        let bend = law.next(a, jerk);
+        [v, a, jerk, bend, law.next(jerk, bend)]
     }
 }

@@ -181,6 +181,13 @@ impl<F: Number> Totals<F> {
         Some(())
     }
 
+    /// Adds the works of a load that ends at `last` with this slope, and 2βu′ of the support, on a way with this integral.
+    #[inline(always)]
+    pub(super) fn works(&mut self, [last, slope, foot]: [F; 3], moved: F, area: F) {
+        self.load_work = self.load_work + last * moved - slope * area;
+        self.foot_work = self.foot_work + foot * moved;
+    }
+
     /// Includes a quantity g(t) over a stretch, its extremes inside it, too.
     ///
     /// `at` gives g and four derivatives at a time. g″ is a free vibration and g′ such a vibration plus a constant, so
@@ -252,16 +259,14 @@ impl<F: Number> Totals<F> {
         [has_velocity, has_acceleration, has_free]: [bool; 3],
     ) -> Option<()> {
         let Stretch { time, length, load: [first, last], end, .. } = *stretch;
-        // The derivative of a free vibration, by its value and the one before.
-        let swing = |before: F, now: F| -(linear.rate * now) - linear.square * before;
-        let next = |[.., third, fourth]: [F; 5]| swing(third, fourth);
+        let next = |[.., third, fourth]: [F; 5]| linear.law.next(third, fourth);
         let at = |t: F| {
             let moment = slide.at(linear, t)?;
-            let g = slide.derivatives(linear, moment.v, moment.a);
+            let g = slide.derivatives(&linear.law, moment.v, moment.a);
             Some((g, next(g)))
         };
         let ends = [(slide.v, slide.a), (end.v, end.a)].map(|(v, a)| {
-            let g = slide.derivatives(linear, v, a);
+            let g = slide.derivatives(&linear.law, v, a);
             (g, next(g))
         });
         let times = [time, length];
@@ -283,7 +288,7 @@ impl<F: Number> Totals<F> {
         }
         // The jerk less the slope of the load is exactly 0 at a release without an excess of static friction.
         let less = |load: F, ([v, a, _, bend, third], fourth): ([F; 5], F)| {
-            [a - load, swing(v, a), bend, third, fourth]
+            [a - load, linear.law.next(v, a), bend, third, fourth]
         };
         let [start, finish] = ends;
         Self::include(&mut self.free_acceleration, times, [less(first, start), less(last, finish)], |t| {
@@ -296,20 +301,14 @@ impl<F: Number> Watch<F> for Totals<F> {
     #[inline(always)]
     fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()> {
         let Stretch { time, length, load: [first, last], responses, end, foot, is_short, .. } = *stretch;
-        self.load_work = self.load_work + last * end.moved - slide.slope * slide.area(linear, responses);
-        self.foot_work = self.foot_work + foot * end.moved;
+        let area = slide.area(&linear.law, responses);
+        self.works([last, slide.slope, foot], end.moved, area);
         if !is_short {
             self.velocity.include(end.v, time + length)?;
             self.acceleration.include(end.a, time + length)?;
             return self.free_acceleration.include(end.a - last, time + length);
         }
-        // An extreme of g is no further from the nearer end than T²/8 times the greatest |g″|, which an energy that does not
-        // grow bounds.
-        let jerk = slide.jerk(linear, slide.v, slide.a);
-        let bend = linear.rate * jerk + linear.square * slide.a;
-        let eighth = length.square() * F::ratio(1, 8);
-        let beyond = [(jerk, slide.a), (bend, jerk)]
-            .map(|(second, first)| (second.abs() + self.omega * first.abs()) * eighth);
+        let beyond = slide.beyond(&linear.law, self.omega, length);
         let is_inside = [
             self.velocity.has_between([slide.v, end.v], beyond[0]),
             self.acceleration.has_between([slide.a, end.a], beyond[1]),

@@ -1,0 +1,507 @@
+//! Steps of bodies side by side in which slides end and begin.
+//!
+//! In such a step a body slides to its stop, rests, and slides to the end of the step; any of the three may be missing.
+//! The formulae and decisions are those of the [`Follower`](super::follow::Follower), without branches, so that loops take
+//! them in vector lanes. It alone takes the steps with more: extremes that a bound leaves open, a speed with a
+//! minimum that may be a stop, a second stop, and signs that are NaN.
+
+use super::follow::Mode;
+use super::linear::{Law, Responses};
+use super::load::Piece;
+use super::number::{Number as _, first_guess};
+use super::quiet::{Followed, Limits, Step, greater, infinity, lesser};
+use super::rows::{LimitsRows, QuietRows, Row, at, rows, select, set};
+use super::slide::{Moment, Slide};
+use crate::float::Float;
+use crate::root::Halley;
+use alloc::vec::Vec;
+
+/// The numbers of a body that its turns need, from its last event on.
+#[derive(Debug, Clone, Copy)]
+struct Turning<F> {
+    mean: F,
+    friction: F,
+    /// The static friction, against either direction.
+    held: F,
+    backward: F,
+    excess: F,
+    /// The responses after the step, and 1 where they are known and the series serves all times up to it.
+    impulse: F,
+    step: F,
+    ramp: F,
+    parabola: F,
+    is_known: F,
+    widest: F,
+    /// The greatest speed in either direction, and the ranges of a and of a less the load.
+    forward_speed: F,
+    backward_speed: F,
+    most_a: F,
+    least_a: F,
+    most_free: F,
+    least_free: F,
+}
+
+impl<F: Float> Turning<F> {
+    fn none() -> Self {
+        let zero = F::int(0);
+        Self {
+            mean: zero,
+            friction: zero,
+            held: zero,
+            backward: zero,
+            excess: zero,
+            impulse: zero,
+            step: zero,
+            ramp: zero,
+            parabola: zero,
+            is_known: zero,
+            widest: zero,
+            forward_speed: zero,
+            backward_speed: zero,
+            most_a: zero,
+            least_a: zero,
+            most_free: zero,
+            least_free: zero,
+        }
+    }
+
+    fn responses(&self) -> Responses<F> {
+        let &Self { impulse, step, ramp, parabola, .. } = self;
+        Responses { impulse, step, ramp, parabola }
+    }
+
+    /// The numbers that events change.
+    fn update(&mut self, body: &Followed<F>) {
+        let (totals, nan) = (&body.totals, F::int(0) / F::int(0));
+        let velocity = &totals.velocity;
+        // As for the limits of a quiet step, the range of the velocity is one of slides once it has 0.
+        let [forward, backward] =
+            if velocity.has(F::int(0)) { [velocity.most.value, -velocity.least.value] } else { [nan; 2] };
+        (self.forward_speed, self.backward_speed) = (forward, backward);
+        (self.most_a, self.least_a) = (totals.acceleration.most.value, totals.acceleration.least.value);
+        (self.most_free, self.least_free) =
+            (totals.free_acceleration.most.value, totals.free_acceleration.least.value);
+        self.widest = body.follower.widest;
+    }
+}
+
+rows! {
+    TurningRows of Turning:
+    mean, friction, held, backward, excess, impulse, step, ramp, parabola, is_known, widest, forward_speed,
+    backward_speed, most_a, least_a, most_free, least_free,
+}
+
+/// A step with a stop, a release, or both.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turn<F> {
+    /// 1 where the step is such a one.
+    is_taken: F,
+    /// The time of the stop, and 1 where there is one; the step's length where there is none, and 0 for a body at rest.
+    stop: F,
+    stops: F,
+    /// The way to there, and its integral.
+    moved: F,
+    area: F,
+    /// The length of the rest, the direction of the slide after it, which is 0 where there is none, and its
+    /// acceleration.
+    wait: F,
+    sign: F,
+    a: F,
+    /// The length of that slide, the way of it and its integral.
+    length: F,
+    way: F,
+    way_area: F,
+    /// The velocity at the end of the step.
+    v: F,
+}
+
+impl<F: Float> Turn<F> {
+    fn none() -> Self {
+        let zero = F::int(0);
+        Self {
+            is_taken: zero,
+            stop: zero,
+            stops: zero,
+            moved: zero,
+            area: zero,
+            wait: zero,
+            sign: zero,
+            a: zero,
+            length: zero,
+            way: zero,
+            way_area: zero,
+            v: zero,
+        }
+    }
+}
+
+rows! {
+    TurnRows of Turn:
+    is_taken, stop, stops, moved, area, wait, sign, a, length, way, way_area, v,
+}
+
+rows! {
+    HalleyRows of Halley:
+    x, low, high, last, last_but_one,
+}
+
+rows! {
+    ResponsesRows of Responses:
+    impulse, step, ramp, parabola,
+}
+
+/// The turns of bodies side by side.
+#[derive(Debug)]
+pub(super) struct Turns<F, const L: usize> {
+    turning: TurningRows<F, L>,
+    /// The coefficients of the series of all lanes; those of a shorter series begin with zeros.
+    series: Vec<[[Row<F, L>; 2]; 2]>,
+    turn: TurnRows<F, L>,
+}
+
+/// The most steps of a search for a stop in lanes.
+const SEARCH: usize = 16;
+
+fn is_any<F: Float, const L: usize>(row: &Row<F, L>) -> bool {
+    row.iter().fold(false, |any, number| any | (*number != F::int(0)))
+}
+
+impl<F: Float, const L: usize> Turns<F, L> {
+    /// Whether the type is one of a processor; others are faster with branches.
+    const SERVES: bool = F::PRECISION <= f64::MANTISSA_DIGITS;
+
+    pub(super) fn new() -> Self {
+        Self { turning: TurningRows::none(), series: Vec::new(), turn: TurnRows::none() }
+    }
+
+    /// Takes a body into its lane, given the responses after a step of this length.
+    pub(super) fn read(
+        &mut self,
+        lane: usize,
+        body: &Followed<F>,
+        whole: Option<&Responses<F>>,
+        step: &Step<F>,
+    ) {
+        if !Self::SERVES {
+            return;
+        }
+        let (c, linear) = (&body.follower.constants, &body.follower.linear);
+        let mut one = Turning {
+            mean: c.mean,
+            friction: c.friction,
+            held: c.held,
+            backward: if c.is_one_way { infinity() } else { c.held },
+            excess: c.excess,
+            ..Turning::none()
+        };
+        if let (Some(whole), true) = (whole, linear.is_near(step.length)) {
+            one.is_known = F::int(1);
+            Responses { impulse: one.impulse, step: one.step, ramp: one.ramp, parabola: one.parabola } =
+                *whole;
+        }
+        one.update(body);
+        self.turning.set(lane, &one);
+        let terms = linear.series();
+        while self.series.len() < terms.len() {
+            self.series.insert(0, [[[F::int(0); L]; 2]; 2]);
+        }
+        let missing = self.series.len().saturating_sub(terms.len());
+        let none = [[F::int(0); 2]; 2];
+        for (rows, terms) in self.series.iter_mut().zip(core::iter::repeat_n(&none, missing).chain(terms)) {
+            for (row, term) in rows.iter_mut().flatten().zip(terms.iter().flatten()) {
+                set(row, lane, *term);
+            }
+        }
+    }
+
+    /// Takes a body into its lane after an event.
+    pub(super) fn update(&mut self, lane: usize, body: &Followed<F>) {
+        if Self::SERVES {
+            let mut one = self.turning.at(lane);
+            one.update(body);
+            self.turning.set(lane, &one);
+        }
+    }
+
+    /// The turn of a lane in the step that was taken, if it was one.
+    pub(super) fn turn(&self, lane: usize) -> Option<Turn<F>> {
+        let turn = self.turn.at(lane);
+        (turn.is_taken != F::int(0)).then_some(turn)
+    }
+
+    /// The responses of all lanes at times that the series serves.
+    #[inline(always)]
+    fn responses(&self, quiet: &QuietRows<F, L>, times: &Row<F, L>) -> ResponsesRows<F, L> {
+        let zero = [F::int(0); L];
+        let mut squares = zero;
+        for i in 0..L {
+            set(&mut squares, i, at(times, i).square());
+        }
+        let (mut third, mut fourth, mut odd_third, mut odd_fourth) = (zero, zero, zero, zero);
+        let next = |sum: &mut Row<F, L>, terms: &Row<F, L>| {
+            for i in 0..L {
+                let now = at(sum, i) * at(&squares, i) + at(terms, i);
+                set(sum, i, now);
+            }
+        };
+        for [even, odd] in &self.series {
+            next(&mut third, &even[0]);
+            next(&mut fourth, &even[1]);
+            next(&mut odd_third, &odd[0]);
+            next(&mut odd_fourth, &odd[1]);
+        }
+        let mut responses = ResponsesRows::none();
+        for i in 0..L {
+            let law = Law { rate: at(&quiet.rate, i), square: at(&quiet.square, i) };
+            let sums = [[at(&third, i), at(&fourth, i)], [at(&odd_third, i), at(&odd_fourth, i)]];
+            responses.set(i, &law.responses(at(times, i), sums));
+        }
+        responses
+    }
+
+    /// Takes the step between two samples in the lanes whose `event` is not 0.
+    #[inline(always)]
+    pub(super) fn take(
+        &mut self,
+        quiet: &QuietRows<F, L>,
+        [x, v]: [&Row<F, L>; 2],
+        limits: &LimitsRows<F, L>,
+        event: &Row<F, L>,
+        [first, second]: [F; 2],
+        step: &Step<F>,
+    ) {
+        if !Self::SERVES {
+            return;
+        }
+        let (zero, one, length) = (F::int(0), F::int(1), step.length);
+        let change = (second - first) * step.inverse;
+        let none = [zero; L];
+        let (mut start_a, mut searched, mut may, mut stops) = (none, none, none, none);
+        let mut search = HalleyRows::none();
+        for i in 0..L {
+            let (quiet, body) = (quiet.at(i), self.turning.at(i));
+            let law = Law { rate: quiet.rate, square: quiet.square };
+            let (load, sign) = (quiet.load([first, second], change), quiet.sign);
+            let [x, v] = [at(x, i), at(v, i)];
+            let a = load.from + body.mean - sign * body.friction - quiet.rate * v - quiet.square * x;
+            let a = select(sign == zero, zero, a);
+            let slide = Slide { v, a, slope: load.slope, sign };
+            let end = slide.moment(&law, &body.responses());
+            let (speed, end_speed) = (sign * v, sign * end.v);
+            let is_slide = sign != zero;
+            let has_stop = is_slide & !(end_speed > zero);
+            // A speed that has a minimum has it not below the smaller end by more than t max |a|.
+            let has_minimum = (sign * a < zero) & (sign * end.a > zero);
+            let lost = length * slide.greatest_acceleration(&law, quiet.omega, length);
+            let is_clear = !has_minimum | ((speed - lost > zero) & (end_speed - lost > zero));
+            let is_plain = !is_slide | (has_stop & (speed > zero)) | (!has_stop & is_clear);
+            let is_taken = (at(event, i) != zero) & (body.is_known != zero) & is_plain;
+            let guess = first_guess([zero, length], [[speed, sign * a], [end_speed, sign * end.a]]);
+            search.set(i, &Halley::new(guess, zero, length));
+            set(&mut start_a, i, a);
+            set(&mut stops, i, select(has_stop, one, zero));
+            set(&mut may, i, select(is_taken, one, zero));
+            set(&mut searched, i, select(is_taken & has_stop, one, zero));
+        }
+        for _ in 0..SEARCH {
+            if !is_any(&searched) {
+                break;
+            }
+            let responses = self.responses(quiet, &search.x);
+            for i in 0..L {
+                let quiet = quiet.at(i);
+                let law = Law { rate: quiet.rate, square: quiet.square };
+                let slope = change * quiet.factor;
+                let slide = Slide { v: at(v, i), a: at(&start_a, i), slope, sign: quiet.sign };
+                let before = search.at(i);
+                let (next, is_found) = before.step(slide.speed(&law, &responses.at(i)));
+                let is_on = at(&searched, i) != zero;
+                search.set(
+                    i,
+                    &Halley {
+                        x: select(is_on, next.x, before.x),
+                        low: select(is_on, next.low, before.low),
+                        high: select(is_on, next.high, before.high),
+                        last: select(is_on, next.last, before.last),
+                        last_but_one: select(is_on, next.last_but_one, before.last_but_one),
+                    },
+                );
+                set(&mut searched, i, select(is_on & !is_found, one, zero));
+            }
+        }
+        // The slide at the start of the step, to its stop or to the end of the step; none at rest.
+        for i in 0..L {
+            let found = at(&search.x, i).implicit_root(|t| {
+                let law = Law { rate: at(&quiet.rate, i), square: at(&quiet.square, i) };
+                let slope = change * at(&quiet.factor, i);
+                let slide = Slide { v: at(v, i), a: at(&start_a, i), slope, sign: at(&quiet.sign, i) };
+                let [speed, a, ..] = slide.speed(&law, &self.responses(quiet, &[t; L]).at(i));
+                (speed, a)
+            });
+            let other = select(at(&quiet.sign, i) == zero, zero, length);
+            set(&mut search.x, i, select(at(&stops, i) != zero, found, other));
+        }
+        let to_stop = self.responses(quiet, &search.x);
+        let mut lengths = none;
+        for i in 0..L {
+            let (quiet, body) = (quiet.at(i), self.turning.at(i));
+            let law = Law { rate: quiet.rate, square: quiet.square };
+            let (load, sign) = (quiet.load([first, second], change), quiet.sign);
+            let (is_slide, has_stop) = (sign != zero, at(&stops, i) != zero);
+            let slide = Slide { v: at(v, i), a: at(&start_a, i), slope: load.slope, sign };
+            let (responses, stop) = (to_stop.at(i), at(&search.x, i));
+            let end = slide.moment(&law, &responses);
+            let end = Moment { v: select(has_stop, zero, end.v), ..end };
+            let last = load.from + load.slope * stop;
+            let is_inside =
+                is_inside(&slide, &law, quiet.omega, &end, [load.from, last], stop, &limits.at(i));
+            // The force on the body at rest, now and at the end of the step.
+            let x = at(x, i) + end.moved;
+            let offset = body.mean - law.square * x;
+            let (now, later) = (last + offset, load.to + offset);
+            let size = greater(last.abs(), load.to.abs())
+                + body.mean.abs()
+                + law.square * greater(body.widest, x.abs())
+                + body.held;
+            let exceeds = |force: F, held: F| (force - held > zero) & !(force - held).is_lost(size);
+            let [is_forward, is_backward] = [exceeds(now, body.held), exceeds(-now, body.backward)];
+            let [is_late_forward, is_late_backward] =
+                [exceeds(later, body.held), exceeds(-later, body.backward)];
+            let is_now = is_forward | is_backward;
+            let sign = select(is_forward, one, select(is_backward, -one, select(is_late_forward, one, -one)));
+            let is_resting = has_stop | !is_slide;
+            let is_released = is_resting & (is_now | is_late_forward | is_late_backward);
+            let left = length - stop;
+            let after = (body.held - sign * now) / (sign * load.slope);
+            let after = select(left - after < zero, left, after.or_larger(zero));
+            let wait = select(is_now, zero, after);
+            let wait = select(is_released, wait, left);
+            let a = select(is_now, now - sign * body.friction, sign * body.excess);
+            let left = length - (stop + wait);
+            let is_taken = (at(&may, i) != zero)
+                & (at(&searched, i) == zero)
+                & (is_inside | !is_slide)
+                & (!is_resting | (length - stop > zero))
+                & (!is_released | (left > zero));
+            set(&mut lengths, i, select(is_released, left, zero));
+            self.turn.set(
+                i,
+                &Turn {
+                    is_taken: select(is_taken, one, zero),
+                    stop,
+                    stops: at(&stops, i),
+                    moved: end.moved,
+                    area: slide.area(&law, &responses),
+                    wait,
+                    sign: select(is_released, sign, zero),
+                    a,
+                    length: left,
+                    way: zero,
+                    way_area: zero,
+                    v: end.v,
+                },
+            );
+        }
+        if !is_any(&lengths) {
+            return;
+        }
+        let responses = self.responses(quiet, &lengths);
+        for i in 0..L {
+            let (quiet, body, turn) = (quiet.at(i), self.turning.at(i), self.turn.at(i));
+            let law = Law { rate: quiet.rate, square: quiet.square };
+            let load = quiet.load([first, second], change);
+            let responses = responses.at(i);
+            let slide = Slide { v: zero, a: turn.a, slope: load.slope, sign: turn.sign };
+            let end = slide.moment(&law, &responses);
+            let from = turn.stop + turn.wait;
+            let ranges = Limits { most_speed: body.speed(turn.sign), ..body.ranges() };
+            // The ranges that grew since the last event are greater, so that these serve as well.
+            let loads = [load.from + load.slope * from, load.from + load.slope * (from + turn.length)];
+            let is_inside = is_inside(&slide, &law, quiet.omega, &end, loads, turn.length, &ranges);
+            let is_plain = (turn.sign * end.v > zero)
+                & !((turn.sign * turn.a < zero) & (turn.sign * end.a > zero))
+                & is_inside;
+            let is_released = turn.sign != zero;
+            let is_taken = (turn.is_taken != zero) & (!is_released | is_plain);
+            let next = Turn {
+                is_taken: select(is_taken, one, zero),
+                way: end.moved,
+                way_area: slide.area(&law, &responses),
+                v: select(is_released, end.v, turn.v),
+                ..turn
+            };
+            self.turn.set(i, &next);
+        }
+    }
+}
+
+impl<F: Float> Turning<F> {
+    /// The greatest speed in a direction.
+    #[inline(always)]
+    fn speed(&self, sign: F) -> F {
+        select(sign > F::int(0), self.forward_speed, self.backward_speed)
+    }
+
+    /// The ranges without the speed.
+    #[inline(always)]
+    fn ranges(&self) -> Limits<F> {
+        let &Self { most_a, least_a, most_free, least_free, .. } = self;
+        Limits { most_a, least_a, most_free, least_free, ..Limits::none() }
+    }
+}
+
+/// Whether a slide for a length, to this end, stays inside the ranges, by the bound of its extremes.
+#[inline(always)]
+fn is_inside<F: Float>(
+    slide: &Slide<F>,
+    law: &Law<F>,
+    omega: F,
+    end: &Moment<F>,
+    [first, last]: [F; 2],
+    length: F,
+    ranges: &Limits<F>,
+) -> bool {
+    let [of_v, of_a] = slide.beyond(law, omega, length);
+    let is_v = greater(slide.sign * slide.v, slide.sign * end.v) + of_v <= ranges.most_speed;
+    let is_within = |start: F, end: F, most: F, least: F| {
+        (greater(start, end) + of_a <= most) & (lesser(start, end) - of_a >= least)
+    };
+    is_v & is_within(slide.a, end.a, ranges.most_a, ranges.least_a)
+        & is_within(slide.a - first, end.a - last, ranges.most_free, ranges.least_free)
+}
+
+impl<F: Float> Followed<F> {
+    /// Takes a step with a turn; whether it could be taken.
+    pub(super) fn turn(&mut self, turn: &Turn<F>, samples: [F; 2], time: F, step: &Step<F>) -> bool {
+        let piece = Piece::new(&self.factors, samples, step.length, step.inverse);
+        let taken = self.turn_in(turn, &piece, time);
+        if taken.is_none() {
+            self.failure = Some((super::follow::Failure::Uncertain, time));
+        }
+        taken.is_some()
+    }
+
+    fn turn_in(&mut self, turn: &Turn<F>, piece: &Piece<F>, time: F) -> Option<()> {
+        let (follower, totals) = (&mut self.follower, &mut self.totals);
+        let load = |t: F| piece.from + piece.slope * t;
+        if let Mode::Slide(sign) = follower.mode {
+            totals.works([load(turn.stop), piece.slope, piece.foot], turn.moved, turn.area);
+            follower.x = follower.x + turn.moved;
+            if turn.stops == F::int(0) {
+                follower.v = turn.v;
+                return Some(());
+            }
+            follower.end(time + turn.stop, sign, totals)?;
+        }
+        if turn.wait > F::int(0) {
+            follower.rested(piece, time, turn.stop, turn.wait, totals)?;
+        }
+        if turn.sign != F::int(0) {
+            let from = turn.stop + turn.wait;
+            follower.begin([turn.sign, turn.a], time + from, piece.from, totals)?;
+            totals.works([load(from + turn.length), piece.slope, piece.foot], turn.way, turn.way_area);
+            (follower.x, follower.v) = (follower.x + turn.way, turn.v);
+        }
+        Some(())
+    }
+}
