@@ -56,7 +56,6 @@ mod rows;
 mod settle;
 mod slide;
 mod totals;
-#[cfg(feature = "batch")]
 mod turns;
 
 #[doc(hidden)]

@@ -6,6 +6,7 @@
 use super::load::Record;
 use super::quiet::{Followed, Limits, Passed, Push, Quiet, Step};
 use super::rows::{at, select, set};
+use super::turns::Turning;
 use crate::float::{Float, Task};
 
 /// The steps of a block.
@@ -52,6 +53,7 @@ fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(u
     let mut state = [body.follower.x, body.follower.v];
     let mut quiet = Quiet::of(body, whole.as_ref(), &step);
     let mut limits = Limits::of(body);
+    let mut turning = Turning::of(body, whole.as_ref(), &step);
     // The quiet steps since the last event, and those in which no range grew.
     let (mut steps, mut calm) = (0usize, 0usize);
     while left.len() > 1 {
@@ -77,7 +79,12 @@ fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(u
             continue;
         }
         write(body, state, &limits, steps, length);
-        if !body.take([first, second], start, &step, whole.as_ref()) {
+        let linear = &body.follower.linear;
+        let is_taken = match turning.alone(linear, &quiet, state, &limits, [first, second], &step) {
+            Some(turn) => body.turn(&turn, [first, second], start, &step),
+            None => body.take([first, second], start, &step, whole.as_ref()),
+        };
+        if !is_taken {
             return;
         }
         state = [body.follower.x, body.follower.v];
@@ -86,6 +93,7 @@ fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(u
         } else {
             quiet = Quiet::of(body, whole.as_ref(), &step);
         }
+        turning.update(body);
         limits = Limits::of(body);
         steps = 0;
     }

@@ -290,6 +290,7 @@ impl<F: Number> Follower<F> {
     }
 
     /// A rest of a time > 0.
+    #[inline(always)]
     pub(super) fn rested(
         &mut self,
         piece: &Piece<F>,
@@ -307,6 +308,7 @@ impl<F: Number> Follower<F> {
     }
 
     /// The size of the forces per mass on the body at rest, whose sum has their rounding.
+    #[inline(always)]
     fn size(&self, load: F) -> F {
         let c = &self.constants;
         load.abs() + c.mean.abs() + c.square * self.widest.larger(self.x.abs()) + c.held
@@ -317,6 +319,7 @@ impl<F: Number> Follower<F> {
     /// It continues the slide before where its direction is the same, and where it would have lost no more velocity in
     /// the time of the rest than rounding may have taken: a velocity that touches zero is one that stops for the root of
     /// a rounding. Only a static friction that is that of sliding lets it go on.
+    #[inline(always)]
     pub(super) fn begin(
         &mut self,
         [sign, a]: [F; 2],
@@ -343,6 +346,7 @@ impl<F: Number> Follower<F> {
     }
 
     /// Ends a slide.
+    #[inline(always)]
     pub(super) fn end(&mut self, time: F, sign: F, watch: &mut impl Watch<F>) -> Option<()> {
         let (zero, began) = (F::int(0), self.last.began);
         self.last = Ended { sign, began, length: time - began, has_rested: false, lost: Some(zero) };

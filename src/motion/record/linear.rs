@@ -174,7 +174,7 @@ impl<F: Number> Linear<F> {
 
     /// The responses by their series.
     #[inline(always)]
-    fn near(&self, t: F) -> Responses<F> {
+    pub(super) fn near(&self, t: F) -> Responses<F> {
         let square = t.square();
         let mut sums = [[F::int(0); 2]; 2];
         for pair in &self.series {

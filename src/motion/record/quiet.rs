@@ -15,7 +15,7 @@
 //! are those of the static friction, and of the forces on the support so far.
 
 use super::follow::{Failed, Failure, Follower, Mode};
-use super::linear::Responses;
+use super::linear::{Law, Responses};
 use super::load::{Factors, Piece};
 use super::number::Number as _;
 use super::totals::Totals;
@@ -253,6 +253,11 @@ impl<F: Float> Quiet<F> {
             never: zero,
             ..common
         }
+    }
+
+    #[inline(always)]
+    pub(super) fn law(&self) -> Law<F> {
+        Law { rate: self.rate, square: self.square }
     }
 
     /// The constant force less friction, and the direction, of a body that slides, where they are all that has changed.

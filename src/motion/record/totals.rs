@@ -167,6 +167,7 @@ impl<F: Number> Totals<F> {
     /// Takes the swing from the turning point before to this place, if it is the longest one.
     ///
     /// The body rests at both ends, so that friction and damper take `∫ (f + p̄) dx − ω²Δ(x²)/2`.
+    #[inline(always)]
     fn swings(&mut self, x: F) -> Option<()> {
         let Some(turn) = self.turn.filter(|_| !self.is_free) else { return Some(()) };
         let way = x - turn.x;
@@ -320,6 +321,7 @@ impl<F: Number> Watch<F> for Totals<F> {
         self.include_extremes(linear, slide, stretch, is_inside)
     }
 
+    #[inline(always)]
     fn rested(&mut self, _: F, piece: &Piece<F>, start: F, from: F, length: F) -> Option<()> {
         self.stick_time = self.stick_time + length;
         let zero = F::int(0);
@@ -331,6 +333,7 @@ impl<F: Number> Watch<F> for Totals<F> {
         Some(())
     }
 
+    #[inline(always)]
     fn released(&mut self, _: F, x: F, sign: F, onset: Onset) {
         // A body that goes on in its direction is in the same swing.
         if self.turn.is_none_or(|turn| (turn.sign * sign).negative() != Some(false)) {
@@ -352,6 +355,7 @@ impl<F: Number> Watch<F> for Totals<F> {
         self.from = x;
     }
 
+    #[inline(always)]
     fn stopped(&mut self, time: F, x: F) -> Option<()> {
         self.stick_time_before = self.stick_time;
         self.stops = self.stops.saturating_add(u64::from(!self.is_counted));
@@ -374,6 +378,7 @@ impl<F: Number> Watch<F> for Totals<F> {
         self.free_acceleration.include(-load, time)
     }
 
+    #[inline(always)]
     fn goes_on(&mut self, x: F, time: F) -> Option<()> {
         self.path = self.path + (x - self.from).abs();
         self.displacement.include(x, time)

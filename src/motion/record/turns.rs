@@ -6,10 +6,10 @@
 //! minimum that may be a stop, a second stop, and signs that are NaN.
 
 use super::follow::Mode;
-use super::linear::{Law, Responses};
+use super::linear::{Law, Linear, Responses};
 use super::load::Piece;
 use super::number::{Number as _, first_guess};
-use super::quiet::{Followed, Limits, Step, greater, infinity, lesser};
+use super::quiet::{Followed, Limits, Load, Quiet, Step, greater, infinity, lesser};
 use super::rows::{LimitsRows, QuietRows, Row, at, rows, select, set};
 use super::slide::{Moment, Slide};
 use crate::float::Float;
@@ -18,7 +18,7 @@ use alloc::vec::Vec;
 
 /// The numbers of a body that its turns need, from its last event on.
 #[derive(Debug, Clone, Copy)]
-struct Turning<F> {
+pub(super) struct Turning<F> {
     mean: F,
     friction: F,
     /// The static friction, against either direction.
@@ -65,13 +65,36 @@ impl<F: Float> Turning<F> {
         }
     }
 
+    #[inline(always)]
     fn responses(&self) -> Responses<F> {
         let &Self { impulse, step, ramp, parabola, .. } = self;
         Responses { impulse, step, ramp, parabola }
     }
 
+    /// Those of a body, given the responses after a step of this length.
+    pub(super) fn of(body: &Followed<F>, whole: Option<&Responses<F>>, step: &Step<F>) -> Self {
+        let c = &body.follower.constants;
+        let mut one = Self {
+            mean: c.mean,
+            friction: c.friction,
+            held: c.held,
+            backward: if c.is_one_way { infinity() } else { c.held },
+            excess: c.excess,
+            ..Self::none()
+        };
+        // Types that no processor has are faster step by step.
+        let serves = F::PRECISION <= f64::MANTISSA_DIGITS && body.follower.linear.is_near(step.length);
+        if let (Some(whole), true) = (whole, serves) {
+            one.is_known = F::int(1);
+            Responses { impulse: one.impulse, step: one.step, ramp: one.ramp, parabola: one.parabola } =
+                *whole;
+        }
+        one.update(body);
+        one
+    }
+
     /// The numbers that events change.
-    fn update(&mut self, body: &Followed<F>) {
+    pub(super) fn update(&mut self, body: &Followed<F>) {
         let (totals, nan) = (&body.totals, F::int(0) / F::int(0));
         let velocity = &totals.velocity;
         // As for the limits of a quiet step, the range of the velocity is one of slides once it has 0.
@@ -167,9 +190,6 @@ fn is_any<F: Float, const L: usize>(row: &Row<F, L>) -> bool {
 }
 
 impl<F: Float, const L: usize> Turns<F, L> {
-    /// Whether the type is one of a processor; others are faster with branches.
-    const SERVES: bool = F::PRECISION <= f64::MANTISSA_DIGITS;
-
     pub(super) fn new() -> Self {
         Self { turning: TurningRows::none(), series: Vec::new(), turn: TurnRows::none() }
     }
@@ -182,26 +202,8 @@ impl<F: Float, const L: usize> Turns<F, L> {
         whole: Option<&Responses<F>>,
         step: &Step<F>,
     ) {
-        if !Self::SERVES {
-            return;
-        }
-        let (c, linear) = (&body.follower.constants, &body.follower.linear);
-        let mut one = Turning {
-            mean: c.mean,
-            friction: c.friction,
-            held: c.held,
-            backward: if c.is_one_way { infinity() } else { c.held },
-            excess: c.excess,
-            ..Turning::none()
-        };
-        if let (Some(whole), true) = (whole, linear.is_near(step.length)) {
-            one.is_known = F::int(1);
-            Responses { impulse: one.impulse, step: one.step, ramp: one.ramp, parabola: one.parabola } =
-                *whole;
-        }
-        one.update(body);
-        self.turning.set(lane, &one);
-        let terms = linear.series();
+        self.turning.set(lane, &Turning::of(body, whole, step));
+        let terms = body.follower.linear.series();
         while self.series.len() < terms.len() {
             self.series.insert(0, [[[F::int(0); L]; 2]; 2]);
         }
@@ -216,11 +218,15 @@ impl<F: Float, const L: usize> Turns<F, L> {
 
     /// Takes a body into its lane after an event.
     pub(super) fn update(&mut self, lane: usize, body: &Followed<F>) {
-        if Self::SERVES {
-            let mut one = self.turning.at(lane);
-            one.update(body);
-            self.turning.set(lane, &one);
-        }
+        let mut one = self.turning.at(lane);
+        one.update(body);
+        self.turning.set(lane, &one);
+    }
+
+    /// The numbers of a lane.
+    #[inline(always)]
+    pub(super) fn of(&self, lane: usize) -> Turning<F> {
+        self.turning.at(lane)
     }
 
     /// The turn of a lane in the step that was taken, if it was one.
@@ -270,9 +276,6 @@ impl<F: Float, const L: usize> Turns<F, L> {
         [first, second]: [F; 2],
         step: &Step<F>,
     ) {
-        if !Self::SERVES {
-            return;
-        }
         let (zero, one, length) = (F::int(0), F::int(1), step.length);
         let change = (second - first) * step.inverse;
         let none = [zero; L];
@@ -280,28 +283,14 @@ impl<F: Float, const L: usize> Turns<F, L> {
         let mut search = HalleyRows::none();
         for i in 0..L {
             let (quiet, body) = (quiet.at(i), self.turning.at(i));
-            let law = Law { rate: quiet.rate, square: quiet.square };
-            let (load, sign) = (quiet.load([first, second], change), quiet.sign);
-            let [x, v] = [at(x, i), at(v, i)];
-            let a = load.from + body.mean - sign * body.friction - quiet.rate * v - quiet.square * x;
-            let a = select(sign == zero, zero, a);
-            let slide = Slide { v, a, slope: load.slope, sign };
-            let end = slide.moment(&law, &body.responses());
-            let (speed, end_speed) = (sign * v, sign * end.v);
-            let is_slide = sign != zero;
-            let has_stop = is_slide & !(end_speed > zero);
-            // A speed that has a minimum has it not below the smaller end by more than t max |a|.
-            let has_minimum = (sign * a < zero) & (sign * end.a > zero);
-            let lost = length * slide.greatest_acceleration(&law, quiet.omega, length);
-            let is_clear = !has_minimum | ((speed - lost > zero) & (end_speed - lost > zero));
-            let is_plain = !is_slide | (has_stop & (speed > zero)) | (!has_stop & is_clear);
-            let is_taken = (at(event, i) != zero) & (body.is_known != zero) & is_plain;
-            let guess = first_guess([zero, length], [[speed, sign * a], [end_speed, sign * end.a]]);
-            search.set(i, &Halley::new(guess, zero, length));
-            set(&mut start_a, i, a);
-            set(&mut stops, i, select(has_stop, one, zero));
+            let load = quiet.load([first, second], change);
+            let opening = body.opening(&quiet, [at(x, i), at(v, i)], &load, length);
+            let is_taken = (at(event, i) != zero) & opening.is_plain;
+            search.set(i, &opening.search(length));
+            set(&mut start_a, i, opening.slide.a);
+            set(&mut stops, i, select(opening.has_stop, one, zero));
             set(&mut may, i, select(is_taken, one, zero));
-            set(&mut searched, i, select(is_taken & has_stop, one, zero));
+            set(&mut searched, i, select(is_taken & opening.has_stop, one, zero));
         }
         for _ in 0..SEARCH {
             if !is_any(&searched) {
@@ -355,29 +344,10 @@ impl<F: Float, const L: usize> Turns<F, L> {
             let last = load.from + load.slope * stop;
             let is_inside =
                 is_inside(&slide, &law, quiet.omega, &end, [load.from, last], stop, &limits.at(i));
-            // The force on the body at rest, now and at the end of the step.
-            let x = at(x, i) + end.moved;
-            let offset = body.mean - law.square * x;
-            let (now, later) = (last + offset, load.to + offset);
-            let size = greater(last.abs(), load.to.abs())
-                + body.mean.abs()
-                + law.square * greater(body.widest, x.abs())
-                + body.held;
-            let exceeds = |force: F, held: F| (force - held > zero) & !(force - held).is_lost(size);
-            let [is_forward, is_backward] = [exceeds(now, body.held), exceeds(-now, body.backward)];
-            let [is_late_forward, is_late_backward] =
-                [exceeds(later, body.held), exceeds(-later, body.backward)];
-            let is_now = is_forward | is_backward;
-            let sign = select(is_forward, one, select(is_backward, -one, select(is_late_forward, one, -one)));
+            let rest = body.rest(&law, at(x, i) + end.moved, [last, load.to], load.slope, length - stop);
             let is_resting = has_stop | !is_slide;
-            let is_released = is_resting & (is_now | is_late_forward | is_late_backward);
-            let left = length - stop;
-            let after = (body.held - sign * now) / (sign * load.slope);
-            let after = select(left - after < zero, left, after.or_larger(zero));
-            let wait = select(is_now, zero, after);
-            let wait = select(is_released, wait, left);
-            let a = select(is_now, now - sign * body.friction, sign * body.excess);
-            let left = length - (stop + wait);
+            let is_released = is_resting & rest.is_released;
+            let left = length - (stop + rest.wait);
             let is_taken = (at(&may, i) != zero)
                 & (at(&searched, i) == zero)
                 & (is_inside | !is_slide)
@@ -392,9 +362,9 @@ impl<F: Float, const L: usize> Turns<F, L> {
                     stops: at(&stops, i),
                     moved: end.moved,
                     area: slide.area(&law, &responses),
-                    wait,
-                    sign: select(is_released, sign, zero),
-                    a,
+                    wait: rest.wait,
+                    sign: select(is_released, rest.sign, zero),
+                    a: rest.a,
                     length: left,
                     way: zero,
                     way_area: zero,
@@ -408,29 +378,8 @@ impl<F: Float, const L: usize> Turns<F, L> {
         let responses = self.responses(quiet, &lengths);
         for i in 0..L {
             let (quiet, body, turn) = (quiet.at(i), self.turning.at(i), self.turn.at(i));
-            let law = Law { rate: quiet.rate, square: quiet.square };
             let load = quiet.load([first, second], change);
-            let responses = responses.at(i);
-            let slide = Slide { v: zero, a: turn.a, slope: load.slope, sign: turn.sign };
-            let end = slide.moment(&law, &responses);
-            let from = turn.stop + turn.wait;
-            let ranges = Limits { most_speed: body.speed(turn.sign), ..body.ranges() };
-            // The ranges that grew since the last event are greater, so that these serve as well.
-            let loads = [load.from + load.slope * from, load.from + load.slope * (from + turn.length)];
-            let is_inside = is_inside(&slide, &law, quiet.omega, &end, loads, turn.length, &ranges);
-            let is_plain = (turn.sign * end.v > zero)
-                & !((turn.sign * turn.a < zero) & (turn.sign * end.a > zero))
-                & is_inside;
-            let is_released = turn.sign != zero;
-            let is_taken = (turn.is_taken != zero) & (!is_released | is_plain);
-            let next = Turn {
-                is_taken: select(is_taken, one, zero),
-                way: end.moved,
-                way_area: slide.area(&law, &responses),
-                v: select(is_released, end.v, turn.v),
-                ..turn
-            };
-            self.turn.set(i, &next);
+            self.turn.set(i, &body.closing(&quiet, &load, &responses.at(i), &turn));
         }
     }
 }
@@ -448,6 +397,171 @@ impl<F: Float> Turning<F> {
         let &Self { most_a, least_a, most_free, least_free, .. } = self;
         Limits { most_a, least_a, most_free, least_free, ..Limits::none() }
     }
+
+    /// The slide with which a step begins.
+    #[inline(always)]
+    fn opening(&self, quiet: &Quiet<F>, [x, v]: [F; 2], load: &Load<F>, length: F) -> Opening<F> {
+        let (zero, sign, law) = (F::int(0), quiet.sign, quiet.law());
+        let a = load.from + self.mean - sign * self.friction - quiet.rate * v - quiet.square * x;
+        let slide = Slide { v, a: select(sign == zero, zero, a), slope: load.slope, sign };
+        let end = slide.moment(&law, &self.responses());
+        let (speed, end_speed) = (sign * v, sign * end.v);
+        let is_slide = sign != zero;
+        let has_stop = is_slide & !(end_speed > zero);
+        // A speed that has a minimum has it not below the smaller end by more than t max |a|.
+        let has_minimum = (sign * slide.a < zero) & (sign * end.a > zero);
+        let lost = length * slide.greatest_acceleration(&law, quiet.omega, length);
+        let is_clear = !has_minimum | ((speed - lost > zero) & (end_speed - lost > zero));
+        let is_plain = !is_slide | (has_stop & (speed > zero)) | (!has_stop & is_clear);
+        Opening { slide, end, has_stop, is_plain: is_plain & (self.is_known != zero) }
+    }
+
+    /// The rest at x under a load that changes from one value to another within a time.
+    #[inline(always)]
+    fn rest(&self, law: &Law<F>, x: F, [load, end]: [F; 2], slope: F, left: F) -> Rest<F> {
+        let (zero, one) = (F::int(0), F::int(1));
+        let offset = self.mean - law.square * x;
+        let (now, later) = (load + offset, end + offset);
+        let size = greater(load.abs(), end.abs())
+            + self.mean.abs()
+            + law.square * greater(self.widest, x.abs())
+            + self.held;
+        let exceeds = |force: F, held: F| (force - held > zero) & !(force - held).is_lost(size);
+        let [is_forward, is_backward] = [exceeds(now, self.held), exceeds(-now, self.backward)];
+        let [is_late_forward, is_late_backward] = [exceeds(later, self.held), exceeds(-later, self.backward)];
+        let is_now = is_forward | is_backward;
+        let sign = select(is_forward, one, select(is_backward, -one, select(is_late_forward, one, -one)));
+        let is_released = is_now | is_late_forward | is_late_backward;
+        let after = (self.held - sign * now) / (sign * slope);
+        let after = select(left - after < zero, left, after.or_larger(zero));
+        let wait = select(is_now, zero, after);
+        let a = select(is_now, now - sign * self.friction, sign * self.excess);
+        Rest { is_released, wait: select(is_released, wait, left), sign, a }
+    }
+
+    /// A turn with the slide to the end of the step, given the responses after its length.
+    #[inline(always)]
+    fn closing(&self, quiet: &Quiet<F>, load: &Load<F>, responses: &Responses<F>, turn: &Turn<F>) -> Turn<F> {
+        let (zero, law) = (F::int(0), quiet.law());
+        let slide = Slide { v: zero, a: turn.a, slope: load.slope, sign: turn.sign };
+        let end = slide.moment(&law, responses);
+        let from = turn.stop + turn.wait;
+        // The ranges that grew since the last event are greater, so that these serve as well.
+        let ranges = Limits { most_speed: self.speed(turn.sign), ..self.ranges() };
+        let loads = [load.from + load.slope * from, load.from + load.slope * (from + turn.length)];
+        let is_inside = is_inside(&slide, &law, quiet.omega, &end, loads, turn.length, &ranges);
+        let is_plain = (turn.sign * end.v > zero)
+            & !((turn.sign * turn.a < zero) & (turn.sign * end.a > zero))
+            & is_inside;
+        let is_released = turn.sign != zero;
+        let is_taken = (turn.is_taken != zero) & (!is_released | is_plain);
+        Turn {
+            is_taken: select(is_taken, F::int(1), zero),
+            way: end.moved,
+            way_area: slide.area(&law, responses),
+            v: select(is_released, end.v, turn.v),
+            ..*turn
+        }
+    }
+
+    /// The turn of a body alone in a step; `None` where it is not one.
+    #[inline(always)]
+    pub(super) fn alone(
+        &self,
+        linear: &Linear<F>,
+        quiet: &Quiet<F>,
+        [x, v]: [F; 2],
+        limits: &Limits<F>,
+        samples: [F; 2],
+        step: &Step<F>,
+    ) -> Option<Turn<F>> {
+        let (zero, one, length, law) = (F::int(0), F::int(1), step.length, quiet.law());
+        if self.is_known == zero {
+            return None;
+        }
+        let load = quiet.load(samples, (samples[1] - samples[0]) * step.inverse);
+        let mut turn = Turn { is_taken: one, ..Turn::none() };
+        let mut last = load.from;
+        if quiet.sign != zero {
+            let Opening { slide, end, has_stop, is_plain } = self.opening(quiet, [x, v], &load, length);
+            if !is_plain {
+                return None;
+            }
+            let (mut end, mut responses) = (end, self.responses());
+            turn.stop = length;
+            if has_stop {
+                let opening = Opening { slide, end, has_stop, is_plain };
+                let (mut search, mut is_found) = (opening.search(length), false);
+                for _ in 0..SEARCH {
+                    (search, is_found) = search.step(slide.speed(&law, &linear.near(search.x)));
+                    if is_found {
+                        break;
+                    }
+                }
+                if !is_found {
+                    return None;
+                }
+                let stop = search.x.implicit_root(|t| {
+                    let [speed, a, ..] = slide.speed(&law, &linear.near(t));
+                    (speed, a)
+                });
+                (turn.stop, turn.stops, responses) = (stop, one, linear.near(stop));
+                end = Moment { v: zero, ..slide.moment(&law, &responses) };
+            }
+            last = load.from + load.slope * turn.stop;
+            if !is_inside(&slide, &law, quiet.omega, &end, [load.from, last], turn.stop, limits) {
+                return None;
+            }
+            (turn.moved, turn.area, turn.v) = (end.moved, slide.area(&law, &responses), end.v);
+            if !has_stop {
+                return Some(turn);
+            }
+        }
+        let left = length - turn.stop;
+        if !(left > zero) {
+            return None;
+        }
+        let rest = self.rest(&law, x + turn.moved, [last, load.to], load.slope, left);
+        turn.wait = rest.wait;
+        if !rest.is_released {
+            return Some(turn);
+        }
+        (turn.sign, turn.a, turn.length) = (rest.sign, rest.a, length - (turn.stop + rest.wait));
+        if !(turn.length > zero) {
+            return None;
+        }
+        let turn = self.closing(quiet, &load, &linear.near(turn.length), &turn);
+        (turn.is_taken != zero).then_some(turn)
+    }
+}
+
+/// The slide with which a step begins, its end if it does not stop, whether it stops, and whether it is one that a turn
+/// may begin with.
+#[derive(Debug, Clone, Copy)]
+struct Opening<F> {
+    slide: Slide<F>,
+    end: Moment<F>,
+    has_stop: bool,
+    is_plain: bool,
+}
+
+impl<F: Float> Opening<F> {
+    /// The search for the stop.
+    #[inline(always)]
+    fn search(&self, length: F) -> Halley<F> {
+        let (zero, sign) = (F::int(0), self.slide.sign);
+        let ends = [[self.slide.v, self.slide.a], [self.end.v, self.end.a]];
+        Halley::new(first_guess([zero, length], ends.map(|end| end.map(|d| sign * d))), zero, length)
+    }
+}
+
+/// A rest, its length, and the direction and the acceleration of the slide after it.
+#[derive(Debug, Clone, Copy)]
+struct Rest<F> {
+    is_released: bool,
+    wait: F,
+    sign: F,
+    a: F,
 }
 
 /// Whether a slide for a length, to this end, stays inside the ranges, by the bound of its extremes.
@@ -472,6 +586,7 @@ fn is_inside<F: Float>(
 
 impl<F: Float> Followed<F> {
     /// Takes a step with a turn; whether it could be taken.
+    #[inline(always)]
     pub(super) fn turn(&mut self, turn: &Turn<F>, samples: [F; 2], time: F, step: &Step<F>) -> bool {
         let piece = Piece::new(&self.factors, samples, step.length, step.inverse);
         let taken = self.turn_in(turn, &piece, time);
@@ -481,6 +596,7 @@ impl<F: Float> Followed<F> {
         taken.is_some()
     }
 
+    #[inline(always)]
     fn turn_in(&mut self, turn: &Turn<F>, piece: &Piece<F>, time: F) -> Option<()> {
         let (follower, totals) = (&mut self.follower, &mut self.totals);
         let load = |t: F| piece.from + piece.slope * t;
