@@ -257,13 +257,11 @@ fn take<F: Float, const L: usize>(
             continue;
         }
         lanes.write(now, lane, body, step.length, steps);
-        let turn = if are_turns {
-            lanes.turns.turn(lane)
-        } else {
+        let turn = are_turns.then(|| lanes.turns.turn(lane)).flatten().or_else(|| {
             let state = [at(&now.x, lane), at(&now.v, lane)];
             let (linear, quiet) = (&body.follower.linear, lanes.quiet.at(lane));
             lanes.turns.of(lane).alone(linear, &quiet, state, &now.limits.at(lane), samples, step)
-        };
+        });
         match turn {
             Some(turn) => body.turn(&turn, samples, time, step),
             None => body.take(samples, time, step, whole.as_ref()),

@@ -250,6 +250,27 @@ impl<F: Number> Totals<F> {
 }
 
 impl<F: Number> Totals<F> {
+    /// Includes the extremes of a stretch that is short enough for the certificate of a stop.
+    #[inline(always)]
+    pub(super) fn extremes(
+        &mut self,
+        linear: &Linear<F>,
+        slide: &Slide<F>,
+        stretch: &Stretch<'_, F>,
+    ) -> Option<()> {
+        let Stretch { length, load: [first, last], end, .. } = *stretch;
+        let beyond = slide.beyond(&linear.law, self.omega, length);
+        let is_inside = [
+            self.velocity.has_between([slide.v, end.v], beyond[0]),
+            self.acceleration.has_between([slide.a, end.a], beyond[1]),
+            self.free_acceleration.has_between([slide.a - first, end.a - last], beyond[1]),
+        ];
+        if is_inside == [true; 3] {
+            return Some(());
+        }
+        self.include_extremes(linear, slide, stretch, is_inside)
+    }
+
     /// Includes the extremes of velocity, acceleration and force of a stretch, but of those that are inside their ranges.
     #[inline(never)]
     fn include_extremes(
@@ -301,7 +322,7 @@ impl<F: Number> Totals<F> {
 impl<F: Number> Watch<F> for Totals<F> {
     #[inline(always)]
     fn slid(&mut self, linear: &Linear<F>, slide: &Slide<F>, stretch: &Stretch<'_, F>) -> Option<()> {
-        let Stretch { time, length, load: [first, last], responses, end, foot, is_short, .. } = *stretch;
+        let Stretch { time, length, load: [_, last], responses, end, foot, is_short, .. } = *stretch;
         let area = slide.area(&linear.law, responses);
         self.works([last, slide.slope, foot], end.moved, area);
         if !is_short {
@@ -309,16 +330,7 @@ impl<F: Number> Watch<F> for Totals<F> {
             self.acceleration.include(end.a, time + length)?;
             return self.free_acceleration.include(end.a - last, time + length);
         }
-        let beyond = slide.beyond(&linear.law, self.omega, length);
-        let is_inside = [
-            self.velocity.has_between([slide.v, end.v], beyond[0]),
-            self.acceleration.has_between([slide.a, end.a], beyond[1]),
-            self.free_acceleration.has_between([slide.a - first, end.a - last], beyond[1]),
-        ];
-        if is_inside == [true; 3] {
-            return Some(());
-        }
-        self.include_extremes(linear, slide, stretch, is_inside)
+        self.extremes(linear, slide, stretch)
     }
 
     #[inline(always)]

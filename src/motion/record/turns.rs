@@ -5,7 +5,7 @@
 //! them in vector lanes. It alone takes the steps with more: extremes that a bound leaves open, a speed with a
 //! minimum that may be a stop, a second stop, and signs that are NaN.
 
-use super::follow::Mode;
+use super::follow::{Failure, Mode, Stretch};
 use super::linear::{Law, Linear, Responses};
 use super::load::Piece;
 use super::number::{Number as _, first_guess};
@@ -136,6 +136,11 @@ pub(super) struct Turn<F> {
     way_area: F,
     /// The velocity at the end of the step.
     v: F,
+    /// The acceleration at the start of the step, and 1 where a bound leaves extremes of the first slide open, and of the
+    /// second.
+    start: F,
+    is_open: F,
+    is_way_open: F,
 }
 
 impl<F: Float> Turn<F> {
@@ -154,13 +159,17 @@ impl<F: Float> Turn<F> {
             way: zero,
             way_area: zero,
             v: zero,
+            start: zero,
+            is_open: zero,
+            is_way_open: zero,
         }
     }
 }
 
 rows! {
     TurnRows of Turn:
-    is_taken, stop, stops, moved, area, wait, sign, a, length, way, way_area, v,
+    is_taken, stop, stops, moved, area, wait, sign, a, length, way, way_area, v, start,
+    is_open, is_way_open,
 }
 
 rows! {
@@ -350,7 +359,6 @@ impl<F: Float, const L: usize> Turns<F, L> {
             let left = length - (stop + rest.wait);
             let is_taken = (at(&may, i) != zero)
                 & (at(&searched, i) == zero)
-                & (is_inside | !is_slide)
                 & (!is_resting | (length - stop > zero))
                 & (!is_released | (left > zero));
             set(&mut lengths, i, select(is_released, left, zero));
@@ -369,6 +377,9 @@ impl<F: Float, const L: usize> Turns<F, L> {
                     way: zero,
                     way_area: zero,
                     v: end.v,
+                    start: slide.a,
+                    is_open: select(is_inside | !is_slide, zero, one),
+                    is_way_open: zero,
                 },
             );
         }
@@ -450,9 +461,8 @@ impl<F: Float> Turning<F> {
         let ranges = Limits { most_speed: self.speed(turn.sign), ..self.ranges() };
         let loads = [load.from + load.slope * from, load.from + load.slope * (from + turn.length)];
         let is_inside = is_inside(&slide, &law, quiet.omega, &end, loads, turn.length, &ranges);
-        let is_plain = (turn.sign * end.v > zero)
-            & !((turn.sign * turn.a < zero) & (turn.sign * end.a > zero))
-            & is_inside;
+        let is_plain =
+            (turn.sign * end.v > zero) & !((turn.sign * turn.a < zero) & (turn.sign * end.a > zero));
         let is_released = turn.sign != zero;
         let is_taken = (turn.is_taken != zero) & (!is_released | is_plain);
         Turn {
@@ -460,6 +470,7 @@ impl<F: Float> Turning<F> {
             way: end.moved,
             way_area: slide.area(&law, responses),
             v: select(is_released, end.v, turn.v),
+            is_way_open: select(is_inside | !is_released, zero, F::int(1)),
             ..*turn
         }
     }
@@ -483,37 +494,29 @@ impl<F: Float> Turning<F> {
         let mut turn = Turn { is_taken: one, ..Turn::none() };
         let mut last = load.from;
         if quiet.sign != zero {
-            let Opening { slide, end, has_stop, is_plain } = self.opening(quiet, [x, v], &load, length);
-            if !is_plain {
-                return None;
-            }
-            let (mut end, mut responses) = (end, self.responses());
-            turn.stop = length;
-            if has_stop {
-                let opening = Opening { slide, end, has_stop, is_plain };
-                let (mut search, mut is_found) = (opening.search(length), false);
-                for _ in 0..SEARCH {
-                    (search, is_found) = search.step(slide.speed(&law, &linear.near(search.x)));
-                    if is_found {
-                        break;
-                    }
+            let opening = self.opening(quiet, [x, v], &load, length);
+            let Opening { slide, mut end, .. } = opening;
+            let stop = if opening.is_plain & opening.has_stop {
+                Some(opening.stop(linear, length)?)
+            } else if opening.is_plain {
+                None
+            } else {
+                slide.stop(linear, quiet.omega, length, &end)?
+            };
+            let responses;
+            (end, responses, turn.stop) = match stop {
+                Some(stop) => {
+                    turn.stops = one;
+                    let responses = linear.near(stop);
+                    (Moment { v: zero, ..slide.moment(&law, &responses) }, responses, stop)
                 }
-                if !is_found {
-                    return None;
-                }
-                let stop = search.x.implicit_root(|t| {
-                    let [speed, a, ..] = slide.speed(&law, &linear.near(t));
-                    (speed, a)
-                });
-                (turn.stop, turn.stops, responses) = (stop, one, linear.near(stop));
-                end = Moment { v: zero, ..slide.moment(&law, &responses) };
-            }
+                None => (end, self.responses(), length),
+            };
             last = load.from + load.slope * turn.stop;
-            if !is_inside(&slide, &law, quiet.omega, &end, [load.from, last], turn.stop, limits) {
-                return None;
-            }
+            let is_inside = is_inside(&slide, &law, quiet.omega, &end, [load.from, last], turn.stop, limits);
+            (turn.start, turn.is_open) = (slide.a, select(is_inside, zero, one));
             (turn.moved, turn.area, turn.v) = (end.moved, slide.area(&law, &responses), end.v);
-            if !has_stop {
+            if stop.is_none() {
                 return Some(turn);
             }
         }
@@ -546,6 +549,24 @@ struct Opening<F> {
 }
 
 impl<F: Float> Opening<F> {
+    /// The stop of a slide that has one, for a body alone.
+    #[inline(always)]
+    fn stop(&self, linear: &Linear<F>, length: F) -> Option<F> {
+        let speed = |t: F| self.slide.speed(&linear.law, &linear.near(t));
+        let (mut search, mut is_found) = (self.search(length), false);
+        for _ in 0..SEARCH {
+            (search, is_found) = search.step(speed(search.x));
+            if is_found {
+                break;
+            }
+        }
+        let of = |t: F| {
+            let [speed, a, ..] = speed(t);
+            (speed, a)
+        };
+        is_found.then(|| search.x.implicit_root(of))
+    }
+
     /// The search for the stop.
     #[inline(always)]
     fn search(&self, length: F) -> Halley<F> {
@@ -591,33 +612,88 @@ impl<F: Float> Followed<F> {
         let piece = Piece::new(&self.factors, samples, step.length, step.inverse);
         let taken = self.turn_in(turn, &piece, time);
         if taken.is_none() {
-            self.failure = Some((super::follow::Failure::Uncertain, time));
+            self.failure = Some((Failure::Uncertain, time));
         }
         taken.is_some()
     }
 
     #[inline(always)]
     fn turn_in(&mut self, turn: &Turn<F>, piece: &Piece<F>, time: F) -> Option<()> {
-        let (follower, totals) = (&mut self.follower, &mut self.totals);
-        let load = |t: F| piece.from + piece.slope * t;
-        if let Mode::Slide(sign) = follower.mode {
-            totals.works([load(turn.stop), piece.slope, piece.foot], turn.moved, turn.area);
-            follower.x = follower.x + turn.moved;
-            if turn.stops == F::int(0) {
-                follower.v = turn.v;
+        let zero = F::int(0);
+        if let Mode::Slide(sign) = self.follower.mode {
+            let slide = Slide { v: self.follower.v, a: turn.start, slope: piece.slope, sign };
+            let way = Way { from: zero, length: turn.stop, moved: turn.moved, area: turn.area };
+            self.slides(piece, time, &slide, &way, [turn.is_open, select(turn.stops == zero, turn.v, zero)])?;
+            if turn.stops == zero {
                 return Some(());
             }
-            follower.end(time + turn.stop, sign, totals)?;
+            self.follower.end(time + turn.stop, sign, &mut self.totals)?;
         }
-        if turn.wait > F::int(0) {
-            follower.rested(piece, time, turn.stop, turn.wait, totals)?;
+        if turn.wait > zero {
+            self.follower.rested(piece, time, turn.stop, turn.wait, &mut self.totals)?;
         }
-        if turn.sign != F::int(0) {
+        if turn.sign != zero {
             let from = turn.stop + turn.wait;
-            follower.begin([turn.sign, turn.a], time + from, piece.from, totals)?;
-            totals.works([load(from + turn.length), piece.slope, piece.foot], turn.way, turn.way_area);
-            (follower.x, follower.v) = (follower.x + turn.way, turn.v);
+            self.follower.begin([turn.sign, turn.a], time + from, piece.from, &mut self.totals)?;
+            let slide = Slide { v: zero, a: turn.a, slope: piece.slope, sign: turn.sign };
+            let way = Way { from, length: turn.length, moved: turn.way, area: turn.way_area };
+            self.slides(piece, time, &slide, &way, [turn.is_way_open, turn.v])?;
         }
         Some(())
     }
+
+    /// Adds a slide, to a velocity at its end.
+    #[inline(always)]
+    fn slides(
+        &mut self,
+        piece: &Piece<F>,
+        time: F,
+        slide: &Slide<F>,
+        way: &Way<F>,
+        [is_open, v]: [F; 2],
+    ) -> Option<()> {
+        let last = piece.from + piece.slope * (way.from + way.length);
+        self.totals.works([last, piece.slope, piece.foot], way.moved, way.area);
+        if is_open != F::int(0) {
+            self.include_extremes(piece, time, slide, way, v)?;
+        }
+        (self.follower.x, self.follower.v) = (self.follower.x + way.moved, v);
+        Some(())
+    }
+
+    /// Includes the extremes of a slide.
+    #[inline(never)]
+    fn include_extremes(
+        &mut self,
+        piece: &Piece<F>,
+        time: F,
+        slide: &Slide<F>,
+        way: &Way<F>,
+        v: F,
+    ) -> Option<()> {
+        let linear = &self.follower.linear;
+        let responses = linear.near(way.length);
+        let end = Moment { v, ..slide.moment(&linear.law, &responses) };
+        let load = |t: F| piece.from + piece.slope * t;
+        let stretch = Stretch {
+            time: time + way.from,
+            x: self.follower.x,
+            length: way.length,
+            load: [load(way.from), load(way.from + way.length)],
+            responses: &responses,
+            end: &end,
+            foot: piece.foot,
+            is_short: true,
+        };
+        self.totals.extremes(linear, slide, &stretch)
+    }
+}
+
+/// A slide within a step: when it begins, its length, its way and the integral of that.
+#[derive(Debug, Clone, Copy)]
+struct Way<F> {
+    from: F,
+    length: F,
+    moved: F,
+    area: F,
 }
