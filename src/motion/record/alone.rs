@@ -81,7 +81,7 @@ fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(u
         write(body, state, &limits, steps, length);
         let linear = &body.follower.linear;
         let is_taken = match turning.alone(linear, &quiet, state, &limits, [first, second], &step) {
-            Some(turn) => body.turn(&turn, [first, second], start, &step),
+            Some(turn) => body.turn(&turn, [first, second], start, &step, whole.as_ref()),
             None => body.take([first, second], start, &step, whole.as_ref()),
         };
         if !is_taken {

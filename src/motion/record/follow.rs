@@ -198,12 +198,22 @@ impl<F: Number> Follower<F> {
         if let Mode::Slide(sign) = self.mode {
             self.a = self.acceleration(piece.from, sign);
         }
-        let mut from = F::int(0);
+        self.step_from(piece, [start, F::int(0)], whole, watch)
+    }
+
+    /// Follows the body through the rest of a step from a time in it on, at which its acceleration is set.
+    pub(super) fn step_from(
+        &mut self,
+        piece: &Piece<F>,
+        [start, mut from]: [F; 2],
+        whole: Option<&Responses<F>>,
+        watch: &mut impl Watch<F>,
+    ) -> Result<(), Failure> {
         let (mut events, mut at_once) = (0u32, 0u32);
         // Stretches since the last event, and whether the slide has no stop in this step.
         let (mut walked, mut goes_on) = (0i32, false);
         // The responses after the rest of the step.
-        let mut after = whole;
+        let mut after = if from.positive().ok_or(Failure::Uncertain)? { None } else { whole };
         while events < EVENTS && at_once < EVENTS_AT_ONCE {
             let left = piece.length - from;
             if !left.positive().ok_or(Failure::Uncertain)? {

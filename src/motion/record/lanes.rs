@@ -263,7 +263,7 @@ fn take<F: Float, const L: usize>(
             lanes.turns.of(lane).alone(linear, &quiet, state, &now.limits.at(lane), samples, step)
         });
         match turn {
-            Some(turn) => body.turn(&turn, samples, time, step),
+            Some(turn) => body.turn(&turn, samples, time, step, whole.as_ref()),
             None => body.take(samples, time, step, whole.as_ref()),
         };
         lanes.update(lane, body, whole.as_ref(), step, steps.saturating_add(1));

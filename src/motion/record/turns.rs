@@ -141,6 +141,8 @@ pub(super) struct Turn<F> {
     start: F,
     is_open: F,
     is_way_open: F,
+    /// 1 where the second slide may stop within the step, so that the follower takes it.
+    is_left: F,
 }
 
 impl<F: Float> Turn<F> {
@@ -162,6 +164,7 @@ impl<F: Float> Turn<F> {
             start: zero,
             is_open: zero,
             is_way_open: zero,
+            is_left: zero,
         }
     }
 }
@@ -169,7 +172,7 @@ impl<F: Float> Turn<F> {
 rows! {
     TurnRows of Turn:
     is_taken, stop, stops, moved, area, wait, sign, a, length, way, way_area, v, start,
-    is_open, is_way_open,
+    is_open, is_way_open, is_left,
 }
 
 rows! {
@@ -380,6 +383,7 @@ impl<F: Float, const L: usize> Turns<F, L> {
                     start: slide.a,
                     is_open: select(is_inside | !is_slide, zero, one),
                     is_way_open: zero,
+                    is_left: zero,
                 },
             );
         }
@@ -464,9 +468,12 @@ impl<F: Float> Turning<F> {
         let is_plain =
             (turn.sign * end.v > zero) & !((turn.sign * turn.a < zero) & (turn.sign * end.a > zero));
         let is_released = turn.sign != zero;
-        let is_taken = (turn.is_taken != zero) & (!is_released | is_plain);
+        // A slide that begins with a = 0 has no stop but by rounding.
+        let is_left = is_released & !is_plain & (turn.sign * turn.a > zero);
+        let is_taken = (turn.is_taken != zero) & (!is_released | is_plain | is_left);
         Turn {
             is_taken: select(is_taken, F::int(1), zero),
+            is_left: select(is_left, F::int(1), zero),
             way: end.moved,
             way_area: slide.area(&law, responses),
             v: select(is_released, end.v, turn.v),
@@ -608,38 +615,56 @@ fn is_inside<F: Float>(
 impl<F: Float> Followed<F> {
     /// Takes a step with a turn; whether it could be taken.
     #[inline(always)]
-    pub(super) fn turn(&mut self, turn: &Turn<F>, samples: [F; 2], time: F, step: &Step<F>) -> bool {
+    pub(super) fn turn(
+        &mut self,
+        turn: &Turn<F>,
+        samples: [F; 2],
+        time: F,
+        step: &Step<F>,
+        whole: Option<&Responses<F>>,
+    ) -> bool {
         let piece = Piece::new(&self.factors, samples, step.length, step.inverse);
-        let taken = self.turn_in(turn, &piece, time);
-        if taken.is_none() {
-            self.failure = Some((Failure::Uncertain, time));
-        }
-        taken.is_some()
+        self.failure = self.turn_in(turn, &piece, time, whole).err().map(|failure| (failure, time));
+        self.failure.is_none()
     }
 
     #[inline(always)]
-    fn turn_in(&mut self, turn: &Turn<F>, piece: &Piece<F>, time: F) -> Option<()> {
+    fn turn_in(
+        &mut self,
+        turn: &Turn<F>,
+        piece: &Piece<F>,
+        time: F,
+        whole: Option<&Responses<F>>,
+    ) -> Result<(), Failure> {
         let zero = F::int(0);
         if let Mode::Slide(sign) = self.follower.mode {
             let slide = Slide { v: self.follower.v, a: turn.start, slope: piece.slope, sign };
             let way = Way { from: zero, length: turn.stop, moved: turn.moved, area: turn.area };
-            self.slides(piece, time, &slide, &way, [turn.is_open, select(turn.stops == zero, turn.v, zero)])?;
+            self.slides(piece, time, &slide, &way, [turn.is_open, select(turn.stops == zero, turn.v, zero)])
+                .ok_or(Failure::Uncertain)?;
             if turn.stops == zero {
-                return Some(());
+                return Ok(());
             }
-            self.follower.end(time + turn.stop, sign, &mut self.totals)?;
+            self.follower.end(time + turn.stop, sign, &mut self.totals).ok_or(Failure::Uncertain)?;
         }
         if turn.wait > zero {
-            self.follower.rested(piece, time, turn.stop, turn.wait, &mut self.totals)?;
+            self.follower
+                .rested(piece, time, turn.stop, turn.wait, &mut self.totals)
+                .ok_or(Failure::Uncertain)?;
         }
         if turn.sign != zero {
             let from = turn.stop + turn.wait;
-            self.follower.begin([turn.sign, turn.a], time + from, piece.from, &mut self.totals)?;
+            self.follower
+                .begin([turn.sign, turn.a], time + from, piece.from, &mut self.totals)
+                .ok_or(Failure::Uncertain)?;
+            if turn.is_left != zero {
+                return self.follower.step_from(piece, [time, from], whole, &mut self.totals);
+            }
             let slide = Slide { v: zero, a: turn.a, slope: piece.slope, sign: turn.sign };
             let way = Way { from, length: turn.length, moved: turn.way, area: turn.way_area };
-            self.slides(piece, time, &slide, &way, [turn.is_way_open, turn.v])?;
+            self.slides(piece, time, &slide, &way, [turn.is_way_open, turn.v]).ok_or(Failure::Uncertain)?;
         }
-        Some(())
+        Ok(())
     }
 
     /// Adds a slide, to a velocity at its end.
