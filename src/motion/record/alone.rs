@@ -34,7 +34,11 @@ impl<F: Float> Task for Alone<'_, F> {
         let (mut index, samples) = (0usize, record.samples());
         while index.saturating_add(1) < samples.len() && body.failure.is_none() {
             let length = record.step_after(index);
-            let equal = if record.step().is_some() { samples.len() } else { index.saturating_add(2) };
+            // The samples up to the end of the steps of this length.
+            let mut equal = if record.step().is_some() { samples.len() } else { index.saturating_add(2) };
+            while equal < samples.len() && record.step_after(equal.saturating_sub(1)) == length {
+                equal = equal.saturating_add(1);
+            }
             let samples = samples.get(index..equal).unwrap_or_default();
             if length > F::int(0) {
                 follow_equal(body, samples, |taken| record.time(index.saturating_add(taken)), length);

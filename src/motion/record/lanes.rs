@@ -178,8 +178,9 @@ pub(super) fn follow<F: Float, const L: usize>(
     let (mut even, mut odd) = (State::<F, L>::new(), State::<F, L>::new());
     let mut whole = Vec::new();
     let mut step = Step::new(F::int(0));
-    // The steps taken.
-    let mut steps = 0usize;
+    // The steps taken, and whether the load has changed at once after the last one: rests are counted up to there, as for
+    // a body alone.
+    let (mut steps, mut is_cut) = (0usize, false);
     let samples = record.samples();
     for (index, (&first, &second)) in samples.iter().zip(samples.iter().skip(1)).enumerate() {
         if index.is_multiple_of(SAMPLES) && keep_going().is_break() {
@@ -192,10 +193,12 @@ pub(super) fn follow<F: Float, const L: usize>(
         let length = record.step_after(index);
         if length == F::int(0) {
             // Two samples at one time: the next step begins with the second.
+            is_cut = true;
             continue;
         }
         let is_even = steps.is_multiple_of(2);
-        if length != step.length {
+        if length != step.length || is_cut {
+            is_cut = false;
             let before = step.length;
             let now = if is_even { &mut even } else { &mut odd };
             step = Step::new(length);

@@ -99,6 +99,32 @@ mod tests {
         }
     }
 
+    /// Rests last whole steps of several lengths, some of which follow each other, with changes of the load at once.
+    #[test]
+    fn a_body_has_its_bits_under_steps_of_several_lengths() {
+        let lengths = [0.1, 0.1, 0.1, 0.05, 0.1, 0.0, 0.1, 0.05, 0.05, 0.05, 0.0, 0.05, 0.3];
+        let mut time = 0.0;
+        let times: Vec<f64> = (0..400)
+            .map(|i| {
+                let now = time;
+                time += lengths[i % lengths.len()];
+                now
+            })
+            .collect();
+        let samples = times.iter().enumerate().map(|(i, t)| (1.7 * t).sin() + (i as f64 * 2.3).sin() * 0.3);
+        let record = Record::at_times(Excitation::Force, times.clone(), samples.collect()).unwrap();
+        let body = |k: i32| {
+            let body = Body::new(1.0, 0.05 * f64::from(k)).unwrap().with_stiffness(4.0).unwrap();
+            body.with_damping(0.1 * f64::from(k % 3)).unwrap()
+        };
+        let bodies: Vec<_> = (0..24).map(body).collect();
+        let together = follow_each(&bodies, &record);
+        assert!(together.iter().filter(|answer| answer.as_ref().unwrap().stick_time > 3.0).count() > 10);
+        for (body, together) in bodies.iter().zip(together) {
+            assert_eq!(format!("{:?}", body.follow(&record)), format!("{together:?}"));
+        }
+    }
+
     #[test]
     fn a_long_record_is_left_before_its_end() {
         let record = Record::new(Excitation::SurfaceAcceleration, 0.01, vec![1.0; 20_000]).unwrap();
