@@ -12,7 +12,7 @@ use crate::float::{Float, Task};
 /// The steps of a block.
 const BLOCK: usize = 16;
 /// The steps in which no range grew, after which a body alone takes blocks.
-const CALM: usize = 3;
+const CALM: usize = 2;
 
 /// Follows one body through a record.
 pub(super) fn follow_alone<F: Float>(body: &mut Followed<F>, record: &Record<F>) {
