@@ -64,11 +64,19 @@ struct Lanes<F, const L: usize> {
     event: Row<F, L>,
     since: [usize; L],
     turns: Turns<F, L>,
+    /// Whether the turns are those of this step.
+    are_turns: bool,
 }
 
 impl<F: Float, const L: usize> Lanes<F, L> {
     fn new() -> Self {
-        Self { quiet: QuietRows::none(), event: [F::int(0); L], since: [0; L], turns: Turns::new() }
+        Self {
+            quiet: QuietRows::none(),
+            event: [F::int(0); L],
+            since: [0; L],
+            turns: Turns::new(),
+            are_turns: false,
+        }
     }
 
     /// Takes a body into its lane, after so many steps; one that is not followed any further leaves it empty.
@@ -220,8 +228,8 @@ pub(super) fn follow<F: Float, const L: usize>(
         };
         if events > F::int(0) {
             let (now, next) = if is_even { (&even, &mut odd) } else { (&odd, &mut even) };
-            let are_many = events >= F::int(MANY);
-            if are_many {
+            lanes.are_turns = events >= F::int(MANY);
+            if lanes.are_turns {
                 lanes.turns.take(
                     &lanes.quiet,
                     [&now.x, &now.v],
@@ -231,7 +239,7 @@ pub(super) fn follow<F: Float, const L: usize>(
                     &step,
                 );
             }
-            take(&mut lanes, are_many, (now, next), bodies, &whole, ([first, second], time), &step, steps);
+            take(&mut lanes, (now, next), bodies, &whole, ([first, second], time), &step, steps);
         }
         steps = steps.saturating_add(1);
     }
@@ -247,7 +255,6 @@ pub(super) fn follow<F: Float, const L: usize>(
 #[inline(never)]
 fn take<F: Float, const L: usize>(
     lanes: &mut Lanes<F, L>,
-    are_turns: bool,
     (now, next): (&State<F, L>, &mut State<F, L>),
     bodies: &mut [Followed<F>],
     whole: &[Option<Responses<F>>],
@@ -260,7 +267,7 @@ fn take<F: Float, const L: usize>(
             continue;
         }
         lanes.write(now, lane, body, step.length, steps);
-        let turn = are_turns.then(|| lanes.turns.turn(lane)).flatten().or_else(|| {
+        let turn = lanes.are_turns.then(|| lanes.turns.turn(lane)).flatten().or_else(|| {
             let state = [at(&now.x, lane), at(&now.v, lane)];
             let (linear, quiet) = (&body.follower.linear, lanes.quiet.at(lane));
             lanes.turns.of(lane).alone(linear, &quiet, state, &now.limits.at(lane), samples, step)
