@@ -142,6 +142,7 @@ pub(crate) struct Halley<F> {
 }
 
 impl<F: Float> Halley<F> {
+    #[cfg(feature = "batch")]
     pub(crate) fn none() -> Self {
         Self::new(F::int(0), F::int(0), F::int(0))
     }

@@ -22,6 +22,7 @@ pub(super) struct Law<F> {
     pub(super) square: F,
 }
 
+#[cfg(feature = "batch")]
 impl<F: Number> Responses<F> {
     /// Those at the time 0.
     pub(super) fn none() -> Self {
@@ -168,6 +169,7 @@ impl<F: Number> Linear<F> {
     }
 
     /// The coefficients of S₃/t³ and S₄/t⁴ in pairs of an even power of t and the odd one after it, the highest first.
+    #[cfg(feature = "batch")]
     pub(super) fn series(&self) -> &[[[F; 2]; 2]] {
         &self.series
     }

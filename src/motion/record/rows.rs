@@ -1,5 +1,6 @@
 //! Numbers of bodies side by side, or of steps, in rows that loops take in vector lanes.
 
+#[cfg(feature = "batch")]
 use super::quiet::{Limits, Quiet};
 use crate::float::Float;
 
@@ -24,6 +25,7 @@ pub(super) fn select<F>(condition: bool, yes: F, no: F) -> F {
 }
 
 /// The numbers of a structure of all lanes.
+#[cfg(feature = "batch")]
 macro_rules! rows {
     ($rows:ident of $one:ident: $($field:ident,)*) => {
         #[derive(Debug)]
@@ -50,14 +52,17 @@ macro_rules! rows {
     };
 }
 
+#[cfg(feature = "batch")]
 pub(super) use rows;
 
+#[cfg(feature = "batch")]
 rows! {
     QuietRows of Quiet:
     factor, damper, push, rate, square, omega, sign, impulse, step, ramp, x_of_x, v_of_x, v_of_v, area_of_v,
     area_of_slope, beyond_v, beyond_a, below, beyond_jerk, never,
 }
 
+#[cfg(feature = "batch")]
 rows! {
     LimitsRows of Limits:
     most_speed, fastest, most_a, least_a, most_free, least_free,
