@@ -12,7 +12,7 @@ use super::number::{Number as _, first_guess};
 use super::quiet::{Followed, Limits, Load, Quiet, Step, greater, infinity, lesser};
 use super::rows::select;
 use super::slide::{Moment, Slide};
-use crate::float::Float;
+use crate::float::{Float, Signed as _};
 use crate::root::Halley;
 
 #[cfg(feature = "batch")]
