@@ -102,7 +102,8 @@ mod tests {
     /// Rests last whole steps of several lengths, some of which follow each other, with changes of the load at once.
     #[test]
     fn a_body_has_its_bits_under_steps_of_several_lengths() {
-        let lengths = [0.1, 0.1, 0.1, 0.05, 0.1, 0.0, 0.1, 0.05, 0.05, 0.05, 0.0, 0.05, 0.3];
+        let lengths =
+            [0.125, 0.125, 0.125, 0.0625, 0.125, 0.0, 0.125, 0.0625, 0.0625, 0.0625, 0.0, 0.0625, 0.25];
         let mut time = 0.0;
         let times: Vec<f64> = (0..400)
             .map(|i| {
