@@ -379,8 +379,13 @@ impl<F: Float> Followed<F> {
     ) -> bool {
         let piece = Piece::new(&self.factors, samples, step.length, step.inverse);
         let taken = self.follower.step(&piece, time, whole, &mut self.totals);
-        let failed = |failure: Failure| (failure, time);
-        self.failure = taken.err().map(failed);
+        self.keep(taken, time)
+    }
+
+    /// Keeps the failure of a step that begins at this time; whether there is none.
+    #[inline(always)]
+    pub(super) fn keep(&mut self, taken: Result<(), Failure>, time: F) -> bool {
+        self.failure = taken.err().map(|failure| (failure, time));
         self.failure.is_none()
     }
 }
