@@ -49,6 +49,7 @@ pub trait Field:
     }
     /// `self + other`; a type of several parts may leave them unnormalised, for sums that are used as a whole and do not lose
     /// half of their digits.
+    #[doc(hidden)]
     #[inline(always)]
     #[must_use]
     fn plus(self, other: Self) -> Self {
