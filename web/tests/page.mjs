@@ -152,7 +152,13 @@ test("the point of the map is dragged, and moved by the keyboard", async () => {
   const knob = page.locator("#map .knob");
   await knob.waitFor();
   await page.locator("#map svg").scrollIntoViewIfNeeded();
-  const box = await page.locator("#map svg").boundingBox();
+  // The map stays where it is whether or not the line above it says something.
+  const under = (text) => page.evaluate((text) => {
+    $("map-note").textContent = text;
+    return charts.map.svg.getBoundingClientRect().toJSON();
+  }, text);
+  const box = await under("");
+  assert.deepEqual(await under("Computing …"), box);
   await page.mouse.move(box.x + box.width * 0.7, box.y + box.height * 0.5);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.35, box.y + box.height * 0.7, { steps: 12 });
