@@ -10,7 +10,7 @@
 //! | `matching` | 2–39, 45 | the five unknowns and the equations between them |
 //! | `den_hartog` | 50–56 | Den Hartog's own half cycle |
 //! | `displacement`, `reversal`, `amplitude` | 40–44 | Δ₀ and ω_d t₂; the force for a given Δ₀ |
-//! | `velocity`, `deviation`, `waves`, `low`, `half_cycle` | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
+//! | `velocity`, `deviation`, `half_cycle` | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁: `velocity/waves` from Ω = 1/2, `velocity/low` below |
 //! | `border` | 57–62 | the minimum force ratio without sticking |
 //! | `dissipation` | 63–67 | dissipation |
 //! | `peaks` | beyond the paper | acceleration, transmitted force, absolute motion |
@@ -25,7 +25,6 @@
 //! motion, too.
 
 mod amplitude;
-mod arrival;
 pub(crate) mod border;
 pub(crate) mod damped;
 pub(crate) mod den_hartog;
@@ -34,7 +33,6 @@ pub(crate) mod displacement;
 mod dissipation;
 pub(crate) mod equivalent;
 mod half_cycle;
-mod low;
 pub(crate) mod matching;
 mod peaks;
 #[cfg_attr(
@@ -53,7 +51,6 @@ pub(crate) mod stability;
 mod undamped;
 mod velocity;
 mod waveform;
-mod waves;
 
 pub use border::{Border, Minimum, Shortfall};
 pub use matching::Unknowns;
@@ -97,15 +94,15 @@ pub(crate) use dissipation::{
 };
 #[cfg(feature = "mp")]
 pub(crate) use half_cycle::{HalfCycle, free_swing};
-#[cfg(feature = "batch")]
-pub(crate) use low::{LowCircular, LowWaves};
 pub(crate) use peaks::dynamic_amplification;
 #[cfg(feature = "mp")]
 pub(crate) use peaks::{arrival_acceleration, transmitted_force};
 #[cfg(feature = "mp")]
 pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
-pub(crate) use waves::{Circular, Waves};
+pub(crate) use velocity::low::{LowCircular, LowWaves};
+#[cfg(feature = "batch")]
+pub(crate) use velocity::waves::{Circular, Waves};
 
 use crate::cycle::border::least_with_static_friction;
 use crate::cycle::phase_function::PhaseFunction;

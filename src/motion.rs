@@ -26,7 +26,7 @@
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
 
 mod broken;
-pub(crate) mod drive;
+pub(crate) mod drive_phase;
 pub(crate) mod event;
 mod free;
 pub(crate) mod limit;
@@ -40,7 +40,7 @@ pub(crate) mod slide;
 pub(crate) mod state;
 mod trajectory;
 
-pub use drive::DrivePhase;
+pub use drive_phase::DrivePhase;
 pub use free::FreeDecay;
 pub(crate) use limit::amplitude::Trust;
 pub use limit::amplitude::{Amplitude, Reached};

@@ -29,8 +29,8 @@
 //! # Where is what
 //!
 //! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
-//! `branch.rs` has the linear equation between two events and the proof of the certificate, `zero.rs` the search for a
-//! guard's first zero, `next.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
+//! `branch.rs` has the linear equation between two events and the proof of the certificate, `first_passage.rs` the search for a
+//! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
 //! can hold, `follow.rs` the motion from event to event, `events.rs` what watches it,
 //! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, and `border.rs` the closed form for one contact.
 
@@ -41,6 +41,7 @@ mod dependent;
 mod equation;
 mod error;
 mod events;
+mod first_passage;
 mod follow;
 #[cfg(feature = "rayon")]
 mod grid;
@@ -48,11 +49,10 @@ mod matrix;
 mod model;
 mod modes;
 mod motion;
-mod next;
+mod next_branch;
 mod rate;
 mod self_excited;
 mod steady;
-mod zero;
 
 use crate::float::Float;
 use alloc::vec::Vec;

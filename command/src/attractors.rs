@@ -5,7 +5,7 @@ use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::note::{Note, decay, measured_from};
 use crate::outputs::{ATTRACTOR, FIRST_V, FIRST_X, MIRROR, REST_FROM, REST_TO, SHARE, STARTS};
-use crate::record::{Cell, Number, Record, Row};
+use crate::row::{Cell, Cells, Number, Row};
 use crate::sink::Sink;
 use crate::starts::Starts;
 use crate::{input, interrupt, output, progress, style};
@@ -39,7 +39,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
     let all = Starts { ratios: point.ratios, count, at, periods }.limits(&given, &args.rows)?;
     let others = args.unstable.map(|turns| others(&all, point.ratios, count, at, turns)).transpose()?;
     let rows: Vec<Row> = (0..all.limits.len()).map(|place| row(&all, Some(place), reach)).collect();
-    let more = others.as_ref().map(|others| others.iter().map(Other::record).collect::<Vec<_>>());
+    let more = others.as_ref().map(|others| others.iter().map(Other::row).collect::<Vec<_>>());
     match args.format {
         Format::Text => {
             let mut note = Note::of(&given, point.machine.as_ref(), out);
@@ -50,7 +50,7 @@ fn search<F: Value>(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
         }
         Format::Json => {
             let answer = AttractorsAnswer {
-                ratios: Record::of_ratios(&given, &point.ratios, true).shown(),
+                ratios: Cells::of_ratios(&given, &point.ratios, true).shown(),
                 starts: all.of_start.len(),
                 reach: Number::of(reach),
                 unsettled: all.unsettled(),
@@ -93,7 +93,7 @@ fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
     limit.starts as f64 / all.of_start.len() as f64
 }
 
-/// A limit as a record, or an empty one for its names.
+/// A limit as a row, or an empty one for its names.
 fn row<F: Value>(all: &Attractors<F>, place: Option<usize>, reach: F) -> Row {
     let found = place.and_then(|place| all.limits.get(place));
     LimitData {
@@ -106,7 +106,7 @@ fn row<F: Value>(all: &Attractors<F>, place: Option<usize>, reach: F) -> Row {
         limit: found.map(|found| found.limit),
         range: found.and_then(|found| found.range),
     }
-    .record()
+    .row()
 }
 
 /// The number of starts that had not settled, in a sentence.
@@ -128,14 +128,14 @@ pub(crate) struct LimitData<F> {
 }
 
 impl<F: Value> LimitData<F> {
-    pub(crate) fn record(&self) -> Row {
+    pub(crate) fn row(&self) -> Row {
         let limit = self.limit.as_ref();
         let steady = limit.and_then(LongRun::steady_state);
         let (least, most) = limit.and_then(LongRun::extrema).unzip();
         let exponent =
             limit.and_then(|it| if let LongRun::Irregular(motion) = it { Some(motion) } else { None });
         let count = |of: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(of(s))));
-        Record::of(vec![
+        Cells::of(vec![
             (ATTRACTOR, Cell::Count(Some(self.number as u64))),
             (LIMIT, Cell::Text(self.name)),
             (SHARE, Cell::Number(Some(F::from_f64(self.share)))),
@@ -257,7 +257,7 @@ fn others<F: Value>(
 }
 
 impl<F: Value> Other<F> {
-    fn record(&self) -> Row {
+    fn row(&self) -> Row {
         LimitData {
             number: self.number,
             name: if self.steady.is_stable() { "periodic" } else { "unstable" },
@@ -268,7 +268,7 @@ impl<F: Value> Other<F> {
             limit: Some(LongRun::Periodic(self.steady)),
             range: None,
         }
-        .record()
+        .row()
     }
 }
 

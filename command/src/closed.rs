@@ -8,7 +8,7 @@ use crate::input;
 use crate::note::{self, Note};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
-use crate::record::{Record, Row};
+use crate::row::{Cells, Row};
 use std::io::Write;
 use stickslip::definitions::NO_STOP_FORCE_RATIOS;
 use stickslip::inputs::{Given, Point};
@@ -42,7 +42,7 @@ pub(crate) fn response_at<F: Value>(
         input::note_pendulum(given, cycle.max_displacement * machine.scales.length);
     }
     let found = ResponseAnswer { response: &response, peaks };
-    let record = Record::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
+    let record = Cells::of_answer(given, &response.ratios, &found, ResponseAnswer::COLUMNS);
     let record = record.in_units(given, point, Physical::of_machine)?;
     Ok((response, record))
 }
@@ -76,8 +76,8 @@ pub(crate) fn border_at<F: Value>(
     let answer = Response::guarded(point.ratios);
     let found = with_no_stop.then(|| no_stop(point.ratios)).transpose();
     let found = found.map_err(|e| given.at_fault(&e))?;
-    let mut record = Record::of_border(given, &answer);
-    record.fields.extend(found.as_ref().map(|found| (NO_STOP_FORCE_RATIOS, Record::intervals(found))));
+    let mut record = Cells::of_border(given, &answer);
+    record.fields.extend(found.as_ref().map(|found| (NO_STOP_FORCE_RATIOS, Cells::intervals(found))));
     let record = record.in_units(given, point, Physical::of_border)?;
     Ok(((answer, found), record))
 }

@@ -11,7 +11,7 @@ use crate::input::{self, behind_all, in_symbols, line};
 use crate::interrupt;
 use crate::map::margin;
 use crate::progress;
-use crate::record::Cell;
+use crate::row::Cell;
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;

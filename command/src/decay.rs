@@ -12,7 +12,7 @@ use crate::note::{self, both, line};
 use crate::output;
 use crate::outputs::{DAMPING_RATIO, STATIC_FRICTION_RATIO, key};
 use crate::physical::Physical;
-use crate::record::{Cell, Record};
+use crate::row::{Cell, Cells};
 use crate::shaken::Surface;
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -227,7 +227,7 @@ fn record<F: Value>(
     decay: &FreeDecay<F>,
     scales: Option<&DecayScales<F>>,
     frictions: Frictions<F>,
-) -> Record<F> {
+) -> Cells<F> {
     let number = |x: F| Cell::Number(Some(x));
     let given = [DAMPING_RATIO, STATIC_FRICTION_RATIO].into_iter().zip(frictions);
     let mut fields: Vec<_> = given.filter_map(|(key, x)| Some((key, number(x?)))).collect();
@@ -238,7 +238,7 @@ fn record<F: Value>(
         (PATH, number(decay.path())),
         (REST_TIME, Cell::Number(Some(decay.rest_time).filter(|time| time.is_finite()))),
     ]);
-    let mut record = Record::of(fields);
+    let mut record = Cells::of(fields);
     if let Some(scales) = scales {
         record.physical = Physical::of(scales.system).with(&record.fields, Excitation::Force, |measure| {
             if measure == Measure::Length { scales.length } else { scales.time }

@@ -9,7 +9,7 @@ use crate::args::{Question, QuestionArgs};
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
 use crate::physical::Units;
-use crate::record::{Cell, Number, Record};
+use crate::row::{Cell, Cells, Number};
 use crate::{input, note, output};
 use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -360,7 +360,7 @@ impl<F: Value> AskedDesign<'_, F> {
             let fields = vec![("omega", Kind::Ratio, some(omega)), least];
             (ratios, "r_y", fields, "no_stop_force_ratios", Kind::Ratio)
         };
-        fields.push((name, kind, Record::intervals(&found)));
+        fields.push((name, kind, Cells::intervals(&found)));
         Ok(DesignAnswer::one(format!("The body does not stop {}.", note::no_stop(&found, unit)), fields))
     }
 

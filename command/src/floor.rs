@@ -5,7 +5,7 @@ use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
 use crate::physical::Units;
-use crate::record::{Cell, Number};
+use crate::row::{Cell, Number};
 use serde::ser::{Serialize, Serializer};
 use std::io::Write;
 use stickslip::inputs::units::{Kind, Reader, System};

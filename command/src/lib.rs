@@ -29,7 +29,6 @@ mod enclose;
 mod failure;
 mod figure;
 mod floor;
-mod follow;
 #[cfg(feature = "fuzz")]
 pub mod fuzzed;
 mod grid;
@@ -49,8 +48,8 @@ mod physical;
 mod points;
 mod progress;
 mod pull;
-mod record;
 mod resume;
+mod row;
 mod rows;
 mod shaken;
 mod shell;
@@ -62,6 +61,7 @@ mod steady;
 mod style;
 mod sweep;
 mod system;
+mod under_record;
 mod verify;
 
 use args::Command;
@@ -132,7 +132,7 @@ fn run_command(command: &Command) -> Outcome {
         Command::Identify(args) => identify::run(args, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,
         Command::Pull(args) => pull::run(args, &mut out)?,
-        Command::Record(args) => follow::run(args, &mut out)?,
+        Command::Record(args) => under_record::run(args, &mut out)?,
         Command::Spectrum(args) => spectrum::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,
         Command::Figure(args) => figure::run(args, &mut out)?,

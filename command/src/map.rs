@@ -12,7 +12,7 @@ use crate::input;
 use crate::interrupt;
 use crate::outputs::{self, plain};
 use crate::progress;
-use crate::record::{Cell, Number};
+use crate::row::{Cell, Number};
 use crate::sweep::loops::Looped;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
@@ -253,12 +253,11 @@ impl<'a> Map<'a> {
                 let Some(looped) = &looped else { return vec![one(axes.given_at(points.start))] };
                 let given: Vec<_> = points.map(|point| axes.given_at(point)).collect();
                 let points: Vec<_> = given.iter().cloned().map(Looped::at).collect();
-                let values = looped.records(&points).into_iter().zip(&points).map(|(record, at)| {
-                    let record = record?;
-                    let physical =
-                        record.physical.values.into_iter().map(|(_, kind, cell)| (Some(kind), cell));
+                let values = looped.rows(&points).into_iter().zip(&points).map(|(row, at)| {
+                    let row = row?;
+                    let physical = row.physical.values.into_iter().map(|(_, kind, cell)| (Some(kind), cell));
                     let (kind, cell) =
-                        record.fields.into_iter().map(|(_, cell)| (None, cell)).chain(physical).next()?;
+                        row.fields.into_iter().map(|(_, cell)| (None, cell)).chain(physical).next()?;
                     let absence = if cell.is_absent() {
                         Absence::of_regime(at.as_ref()?.ratios)
                     } else {

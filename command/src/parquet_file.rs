@@ -4,7 +4,7 @@ mod column;
 
 use crate::args::Header;
 use crate::failure::{Failure, Outcome};
-use crate::record::Row;
+use crate::row::Row;
 use column::ParquetColumn;
 pub(crate) use column::{ends, equals};
 use parquet::basic::Compression;

@@ -2,7 +2,7 @@
 
 use crate::bits::Value;
 use crate::outputs::{Key, plain};
-use crate::record::{Cell, Number};
+use crate::row::{Cell, Number};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::inputs::units::{Kind, System};
 use stickslip::inputs::{Driven, Given, Input, Role};

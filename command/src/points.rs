@@ -9,7 +9,7 @@ use crate::interrupt;
 use crate::output;
 use crate::outputs;
 use crate::progress;
-use crate::record::Row;
+use crate::row::Row;
 use crate::rows::{self, Ahead, Bounded};
 use crate::sink::Sink;
 use csv::StringRecord;
@@ -33,7 +33,7 @@ pub(crate) struct AskedPoints<'a> {
 }
 
 impl AskedPoints<'_> {
-    /// Answers the point of the arguments, in words by `note` or by its record, or with `--points` each row of the file.
+    /// Answers the point of the arguments, in words by `note` or by its row, or with `--points` each row of the file.
     pub(crate) fn answered<F: Value, A, W: Write>(
         &self,
         machine: &[(Input, String)],
@@ -50,19 +50,19 @@ impl AskedPoints<'_> {
         };
         if let Some(file) = &self.output.points {
             return rows_of(file, self, (given, &reader), out, |given| {
-                answer(given).map(|(_, (_, record))| record)
+                answer(given).map(|(_, (_, row))| row)
             });
         }
-        let (point, (found, record)) = answer(&given)?;
+        let (point, (found, row)) = answer(&given)?;
         if self.output.is_json()? {
-            return output::json(&record, out);
+            return output::json(&row, out);
         }
         let given = input::with_any_mass(&given);
         Ok(note(&point, &found, &given, out)?)
     }
 }
 
-/// Answers each row of a file with the record that `answer` makes from its quantities.
+/// Answers each row of a file with the row that `answer` makes from its quantities.
 ///
 /// Reading stops at a row that cannot be answered: the rows before it are complete, and the failure names the
 /// line and the value.
@@ -132,8 +132,8 @@ fn answer_all<F: Value, W: Write>(
         for (parameter, column) in &columns {
             given.set(*parameter, column.value(row, &at, units)?);
         }
-        let record = answer(&given).map_err(|failure| failure.about(&at))?;
-        sink.borrow_mut().write(&record)?;
+        let row = answer(&given).map_err(|failure| failure.about(&at))?;
+        sink.borrow_mut().write(&row)?;
         any = true;
         // The next row may take long.
         if flushed.elapsed() > UNSEEN {

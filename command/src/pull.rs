@@ -5,7 +5,7 @@ use crate::bits::{Value, at_bits, digits};
 use crate::design::{AnswerRow, NamedRow, shown};
 use crate::failure::{Failure, Outcome};
 use crate::note::line;
-use crate::record::Cell;
+use crate::row::Cell;
 use crate::{input, output};
 use std::io::Write;
 use stickslip::Quantity;

@@ -11,7 +11,7 @@ use crate::output::PendingFile;
 use crate::outputs::{DURATION, ENDS_BY, FRICTION, KIND, R, START_CYCLE, START_PHASE, START_V, START_X, key};
 use crate::physical::Physical;
 use crate::progress;
-use crate::record::{Cell, Record, Row};
+use crate::row::{Cell, Cells, Row};
 use crate::sink::Sink;
 use crate::steady::of_motion;
 use core::ops::ControlFlow;
@@ -302,7 +302,7 @@ fn of_phase<F: Value>(
             ],
         )
     });
-    Record::of(fields).with_physical(physical).shown()
+    Cells::of(fields).with_physical(physical).shown()
 }
 
 fn of_instant<F: Value>(
@@ -337,7 +337,7 @@ fn of_instant<F: Value>(
             ],
         )
     });
-    Record::of(fields).with_physical(physical).shown()
+    Cells::of(fields).with_physical(physical).shown()
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
-//! The destination of a stream of records.
+//! The destination of a stream of rows.
 
 use crate::args::{Header, StreamFormat};
 use crate::failure::{Failure, Outcome};
 #[cfg(feature = "parquet")]
 use crate::parquet_file::ParquetStream;
-use crate::record::Row;
+use crate::row::Row;
 use std::io::{self, Write};
 
 /// JSON lines, rows under one header of CSV or of a table for reading, or a Parquet file.
@@ -41,40 +41,40 @@ impl<W: Write> Sink<W> {
         }
     }
 
-    /// Writes one record. Except for Parquet, every record is complete whenever the program ends between
+    /// Writes one row. Except for Parquet, every row is complete whenever the program ends between
     /// two calls.
-    pub(crate) fn write(&mut self, record: &Row) -> Outcome {
-        self.write_header(record)?;
+    pub(crate) fn write(&mut self, row: &Row) -> Outcome {
+        self.write_header(row)?;
         match self {
-            Self::Lines(out) => record.write_line(out),
-            Self::Rows { writer, .. } => record.write_row(writer),
-            Self::Table { out, .. } => Ok(record.write_table_row(out)?),
+            Self::Lines(out) => row.write_line(out),
+            Self::Rows { writer, .. } => row.write_row(writer),
+            Self::Table { out, .. } => Ok(row.write_table_row(out)?),
             #[cfg(feature = "parquet")]
             Self::Parquet { out, stream } => match stream {
-                Some(stream) => stream.write(record, out),
-                None => stream.insert(Box::new(ParquetStream::new(record)?)).write(record, out),
+                Some(stream) => stream.write(row, out),
+                None => stream.insert(Box::new(ParquetStream::new(row)?)).write(row, out),
             },
         }
     }
 
     /// Writes the header alone, if rows have one.
-    pub(crate) fn write_header(&mut self, record: &Row) -> Outcome {
+    pub(crate) fn write_header(&mut self, row: &Row) -> Outcome {
         match self {
             Self::Lines(_) | Self::Rows { header: true, .. } | Self::Table { header: true, .. } => Ok(()),
             Self::Rows { writer, header, names } => {
                 *header = true;
-                record.write_header(writer, *names)
+                row.write_header(writer, *names)
             }
             Self::Table { out, header } => {
                 *header = true;
-                Ok(record.write_table_header(out)?)
+                Ok(row.write_table_header(out)?)
             }
             #[cfg(feature = "parquet")]
             Self::Parquet { .. } => Ok(()),
         }
     }
 
-    /// Hands on every complete record.
+    /// Hands on every complete row.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         match self {
             Self::Lines(out) | Self::Table { out, .. } => out.flush(),
@@ -84,7 +84,7 @@ impl<W: Write> Sink<W> {
         }
     }
 
-    /// Writes the end of a file that has one, after the last record.
+    /// Writes the end of a file that has one, after the last row.
     pub(crate) fn finish(&mut self) -> Outcome {
         #[cfg(feature = "parquet")]
         if let Self::Parquet { out, stream: Some(stream) } = self {

@@ -5,7 +5,6 @@ mod picture;
 use crate::args::{SpectrumArgs, SweepFormat};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::follow;
 use crate::grid::Axes;
 use crate::input;
 use crate::interrupt;
@@ -13,9 +12,10 @@ use crate::measured;
 use crate::outputs::key;
 use crate::physical::Physical;
 use crate::progress::Unanswered;
-use crate::record::{Cell, Record, Row};
+use crate::row::{Cell, Cells, Row};
 use crate::shaken::{Surface, needs_mass};
 use crate::sweep::{self, Table};
+use crate::under_record;
 use std::io::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -63,7 +63,7 @@ struct Spectra<'a> {
     has_mass: bool,
     form: Row,
     /// The answers of a body that has none.
-    blank: follow::Columns<f64>,
+    blank: under_record::Columns<f64>,
     /// The number of bodies without an answer so far.
     failed: Unanswered,
     args: &'a SpectrumArgs,
@@ -84,10 +84,11 @@ impl<'a> Spectra<'a> {
         let inputs = inputs.map(|input| (input, &*input.column().leak())).collect();
         let (surface, system) = (Surface::read(&args.surface, &reader)?, reader.system());
         let has_mass = Input::of_role(Role::Mass).into_iter().any(|input| axes.has(input));
-        let form = Record::of(Vec::new());
+        let form = Cells::of(Vec::new());
         let rest = Load::new(stickslip::Excitation::Force, 1.0, vec![0.0; 2])?;
         let answer = Body::new(1.0, 1.0).and_then(|body| body.follow(&rest))?;
-        let blank = follow::columns(&answer, system).map(|(name, kind, cell)| (name, kind, cell.absent()));
+        let blank =
+            under_record::columns(&answer, system).map(|(name, kind, cell)| (name, kind, cell.absent()));
         let failed = Unanswered::new("bodies", 20);
         let frequency = input::frequency_unit(args.machine.text(Input::NaturalFrequency));
         let frequency = frequency.map(|(unit, factor)| (&*unit.leak(), factor));
@@ -131,15 +132,16 @@ impl<'a> Spectra<'a> {
         let value = |input: Input| Cell::Number(given.get(input).map(|value| self.shown(input, value)));
         let mut values: Vec<_> =
             self.inputs.iter().map(|&(input, column)| (column, input.kind(), value(input))).collect();
-        let answers = answer
-            .map(|answer| answer.as_ref().map_or(self.blank, |answer| follow::columns(answer, self.system)));
+        let answers = answer.map(|answer| {
+            answer.as_ref().map_or(self.blank, |answer| under_record::columns(answer, self.system))
+        });
         let answers = answers.into_iter().flatten();
         // Forces, works and stiffnesses are those of a mass.
         values.extend(answers.filter(|(_, kind, _)| self.has_mass || !needs_mass(*kind)));
-        let record = vec![(key!("record"), Cell::Text(name))];
+        let cells = vec![(key!("record"), Cell::Text(name))];
         let physical = Physical::beside(self.system, values);
         let physical = physical.with_frequencies_in(self.frequency.map(|(unit, _)| unit));
-        Record::of(record).with_physical(physical).shown()
+        Cells::of(cells).with_physical(physical).shown()
     }
 
     /// The record of a row, its name, and the place of its body.
@@ -195,7 +197,7 @@ impl Table for Spectra<'_> {
         &self.form
     }
 
-    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
+    fn rows(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
         let name = self.place(points.start).map_or("", |(name, ..)| name);
         let row = |(body, answer)| self.row(name, &self.axes.given_at(body), Some(&answer));
         self.answers(points).into_iter().map(|found| found.map(row)).collect()

@@ -5,8 +5,8 @@ use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO, key};
-use crate::record::{Cell, Record, Row, csv_text};
 use crate::resume::{self, not_this};
+use crate::row::{Cell, Cells, Row, csv_text};
 use crate::steady::of_motion;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
@@ -61,8 +61,8 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
     fn answer(&self, number: u64) -> Result<(LongRun<F>, Vec<u8>), Failure> {
         let limit = follow(self.ratios, (self.at)(number)?, self.periods)?;
         let signature = Signature::of(&limit)?;
-        let record = self.record(number, limit.name(), &signature)?;
-        Ok((limit, record.line(true)?))
+        let row = self.row(number, limit.name(), &signature)?;
+        Ok((limit, row.line(true)?))
     }
 
     /// Counts the starts whose limits the file contains.
@@ -101,7 +101,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         ])
     }
 
-    fn record(&self, number: u64, kind: &'static str, signature: &Signature<F>) -> Result<Row, Failure> {
+    fn row(&self, number: u64, kind: &'static str, signature: &Signature<F>) -> Result<Row, Failure> {
         let (half_turns, [x, v, off_x, off_v, most, least]) = match *signature {
             Signature::Periodic { half_turns, x, v, distance: (off_x, off_v) } => {
                 (Some(half_turns.into()), [Some(x), Some(v), Some(off_x), Some(off_v), None, None])
@@ -125,7 +125,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
             (SteadyOutput::MaxDisplacement.definition(), Cell::Number(most)),
             (SteadyOutput::MinDisplacement.definition(), Cell::Number(least)),
         ]);
-        Ok(Record::of(fields).shown())
+        Ok(Cells::of(fields).shown())
     }
 }
 
@@ -135,8 +135,8 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for 
     }
 
     fn header(&self) -> Result<Vec<u8>, Failure> {
-        let record = self.record(0, "", &Signature::NotConverged)?;
-        csv_text(|writer| record.write_header(writer, Header::Names))
+        let row = self.row(0, "", &Signature::NotConverged)?;
+        csv_text(|writer| row.write_header(writer, Header::Names))
     }
 
     fn text(&self, number: u64) -> Result<Vec<u8>, Failure> {
@@ -148,8 +148,8 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for 
     }
 
     fn is_on_grid(&self, line: &[u8], number: u64) -> Result<bool, Failure> {
-        let record = Record::of(self.of_start(number)?).shown();
-        let due = record.line(true)?;
+        let row = Cells::of(self.of_start(number)?).shown();
+        let due = row.line(true)?;
         let rest = line.strip_prefix(due.trim_ascii_end());
         Ok(rest.is_some_and(|rest| rest.starts_with(b",")))
     }

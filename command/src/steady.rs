@@ -6,7 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::note::{Note, decay, equivalent, measured_from};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
-use crate::record::{Record, Row};
+use crate::row::{Cells, Row};
 use crate::{enclose, input, interrupt, style};
 use std::io::{self, Write};
 use stickslip::inputs::units::Reader;
@@ -62,7 +62,7 @@ fn of_limit<F: Value>(
     if let (Some((least, most)), Some(machine)) = (limit.extrema(), &point.machine) {
         input::note_pendulum(given, most.abs().or_larger(least.abs()) * machine.scales.length);
     }
-    let record = Record::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
+    let record = Cells::of_answer(given, &point.ratios, &found, SteadyAnswer::COLUMNS);
     record.in_units(given, point, Physical::of_machine)
 }
 

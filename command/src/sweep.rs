@@ -10,8 +10,8 @@ use crate::bits::{Value, at_bits};
 use crate::failure::{Failure, Outcome};
 use crate::grid::Axes;
 use crate::output::Lines;
-use crate::record::{Row, csv_text};
 use crate::resume;
+use crate::row::{Row, csv_text};
 use rows::SweepRows;
 use std::io::Write;
 use std::ops::Range;
@@ -47,11 +47,11 @@ pub(crate) trait Table: Sync {
     fn form(&self) -> &Row;
 
     /// The first rows of a range, at least one.
-    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>>;
+    fn rows(&self, points: Range<u64>) -> Vec<Result<Row, Failure>>;
 
     /// A row.
-    fn record(&self, point: u64) -> Result<Row, Failure> {
-        self.records(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
+    fn row(&self, point: u64) -> Result<Row, Failure> {
+        self.rows(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
     }
 
     /// As [`resume::Rows::hold_their_grid`].
@@ -93,11 +93,11 @@ impl resume::Rows for TextRows<'_> {
     }
 
     fn text(&self, point: u64) -> Result<Vec<u8>, Failure> {
-        self.table.record(point)?.line(self.is_csv)
+        self.table.row(point)?.line(self.is_csv)
     }
 
     fn texts(&self, points: Range<u64>) -> Vec<Result<Vec<u8>, Failure>> {
-        self.table.records(points).into_iter().map(|record| record?.line(self.is_csv)).collect()
+        self.table.rows(points).into_iter().map(|row| row?.line(self.is_csv)).collect()
     }
 
     fn hold_their_grid(&self) -> bool {

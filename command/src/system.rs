@@ -12,7 +12,7 @@ use crate::interrupt;
 use crate::measured::Described as OfRecord;
 use crate::output::{self, PendingFile};
 use crate::progress;
-use crate::record::{Cell, Record as Named};
+use crate::row::{Cell, Cells};
 use crate::rows;
 use crate::sink::Sink;
 use serde_json::Value;
@@ -264,7 +264,7 @@ fn sampled(
         for row in samples.rows() {
             let cells = row.into_iter().map(|x| Cell::Number(Some(x)));
             let row: Vec<(_, Cell<f64>)> = keys.iter().copied().zip(cells).collect();
-            sink.write(&Named::of(row).shown())?;
+            sink.write(&Cells::of(row).shown())?;
         }
         sink.finish()
     };

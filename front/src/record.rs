@@ -3,7 +3,7 @@
 //! | layout | found by |
 //! |---|---|
 //! | COSMOS V1 and V2 | `(Format v01.20 with 13 text lines)` in the first line |
-//! | GeoNet V1A and V2A | `accelerogram` in the first line |
+//! | GeoNet V1A and V2A | `corrected accelerogram` in the first line, and `Component` |
 //! | K-NET and KiK-net | `Scale Factor` and `Sampling Freq(Hz)` |
 //! | ESM and DYNA | `SAMPLING_INTERVAL_S:` |
 //! | CWB | `#DataSequence:` |

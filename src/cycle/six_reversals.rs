@@ -75,13 +75,13 @@
 mod edges;
 mod equations;
 mod newton;
-mod range;
+mod within;
 
 use crate::float::{Float, at_precision};
 use crate::machine::ratios::Ratios;
 use edges::edges;
 use equations::{Closing, Problem, Unknowns};
-pub(crate) use range::{Within, within, within_box, within_edges};
+pub(crate) use within::{Within, within, within_box, within_edges};
 
 /// The least and the greatest force ratio of the six-reversal cycle at the Ω, ζ and η of these ratios; `None`
 /// where it does not exist.

@@ -6,7 +6,7 @@
 use super::half_cycle::HalfCycle;
 use super::reversal::Reversal;
 use super::stability::{Multipliers, contraction};
-use super::waves::Circular;
+use super::velocity::waves::Circular;
 use crate::cycle::phase_function::{Frequency, Offset, PhaseFunction};
 use crate::float::pair::Pair;
 use crate::float::{Float, fused};

@@ -31,20 +31,23 @@
 //!
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 
+pub(crate) mod arrival;
 mod centre;
 mod iteration;
+pub(crate) mod low;
 mod step;
+pub(crate) mod waves;
 
 use super::Reversal;
 use super::half_cycle::HalfCycle;
-use super::low::{LowCircular, LowWaves};
 use super::undamped::half_cycle;
-use super::waves::{Circular, Waves};
 use crate::cycle::phase_function::{Frequency, Offset, PhaseFunction};
 use crate::float::pair::Pair;
 use crate::float::{Field, Real};
 use crate::float::{Float, fused};
 use iteration::{fastest_and_displacement, from_centre_or_afar};
+use low::{LowCircular, LowWaves};
+use waves::{Circular, Waves};
 
 /// Deviation `Δ₁/B` of the body from rest at its peak velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
 ///

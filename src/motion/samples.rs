@@ -1,6 +1,6 @@
 //! The motion at evenly spaced phases, without drift.
 
-use super::drive::DrivePhase;
+use super::drive_phase::DrivePhase;
 use super::state::Instant;
 use super::trajectory::{Segment, Trajectory};
 use crate::float::Float;

@@ -29,7 +29,7 @@ pub(crate) mod short;
 pub(crate) mod stick;
 pub(crate) mod work;
 
-use super::drive::DrivePhase;
+use super::drive_phase::DrivePhase;
 use super::state::PhasePoint;
 use crate::float::Float;
 use alloc::vec::Vec;

@@ -1,6 +1,6 @@
 //! The state of the body, and the forces on it.
 
-use super::drive::DrivePhase;
+use super::drive_phase::DrivePhase;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::ratios::finite;

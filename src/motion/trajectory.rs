@@ -1,6 +1,6 @@
 //! The motion as a sequence of segments: slide, stick, slide …
 
-use super::drive::DrivePhase;
+use super::drive_phase::DrivePhase;
 use super::event::velocity_zero::{Lost, VelocityZero};
 use super::slide::equation::Equation;
 use super::slide::stick::{Stick, force_rounding};

@@ -6,7 +6,7 @@ use crate::cycle::regime::Regime;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::motion::FreeDecay;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::limit::measures::Extreme;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;

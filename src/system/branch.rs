@@ -16,9 +16,9 @@
 use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
+use super::first_passage::{bernstein_of_rows, integer};
 use super::matrix::absolute;
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small, size_of_dot};
-use super::zero::{bernstein_of_rows, integer};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;

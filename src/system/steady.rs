@@ -12,11 +12,11 @@ use super::assembly::{Assembly, Rule};
 use super::equation::Mode;
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
+use super::first_passage::integer;
 use super::follow::Follower;
 use super::matrix::{Matrix, add_times, dot};
 use super::model::State;
 use super::motion::{Motion, Observer, state};
-use super::zero::integer;
 use crate::float::Float;
 use crate::machine::error::written;
 use crate::named::named;
@@ -206,7 +206,7 @@ impl<F: Float> Search<'_, F> {
             if let Some(one) = column.get_mut(i) {
                 *one = F::int(1);
             }
-            super::next::at_rest(system, &mut column, &stuck);
+            super::next_branch::at_rest(system, &mut column, &stuck);
             for (part, mode) in system.parts.iter().zip(modes) {
                 if let (Rule::Elastic { place, .. }, Mode::Yields { .. }) = (&part.rule, mode)
                     && let Some(force) = column.get_mut(*place)

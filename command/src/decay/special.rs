@@ -8,7 +8,7 @@ use crate::note::line;
 use crate::output;
 use crate::outputs::key;
 use crate::physical::Physical;
-use crate::record::{Cell, Record as Cells};
+use crate::row::{Cell, Cells};
 use crate::shaken::Surface;
 use std::io::Write;
 use stickslip::Excitation;

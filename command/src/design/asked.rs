@@ -5,7 +5,7 @@ use crate::args::QuestionArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::input;
-use crate::record::Cell;
+use crate::row::Cell;
 use std::io::Write;
 use stickslip::inputs::units::{self, Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role, in_typed_unit};

@@ -3,7 +3,7 @@
 use super::{AskedDesign, DesignAnswer, searched_field, some};
 use crate::bits::{Value, digits};
 use crate::failure::Failure;
-use crate::record::Cell;
+use crate::row::Cell;
 use stickslip::Error;
 use stickslip::design::{self, BoundedOptimum, Optimum, OptimumKind};
 use stickslip::inputs::Input;

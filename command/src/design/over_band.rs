@@ -6,7 +6,7 @@ use crate::bits::{Value, digits};
 use crate::curve::AskedCurve;
 use crate::failure::{Failure, Outcome};
 use crate::figure::{PLAIN, Target};
-use crate::record::Cell;
+use crate::row::Cell;
 use stickslip::Excitation;
 use stickslip::design::{self, Aim, BandFriction, BandFrictionKind};
 use stickslip::inputs::Input;

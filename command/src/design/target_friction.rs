@@ -4,7 +4,7 @@ use super::{AnswerRow, AskedDesign, NamedRow, searched_field, some};
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
 use crate::output;
-use crate::record::{Cell, Number};
+use crate::row::{Cell, Number};
 use serde::Serialize;
 use std::io::Write;
 use stickslip::Regime;

@@ -8,7 +8,7 @@ use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
 use crate::input;
 use crate::outputs;
-use crate::record::Cell;
+use crate::row::Cell;
 use std::collections::BTreeSet;
 use stickslip::inputs::{Input, Role};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};

@@ -1,6 +1,6 @@
 //! The values of an output, gathered until they are written.
 
-use crate::record::{self, Cell, Number};
+use crate::row::{self, Cell, Number};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::ColumnReader;
 use parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
@@ -160,7 +160,7 @@ pub(crate) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, R
 }
 
 /// Whether a row that was read equals the record.
-pub(crate) fn equals(row: &Row, record: &record::Row) -> bool {
+pub(crate) fn equals(row: &Row, record: &row::Row) -> bool {
     let field = |cell: Cell<Number>| match cell {
         Cell::Number(Some(Number::Double(number))) => Field::Double(number),
         Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),

@@ -7,7 +7,7 @@ use crate::input::{behind_all, has_unit_mass, read, start_in_units};
 use crate::outputs::{ENDS_BY, KIND};
 use crate::physical::Physical;
 use crate::progress;
-use crate::record::{Cell, Record as Cells, Row};
+use crate::row::{Cell, Cells, Row};
 use crate::shaken::Surface;
 use crate::sink::Sink;
 use std::io::Write;

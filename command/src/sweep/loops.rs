@@ -5,7 +5,7 @@ use crate::bits::Value;
 use crate::input;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
-use crate::record::{Cell, Record, Row};
+use crate::row::{Cell, Cells, Row};
 use stickslip::batch::{Batch, Columns, is_looped_with_damper};
 use stickslip::definitions::REGIME;
 use stickslip::inputs::units::Kind;
@@ -102,7 +102,7 @@ impl Looped {
 
     /// The rows at some points; `None` for those without ratios, or with a number that does not exist in the machine's
     /// units.
-    pub(crate) fn records<F: Value>(&self, points: &[Option<At<F>>]) -> Vec<Option<Row>> {
+    pub(crate) fn rows<F: Value>(&self, points: &[Option<At<F>>]) -> Vec<Option<Row>> {
         let (n, mut regimes) = (points.len(), vec![None; points.len()]);
         let mut numbers = vec![vec![f64::NAN; n]; self.outputs.len()];
         let mut columns = Columns::new();
@@ -139,7 +139,7 @@ impl Looped {
                 Source::Output(place) => Cell::Number(number(place)),
             };
             let row =
-                Record::of(self.fields.iter().map(|&(key, source)| (key, cell(source))).collect()).shown();
+                Cells::of(self.fields.iter().map(|&(key, source)| (key, cell(source))).collect()).shown();
             if self.physical.is_empty() {
                 return Some(row);
             }

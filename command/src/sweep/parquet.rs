@@ -14,7 +14,7 @@ use crate::failure::{Failure, Outcome};
 use crate::output::PendingFile;
 use crate::parquet_file::{self, Group};
 use crate::progress;
-use crate::record::Row;
+use crate::row::Row;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -50,9 +50,9 @@ pub(super) fn run(args: &TableArgs, rows: &dyn Table, part: Range<u64>) -> Outco
     let mut table = PendingRows { group, start: done };
     let outcome = progress::in_order_kept(
         done..sweep.part.end,
-        |points| rows.records(points),
-        |record| match record {
-            Some(record) => table.push(&record, &mut parts, &sweep),
+        |points| rows.rows(points),
+        |found| match found {
+            Some(row) => table.push(&row, &mut parts, &sweep),
             None => table.commit(&mut parts, &sweep),
         },
     );
@@ -106,8 +106,8 @@ impl Sweep<'_> {
         }
         if let Some((first, last)) = parquet_file::ends(reader).map_err(text)? {
             for (row, point) in [(first, points.start), (last, points.end - 1)] {
-                let record = self.rows.record(point).map_err(|e| e.to_string())?;
-                if !parquet_file::equals(&row, &record) {
+                let due = self.rows.row(point).map_err(|e| e.to_string())?;
+                if !parquet_file::equals(&row, &due) {
                     return Err(format!("row {} is not of this sweep", point - self.part.start + 1));
                 }
             }
@@ -147,8 +147,8 @@ struct PendingRows {
 }
 
 impl PendingRows {
-    fn push(&mut self, record: &Row, parts: &mut Parts, sweep: &Sweep<'_>) -> Outcome {
-        self.group.push(record);
+    fn push(&mut self, row: &Row, parts: &mut Parts, sweep: &Sweep<'_>) -> Outcome {
+        self.group.push(row);
         if self.group.is_full() { self.commit(parts, sweep) } else { Ok(()) }
     }
 

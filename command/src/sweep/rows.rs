@@ -9,7 +9,7 @@ use crate::grid::Axes;
 use crate::interrupt;
 use crate::outputs::{self, ALPHA, Key, OMEGA};
 use crate::physical::Physical;
-use crate::record::{Cell, Record, Row};
+use crate::row::{Cell, Cells, Row};
 use crate::{closed, input, progress, steady};
 use std::ops::Range;
 use stickslip::inputs::{Given, Input, Role};
@@ -91,13 +91,13 @@ impl<F: Value> SweepRows<F> {
     /// The requested columns of a row, in the given order; a point that has no answer is a row with its ratios, and its
     /// reason is said.
     fn alone(&self, point: u64) -> Result<Row, Failure> {
-        let record = match self.full_record(point) {
+        let row = match self.full_row(point) {
             Err(failure) if failure.is_of_an_answer() => return self.without_answer(point, failure),
             found => found?,
         };
         Ok(match &self.outputs {
-            Some(outputs) => record.only(outputs),
-            None => record,
+            Some(outputs) => row.only(outputs),
+            None => row,
         })
     }
 
@@ -106,12 +106,12 @@ impl<F: Value> SweepRows<F> {
         let given = self.axes.given_at(point);
         let Ok(problem) = input::problem(self.question, &given) else { return Err(failure) };
         let has_alpha = self.question != Swept::Border;
-        let ratios = Record::of_ratios(&given, &problem.ratios, has_alpha).shown();
+        let ratios = Cells::of_ratios(&given, &problem.ratios, has_alpha).shown();
         progress::no_answer(&failure);
         Ok(self.form.blank(Some(&ratios)))
     }
 
-    fn full_record(&self, point: u64) -> Result<Row, Failure> {
+    fn full_row(&self, point: u64) -> Result<Row, Failure> {
         if interrupt::asked() {
             return Err(Failure::Interrupted);
         }
@@ -134,15 +134,15 @@ impl<F: Value> Table for SweepRows<F> {
         &self.form
     }
 
-    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
+    fn rows(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
         let Some(looped) = self.looped.as_ref().filter(|_| !interrupt::asked()) else {
             return vec![self.alone(points.start)];
         };
         let first = points.start;
         let points: Vec<_> = points.map(|point| Looped::at(self.axes.given_at(point))).collect();
-        let found = looped.records(&points).into_iter().zip(first..);
+        let found = looped.rows(&points).into_iter().zip(first..);
         // Alone, a point without ratios has its error.
-        found.map(|(record, point)| record.map_or_else(|| self.alone(point), Ok)).collect()
+        found.map(|(row, point)| row.map_or_else(|| self.alone(point), Ok)).collect()
     }
 
     #[cfg(feature = "parquet")]
@@ -167,7 +167,7 @@ impl<F: Value> Table for SweepRows<F> {
         let line = line.trim_ascii_end();
         for (key, value) in due.into_iter().flatten() {
             let Some(place) = self.columns.iter().position(|name| name == key.name) else { continue };
-            let due = Record::of(vec![(key, Cell::Number(Some(value)))]).shown().line(is_csv)?;
+            let due = Cells::of(vec![(key, Cell::Number(Some(value)))]).shown().line(is_csv)?;
             let due = due.trim_ascii_end();
             let is_same = if is_csv {
                 line.split(|byte| *byte == b',').nth(place) == Some(due)
@@ -209,7 +209,7 @@ pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -
     })
 }
 
-/// The names of the values of all rows, in a record without a motion, which can take long to compute.
+/// The names of the values of all rows, in a row without a motion, which can take long to compute.
 fn form<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Row, Failure> {
     match question {
         Swept::Steady => steady::form(given, &input::point(given)?, peaks),

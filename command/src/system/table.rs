@@ -8,7 +8,7 @@ use crate::figure::Target;
 use crate::interrupt;
 use crate::output;
 use crate::progress::Unanswered;
-use crate::record::{Cell, Record, Row};
+use crate::row::{Cell, Cells, Row};
 use crate::sweep::{Table, write_table};
 use serde_json::Value;
 use std::io::Write;
@@ -95,7 +95,7 @@ pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Out
         None | Some(Format::Csv) => SweepFormat::Csv,
         Some(Format::Jsonl) => SweepFormat::Jsonl,
         Some(Format::Json) if args.out.is_none() => {
-            let found = (0..table.len()).map(|i| table.record(i)).collect::<Result<Vec<_>, _>>()?;
+            let found = (0..table.len()).map(|i| table.row(i)).collect::<Result<Vec<_>, _>>()?;
             return output::json(&found, out);
         }
         Some(Format::Json) => return Err("--format json: with --out choose csv, jsonl or parquet".into()),
@@ -110,7 +110,7 @@ impl Rows {
         let mut rows = Self {
             grid,
             keys: grid.names().iter().cloned().map(key).collect(),
-            form: Record::of(Vec::<(_, Cell<f64>)>::new()).shown(),
+            form: Cells::of(Vec::<(_, Cell<f64>)>::new()).shown(),
             failed: Unanswered::new("rows", 5),
             #[cfg(feature = "parquet")]
             notes: vec![
@@ -129,7 +129,7 @@ impl Rows {
     fn row(&self, point: u64, answer: &[Found<'static>]) -> Row {
         let given = self.grid.given(point);
         let cells = given.iter().chain(answer).map(cell);
-        Record::of(self.keys.iter().copied().zip(cells).collect::<Vec<(_, Cell<f64>)>>()).shown()
+        Cells::of(self.keys.iter().copied().zip(cells).collect::<Vec<(_, Cell<f64>)>>()).shown()
     }
 }
 
@@ -156,7 +156,7 @@ impl<'a> ResolvedRows<'a> {
         }
         let described = of.grid.described()?;
         let found = picture::resolved(of.grid, &described, "--resolve")?;
-        let form = Record::of(Vec::<(_, Cell<f64>)>::new()).shown();
+        let form = Cells::of(Vec::<(_, Cell<f64>)>::new()).shown();
         let mut rows = Self { of, found, source: key("source".to_owned()), form };
         rows.form = rows.row(f64::NAN, of.grid.blank());
         Ok(rows)
@@ -171,7 +171,7 @@ impl<'a> ResolvedRows<'a> {
         let cells = given.iter().map(cell).chain(answer.iter().map(cell));
         let mut cells: Vec<(_, Cell<f64>)> = of.keys.iter().copied().zip(cells).collect();
         cells.push((source, Cell::Text(if found.given.contains(&x) { "grid" } else { "added" })));
-        Record::of(cells).shown()
+        Cells::of(cells).shown()
     }
 }
 
@@ -188,7 +188,7 @@ impl Table for ResolvedRows<'_> {
         &self.form
     }
 
-    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
+    fn rows(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
         let place = usize::try_from(points.start).ok().and_then(|place| self.found.places.get(place));
         vec![place.map(|(x, answer)| self.row(*x, answer)).ok_or(Failure::Interrupted)]
     }
@@ -221,7 +221,7 @@ impl Table for Rows {
         &self.form
     }
 
-    fn records(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
+    fn rows(&self, points: Range<u64>) -> Vec<Result<Row, Failure>> {
         let point = points.start;
         if interrupt::asked() {
             return vec![Err(Failure::Interrupted)];

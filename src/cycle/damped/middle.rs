@@ -6,7 +6,7 @@
 //! that cancel, though beside Ω = 1 the driven and the free part do. One of low order leads close to the maximum; the
 //! whole series is summed there, and `cycle::arrival` completes the iteration.
 
-use crate::cycle::arrival::{Nearby, Reciprocals};
+use crate::cycle::velocity::arrival::{Nearby, Reciprocals};
 use crate::float::Float;
 use crate::float::circular::{SinCos, TO_ONE};
 use crate::float::pair::Pair;

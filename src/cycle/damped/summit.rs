@@ -38,7 +38,7 @@ use super::half_period::HalfPeriod;
 use super::middle::{Constants, Crest, slopes};
 use super::rising::{Moment, Rising, Vibration};
 use super::wide::{WideState, WideWaves};
-use crate::cycle::arrival::{Arrived, Nearby, Reciprocals};
+use crate::cycle::velocity::arrival::{Arrived, Nearby, Reciprocals};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, fused};
 

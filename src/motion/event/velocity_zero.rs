@@ -6,7 +6,7 @@ use super::search::{FoundZero, Safe, Verdict, ZeroSearch};
 use super::stretch::polished_guess;
 use crate::float::Float;
 use crate::motion::broken::Broken;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;
 use crate::motion::slide::motion::SlideJet;

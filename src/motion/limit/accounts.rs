@@ -4,7 +4,7 @@ use super::measures::CycleStatistics;
 use super::propagation::follow;
 use super::steady::SteadyParts;
 use crate::motion::broken::Budget;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::work::Works;
 use crate::motion::state::PhasePoint;

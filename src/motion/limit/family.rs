@@ -19,7 +19,7 @@ use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::motion::broken::{Broken, Budget};
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::PhasePoint;

@@ -3,7 +3,7 @@
 use super::propagation::{HalfTurns, MotionPart, follow};
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::event::velocity_zero::VelocityZero;
 use crate::motion::slide::Slide;
 use crate::motion::slide::motion::Motion;
@@ -259,7 +259,7 @@ pub struct ErrorMeasures<F> {
 #[cfg(test)]
 mod tests {
     use super::{CycleStatistics, Extreme};
-    use crate::motion::drive::DrivePhase;
+    use crate::motion::drive_phase::DrivePhase;
     use crate::motion::state::PhasePoint;
 
     fn phase(theta: f64) -> DrivePhase<f64> {

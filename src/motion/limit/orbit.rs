@@ -5,7 +5,7 @@ use super::propagation::HalfTurns;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::motion::broken::Budget;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::PhasePoint;
 use alloc::vec::Vec;

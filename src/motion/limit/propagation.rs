@@ -3,7 +3,7 @@
 use super::matrix::{Matrix, reversal_ratio};
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::event::velocity_zero::{Lost, Outcome, VelocityZero};
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::Motion;

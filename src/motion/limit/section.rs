@@ -4,7 +4,7 @@ use super::shooting::Guess;
 use crate::cycle::{Cycle, SixReversals};
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::slide::Slide;
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{PhasePoint, State};

@@ -11,7 +11,7 @@ use super::matrix::Matrix;
 use super::propagation::MotionPart;
 use crate::float::Float;
 use crate::motion::broken::{Broken, Budget};
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::event::velocity_zero::{Lost, VelocityZero};
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::stick::{Stick, release_angle};

@@ -33,7 +33,7 @@ use super::measures::{CycleStatistics, Extreme};
 use super::steady::{SteadyParts, SteadyState};
 use crate::cycle::Cycle;
 use crate::float::Float;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::event::cover::Cover;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::motion::{Motion, SlideJet};

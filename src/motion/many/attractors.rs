@@ -9,7 +9,7 @@ mod signature;
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::limit::fixed_point::Located;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::orbit::{Likeness, Orbit};

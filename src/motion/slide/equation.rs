@@ -7,7 +7,7 @@ use crate::machine::error::{Error, written};
 use crate::machine::excitation::Excitation;
 use crate::machine::support::Support;
 use crate::motion::broken::Broken;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 // The functions of natural time in the formulas of a slide, with or without damping.
 pub(crate) use crate::cycle::damped::resonance::Responses;
 use crate::machine::ratios::Ratios;

@@ -67,7 +67,7 @@ pub(crate) struct SlideJet<F> {
 #[cfg(test)]
 mod tests {
     use crate::Ratios;
-    use crate::motion::drive::DrivePhase;
+    use crate::motion::drive_phase::DrivePhase;
     use crate::motion::slide::equation::Equation;
     use crate::motion::slide::{Direction, Slide};
 

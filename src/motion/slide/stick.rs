@@ -7,7 +7,7 @@
 use super::Direction;
 use super::equation::Equation;
 use crate::float::Float;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 
 /// A stop: the body at rest at x until a phase in closed form, or for ever.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 use super::{Direction, Slide};
 use crate::Ratios;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::slide::equation::Equation;
 
 fn slide(omega: f64, alpha: f64, theta: f64, x: f64, w: f64) -> Slide<f64> {

@@ -162,7 +162,7 @@ mod tests {
     use crate::Ratios;
     #[cfg(feature = "mp")]
     use crate::float::Float;
-    use crate::motion::drive::DrivePhase;
+    use crate::motion::drive_phase::DrivePhase;
     use crate::motion::slide::equation::Equation;
     use crate::motion::slide::{Direction, Slide};
     use crate::motion::{LongRun, State};

@@ -1,7 +1,7 @@
 use super::VelocityZero;
 use crate::cycle::equations::{displacement_phase, max_displacement};
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square};
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::event::next_zero;
 use crate::motion::event::search::{FoundZero, Verdict};
 use crate::motion::slide::equation::Equation;

@@ -1,7 +1,7 @@
 use crate::cycle::Cycle;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::motion::broken::Budget;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::limit::fixed_point::Trial;
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::propagation::HalfTurns;

@@ -3,7 +3,7 @@
 use crate::float::Float;
 use crate::machine::error::Error;
 use crate::motion::broken::Budget;
-use crate::motion::drive::DrivePhase;
+use crate::motion::drive_phase::DrivePhase;
 use crate::motion::limit::fixed_point::{Located, Trial};
 use crate::motion::limit::long_run::LongRun;
 use crate::motion::limit::steady::SteadyState;

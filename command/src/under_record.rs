@@ -11,7 +11,7 @@ use crate::measured::{self, Described};
 use crate::motion_plot;
 use crate::output::{self, PendingFile};
 use crate::physical::Physical;
-use crate::record::{Cell, Number, Record as Row};
+use crate::row::{Cell, Cells, Number};
 use crate::shaken::{Shaken, needs_mass};
 use crate::sink::Sink;
 use serde::Serialize;
@@ -258,7 +258,7 @@ fn states<F: Value>(
             let cell = |kind, value| Cell::Number(Some(system.shown(kind, value)));
             let values = columns().map(|(name, kind, of)| (name, kind, cell(kind, of(state))));
             let values = values.chain([("direction", Kind::Ratio, direction)]).collect();
-            sink.write(&Row::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())?;
+            sink.write(&Cells::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())?;
         }
         return sink.finish();
     }

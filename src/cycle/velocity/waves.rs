@@ -17,7 +17,7 @@
 //! 1/2, near the border).
 
 use super::arrival::{ArrivalMoment, Arrived, Reciprocals};
-use super::deviation::of_fastest;
+use crate::cycle::deviation::of_fastest;
 use crate::cycle::phase_function::Frequency;
 use crate::float::Float;
 use crate::float::circular::{SinCos, TO_ONE, TO_QUARTER};

@@ -1,4 +1,4 @@
-//! Answers as records: one list of names and values, written as JSON or CSV.
+//! A row of answers: one list of names and values, written as JSON or CSV.
 
 mod cell;
 
@@ -37,15 +37,15 @@ fn physical_name(wanted: &str) -> &str {
 /// Named values in order, and those in physical units: of a number type while they are computed, as a [`Row`] where they are
 /// written.
 #[derive(Debug)]
-pub(crate) struct Record<F> {
+pub(crate) struct Cells<F> {
     pub(crate) fields: Vec<(Key, Cell<F>)>,
     pub(crate) physical: Physical<F>,
     /// In a [`Row`], whether its numbers are wider than a double, even those that do not exist.
     is_wide: bool,
 }
 
-/// A record as it is written.
-pub(crate) type Row = Record<Number>;
+/// A row as it is written.
+pub(crate) type Row = Cells<Number>;
 
 impl Serialize for Row {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -64,24 +64,24 @@ impl Serialize for Row {
     }
 }
 
-impl<F> Record<F> {
-    /// A record without physical units.
+impl<F> Cells<F> {
+    /// A row without physical units.
     pub(crate) fn of(fields: Vec<(Key, Cell<F>)>) -> Self {
         Self { fields, physical: Physical::default(), is_wide: false }
     }
 
-    /// The record with these values in physical units.
+    /// The row with these values in physical units.
     pub(crate) fn with_physical(self, physical: Physical<F>) -> Self {
         Self { physical, ..self }
     }
 }
 
-impl<F: Value> Record<F> {
-    /// The record as it is written.
+impl<F: Value> Cells<F> {
+    /// The row as it is written.
     pub(crate) fn shown(self) -> Row {
         let fields = self.fields.into_iter().map(|(key, cell)| (key, cell.shown()));
         let is_wide = F::PRECISION > f64::MANTISSA_DIGITS;
-        Record { fields: fields.collect(), physical: self.physical.shown(), is_wide }
+        Cells { fields: fields.collect(), physical: self.physical.shown(), is_wide }
     }
 
     /// Ω, α if `has_alpha`, and ζ and η where they were given.
@@ -108,19 +108,19 @@ impl<F: Value> Record<F> {
         answer: &A,
         columns: impl IntoIterator<Item = Column<A, F>>,
     ) -> Self {
-        let mut record = Self::of_ratios(given, ratios, true);
+        let mut row = Self::of_ratios(given, ratios, true);
         let columns = columns.into_iter().filter(|column| match column.when {
             When::Always => true,
             When::Damping => given.has_role(Role::Damper),
             When::StaticFriction => given.has_role(Role::StaticFriction),
         });
-        record.fields.extend(columns.map(|column| (column.definition, (column.of)(answer).into())));
-        record
+        row.fields.extend(columns.map(|column| (column.definition, (column.of)(answer).into())));
+        row
     }
 
     /// The border at Ω and the best force ratio, from a response at any α.
     pub(crate) fn of_border(given: &Given<F>, response: &Response<F>) -> Self {
-        let mut record = Self::of_ratios(given, &response.ratios, false);
+        let mut row = Self::of_ratios(given, &response.ratios, false);
         let outputs = [
             Output::MinForceRatio,
             Output::MinForceRatioTurningPoint,
@@ -128,8 +128,8 @@ impl<F: Value> Record<F> {
             Output::LeastDisplacement,
             Output::BestForceRatio,
         ];
-        record.fields.extend(outputs.map(|output| (output.definition(), Cell::Number(output.of(response)))));
-        record
+        row.fields.extend(outputs.map(|output| (output.definition(), Cell::Number(output.of(response)))));
+        row
     }
 
     /// The intervals as a value.
@@ -138,7 +138,7 @@ impl<F: Value> Record<F> {
         Cell::Intervals([intervals.next(), intervals.next()])
     }
 
-    /// The record with the answer in the units of the machine, if there is one, behind its own quantities; both loop
+    /// The row with the answer in the units of the machine, if there is one, behind its own quantities; both loop
     /// sizes are the energy of a cycle.
     pub(crate) fn in_units(
         mut self,
@@ -179,7 +179,7 @@ impl Row {
         self
     }
 
-    /// Whether the record has an output of this name: a field, or in the machine's units `physical.NAME`,
+    /// Whether the row has an output of this name: a field, or in the machine's units `physical.NAME`,
     /// `NAME[unit]`, or NAME where no field has that name.
     pub(crate) fn has(&self, wanted: &str) -> bool {
         self.fields.iter().any(|(key, _)| key.name == wanted) || self.physical.has(physical_name(wanted))
@@ -191,7 +191,7 @@ impl Row {
         own.chain(self.physical.values.iter().map(|(name, ..)| format!("physical.{name}"))).collect()
     }
 
-    /// The record with these outputs only, in this order, with those in the machine's units last.
+    /// The row with these outputs only, in this order, with those in the machine's units last.
     pub(crate) fn only(mut self, wanted: &[String]) -> Self {
         let field = |wanted: &String| self.fields.iter().find(|(key, _)| key.name == wanted).cloned();
         let fields: Vec<_> = wanted.iter().filter_map(field).collect();
@@ -212,7 +212,7 @@ impl Row {
         Self { fields: fields.collect(), physical: self.physical.blank(), is_wide: self.is_wide }
     }
 
-    /// The record, if all its numbers are finite. In units that are too small a motion overflows to infinity,
+    /// The row, if all its numbers are finite. In units that are too small a motion overflows to infinity,
     /// which JSON does not have.
     pub(crate) fn finite(self) -> Result<Self, Failure> {
         let physical = self.physical.values.iter().map(|(name, _, cell)| (*name, cell));
