@@ -6,6 +6,8 @@
 
 #![allow(clippy::print_stdout, reason = "a program of its own: what it prints is its answer")]
 
+#[path = "../tests/random/generator.rs"]
+mod random;
 #[path = "../tests/ulps/mod.rs"]
 mod ulps;
 

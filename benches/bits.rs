@@ -12,6 +12,10 @@
     reason = "a program of its own: what it prints is its answer"
 )]
 
+#[path = "../tests/random/generator.rs"]
+mod generator;
+
+use generator::Random;
 use stickslip::batch::{Batch, Columns, Level};
 use stickslip::{Border, Error, Output, Ratios, Response};
 
@@ -34,35 +38,24 @@ const OUTPUTS: [Output; 9] = [
 const SETS: [&[usize]; 7] =
     [&[0, 5, 7], &[0, 5, 7, 2, 3], &[0, 1, 2, 3, 4, 5, 6, 7, 8], &[8], &[4], &[6, 1], &[2, 6, 8]];
 
-/// SplitMix64.
-struct Random(u64);
-
 impl Random {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
     /// Ω is uniform, close to 1 or close to 1/n; α is on the border, just above it, up to four times it, or
     /// below it.
     fn point(&mut self, i: usize) -> (f64, f64) {
-        let beside = (0.5 - self.uniform()) / (1u64 << (i % 50)) as f64;
+        let beside = (0.5 - self.next()) / (1u64 << (i % 50)) as f64;
         let omega = match i % 4 {
-            0 => 0.5 + 3.0 * self.uniform(),
+            0 => 0.5 + 3.0 * self.next(),
             1 => 1.0 + beside,
             2 => (1.0 + beside) / (1.0 + (i % 7) as f64),
-            _ => 0.05 + 0.95 * self.uniform(),
+            _ => 0.05 + 0.95 * self.next(),
         };
         let border = Border::new(omega).map_or(1.0, |border| border.min_force_ratio);
         let alpha = match i % 5 {
             0 => border,
             1 => border.next_up(),
             2 => border * (1.0 + beside.abs()),
-            3 => border * (0.8 + 0.2 * self.uniform()),
-            _ => border * (1.0 + 3.0 * self.uniform()),
+            3 => border * (0.8 + 0.2 * self.next()),
+            _ => border * (1.0 + 3.0 * self.next()),
         };
         (omega, alpha)
     }

@@ -5,6 +5,10 @@
 
 #![allow(missing_docs, clippy::print_stdout, reason = "a program that prints a table")]
 
+#[path = "../tests/random/generator.rs"]
+mod generator;
+
+use generator::Random;
 use std::hint::black_box;
 use std::time::Instant;
 use stickslip::Excitation;
@@ -23,12 +27,8 @@ fn best(mut run: impl FnMut()) -> f64 {
 }
 
 fn main() {
-    let mut state = 3u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-    };
-    let white: Vec<f64> = (0..=STEPS).map(|_| random()).collect();
+    let mut random = Random(3);
+    let white: Vec<f64> = (0..=STEPS).map(|_| random.between(-0.5, 0.5)).collect();
     let mut filters = (0.0, 0.0);
     let smooth = white.iter().map(|sample| {
         filters.0 += 0.15 * (sample - filters.0);

@@ -153,21 +153,16 @@ impl<'a> Arbitrary<'a> for Question {
 mod tests {
     use super::{DampingRatio, Machine, Point, Question, Start};
     use crate::motion::{End, State, Trajectory};
+    use crate::random::Random;
     use crate::{Border, Ratios, Regime, Response};
     use arbitrary::{Arbitrary, Unstructured};
     use std::fmt::Debug;
 
     /// `count` values from pseudo-random bytes, the same in every run.
     fn many<T: for<'a> Arbitrary<'a>>(count: usize) -> impl Iterator<Item = T> {
-        let mut state = 9u64;
+        let mut random = Random(9);
         (0..count).map(move |_| {
-            let bytes: Vec<u8> = (0..96)
-                .map(|_| {
-                    state =
-                        state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-                    (state >> 56) as u8
-                })
-                .collect();
+            let bytes: Vec<u8> = (0..96).map(|_| random.byte()).collect();
             T::arbitrary(&mut Unstructured::new(&bytes)).unwrap()
         })
     }

@@ -161,6 +161,11 @@ pub mod design;
 )]
 pub mod enclosed;
 pub mod float;
+// The numbers of the tests are those of the programs in tests/.
+#[cfg(test)]
+#[path = "../tests/random/generator.rs"]
+mod random;
+
 #[cfg(feature = "generators")]
 #[doc(hidden)]
 pub mod generators;

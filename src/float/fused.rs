@@ -76,6 +76,7 @@ fn split(x: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::emulated;
+    use crate::random::Random;
 
     /// A number by 64 random bits: its sign, one of `exponents` from 2^−least on, and a mantissa of which a random
     /// number of last bits is 0 or 1, so that sums meet midpoints and cancel.
@@ -89,14 +90,8 @@ mod tests {
 
     #[test]
     fn one_rounding() {
-        let (mut state, mut differs) = (1_u64, 0);
-        let mut random = || {
-            // SplitMix64.
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            z ^ (z >> 31)
-        };
+        let (mut generator, mut differs) = (Random(1), 0);
+        let mut random = || generator.bits();
         for case in 0..2_000_000 {
             let (exponents, least) = match case % 4 {
                 0 => (8, 4),

@@ -3,6 +3,7 @@
 mod den_hartog;
 
 use super::reference::outputs;
+use crate::random::Random;
 use stickslip::float::Mp;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Response};
 
@@ -44,34 +45,20 @@ fn every_output_at_every_point_to_1e_38() {
     forty_digits::<64>();
 }
 
-/// Pseudo-random numbers in [0, 1), the same in every run.
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        // Knuth's 64-bit linear congruential generator, of which the high bits are used.
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-}
-
 /// (Ω, α/α_min): the bands of Ω in turn, with α from 1.05 to a thousand times the border.
 fn points(count: usize) -> impl Iterator<Item = (f64, f64)> {
-    let mut uniform = Uniform(7);
+    let mut random = Random(7);
     (0..count).map(move |i| {
         let omega = match i % 6 {
-            0 => uniform.between(0.5, 1.0),
-            1 => uniform.between(1.0, 2.0),
-            2 => uniform.between(2.0, 50.0),
-            3 => uniform.between(1.0 / 3.0, 0.5),
-            4 => uniform.between(0.2, 0.25),
-            _ => uniform.between(0.05, 1.0),
+            0 => random.between(0.5, 1.0),
+            1 => random.between(1.0, 2.0),
+            2 => random.between(2.0, 50.0),
+            3 => random.between(1.0 / 3.0, 0.5),
+            4 => random.between(0.2, 0.25),
+            _ => random.between(0.05, 1.0),
         };
         let over =
-            if i % 2 == 0 { uniform.between(1.05, 3.0) } else { 1.05 * 10f64.powf(3.0 * uniform.next()) };
+            if i % 2 == 0 { random.between(1.05, 3.0) } else { 1.05 * 10f64.powf(3.0 * random.next()) };
         (omega, over)
     })
 }

@@ -1,28 +1,6 @@
-//! Random numbers for the tests of the exact motion: SplitMix64, with the same sequence on every machine.
+//! Random numbers, and the motion by dense sampling, for tests of the exact motion.
 
-#![allow(dead_code, reason = "each test takes what it needs")]
-
+mod generator;
 pub(crate) mod sampled;
 
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    /// 64 random bits.
-    pub(crate) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-    pub(crate) fn next(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-    /// Uniform in the logarithm.
-    pub(crate) fn scale(&mut self, low: f64, high: f64) -> f64 {
-        self.between(low.ln(), high.ln()).exp()
-    }
-}
+pub(crate) use generator::Random;

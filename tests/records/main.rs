@@ -10,6 +10,8 @@ mod invariants;
 #[cfg(feature = "generators")]
 mod any;
 mod ends;
+#[path = "../random/generator.rs"]
+mod generator;
 mod laws;
 mod quiet;
 mod references;

@@ -1,15 +1,15 @@
 //! Steps without an event, which are taken in blocks and in lanes, beside the motion with states, which takes each step by
 //! its events.
 
+use crate::generator::Random;
 use stickslip::Excitation;
 use stickslip::motion::record::{Body, Record};
 
-/// Noise that is filtered twice, from a linear congruential generator.
+/// Noise that is filtered twice.
 fn smooth(count: usize) -> Vec<f64> {
-    let (mut state, mut once, mut twice) = (7u64, 0.0, 0.0);
+    let (mut random, mut once, mut twice) = (Random(7), 0.0, 0.0);
     let samples = (0..count).map(|_| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        once += 0.15 * ((state >> 11) as f64 / (1u64 << 53) as f64 - 0.5 - once);
+        once += 0.15 * (random.between(-0.5, 0.5) - once);
         twice += 0.15 * (once - twice);
         twice
     });

@@ -2,27 +2,10 @@
 
 mod series;
 
+use crate::generator::Random;
 use series::Other;
 use stickslip::Excitation;
 use stickslip::motion::record::{Body, Record, RecordAnswer};
-
-/// Numbers that are spread evenly over [0, 1).
-struct Even(u64);
-
-impl Even {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
-        choices[(self.next() * choices.len() as f64) as usize]
-    }
-}
 
 /// A body and a record, in plain numbers.
 #[derive(Debug, Clone)]
@@ -42,57 +25,57 @@ struct Machine {
 }
 
 impl Machine {
-    fn random(even: &mut Even) -> Self {
-        let mass = even.between(0.5, 12.0);
-        let step = even.between(0.005, 0.2);
-        let omega = if even.next() < 0.2 { 0.0 } else { 10f64.powf(even.between(-2.0, 0.6)) / step };
-        let zeta = match (even.next() * 6.0) as i32 {
+    fn random(random: &mut Random) -> Self {
+        let mass = random.between(0.5, 12.0);
+        let step = random.between(0.005, 0.2);
+        let omega = if random.next() < 0.2 { 0.0 } else { 10f64.powf(random.between(-2.0, 0.6)) / step };
+        let zeta = match (random.next() * 6.0) as i32 {
             0 => 0.0,
-            1 => even.between(1.0, 4.0),
-            2 => even.between(0.3, 0.95),
-            _ => even.between(0.01, 0.3),
+            1 => random.between(1.0, 4.0),
+            2 => random.between(0.3, 0.95),
+            _ => random.between(0.01, 0.3),
         };
         let rate = if omega > 0.0 { 2.0 * zeta * omega } else { zeta / step };
-        let level = even.between(0.5, 8.0);
-        let friction = if even.next() < 0.15 { 0.0 } else { level * even.between(0.02, 0.9) };
-        let is_directional = even.next() < 0.15;
-        let backward = if is_directional { friction * even.between(0.3, 1.5) } else { friction };
-        let eta = if even.next() < 0.3 { even.between(1.0, 1.5) } else { 1.0 };
-        let mean = if even.next() < 0.25 { level * even.between(-0.5, 0.5) } else { 0.0 };
-        let count = 2 + (even.next() * 30.0) as usize;
+        let level = random.between(0.5, 8.0);
+        let friction = if random.next() < 0.15 { 0.0 } else { level * random.between(0.02, 0.9) };
+        let is_directional = random.next() < 0.15;
+        let backward = if is_directional { friction * random.between(0.3, 1.5) } else { friction };
+        let eta = if random.next() < 0.3 { random.between(1.0, 1.5) } else { 1.0 };
+        let mean = if random.next() < 0.25 { level * random.between(-0.5, 0.5) } else { 0.0 };
+        let count = 2 + (random.next() * 30.0) as usize;
         let mut samples: Vec<f64> = Vec::new();
         for _ in 0..count {
             let last = samples.last().copied().unwrap_or(0.0);
-            let draw = even.next();
+            let draw = random.next();
             samples.push(if draw < 0.05 {
                 0.0
             } else if draw < 0.15 {
                 last
             } else {
-                even.between(-level, level)
+                random.between(-level, level)
             });
         }
         let excitation = if omega > 0.0 {
-            even.one_of(&[
+            random.one_of(&[
                 Excitation::Force,
                 Excitation::SurfaceAcceleration,
                 Excitation::FootMotion,
                 Excitation::DampedFootMotion,
             ])
         } else {
-            even.one_of(&[Excitation::Force, Excitation::SurfaceAcceleration])
+            random.one_of(&[Excitation::Force, Excitation::SurfaceAcceleration])
         };
         let size = match excitation {
             Excitation::Force => mass,
             Excitation::SurfaceAcceleration => -1.0,
             _ => 1.0 / (omega * omega),
         };
-        let start = if even.next() < 0.3 {
-            [even.between(-4.0, 4.0) * level * step * step, even.between(-2.0, 2.0) * level * step]
+        let start = if random.next() < 0.3 {
+            [random.between(-4.0, 4.0) * level * step * step, random.between(-2.0, 2.0) * level * step]
         } else {
             [0.0; 2]
         };
-        let is_one_way = start[1] >= 0.0 && even.next() < 0.08;
+        let is_one_way = start[1] >= 0.0 && random.next() < 0.08;
         Self {
             mass,
             stiffness: mass * omega * omega,
@@ -161,9 +144,9 @@ impl Machine {
 }
 
 fn machines() -> impl Iterator<Item = Machine> {
-    let mut even = Even(2_026);
+    let mut random = Random(2_026);
     let count = std::env::var("PROPTEST_CASES").map_or(150, |count| count.parse().unwrap());
-    (0..count).map(move |_| Machine::random(&mut even))
+    (0..count).map(move |_| Machine::random(&mut random))
 }
 
 #[test]

@@ -1,18 +1,9 @@
 //! Derivatives of the motion under a record by dual numbers, held against differences at high precision.
 
+use crate::generator::Random;
 use stickslip::float::{Dual, Field, Float, Mp};
 use stickslip::motion::record::{Body, Record, RecordAnswer};
 use stickslip::{Error, Excitation};
-
-/// Numbers that are spread evenly over (0, 1).
-struct Even(u64);
-
-impl Even {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
 
 /// Mass, stiffness, damping constant, friction, static friction ratio, and the scale of the record.
 type Parameters<F> = [F; 6];
@@ -50,18 +41,18 @@ fn values<F: Float>(answer: &RecordAnswer<F>) -> [(&'static str, F); 12] {
 /// derivatives allows for it.
 #[test]
 fn derivatives_are_those_of_differences() {
-    let mut even = Even(7);
+    let mut random = Random(7);
     let (mut held, mut differ) = (0, 0);
     for round in 0..220 {
-        let omega = 2.0 + 20.0 * even.next();
-        let zeta = [0.0, 0.3 * even.next(), 1.0 + even.next()][round % 3];
-        let mass = 0.5 + even.next();
-        let samples: Vec<f64> = (0..80).map(|_| 2.0 * even.next() - 1.0).chain([0.0]).collect();
-        let share = [0.1, 0.3, 0.6][round / 3 % 3] * (0.5 + even.next());
-        let eta = 1.0 + [0.1, 0.3][round % 2] * even.next();
+        let omega = 2.0 + 20.0 * random.next();
+        let zeta = [0.0, 0.3 * random.next(), 1.0 + random.next()][round % 3];
+        let mass = 0.5 + random.next();
+        let samples: Vec<f64> = (0..80).map(|_| 2.0 * random.next() - 1.0).chain([0.0]).collect();
+        let share = [0.1, 0.3, 0.6][round / 3 % 3] * (0.5 + random.next());
+        let eta = 1.0 + [0.1, 0.3][round % 2] * random.next();
         let excitation = [Excitation::Force, Excitation::SurfaceAcceleration][round / 2 % 2];
         let parameters =
-            [mass, mass * omega * omega, 2.0 * mass * zeta * omega, share * mass, eta, 1.0 + even.next()];
+            [mass, mass * omega * omega, 2.0 * mass * zeta * omega, share * mass, eta, 1.0 + random.next()];
         let dual = follow(Dual::<6>::parameters(parameters), excitation, &samples).unwrap();
         let (h, wide) = (Mp::<4>::from(1e-20), parameters.map(Mp::<4>::from));
         let mut is_smooth = true;

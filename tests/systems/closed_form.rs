@@ -1,21 +1,8 @@
 //! One contact and one harmonic load: the closed form and its border, against the paper's and the motion.
 
+use crate::generator::Random;
 use stickslip::system::{Element, Harmonic, Kind, Law, Model, Signal, State, System};
 use stickslip::{Ratios, Response};
-
-/// A number in [0, 1), by a linear congruence.
-pub(crate) struct Draw(pub(crate) u64);
-
-impl Draw {
-    pub(crate) fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(self.0 >> 33).expect("31 bits")) / f64::from(1_u32 << 31)
-    }
-
-    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-}
 
 pub(crate) fn contact(direction: Vec<f64>, friction: f64, peak: f64) -> Element<f64> {
     let kind = Kind::Contact { law: Law::constant(friction), peak, normal: None };
@@ -36,13 +23,13 @@ pub(crate) fn one_body(omega: f64, alpha: f64, damping: f64, peak: f64) -> Model
 
 #[test]
 fn one_body_is_the_papers() {
-    let mut draw = Draw(1);
+    let mut random = Random(1);
     let mut interior = 0;
     for _ in 0..400 {
-        let omega = (draw.within(0.15_f64.ln(), 6.0_f64.ln())).exp();
+        let omega = (random.between(0.15_f64.ln(), 6.0_f64.ln())).exp();
         // Interior borders need a light damper.
-        let damping = if draw.unit() < 0.5 { draw.within(0.0, 0.6) } else { draw.within(0.0, 0.02) };
-        let (damping, peak) = (damping, 1.0 + draw.unit() * draw.within(0.0, 1.0));
+        let damping = if random.next() < 0.5 { random.between(0.0, 0.6) } else { random.between(0.0, 0.02) };
+        let (damping, peak) = (damping, 1.0 + random.next() * random.between(0.0, 1.0));
         let ratios = Ratios::new(omega, 1.0)
             .and_then(|r| r.with_damping_ratio(damping))
             .and_then(|r| r.with_static_friction_ratio(peak))
@@ -53,7 +40,7 @@ fn one_body_is_the_papers() {
         interior += usize::from(border.touching_time > 0.0);
         let by = (border.least_load_factor / least - 1.0).abs();
         assert!(by < 1e-11, "Ω = {omega}, ζ = {damping}, η = {peak}: border by {by:e}");
-        let alpha = least * draw.within(1.01, 4.0);
+        let alpha = least * random.between(1.01, 4.0);
         let ratios =
             Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(damping)).expect("valid ratios");
         let Some(cycle) = Response::new(ratios).cycle else { continue };
@@ -73,13 +60,13 @@ fn one_body_is_the_papers() {
 }
 
 /// A chain of bodies with springs and dampers, all of them different, and a contact somewhere.
-pub(crate) fn structure(draw: &mut Draw) -> Model<f64> {
-    let n = 2 + usize::from(draw.unit() < 0.5) + usize::from(draw.unit() < 0.3);
+pub(crate) fn structure(random: &mut Random) -> Model<f64> {
+    let n = 2 + usize::from(random.next() < 0.5) + usize::from(random.next() < 0.3);
     let mut zero = vec![vec![0.0; n]; n];
     let (mut mass, mut damping) = (zero.clone(), zero.clone());
     for i in 0..n {
-        mass[i][i] = draw.within(0.5, 3.0);
-        let (k, c) = (draw.within(1.0, 9.0), draw.within(0.05, 0.4));
+        mass[i][i] = random.between(0.5, 3.0);
+        let (k, c) = (random.between(1.0, 9.0), random.between(0.05, 0.4));
         for (matrix, x) in [(&mut zero, k), (&mut damping, c)] {
             matrix[i][i] += x;
             if i > 0 {
@@ -90,20 +77,20 @@ pub(crate) fn structure(draw: &mut Draw) -> Model<f64> {
         }
     }
     // Springs and dampers lead from each body to the one before; the first is held by the ground.
-    let at = (draw.unit() * n as f64) as usize;
+    let at = (random.next() * n as f64) as usize;
     let mut direction = vec![0.0; n];
     direction[at] = 1.0;
-    if at > 0 && draw.unit() < 0.5 {
+    if at > 0 && random.next() < 0.5 {
         direction[at - 1] = -1.0;
     }
-    let sin = (0..n).map(|_| draw.within(-1.0, 1.0)).collect();
-    let cos = (0..n).map(|_| draw.within(-1.0, 1.0)).collect();
+    let sin = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
+    let cos = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
     Model {
         mass,
         damping,
         stiffness: zero,
-        elements: vec![contact(direction, draw.within(0.2, 1.0), 1.0)],
-        harmonics: vec![Harmonic { frequency: draw.within(0.3, 4.0), sin, cos }],
+        elements: vec![contact(direction, random.between(0.2, 1.0), 1.0)],
+        harmonics: vec![Harmonic { frequency: random.between(0.3, 4.0), sin, cos }],
         ..Model::default()
     }
 }
@@ -111,9 +98,9 @@ pub(crate) fn structure(draw: &mut Draw) -> Model<f64> {
 /// Three hundred structures, or ten times as many: a little above the border nothing sticks, a little below it does.
 #[test]
 fn the_border_divides() {
-    let mut draw = Draw(2);
+    let mut random = Random(2);
     for number in 0..crate::count(300, 3_000) {
-        let model = structure(&mut draw);
+        let model = structure(&mut random);
         let border = System::new(&model).and_then(|s| s.border()).expect("one contact");
         for (factor, sticks) in [(1.001, false), (0.999, true)] {
             let mut model = model.clone();

@@ -8,6 +8,8 @@ mod base;
 mod cases;
 mod closed_form;
 mod clutches;
+#[path = "../random/generator.rs"]
+mod generator;
 #[cfg(feature = "rayon")]
 mod grid;
 mod one_body;

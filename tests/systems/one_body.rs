@@ -1,6 +1,7 @@
 //! One body by this engine, against the exact motion of one body.
 
-use crate::closed_form::{Draw, contact, one_body};
+use crate::closed_form::{contact, one_body};
+use crate::generator::Random;
 use stickslip::motion::record::{Body, Record as Samples};
 use stickslip::motion::{DrivePhase, End, State as Phase, Trajectory};
 use stickslip::system::{EventKind, Model, Record, State, System};
@@ -25,16 +26,19 @@ const fn kind(end: End) -> Option<EventKind> {
 /// events, and the same place at the end.
 #[test]
 fn harmonic_loads() {
-    let mut draw = Draw(3);
+    let mut random = Random(3);
     let (mut count, mut stops) = (0, 0);
     for number in 0..machines() {
-        let omega = draw.within(0.1_f64.ln(), 5.0_f64.ln()).exp();
-        let damping = draw.within(0.0, 0.4) * draw.unit();
-        let peak = if draw.unit() < 0.5 { 1.0 } else { draw.within(1.0, 2.0) };
-        let alpha = draw.within(0.5_f64.ln(), 12.0_f64.ln()).exp();
-        let (x, v) =
-            if draw.unit() < 0.25 { (0.0, 0.0) } else { (draw.within(-4.0, 4.0), draw.within(-4.0, 4.0)) };
-        let mean = if draw.unit() < 0.5 { 0.0 } else { draw.within(-2.0, 2.0) };
+        let omega = random.between(0.1_f64.ln(), 5.0_f64.ln()).exp();
+        let damping = random.between(0.0, 0.4) * random.next();
+        let peak = if random.next() < 0.5 { 1.0 } else { random.between(1.0, 2.0) };
+        let alpha = random.between(0.5_f64.ln(), 12.0_f64.ln()).exp();
+        let (x, v) = if random.next() < 0.25 {
+            (0.0, 0.0)
+        } else {
+            (random.between(-4.0, 4.0), random.between(-4.0, 4.0))
+        };
+        let mean = if random.next() < 0.5 { 0.0 } else { random.between(-2.0, 2.0) };
         let periods = 8;
         let ratios = Ratios::new(omega, alpha)
             .and_then(|r| if damping > 0.0 { r.with_damping_ratio(damping) } else { Ok(r) })
@@ -94,18 +98,18 @@ fn harmonic_loads() {
 /// Bodies under random records, and after them until they rest.
 #[test]
 fn records() {
-    let mut draw = Draw(4);
+    let mut random = Random(4);
     let mut stops = 0;
     for number in 0..machines() / 4 {
-        let (mass, stiffness) = (draw.within(0.5, 4.0), draw.within(1.0, 60.0));
-        let damping = draw.within(0.0, 0.3) * 2.0 * (stiffness * mass).sqrt();
-        let friction = draw.within(0.1, 1.0);
-        let peak = if draw.unit() < 0.5 { 1.0 } else { draw.within(1.0, 1.6) };
-        let step = draw.within(0.05, 0.2);
+        let (mass, stiffness) = (random.between(0.5, 4.0), random.between(1.0, 60.0));
+        let damping = random.between(0.0, 0.3) * 2.0 * (stiffness * mass).sqrt();
+        let friction = random.between(0.1, 1.0);
+        let peak = if random.next() < 0.5 { 1.0 } else { random.between(1.0, 1.6) };
+        let step = random.between(0.05, 0.2);
         let mut value = 0.0;
         let samples: Vec<f64> = (0..30)
             .map(|_| {
-                value = 0.8 * value + draw.within(-1.5, 1.5);
+                value = 0.8 * value + random.between(-1.5, 1.5);
                 value
             })
             .collect();

@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
 
 use crate::cases::{cases, number, start, text};
+use crate::generator::Random;
 use stickslip::Float;
 use stickslip::float::{Field, Mp};
 use stickslip::system::{
@@ -115,13 +116,9 @@ fn random_systems() {
     use arbitrary::{Arbitrary, Unstructured};
     use stickslip::generators::Structure;
 
-    let (mut events, mut sampled, mut seed) = (0, 0, 1_u64);
+    let (mut events, mut sampled, mut random) = (0, 0, Random(1));
     for number in 0..crate::count(6, 300) {
-        let mut byte = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 56) as u8
-        };
-        let bytes: Vec<u8> = (0..900).map(|_| byte()).collect();
+        let bytes: Vec<u8> = (0..900).map(|_| random.byte()).collect();
         let Structure { model: given, start, until } =
             Structure::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
         let narrow = System::new(&model::<Mp<2>>(&given))
@@ -329,13 +326,13 @@ fn sampled_border<F: Float>(given: &Model<f64>) -> F {
 /// the half period, and with a static friction of its own.
 #[test]
 fn the_border_at_128_bits() {
-    use crate::closed_form::{Draw, structure};
-    let mut draw = Draw(12);
+    use crate::closed_form::structure;
+    let mut random = Random(12);
     let mut seen = [0; 2];
     while seen.iter().any(|&count| count < 3) {
-        let mut given = structure(&mut draw);
+        let mut given = structure(&mut random);
         if let Kind::Contact { peak, .. } = &mut given.elements[0].kind {
-            *peak = if draw.unit() < 0.5 { 1.0 } else { 1.25 };
+            *peak = if random.next() < 0.5 { 1.0 } else { 1.25 };
         }
         let double = System::new(&given).and_then(|s| s.border()).expect("one contact");
         let place = usize::from(double.touching_time > 0.0);

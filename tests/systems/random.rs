@@ -6,19 +6,20 @@
 #[path = "../invariants/systems.rs"]
 pub(crate) mod systems;
 
-use crate::closed_form::{Draw, contact};
+use crate::closed_form::contact;
+use crate::generator::Random;
 use stickslip::system::{Element, EventKind, Harmonic, Kind, Law, Model, Record, Signal, State, System};
 
 /// Two equal halves: what happens on one side happens on the other at the same instant, without a loop and without a slip.
 #[test]
 fn symmetric_structures() {
-    let mut draw = Draw(6);
+    let mut random = Random(6);
     let mut events = 0;
     for number in 0..300 {
-        let (m, k, c) = (draw.within(0.5, 2.0), draw.within(1.0, 6.0), draw.within(0.05, 0.5));
-        let (middle, join) = (draw.within(0.5, 2.0), draw.within(0.5, 4.0));
-        let peak = if draw.unit() < 0.5 { 1.0 } else { draw.within(1.0, 1.6) };
-        let friction = draw.within(0.1, 0.6);
+        let (m, k, c) = (random.between(0.5, 2.0), random.between(1.0, 6.0), random.between(0.05, 0.5));
+        let (middle, join) = (random.between(0.5, 2.0), random.between(0.5, 4.0));
+        let peak = if random.next() < 0.5 { 1.0 } else { random.between(1.0, 1.6) };
+        let friction = random.between(0.1, 0.6);
         let element = |at: usize, sign: f64| Element {
             name: format!("{at}"),
             direction: (0..3).map(|i| if i == at { sign } else { 0.0 }).collect(),
@@ -34,10 +35,10 @@ fn symmetric_structures() {
                 vec![-join, 2.0 * join, -join],
                 vec![0.0, -join, k + join],
             ],
-            elements: vec![element(0, 1.0), element(2, if draw.unit() < 0.5 { 1.0 } else { -1.0 })],
+            elements: vec![element(0, 1.0), element(2, if random.next() < 0.5 { 1.0 } else { -1.0 })],
             harmonics: vec![Harmonic {
-                frequency: draw.within(0.3, 3.0),
-                sin: vec![0.0, draw.within(0.5, 3.0), 0.0],
+                frequency: random.between(0.3, 3.0),
+                sin: vec![0.0, random.between(0.5, 3.0), 0.0],
                 cos: vec![],
             }],
             ..Model::default()
@@ -80,12 +81,12 @@ fn pair(elements: Vec<Element<f64>>, force: Vec<f64>) -> Model<f64> {
 /// Contacts of one direction are one contact, with the sum of their frictions at rest and in motion, whatever their order.
 #[test]
 fn equal_directions_add_their_frictions() {
-    let mut draw = Draw(7);
+    let mut random = Random(7);
     let mut events = 0;
     for number in 0..200 {
-        let force = vec![draw.within(0.2, 1.0), draw.within(-1.0, 1.0)];
+        let force = vec![random.between(0.2, 1.0), random.between(-1.0, 1.0)];
         let (kinetic, peaks) =
-            ([0.1, 0.3, 0.5].map(|r| r * draw.within(0.5, 1.0)), [1.0, draw.within(1.0, 1.5), 1.2]);
+            ([0.1, 0.3, 0.5].map(|r| r * random.between(0.5, 1.0)), [1.0, random.between(1.0, 1.5), 1.2]);
         let parts: Vec<_> = (0..3)
             .map(|i| contact(vec![if i == 1 { -1.0 } else { 1.0 }, 0.0], kinetic[i], peaks[i]))
             .collect();
@@ -124,11 +125,11 @@ fn equal_directions_add_their_frictions() {
 /// long as the forces lie in the hexagon of what the three can hold; the release is its edge, by hand.
 #[test]
 fn a_loop_of_contacts_lets_go_at_the_edge_of_what_it_holds() {
-    let mut draw = Draw(8);
+    let mut random = Random(8);
     let mut seen = [0; 3];
     for number in 0..300 {
-        let r = [draw.within(0.2, 1.0), draw.within(0.2, 1.0), draw.within(0.2, 1.0)];
-        let force = [draw.within(-1.0, 1.0), draw.within(-1.0, 1.0)];
+        let r = [random.between(0.2, 1.0), random.between(0.2, 1.0), random.between(0.2, 1.0)];
+        let force = [random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
         // With forces (f, g): |f| ≤ r₀ + r₁, |g| ≤ r₁ + r₂, |f + g| ≤ r₀ + r₂.
         let edges = [
             (force[0].abs(), r[0] + r[1], [0, 1]),

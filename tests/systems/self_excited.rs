@@ -1,6 +1,7 @@
 //! Motions without a load that varies: stick-slip on a belt, rest and growth.
 
-use crate::closed_form::{Draw, contact};
+use crate::closed_form::contact;
+use crate::generator::Random;
 use stickslip::system::{Element, Kind, Law, Model, Signal, State, Steady, SteadyKind, System};
 
 /// A body on a belt of the speed v, with the friction r in motion and peak r at rest.
@@ -18,10 +19,10 @@ fn belt(mass: f64, stiffness: f64, damping: f64, speed: f64, kind: Kind<f64>) ->
 /// Without a damper the slip is part of a circle about r/k from (peak r/k, v) on, and the rest lasts 2(peak − 1)r/(k v).
 #[test]
 fn stick_slip_on_a_belt_is_that_of_the_closed_form() {
-    let mut draw = Draw(9);
+    let mut random = Random(9);
     for number in 0..200 {
-        let (m, k, v) = (draw.within(0.5, 2.0), draw.within(1.0, 20.0), draw.within(0.05, 1.0));
-        let (r, peak) = (draw.within(0.2, 2.0), draw.within(1.1, 2.0));
+        let (m, k, v) = (random.between(0.5, 2.0), random.between(1.0, 20.0), random.between(0.05, 1.0));
+        let (r, peak) = (random.between(0.2, 2.0), random.between(1.1, 2.0));
         let kind = Kind::Contact { law: Law::constant(r), peak, normal: None };
         let system = System::new(&belt(m, k, 0.0, v, kind)).expect("valid");
         let start = State { velocity: vec![v], ..State::rest(1) };

@@ -1,9 +1,10 @@
 //! `stickslip sweep` to Parquet files, which are read back.
 
-#[cfg(unix)]
 use crate::command_line::{listens, stickslip};
 use crate::command_line::{refused, stdout};
 use crate::place::place;
+#[cfg(unix)]
+use crate::random::Random;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use std::fs::File;
@@ -363,14 +364,6 @@ fn numbers_of_more_bits_are_texts_with_all_digits() {
     assert!(rows.lines().nth(2).unwrap().len() > 75, "{rows}");
 }
 
-/// A source of numbers for changes of files (SplitMix64).
-fn drawn(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mixed = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    mixed ^ (mixed >> 31)
-}
-
 /// A finished file, or a part, of which one bit is another is named and left alone, wherever the bit is.
 #[test]
 fn a_changed_bit_of_a_file_is_named() {
@@ -378,12 +371,12 @@ fn a_changed_bit_of_a_file_is_named() {
     let sweep = "sweep steady --omega 0.3:1.3:8 --alpha 0.9:8:6";
     stdout(&format!("{sweep} --out {}", file.display()));
     let whole = std::fs::read(&file).unwrap();
-    let mut state = 1;
+    let mut random = Random(1);
     for n in 0..60 {
         let mut changed = whole.clone();
         let count = changed.len() as u64;
-        let place = (drawn(&mut state) % count) as usize;
-        changed[place] ^= 1 << (drawn(&mut state) % 8);
+        let place = random.below(count) as usize;
+        changed[place] ^= 1 << random.below(8);
         std::fs::write(&file, &changed).unwrap();
         refused(&format!("{sweep} --resume --out {}", file.display()), &["changed.parquet", "damaged"]);
         assert!(std::fs::read(&file).unwrap() == changed, "{n}: byte {place}");

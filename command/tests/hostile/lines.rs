@@ -1,5 +1,6 @@
 //! The drawing of command lines: an ordinary one, of which some values are replaced and to which some options are added.
 
+use crate::generator::Random;
 use std::path::Path;
 use std::process::Command;
 use std::sync::LazyLock;
@@ -254,25 +255,17 @@ fn command(line: &str) -> String {
 static OPTIONS: LazyLock<Vec<Vec<(String, bool)>>> =
     LazyLock::new(|| ORDINARY.iter().map(|line| options(&command(line))).collect());
 
-/// A line's source of random numbers (SplitMix64).
-pub(crate) struct Lines(u64);
+/// A line's source of random numbers.
+pub(crate) struct Lines(Random);
 
 impl Lines {
     pub(crate) fn new(seed: u64, place: u64) -> Self {
-        let mut lines = Self(seed);
-        lines.0 ^= lines.next().wrapping_add(place).wrapping_mul(0x2545_f491_4f6c_dd1d);
-        lines
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+        let first = Random(seed).bits().wrapping_add(place);
+        Self(Random(seed ^ first.wrapping_mul(0x2545_f491_4f6c_dd1d)))
     }
 
     fn below(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
+        self.0.below(count as u64) as usize
     }
 
     fn of<'a>(&mut self, some: &[&'a str]) -> &'a str {

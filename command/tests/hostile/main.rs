@@ -5,6 +5,8 @@
 //! breaks a promise is printed, so that it can be run by itself in the folder of its files.
 #![cfg(target_os = "linux")]
 
+#[path = "../../../tests/random/generator.rs"]
+mod generator;
 mod lines;
 
 use lines::Lines;

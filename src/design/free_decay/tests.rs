@@ -3,6 +3,7 @@
 use super::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
 use crate::machine::error::Error;
 use crate::motion::FreeDecay;
+use crate::random::Random;
 
 /// Turning points of the exact motion in B, by its own recursion, to the rest of the body.
 fn turns(first: f64, zeta: f64, count: usize) -> Vec<f64> {
@@ -19,12 +20,11 @@ fn turns(first: f64, zeta: f64, count: usize) -> Vec<f64> {
 }
 
 /// Normal numbers of a fixed seed.
-struct Noise(u64);
+struct Noise(Random);
 
 impl Noise {
     fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64
+        self.0.next() + 1e-300
     }
     fn normal(&mut self) -> f64 {
         (-2.0 * self.uniform().ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()
@@ -77,7 +77,7 @@ fn sampled(friction: f64, zeta: f64, noise: f64, random: &mut Noise) -> DecayIde
 #[test]
 fn a_sampled_decay_gives_its_parameters_back() {
     for zeta in [0.0, 0.01, 0.06] {
-        let found = sampled(0.4, zeta, 0.0, &mut Noise(1));
+        let found = sampled(0.4, zeta, 0.0, &mut Noise(Random(1)));
         assert!((found.friction_displacement.value - 0.4).abs() < 1e-5, "{zeta}: {found:?}");
         assert!((found.damping_ratio.value - zeta).abs() < 1e-6, "{zeta}");
         assert!((found.natural_frequency.unwrap().value - 9.0).abs() < 1e-5, "{zeta}");
@@ -88,7 +88,7 @@ fn a_sampled_decay_gives_its_parameters_back() {
 /// turning points, and of 60 by their samples.
 #[test]
 fn the_intervals_contain_the_truth() {
-    let mut random = Noise(3);
+    let mut random = Noise(Random(3));
     let (mut inside, mut tried) = ([0u32; 2], 0);
     for i in 0..2000 {
         let zeta = [0.0, 0.005, 0.02, 0.05][i % 4];

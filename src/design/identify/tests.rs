@@ -6,6 +6,7 @@ use super::{Identified, Measurement, Reading, identify};
 use crate::cycle::damped;
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::motion::{LongRun, State};
+use crate::random::Random;
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
 
 const FORCE: f64 = 12.0;
@@ -149,23 +150,16 @@ fn where_less_than_no_damping_would_fit_friction_alone_is_fitted() {
     }
 }
 
-/// A number between 0 and 1, by a generator of its own.
-fn next(seed: &mut u64) -> f64 {
-    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    (*seed >> 11) as f64 / (1u64 << 53) as f64
-}
-
 /// Amplitudes that know nothing of a resonance are refused; those of a body with errors of a fifth are not.
 #[test]
 fn white_noise_is_refused_and_a_noisy_resonance_is_not() {
-    let mut seed = 9;
+    let mut random = Random(9);
     let (mut noise_answered, mut curves_refused) = (0, 0);
     for i in 0..60u32 {
         let count = [8, 15, 30][(i % 3) as usize];
         let mut noise = curve(1.5, 0.02, (1.2, 3.6), count, false);
         for point in &mut noise {
-            point.amplitude =
-                if i % 2 == 0 { 10.0 * next(&mut seed) } else { 10f64.powf(2.0 * next(&mut seed)) };
+            point.amplitude = if i % 2 == 0 { 10.0 * random.next() } else { 10f64.powf(2.0 * random.next()) };
         }
         match identify(2.0, Some(8.0), Some(FORCE), &noise, Reading::default()) {
             Ok(_) => noise_answered += 1,
@@ -179,7 +173,7 @@ fn white_noise_is_refused_and_a_noisy_resonance_is_not() {
         }
         let mut noisy = curve(1.5, 0.02, (1.2, 3.6), count.max(15), false);
         for point in &mut noisy {
-            point.amplitude *= 1.0 + 0.2 * (next(&mut seed) + next(&mut seed) + next(&mut seed) - 1.5) * 2.0;
+            point.amplitude *= 1.0 + 0.2 * (random.next() + random.next() + random.next() - 1.5) * 2.0;
         }
         curves_refused +=
             u32::from(identify(2.0, Some(8.0), Some(FORCE), &noisy, Reading::default()).is_err());

@@ -1,6 +1,7 @@
 //! The campaign over a million points.
 
 use super::at_point;
+use crate::random::Random;
 use std::time::{Duration, Instant};
 use stickslip::enclosed::MAX_BITS;
 use stickslip::float::Mp;
@@ -16,13 +17,8 @@ fn a_million_points() {
     let number = |name: &str, otherwise: u64| std::env::var(name).map_or(otherwise, |n| n.parse().unwrap());
     let (most, seconds) = (number("STICKSLIP_POINTS", 1_000_000), number("STICKSLIP_SECONDS", 1 << 40));
     let (mut count, start) = (0, Instant::now());
-    let mut state = number("STICKSLIP_SEED", 20);
-    let mut random = move || {
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / 2f64.powi(53)
-    };
+    let mut generator = Random(number("STICKSLIP_SEED", 20));
+    let mut random = || generator.next();
     let (mut widths, mut undecided, mut values, mut more_bits) = (Vec::new(), 0, 0u64, 0);
     let (mut with, mut without) = (Duration::ZERO, Duration::ZERO);
     for i in (0..most).take_while(|_| start.elapsed().as_secs() < seconds) {

@@ -2,6 +2,7 @@
 
 use crate::command_line::{refused, stdout, stickslip};
 use crate::place::place;
+use crate::random::Random;
 
 #[test]
 fn a_sweep_goes_on_after_its_last_whole_row() {
@@ -215,11 +216,8 @@ fn a_row_of_another_point_is_refused() {
 /// computed again unless their checksum was kept.
 #[test]
 fn a_changed_bit_of_a_finished_file_is_named() {
-    let mut state = 7u64;
-    let mut drawn = |count: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 33) % count as u64) as usize
-    };
+    let mut random = Random(7);
+    let mut drawn = |count: usize| random.below(count as u64) as usize;
     for format in ["csv", "jsonl"] {
         let file = place(&format!("finished.{format}"));
         let sweep =

@@ -1,21 +1,8 @@
 //! Tests of `work.rs`.
 
 use super::{CycleAt, FrictionWork, Span};
+use crate::random::Random;
 use crate::{Cycle, Ratios};
-
-/// SplitMix64, uniform in the logarithm.
-struct Random(u64);
-
-impl Random {
-    fn scale(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        let share = ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64;
-        low * (high / low).powf(share)
-    }
-}
 
 /// Y of the cycle at v, where the body slides.
 fn amplitude(alpha: f64, gamma: f64, v: f64) -> Option<f64> {

@@ -2,27 +2,13 @@
 
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
+pub(super) use crate::random::Random;
 
 /// The width under test, and a width whose rounding is negligible beside it.
 pub(super) type Narrow = Ball<1>;
 pub(super) type Wide = Mp<8>;
 
-/// A generator of 64 random bits (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*,
-/// 2014).
-pub(super) struct Random(pub(super) u64);
-
 impl Random {
-    pub(super) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(super) fn below(&mut self, n: u64) -> u64 {
-        self.bits() % n
-    }
-
     /// A midpoint: mostly of moderate size, sometimes special, sometimes next to a multiple of π/2.
     pub(super) fn mid(&mut self) -> Mp<1> {
         let sign = if self.below(2) == 0 { Mp::of_int(1) } else { Mp::of_int(-1) };

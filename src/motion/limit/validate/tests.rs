@@ -10,6 +10,7 @@ use crate::motion::limit::shooting::shoot;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
 use crate::motion::slide::{Direction, Slide};
+use crate::random::Random;
 use crate::{Border, Ratios};
 
 /// The steady state of a cycle, if it is validated.
@@ -69,13 +70,8 @@ fn it_is_what_newtons_method_finds() {
 #[test]
 fn what_is_confirmed_comes_back() {
     let (mut found, mut all) = (0, 0);
-    let mut random = {
-        let mut state = 7u64;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 53) as f64
-        }
-    };
+    let mut generator = Random(7);
+    let mut random = || generator.next();
     for i in 0..20_000 {
         let omega = 0.13 * 1.0002f64.powi(i);
         let (equation, cycle) = cycle(omega, 1.0 + 0.003 * f64::from(1 + i % 97));

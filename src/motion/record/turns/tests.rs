@@ -1,17 +1,13 @@
 use super::*;
 use crate::machine::excitation::Excitation;
 use crate::motion::record::{Body, Record};
+use crate::random::Random;
 
 /// A turn has the bits of the follower, which takes the same step by its events.
 #[test]
 fn turns_are_those_of_the_follower() {
-    let mut state = 11u64;
-    let samples: Vec<f64> = (0..600)
-        .map(|_| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-        })
-        .collect();
+    let mut random = Random(11);
+    let samples: Vec<f64> = (0..600).map(|_| random.between(-0.5, 0.5)).collect();
     let (mut turns, mut stops, mut rests) = (0, 0, 0);
     for excitation in [Excitation::SurfaceAcceleration, Excitation::DampedFootMotion] {
         let record = Record::new(excitation, 0.01, samples.clone()).unwrap();
