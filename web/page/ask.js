@@ -30,10 +30,13 @@ class Asker {
 
   ask(kind, question, done) {
     this.waiting.delete(kind);
-    this.waiting.set(kind, { question, done });
-    if (this.running && performance.now() - this.since > PATIENCE) {
+    this.waiting.set(kind, { kind, question, done });
+    const { running } = this;
+    if (running && performance.now() - this.since > PATIENCE) {
       this.worker.terminate();
       this.start();
+      // A question of another kind is still wanted.
+      if (!this.waiting.has(running.kind)) this.waiting.set(running.kind, running);
     }
     if (!this.running) this.next();
   }

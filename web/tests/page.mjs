@@ -116,6 +116,23 @@ test("a machine that takes long does not hold up the next", async () => {
   await closed(page);
 });
 
+test("a question that takes long is answered when one of another kind comes meanwhile", async () => {
+  const page = await opened("#mode=ratios&omega=0.3&alpha=4&static_friction_ratio=1.2");
+  await page.evaluate(() => {
+    window.order = [];
+    const done = (kind) => () => order.push(kind);
+    slow.worker.terminate();
+    slow.waiting.clear();
+    slow.start();
+    slow.ask("first", question("limits", { count: 64 }), done("first"));
+    slow.since -= 2 * PATIENCE;
+    slow.ask("second", question("design"), done("second"));
+  });
+  await page.waitForFunction(() => order.length === 2);
+  assert.deepEqual(await page.evaluate(() => order.sort()), ["first", "second"]);
+  await closed(page);
+});
+
 test("a link holds the state", async () => {
   const page = await opened();
   await page.fill("#in-force", "6.5 kN");
