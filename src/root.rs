@@ -117,12 +117,18 @@ pub(crate) fn newton_from<F: Float>(start: F, low: F, high: F, mut f: impl FnMut
 /// may be outside.
 ///
 /// This is Halley's method with a bracket, halved as in [`newton_within`]. The search ends after the step whose
-/// error, `|f‴/(6f′) − (f″/2f′)²|` times its cube, is below rounding.
-pub(crate) fn halley_within<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> [F; 4]) -> F {
+/// error, `|f‴/(6f′) − (f″/2f′)²|` times its cube, is below rounding. The estimate is not one for a step that is longer than
+/// `longest`, over which f‴ changes by much: a search over a decay ended where only the other term of f is left.
+pub(crate) fn halley_within<F: Float>(
+    start: F,
+    [low, high]: [F; 2],
+    longest: Option<F>,
+    mut f: impl FnMut(F) -> [F; 4],
+) -> F {
     let mut search = Halley::new(start, low, high);
     loop {
         let is_found;
-        (search, is_found) = search.step(f(search.x));
+        (search, is_found) = search.step(f(search.x), longest);
         if is_found {
             return search.x;
         }
@@ -154,9 +160,10 @@ impl<F: Float> Halley<F> {
         Self { x, low, high, last: high - low, last_but_one: high - low }
     }
 
-    /// The next place, given the value and three derivatives at this one, and whether it is the zero.
+    /// The next place, given the value and three derivatives at this one, and whether it is the zero; `longest` is that of
+    /// [`halley_within`].
     #[inline(always)]
-    pub(crate) fn step(self, [value, slope, bend, third]: [F; 4]) -> (Self, bool) {
+    pub(crate) fn step(self, [value, slope, bend, third]: [F; 4], longest: Option<F>) -> (Self, bool) {
         let (zero, two, x) = (F::int(0), F::int(2), self.x);
         let tolerance = F::epsilon() / two;
         let is_before = value > zero;
@@ -169,7 +176,10 @@ impl<F: Float> Halley<F> {
         let size = step.abs();
         let is_good = (size * two <= self.last_but_one) & (next > low) & (next < high);
         let error = step.square() * size * ((third * inverse).abs() / F::int(6) + curve.square());
-        let is_exact = is_good & (error <= tolerance * next.abs());
+        let is_trusted = longest.is_none_or(|longest| size <= longest);
+        // The difference of two places that are far apart has the rounding of the greater.
+        let is_trusted = is_trusted & (size <= next.abs());
+        let is_exact = is_good & is_trusted & (error <= tolerance * next.abs());
         let stays = (value == zero) | (!is_good & !((middle > low) & (middle < high)));
         let next = if is_good { next } else { middle };
         let next = if stays { x } else { next };

@@ -13,6 +13,7 @@ mod ends;
 #[path = "../random/generator.rs"]
 mod generator;
 mod laws;
+mod long_steps;
 mod quiet;
 mod references;
 mod sampled;

@@ -49,8 +49,8 @@ impl<const W: usize> Number for Ball<W> {
 
     /// An approximate zero by Newton's method at midpoints, and certain signs at both sides of it.
     fn zero_within(
-        low: Self,
-        high: Self,
+        [low, high]: [Self; 2],
+        _: Option<Self>,
         _: [[Self; 2]; 2],
         f: impl Fn(Self) -> Option<[Self; 4]>,
     ) -> Option<Self> {

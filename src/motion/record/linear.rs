@@ -163,6 +163,12 @@ impl<F: Number> Linear<F> {
         if self.is_exact || t.is_within(self.reach)? { Some(self.near(t)) } else { self.far(t) }
     }
 
+    /// The longest step of a search over a length whose error Halley's estimate bounds: an eighth of the reach, over which
+    /// a derivative changes by √e at most. Within the reach it changes by e⁴ at most, which the estimate stands.
+    pub(super) fn longest_step(&self, length: F) -> Option<F> {
+        (!self.is_near(length)).then(|| self.reach * F::ratio(1, 8))
+    }
+
     /// Whether the series serves times up to this one.
     pub(super) fn is_near(&self, t: F) -> bool {
         self.is_exact || t.is_within(self.reach) == Some(true)

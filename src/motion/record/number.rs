@@ -21,10 +21,11 @@ pub(super) trait Number: Signed {
     /// eˣ.
     fn exponential(self) -> Self;
     /// The zero in `[low, high]` of a function that is positive at `low`, negative at `high` and has no other
-    /// zero between them; `f` gives the value and three derivatives, and `ends` the values at both ends.
+    /// zero between them; `f` gives the value and three derivatives, `ends` the values at both ends, and `longest` is
+    /// that of [`halley_within`].
     fn zero_within(
-        low: Self,
-        high: Self,
+        between: [Self; 2],
+        longest: Option<Self>,
         ends: [[Self; 2]; 2],
         f: impl Fn(Self) -> Option<[Self; 4]>,
     ) -> Option<Self>;
@@ -84,14 +85,14 @@ impl<F: Float> Number for F {
 
     #[inline(always)]
     fn zero_within(
-        low: Self,
-        high: Self,
+        between: [Self; 2],
+        longest: Option<Self>,
         ends: [[Self; 2]; 2],
         f: impl Fn(Self) -> Option<[Self; 4]>,
     ) -> Option<Self> {
         let nan = F::int(0) / F::int(0);
         let of = |t| f(t).unwrap_or([nan; 4]);
-        let root = halley_within(first_guess([low, high], ends), low, high, of);
+        let root = halley_within(first_guess(between, ends), between, longest, of);
         Some(root.implicit_root(|t| {
             let [value, slope, ..] = of(t);
             (value, slope)

@@ -150,6 +150,9 @@ impl<F: Number> Follower<F> {
         frequency: F,
         watch: &mut impl Watch<F>,
     ) -> Result<Rest<F>, Failure> {
+        if self.direction(time, load, watch)?.is_none() {
+            return Ok(Rest::At(self.x));
+        }
         let period = F::int(2) * F::pi() / frequency;
         self.step(&Piece::constant(load, period), time, None, watch)?;
         let end = time + period;

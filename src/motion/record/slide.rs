@@ -156,14 +156,18 @@ impl<F: Number> Slide<F> {
             let [a, jerk, ..] = of(moment);
             [a, jerk]
         });
-        F::zero_within(F::int(0), length, ends, |t| Some(of(&self.at(linear, t)?)))
+        F::zero_within([F::int(0), length], linear.longest_step(length), ends, |t| {
+            Some(of(&self.at(linear, t)?))
+        })
     }
 
     /// The zero of the velocity between two times, where it falls.
     fn zero(&self, linear: &Linear<F>, [low, high]: [F; 2], ends: [&Moment<F>; 2]) -> Option<F> {
         let sign = self.sign;
         let ends = ends.map(|moment| [sign * moment.v, sign * moment.a]);
-        F::zero_within(low, high, ends, |t| Some(self.speed(&linear.law, &linear.at(t)?)))
+        F::zero_within([low, high], linear.longest_step(high - low), ends, |t| {
+            Some(self.speed(&linear.law, &linear.at(t)?))
+        })
     }
 
     /// The speed in the direction of the slide and three derivatives, after the time of these responses.

@@ -191,13 +191,14 @@ impl<F: Number> Totals<F> {
 
     /// Includes a quantity g(t) over a stretch, its extremes inside it, too.
     ///
-    /// `at` gives g and four derivatives at a time. g″ is a free vibration and g′ such a vibration plus a constant, so
+    /// `at` gives g and four derivatives at a time; `longest` is that of the search. g″ is a free vibration and g′ such a vibration plus a constant, so
     /// that g″ has one zero at most on a stretch, and g′ two, one on either side of it.
     #[inline(never)]
     fn include(
         range: &mut Range<F>,
         [time, length]: [F; 2],
         [start, end]: [[F; 5]; 2],
+        longest: Option<F>,
         at: impl Fn(F) -> Option<[F; 5]>,
     ) -> Option<()> {
         range.include(start[0], time)?;
@@ -212,7 +213,7 @@ impl<F: Number> Totals<F> {
         let extreme = |[low, high]: [F; 2], [from, to]: [&[F; 5]; 2], sign: Ordering| {
             let of = |[_, d1, d2, d3, d4]: [F; 5]| [d1, d2, d3, d4].map(|d| number(sign) * d);
             let ends = [from, to].map(|g| [number(sign) * g[1], number(sign) * g[2]]);
-            let t = F::zero_within(low, high, ends, |t| at(t).map(of))?;
+            let t = F::zero_within([low, high], longest, ends, |t| at(t).map(of))?;
             Some((at(t)?[0], time + t))
         };
         if are_opposite(first, last) {
@@ -232,7 +233,7 @@ impl<F: Number> Totals<F> {
         if are_opposite(bend, last_bend) && first == last && are_opposite(bend, first) {
             let sign = number(bend);
             let ends = [start, end].map(|g| [sign * g[2], sign * g[3]]);
-            let turn = F::zero_within(nothing, length, ends, |t| {
+            let turn = F::zero_within([nothing, length], longest, ends, |t| {
                 // The fifth derivative serves the error of the last step alone, which the fourth bounds as well.
                 let [_, _, d2, d3, d4] = at(t)?;
                 Some([d2, d3, d4, d4].map(|d| sign * d))
@@ -291,19 +292,21 @@ impl<F: Number> Totals<F> {
             let g = slide.derivatives(&linear.law, v, a);
             (g, next(g))
         });
-        let times = [time, length];
+        let (times, longest) = ([time, length], linear.longest_step(length));
         // Where it touches zero, the velocity is none of the other direction, but for rounding.
         let of_velocity = |([v, a, jerk, bend, third], _): ([F; 5], F)| {
             [slide.sign * (slide.sign * v).larger(F::int(0)), a, jerk, bend, third]
         };
         if !has_velocity {
-            Self::include(&mut self.velocity, times, ends.map(of_velocity), |t| at(t).map(of_velocity))?;
+            Self::include(&mut self.velocity, times, ends.map(of_velocity), longest, |t| {
+                at(t).map(of_velocity)
+            })?;
         }
         let of_acceleration =
             |([_, a, jerk, bend, third], fourth): ([F; 5], F)| [a, jerk, bend, third, fourth];
         let of = ends.map(of_acceleration);
         if !has_acceleration {
-            Self::include(&mut self.acceleration, times, of, |t| at(t).map(of_acceleration))?;
+            Self::include(&mut self.acceleration, times, of, longest, |t| at(t).map(of_acceleration))?;
         }
         if has_free {
             return Some(());
@@ -313,9 +316,13 @@ impl<F: Number> Totals<F> {
             [a - load, linear.law.next(v, a), bend, third, fourth]
         };
         let [start, finish] = ends;
-        Self::include(&mut self.free_acceleration, times, [less(first, start), less(last, finish)], |t| {
-            Some(less(first + slide.slope * t, at(t)?))
-        })
+        Self::include(
+            &mut self.free_acceleration,
+            times,
+            [less(first, start), less(last, finish)],
+            longest,
+            |t| Some(less(first + slide.slope * t, at(t)?)),
+        )
     }
 }
 

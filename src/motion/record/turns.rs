@@ -334,7 +334,7 @@ impl<F: Float> Opening<F> {
         let speed = |t: F| self.slide.speed(&linear.law, &linear.near(t));
         let (mut search, mut is_found) = (self.search(length), false);
         for _ in 0..SEARCH {
-            (search, is_found) = search.step(speed(search.x));
+            (search, is_found) = search.step(speed(search.x), None);
             if is_found {
                 break;
             }

@@ -158,7 +158,7 @@ impl<F: Float, const L: usize> Turns<F, L> {
                 let slope = change * quiet.factor;
                 let slide = Slide { v: at(v, i), a: at(&start_a, i), slope, sign: quiet.sign };
                 let before = search.at(i);
-                let (next, is_found) = before.step(slide.speed(&law, &responses.at(i)));
+                let (next, is_found) = before.step(slide.speed(&law, &responses.at(i)), None);
                 let is_on = at(&searched, i) != zero;
                 search.set(
                     i,
