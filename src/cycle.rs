@@ -96,7 +96,9 @@ pub(crate) use dissipation::{
 pub(crate) use half_cycle::{HalfCycle, free_swing};
 pub(crate) use peaks::dynamic_amplification;
 #[cfg(feature = "mp")]
-pub(crate) use peaks::{arrival_acceleration, transmitted_force};
+pub(crate) use peaks::{arrival_acceleration, near_ends_or_crest, transmitted_force};
+#[cfg(feature = "mp")]
+pub(crate) use reversal::deviation_by;
 #[cfg(feature = "mp")]
 pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]

@@ -41,7 +41,6 @@
 
 pub(crate) mod angle;
 pub(crate) mod border;
-mod certain;
 pub(crate) mod cycle;
 pub(crate) mod damped;
 mod enclosure;

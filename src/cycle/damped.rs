@@ -37,7 +37,7 @@ use super::displacement::velocity_phase;
 use super::stability::MultiplierPair;
 use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
-use crate::float::{Field, Float, fused};
+use crate::float::{Field, Float, Signed, fused};
 use crate::machine::ratios::Ratios;
 #[cfg(feature = "batch")]
 use border::{Refined, refined};
@@ -118,13 +118,8 @@ impl<F: Float> DampedCycle<F> {
 
     /// The contraction of a small disturbance in half a cycle, max |λ|.
     pub(crate) fn contraction(&self) -> F {
-        let half = &self.rising.half;
-        match self.multipliers() {
-            MultiplierPair::Complex { .. } => {
-                half.decay * MultiplierPair::product(F::int(1) / self.deceleration()).sqrt()
-            }
-            MultiplierPair::Real(larger, _) => larger.abs(),
-        }
+        let (half, size) = self.rising.half.of_size_one();
+        size * half.contraction(F::int(1) / self.deceleration()).unwrap_or_else(F::unknown)
     }
 
     /// Displacement x/B and velocity x′/(Bω_d) of the rising half cycle, at the phase since its start.
@@ -269,6 +264,16 @@ impl<F: Field> HalfPeriod<F> {
         let discriminant = (self.decay * inverse).square() - self.free.square * self.sine.square()
             + z * inverse * (z * inverse + F::int(2) * c);
         (mean, discriminant)
+    }
+}
+
+impl<N: Signed> HalfPeriod<N> {
+    /// The larger modulus of the two multipliers of half a cycle, by 1/R; where they are complex `E √((R − 1)/(R + 1))`.
+    pub(crate) fn contraction(&self, inverse: N) -> Option<N> {
+        let (mean, discriminant) = self.multipliers(inverse);
+        let complex = self.decay * MultiplierPair::product(inverse).sqrt();
+        let real = mean.abs() + discriminant.larger(N::int(0)).sqrt() / (N::int(1) + inverse);
+        N::chosen(discriminant.negative(), complex, real)
     }
 }
 

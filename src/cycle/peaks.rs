@@ -47,6 +47,14 @@ pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
     max_displacement + R::int(1)
 }
 
+/// The times between two ends that are within a `turn` of an end or of a crest.
+pub(crate) fn near_ends_or_crest<F: Float>([start, end]: [F; 2], crest: F, turn: F) -> [(F, F); 3] {
+    [(start, start + turn), (crest - turn, crest + turn), (end - turn, end)].map(|(low, high)| {
+        let low = low.or_larger(start);
+        (low, if high < end { high } else { end })
+    })
+}
+
 impl<F: Float> Cycle<F> {
     /// Maximum force on the support, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of
     /// `|x + 2ζx′ + sgn x′|`, which includes the damper's force.
@@ -116,12 +124,8 @@ impl<F: Float> Cycle<F> {
         let turn = two * F::pi();
         // The crest of the slow wave: tan Ωψ = Ω Δ₀/T.
         let crest = (omega * delta).atan2(tangent.abs()).with_sign_of(-tangent) / omega;
-        let windows = [(-beta, turn - beta), (crest - turn, crest + turn), (beta - turn, beta)];
-        let inside = |(low, high): (F, F)| {
-            let low = low.or_larger(-beta);
-            (low, if high < beta { high } else { beta })
-        };
-        let windows = windows.map(inside).into_iter().filter(|(low, high)| low < high);
+        let windows = near_ends_or_crest([-beta, beta], crest, turn);
+        let windows = windows.into_iter().filter(|(low, high)| low < high);
         let bound = |_, _| Bound { curvature, value: one / F::int(0) };
         windows.fold(best, |best, (low, high)| greatest(low, high, best, bound, motion))
     }

@@ -155,9 +155,14 @@ impl<F: Float> Reversal<F> {
     #[inline]
     pub(crate) fn deviation(&self, omega: F, psi: F) -> F {
         let (s, c) = sin_cos(omega.wide() * psi);
-        let sine = self.one_minus_square * self.displacement;
-        -(self.phase_function * c + sine * s + Pair::exact(F::int(1))).value()
+        deviation_by(self.phase_function, self.one_minus_square * self.displacement, (s, c)).value()
     }
+}
+
+/// Δ₁/B of eq. 47 from α cos ω_d t₂ = K, α sin ω_d t₂ and (sin Ωψ, cos Ωψ).
+#[inline(always)]
+pub(crate) fn deviation_by<R: Field>(phase_function: R, sine: R, (s, c): (R, R)) -> R {
+    -(phase_function * c + sine * s + R::int(1))
 }
 
 /// The least `Ω²Δ₀/B` of a body that does not stick, 1, minus its possible rounding error.

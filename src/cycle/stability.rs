@@ -10,7 +10,7 @@
 //! and a whole cycle has λ² ([`Multipliers`]). Since g ≥ 1 for a cycle that does not stick, 0 ≤ s < 1, and
 //! the cycle is stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
-use crate::float::{Field, Float};
+use crate::float::{Field, Float, Signed};
 use alloc::vec::Vec;
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
@@ -80,6 +80,14 @@ pub(crate) enum MultiplierPair<F> {
     Real(F, F),
 }
 
+impl<N: Signed> MultiplierPair<N> {
+    /// The product of the two without the damper's part, `(R − 1)/(R + 1)`, from 1/R. On the border R may round to less
+    /// than 1.
+    pub(crate) fn product(inverse: N) -> N {
+        (N::int(1) - inverse).larger(N::int(0)) / (N::int(1) + inverse)
+    }
+}
+
 impl<F: Float> MultiplierPair<F> {
     /// From the mean, the square of the deviation from it times (1 + 1/R)², 1/R and e^{−ζT}: with the product
     /// `e^{−2ζT} (R − 1)/(R + 1)`.
@@ -94,12 +102,6 @@ impl<F: Float> MultiplierPair<F> {
         let product = Self::product(inverse) * decay.square();
         let smaller = if product < larger.square() { product / larger } else { larger };
         Self::Real(larger, smaller)
-    }
-
-    /// The product of the two without the damper's part, `(R − 1)/(R + 1)`, from 1/R. On the border R may round to less
-    /// than 1.
-    pub(crate) fn product(inverse: F) -> F {
-        (F::int(1) - inverse).or_larger(F::int(0)) / (F::int(1) + inverse)
     }
 
     /// The two as (real, imaginary) parts.

@@ -5,17 +5,15 @@
 //! tenth of the width.
 
 use super::angle::Angle;
-use super::certain::{not_negative, reduced};
-use super::damped::moment;
 use super::greatest::{greatest, greatest_size};
-use super::root::only_zero;
+use super::root::{by_mean_value, only_zero};
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::cycle::damped::rising::{Moment, Rising};
 use crate::cycle::equivalent::Equivalent;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::cycle::{
-    HalfCycle, arrival_acceleration, dynamic_amplification, fastest, free_swing, loop_size_inertia,
-    loop_size_stiffness, max_displacement, transmitted_force,
+    HalfCycle, arrival_acceleration, deviation_by, dynamic_amplification, fastest, free_swing,
+    loop_size_inertia, loop_size_stiffness, max_displacement, near_ends_or_crest, transmitted_force,
 };
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
@@ -58,7 +56,7 @@ pub(crate) fn outputs<const W: usize>(
         (Output::DisplacementPhase, Some(displacement_phase)),
         (Output::LoopSizeStiffness, Some(a1)),
         (Output::LoopSizeInertia, Some(loop_size_inertia(a1, omega))),
-        (Output::Contraction, Some(contraction(&rising))),
+        (Output::Contraction, half.contraction(Ball::int(1) / rising.deceleration())),
         (Output::DynamicAmplification, Some(dynamic_amplification(delta, alpha))),
     ];
     if [Output::MaxVelocity, Output::VelocityPhase, Output::Deviation].into_iter().any(&wanted) {
@@ -71,7 +69,7 @@ pub(crate) fn outputs<const W: usize>(
     // The ball of the end contains the remainder of the half cycle.
     let whole = [(Mp::ZERO, end.lower())];
     let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
-        greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))
+        greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&half.at(tau)))
     };
     let is_force_wanted = wanted(Output::TransmittedForce) || wanted(Output::Transmissibility);
     let acceleration = (wanted(Output::MaxAcceleration) || is_force_wanted && support.is_foot()).then(|| {
@@ -92,7 +90,7 @@ pub(crate) fn outputs<const W: usize>(
         } else if is_undamped {
             Some(transmitted_force(delta))
         } else {
-            of(&|at| rising.force(at, displacement(&rising, at)))
+            of(&|at| rising.force(at, rising.vibration().place(at)))
         };
         found.push((Output::TransmittedForce, carried.map(|most| support.force(most))));
         found.push((Output::Transmissibility, carried.map(|most| support.transmissibility(most))));
@@ -103,7 +101,7 @@ pub(crate) fn outputs<const W: usize>(
         } else if is_undamped {
             farthest(angle, &rising)
         } else {
-            of(&|at| rising.absolute(at, displacement(&rising, at)))
+            of(&|at| rising.absolute(at, rising.vibration().place(at)))
         };
         found.push((Output::MaxAbsoluteDisplacement, most));
     }
@@ -113,7 +111,7 @@ pub(crate) fn outputs<const W: usize>(
             let seen = rising.seen_from_foot(is_on_foot);
             let is_slow = is_undamped && *angle.known.high() < rug::Rational::from((1, 2));
             let windows = if is_slow { crests(&rising).to_vec() } else { whole.to_vec() };
-            greatest_size(&windows, &[Ball::int(0), end], |tau| seen.displacement(&moment(&half, tau)))
+            greatest_size(&windows, &[Ball::int(0), end], |tau| seen.displacement(&half.at(tau)))
         } else {
             Some(delta)
         };
@@ -149,15 +147,17 @@ fn at_greatest_velocity<const W: usize>(
     let (half, omega) = (rising.half, rising.half.omega);
     let end = half.period;
     let fastest = greatest((Mp::ZERO, end.lower()), |tau| {
-        let [value, slope, second] = rising.velocity(&moment(&half, tau));
+        let [value, slope, second] = rising.velocity(&half.at(tau));
         Jet { value, slope, second }
     })?;
     let phase = fastest.at.map(|tau| reduced(displacement_phase - Ball::pi() + omega * tau));
     let deviation = fastest.at.map(|tau| {
-        // By the mean value theorem, x changes by the velocity times the time.
-        let middle = Ball::exact(tau.mid());
-        displacement(rising, &moment(&half, middle))
-            + rising.velocity(&moment(&half, tau))[0] * (tau - middle)
+        // x changes by the velocity times the time.
+        by_mean_value(
+            tau,
+            |tau| rising.vibration().place(&half.at(tau)),
+            |tau| rising.velocity(&half.at(tau))[0],
+        )
     });
     Some(vec![
         (Output::MaxVelocity, Some(fastest.value / omega)),
@@ -176,32 +176,17 @@ fn at_only_maximum<const W: usize>(
     let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
     let psi = fastest_psi(angle, alpha, delta)?;
     let phase = reduced(displacement_phase - Ball::pi() / Ball::int(2) - omega * psi);
-    // α sin ω_d t₁ = −[K cos Ωψ + (1 − Ω²)(Δ₀/B) sin Ωψ]
     let (so, co) = (omega * psi).sin_cos();
     Some(vec![
         (Output::MaxVelocity, Some(velocity(angle, delta, psi).0)),
         (Output::VelocityPhase, Some(phase)),
-        (Output::Deviation, Some(-(k * co + q * delta * so) - Ball::int(1))),
+        (Output::Deviation, Some(deviation_by(k, q * delta, (so, co)))),
     ])
 }
 
-/// x/B.
-fn displacement<const W: usize>(rising: &Rising<Ball<W>>, at: &Moment<Ball<W>>) -> Ball<W> {
-    at.free.x - Ball::int(1) - rising.amplitude * at.drive.1 - rising.half.h * at.drive.0
-}
-
-/// max |λ| of the half cycle.
-fn contraction<const W: usize>(rising: &Rising<Ball<W>>) -> Ball<W> {
-    let (one, half) = (Ball::int(1), &rising.half);
-    let inverse = one / rising.deceleration();
-    let (mean, discriminant) = half.multipliers(inverse);
-    let complex = || half.decay * not_negative((one - inverse) / (one + inverse)).sqrt();
-    let real = || mean.abs() + not_negative(discriminant).sqrt() / (one + inverse);
-    match discriminant.sign() {
-        Some(Ordering::Less) => complex(),
-        Some(_) => real(),
-        None => complex().hull(&real()),
-    }
+/// A phase in (−2π, 2π) reduced to [0, 2π), where the reduction is certain.
+fn reduced<const W: usize>(phase: Ball<W>) -> Ball<W> {
+    if phase.is_negative() { phase + Ball::pi() * Ball::int(2) } else { phase }
 }
 
 /// The greatest absolute displacement of the cycle without damping; `None` where it is not found. As in
@@ -209,8 +194,8 @@ fn contraction<const W: usize>(rising: &Rising<Ball<W>>) -> Ball<W> {
 fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
     let half = &rising.half;
     let absolute = |tau: Ball<W>| {
-        let at = moment(half, tau);
-        rising.absolute(&at, displacement(rising, &at))
+        let at = half.at(tau);
+        rising.absolute(&at, rising.vibration().place(&at))
     };
     // K = 0: y′ is zero at the ends, and nowhere between them.
     if angle.phase_function.sign() == Some(Ordering::Equal) {
@@ -221,6 +206,7 @@ fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Optio
         let at = near.half.at(tau);
         near.absolute(&at, near.displacement(&at)).slope
     };
+    // Near K = 0 rounding hides the sign at one end, which a bracketing search would need.
     let (mut low, mut high) = (0.0, near.half.period);
     let is_first = rate(low) > 0.0;
     for _ in 0..40 {
@@ -230,10 +216,8 @@ fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Optio
     let start = Mp::of_f64(f64::midpoint(low, high));
     let turn = only_zero(start, |tau| absolute(tau).slope, |tau| absolute(tau).second)?;
     // At an extremum an error of the time hardly changes the value.
-    (turn.is_positive() && turn.is_below(&half.period)).then(|| {
-        let middle = Ball::exact(turn.mid());
-        (absolute(middle).value + absolute(turn).slope * (turn - middle)).abs()
-    })
+    (turn.is_positive() && turn.is_below(&half.period))
+        .then(|| by_mean_value(turn, |tau| absolute(tau).value, |tau| absolute(tau).slope).abs())
 }
 
 /// Greatest |x″| without damping below Ω = 1/2: on arrival, or within a fast period of an end or of the maximum of
@@ -241,7 +225,7 @@ fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Optio
 fn max_acceleration<const W: usize>(rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
     let half = &rising.half;
     let ends = [Ball::int(0), half.period];
-    greatest_size(&crests(rising), &ends, |tau| rising.acceleration(&moment(half, tau)))
+    greatest_size(&crests(rising), &ends, |tau| rising.acceleration(&half.at(tau)))
 }
 
 /// The times within a fast period of an end or of the extreme of the slow wave.
@@ -251,9 +235,7 @@ fn crests<const W: usize>(rising: &Rising<Ball<W>>) -> [(Mp<W>, Mp<W>); 3] {
     // a Ω² cos Ωτ + H Ω² sin Ωτ, whose values at the ends have opposite signs.
     let crest = (half.h.atan2(rising.amplitude) / half.omega).mid();
     let crest = if crest < Mp::ZERO { crest + half.period.mid() } else { crest };
-    let windows = [(Mp::ZERO, turn), (crest - turn, crest + turn), (end - turn, end)];
-    windows
-        .map(|(low, high)| (if low < Mp::ZERO { Mp::ZERO } else { low }, if high > end { end } else { high }))
+    near_ends_or_crest([Mp::ZERO, end], crest, turn)
 }
 
 /// v/(Bω_d) and its derivative by the centred time ψ.

@@ -1,7 +1,7 @@
 //! The greatest value of a smooth function on an interval, by branch and bound: parts that cannot contain the
 //! maximum are discarded, until each remaining part has one stationary point, proved and enclosed.
 
-use super::root::only_zero;
+use super::root::{by_mean_value, only_zero};
 use crate::float::Field;
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
@@ -90,8 +90,7 @@ fn search<const W: usize>(
                     // same ball.
                     let zero = if zero.lower() < low { zero.hull(&Ball::exact(low)) } else { zero };
                     let zero = if zero.upper() > high { zero.hull(&Ball::exact(high)) } else { zero };
-                    let step = zero - Ball::exact(zero.mid());
-                    let value = f(Ball::exact(zero.mid()), sign).value + f(zero, sign).slope * step;
+                    let value = by_mean_value(zero, |t| f(t, sign).value, |t| f(t, sign).slope);
                     best = reached(best, value.lower());
                     found.push((value, zero));
                     continue;

@@ -4,6 +4,10 @@
 //! exactly one zero in X, and it lies in N (Moore, Kearfott and Cloud, *Introduction to Interval Analysis*,
 //! SIAM 2009, theorem 8.4; in one dimension by the mean value theorem). If f depends on parameters given by
 //! balls, this holds for all their values.
+//!
+//! The zeros of `crate::root` are floats, without a proof. Where more than that f has one zero between two times is not
+//! known, as under a record, signs on both sides of it take the place of a slope
+//! (`crate::motion::record`).
 
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
@@ -41,4 +45,14 @@ pub(super) fn only_zero<const W: usize>(
         }
     }
     None
+}
+
+/// The values of a function on a ball around m, by the mean value theorem: `f(m) + f′(X) (X − m)`.
+pub(super) fn by_mean_value<const W: usize>(
+    at: Ball<W>,
+    f: impl FnOnce(Ball<W>) -> Ball<W>,
+    slope: impl FnOnce(Ball<W>) -> Ball<W>,
+) -> Ball<W> {
+    let middle = Ball::exact(at.mid());
+    f(middle) + slope(at) * (at - middle)
 }

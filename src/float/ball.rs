@@ -25,8 +25,8 @@ mod field;
 mod radius;
 mod text;
 
-use super::Signed;
 use super::mp::Mp;
+use super::{Field, Signed};
 use core::cmp::Ordering;
 pub(crate) use radius::Radius;
 pub(crate) use text::{Written, written};
@@ -221,6 +221,22 @@ impl<const W: usize> Signed for Ball<W> {
 
     fn larger(self, other: Self) -> Self {
         Self::larger(&self, &other)
+    }
+
+    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self> {
+        Some(match is_first {
+            Some(true) => first,
+            Some(false) => second,
+            None => first.hull(&second),
+        })
+    }
+
+    fn exponential(self) -> Self {
+        self.exp()
+    }
+
+    fn exponential_less_one(self) -> Self {
+        self.exp() - Self::int(1)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Float, Real};
 
 /// A number with a sign, which may be uncertain.
-pub(crate) trait Signed: Real {
+pub trait Signed: Real {
     /// Whether the number is above 0; `None` where that is uncertain, and for NaN.
     fn positive(self) -> Option<bool>;
     /// Whether the number is below 0.
@@ -23,6 +23,17 @@ pub(crate) trait Signed: Real {
     fn smaller(self, other: Self) -> Self {
         -(-self).larger(-other)
     }
+    /// `first` or `second`, as the choice says; a number that may be either, or `None`, where it is uncertain.
+    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self>;
+    /// A number of which nothing is known: NaN, or the whole line.
+    #[inline(always)]
+    fn unknown() -> Self {
+        Self::int(0) / Self::int(0)
+    }
+    /// eˣ.
+    fn exponential(self) -> Self;
+    /// eˣ − 1.
+    fn exponential_less_one(self) -> Self;
 }
 
 impl<F: Float> Signed for F {
@@ -34,5 +45,20 @@ impl<F: Float> Signed for F {
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         self.or_larger(other)
+    }
+
+    #[inline(always)]
+    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self> {
+        is_first.map(|is_first| if is_first { first } else { second })
+    }
+
+    #[inline(always)]
+    fn exponential(self) -> Self {
+        self.exp()
+    }
+
+    #[inline(always)]
+    fn exponential_less_one(self) -> Self {
+        self.exp_m1()
     }
 }

@@ -94,8 +94,7 @@ fn case<const W: usize>(place: &ExactRatios, answers: &enclosed::Response) -> Op
         is_late: is_below(answer(Output::DisplacementPhase)?, answer(Output::VelocityPhase)?)?,
     };
     let circular = Circular { k: (one - omega) * (one + omega) * tangent / omega, tangent, cos_beta };
-    let arithmetic =
-        Arithmetic { residuals: System::residuals_of_balls, falling: System::falling_of_balls, is_below };
+    let arithmetic = Arithmetic { residuals: System::residuals, falling: System::falling, is_below };
     Case::new(arithmetic, (omega, alpha, zeta), found.collect(), circular, signs)
 }
 

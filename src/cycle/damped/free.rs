@@ -1,7 +1,7 @@
 //! Free vibration with viscous damping: `x″ + 2ζx′ + x = 0` in natural time.
 
 use crate::float::pair::Pair;
-use crate::float::{Field, Float};
+use crate::float::{Field, Float, Signed};
 
 /// Free vibration at a damping ratio ζ > 0, below, at and above ζ = 1.
 ///
@@ -101,21 +101,44 @@ impl<F: Field> Free<F> {
     }
 }
 
+impl<N: Signed> Free<N> {
+    /// Both waves at t ≥ 0; unknown where the sign of 1 − ζ is.
+    #[inline]
+    pub(crate) fn waves(&self, t: N) -> Waves<N> {
+        match self.square.positive() {
+            Some(true) => {
+                let (decay, (s, c)) = ((-(self.zeta * t)).exponential(), (self.frequency * t).sin_cos());
+                Waves { cosine: decay * c, sine: decay * (s / self.frequency) }
+            }
+            Some(false) => self.decaying(t),
+            None => Waves { cosine: N::unknown(), sine: N::unknown() },
+        }
+    }
+
+    /// Both waves at t ≥ 0 from ζ = 1 on.
+    fn decaying(&self, t: N) -> Waves<N> {
+        let half = N::ratio(1, 2);
+        match self.frequency.positive() {
+            Some(true) => {
+                // e^{−ζt} cosh |d|t = e^{−t/(ζ+|d|)} (1 + e^{−2|d|t})/2, and so for the sine.
+                let slow = (-(self.slow_rate() * t)).exponential();
+                let gap = -(-(self.frequency * t * N::int(2))).exponential_less_one();
+                Waves { cosine: slow * (N::int(1) - gap * half), sine: slow * (gap * half / self.frequency) }
+            }
+            Some(false) => {
+                let decay = (-t).exponential();
+                Waves { cosine: decay, sine: decay * t }
+            }
+            None => Waves { cosine: N::unknown(), sine: N::unknown() },
+        }
+    }
+}
+
 impl<F: Float> Free<F> {
     /// Whether the body swings: ζ < 1.
     #[inline]
     pub(crate) fn swings(&self) -> bool {
         self.square > F::int(0)
-    }
-
-    /// Both waves at t ≥ 0.
-    #[inline]
-    pub(crate) fn waves(&self, t: F) -> Waves<F> {
-        if self.swings() {
-            let (decay, (s, c)) = ((-(self.zeta * t)).exp(), (self.frequency * t).sin_cos());
-            return Waves { cosine: decay * c, sine: decay * (s / self.frequency) };
-        }
-        self.decaying(t)
     }
 
     /// `e^{−ζt} cos dt − 1` without cancellation, at t ≥ 0.
@@ -157,17 +180,5 @@ impl<F: Float> Free<F> {
             power = power * t / F::from_f64(f64::from(n));
         }
         sum
-    }
-
-    /// Both waves at t ≥ 0 from ζ = 1 on.
-    fn decaying(&self, t: F) -> Waves<F> {
-        let (zero, half) = (F::int(0), F::ratio(1, 2));
-        if self.frequency == zero {
-            let decay = (-t).exp();
-            return Waves { cosine: decay, sine: decay * t };
-        }
-        // e^{−ζt} cosh |d|t = e^{−t/(ζ+|d|)} (1 + e^{−2|d|t})/2, and so for the sine.
-        let (slow, gap) = ((-(self.slow_rate() * t)).exp(), -(-(self.frequency * t * F::int(2))).exp_m1());
-        Waves { cosine: slow * (F::int(1) - gap * half), sine: slow * (gap * half / self.frequency) }
     }
 }

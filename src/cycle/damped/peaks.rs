@@ -38,9 +38,15 @@ impl<F: Field> Rising<F> {
 impl<F: Field> Vibration<F> {
     /// x and its first two derivatives, in natural time.
     pub(crate) fn displacement(&self, at: &Moment<F>) -> Jet<F> {
-        let ([slope, second, _], (a, h), (s, c)) = (self.velocity(at), self.driven, at.drive);
+        let [slope, second, _] = self.velocity(at);
+        Jet { value: self.place(at), slope, second }
+    }
+
+    /// x by its definition; [`Rising::displacement`] has a form that keeps the digits of floats.
+    pub(crate) fn place(&self, at: &Moment<F>) -> F {
+        let ((a, h), (s, c)) = (self.driven, at.drive);
         let driven = if self.whole.is_some() { F::int(0) } else { a * c + h * s };
-        Jet { value: at.free.x - F::int(1) - driven, slope, second }
+        at.free.x - F::int(1) - driven
     }
 }
 

@@ -11,7 +11,7 @@ use super::half_period::HalfPeriod;
 use super::resonance::Responses;
 use crate::cycle::phase_function::one_minus_square_wide;
 use crate::float::pair::Pair;
-use crate::float::{Field, Float};
+use crate::float::{Field, Float, Signed};
 
 /// One half cycle: the half period and the amplitude a.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,15 +34,17 @@ pub(crate) struct Moment<F> {
     pub(crate) free: FreeState<F>,
 }
 
-impl<F: Float> HalfPeriod<F> {
+impl<N: Signed> HalfPeriod<N> {
     /// The parts of the half cycle at τ in [0, T] that do not depend on the amplitude.
     #[inline]
-    pub(crate) fn at(&self, tau: F) -> Moment<F> {
+    pub(crate) fn at(&self, tau: N) -> Moment<N> {
         let waves = self.free.waves(tau);
-        let free = self.free.after(waves, F::int(1) + self.shift, self.omega * self.h);
+        let free = self.free.after(waves, N::int(1) + self.shift, self.omega * self.h);
         Moment { tau, drive: (self.omega * tau).sin_cos(), waves, free }
     }
+}
 
+impl<F: Float> HalfPeriod<F> {
     /// The moment at T − u, by free vibration back from `(1 − G, −b)`; for ζ < 1.
     pub(crate) fn before_end(&self, u: F) -> Moment<F> {
         let waves = self.free.waves(-u);

@@ -20,7 +20,9 @@
 
 use super::{Unknowns, pi_1};
 use crate::cycle::damped::free::{self, Free};
-use crate::float::{Field, Float, Real};
+#[cfg(feature = "matching")]
+use crate::float::Float;
+use crate::float::{Field, Real, Signed};
 
 /// The parameters of the equations; lengths are in units of p₀/k.
 #[derive(Debug, Clone, Copy)]
@@ -73,16 +75,19 @@ impl<F: Real> System<F> {
         (p * sine - q * cosine, self.omega * (p * cosine + q * sine))
     }
 
-    /// Eq. 21–25: left less right, by free vibration after a time.
-    pub(crate) fn residuals_by(
-        &self,
-        u: &Unknowns<F>,
-        waves: impl Fn(&Free<F>, F) -> free::Waves<F>,
-    ) -> [F; 5] {
+    /// The free vibrations after a time.
+    pub(super) fn after(&self, time: F, waves: impl Fn(&Free<F>, F) -> free::Waves<F>) -> SlopeWaves<F> {
+        SlopeWaves::of(waves(&self.free, time), self.free.zeta)
+    }
+}
+
+impl<N: Signed> System<N> {
+    /// Eq. 21–25: left less right.
+    pub fn residuals(&self, u: &Unknowns<N>) -> [N; 5] {
         let (f1, g1) = self.forced_at(u.velocity_phase);
         let (f2, g2) = self.forced_at(u.displacement_phase);
         let tau = (u.displacement_phase - u.velocity_phase) / self.omega;
-        let (near, far) = (self.after(tau, &waves), self.after(pi_1(self.omega) - tau, &waves));
+        let (near, far) = (self.after(tau, Free::waves), self.after(pi_1(self.omega) - tau, Free::waves));
         let [x, w, _] = near.from((u.deviation + self.friction - f1, u.max_velocity - g1), self.damping());
         let [y, v, _] = far.from((u.max_displacement - self.friction - f2, -g2), self.damping());
         [
@@ -94,39 +99,19 @@ impl<F: Real> System<F> {
         ]
     }
 
-    /// The free vibrations after a time.
-    pub(super) fn after(&self, time: F, waves: impl Fn(&Free<F>, F) -> free::Waves<F>) -> SlopeWaves<F> {
-        SlopeWaves::of(waves(&self.free, time), self.free.zeta)
-    }
-
-    /// Displacement and velocity of the falling half at the phase since t₂, by free vibration after a time.
-    pub(crate) fn falling_by(
-        &self,
-        u: &Unknowns<F>,
-        turn: F,
-        waves: impl Fn(&Free<F>, F) -> free::Waves<F>,
-    ) -> (F, F) {
+    /// Displacement and velocity of the falling half at the phase since t₂.
+    pub fn falling(&self, u: &Unknowns<N>, turn: N) -> (N, N) {
         let (f2, g2) = self.forced_at(u.displacement_phase);
         let start = (u.max_displacement - self.friction - f2, -g2);
         let (f, g) = self.forced_at(u.displacement_phase + turn);
-        let [x, w, _] = self.after(turn / self.omega, waves).from(start, self.damping());
+        let [x, w, _] = self.after(turn / self.omega, Free::waves).from(start, self.damping());
         (f + self.friction + x, g + w)
     }
 }
 
+#[cfg(feature = "matching")]
 impl<F: Float> System<F> {
-    /// Eq. 21–25: left less right.
-    pub fn residuals(&self, u: &Unknowns<F>) -> [F; 5] {
-        self.residuals_by(u, Free::waves)
-    }
-
-    /// Displacement and velocity of the falling half at the phase since t₂.
-    pub fn falling(&self, u: &Unknowns<F>, turn: F) -> (F, F) {
-        self.falling_by(u, turn, Free::waves)
-    }
-
     /// The largest of the lengths in the equations.
-    #[cfg(feature = "matching")]
     pub(super) fn largest_term(&self, u: &Unknowns<F>) -> F {
         let amplitude = self.forced.0.hypot(self.forced.1);
         let parts = [F::int(1), amplitude, u.max_displacement, u.max_velocity, self.omega * amplitude];

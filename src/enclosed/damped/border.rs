@@ -5,7 +5,6 @@
 //! positive at one of them and negative at the other, the maximum is enclosed. Pairs of zeros are examined
 //! from both ends of the half cycle inwards, until no value between them can reach the greatest one found.
 
-use super::moment;
 use crate::cycle::border::border_force_ratio;
 use crate::cycle::damped::border::{exceeds, rise, turning_point, zeros};
 use crate::cycle::damped::half_period::HalfPeriod;
@@ -58,7 +57,7 @@ fn touches<const W: usize>(half: &HalfPeriod<Ball<W>>, least: Ball<W>) -> Option
         }
         Ordering::Greater => {}
     }
-    let (first, _) = zeros(half, NearerEnd::First, &moment(half, Ball::int(0)).free)?;
+    let (first, _) = zeros(half, NearerEnd::First, &half.at(Ball::int(0)).free)?;
     let zero = |n: i32| first + Ball::int(n) * Ball::pi() / d;
     let last = last_zero(half, first)?;
     let (mut best, mut found) = (least, Vec::new());
@@ -67,7 +66,7 @@ fn touches<const W: usize>(half: &HalfPeriod<Ball<W>>, least: Ball<W>) -> Option
         if n > MOST {
             return None;
         }
-        let (low, high) = (moment(half, zero(n)), moment(half, zero(last - n)));
+        let (low, high) = (half.at(zero(n)), half.at(zero(last - n)));
         if exceeds(half, [&low, &high], best) == Some(false) {
             break;
         }
@@ -101,7 +100,7 @@ fn maximum_between<const W: usize>(
     low: Ball<W>,
     high: Ball<W>,
 ) -> Option<Option<Touch<W>>> {
-    let slope = |tau: Ball<W>| rise(half, NearerEnd::First, &moment(half, tau));
+    let slope = |tau: Ball<W>| rise(half, NearerEnd::First, &half.at(tau));
     let (rises, falls) = (slope(low).0, slope(high).0);
     if rises.is_negative() || falls.is_positive() {
         return Some(None);
@@ -125,7 +124,7 @@ fn maximum_between<const W: usize>(
     }
     // ρ = [b cos Ωτ − h′]/(Ω sin Ωτ), which is stationary at the maximum.
     let value = |tau: Ball<W>| {
-        let at = moment(half, tau);
+        let at = half.at(tau);
         (half.omega * half.h * at.drive.1 - at.free.v) / (half.omega * at.drive.0)
     };
     Some(Some((value(tau), tau)))

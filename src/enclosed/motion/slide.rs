@@ -10,8 +10,8 @@
 //! The free vibration f is that of the closed forms ([`Free`]), below, at and above ζ = 1.
 
 use crate::cycle::damped::free::{Free, Waves};
-use crate::enclosed::damped::{free, waves};
-use crate::enclosed::root::only_zero;
+use crate::enclosed::damped::free;
+use crate::enclosed::root::{by_mean_value, only_zero};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
@@ -104,7 +104,7 @@ impl<const W: usize> SlideBall<W> {
     pub(super) fn at(&self, phi: Ball<W>) -> MotionBall<W> {
         let DrivenBody { omega, alpha, zeta, free, forced: (p, q), .. } = self.machine;
         let (s, c) = (self.phase + omega * phi).sin_cos();
-        let f = free.after(waves(&free, phi), self.free.0, self.free.1);
+        let f = free.after(free.waves(phi), self.free.0, self.free.1);
         let (x, w) = (p * s + q * c - self.sign + f.x, omega * (p * c - q * s) + f.v);
         let two_zeta = zeta * Ball::int(2);
         let acceleration = alpha * s - x - self.sign - two_zeta * w;
@@ -115,15 +115,14 @@ impl<const W: usize> SlideBall<W> {
     /// The velocity in the direction of the slide over an interval of time, by the mean value theorem about
     /// its middle.
     pub(super) fn speed_over(&self, phi: Ball<W>) -> Ball<W> {
-        let middle = Ball::exact(phi.mid());
-        self.sign * (self.at(middle).w + self.at(phi).acceleration * (phi - middle))
+        self.sign * by_mean_value(phi, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)
     }
 
     /// The velocity zero near `guess`, with its derivatives.
     pub(super) fn end(&self, guess: Mp<W>) -> Option<SlideEnd<W>> {
         let duration = only_zero(guess, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)?;
         let DrivenBody { omega, zeta, free, .. } = self.machine;
-        let (at, Waves { cosine, sine: s }) = (self.at(duration), waves(&free, duration));
+        let (at, Waves { cosine, sine: s }) = (self.at(duration), free.waves(duration));
         // The responses after the time φ: to a unit of velocity, place s and velocity s′; to a unit of place,
         // c.
         let (change, c) = (cosine - zeta * s, cosine + zeta * s);

@@ -126,6 +126,8 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         let moved =
             Radius::above(mid).plus(half_unit(mid)).times(self.rad.over(Radius::ONE.minus_down(self.rad)));
         let moved = if self.rad.is_zero() { Radius::ZERO } else { moved };
-        Self::new(mid, bound([moved, half_unit(mid)]))
+        // e⁰ is exact.
+        let rounding = if self.mid.is_zero() { Radius::ZERO } else { half_unit(mid) };
+        Self::new(mid, bound([moved, rounding]))
     }
 }

@@ -27,24 +27,12 @@ impl<const W: usize> Number for Ball<W> {
         Self::new(self.mid(), self.rad().plus(Radius::above(most)))
     }
 
-    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self> {
-        Some(match is_first {
-            Some(true) => first,
-            Some(false) => second,
-            None => first.hull(&second),
-        })
-    }
-
     fn is_negligible(term: Self) -> bool {
         <Mp<W> as Number>::is_negligible(term.abs().upper())
     }
 
     fn is_lost(self, _: Self) -> bool {
         false
-    }
-
-    fn exponential(self) -> Self {
-        self.exp()
     }
 
     /// An approximate zero by Newton's method at midpoints, and certain signs at both sides of it.

@@ -11,15 +11,11 @@ pub(super) trait Number: Signed {
     fn is_within(self, reach: Self) -> Option<bool>;
     /// This number, widened by the error of a series.
     fn widened(self, error: Self) -> Self;
-    /// `first` or `second`, as the choice says; a number that may be either, or `None`, where it is uncertain.
-    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self>;
     /// Whether a term of a series, in which the first is of size 1, is lost in rounding.
     fn is_negligible(term: Self) -> bool;
     /// Whether this number is within the rounding of a sum of numbers of this size, each known to 64 units in its last
     /// place. The sign of a ball is certain, so that none is.
     fn is_lost(self, size: Self) -> bool;
-    /// eˣ.
-    fn exponential(self) -> Self;
     /// The zero in `[low, high]` of a function that is positive at `low`, negative at `high` and has no other
     /// zero between them; `f` gives the value and three derivatives, `ends` the values at both ends, and `longest` is
     /// that of [`halley_within`].
@@ -66,21 +62,12 @@ impl<F: Float> Number for F {
         self
     }
 
-    #[inline(always)]
-    fn chosen(is_first: Option<bool>, first: Self, second: Self) -> Option<Self> {
-        is_first.map(|is_first| if is_first { first } else { second })
-    }
-
     fn is_negligible(term: Self) -> bool {
         term.abs() < F::epsilon() * F::ratio(1, 64)
     }
 
     fn is_lost(self, size: Self) -> bool {
         self <= size * F::epsilon() * F::int(64)
-    }
-
-    fn exponential(self) -> Self {
-        self.exp()
     }
 
     #[inline(always)]
