@@ -238,7 +238,7 @@ fn crests<const W: usize>(rising: &Rising<Ball<W>>) -> [(Mp<W>, Mp<W>); 3] {
     near_ends_or_crest([Mp::ZERO, end], crest, turn)
 }
 
-/// v/(Bω_d) and its derivative by the centred time ψ.
+/// v/(Bω_d) and its derivative by the centred time ψ, of [`HalfCycle`] without its forms that keep digits beside Ω = 1.
 fn velocity<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> (Ball<W>, Ball<W>) {
     let omega = angle.omega;
     let (so, co) = (omega * psi).sin_cos();

@@ -1,5 +1,8 @@
 //! The greatest value of a smooth function on an interval, by branch and bound: parts that cannot contain the
 //! maximum are discarded, until each remaining part has one stationary point, proved and enclosed.
+//!
+//! The search of floats (`crate::greatest`) has another text: it takes the bounds on a part from what is known of the
+//! function, where balls evaluate the function on the part, and it ends at rounding, where balls prove a maximum.
 
 use super::root::{by_mean_value, only_zero};
 use crate::float::Field;

@@ -5,9 +5,8 @@
 //! SIAM 2009, theorem 8.4; in one dimension by the mean value theorem). If f depends on parameters given by
 //! balls, this holds for all their values.
 //!
-//! The zeros of `crate::root` are floats, without a proof. Where more than that f has one zero between two times is not
-//! known, as under a record, signs on both sides of it take the place of a slope
-//! (`crate::motion::record`).
+//! The searches of `crate::root` give numbers without a proof. Under a record a zero is proved by certain signs on both
+//! sides of it (`crate::motion::record`), which need no slope over a ball and hold where the slope vanishes.
 
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;

@@ -90,12 +90,21 @@ fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
     }
 }
 
+/// Whether so many bits of a ball are certain, and two more, so that the final rounding leaves one unit in the last place.
+pub(super) fn has_bits<const W: usize>(ball: &Ball<W>, bits: u32) -> bool {
+    certain_bits(ball) >= least_sharpness(bits)
+}
+
+/// Two bits more than requested.
+fn least_sharpness(bits: u32) -> i64 {
+    i64::from(bits) + 2
+}
+
 /// The answers at the requested bits, recomputed with more bits where they are undecided or not sharp enough.
 pub(super) fn sharpest(question: &impl InBalls<Found = Answers>, bits: u32) -> Result<Answers, Error> {
     let mut last: Option<Answers> = None;
     let found = with_more_bits(&PRECISIONS, bits, question, |_, found| {
-        // Two bits more than requested, so that the final rounding leaves one unit in the last place.
-        let is_sharp = found.sharpness >= i64::from(bits) + 2;
+        let is_sharp = found.sharpness >= least_sharpness(bits);
         // With intervals for the ratios, further bits cannot reduce the width that the intervals cause.
         let is_final = !found.is_exact && last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness);
         let is_enough = found.is_decided && is_sharp || is_final;

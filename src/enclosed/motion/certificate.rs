@@ -1,4 +1,7 @@
 //! Certificates that no event was missed: signs over whole intervals, by bisection until a ball proves them.
+//!
+//! Floats, which know a sign only at one time, conclude the same from the signs of the drive's power
+//! (`crate::motion::event`).
 
 use super::slide::{DrivenBody, SlideBall};
 use crate::float::ball::Ball;

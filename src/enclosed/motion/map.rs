@@ -1,4 +1,7 @@
 //! The map of the motion: from a reversal or a release to its next repetition or mirror image.
+//!
+//! Its derivatives are by phase and place of a reversal, the numbers that the proof is about. Floats follow
+//! disturbances of displacement and velocity at one phase (`crate::motion::limit::matrix`), which begin anywhere.
 
 use super::certificate::{is_one_slide, is_one_stop, reverses};
 use super::outline::Outline;

@@ -7,7 +7,9 @@
 //! (P, Q) = α (1 − Ω², −2ζΩ)/q²,   q² = (1 − Ω²)² + (2ζΩ)².
 //! ```
 //!
-//! The free vibration f is that of the closed forms ([`Free`]), below, at and above ζ = 1.
+//! The free vibration f is that of the closed forms ([`Free`]), below, at and above ζ = 1. Floats write the same motion
+//! in forms that keep their digits where forced and free vibration nearly cancel (`crate::motion::slide`), in place of
+//! which balls take more bits.
 
 use crate::cycle::damped::free::{Free, Waves};
 use crate::enclosed::damped::free;
@@ -43,7 +45,8 @@ impl<const W: usize> DrivenBody<W> {
     }
 
     /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + ση, with
-    /// increasing force.
+    /// increasing force. The arcsine of floats, from a product of two sums (`crate::motion::slide::stick`), would be
+    /// wider over intervals.
     pub(super) fn release(&self, guess: Mp<W>, place: Ball<W>, sign: Ball<W>) -> Option<Ball<W>> {
         let bound = sign * self.eta;
         only_zero(guess, |phase| self.force(phase, place) - bound, |phase| self.alpha * phase.cos())

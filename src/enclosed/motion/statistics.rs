@@ -21,6 +21,9 @@ pub(super) fn fastest<const W: usize>(slide: &SlideBall<W>, duration: &Ball<W>) 
 
 /// The multipliers of a cycle: those of the map followed by its mirror image, squared if a cycle is two
 /// applications of the map.
+///
+/// Floats take a discriminant within its rounding as zero (`crate::motion::limit::matrix`), where balls give all that
+/// it may lead to.
 pub(super) fn multipliers<const W: usize>(
     map: &Map<'_, W>,
     derivatives: &[[Ball<W>; 2]; 2],

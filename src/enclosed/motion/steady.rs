@@ -5,7 +5,7 @@ use super::outline::{Outline, outline};
 use super::slide::DrivenBody;
 use super::statistics::{fastest, multipliers};
 use super::unproved::Unproved;
-use crate::enclosed::widen::{InBalls, with_more_bits};
+use crate::enclosed::widen::{InBalls, has_bits, with_more_bits};
 use crate::enclosed::{Enclosure, Known, valid};
 use crate::float::Field;
 use crate::float::ball::{Ball, Radius};
@@ -244,10 +244,9 @@ fn described<const W: usize>(
     let omega = map.machine.omega;
     let velocity = (velocity.0 / omega, velocity.1 / omega);
     let MapStart { phase, place } = followed.start;
-    let is_sharp = [displacement.0, displacement.1, velocity.0, velocity.1, place].into_iter().all(|ball| {
-        Radius::below(ball.mid()).exponent() - ball.rad().exponent() >= i64::from(bits) + 2
-            || ball.rad().is_zero()
-    });
+    let is_sharp = [displacement.0, displacement.1, velocity.0, velocity.1, place]
+        .into_iter()
+        .all(|ball| has_bits(&ball, bits));
     let of = |ball: Ball<W>| Enclosure::of(&ball).unwrap_or_default().rounded(bits);
     let reach = |r: Radius| of(Ball::exact(r.value()));
     let is_symmetric = map.outline.half_turns % 2 == 1;

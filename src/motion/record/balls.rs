@@ -35,36 +35,32 @@ impl<const W: usize> Number for Ball<W> {
         false
     }
 
-    /// An approximate zero by Newton's method at midpoints, and certain signs at both sides of it.
+    /// The zero of floats at the midpoints, and certain signs at both sides of it.
     fn zero_within(
         [low, high]: [Self; 2],
-        _: Option<Self>,
-        _: [[Self; 2]; 2],
+        longest: Option<Self>,
+        ends: [[Self; 2]; 2],
         f: impl Fn(Self) -> Option<[Self; 4]>,
     ) -> Option<Self> {
         let at = |t: Mp<W>| f(Self::exact(t));
-        let (mut left, mut right) = (low.mid(), high.mid());
-        let mut t = (left + right).scale2(-1);
-        for _ in 0..Self::MOST_TERMS {
-            let [value, slope, ..] = at(t)?;
-            if value.contains_zero() {
-                break;
-            }
-            if value.mid() > Mp::ZERO {
-                left = t;
-            } else {
-                right = t;
-            }
-            let next = t - value.mid() / slope.mid();
-            let next = if next > left && next < right { next } else { (left + right).scale2(-1) };
-            let step = (next - t).abs();
-            t = next;
-            if step <= t.abs() * Mp::epsilon() {
-                break;
-            }
-        }
+        let (left, right) = (low.mid(), high.mid());
+        let t = Mp::zero_within(
+            [left, right],
+            longest.map(|longest| longest.mid()),
+            ends.map(|end| end.map(|ball| ball.mid())),
+            |t| {
+                let [value, slopes @ ..] = at(t)?;
+                // Within the uncertainty of f steps may go to and fro.
+                let value = if value.contains_zero() { Mp::ZERO } else { value.mid() };
+                let [first, second, third] = slopes.map(|slope| slope.mid());
+                Some([value, first, second, third])
+            },
+        )?;
+        // One more step, to the middle of the uncertainty.
         let [value, slope, ..] = at(t)?;
-        let reach = (value.abs().upper() / slope.mid()).abs() + t.abs() * Mp::epsilon();
+        let next = t - value.mid() / slope.mid();
+        let t = if next > left && next < right { next } else { t };
+        let reach = (value.rad().value() / slope.mid()).abs() + t.abs() * Mp::epsilon();
         let mut reach = reach.scale2(2);
         for _ in 0..Self::MOST_TERMS {
             // Beyond an end the sign is that of the end, which the caller knows.
