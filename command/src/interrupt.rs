@@ -8,6 +8,7 @@ use crate::failure::{Failure, Outcome};
 use std::fs;
 use std::io::{IsTerminal, Write};
 use std::ops::ControlFlow;
+use std::panic;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -112,14 +113,52 @@ fn watch() {
     end();
 }
 
-/// Ends the interrupted command without its threads.
-pub(crate) fn end() -> ! {
+/// Removes the temporary files, for an end that does not drop them.
+fn remove_temporary() {
     for place in &*TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner) {
         let _ = fs::remove_file(place);
     }
+}
+
+/// Has a panic remove the temporary files: it ends a release at once, without unwinding.
+pub(crate) fn clean_after_panic() {
+    let report = panic::take_hook();
+    panic::set_hook(Box::new(move |panic| {
+        remove_temporary();
+        report(panic);
+    }));
+}
+
+/// Ends the interrupted command without its threads.
+pub(crate) fn end() -> ! {
+    remove_temporary();
     let mut out = anstream::stderr();
     // Clears the line of a progress bar.
     let clear = if std::io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
     let _ = writeln!(out, "{clear}{} {}", crate::style::label(), Failure::Interrupted);
     process::exit(i32::from(Failure::INTERRUPTED));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::{env, mem};
+
+    /// The panic is that of a process of its own, because other tests have temporary files here.
+    #[test]
+    fn a_panic_removes_the_temporary_files() {
+        const PLACE: &str = "STICKSLIP_TEMPORARY_OF_A_PANIC";
+        if let Some(place) = env::var_os(PLACE) {
+            clean_after_panic();
+            mem::forget(Temporary::new(place.into()));
+            panic!("on purpose");
+        }
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let mut again = process::Command::new(env::current_exe().unwrap());
+        again
+            .args(["--exact", "interrupt::tests::a_panic_removes_the_temporary_files"])
+            .env(PLACE, file.path());
+        assert_eq!(again.output().unwrap().status.code(), Some(101));
+        assert!(!file.path().exists());
+    }
 }

@@ -96,6 +96,7 @@ fn run() -> ExitCode {
                 progress::silence();
             }
             interrupt::listen();
+            interrupt::clean_after_panic();
             progress::of_time();
             ended(run_command(&line.command))
         }
