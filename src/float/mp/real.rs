@@ -2,7 +2,7 @@
 
 use super::Mp;
 use super::words::{is_capacity, with_words};
-use crate::float::{AtPrecision, Field, Float, Real};
+use crate::float::{AtPrecision, Field, Float, Real, Task};
 
 /// Runs a task at the width beside the first bound that LIMBS does not exceed, or at the last width. The
 /// comparisons are constants, so that the task is compiled for one width; a `match` compiles it for each. A capacity
@@ -78,6 +78,12 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
         let (s, c) = start.sin_cos();
         let d = sine * c - cosine * s;
         start + (d + d.square() * d / Self::of_int(6))
+    }
+
+    /// The block is compiled once: a copy at each of its places would be no faster, because its operations are calls.
+    #[inline(never)]
+    fn fused<T: Task>(task: T) -> T::Output {
+        task.run()
     }
 
     /// The task runs at the least of several widths that has a quarter of the bits and a guard limb.
