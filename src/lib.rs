@@ -211,7 +211,7 @@ pub mod dependencies {
     pub use nalgebra;
     pub use num_traits;
     #[cfg(feature = "random")]
-    pub use rand_distr;
+    pub use rand;
     #[cfg(feature = "mp")]
     pub use rug;
 }

@@ -3,8 +3,8 @@
 //!
 //! | file | content |
 //! |---|---|
-//! | [`RatioBox`] | Ω, α and ζ in intervals |
-//! | [`MachineBox`] | m, k, r_y, p₀ or u_g0, ω_d and c in intervals |
+//! | `parameters` | the machine by named values, the box of ratios or of machines |
+//! | `ratios`, `machine` | the answers about each |
 //! | `enclosure` | guaranteed ranges of the displacement and the energy |
 //! | `enclosed` | ranges of any output in ball arithmetic (feature `mp`) |
 //! | `samples` | points of a box, for outputs that are not known to be monotone |
@@ -47,20 +47,22 @@
 //! 754. K(Ω) and the border count as accurate to 2 and 8 units. K² then has a margin of 10 units, 1/|1 − Ω²|
 //! of 4 for three roundings, the border of 10, and values computed from them of 8 more. The 2 and the 8 are
 //! measured bounds: with the feature `mp` a test compares the ranges with enclosures at 10⁵ points.
-//! `RatioBox::enclosed` and `MachineBox::enclosed` (feature `mp`) rest on no measured bound: they compute the
-//! range of any output in balls, with damping too.
+//! `ParameterBox::enclosed` (feature `mp`) rests on no measured bound: it computes the range of any output in balls,
+//! with damping too.
 //!
 //! ```
-//! use stickslip::uncertainty::{Interval, MachineBox};
-//! use stickslip::Output;
+//! use stickslip::uncertainty::{Interval, ParameterBox, Parameters};
+//! use stickslip::{Excitation, Output};
 //! // Friction known to ±20 %, the stiffness to ±2 %.
-//! let machine = MachineBox::force(
-//!     Interval::exactly(50.0),
-//!     Interval::relative(1000.0, 0.02)?,
-//!     Interval::relative(5.0, 0.2)?,
-//!     Interval::exactly(12.0),
-//!     Interval::exactly(6.0),
-//! )?;
+//! let machine = ParameterBox::Machine(Parameters {
+//!     excitation: Excitation::Force,
+//!     mass: Interval::exactly(50.0),
+//!     stiffness: Interval::relative(1000.0, 0.02)?,
+//!     friction_bound: Interval::relative(5.0, 0.2)?,
+//!     amplitude: Interval::exactly(12.0),
+//!     angular_frequency: Interval::exactly(6.0),
+//!     damping: Interval::exactly(0.0),
+//! });
 //! assert_eq!(machine.verdict()?.sticks(), Some(false));
 //! let stroke = machine.range(Output::MaxDisplacement, 1000)?.unwrap();
 //! assert!(stroke.is_guaranteed() && 0.0102 < stroke.low && stroke.high < 0.0138);
@@ -73,6 +75,7 @@ mod enclosed;
 mod enclosure;
 mod estimate;
 mod machine;
+mod parameters;
 #[cfg(feature = "random")]
 mod random;
 mod ratios;
@@ -80,10 +83,9 @@ mod samples;
 
 pub use estimate::Estimate;
 pub(crate) use estimate::student;
-pub use machine::MachineBox;
+pub use parameters::{ParameterBox, Parameters};
 #[cfg(feature = "random")]
-pub use random::{Exactly, Independent, MonteCarlo, Parameters};
-pub use ratios::RatioBox;
+pub use random::MonteCarlo;
 
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};

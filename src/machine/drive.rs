@@ -119,18 +119,8 @@ impl<F: Float> Drive<F> {
 
     /// The amplitude p₀ of the force on the body of `oscillator`, according to the [`Excitation`].
     pub fn force_amplitude(&self, oscillator: &Oscillator<F>) -> F {
-        let (amplitude, frequency) = (self.amplitude, self.angular_frequency);
-        match self.excitation {
-            Excitation::Force => amplitude,
-            Excitation::Unbalance => amplitude * frequency.square(),
-            Excitation::FootMotion => oscillator.stiffness() * amplitude,
-            Excitation::DampedFootMotion => {
-                oscillator.stiffness().hypot(oscillator.damping() * frequency) * amplitude
-            }
-            Excitation::SurfaceMotion => oscillator.mass() * frequency.square() * amplitude,
-            Excitation::SurfaceVelocity => oscillator.mass() * frequency * amplitude,
-            Excitation::SurfaceAcceleration => oscillator.mass() * amplitude,
-        }
+        let body = [oscillator.mass(), oscillator.stiffness(), oscillator.damping()];
+        self.excitation.force_amplitude(self.amplitude, self.angular_frequency, body)
     }
 
     /// The phase by which the force on the body is ahead of the motion of the base: `atan(c ω_d/k)` of a support

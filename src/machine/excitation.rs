@@ -1,5 +1,6 @@
 //! The kinds of excitation: a force, or a motion of the support or the base.
 
+use crate::float::Field;
 use crate::machine::error::Quantity;
 use crate::named::named;
 
@@ -47,6 +48,25 @@ impl Excitation {
             Self::FootMotion | Self::DampedFootMotion | Self::SurfaceMotion => Quantity::BaseAmplitude,
             Self::SurfaceVelocity => Quantity::BaseVelocity,
             Self::SurfaceAcceleration => Quantity::BaseAcceleration,
+        }
+    }
+
+    /// The amplitude p₀ of the force on a body of mass m on a spring k and a damper c. It does not decrease in any of
+    /// the numbers.
+    pub(crate) fn force_amplitude<F: Field>(
+        self,
+        amplitude: F,
+        frequency: F,
+        [mass, stiffness, damping]: [F; 3],
+    ) -> F {
+        match self {
+            Self::Force => amplitude,
+            Self::Unbalance => amplitude * frequency.square(),
+            Self::FootMotion => stiffness * amplitude,
+            Self::DampedFootMotion => stiffness.hypot(damping * frequency) * amplitude,
+            Self::SurfaceMotion => mass * frequency.square() * amplitude,
+            Self::SurfaceVelocity => mass * frequency * amplitude,
+            Self::SurfaceAcceleration => mass * amplitude,
         }
     }
 

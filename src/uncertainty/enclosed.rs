@@ -5,7 +5,8 @@ mod machine;
 mod parts;
 mod verdict;
 
-use super::{Evidence, Interval, Range, RatioBox};
+use super::ratios::RatioBox;
+use super::{Evidence, Interval, Range};
 use crate::cycle::regime::{Regime as Decided, Verdict};
 use crate::enclosed::{self, Enclosure, KnownRatios, Regime, Response};
 use crate::float::Float;
@@ -20,27 +21,8 @@ use rug::float::Round;
 const BITS: u32 = 64;
 
 impl<F: Float> RatioBox<F> {
-    /// The range of any output over the box, proved in ball arithmetic. It assumes neither a measured
-    /// accuracy of the formulae nor that an output is monotone. `None` where the output does not exist in
-    /// some part of the box, or where that is undecided.
-    ///
-    /// The box is cut into at most `pieces` parts, preferably at the ends of the range, and each part is
-    /// enclosed as by [`KnownRatios::response`]. The range exceeds the sharp one, by less the more parts there
-    /// are. A part takes about a millisecond, or tens of milliseconds for the peak acceleration below Ω =
-    /// 1/2. A phase may lie outside [0, 2π) by the width of its range.
-    ///
-    /// # Errors
-    /// Where a ratio is outside the domain of [`crate::Ratios`].
-    ///
-    /// ```
-    /// use stickslip::Output;
-    /// use stickslip::uncertainty::{Interval, RatioBox};
-    /// let ratios = RatioBox::new(Interval::between(0.7, 0.72)?, Interval::exactly(2.0))?;
-    /// let phase = ratios.enclosed(Output::VelocityPhase, 100)?.unwrap();
-    /// assert!(phase.is_guaranteed() && 0.71 < phase.low && phase.high < 0.83);
-    /// # Ok::<(), stickslip::Error>(())
-    /// ```
-    pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
+    /// [`super::ParameterBox::enclosed`].
+    pub(super) fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
         let Some([omega, alpha, zeta]) = self.ends() else { return Ok(None) };
         // The border does not depend on α.
         let is_of_border = !output.is_of_cycle() && output != Output::Margin;
@@ -63,7 +45,7 @@ impl<F: Float> RatioBox<F> {
 
     /// The intervals of Ω, α and ζ.
     fn ends(&self) -> Option<[Ends; 3]> {
-        Some([ends(self.omega())?, ends(self.alpha())?, ends(self.damping_ratio())?])
+        Some([ends(self.omega)?, ends(self.alpha)?, ends(self.damping_ratio)?])
     }
 }
 

@@ -3,92 +3,40 @@
 use crate::cycle::regime::Regime;
 use crate::cycle::response::Response;
 use crate::machine::error::{Error, Quantity, written};
-use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
+use crate::machine::oscillator::Scales;
 use crate::output::Output;
-use crate::uncertainty::Estimate;
-use rand::{Rng, SeedableRng};
+use crate::uncertainty::{Estimate, Parameters};
+use rand::{RngCore, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rand_distr::Distribution;
-
-/// One draw of the parameters.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters {
-    /// Mass m.
-    pub mass: f64,
-    /// Stiffness k.
-    pub stiffness: f64,
-    /// Friction force r_y.
-    pub friction_bound: f64,
-    /// Amplitude: p₀ of a force, otherwise the amplitude of the motion.
-    pub amplitude: f64,
-    /// Angular frequency ω_d.
-    pub angular_frequency: f64,
-}
-
-/// Independent parameters, each with a distribution of its own.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Independent<M, K, R, A, W> {
-    /// The distribution of the mass m.
-    pub mass: M,
-    /// The distribution of the stiffness k.
-    pub stiffness: K,
-    /// The distribution of the friction force r_y.
-    pub friction_bound: R,
-    /// The distribution of the amplitude: p₀ of a force, otherwise the amplitude of the motion.
-    pub amplitude: A,
-    /// The distribution of the angular frequency ω_d.
-    pub angular_frequency: W,
-}
-
-impl<M, K, R, A, W> Distribution<Parameters> for Independent<M, K, R, A, W>
-where
-    M: Distribution<f64>,
-    K: Distribution<f64>,
-    R: Distribution<f64>,
-    A: Distribution<f64>,
-    W: Distribution<f64>,
-{
-    fn sample<G: Rng + ?Sized>(&self, rng: &mut G) -> Parameters {
-        Parameters {
-            mass: self.mass.sample(rng),
-            stiffness: self.stiffness.sample(rng),
-            friction_bound: self.friction_bound.sample(rng),
-            amplitude: self.amplitude.sample(rng),
-            angular_frequency: self.angular_frequency.sample(rng),
-        }
-    }
-}
-
-/// The distribution of a parameter that is known exactly.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Exactly(pub f64);
-
-impl Distribution<f64> for Exactly {
-    fn sample<G: Rng + ?Sized>(&self, _: &mut G) -> f64 {
-        self.0
-    }
-}
 
 /// The results of random draws of the parameters (Monte-Carlo).
 ///
-/// Each parameter may have any distribution of `rand_distr` ([`Independent`]); correlated parameters need a
-/// user-defined distribution over all of them. The draws are reproducible: the same seed gives the same draws
-/// on every machine (ChaCha8), as far as the distributions do. Invalid draws, such as a negative friction
-/// bound from a normal distribution, are counted and not repeated. Probabilities are conditional on a valid
+/// A draw takes as many random numbers as it needs from the generator given to it, so that the parameters may have any
+/// distribution, such as those of `rand_distr`, and may depend on each other. The draws are reproducible: the same seed
+/// gives the same draws on every machine (ChaCha8), as far as the distributions do. Invalid draws, such as a negative
+/// friction bound from a normal distribution, are counted and not repeated. Probabilities are conditional on a valid
 /// draw, and [`MonteCarlo::invalid`] is the number of invalid ones.
 ///
 /// ```
-/// use stickslip::uncertainty::{Exactly, Independent, MonteCarlo};
+/// use rand_distr::{Distribution, LogNormal, Normal};
+/// use stickslip::uncertainty::{MonteCarlo, Parameters};
 /// use stickslip::{Excitation, Output, Regime};
-/// use rand_distr::{LogNormal, Normal};
-/// let machine = Independent {
-///     mass: Exactly(50.0),
-///     stiffness: Normal::new(1000.0, 20.0).unwrap(),
-///     friction_bound: LogNormal::from_mean_cv(5.0, 0.4).unwrap(),
-///     amplitude: Exactly(12.0),
-///     angular_frequency: Exactly(6.0),
-/// };
-/// let found = MonteCarlo::new(&machine, Excitation::Force, &[Output::MaxDisplacement], 20_000, 7)?;
+/// let stiffness = Normal::new(1000.0, 20.0).unwrap();
+/// let friction = LogNormal::from_mean_cv(5.0, 0.4).unwrap();
+/// let found = MonteCarlo::new(
+///     |rng| Parameters {
+///         excitation: Excitation::Force,
+///         mass: 50.0,
+///         stiffness: stiffness.sample(rng),
+///         friction_bound: friction.sample(rng),
+///         amplitude: 12.0,
+///         angular_frequency: 6.0,
+///         damping: 0.0,
+///     },
+///     &[Output::MaxDisplacement],
+///     20_000,
+///     7,
+/// )?;
 /// let sticking = found.probability(Regime::Sticking);
 /// // P(r_y > p₀/α_min = 8.115) is 0.0736 by the distribution function, at k = 1000.
 /// assert!((sticking.value - 0.0736).abs() < 4.0 * sticking.standard_error);
@@ -111,14 +59,12 @@ pub struct MonteCarlo {
 }
 
 impl MonteCarlo {
-    /// Draws a machine `draws` times under a force or a motion, and keeps these `outputs` in physical units
-    /// ([`Output::unit`]).
+    /// Draws a machine and its drive `draws` times, and keeps these `outputs` in physical units ([`Output::unit`]).
     ///
     /// # Errors
     /// Where `draws` is zero.
     pub fn new(
-        machine: &impl Distribution<Parameters>,
-        excitation: Excitation,
+        mut draw: impl FnMut(&mut dyn RngCore) -> Parameters<f64>,
         outputs: &[Output],
         draws: u32,
         seed: u64,
@@ -130,8 +76,7 @@ impl MonteCarlo {
         let mut regimes = Regime::ALL.map(|regime| (regime, 0));
         let mut outputs: Vec<_> = outputs.iter().map(|&output| (output, Vec::new())).collect();
         for _ in 0..draws {
-            let p = machine.sample(&mut rng);
-            let Ok((response, scales)) = answer(&p, excitation) else { continue };
+            let Ok((response, scales)) = answer(&draw(&mut rng)) else { continue };
             for (regime, count) in &mut regimes {
                 *count = u32::saturating_add(*count, u32::from(*regime == response.regime));
             }
@@ -214,28 +159,32 @@ impl MonteCarlo {
 }
 
 /// The answer for one draw, and its scales.
-fn answer(p: &Parameters, excitation: Excitation) -> Result<(Response<f64>, Scales<f64>), Error> {
-    let body = Oscillator::new(p.mass, p.stiffness, p.friction_bound)?;
-    let drive = Drive::new(excitation, p.amplitude, p.angular_frequency)?;
+fn answer(drawn: &Parameters<f64>) -> Result<(Response<f64>, Scales<f64>), Error> {
+    let (body, drive) = drawn.machine()?;
     Ok((Response::new(drive.ratios(&body)?), Scales::new(&body, &drive)?))
 }
 
 #[cfg(test)]
 mod tests {
     use super::{MonteCarlo, Parameters};
-    use crate::{Cycle, Excitation, Output, Ratios, Regime};
-    use core::cell::Cell;
-    use rand::Rng;
-    use rand_distr::Distribution;
+    use crate::{Cycle, Error, Excitation, Output, Ratios, Regime};
 
-    /// A fixed list of draws: (r_y, p₀, ω_d) in turn.
-    struct InTurn<'a>(&'a [[f64; 3]], Cell<usize>);
-
-    impl Distribution<Parameters> for InTurn<'_> {
-        fn sample<G: Rng + ?Sized>(&self, _: &mut G) -> Parameters {
-            let [friction_bound, amplitude, angular_frequency] = self.0[self.1.replace(self.1.get() + 1)];
-            Parameters { mass: 1.0, stiffness: 4.0, friction_bound, amplitude, angular_frequency }
-        }
+    /// The first draws of a fixed list of (r_y, p₀, ω_d).
+    fn first(draws: &[[f64; 3]], count: u32) -> Result<MonteCarlo, Error> {
+        let mut next = draws.iter();
+        let draw = |_: &mut dyn rand::RngCore| {
+            let &[friction_bound, amplitude, angular_frequency] = next.next().unwrap();
+            Parameters {
+                excitation: Excitation::Force,
+                mass: 1.0,
+                stiffness: 4.0,
+                friction_bound,
+                amplitude,
+                angular_frequency,
+                damping: 0.0,
+            }
+        };
+        MonteCarlo::new(draw, &[Output::MaxDisplacement], count, 1)
     }
 
     #[test]
@@ -252,8 +201,7 @@ mod tests {
             [1.0, 2.0, 2.0],
         ];
         let output = Output::MaxDisplacement;
-        let machine = InTurn(&draws, Cell::new(0));
-        let found = MonteCarlo::new(&machine, Excitation::Force, &[output], 9, 1).unwrap();
+        let found = first(&draws, 9).unwrap();
         assert_eq!((found.draws, found.invalid), (9, 2));
         for (regime, count) in
             [(Regime::Stuck, 1u32), (Regime::Sticking, 2), (Regime::NonSticking, 3), (Regime::Unbounded, 1)]
@@ -294,10 +242,8 @@ mod tests {
         assert_eq!(mean.degrees_of_freedom, 2.0);
         // The mean of one value has no standard error; that of two has.
         for (count, is) in [(1, false), (2, false), (3, true)] {
-            let some = MonteCarlo::new(&InTurn(&draws, Cell::new(0)), Excitation::Force, &[output], count, 1)
-                .unwrap();
-            assert_eq!(some.mean(output).is_some(), is, "{count}");
+            assert_eq!(first(&draws, count).unwrap().mean(output).is_some(), is, "{count}");
         }
-        assert!(MonteCarlo::new(&InTurn(&draws, Cell::new(0)), Excitation::Force, &[output], 0, 1).is_err());
+        assert!(first(&draws, 0).is_err());
     }
 }

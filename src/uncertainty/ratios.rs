@@ -16,75 +16,33 @@ use crate::output::Output;
 #[cfg(feature = "mp")]
 pub(super) const VERDICT_PARTS: u32 = 1000;
 
-/// Frequency and force ratio in intervals, and the damping ratio if there is a damper
-/// ([`RatioBox::with_damping_ratio`]).
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[must_use]
-pub struct RatioBox<F> {
-    omega: Interval<F>,
-    alpha: Interval<F>,
-    damping_ratio: Interval<F>,
+/// Ω, α and ζ in intervals whose ends are in the domain of [`Ratios`].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RatioBox<F> {
+    pub(super) omega: Interval<F>,
+    pub(super) alpha: Interval<F>,
+    pub(super) damping_ratio: Interval<F>,
 }
 
 impl<F: Float> RatioBox<F> {
-    /// The box of all Ω of one interval and all α of the other.
-    ///
     /// # Errors
     /// Where an end is outside the domain of [`Ratios`].
-    pub fn new(omega: Interval<F>, alpha: Interval<F>) -> Result<Self, Error> {
-        Ratios::new(omega.low, alpha.low)?;
-        Ratios::new(omega.high, alpha.high)?;
-        Ok(Self { omega, alpha, damping_ratio: Interval::exactly(F::int(0)) })
-    }
-
-    /// This box with the damping ratio ζ in an interval.
-    ///
-    /// Ranges are then sampled ([`RatioBox::range`]) or, with the feature `mp`, proved
-    /// (`RatioBox::enclosed`).
-    ///
-    /// # Errors
-    /// Where an end is outside the domain of [`Ratios::with_damping_ratio`].
-    pub fn with_damping_ratio(self, damping_ratio: Interval<F>) -> Result<Self, Error> {
-        let any = Ratios::new(self.omega.low, self.alpha.low)?;
-        any.with_damping_ratio(damping_ratio.low)?;
-        any.with_damping_ratio(damping_ratio.high)?;
-        Ok(Self { damping_ratio, ..self })
-    }
-
-    /// The interval of Ω.
-    pub const fn omega(&self) -> Interval<F> {
-        self.omega
-    }
-
-    /// The interval of α.
-    pub const fn alpha(&self) -> Interval<F> {
-        self.alpha
-    }
-
-    /// The interval of ζ.
-    pub const fn damping_ratio(&self) -> Interval<F> {
-        self.damping_ratio
+    pub(super) fn new(
+        omega: Interval<F>,
+        alpha: Interval<F>,
+        damping_ratio: Interval<F>,
+    ) -> Result<Self, Error> {
+        Ratios::new(omega.low, alpha.low)?.with_damping_ratio(damping_ratio.low)?;
+        Ratios::new(omega.high, alpha.high)?.with_damping_ratio(damping_ratio.high)?;
+        Ok(Self { omega, alpha, damping_ratio })
     }
 
     fn is_damped(&self) -> bool {
         self.damping_ratio.high > F::int(0)
     }
 
-    /// The verdict that holds for all ratios in the box.
-    ///
-    /// With damping it needs the feature `mp`, and takes some tenths of a second: it follows from the margin in ball
-    /// arithmetic, where need be over 1000 parts of the box. Without the feature the verdict is undecided where α
-    /// exceeds 1.
-    ///
-    /// **Proved** with damping: where the margin is above 1 throughout, the body never stops; where it is below, there is
-    /// no cycle of two reversals without a stop. **Searched:** that the body then stops, as in [`Verdict::Sticking`]. The
-    /// verdict is undecided where a cycle of six reversals may exist (next to a pole, with little damping), where the box
-    /// would need more parts, and where it contains Ω = 1 without damping, so that the motion is unbounded.
-    ///
-    /// # Errors
-    /// Where Ω or α leaves the domain of [`Ratios`].
-    pub fn verdict(&self) -> Result<Verdict<F>, Error> {
+    /// [`super::ParameterBox::verdict`].
+    pub(super) fn verdict(&self) -> Result<Verdict<F>, Error> {
         if self.is_damped() {
             return self.damped_verdict();
         }
@@ -92,17 +50,8 @@ impl<F: Float> RatioBox<F> {
         Verdict::within(ends(self.omega), ends(self.alpha))
     }
 
-    /// The range of an output over the box, dimensionless; `None` where the output exists at none of the
-    /// points tried.
-    ///
-    /// The range is guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at a single Ω (see
-    /// the module's documentation). It is sampled for all other outputs, with damping, and for outputs of the
-    /// cycle where the body may stick or the box contains Ω = 1. `points` is the number of points or of
-    /// pieces.
-    ///
-    /// # Errors
-    /// As [`RatioBox::verdict`].
-    pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
+    /// [`super::ParameterBox::range`].
+    pub(super) fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
         match self.guaranteed(output, points)? {
             Some(range) => Ok(Some(range)),
             None => samples::range((points, if self.is_damped() { 3 } else { 2 }), |[o, a, z]: [F; 3]| {

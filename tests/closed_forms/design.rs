@@ -8,7 +8,7 @@ use stickslip::design::{
     self, Edge, OptimumKind, bands, force_ratio_for_displacement, force_ratio_for_velocity,
     most_dissipating_force_ratio, most_dissipating_frequency_ratio,
 };
-use stickslip::uncertainty::{Interval, RatioBox};
+use stickslip::uncertainty::{Interval, ParameterBox};
 use stickslip::{
     Border, Cycle, Drive, Excitation, Oscillator, Output, PhaseFunction, Ratios, Regime, Response, Verdict,
 };
@@ -239,7 +239,11 @@ proptest! {
         share in 0.0f64..1.0,
     ) {
         let (low, high) = (ends.0.min(ends.1), ends.0.max(ends.1));
-        let ratios = RatioBox::new(Interval::between(low, high).unwrap(), Interval::exactly(2.0)).unwrap();
+        let ratios = ParameterBox::Ratios {
+            omega: Interval::between(low, high).unwrap(),
+            alpha: Interval::exactly(2.0),
+            damping_ratio: Interval::exactly(0.0),
+        };
         let range = ratios.range(Output::MinForceRatio, 0).unwrap().unwrap();
         let inside = border((low + share * (high - low)).clamp(low, high));
         prop_assert!(range.low <= inside && inside <= range.high);

@@ -5,12 +5,30 @@ mod machines;
 mod monte_carlo;
 
 use crate::random::Random;
-use stickslip::uncertainty::{Evidence, Interval, MachineBox, Range, RatioBox};
-use stickslip::{Border, Error, Output, Ratios, Regime, Response};
+use stickslip::uncertainty::{Evidence, Interval, ParameterBox, Parameters, Range};
+use stickslip::{Border, Error, Excitation, Output, Ratios, Regime, Response};
 
 fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
     let share = width * random.next();
     if share < 0.2 * width { Interval::exactly(x) } else { Interval::relative(x, share).unwrap() }
+}
+
+fn undamped(omega: Interval<f64>, alpha: Interval<f64>) -> ParameterBox<f64> {
+    ParameterBox::Ratios { omega, alpha, damping_ratio: Interval::exactly(0.0) }
+}
+
+/// A machine of m, k, r_y, the amplitude, ω_d and c.
+fn machine(excitation: Excitation, intervals: [Interval<f64>; 6]) -> ParameterBox<f64> {
+    let [mass, stiffness, friction_bound, amplitude, angular_frequency, damping] = intervals;
+    ParameterBox::Machine(Parameters {
+        excitation,
+        mass,
+        stiffness,
+        friction_bound,
+        amplitude,
+        angular_frequency,
+        damping,
+    })
 }
 
 fn within(random: &mut Random, i: Interval<f64>) -> f64 {
@@ -37,7 +55,7 @@ fn guaranteed_ranges_of_ratios_hold_everywhere() {
         let width = if i % 2 == 0 { 0.01 } else { 0.2 };
         let alpha = Border::new(omega).unwrap().min_force_ratio * random.scale(0.5, 8.0);
         let (omega, alpha) = (interval(&mut random, omega, width), interval(&mut random, alpha, 0.3));
-        let whole = RatioBox::new(omega, alpha).unwrap();
+        let whole = undamped(omega, alpha);
         let sticks = whole.verdict().unwrap().sticks();
         let ranges: Vec<_> = Output::ALL.iter().map(|o| whole.range(*o, 40).unwrap()).collect();
         for _ in 0..60 {
@@ -85,7 +103,7 @@ fn guaranteed_ranges_hold_the_exact_values() {
         let alpha = Border::new(omega).unwrap().min_force_ratio * (1.0 + random.scale(1e-12, 8.0));
         let width = if i % 3 == 0 { 0.0 } else { random.scale(1e-16, 1e-3) };
         let (omega, alpha) = (interval(&mut random, omega, width), interval(&mut random, alpha, width));
-        let whole = RatioBox::new(omega, alpha).unwrap();
+        let whole = undamped(omega, alpha);
         for output in Output::ALL {
             let Some(range) = whole.range(output, 3).unwrap().filter(Range::is_guaranteed) else { continue };
             let [low, high] = [range.low, range.high].map(Mp::<4>::from_f64);
@@ -116,7 +134,8 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
         let alpha = Border::new(omega).unwrap().min_force_ratio * random.scale(1.1, 8.0);
         let omega = Interval::relative(omega, 0.002).unwrap();
         let width = random.scale(0.005, 0.1);
-        let whole = RatioBox::new(omega, Interval::relative(alpha, width).unwrap()).unwrap();
+        let alpha = Interval::relative(alpha, width).unwrap();
+        let whole = undamped(omega, alpha);
         if whole.verdict().unwrap().sticks() != Some(false) {
             continue;
         }
@@ -135,7 +154,7 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
             for i in 0..=400 {
                 for j in [0.0, 0.25, 0.5, 0.75, 1.0] {
                     let at = |i: Interval<f64>, share: f64| i.low() + (i.high() - i.low()) * share;
-                    let ratios = Ratios::new(at(omega, f64::from(i) / 400.0), at(whole.alpha(), j)).unwrap();
+                    let ratios = Ratios::new(at(omega, f64::from(i) / 400.0), at(alpha, j)).unwrap();
                     let value = output.of(&Response::new(ratios)).unwrap();
                     (low, high) = (f64::min(low, value), f64::max(high, value));
                 }
@@ -147,7 +166,7 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
             );
         }
         // The range of V₀ is guaranteed at a single frequency.
-        let at_one = RatioBox::new(Interval::exactly(omega.low()), whole.alpha()).unwrap();
+        let at_one = undamped(Interval::exactly(omega.low()), alpha);
         let fastest = at_one.range(Output::MaxVelocity, 100).unwrap().unwrap();
         assert_eq!(fastest.evidence, Evidence::Guaranteed { sharp: true });
         assert!(!whole.range(Output::MaxVelocity, 100).unwrap().unwrap().is_guaranteed());
@@ -164,14 +183,15 @@ fn what_is_wrong_is_named() {
     assert!(Interval::relative(2.0, -0.1).is_err() && Interval::absolute(2.0, f64::NAN).is_err());
     let one = Interval::exactly(1.0);
     let negative = Interval::absolute(1.0, 2.0).unwrap();
-    assert!(RatioBox::new(negative, one).is_err() && RatioBox::new(one, negative).is_err());
-    assert!(MachineBox::force(one, one, negative, one, one).is_err());
+    assert!(undamped(negative, one).verdict().is_err() && undamped(one, negative).verdict().is_err());
+    let refused = machine(Excitation::Force, [one, one, negative, one, one, one]);
+    assert!(refused.verdict().is_err() && refused.range(Output::Margin, 1).is_err());
     // The body sticks throughout: the cycle has no displacement anywhere, while the border is known.
-    let sticking = RatioBox::new(Interval::exactly(0.7), Interval::exactly(1.2)).unwrap();
+    let sticking = undamped(Interval::exactly(0.7), Interval::exactly(1.2));
     assert_eq!(sticking.range(Output::MaxDisplacement, 10), Ok(None));
     assert!(sticking.range(Output::MinForceRatio, 10).unwrap().unwrap().is_guaranteed());
     // Across the border, the cycle exists in part of the box.
-    let over = RatioBox::new(Interval::exactly(0.7), Interval::between(1.2, 1.5).unwrap()).unwrap();
+    let over = undamped(Interval::exactly(0.7), Interval::between(1.2, 1.5).unwrap());
     let Evidence::Sampled { points, existing } =
         over.range(Output::MaxDisplacement, 100).unwrap().unwrap().evidence
     else {
@@ -185,8 +205,13 @@ fn what_is_wrong_is_named() {
 #[test]
 fn a_damper_takes_balls() {
     let exactly = Interval::exactly;
-    let whole = RatioBox::new(exactly(0.7), exactly(9.0)).unwrap();
-    let damped = whole.with_damping_ratio(Interval::between(0.1, 0.2).unwrap()).unwrap();
+    let whole = undamped(exactly(0.7), exactly(9.0));
+    let with = |low, high| ParameterBox::Ratios {
+        omega: exactly(0.7),
+        alpha: exactly(9.0),
+        damping_ratio: Interval::between(low, high).unwrap(),
+    };
+    let damped = with(0.1, 0.2);
     assert_eq!(whole.verdict().unwrap().regime(), Some(Regime::NonSticking));
     let proved = cfg!(feature = "mp").then_some(Regime::NonSticking);
     assert_eq!(damped.verdict().unwrap().regime(), proved);
@@ -197,12 +222,12 @@ fn a_damper_takes_balls() {
         assert!(holds(&range, value) && !range.is_guaranteed(), "{zeta}: {value} {range:?}");
     }
     // A damper that may be absent counts.
-    let perhaps = whole.with_damping_ratio(Interval::between(0.0, 0.2).unwrap()).unwrap();
+    let perhaps = with(0.0, 0.2);
     let range = perhaps.range(Output::MaxDisplacement, 50).unwrap().unwrap();
     for zeta in [0.0, 0.1, 0.2] {
         let ratios = Ratios::new(0.7, 9.0).unwrap().with_damping_ratio(zeta).unwrap();
         let value = Output::MaxDisplacement.of(&Response::new(ratios)).unwrap();
         assert!(holds(&range, value) && !range.is_guaranteed(), "{zeta}: {value} {range:?}");
     }
-    assert!(whole.with_damping_ratio(Interval::between(-1.0, 1.0).unwrap()).is_err());
+    assert!(with(-1.0, 1.0).verdict().is_err());
 }

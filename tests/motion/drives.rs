@@ -414,7 +414,7 @@ fn the_support_of_a_moving_foot_carries_the_mass_times_the_acceleration() -> Res
 fn every_way_to_an_output_knows_the_excitation() {
     use stickslip::Regime;
     use stickslip::sensitivity::Sensitivities;
-    use stickslip::uncertainty::{Exactly, Independent, Interval, MachineBox, MonteCarlo};
+    use stickslip::uncertainty::{Interval, MonteCarlo, ParameterBox, Parameters};
     let outputs = [Output::TransmittedForce, Output::Transmissibility, Output::MaxAbsoluteDisplacement];
     let mut random = Random(4);
     let mut moving = 0;
@@ -430,27 +430,26 @@ fn every_way_to_an_output_knows_the_excitation() {
         moving += 1;
         let derived = Sensitivities::by_parameters(&body, &drive).unwrap();
         let written = serde_json::to_value(response).unwrap();
-        let exactly = Interval::exactly;
-        let [mass, stiffness, friction] = [m.mass, m.stiffness, m.friction].map(exactly);
-        let [amplitude, frequency] = [m.amplitude, m.frequency].map(exactly);
-        let machine = match m.excitation {
-            Excitation::Force => Some(MachineBox::force(mass, stiffness, friction, amplitude, frequency)),
-            Excitation::FootMotion => {
-                Some(MachineBox::foot_motion(mass, stiffness, friction, amplitude, frequency))
-            }
-            _ => None,
+        let boxed = ParameterBox::Machine(Parameters {
+            excitation: m.excitation,
+            mass: Interval::exactly(m.mass),
+            stiffness: Interval::exactly(m.stiffness),
+            friction_bound: Interval::exactly(m.friction),
+            amplitude: Interval::exactly(m.amplitude),
+            angular_frequency: Interval::exactly(m.frequency),
+            damping: Interval::exactly(m.damping),
+        });
+        let draw = Parameters {
+            excitation: m.excitation,
+            mass: m.mass,
+            stiffness: m.stiffness,
+            friction_bound: m.friction,
+            amplitude: m.amplitude,
+            angular_frequency: m.frequency,
+            damping: m.damping,
         };
-        let machine = machine.map(|machine| machine.unwrap().with_damping(exactly(m.damping)).unwrap());
-        let draws = Independent {
-            mass: Exactly(m.mass),
-            stiffness: Exactly(m.stiffness),
-            friction_bound: Exactly(m.friction),
-            amplitude: Exactly(m.amplitude),
-            angular_frequency: Exactly(m.frequency),
-        };
-        let drawn =
-            (m.damping == 0.0).then(|| MonteCarlo::new(&draws, m.excitation, &outputs, 1, 1).unwrap());
-        assert!(drawn.as_ref().is_none_or(|drawn| drawn.count(Regime::NonSticking) == 1));
+        let drawn = MonteCarlo::new(|_| draw, &outputs, 1, 1).unwrap();
+        assert_eq!(drawn.count(Regime::NonSticking), 1);
         for output in outputs {
             let due = output.of(&response);
             assert_eq!(written[output.name()].as_f64(), due, "{output} of {m:?}");
@@ -463,14 +462,10 @@ fn every_way_to_an_output_knows_the_excitation() {
                 );
             };
             same(derived.of(output).map(|found| found.value), "derivative");
-            if let Some(machine) = &machine {
-                same(machine.range(output, 1).unwrap().map(|range| range.low), "box");
-                let enclosed = machine.enclosed(output, 1).unwrap();
-                same(enclosed.map(|range| f64::midpoint(range.low, range.high)), "enclosure");
-            }
-            if let Some(drawn) = &drawn {
-                same(drawn.values(output).first().copied(), "draw");
-            }
+            same(boxed.range(output, 1).unwrap().map(|range| range.low), "box");
+            let enclosed = boxed.enclosed(output, 1).unwrap();
+            same(enclosed.map(|range| f64::midpoint(range.low, range.high)), "enclosure");
+            same(drawn.values(output).first().copied(), "draw");
         }
     }
     assert!(moving > 40, "{moving}");

@@ -2,13 +2,13 @@
 
 use crate::random::Random;
 use stickslip::float::Mp;
-use stickslip::uncertainty::{Interval, MachineBox, RatioBox};
-use stickslip::{Border, Drive, Oscillator, Output, Ratios, Regime, Response, Verdict};
+use stickslip::uncertainty::{Interval, ParameterBox, Parameters};
+use stickslip::{Border, Drive, Excitation, Oscillator, Output, Ratios, Regime, Response, Verdict};
 
 type Wide = Mp<4>;
 
-fn ratio_box(omega: Interval<f64>, alpha: Interval<f64>, zeta: Interval<f64>) -> RatioBox<f64> {
-    RatioBox::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()
+fn ratio_box(omega: Interval<f64>, alpha: Interval<f64>, damping_ratio: Interval<f64>) -> ParameterBox<f64> {
+    ParameterBox::Ratios { omega, alpha, damping_ratio }
 }
 
 fn holds(interval: Interval<f64>, x: Wide) -> bool {
@@ -85,13 +85,24 @@ fn one_machine_with_a_damper_is_in_its_own_box() {
     let mut random = Random(83);
     for _ in 0..2000 {
         let parts: [f64; 6] = core::array::from_fn(|_| random.scale(0.01, 100.0));
-        let [m, k, r, a, w, c] = parts.map(Interval::exactly);
-        let whole = MachineBox::force(m, k, r, a, w).unwrap().with_damping(c).unwrap().ratios().unwrap();
+        let [mass, stiffness, friction_bound, amplitude, angular_frequency, damping] =
+            parts.map(Interval::exactly);
+        let machine = ParameterBox::Machine(Parameters {
+            excitation: Excitation::Force,
+            mass,
+            stiffness,
+            friction_bound,
+            amplitude,
+            angular_frequency,
+            damping,
+        });
+        let ParameterBox::Ratios { omega, alpha, damping_ratio: zeta } = machine.ratios().unwrap() else {
+            panic!("a machine")
+        };
         let [m, k, r, a, w, c] = parts.map(Wide::from);
         let body = Oscillator::new(m, k, r).unwrap().with_damping(c).unwrap();
         let ratios = Drive::force(a, w).unwrap().ratios(&body).unwrap();
-        let zeta = whole.damping_ratio();
-        assert!(holds(whole.omega(), ratios.omega()) && holds(whole.alpha(), ratios.alpha()), "{parts:?}");
+        assert!(holds(omega, ratios.omega()) && holds(alpha, ratios.alpha()), "{parts:?}");
         assert!(holds(zeta, ratios.damping_ratio()), "{parts:?}");
         assert!(zeta.high() - zeta.low() < 1e-14 * zeta.high(), "{parts:?}");
     }

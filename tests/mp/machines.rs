@@ -1,24 +1,36 @@
 //! Ranges over boxes of machines, proved by ball arithmetic: they contain the outputs of every machine of the
 //! box.
 
-use stickslip::uncertainty::{Interval, MachineBox, Range};
-use stickslip::{Drive, Oscillator, Output, Regime, Response, Scales, Verdict};
+use stickslip::uncertainty::{Interval, ParameterBox, Parameters, Range};
+use stickslip::{Drive, Excitation, Oscillator, Output, Regime, Response, Scales, Verdict};
 
 /// m, k, r_y, the amplitude, ω_d and c, each with its relative uncertainty.
 type Machine = ([f64; 6], [f64; 6]);
 
-fn parts(base: bool, (values, shares): &Machine) -> MachineBox<f64> {
-    let [m, k, r, a, w, c] = core::array::from_fn(|i| Interval::relative(values[i], shares[i]).unwrap());
-    let of = if base { MachineBox::foot_motion } else { MachineBox::force };
-    of(m, k, r, a, w).unwrap().with_damping(c).unwrap()
+fn parts(excitation: Excitation, (values, shares): &Machine) -> ParameterBox<f64> {
+    let [mass, stiffness, friction_bound, amplitude, angular_frequency, damping] =
+        core::array::from_fn(|i| Interval::relative(values[i], shares[i]).unwrap());
+    ParameterBox::Machine(Parameters {
+        excitation,
+        mass,
+        stiffness,
+        friction_bound,
+        amplitude,
+        angular_frequency,
+        damping,
+    })
 }
 
 /// An output of the machine at a position in each interval, from −1 to 1.
-fn value(base: bool, (values, shares): &Machine, places: [f64; 6], output: Output) -> Option<f64> {
+fn value(
+    excitation: Excitation,
+    (values, shares): &Machine,
+    places: [f64; 6],
+    output: Output,
+) -> Option<f64> {
     let [m, k, r, a, w, c] = core::array::from_fn(|i| values[i] * (1.0 + shares[i] * places[i]));
     let body = Oscillator::new(m, k, r).unwrap().with_damping(c).unwrap();
-    let drive =
-        if base { Drive::new(stickslip::Excitation::FootMotion, a, w) } else { Drive::force(a, w) }.unwrap();
+    let drive = Drive::new(excitation, a, w).unwrap();
     let response = Response::new(drive.ratios(&body).unwrap());
     Some(output.of(&response)? * output.unit(&Scales::new(&body, &drive).unwrap()))
 }
@@ -49,16 +61,33 @@ fn the_outputs_of_every_machine_are_in_the_range_of_the_box() {
         Output::Contraction,
     ];
     let machines = [
-        (false, ([50.0, 1000.0, 5.0, 12.0, 6.0, 0.0], [0.0, 0.01, 0.02, 0.0, 0.01, 0.0])),
-        (true, ([50.0, 1000.0, 5.0, 0.012, 6.0, 0.0], [0.01, 0.01, 0.02, 0.01, 0.0, 0.0])),
-        (false, ([50.0, 1000.0, 5.0, 12.0, 3.0, 20.0], [0.01, 0.0, 0.02, 0.0, 0.0, 0.02])),
-        (false, ([50.0, 1000.0, 5.0, 60.0, 6.0, 600.0], [0.0, 0.005, 0.01, 0.01, 0.0, 0.01])),
+        (Excitation::Force, ([50.0, 1000.0, 5.0, 12.0, 6.0, 0.0], [0.0, 0.01, 0.02, 0.0, 0.01, 0.0])),
+        (Excitation::FootMotion, ([50.0, 1000.0, 5.0, 0.012, 6.0, 0.0], [0.01, 0.01, 0.02, 0.01, 0.0, 0.0])),
+        (Excitation::Force, ([50.0, 1000.0, 5.0, 12.0, 3.0, 20.0], [0.01, 0.0, 0.02, 0.0, 0.0, 0.02])),
+        (Excitation::Force, ([50.0, 1000.0, 5.0, 60.0, 6.0, 600.0], [0.0, 0.005, 0.01, 0.01, 0.0, 0.01])),
+        (Excitation::Unbalance, ([50.0, 1000.0, 5.0, 0.33, 6.0, 0.0], [0.0, 0.01, 0.02, 0.01, 0.0, 0.0])),
+        (
+            Excitation::DampedFootMotion,
+            ([50.0, 1000.0, 5.0, 0.012, 3.0, 20.0], [0.01, 0.0, 0.02, 0.0, 0.0, 0.02]),
+        ),
+        (
+            Excitation::SurfaceMotion,
+            ([50.0, 1000.0, 5.0, 0.0067, 6.0, 0.0], [0.0, 0.01, 0.02, 0.01, 0.0, 0.0]),
+        ),
+        (
+            Excitation::SurfaceVelocity,
+            ([50.0, 1000.0, 5.0, 0.04, 6.0, 0.0], [0.0, 0.01, 0.02, 0.01, 0.0, 0.0]),
+        ),
+        (
+            Excitation::SurfaceAcceleration,
+            ([50.0, 1000.0, 5.0, 0.24, 6.0, 0.0], [0.0, 0.01, 0.02, 0.01, 0.01, 0.0]),
+        ),
     ];
-    for (base, machine) in &machines {
-        let whole = parts(*base, machine);
+    for (excitation, machine) in &machines {
+        let whole = parts(*excitation, machine);
         for output in outputs {
             let values: Vec<f64> =
-                places().into_iter().filter_map(|at| value(*base, machine, at, output)).collect();
+                places().into_iter().filter_map(|at| value(*excitation, machine, at, output)).collect();
             let low = values.iter().copied().fold(f64::INFINITY, f64::min);
             let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let Range { low: least, high: greatest, .. } =
@@ -66,7 +95,7 @@ fn the_outputs_of_every_machine_are_in_the_range_of_the_box() {
             let rounding = 1e-13 * low.abs().max(high.abs());
             assert!(
                 least <= low + rounding && high - rounding <= greatest,
-                "{base} {machine:?} {output:?}: {least} … {greatest}, but {low} … {high}"
+                "{excitation} {machine:?} {output:?}: {least} … {greatest}, but {low} … {high}"
             );
             // More parts give a closer range. An output that takes a search, cancels or hardly changes over
             // the box remains wider for longer.
@@ -87,14 +116,15 @@ fn the_outputs_of_every_machine_are_in_the_range_of_the_box() {
 fn what_is_exact_is_sharp_and_what_may_stick_has_no_range() {
     let exact = ([50.0, 1000.0, 5.0, 12.0, 6.0, 20.0], [0.0; 6]);
     for output in [Output::MaxDisplacement, Output::VelocityPhase, Output::TransmittedForce] {
-        let found = parts(false, &exact).enclosed(output, 5).unwrap().unwrap();
-        let value = value(false, &exact, [0.0; 6], output).unwrap();
+        let found = parts(Excitation::Force, &exact).enclosed(output, 5).unwrap().unwrap();
+        let value = value(Excitation::Force, &exact, [0.0; 6], output).unwrap();
         assert!(
             (found.low - value).abs() + (found.high - value).abs() <= 1e-14 * value,
             "{output:?} {found:?}"
         );
     }
-    let both = parts(false, &([50.0, 1000.0, 5.0, 9.0, 6.0, 20.0], [0.0, 0.0, 0.3, 0.0, 0.0, 0.1]));
+    let both =
+        parts(Excitation::Force, &([50.0, 1000.0, 5.0, 9.0, 6.0, 20.0], [0.0, 0.0, 0.3, 0.0, 0.0, 0.1]));
     assert_eq!(both.enclosed(Output::MaxDisplacement, 20), Ok(None));
     let margin = both.enclosed(Output::Margin, 20).unwrap().unwrap();
     assert!(margin.low < 1.0 && margin.high > 1.0, "{margin:?}");
@@ -102,13 +132,9 @@ fn what_is_exact_is_sharp_and_what_may_stick_has_no_range() {
     let sampled = both.range(Output::MinForceRatio, 10).unwrap().unwrap();
     let proved = both.enclosed(Output::MinForceRatio, 20).unwrap().unwrap();
     assert!(!sampled.is_guaranteed() && proved.low <= sampled.low && sampled.high <= proved.high);
-    let refused = MachineBox::force(
-        Interval::exactly(1.0),
-        Interval::exactly(1.0),
-        Interval::exactly(1.0),
-        Interval::exactly(2.0),
-        Interval::exactly(0.7),
-    );
-    let refused = refused.unwrap().with_damping(Interval::between(-1.0, 1.0).unwrap());
+    let negative = Interval::between(-1.0, 1.0).unwrap();
+    let ParameterBox::Machine(mut refused) = both else { panic!("ratios") };
+    refused.damping = negative;
+    let refused = ParameterBox::Machine(refused).enclosed(Output::Margin, 1);
     assert!(refused.unwrap_err().to_string().contains("-1 must be ≥ 0"));
 }

@@ -88,7 +88,7 @@ impl<F: Float> Verdict<F> {
     }
 
     /// The verdict that holds for all ratios without damping in the intervals `omega` and `alpha`, each (low,
-    /// high). With damping it requires ball arithmetic ([`crate::uncertainty::RatioBox::verdict`]).
+    /// high). With damping it requires ball arithmetic ([`crate::uncertainty::ParameterBox::verdict`]).
     ///
     /// # Errors
     /// Where an interval is empty or leaves the domain of [`Ratios`].

@@ -10,19 +10,22 @@ use crate::machine::ratios::Ratios;
 /// **Undecided.** The border is known to 8 units in the last place, with a damper to 16: these are bounds of its error
 /// ([`Verdict::BORDER_ERROR`], [`Verdict::DAMPED_BORDER_ERROR`]). If α is closer to the border, the verdict is [`Verdict::Undecided`], and a
 /// wider number type decides. [`Verdict::new`] takes Ω and α as exact. [`Verdict::of`] and
-/// [`crate::uncertainty::RatioBox`] take them as intervals: their verdict holds for every Ω and α in these,
+/// [`crate::uncertainty::ParameterBox`] take them as intervals: their verdict holds for every Ω and α in these,
 /// over which the range of the border is known. Near a pole 1/(2n+1) that matters more than rounding: an
 /// error of 1e-16 in Ω at a distance of 1e-10 from the pole is an error of 1e-6 in the border.
 ///
 /// ```
-/// use stickslip::uncertainty::{Interval, RatioBox};
+/// use stickslip::uncertainty::{Interval, ParameterBox};
 /// use stickslip::{Border, Ratios, Regime, Verdict};
 /// assert_eq!(Verdict::new(Ratios::new(0.4, 6.0)?), Verdict::Sticking);
 /// // On the border itself f64 cannot decide.
 /// let border: f64 = Border::new(0.4)?.min_force_ratio;
 /// assert_eq!(Verdict::new(Ratios::new(0.4, border)?), Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
 /// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided; with twice the force it is decided.
-/// let verdict = |low, high| RatioBox::new(Interval::exactly(0.4), Interval::between(low, high)?)?.verdict();
+/// let (omega, damping_ratio) = (Interval::exactly(0.4), Interval::exactly(0.0));
+/// let verdict = |low, high| {
+///     ParameterBox::Ratios { omega, alpha: Interval::between(low, high)?, damping_ratio }.verdict()
+/// };
 /// assert_eq!(verdict(6.0 / 1.2, 6.0 / 0.8)?.regime(), None);
 /// assert_eq!(verdict(12.0 / 1.2, 12.0 / 0.8)?, Verdict::NonSticking);
 /// # Ok::<(), stickslip::Error>(())

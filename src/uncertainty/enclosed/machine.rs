@@ -8,43 +8,23 @@ use crate::enclosed::{Enclosure, Known};
 use crate::float::ball::Ball;
 use crate::float::{Field, Float};
 use crate::machine::error::Error;
+use crate::machine::excitation::Excitation;
 use crate::machine::oscillator::Scales;
 use crate::output::Output;
-use crate::uncertainty::{MachineBox, Range};
+use crate::uncertainty::{Interval, Parameters, Range};
+use rug::Rational;
 
 /// A ball precise enough that rounding the parameters does not widen it.
 type B = Ball<4>;
 
-impl<F: Float> MachineBox<F> {
-    /// The range of any output over the box in physical units ([`Output::unit`]), with its damper, proved in
-    /// ball arithmetic as by [`super::RatioBox::enclosed`].
-    ///
-    /// The margin tells whether the body sticks: it sticks nowhere in the box if the range of the margin is
-    /// above 1.
-    ///
-    /// # Errors
-    ///
-    /// As for [`super::RatioBox::enclosed`].
-    ///
-    /// ```
-    /// use stickslip::Output;
-    /// use stickslip::uncertainty::{Interval, MachineBox};
-    /// // Friction known to ±5 %, a damper to ±20 %.
-    /// let machine = MachineBox::force(
-    ///     Interval::exactly(50.0),
-    ///     Interval::exactly(1000.0),
-    ///     Interval::relative(5.0, 0.05)?,
-    ///     Interval::exactly(12.0),
-    ///     Interval::exactly(6.0),
-    /// )?
-    /// .with_damping(Interval::relative(20.0, 0.2)?)?;
-    /// let stroke = machine.enclosed(Output::MaxDisplacement, 100)?.unwrap();
-    /// assert!(stroke.is_guaranteed() && 0.01 < stroke.low && stroke.high < 0.012);
-    /// assert!(machine.enclosed(Output::Margin, 100)?.unwrap().low > 1.0);
-    /// # Ok::<(), stickslip::Error>(())
-    /// ```
-    pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
-        let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
+impl<F: Float> Parameters<Interval<F>> {
+    /// [`crate::uncertainty::ParameterBox::enclosed`].
+    pub(in crate::uncertainty) fn enclosed(
+        &self,
+        output: Output,
+        pieces: u32,
+    ) -> Result<Option<Range<F>>, Error> {
+        let whole: Option<Vec<Ends>> = self.intervals().into_iter().map(ends).collect();
         let Some(mut whole) = whole else { return Ok(None) };
         // The border does not depend on the amplitude.
         if !(output.is_of_cycle() || matches!(output, Output::Margin | Output::BestLoopSize))
@@ -55,14 +35,11 @@ impl<F: Float> MachineBox<F> {
         let found = parts::range(whole, pieces, |part| self.over_part(output, part))?;
         Ok(found.map(guaranteed))
     }
-}
 
-impl<F: Float> MachineBox<F> {
     /// As `RatioBox::enclosed_verdict`, of the parameters themselves, which may occur in more than one ratio.
     pub(in crate::uncertainty) fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
-        let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
-        let ratios =
-            whole.as_deref().and_then(|parts| MachineEnds::of(parts, self.is_foot_motion())?.ratios());
+        let whole: Option<Vec<Ends>> = self.intervals().into_iter().map(ends).collect();
+        let ratios = whole.as_deref().and_then(|parts| MachineEnds::of(parts, self.excitation)?.ratios());
         let Some([omega, alpha, zeta]) = ratios else {
             return Ok(Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         };
@@ -75,9 +52,9 @@ impl<F: Float> MachineBox<F> {
 
     /// The values of an output in physical units over a part of the box.
     fn over_part(&self, output: Output, part: &[Ends]) -> Result<Over, Error> {
-        let Some(machine) = MachineEnds::of(part, self.is_foot_motion()) else { return Ok(Over::Undecided) };
+        let Some(machine) = MachineEnds::of(part, self.excitation) else { return Ok(Over::Undecided) };
         let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
-        let found = response(output, [&omega, &alpha, &zeta], Some(self.excitation()))?;
+        let found = response(output, [&omega, &alpha, &zeta], Some(self.excitation))?;
         let unit = output.unit(&machine.scales());
         Ok(over(output, &found, |value| physical(value, unit)))
     }
@@ -98,9 +75,18 @@ struct MachineEnds<'a> {
 }
 
 impl<'a> MachineEnds<'a> {
-    fn of(part: &'a [Ends], is_foot_motion: bool) -> Option<Self> {
+    fn of(part: &'a [Ends], excitation: Excitation) -> Option<Self> {
         let [mass, stiffness, friction, amplitude, frequency, damping] = part else { return None };
-        let force = if is_foot_motion { times(amplitude, stiffness) } else { amplitude.clone() };
+        let at = |end: fn(&Ends) -> &Rational| {
+            let [amplitude, frequency, mass, stiffness, damping] =
+                [amplitude, frequency, mass, stiffness, damping].map(|x| point(end(x)));
+            excitation.force_amplitude(amplitude, frequency, [mass, stiffness, damping])
+        };
+        let force = if excitation == Excitation::Force {
+            amplitude.clone()
+        } else {
+            (at(|(low, _)| low).lower().to_rational()?, at(|(_, high)| high).upper().to_rational()?)
+        };
         Some(Self { mass, stiffness, friction, force, frequency, damping })
     }
 
@@ -108,7 +94,7 @@ impl<'a> MachineEnds<'a> {
     fn ratios(&self) -> Option<[Ends; 3]> {
         let square = over_positive(self.mass, self.stiffness);
         let root = |x: &Ends| -> Option<Ends> {
-            let (low, high) = (ball(&(x.0.clone(), x.0.clone())), ball(&(x.1.clone(), x.1.clone())));
+            let (low, high) = (point(&x.0), point(&x.1));
             Some((low.sqrt().lower().to_rational()?, high.sqrt().upper().to_rational()?))
         };
         let omega = times(self.frequency, &root(&square)?);
@@ -144,6 +130,10 @@ impl<'a> MachineEnds<'a> {
 
 fn ball(x: &Ends) -> B {
     Known::of_ends(x.0.clone(), x.1.clone()).ball()
+}
+
+fn point(x: &Rational) -> B {
+    ball(&(x.clone(), x.clone()))
 }
 
 /// The product of two intervals of nonnegative numbers.

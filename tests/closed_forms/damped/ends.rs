@@ -84,9 +84,15 @@ fn a_machine_with_a_damper_has_a_place() {
     assert_eq!(force(1e5), stickslip::Verdict::SixReversals);
     // A box of machines with a damper is decided by ball arithmetic.
     let boxed = stickslip::uncertainty::Interval::exactly;
-    let machines =
-        stickslip::uncertainty::MachineBox::force(boxed(1.0), boxed(1.0), boxed(1.0), boxed(3.0), boxed(0.7));
-    let damped = machines.unwrap().with_damping(boxed(0.1)).unwrap();
+    let damped = stickslip::uncertainty::ParameterBox::Machine(stickslip::uncertainty::Parameters {
+        excitation: stickslip::Excitation::Force,
+        mass: boxed(1.0),
+        stiffness: boxed(1.0),
+        friction_bound: boxed(1.0),
+        amplitude: boxed(3.0),
+        angular_frequency: boxed(0.7),
+        damping: boxed(0.1),
+    });
     assert_eq!(damped.verdict(), Ok(stickslip::Verdict::NonSticking));
 }
 #[test]

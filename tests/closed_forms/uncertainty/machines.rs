@@ -1,25 +1,39 @@
 //! Ranges over boxes of machines in physical units.
 
-use super::{holds, interval, within};
+use super::{holds, interval, machine, within};
 use crate::random::Random;
-use stickslip::uncertainty::{Evidence, Interval, MachineBox, Range};
-use stickslip::{Border, Drive, Oscillator, Output, Regime, Response, Scales};
+use stickslip::uncertainty::{Evidence, Interval, ParameterBox, Range};
+use stickslip::{Border, Drive, Excitation, Oscillator, Output, Regime, Response, Scales};
+
+const EXCITATIONS: [Excitation; 7] = [
+    Excitation::Force,
+    Excitation::Unbalance,
+    Excitation::FootMotion,
+    Excitation::DampedFootMotion,
+    Excitation::SurfaceMotion,
+    Excitation::SurfaceVelocity,
+    Excitation::SurfaceAcceleration,
+];
+
+/// The amplitude at which an undamped machine has the force p₀.
+fn amplitude(excitation: Excitation, p0: f64, body: &Oscillator<f64>, w: f64) -> f64 {
+    p0 / Drive::new(excitation, 1.0, w).unwrap().force_amplitude(body)
+}
 
 #[test]
 fn guaranteed_ranges_of_machines_hold_everywhere() {
     let mut random = Random(63);
     let (mut guaranteed, mut never, mut always) = (0, 0, 0);
-    for i in 0..800 {
-        let is_base = i % 2 == 0;
+    for i in 0..800_usize {
+        let excitation = EXCITATIONS[i % 7];
         let (m, k, r) = (random.scale(0.1, 10.0), random.scale(0.1, 10.0), random.scale(0.1, 10.0));
         let omega = random.scale(0.1, 8.0);
         let p0 = r * Border::new(omega).unwrap().min_force_ratio * random.scale(0.4, 8.0);
-        let a = if is_base { p0 / k } else { p0 };
+        let w = omega * (k / m).sqrt();
+        let a = amplitude(excitation, p0, &Oscillator::new(m, k, r).unwrap(), w);
         let width = if i % 3 == 0 { 0.05 } else { 0.004 };
-        let [m, k, r, a, w] = [m, k, r, a, omega * (k / m).sqrt()].map(|x| interval(&mut random, x, width));
-        let machine =
-            if is_base { MachineBox::foot_motion(m, k, r, a, w) } else { MachineBox::force(m, k, r, a, w) };
-        let machine = machine.unwrap();
+        let [m, k, r, a, w] = [m, k, r, a, w].map(|x| interval(&mut random, x, width));
+        let machine = machine(excitation, [m, k, r, a, w, Interval::exactly(0.0)]);
         let sticks = machine.verdict().unwrap().sticks();
         (never, always) =
             (never + i32::from(sticks == Some(false)), always + i32::from(sticks == Some(true)));
@@ -27,12 +41,7 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
         for _ in 0..40 {
             let [m, k, r, a, w] = [m, k, r, a, w].map(|i| within(&mut random, i));
             let body = Oscillator::new(m, k, r).unwrap();
-            let drive = if is_base {
-                Drive::new(stickslip::Excitation::FootMotion, a, w)
-            } else {
-                Drive::force(a, w)
-            }
-            .unwrap();
+            let drive = Drive::new(excitation, a, w).unwrap();
             let scales = Scales::new(&body, &drive).unwrap();
             let response = Response::new(drive.ratios(&body).unwrap());
             match sticks {
@@ -63,24 +72,17 @@ fn one_machine_is_in_its_own_box() {
     for _ in 0..2000 {
         let mut one = || Interval::exactly(random.scale(0.01, 100.0));
         let [m, k, r, a, w] = [one(), one(), one(), one(), one()];
-        for is_base in [false, true] {
-            let machine = if is_base {
-                MachineBox::foot_motion(m, k, r, a, w)
-            } else {
-                MachineBox::force(m, k, r, a, w)
-            };
-            let machine = machine.unwrap();
+        for excitation in EXCITATIONS {
+            let machine = machine(excitation, [m, k, r, a, w, Interval::exactly(0.0)]);
             let body = Oscillator::new(m.low(), k.low(), r.low()).unwrap();
-            let excitation =
-                if is_base { stickslip::Excitation::FootMotion } else { stickslip::Excitation::Force };
             let drive = Drive::new(excitation, a.low(), w.low()).unwrap();
-            let (whole, ratios) = (machine.ratios().unwrap(), drive.ratios(&body).unwrap());
+            let Ok(ratios) = drive.ratios(&body) else { continue };
+            let ParameterBox::Ratios { omega, alpha, .. } = machine.ratios().unwrap() else {
+                panic!("a machine")
+            };
             let holds =
                 |i: Interval<f64>, x: f64| i.low() <= x && x <= i.high() && i.high() - i.low() < 1e-14 * x;
-            assert!(
-                holds(whole.omega(), ratios.omega()) && holds(whole.alpha(), ratios.alpha()),
-                "{machine:?}"
-            );
+            assert!(holds(omega, ratios.omega()) && holds(alpha, ratios.alpha()), "{machine:?}");
             let margin = machine.range(Output::Margin, 1).unwrap().unwrap();
             assert_eq!(margin.evidence, Evidence::Guaranteed { sharp: false });
         }
@@ -99,8 +101,8 @@ fn guaranteed_ranges_of_machines_are_close() {
         let stiffness = Interval::relative(k, 0.15).unwrap();
         let least = Border::new(w / stiffness.low().sqrt()).unwrap().min_force_ratio;
         let p0 = least * random.scale(1.5, 6.0);
-        let machine =
-            MachineBox::force(exactly(1.0), stiffness, exactly(1.0), exactly(p0), exactly(w)).unwrap();
+        let known = [exactly(1.0), stiffness, exactly(1.0), exactly(p0), exactly(w), exactly(0.0)];
+        let machine = machine(Excitation::Force, known);
         for output in [Output::MaxDisplacement, Output::LoopSizeStiffness, Output::LoopSizeInertia] {
             let Some(range) = machine.range(output, 4000).unwrap().filter(Range::is_guaranteed) else {
                 continue;

@@ -1,12 +1,28 @@
 //! Monte-Carlo estimates, compared with known shares and with their own standard errors.
 
-use rand_distr::{Normal, Uniform};
-use stickslip::uncertainty::{Exactly, Independent, MonteCarlo};
-use stickslip::{Border, Excitation, Output, Regime};
+use rand_distr::{Distribution, Normal, Uniform};
+use stickslip::uncertainty::{MonteCarlo, Parameters};
+use stickslip::{Border, Drive, Error, Excitation, Oscillator, Output, Ratios, Regime};
 
-fn machine<R>(friction_bound: R) -> Independent<Exactly, Exactly, R, Exactly, Exactly> {
-    let [mass, stiffness, amplitude, angular_frequency] = [50.0, 1000.0, 12.0, 6.0].map(Exactly);
-    Independent { mass, stiffness, friction_bound, amplitude, angular_frequency }
+fn machine(friction_bound: f64, damping: f64) -> Parameters<f64> {
+    Parameters {
+        excitation: Excitation::Force,
+        mass: 50.0,
+        stiffness: 1000.0,
+        friction_bound,
+        amplitude: 12.0,
+        angular_frequency: 6.0,
+        damping,
+    }
+}
+
+fn drawn(
+    friction: impl Distribution<f64>,
+    outputs: &[Output],
+    draws: u32,
+    seed: u64,
+) -> Result<MonteCarlo, Error> {
+    MonteCarlo::new(|rng| machine(friction.sample(rng), 0.0), outputs, draws, seed)
 }
 
 #[test]
@@ -15,7 +31,7 @@ fn probabilities_and_quantiles_are_those_of_the_distribution() {
     let greatest = 12.0 / Border::new(6.0 / 20f64.sqrt()).unwrap().min_force_ratio;
     let uniform = Uniform::new(4.0, 10.0).unwrap();
     let outputs = [Output::Margin, Output::MaxDisplacement];
-    let found = MonteCarlo::new(&machine(uniform), Excitation::Force, &outputs, 40_000, 3).unwrap();
+    let found = drawn(uniform, &outputs, 40_000, 3).unwrap();
     let expected = (10.0 - greatest) / 6.0;
     let sticking = found.probability(Regime::Sticking);
     assert!((sticking.value - expected).abs() < 4.0 * sticking.standard_error, "{sticking:?} {expected}");
@@ -47,8 +63,8 @@ fn probabilities_and_quantiles_are_those_of_the_distribution() {
 
 #[test]
 fn the_seed_decides_and_invalid_draws_are_counted() {
-    let wide = machine(Normal::new(2.0, 2.0).unwrap());
-    let run = |seed| MonteCarlo::new(&wide, Excitation::Force, &[Output::MaxVelocity], 5000, seed).unwrap();
+    let wide = Normal::new(2.0, 2.0).unwrap();
+    let run = |seed| drawn(wide, &[Output::MaxVelocity], 5000, seed).unwrap();
     assert_eq!(run(1), run(1));
     assert_ne!(run(1), run(2));
     // P(r_y ≤ 0) = Φ(−1) = 0.1587
@@ -57,9 +73,23 @@ fn the_seed_decides_and_invalid_draws_are_counted() {
     let all = [Regime::Stuck, Regime::Sticking, Regime::NonSticking, Regime::Unbounded];
     let valid: u32 = all.iter().map(|regime| run(1).count(*regime)).sum();
     assert_eq!(valid + run(1).invalid, run(1).draws);
-    assert!(MonteCarlo::new(&wide, Excitation::FootMotion, &[], 0, 1).is_err());
-    let never = MonteCarlo::new(&machine(Exactly(1.0)), Excitation::Force, &[], 100, 1)
-        .unwrap()
-        .probability(Regime::Sticking);
+    assert!(drawn(wide, &[], 0, 1).is_err());
+    let never = MonteCarlo::new(|_| machine(1.0, 0.0), &[], 100, 1).unwrap().probability(Regime::Sticking);
     assert!(never.value == 0.0 && never.standard_error > 0.0);
+}
+
+/// The damper of a draw counts: above the friction at which the damped body would stick, it does.
+#[test]
+fn a_draw_has_its_damper() -> Result<(), Error> {
+    let damping = 300.0;
+    let body = Oscillator::new(50.0, 1000.0, 1.0)?.with_damping(damping)?;
+    let ratios: Ratios<f64> = Drive::force(12.0, 6.0)?.ratios(&body)?;
+    let greatest = 12.0 / Border::of(&ratios).min_force_ratio;
+    let undamped = 12.0 / Border::new(ratios.omega())?.min_force_ratio;
+    assert!((greatest / undamped - 1.0).abs() > 0.1, "{greatest} {undamped}");
+    let friction = Uniform::new(0.5 * greatest, 1.5 * greatest).unwrap();
+    let sticking = MonteCarlo::new(|rng| machine(friction.sample(rng), damping), &[], 10_000, 5)?
+        .probability(Regime::Sticking);
+    assert!((sticking.value - 0.5).abs() < 4.0 * sticking.standard_error, "{sticking:?}");
+    Ok(())
 }

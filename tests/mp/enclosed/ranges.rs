@@ -1,8 +1,12 @@
 //! Ranges over boxes of ratios: the guaranteed ones at f64, and those proved by ball arithmetic.
 
 use super::{Exact, at_point};
-use stickslip::uncertainty::{Interval, RatioBox};
+use stickslip::uncertainty::{Interval, ParameterBox};
 use stickslip::{Border, Float as _, Output, Ratios, Response};
+
+fn undamped(omega: Interval<f64>, alpha: Interval<f64>) -> ParameterBox<f64> {
+    ParameterBox::Ratios { omega, alpha, damping_ratio: Interval::exactly(0.0) }
+}
 
 /// The guaranteed ranges of `uncertainty` at f64 in boxes of a single point, where only the margin for
 /// rounding lies between the two ends. Returns the number of ranges that contain the enclosed value, and the
@@ -29,7 +33,7 @@ fn margins_hold(count: u32, seed: f64) -> (u32, f64) {
         let least = Border::new(omega).unwrap().min_force_ratio;
         let alpha = least * (1.0 + 8.0 * share(0.754_877_666_246_693).powi(6) + 1e-12);
         let found = at_point(omega, alpha);
-        let point = RatioBox::new(Interval::exactly(omega), Interval::exactly(alpha)).unwrap();
+        let point = undamped(Interval::exactly(omega), Interval::exactly(alpha));
         for output in outputs {
             let Some(range) = point.range(output, 4).unwrap().filter(|range| range.is_guaranteed()) else {
                 continue;
@@ -83,7 +87,7 @@ fn proved_ranges_have_the_outputs_of_the_box() {
     ];
     for (o1, o2, a1, a2, pieces, slack) in boxes {
         let interval = |low, high| Interval::between(low, high).unwrap();
-        let ratios = RatioBox::new(interval(o1, o2), interval(a1, a2)).unwrap();
+        let ratios = undamped(interval(o1, o2), interval(a1, a2));
         for output in outputs {
             let values: Vec<f64> = (0..=8)
                 .flat_map(|i| (0..=8).map(move |j| (f64::from(i) / 8.0, f64::from(j) / 8.0)))
@@ -108,7 +112,7 @@ fn proved_ranges_have_the_outputs_of_the_box() {
     // border.
     for (o1, o2, a1, a2) in [(0.7, 0.71, 1.0, 2.0), (0.33, 0.34, 9.0, 9.5), (0.99, 1.01, 2.0, 2.0)] {
         let interval = |low, high| Interval::between(low, high).unwrap();
-        let ratios = RatioBox::new(interval(o1, o2), interval(a1, a2)).unwrap();
+        let ratios = undamped(interval(o1, o2), interval(a1, a2));
         assert_eq!(ratios.enclosed(Output::MaxDisplacement, 50), Ok(None), "{o1} {a1}");
         let border = ratios.enclosed(Output::MinForceRatio, 50).unwrap();
         assert_eq!(border.is_some(), o1 > 0.5, "{o1} {a1}");
