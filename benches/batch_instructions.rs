@@ -28,7 +28,7 @@ fn main() {
     // With a damper those below Ω = 1/2 alone, 7 % of all, again and again.
     all.retain(|&(omega, _)| !is_low || omega < 0.5);
     let (omega, alpha): (Vec<_>, Vec<_>) = all.iter().copied().cycle().take(POINTS).unzip();
-    let (mut room, batch) = (Room::new(POINTS), Batch::new());
+    let (mut room, batch) = (Room::new(POINTS), Batch::new);
     let row = [1.5; POINTS];
     let damped = |(&omega, &alpha)| Ratios::new(omega, alpha).and_then(|at| at.with_damping_ratio(0.02)).ok();
     let damped: Vec<_> = omega.iter().zip(&alpha).filter_map(damped).collect();
@@ -48,5 +48,5 @@ fn main() {
             }
         }
     }
-    println!("{:?}", batch.level());
+    println!("{:?}", batch().level());
 }

@@ -16,7 +16,7 @@
 mod generator;
 
 use generator::Random;
-use stickslip::batch::{Batch, Columns, Level};
+use stickslip::batch::{Batch, Level};
 use stickslip::{Border, Error, Output, Ratios, Response};
 
 /// The number of points whose answers are kept at a time.
@@ -81,7 +81,7 @@ fn alone(omega: f64, alpha: f64) -> [f64; OUTPUTS.len()] {
 
 /// The outputs of a set, computed by a batch in slices of `length`.
 fn batched(
-    batch: Batch,
+    level: Level,
     set: &[usize],
     omega: &[f64],
     alpha: &[f64],
@@ -90,13 +90,13 @@ fn batched(
     let mut found = vec![vec![0.0; omega.len()]; set.len()];
     let mut rests: Vec<&mut [f64]> = found.iter_mut().map(Vec::as_mut_slice).collect();
     for (omega, alpha) in omega.chunks(length).zip(alpha.chunks(length)) {
-        let mut columns = Columns::new();
+        let mut batch = Batch::new().at_level(level);
         for (rest, &place) in rests.iter_mut().zip(set) {
             let (part, after) = std::mem::take(rest).split_at_mut(omega.len());
             *rest = after;
-            columns = columns.with(OUTPUTS[place], part);
+            batch = batch.with(OUTPUTS[place], part);
         }
-        batch.run(omega, alpha, columns)?;
+        batch.run(omega, alpha)?;
     }
     Ok(found)
 }
@@ -111,8 +111,7 @@ fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, Error> {
         // Blocks are padded, so that short slices cost as much as long ones, and a few of them suffice.
         for (n, length) in [(points.len(), CHUNK), (points.len(), 129), (points.len().min(1000), 7)] {
             for set in SETS {
-                let batch = Batch::new().at_level(level);
-                for (column, &place) in batched(batch, set, &omega[..n], &alpha[..n], length)?.iter().zip(set)
+                for (column, &place) in batched(level, set, &omega[..n], &alpha[..n], length)?.iter().zip(set)
                 {
                     let differs = |&i: &usize| bits(column[i]) != bits(due[i][place]);
                     if let Some(i) = (0..n).find(differs) {
@@ -151,8 +150,9 @@ fn damped(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, Error> {
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
         let mut found = vec![vec![0.0; points.len()]; outputs.len()];
         let columns = outputs.iter().zip(&mut found);
-        let columns = columns.fold(Columns::new(), |columns, (&output, slice)| columns.with(output, slice));
-        Batch::new().at_level(level).run_each(points.len(), ratios, columns)?;
+        let batch = Batch::new().at_level(level);
+        let batch = columns.fold(batch, |batch, (&output, slice)| batch.with(output, slice));
+        batch.run_each(points.len(), ratios)?;
         for (output, column) in outputs.iter().zip(&found) {
             let differs = |&i: &usize| bits(column[i]) != bits(of(*output, &due[i]));
             if let Some(i) = (0..points.len()).find(differs) {

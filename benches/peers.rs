@@ -79,7 +79,7 @@ fn time(omega: &[f64], alpha: &[f64]) {
     });
     std::hint::black_box(sum);
     for level in Level::ALL.into_iter().filter(|level| level.is_available() && *level != Level::Portable) {
-        let batch = Batch::new().at_level(level);
+        let batch = || Batch::new().at_level(level);
         let name = format!("stickslip {level:?}");
         report(&name, "triple", &mut || room.run(batch, omega, alpha, THREE));
         report(&name, "damped", &mut || room.run_each(batch, &damped, THREE));
@@ -97,7 +97,8 @@ fn time(omega: &[f64], alpha: &[f64]) {
 #[cfg(feature = "rayon")]
 fn threads(omega: &[f64], alpha: &[f64]) {
     let mut room = Room::new(omega.len());
-    let batches = [("one thread", Batch::new()), ("all threads", Batch::new().on_threads())];
+    let batches: [(_, fn() -> Batch<'static>); 2] =
+        [("one thread", Batch::new), ("all threads", || Batch::new().on_threads())];
     for (kernel, n) in [("triple", omega.len()), ("five", omega.len()), ("all", omega.len())] {
         let mut best = [f64::INFINITY; 2];
         for _ in 0..15 {

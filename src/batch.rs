@@ -2,13 +2,13 @@
 //!
 //! ```
 //! use stickslip::Output;
-//! use stickslip::batch::{Batch, Columns};
+//! use stickslip::batch::Batch;
 //! let (omega, alpha) = ([0.7, 1.5, 0.4], [2.0, 2.5, 6.0]);
 //! let (mut displacement, mut border) = ([0.0; 3], [0.0; 3]);
-//! let columns = Columns::new()
+//! Batch::new()
 //!     .with(Output::MaxDisplacement, &mut displacement)
-//!     .with(Output::MinForceRatio, &mut border);
-//! Batch::new().run(&omega, &alpha, columns)?;
+//!     .with(Output::MinForceRatio, &mut border)
+//!     .run(&omega, &alpha)?;
 //! assert!((displacement[0] - 3.488507872497762_f64).abs() < 1e-14);
 //! // At (0.4, 6) the body sticks; the border is at α = 6.949….
 //! assert!(displacement[2].is_nan() && (border[2] - 6.949737755908733_f64).abs() < 1e-13);
@@ -51,47 +51,73 @@ mod straight;
 mod threads;
 mod velocity;
 
-pub use columns::Columns;
 #[doc(hidden)]
 pub use columns::is_looped_with_damper;
 use fixed::FixedOmega;
 pub use level::Level;
 pub(crate) use level::Loops;
 
+use crate::cycle::regime::Regime;
 use crate::machine::error::Error;
 use crate::machine::ratios::Ratios;
 use crate::output::Output;
 use columns::{Looped, Slices, same_length};
 use kernel::Kernel;
 
-/// The way in which batches run: the instruction set, and whether to use threads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Batch {
+/// The requested outputs, each with the slice that receives it: any of [`Output::ALL`], and the regime. They are computed
+/// by the best instructions of this processor, on the calling thread unless threads are asked for.
+///
+/// ```
+/// use stickslip::batch::Batch;
+/// use stickslip::{Output, Regime};
+/// let (mut border, mut regime) = ([0.0; 2], [None; 2]);
+/// let batch = Batch::new().with(Output::MinForceRatio, &mut border).with_regime(&mut regime);
+/// batch.run(&[0.4, 1.5], &[6.0, 2.5])?;
+/// assert_eq!(regime, [Some(Regime::Sticking), Some(Regime::NonSticking)]);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug)]
+#[must_use]
+pub struct Batch<'a> {
+    columns: Slices<'a, { Output::ALL.len() }>,
     level: Level,
     #[cfg(feature = "rayon")]
     threads: bool,
 }
 
-impl Default for Batch {
+impl Default for Batch<'_> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl Batch {
-    /// A batch with the best instructions of this processor, on the calling thread.
-    #[must_use]
+impl<'a> Batch<'a> {
+    /// No outputs yet.
     pub fn new() -> Self {
         Self {
+            columns: Slices::default(),
             level: Level::best(),
             #[cfg(feature = "rayon")]
             threads: false,
         }
     }
 
+    /// Adds an output, which is NaN where it does not exist. If an output is added twice, the last slice
+    /// counts.
+    pub fn with(mut self, output: Output, slice: &'a mut [f64]) -> Self {
+        self.columns.set(output, slice);
+        self
+    }
+
+    /// Adds the regime of the steady motion ([`crate::Regime`]); `None` where a ratio is outside its
+    /// domain.
+    pub fn with_regime(mut self, slice: &'a mut [Option<Regime>]) -> Self {
+        self.columns.regime = Some(slice);
+        self
+    }
+
     /// Selects an instruction set; [`Level::Portable`] where the processor does not have it.
     #[doc(hidden)]
-    #[must_use]
     pub fn at_level(mut self, level: Level) -> Self {
         self.level = if level.is_available() { level } else { Level::Portable };
         self
@@ -99,7 +125,6 @@ impl Batch {
 
     /// Uses all threads of the current rayon pool. The results are the same.
     #[cfg(feature = "rayon")]
-    #[must_use]
     pub fn on_threads(mut self) -> Self {
         self.threads = true;
         self
@@ -120,11 +145,12 @@ impl Batch {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] where the slices differ in length.
-    pub fn run(&self, omega: &[f64], alpha: &[f64], columns: Columns<'_>) -> Result<(), Error> {
+    pub fn run(mut self, omega: &[f64], alpha: &[f64]) -> Result<(), Error> {
         same_length(omega.len(), "alpha", alpha.len())?;
-        let mut columns = columns.of_length(omega.len())?;
-        self.looped(omega, alpha, columns.take_looped());
-        self.each(omega.len(), columns, &|i| Ratios::new(*omega.get(i)?, *alpha.get(i)?).ok());
+        self.columns.of_length(omega.len())?;
+        let looped = self.columns.take_looped();
+        self.looped(omega, alpha, looped);
+        self.each(omega.len(), &|i| Ratios::new(*omega.get(i)?, *alpha.get(i)?).ok());
         Ok(())
     }
 
@@ -141,12 +167,12 @@ impl Batch {
     /// # Errors
     /// [`Error::LengthMismatch`] where a slice does not have `n` elements.
     pub fn run_each(
-        &self,
+        self,
         n: usize,
         ratios: impl Fn(usize) -> Option<Ratios<f64>> + Sync,
-        columns: Columns<'_>,
     ) -> Result<(), Error> {
-        self.each(n, columns.of_length(n)?, &ratios);
+        self.columns.of_length(n)?;
+        self.each(n, &ratios);
         Ok(())
     }
 
@@ -165,19 +191,14 @@ impl Batch {
     }
 
     /// Computes the columns that no loop without a damper fills.
-    fn each(
-        &self,
-        n: usize,
-        columns: Slices<'_, { Output::ALL.len() }>,
-        ratios: &(impl Fn(usize) -> Option<Ratios<f64>> + Sync),
-    ) {
-        if columns.is_empty() {
+    fn each(self, n: usize, ratios: &(impl Fn(usize) -> Option<Ratios<f64>> + Sync)) {
+        if self.columns.is_empty() {
             return;
         }
         #[cfg(feature = "rayon")]
         if self.threads {
-            return threads::each(self.level, 0, n, columns, ratios);
+            return threads::each(self.level, 0, n, self.columns, ratios);
         }
-        damped::run(self.level, 0, n, columns, ratios);
+        damped::run(self.level, 0, n, self.columns, ratios);
     }
 }

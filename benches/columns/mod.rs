@@ -1,7 +1,7 @@
 //! Slices for the results of batches.
 
 use std::hint::black_box;
-use stickslip::batch::{Batch, Columns};
+use stickslip::batch::Batch;
 use stickslip::{Output, Ratios, Regime};
 
 /// {Δ₀, α_min, A₁}, which one loop computes, and the outputs that need further loops.
@@ -33,20 +33,31 @@ impl Room {
         Self { regime: vec![None; n], numbers: std::array::from_fn(|_| vec![0.0; n]) }
     }
 
-    fn columns(&mut self, count: usize) -> Columns<'_> {
+    fn columns<'a>(&'a mut self, batch: Batch<'a>, count: usize) -> Batch<'a> {
         let slices = OUTPUTS.into_iter().zip(&mut self.numbers).take(count);
-        let columns = slices.fold(Columns::new(), |columns, (output, slice)| columns.with(output, slice));
-        if count == ALL { columns.with_regime(&mut self.regime) } else { columns }
+        let batch = slices.fold(batch, |batch, (output, slice)| batch.with(output, slice));
+        if count == ALL { batch.with_regime(&mut self.regime) } else { batch }
     }
 
-    pub(crate) fn run(&mut self, batch: Batch, omega: &[f64], alpha: &[f64], count: usize) {
-        assert_eq!(batch.run(black_box(omega), black_box(alpha), self.columns(count)), Ok(()));
+    pub(crate) fn run(
+        &mut self,
+        batch: impl Fn() -> Batch<'static>,
+        omega: &[f64],
+        alpha: &[f64],
+        count: usize,
+    ) {
+        assert_eq!(self.columns(batch(), count).run(black_box(omega), black_box(alpha)), Ok(()));
     }
 
     /// Points that may have a damper.
-    pub(crate) fn run_each(&mut self, batch: Batch, points: &[Ratios<f64>], count: usize) {
+    pub(crate) fn run_each(
+        &mut self,
+        batch: impl Fn() -> Batch<'static>,
+        points: &[Ratios<f64>],
+        count: usize,
+    ) {
         let points = black_box(points);
         let at = |i: usize| points.get(i).copied();
-        assert_eq!(batch.run_each(points.len(), at, self.columns(count)), Ok(()));
+        assert_eq!(self.columns(batch(), count).run_each(points.len(), at), Ok(()));
     }
 }

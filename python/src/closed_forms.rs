@@ -8,7 +8,7 @@ use interrupt::{Stop, interruptible};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::LazyLock;
-use stickslip::batch::{Batch, Columns};
+use stickslip::batch::Batch;
 use stickslip::definitions::REGIME;
 use stickslip::{Error, Excitation, NoStop, Output, Ratios, Regime, Response, ResponseAnswer, Value};
 
@@ -166,27 +166,26 @@ fn fill_task(
     places: Places<'_, Column>,
     excitation: Option<Excitation>,
 ) -> Result<(), Error> {
-    let mut wanted = Columns::new();
+    let mut batch = Batch::new();
     let mut regimes = Vec::new();
     let (mut codes, mut others) = (None, Vec::new());
     let at = |i: usize| ratios(points.at(i)?).ok().map(|ratios| under(ratios, excitation));
     for (row, slot) in places.0 {
         match (row.column, slot) {
-            (Column::Output(output), Slot::Numbers(values)) => wanted = wanted.with(output, values),
+            (Column::Output(output), Slot::Numbers(values)) => batch = batch.with(output, values),
             (Column::Other(_), Slot::Codes(own)) if row.definition.name == REGIME.name => codes = Some(own),
             (_, slot) => others.push((row, slot)),
         }
     }
     if codes.is_some() {
         regimes.resize(points.n, None);
-        wanted = wanted.with_regime(&mut regimes);
+        batch = batch.with_regime(&mut regimes);
     }
-    let batch = Batch::new();
     let (omega, alpha) = points.slices();
     if points.is_plain() {
-        batch.run(omega, alpha, wanted)?;
+        batch.run(omega, alpha)?;
     } else {
-        batch.run_each(points.n, at, wanted)?;
+        batch.run_each(points.n, at)?;
     }
     for (slot, regime) in codes.into_iter().flatten().zip(regimes) {
         *slot = code(regime);

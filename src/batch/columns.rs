@@ -11,22 +11,6 @@ pub(super) const fn same_length(expected: usize, name: &'static str, found: usiz
     if found == expected { Ok(()) } else { Err(Error::LengthMismatch { name, found, expected }) }
 }
 
-/// The requested outputs of a batch, each with the slice that receives it: any of [`Output::ALL`], and the
-/// regime.
-///
-/// ```
-/// use stickslip::batch::{Batch, Columns};
-/// use stickslip::{Output, Regime};
-/// let (mut border, mut regime) = ([0.0; 2], [None; 2]);
-/// let columns = Columns::new().with(Output::MinForceRatio, &mut border).with_regime(&mut regime);
-/// Batch::new().run(&[0.4, 1.5], &[6.0, 2.5], columns)?;
-/// assert_eq!(regime, [Some(Regime::Sticking), Some(Regime::NonSticking)]);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-#[derive(Debug, Default)]
-#[must_use]
-pub struct Columns<'a>(Slices<'a, { Output::ALL.len() }>);
-
 /// Slices of one length for the requested outputs.
 #[derive(Debug)]
 pub(super) struct Slices<'a, const N: usize> {
@@ -58,42 +42,25 @@ pub(super) const BORDER: usize = 1;
 /// The slices that the loops write to.
 pub(super) type Looped<'a> = Slices<'a, { LOOPED.len() }>;
 
-impl<'a> Columns<'a> {
-    /// No outputs yet.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Adds an output, which is NaN where it does not exist. If an output is added twice, the last slice
-    /// counts.
-    pub fn with(mut self, output: Output, slice: &'a mut [f64]) -> Self {
-        for (place, own) in self.0.numbers.iter_mut().zip(Output::ALL) {
+impl<'a> Slices<'a, { Output::ALL.len() }> {
+    /// Adds the slice of an output, in place of an earlier one.
+    pub(super) fn set(&mut self, output: Output, slice: &'a mut [f64]) {
+        for (place, own) in self.numbers.iter_mut().zip(Output::ALL) {
             if own == output {
                 *place = Some(slice);
                 break;
             }
         }
-        self
     }
 
-    /// Adds the regime of the steady motion ([`crate::Regime`]); `None` where a ratio is outside its
-    /// domain.
-    pub fn with_regime(mut self, slice: &'a mut [Option<Regime>]) -> Self {
-        self.0.regime = Some(slice);
-        self
-    }
-
-    /// The slices, if all have length `n`.
-    pub(super) fn of_length(self, n: usize) -> Result<Slices<'a, { Output::ALL.len() }>, Error> {
-        for (slice, output) in self.0.numbers.iter().zip(Output::ALL) {
+    /// An error unless all slices have length `n`.
+    pub(super) fn of_length(&self, n: usize) -> Result<(), Error> {
+        for (slice, output) in self.numbers.iter().zip(Output::ALL) {
             slice.as_ref().map_or(Ok(()), |slice| same_length(n, output.name(), slice.len()))?;
         }
-        self.0.regime.as_ref().map_or(Ok(()), |slice| same_length(n, "regime", slice.len()))?;
-        Ok(self.0)
+        self.regime.as_ref().map_or(Ok(()), |slice| same_length(n, "regime", slice.len()))
     }
-}
 
-impl<'a> Slices<'a, { Output::ALL.len() }> {
     /// Whether no number is requested that the loops do not compute with a damper.
     pub(super) fn is_looped_with_damper(&self) -> bool {
         let mut columns = self.numbers.iter().zip(Output::ALL);

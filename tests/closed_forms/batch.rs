@@ -6,7 +6,7 @@ mod any;
 mod lengths;
 
 use crate::random::Random;
-use stickslip::batch::{Batch, Columns, Level};
+use stickslip::batch::{Batch, Level};
 use stickslip::{Border, Error, Output, Ratios, Regime, Response};
 
 /// Outputs that need no search of their own: those of the loops, and some that are computed point by point.
@@ -42,18 +42,23 @@ struct Answer {
 }
 
 impl Answer {
-    fn of(n: usize, outputs: &[Output], run: impl FnOnce(Columns<'_>) -> Result<(), Error>) -> Self {
+    fn of(
+        batch: Batch<'_>,
+        n: usize,
+        outputs: &[Output],
+        run: impl FnOnce(Batch<'_>) -> Result<(), Error>,
+    ) -> Self {
         let (mut regime, mut columns) = (vec![None; n], vec![vec![f64::INFINITY; n]; outputs.len()]);
         let slices = outputs.iter().zip(&mut columns);
-        let wanted = slices.fold(Columns::new(), |wanted, (&output, slice)| wanted.with(output, slice));
+        let wanted = slices.fold(batch, |wanted, (&output, slice)| wanted.with(output, slice));
         run(wanted.with_regime(&mut regime)).unwrap();
         let columns = columns.into_iter().map(|column| column.into_iter().map(bits).collect()).collect();
         Self { regime, columns }
     }
 }
 
-fn answer(batch: Batch, omega: &[f64], alpha: &[f64], outputs: &[Output]) -> Answer {
-    Answer::of(omega.len(), outputs, |wanted| batch.run(omega, alpha, wanted))
+fn answer(batch: Batch<'_>, omega: &[f64], alpha: &[f64], outputs: &[Output]) -> Answer {
+    Answer::of(batch, omega.len(), outputs, |wanted| wanted.run(omega, alpha))
 }
 
 /// The same, computed by the code for one point.
@@ -187,7 +192,7 @@ fn with_damping_each_point_is_that_alone() {
     let ratios = |i: usize| Ratios::new(omega[i], alpha[i]).ok()?.with_damping_ratio(zeta[i]).ok();
     let due = alone((0..omega.len()).map(ratios), LOOPED);
     assert!(due.regime.iter().flatten().count() > 1000);
-    let found = Answer::of(omega.len(), LOOPED, |wanted| Batch::new().run_each(omega.len(), ratios, wanted));
+    let found = Answer::of(Batch::new(), omega.len(), LOOPED, |wanted| wanted.run_each(omega.len(), ratios));
     assert_same(&found, &due, |i| format!("{} {} {}", omega[i], alpha[i], zeta[i]));
 }
 
@@ -229,7 +234,7 @@ fn with_damping_the_loops_have_the_bits_of_the_points_alone() {
         for level in levels() {
             for n in [omega.len(), 129, 7] {
                 let batch = Batch::new().at_level(level);
-                let found = Answer::of(n, outputs, |wanted| batch.run_each(n, ratios, wanted));
+                let found = Answer::of(batch, n, outputs, |wanted| wanted.run_each(n, ratios));
                 let due = Answer {
                     regime: due.regime[..n].to_vec(),
                     columns: due.columns.iter().map(|column| column[..n].to_vec()).collect(),
@@ -265,11 +270,11 @@ fn chosen_outputs_are_those_of_the_answer() {
 #[test]
 fn columns_without_the_regime() {
     let (mut border, mut size) = ([0.0; 3], [0.0; 3]);
-    let wanted = Columns::new().with(Output::Deviation, &mut size).with(Output::MinForceRatio, &mut border);
+    let wanted = Batch::new().with(Output::Deviation, &mut size).with(Output::MinForceRatio, &mut border);
     // The last slice for an output counts.
     let mut deviation = [0.0; 3];
     let wanted = wanted.with(Output::Deviation, &mut deviation);
-    Batch::new().run(&[0.7, 1.5, 0.4], &[2.0, 2.5, 6.0], wanted).unwrap();
+    wanted.run(&[0.7, 1.5, 0.4], &[2.0, 2.5, 6.0]).unwrap();
     assert_eq!(size, [0.0; 3]);
     assert!(border.iter().all(|b| *b > 0.0) && deviation[0].is_finite() && deviation[2].is_nan());
 }
@@ -329,8 +334,7 @@ fn rows_of_one_frequency() {
         for outputs in [&OUTPUTS[..], &FIVE, THREE] {
             let due = points_alone(&omegas, &alpha, outputs);
             for level in levels() {
-                let batch = Batch::new().at_level(level);
-                let found = Answer::of(alpha.len(), outputs, |wanted| batch.run(&omegas, &alpha, wanted));
+                let found = answer(Batch::new().at_level(level), &omegas, &alpha, outputs);
                 assert_same(&found, &due, |i| format!("{level:?} at {omega:e} {:e}", alpha[i]));
             }
         }
@@ -341,11 +345,11 @@ fn rows_of_one_frequency() {
 #[test]
 fn threads_change_nothing() {
     let (omega, alpha) = points(30_000);
-    let (one, many) = (Batch::new(), Batch::new().on_threads());
+    let (one, many) = (Batch::new, || Batch::new().on_threads());
     for outputs in [LOOPED, THREE] {
-        assert!(answer(one, &omega, &alpha, outputs) == answer(many, &omega, &alpha, outputs));
+        assert!(answer(one(), &omega, &alpha, outputs) == answer(many(), &omega, &alpha, outputs));
     }
     // The same for outputs that are computed point by point.
     let (omegas, alphas) = (&omega[..3000], &alpha[..3000]);
-    assert!(answer(one, omegas, alphas, &OUTPUTS) == answer(many, omegas, alphas, &OUTPUTS));
+    assert!(answer(one(), omegas, alphas, &OUTPUTS) == answer(many(), omegas, alphas, &OUTPUTS));
 }

@@ -150,7 +150,7 @@ fn all_25_digits_at_128_bits() {
 #[test]
 fn batches_of_every_level() {
     use stickslip::Output;
-    use stickslip::batch::{Batch, Columns, Level};
+    use stickslip::batch::{Batch, Level};
     let rows = rows();
     let omega: Vec<f64> = rows.iter().cycle().take(1000).map(|row| row.omega).collect();
     let alpha: Vec<f64> = rows.iter().cycle().take(1000).map(|row| row.alpha).collect();
@@ -178,15 +178,15 @@ fn batches_of_every_level() {
         }
     };
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
-        let batch = Batch::new().at_level(level);
         for count in [names.len(), 3] {
             let mut numbers = vec![vec![0.0; omega.len()]; count];
             let slices = names.iter().zip(&mut numbers);
-            let columns = slices.fold(Columns::new(), |columns, ((name, _), slice)| {
+            let batch = Batch::new().at_level(level);
+            let batch = slices.fold(batch, |batch, ((name, _), slice)| {
                 let output = Output::ALL.into_iter().find(|output| output.name() == *name).unwrap();
-                columns.with(output, slice)
+                batch.with(output, slice)
             });
-            batch.run(&omega, &alpha, columns).unwrap();
+            batch.run(&omega, &alpha).unwrap();
             for (column, name) in numbers.iter().zip(names) {
                 within(column, name, level);
             }

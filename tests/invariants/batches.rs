@@ -1,7 +1,7 @@
 //! Invariants of batches for any points, any number of them and any start of a slice, shared by the tests and
 //! the fuzz target.
 
-use stickslip::batch::{Batch, Columns, Level};
+use stickslip::batch::{Batch, Level};
 use stickslip::{Output, Ratios, Regime, Response};
 
 /// The outputs of the loops, and one that is computed point by point.
@@ -22,12 +22,13 @@ const OUTPUTS: [Output; 10] = [
 fn outputs(
     n: usize,
     places: &[usize],
-    run: impl FnOnce(Columns<'_>) -> Result<(), stickslip::Error>,
+    level: Level,
+    run: impl FnOnce(Batch<'_>) -> Result<(), stickslip::Error>,
 ) -> (Vec<Option<Regime>>, Vec<Vec<f64>>) {
     let (mut regimes, mut numbers) = (vec![None; n], vec![vec![0.0; n]; places.len()]);
     let slices = places.iter().zip(&mut numbers);
-    let columns = slices.fold(Columns::new(), |columns, (&place, slice)| columns.with(OUTPUTS[place], slice));
-    run(columns.with_regime(&mut regimes)).unwrap();
+    let batch = Batch::new().at_level(level).with_regime(&mut regimes);
+    run(slices.fold(batch, |batch, (&place, slice)| batch.with(OUTPUTS[place], slice))).unwrap();
     (regimes, numbers)
 }
 
@@ -59,14 +60,13 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     let of_row: Vec<_> = points.iter().map(|&(_, alpha)| (first, alpha)).collect();
     let due_of_row = Due::of(&of_row, offset, length);
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
-        let batch = Batch::new().at_level(level);
         let all: Vec<usize> = (0..OUTPUTS.len()).collect();
         // All outputs, and subsets, which need fewer loops.
         for places in [&all[..], &[0, 1, 2], &[0, 1, 2, 3, 4], &[8], &[6]] {
-            let (regimes, columns) = outputs(length, places, |columns| batch.run(omega, alpha, columns));
+            let (regimes, columns) = outputs(length, places, level, |batch| batch.run(omega, alpha));
             due.check(places, &regimes, &columns, level);
         }
-        let (regimes, columns) = outputs(length, &all, |columns| batch.run(&row, alpha, columns));
+        let (regimes, columns) = outputs(length, &all, level, |batch| batch.run(&row, alpha));
         due_of_row.check(&all, &regimes, &columns, level);
     }
 }

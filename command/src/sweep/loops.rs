@@ -6,7 +6,7 @@ use crate::input;
 use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use crate::row::{Cell, Cells, Row};
-use stickslip::batch::{Batch, Columns, is_looped_with_damper};
+use stickslip::batch::{Batch, is_looped_with_damper};
 use stickslip::definitions::REGIME;
 use stickslip::inputs::units::Kind;
 use stickslip::inputs::{Given, Input, Point};
@@ -105,12 +105,12 @@ impl Looped {
     pub(crate) fn rows<F: Value>(&self, points: &[Option<At<F>>]) -> Vec<Option<Row>> {
         let (n, mut regimes) = (points.len(), vec![None; points.len()]);
         let mut numbers = vec![vec![f64::NAN; n]; self.outputs.len()];
-        let mut columns = Columns::new();
+        let mut batch = Batch::new();
         for (output, slice) in self.outputs.iter().zip(&mut numbers) {
-            columns = columns.with(*output, slice);
+            batch = batch.with(*output, slice);
         }
         if self.fields.iter().any(|(_, source)| matches!(source, Source::Regime)) {
-            columns = columns.with_regime(&mut regimes);
+            batch = batch.with_regime(&mut regimes);
         }
         let is_plain = |at: &Ratios<f64>| !at.is_damped() && !at.has_higher_static_friction();
         let ratios: Vec<_> = points.iter().map(|at| at.as_ref().map(|at| at.ratios)).collect();
@@ -119,9 +119,9 @@ impl Looped {
             Some(plain) => {
                 let (omega, alpha): (Vec<_>, Vec<_>) =
                     plain.into_iter().map(|at| (at.omega(), at.alpha())).unzip();
-                Batch::new().run(&omega, &alpha, columns)
+                batch.run(&omega, &alpha)
             }
-            None => Batch::new().run_each(n, |i| ratios.get(i).copied().flatten(), columns),
+            None => batch.run_each(n, |i| ratios.get(i).copied().flatten()),
         };
         // The slices have one length.
         if computed.is_err() {
