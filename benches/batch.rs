@@ -21,7 +21,8 @@ fn batch(criterion: &mut Criterion) {
     #[cfg(feature = "rayon")]
     batches.push(("threads".to_owned(), Box::new(|| Batch::new().on_threads())));
     for (name, batch) in batches.drain(..) {
-        group.bench_function(format!("triple/{name}"), |b| b.iter(|| room.run(&batch, &omega, &alpha, THREE)));
+        group
+            .bench_function(format!("triple/{name}"), |b| b.iter(|| room.run(&batch, &omega, &alpha, THREE)));
         group.bench_function(format!("peaks/{name}"), |b| b.iter(|| room.run(&batch, &omega, &alpha, FIVE)));
         group.bench_function(format!("peaks from 0.35/{name}"), |b| {
             b.iter(|| room.run(&batch, &low_omega, &low_alpha, FIVE));

@@ -11,7 +11,7 @@
 
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::sensitivity::Sensitivities;
+use stickslip::sensitivity::{Parameter, Sensitivities};
 use stickslip::{Drive, Oscillator, Output};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -26,21 +26,22 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
     let stroke = answer.of(Output::MaxDisplacement).ok_or("it sticks")?;
     writeln!(out, "stroke ± {:.2} mm", 1e3 * stroke.value)?;
     writeln!(out, "parameter  known to  % of stroke for 1 %  so the stroke to")?;
-    let parameters = [mass, stiffness, friction, force, frequency];
-    let known_to = [1.0, 3.0, 15.0, 2.0, 0.1];
-    let names = ["mass", "stiffness", "friction", "force", "frequency"];
-    let elasticities = stroke.elasticities();
-    for ((name, percent), elasticity) in names.iter().zip(known_to).zip(elasticities) {
+    let known_to = [
+        (Parameter::Mass, "mass", mass, 1.0),
+        (Parameter::Stiffness, "stiffness", stiffness, 3.0),
+        (Parameter::FrictionBound, "friction", friction, 15.0),
+        (Parameter::Amplitude, "force", force, 2.0),
+        (Parameter::AngularFrequency, "frequency", frequency, 0.1),
+    ];
+    for (parameter, name, _, percent) in known_to {
+        let elasticity = stroke.elasticity(parameter);
         writeln!(
             out,
             "{name:<9}  {percent:>6} %  {elasticity:>19.3}  {:>14.2} %",
             (elasticity * percent).abs()
         )?;
     }
-    let mut deviations = parameters;
-    for (deviation, percent) in deviations.iter_mut().zip(known_to) {
-        *deviation *= percent / 100.0;
-    }
-    writeln!(out, "all together {:.2} %", 100.0 * stroke.deviation(deviations) / stroke.value)?;
+    let deviations = known_to.map(|(parameter, _, value, percent)| (parameter, value * percent / 100.0));
+    writeln!(out, "all together {:.2} %", 100.0 * stroke.deviation(&deviations) / stroke.value)?;
     Ok(())
 }

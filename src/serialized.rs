@@ -167,9 +167,9 @@ impl<F: Float + Serialize> Serialize for FreeDecay<F> {
     }
 }
 
-/// The value, and its derivatives in the order of the parameters.
+/// The value, and its derivatives by m, k, r_y, the amplitude and ω_d.
 #[cfg(feature = "dual")]
-impl<const N: usize> Serialize for Sensitivity<N> {
+impl Serialize for Sensitivity {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, Some(2), |map| {
             map.serialize_entry("value", &self.value)?;
@@ -180,7 +180,7 @@ impl<const N: usize> Serialize for Sensitivity<N> {
 
 /// The regime, and every output that exists with its derivatives.
 #[cfg(feature = "dual")]
-impl<const N: usize> Serialize for Sensitivities<N> {
+impl Serialize for Sensitivities {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
             map.serialize_entry("regime", &self.regime)?;

@@ -66,7 +66,8 @@ fn limits_of_several_starts() {
 #[cfg(feature = "dual")]
 #[test]
 fn sensitivities() {
-    let found = crate::sensitivity::Sensitivities::by_ratios(Ratios::new(1.5, 2.5).unwrap());
+    let (body, drive) = (Oscillator::new(1.0, 1.0, 1.0).unwrap(), Drive::force(2.5, 1.5).unwrap());
+    let found = crate::sensitivity::Sensitivities::by_parameters(&body, &drive).unwrap();
     let (map, stroke) = (to_value(&found).unwrap(), found.of(Output::MaxDisplacement).unwrap());
     assert_eq!(map["max_displacement"]["by"], json!(stroke.by));
     assert_eq!(

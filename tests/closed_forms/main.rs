@@ -32,3 +32,15 @@ mod reference;
 mod sensitivity;
 mod tasks;
 mod uncertainty;
+
+/// The derivatives of the dimensionless outputs by Ω and α, beside their values.
+#[cfg(feature = "dual")]
+fn by_ratios(ratios: stickslip::Ratios<f64>) -> Vec<(stickslip::Output, f64, [f64; 2])> {
+    use stickslip::float::Dual;
+    let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);
+    let dual = stickslip::Ratios::new(omega, alpha).unwrap();
+    let dual = dual.with_damping_ratio(Dual::from(ratios.damping_ratio())).unwrap();
+    let response = stickslip::Response::new(dual);
+    let outputs = stickslip::Output::ALL.into_iter();
+    outputs.filter_map(|output| output.of(&response).map(|y| (output, y.value(), y.derivatives()))).collect()
+}
