@@ -74,7 +74,7 @@ pub use foreign::Foreign;
 pub(crate) use mp::words;
 #[cfg(feature = "mp")]
 pub use mp::{
-    Inexact, Mp, ParseError, PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision,
+    Mp, ParseError, PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision,
 };
 pub(crate) use sign::Signed;
 #[doc(hidden)]

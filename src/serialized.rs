@@ -42,7 +42,7 @@ macro_rules! as_text {
 
 as_text!(Error, InputError, Quantity, UnknownName);
 #[cfg(feature = "mp")]
-as_text!(crate::float::ParseError, crate::float::PrecisionError, crate::float::Inexact);
+as_text!(crate::float::ParseError, crate::float::PrecisionError);
 #[cfg(feature = "matching")]
 as_text!(crate::cycle::MatchingError);
 #[cfg(feature = "system")]

@@ -111,7 +111,7 @@ pub(crate) fn response<F: Value>(
         writeln!(note.out, "\n`stickslip steady` follows one start, and `stickslip attractors` many.")?;
     }
     if let Some(cycle) = response.cycle.as_ref() {
-        motion(cycle, &mut note)?;
+        motion(response, cycle, &mut note)?;
         equivalent(&mut note, |output, _| output.of(response))?;
     } else if response.reversals_per_cycle() == Some(6) {
         writeln!(
@@ -242,16 +242,23 @@ pub(crate) fn measured_from<F: Value>(
 }
 
 /// The numbers of a non-sticking cycle.
-fn motion<F: Value>(cycle: &Cycle<F>, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
+fn motion<F: Value>(
+    response: &Response<F>,
+    cycle: &Cycle<F>,
+    note: &mut Note<'_, F, impl Write>,
+) -> io::Result<()> {
     writeln!(note.out, "\nMotion (steady, symmetric, two reversals a cycle)")?;
     note.number("peak displacement", Measure::Length, cycle.max_displacement)?;
     note.number("  at ω_d t₂", Measure::Angle, cycle.displacement_phase)?;
     note.number("peak velocity", Measure::Velocity, cycle.max_velocity)?;
     note.number("  at ω_d t₁", Measure::Angle, cycle.velocity_phase)?;
     note.number("  at displacement Δ₁", Measure::Length, cycle.deviation())?;
-    note.number("peak acceleration", Measure::Acceleration, cycle.max_acceleration())?;
-    if note.is_driven(Excitation::carries_surface) {
-        note.number("absolute displacement", Measure::Length, cycle.max_absolute_displacement())?;
+    if let Some(acceleration) = Output::MaxAcceleration.of(response) {
+        note.number("peak acceleration", Measure::Acceleration, acceleration)?;
+    }
+    let absolute = Output::MaxAbsoluteDisplacement.of(response);
+    if let Some(absolute) = absolute.filter(|_| note.is_driven(Excitation::carries_surface)) {
+        note.number("absolute displacement", Measure::Length, absolute)?;
     }
     let amplification = digits(cycle.max_displacement / cycle.ratios.alpha());
     note.line("dynamic amplification", format_args!("k Δ₀/p₀ = {amplification}"))?;

@@ -60,14 +60,14 @@ impl<F: Float> Cycle<F> {
     /// `|x + 2ζx′ + sgn x′|`, which includes the damper's force.
     ///
     /// Where the support moves ([`crate::Ratios::excitation`]), support and surface together carry m x″: the maximum of `|x″|`.
-    pub fn transmitted_force(&self) -> F {
+    pub(crate) fn transmitted_force(&self) -> F {
         let support = Support::from(&self.ratios);
         support.force(self.carried(&support))
     }
 
     /// The transmissibility: [`Cycle::transmitted_force`] over p₀. Where the support moves, the peak acceleration of the
     /// body over that of the support.
-    pub fn transmissibility(&self) -> F {
+    pub(crate) fn transmissibility(&self) -> F {
         let support = Support::from(&self.ratios);
         support.transmissibility(self.carried(&support))
     }
@@ -85,7 +85,7 @@ impl<F: Float> Cycle<F> {
     /// otherwise it is the maximum over the half cycle.
     ///
     /// Accuracy at f64: 4 ulp without damping for Ω ≥ 1/2; otherwise 1e-13 of Δ₀/B + α/Ω².
-    pub fn max_acceleration(&self) -> F {
+    pub(crate) fn max_acceleration(&self) -> F {
         let omega = self.ratios.omega();
         match &self.motion {
             Basis::Damped(cycle) => cycle.max_acceleration() / omega.square(),
@@ -138,7 +138,7 @@ impl<F: Float> Cycle<F> {
     /// Accuracy at f64: 1e-14 of Δ₀/B + α/Ω²; with damping 1e-13 of it.
     ///
     /// Where the support moves, the surface is fixed, and this is Δ₀/B.
-    pub fn max_absolute_displacement(&self) -> F {
+    pub(crate) fn max_absolute_displacement(&self) -> F {
         if self.ratios.excitation().is_some_and(Excitation::moves_foot) {
             return self.max_displacement.abs();
         }

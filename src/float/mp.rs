@@ -36,7 +36,6 @@ mod text;
 mod traits;
 pub(crate) mod words;
 
-pub use convert::Inexact;
 pub use ladder::{PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision};
 pub use raw::Mp;
 pub use text::ParseError;

@@ -15,12 +15,14 @@ pub(super) fn needed_force<F: Value>(
     if let Some(force) = Output::MaxSpringForce.of(response) {
         note.in_spring("in the spring, maximum", force)?;
     }
-    if let Some(cycle) = response.cycle.as_ref() {
-        note.transmitted("transmitted, maximum", cycle.transmitted_force())?;
+    if let Some(force) = Output::TransmittedForce.of(response) {
+        note.transmitted("transmitted, maximum", force)?;
+    }
+    if let Some(transmissibility) = Output::Transmissibility.of(response) {
         let of_foot = note.is_driven(Excitation::moves_foot);
         note.line(
             if of_foot { "per support acceleration" } else { "  per p₀" },
-            digits(cycle.transmissibility()),
+            digits(transmissibility),
         )?;
     }
     if note.given.is_without_friction() {

@@ -15,7 +15,7 @@ use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::generators::{Machine, Point, Start};
 use stickslip::motion::{LongRun, State, Trajectory};
-use stickslip::{Drive, NoStop, Oscillator, Ratios, Regime, Response, Scales};
+use stickslip::{Drive, NoStop, Oscillator, Output, Ratios, Regime, Response, Scales};
 
 /// Random values of a type of `stickslip::generators`.
 fn hard<T: for<'a> Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
@@ -146,9 +146,10 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     let mut due = of_machine(&response, body, drive, &scales);
     due.extend(foot(drive));
     let mut of_ratios = of_response(&response);
-    if let (true, Some(cycle)) = (drive.excitation().moves_foot(), response.cycle.as_ref()) {
+    let cycle = response.cycle.as_ref().filter(|_| drive.excitation().moves_foot());
+    if let Some((cycle, acceleration)) = cycle.zip(Output::MaxAcceleration.of(&response)) {
         // Foot and surface together carry the inertia m x″.
-        let (acceleration, omega) = (cycle.max_acceleration(), ratios.omega());
+        let omega = ratios.omega();
         let force = acceleration * (omega * omega);
         let felt = [
             ("transmitted_force", force),

@@ -58,26 +58,6 @@ impl<const LIMBS: usize> From<i32> for Mp<LIMBS> {
     }
 }
 
-/// The error for a number with more bits than the type.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the number has more significant bits than the {bits} of the type")]
-#[non_exhaustive]
-pub struct Inexact {
-    /// The number of bits of the type.
-    pub bits: u32,
-}
-
-/// Exact, or an error; [`Mp::from_rug`] rounds instead.
-impl<const LIMBS: usize> TryFrom<&Float> for Mp<LIMBS> {
-    type Error = Inexact;
-
-    fn try_from(x: &Float) -> Result<Self, Inexact> {
-        let nearest = Self::from_rug(x);
-        let is_exact = x.is_nan() || nearest.to_rug() == *x;
-        if is_exact { Ok(nearest) } else { Err(Inexact { bits: Self::bits_now() }) }
-    }
-}
-
 /// Exact.
 impl<const LIMBS: usize> From<Mp<LIMBS>> for Float {
     fn from(x: Mp<LIMBS>) -> Self {
