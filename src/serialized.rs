@@ -22,8 +22,7 @@ mod inputs;
 mod results;
 
 pub(crate) use inputs::{
-    BodyFields, DriveFields, DrivePhaseFields, IntervalFields, OscillatorFields, RatiosFields, RecordFields,
-    StateFields,
+    BodyFields, DriveFields, DrivePhaseFields, OscillatorFields, RatiosFields, RecordFields, StateFields,
 };
 pub(crate) use results::{
     CycleFields, Followed, FreeDecayFields, ResponseFields, SteadyFields, infinite, unbounded,

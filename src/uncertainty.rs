@@ -57,8 +57,8 @@
 //! let machine = ParameterBox::Machine(Parameters {
 //!     excitation: Excitation::Force,
 //!     mass: Interval::exactly(50.0),
-//!     stiffness: Interval::relative(1000.0, 0.02)?,
-//!     friction_bound: Interval::relative(5.0, 0.2)?,
+//!     stiffness: Interval::relative(1000.0, 0.02),
+//!     friction_bound: Interval::relative(5.0, 0.2),
 //!     amplitude: Interval::exactly(12.0),
 //!     angular_frequency: Interval::exactly(6.0),
 //!     damping: Interval::exactly(0.0),
@@ -88,23 +88,19 @@ pub use parameters::{ParameterBox, Parameters};
 pub use random::MonteCarlo;
 
 use crate::float::Float;
-use crate::machine::error::{Error, Quantity, written};
-use crate::machine::ratios::within;
+use crate::machine::error::{Error, written};
 
 /// The knowledge of a parameter: it lies between two numbers, inclusive.
+///
+/// The ends are checked where the interval is used: `low ≤ high`, and both valid for the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::serialized::IntervalFields<F>",
-        bound(deserialize = "F: Float + serde::Deserialize<'de>")
-    )
-)]
 #[must_use]
 pub struct Interval<F> {
-    low: F,
-    high: F,
+    /// The lower end.
+    pub low: F,
+    /// The upper end.
+    pub high: F,
 }
 
 impl<F: Float> Interval<F> {
@@ -113,44 +109,21 @@ impl<F: Float> Interval<F> {
         Self { low: x, high: x }
     }
 
-    /// The interval from `low` to `high`. Whether the numbers are valid for a parameter is checked where the
-    /// interval is used.
-    ///
-    /// # Errors
-    /// [`Error::EmptyInterval`] unless `low ≤ high`.
-    pub fn between(low: F, high: F) -> Result<Self, Error> {
-        if low <= high {
-            Ok(Self { low, high })
-        } else {
-            Err(Error::EmptyInterval { low: written(low), high: written(high) })
-        }
+    /// `x (1 ± share)`, x and the share positive.
+    pub fn relative(x: F, share: F) -> Self {
+        Self::absolute(x, x * share)
     }
 
-    /// `x (1 ± share)`.
-    ///
-    /// # Errors
-    /// Where the share is not in [0, 1].
-    pub fn relative(x: F, share: F) -> Result<Self, Error> {
-        let share = within(Quantity::Tolerance, share, F::int(0), F::int(1))?;
-        Self::between(x - x * share, x + x * share)
+    /// `x ± off`, off positive.
+    pub fn absolute(x: F, off: F) -> Self {
+        Self { low: x - off, high: x + off }
     }
 
-    /// `x ± off`.
-    ///
-    /// # Errors
-    /// [`Error::EmptyInterval`] unless `off ≥ 0`.
-    pub fn absolute(x: F, off: F) -> Result<Self, Error> {
-        Self::between(x - off, x + off)
-    }
-
-    /// The lower end.
-    pub const fn low(&self) -> F {
-        self.low
-    }
-
-    /// The upper end.
-    pub const fn high(&self) -> F {
-        self.high
+    /// An error unless the ends are in order.
+    fn check(&self) -> Result<(), Error> {
+        let Self { low, high } = *self;
+        let empty = || Error::EmptyInterval { low: written(low), high: written(high) };
+        if low <= high { Ok(()) } else { Err(empty()) }
     }
 
     /// Whether the interval is a single number.
@@ -208,20 +181,21 @@ impl<F: Float> Range<F> {
 #[cfg(test)]
 mod tests {
     use super::{Evidence, Interval, Range};
-    use crate::{Error, Ratios, Verdict};
+    use crate::{Ratios, Verdict};
 
     #[test]
     fn intervals() {
-        let ends = |found: Result<Interval<f64>, Error>| found.map(|i| (i.low(), i.high()));
-        assert_eq!(ends(Interval::between(1.0, 3.0)), Ok((1.0, 3.0)));
-        assert_eq!(ends(Interval::between(1.0, 1.0)), Ok((1.0, 1.0)));
-        assert_eq!(ends(Interval::relative(4.0, 0.25)), Ok((3.0, 5.0)));
-        assert_eq!(ends(Interval::absolute(4.0, 0.5)), Ok((3.5, 4.5)));
-        let text = |found: Result<Interval<f64>, Error>| found.unwrap_err().to_string();
-        assert_eq!(text(Interval::between(3.0, 1.0)), "interval: 3 must be ≤ 1");
+        let valid = |found: Interval<f64>| found.check().map(|()| (found.low, found.high));
+        assert_eq!(valid(Interval { low: 1.0, high: 3.0 }), Ok((1.0, 3.0)));
+        assert_eq!(valid(Interval::exactly(1.0)), Ok((1.0, 1.0)));
+        assert_eq!(valid(Interval::relative(4.0, 0.25)), Ok((3.0, 5.0)));
+        assert_eq!(valid(Interval::absolute(4.0, 0.5)), Ok((3.5, 4.5)));
+        let text = |found: Interval<f64>| found.check().unwrap_err().to_string();
+        assert_eq!(text(Interval { low: 3.0, high: 1.0 }), "interval: 3 must be ≤ 1");
         assert_eq!(text(Interval::absolute(4.0, -0.5)), "interval: 4.5 must be ≤ 3.5");
-        assert!(Interval::between(f64::NAN, 1.0).is_err() && Interval::relative(4.0, 1.5).is_err());
-        let wide = Interval::between(1.0, 3.0).unwrap();
+        assert!(valid(Interval { low: f64::NAN, high: 1.0 }).is_err());
+        assert!(valid(Interval::relative(4.0, -0.5)).is_err());
+        let wide = Interval { low: 1.0, high: 3.0 };
         assert!(Interval::exactly(2.0).is_exact() && !wide.is_exact());
         assert_eq!([0.0, 0.25, 1.0].map(|share| wide.at(share)), [1.0, 1.5, 3.0]);
     }

@@ -8,7 +8,6 @@ use crate::motion::record::{After, Body, Record};
 use crate::motion::{DrivePhase, State};
 use crate::named::UnknownName;
 use crate::output::Output;
-use crate::uncertainty::Interval;
 use crate::{Drive, Oscillator, Ratios};
 use alloc::borrow::ToOwned;
 use alloc::string::{String, ToString};
@@ -86,7 +85,6 @@ fields! {
     StateFields -> State {
         phase: DrivePhase<F> = "no_phase", x: F, v: F,
     } by |phase, x, v| Ok(State { phase, ..State::new(F::int(0), x, v)? });
-    IntervalFields -> Interval { low: F, high: F, } by |low, high| Ok(Interval::between(low, high)?);
     BodyFields -> Body {
         mass: F, friction: F, stiffness: F = "zero", damping: F = "zero", static_friction_ratio: F = "one",
         mean_force: F = "zero", friction_offset: F = "zero", is_one_way: bool = "no",

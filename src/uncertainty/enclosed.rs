@@ -76,9 +76,9 @@ fn over(output: Output, found: &Response, to: impl Fn(&Enclosure) -> Option<Ends
 
 /// The ends as rational numbers. An end that is no f64 is moved outwards by a unit in the last place.
 fn ends<F: Float>(interval: Interval<F>) -> Option<Ends> {
-    let (low, high) = (interval.low().to_f64(), interval.high().to_f64());
-    let low = if F::from_f64(low) == interval.low() { low } else { low.next_down() };
-    let high = if F::from_f64(high) == interval.high() { high } else { high.next_up() };
+    let (low, high) = (interval.low.to_f64(), interval.high.to_f64());
+    let low = if F::from_f64(low) == interval.low { low } else { low.next_down() };
+    let high = if F::from_f64(high) == interval.high { high } else { high.next_up() };
     Some((Rational::from_f64(low)?, Rational::from_f64(high)?))
 }
 

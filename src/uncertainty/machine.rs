@@ -15,6 +15,9 @@ use crate::output::Output;
 impl<F: Float> Parameters<Interval<F>> {
     /// This box, if its ends are valid.
     pub(super) fn checked(self) -> Result<Self, Error> {
+        for interval in self.intervals() {
+            interval.check()?;
+        }
         for end in [F::int(0), F::int(1)] {
             self.at([end; 6]).machine()?;
         }
@@ -39,11 +42,11 @@ impl<F: Float> Parameters<Interval<F>> {
 
     /// The amplitude of the force.
     fn force(&self) -> Interval<F> {
-        let at = |end: fn(&Interval<F>) -> F| {
-            let [mass, stiffness, _, amplitude, frequency, damping] = self.intervals().each_ref().map(end);
+        let at = |end: fn(Interval<F>) -> F| {
+            let [mass, stiffness, _, amplitude, frequency, damping] = self.intervals().map(end);
             self.excitation.force_amplitude(amplitude, frequency, [mass, stiffness, damping])
         };
-        let force = Interval { low: at(Interval::low), high: at(Interval::high) };
+        let force = Interval { low: at(|x| x.low), high: at(|x| x.high) };
         // The margins of α and Δ₀ include one rounding of the force.
         let is_product = matches!(self.excitation, Excitation::Force | Excitation::FootMotion);
         if is_product { force } else { force.outward(2) }

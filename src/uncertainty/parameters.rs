@@ -45,11 +45,11 @@ impl<F: Float> Parameters<F> {
 /// use stickslip::uncertainty::{Interval, ParameterBox};
 /// use stickslip::{Output, Regime, Verdict};
 /// let ratios = |omega, damping_ratio| ParameterBox::Ratios { omega, alpha: Interval::exactly(2.0), damping_ratio };
-/// let undamped = ratios(Interval::between(0.7, 0.75)?, Interval::exactly(0.0));
+/// let undamped = ratios(Interval { low: 0.7, high: 0.75 }, Interval::exactly(0.0));
 /// assert_eq!(undamped.verdict()?, Verdict::NonSticking);
 /// let peak = undamped.range(Output::MaxDisplacement, 1000)?.unwrap(); // in r_y/k
 /// assert!(peak.is_guaranteed() && 3.4 < peak.low && peak.high < 4.2);
-/// let wide = ratios(Interval::between(0.4, 0.75)?, Interval::exactly(0.0));
+/// let wide = ratios(Interval { low: 0.4, high: 0.75 }, Interval::exactly(0.0));
 /// assert_eq!(wide.verdict()?, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -77,7 +77,7 @@ pub enum ParameterBox<F> {
 /// The answers about all parameters of a box.
 ///
 /// # Errors
-/// Where an end of an interval is not valid: a ratio outside the domain of [`crate::Ratios`], a parameter of a machine
+/// Where an interval is empty or an end of it is not valid: a ratio outside the domain of [`crate::Ratios`], a parameter of a machine
 /// that is not finite or has the wrong sign, or a ratio or scale of a machine that overflows or underflows.
 impl<F: Float> ParameterBox<F> {
     /// The smallest box of ratios with those of all parameters of this box: Ω = ω_d √(m/k), α = p₀/r_y,
@@ -87,7 +87,7 @@ impl<F: Float> ParameterBox<F> {
     /// attained. The box is widened by the possible rounding of the formulae.
     ///
     /// # Errors
-    /// Where an end of an interval is not valid, or a ratio leaves the domain of [`crate::Ratios`].
+    /// Where an interval is empty or an end of it is not valid, or a ratio leaves the domain of [`crate::Ratios`].
     pub fn ratios(&self) -> Result<Self, Error> {
         let RatioBox { omega, alpha, damping_ratio } = match self.by_kind()? {
             Kind::Ratios(ratios) => ratios,
@@ -116,7 +116,7 @@ impl<F: Float> ParameterBox<F> {
     /// use stickslip::uncertainty::{Interval, ParameterBox, Parameters};
     /// use stickslip::{Excitation, Verdict};
     /// // Friction known to ±5 %, a damper to ±20 %.
-    /// let (friction_bound, damping) = (Interval::relative(5.0, 0.05)?, Interval::relative(20.0, 0.2)?);
+    /// let (friction_bound, damping) = (Interval::relative(5.0, 0.05), Interval::relative(20.0, 0.2));
     /// let machine = |force| ParameterBox::Machine(Parameters {
     ///     excitation: Excitation::Force,
     ///     mass: Interval::exactly(50.0),
@@ -173,7 +173,7 @@ impl<F: Float> ParameterBox<F> {
     /// use stickslip::Output;
     /// use stickslip::uncertainty::{Interval, ParameterBox};
     /// let ratios = ParameterBox::Ratios {
-    ///     omega: Interval::between(0.7, 0.72)?,
+    ///     omega: Interval { low: 0.7, high: 0.72 },
     ///     alpha: Interval::exactly(2.0),
     ///     damping_ratio: Interval::exactly(0.0),
     /// };

@@ -26,12 +26,15 @@ pub(super) struct RatioBox<F> {
 
 impl<F: Float> RatioBox<F> {
     /// # Errors
-    /// Where an end is outside the domain of [`Ratios`].
+    /// Where an interval is empty, or an end is outside the domain of [`Ratios`].
     pub(super) fn new(
         omega: Interval<F>,
         alpha: Interval<F>,
         damping_ratio: Interval<F>,
     ) -> Result<Self, Error> {
+        for interval in [omega, alpha, damping_ratio] {
+            interval.check()?;
+        }
         Ratios::new(omega.low, alpha.low)?.with_damping_ratio(damping_ratio.low)?;
         Ratios::new(omega.high, alpha.high)?.with_damping_ratio(damping_ratio.high)?;
         Ok(Self { omega, alpha, damping_ratio })

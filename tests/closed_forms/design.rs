@@ -240,7 +240,7 @@ proptest! {
     ) {
         let (low, high) = (ends.0.min(ends.1), ends.0.max(ends.1));
         let ratios = ParameterBox::Ratios {
-            omega: Interval::between(low, high).unwrap(),
+            omega: Interval { low, high },
             alpha: Interval::exactly(2.0),
             damping_ratio: Interval::exactly(0.0),
         };

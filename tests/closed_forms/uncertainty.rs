@@ -10,7 +10,7 @@ use stickslip::{Border, Error, Excitation, Output, Ratios, Regime, Response};
 
 fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
     let share = width * random.next();
-    if share < 0.2 * width { Interval::exactly(x) } else { Interval::relative(x, share).unwrap() }
+    if share < 0.2 * width { Interval::exactly(x) } else { Interval::relative(x, share) }
 }
 
 fn undamped(omega: Interval<f64>, alpha: Interval<f64>) -> ParameterBox<f64> {
@@ -34,11 +34,11 @@ fn machine(excitation: Excitation, intervals: [Interval<f64>; 6]) -> ParameterBo
 fn within(random: &mut Random, i: Interval<f64>) -> f64 {
     let corner = random.next();
     if corner < 0.2 {
-        i.low()
+        i.low
     } else if corner < 0.4 {
-        i.high()
+        i.high
     } else {
-        random.between(i.low(), i.high())
+        random.between(i.low, i.high)
     }
 }
 
@@ -108,10 +108,10 @@ fn guaranteed_ranges_hold_the_exact_values() {
             let Some(range) = whole.range(output, 3).unwrap().filter(Range::is_guaranteed) else { continue };
             let [low, high] = [range.low, range.high].map(Mp::<4>::from_f64);
             for (omega, alpha) in [
-                (omega.low(), alpha.low()),
-                (omega.low(), alpha.high()),
-                (omega.high(), alpha.low()),
-                (omega.high(), alpha.high()),
+                (omega.low, alpha.low),
+                (omega.low, alpha.high),
+                (omega.high, alpha.low),
+                (omega.high, alpha.high),
             ] {
                 let ratios = Ratios::new(Mp::<4>::from_f64(omega), Mp::from_f64(alpha)).unwrap();
                 let Some(value) = output.of(&Response::new(ratios)) else { continue };
@@ -132,9 +132,9 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
     for _ in 0..200 {
         let omega = random.scale(0.1, 10.0);
         let alpha = Border::new(omega).unwrap().min_force_ratio * random.scale(1.1, 8.0);
-        let omega = Interval::relative(omega, 0.002).unwrap();
+        let omega = Interval::relative(omega, 0.002);
         let width = random.scale(0.005, 0.1);
-        let alpha = Interval::relative(alpha, width).unwrap();
+        let alpha = Interval::relative(alpha, width);
         let whole = undamped(omega, alpha);
         if whole.verdict().unwrap().sticks() != Some(false) {
             continue;
@@ -153,7 +153,7 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
             let (mut low, mut high) = (f64::INFINITY, 0.0);
             for i in 0..=400 {
                 for j in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                    let at = |i: Interval<f64>, share: f64| i.low() + (i.high() - i.low()) * share;
+                    let at = |i: Interval<f64>, share: f64| i.low + (i.high - i.low) * share;
                     let ratios = Ratios::new(at(omega, f64::from(i) / 400.0), at(alpha, j)).unwrap();
                     let value = output.of(&Response::new(ratios)).unwrap();
                     (low, high) = (f64::min(low, value), f64::max(high, value));
@@ -166,7 +166,7 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
             );
         }
         // The range of V₀ is guaranteed at a single frequency.
-        let at_one = undamped(Interval::exactly(omega.low()), alpha);
+        let at_one = undamped(Interval::exactly(omega.low), alpha);
         let fastest = at_one.range(Output::MaxVelocity, 100).unwrap().unwrap();
         assert_eq!(fastest.evidence, Evidence::Guaranteed { sharp: true });
         assert!(!whole.range(Output::MaxVelocity, 100).unwrap().unwrap().is_guaranteed());
@@ -179,10 +179,15 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
 
 #[test]
 fn what_is_wrong_is_named() {
-    assert!(matches!(Interval::between(2.0, 1.0), Err(Error::EmptyInterval { .. })));
-    assert!(Interval::relative(2.0, -0.1).is_err() && Interval::absolute(2.0, f64::NAN).is_err());
     let one = Interval::exactly(1.0);
-    let negative = Interval::absolute(1.0, 2.0).unwrap();
+    let empty =
+        [Interval { low: 2.0, high: 1.0 }, Interval::relative(2.0, -0.1), Interval::absolute(2.0, f64::NAN)];
+    for empty in empty {
+        let is_empty = |found: Result<_, Error>| matches!(found, Err(Error::EmptyInterval { .. }));
+        assert!(is_empty(undamped(empty, one).verdict()) && is_empty(undamped(one, empty).verdict()));
+        assert!(is_empty(machine(Excitation::Force, [one, one, one, one, empty, one]).verdict()));
+    }
+    let negative = Interval::absolute(1.0, 2.0);
     assert!(undamped(negative, one).verdict().is_err() && undamped(one, negative).verdict().is_err());
     let refused = machine(Excitation::Force, [one, one, negative, one, one, one]);
     assert!(refused.verdict().is_err() && refused.range(Output::Margin, 1).is_err());
@@ -191,7 +196,7 @@ fn what_is_wrong_is_named() {
     assert_eq!(sticking.range(Output::MaxDisplacement, 10), Ok(None));
     assert!(sticking.range(Output::MinForceRatio, 10).unwrap().unwrap().is_guaranteed());
     // Across the border, the cycle exists in part of the box.
-    let over = undamped(Interval::exactly(0.7), Interval::between(1.2, 1.5).unwrap());
+    let over = undamped(Interval::exactly(0.7), Interval { low: 1.2, high: 1.5 });
     let Evidence::Sampled { points, existing } =
         over.range(Output::MaxDisplacement, 100).unwrap().unwrap().evidence
     else {
@@ -209,7 +214,7 @@ fn a_damper_takes_balls() {
     let with = |low, high| ParameterBox::Ratios {
         omega: exactly(0.7),
         alpha: exactly(9.0),
-        damping_ratio: Interval::between(low, high).unwrap(),
+        damping_ratio: Interval { low, high },
     };
     let damped = with(0.1, 0.2);
     assert_eq!(whole.verdict().unwrap().regime(), Some(Regime::NonSticking));

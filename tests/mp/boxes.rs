@@ -12,7 +12,7 @@ fn ratio_box(omega: Interval<f64>, alpha: Interval<f64>, damping_ratio: Interval
 }
 
 fn holds(interval: Interval<f64>, x: Wide) -> bool {
-    Wide::from(interval.low()) <= x && x <= Wide::from(interval.high())
+    Wide::from(interval.low) <= x && x <= Wide::from(interval.high)
 }
 
 /// For exact ratios, the range exceeds the value at 256 bits at both ends by the outward rounding alone.
@@ -36,7 +36,7 @@ fn what_is_known_exactly_is_rounded_outward() {
                 continue;
             };
             let range = range.unwrap_or_else(|| panic!("{omega} {alpha} {zeta} {output:?}"));
-            let found = Interval::between(range.low, range.high).unwrap();
+            let found = Interval { low: range.low, high: range.high };
             assert!(
                 range.is_guaranteed() && holds(found, value) && range.high - range.low <= 1e-15 * range.high,
                 "{omega} {alpha} {zeta} {output:?}: {range:?} {value}"
@@ -60,7 +60,7 @@ fn the_verdict_changes_at_the_border() {
         }
         let [o, z] = [omega, zeta].map(Interval::exactly);
         let verdict = |low: f64, high: f64| {
-            let alpha = Interval::between(least * low, least * high).unwrap();
+            let alpha = Interval { low: least * low, high: least * high };
             ratio_box(o, alpha, z).verdict().unwrap()
         };
         let undecided = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
@@ -72,10 +72,10 @@ fn the_verdict_changes_at_the_border() {
     }
     assert!(decided > 20, "{decided}");
     // Without a damper the motion at Ω = 1 is unbounded.
-    let around_one = Interval::between(0.99, 1.01).unwrap();
-    let whole = ratio_box(around_one, Interval::exactly(9.0), Interval::between(0.0, 0.5).unwrap());
+    let around_one = Interval { low: 0.99, high: 1.01 };
+    let whole = ratio_box(around_one, Interval::exactly(9.0), Interval { low: 0.0, high: 0.5 });
     assert_eq!(whole.verdict().unwrap().regime(), None);
-    let damped = ratio_box(around_one, Interval::exactly(9.0), Interval::between(0.1, 0.5).unwrap());
+    let damped = ratio_box(around_one, Interval::exactly(9.0), Interval { low: 0.1, high: 0.5 });
     assert_eq!(damped.verdict(), Ok(Verdict::NonSticking));
 }
 
@@ -104,7 +104,7 @@ fn one_machine_with_a_damper_is_in_its_own_box() {
         let ratios = Drive::force(a, w).unwrap().ratios(&body).unwrap();
         assert!(holds(omega, ratios.omega()) && holds(alpha, ratios.alpha()), "{parts:?}");
         assert!(holds(zeta, ratios.damping_ratio()), "{parts:?}");
-        assert!(zeta.high() - zeta.low() < 1e-14 * zeta.high(), "{parts:?}");
+        assert!(zeta.high - zeta.low < 1e-14 * zeta.high, "{parts:?}");
     }
 }
 
@@ -113,9 +113,9 @@ fn one_machine_with_a_damper_is_in_its_own_box() {
 #[test]
 fn sampled_ranges_are_within_the_proved_ones() {
     let whole = ratio_box(
-        Interval::between(0.84, 0.86).unwrap(),
-        Interval::between(2.3, 2.5).unwrap(),
-        Interval::between(0.03, 0.05).unwrap(),
+        Interval { low: 0.84, high: 0.86 },
+        Interval { low: 2.3, high: 2.5 },
+        Interval { low: 0.03, high: 0.05 },
     );
     for output in [Output::MinForceRatio, Output::Margin, Output::MaxDisplacement] {
         let sampled = whole.range(output, 200).unwrap().unwrap();

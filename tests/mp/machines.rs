@@ -9,7 +9,7 @@ type Machine = ([f64; 6], [f64; 6]);
 
 fn parts(excitation: Excitation, (values, shares): &Machine) -> ParameterBox<f64> {
     let [mass, stiffness, friction_bound, amplitude, angular_frequency, damping] =
-        core::array::from_fn(|i| Interval::relative(values[i], shares[i]).unwrap());
+        core::array::from_fn(|i| Interval::relative(values[i], shares[i]));
     ParameterBox::Machine(Parameters {
         excitation,
         mass,
@@ -132,7 +132,7 @@ fn what_is_exact_is_sharp_and_what_may_stick_has_no_range() {
     let sampled = both.range(Output::MinForceRatio, 10).unwrap().unwrap();
     let proved = both.enclosed(Output::MinForceRatio, 20).unwrap().unwrap();
     assert!(!sampled.is_guaranteed() && proved.low <= sampled.low && sampled.high <= proved.high);
-    let negative = Interval::between(-1.0, 1.0).unwrap();
+    let negative = Interval { low: -1.0, high: 1.0 };
     let ParameterBox::Machine(mut refused) = both else { panic!("ratios") };
     refused.damping = negative;
     let refused = ParameterBox::Machine(refused).enclosed(Output::Margin, 1);

@@ -20,10 +20,7 @@ pub(super) fn needed_force<F: Value>(
     }
     if let Some(transmissibility) = Output::Transmissibility.of(response) {
         let of_foot = note.is_driven(Excitation::moves_foot);
-        note.line(
-            if of_foot { "per support acceleration" } else { "  per p₀" },
-            digits(transmissibility),
-        )?;
+        note.line(if of_foot { "per support acceleration" } else { "  per p₀" }, digits(transmissibility))?;
     }
     if note.given.is_without_friction() {
         return note.number("minimum without sticking", Measure::Force, border.min_force_ratio);

@@ -24,7 +24,7 @@ use crate::machine::ratios::Ratios;
 /// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided; with twice the force it is decided.
 /// let (omega, damping_ratio) = (Interval::exactly(0.4), Interval::exactly(0.0));
 /// let verdict = |low, high| {
-///     ParameterBox::Ratios { omega, alpha: Interval::between(low, high)?, damping_ratio }.verdict()
+///     ParameterBox::Ratios { omega, alpha: Interval { low, high }, damping_ratio }.verdict()
 /// };
 /// assert_eq!(verdict(6.0 / 1.2, 6.0 / 0.8)?.regime(), None);
 /// assert_eq!(verdict(12.0 / 1.2, 12.0 / 0.8)?, Verdict::NonSticking);

@@ -74,14 +74,13 @@ fn one_machine_is_in_its_own_box() {
         let [m, k, r, a, w] = [one(), one(), one(), one(), one()];
         for excitation in EXCITATIONS {
             let machine = machine(excitation, [m, k, r, a, w, Interval::exactly(0.0)]);
-            let body = Oscillator::new(m.low(), k.low(), r.low()).unwrap();
-            let drive = Drive::new(excitation, a.low(), w.low()).unwrap();
+            let body = Oscillator::new(m.low, k.low, r.low).unwrap();
+            let drive = Drive::new(excitation, a.low, w.low).unwrap();
             let Ok(ratios) = drive.ratios(&body) else { continue };
             let ParameterBox::Ratios { omega, alpha, .. } = machine.ratios().unwrap() else {
                 panic!("a machine")
             };
-            let holds =
-                |i: Interval<f64>, x: f64| i.low() <= x && x <= i.high() && i.high() - i.low() < 1e-14 * x;
+            let holds = |i: Interval<f64>, x: f64| i.low <= x && x <= i.high && i.high - i.low < 1e-14 * x;
             assert!(holds(omega, ratios.omega()) && holds(alpha, ratios.alpha()), "{machine:?}");
             let margin = machine.range(Output::Margin, 1).unwrap().unwrap();
             assert_eq!(margin.evidence, Evidence::Guaranteed { sharp: false });
@@ -98,8 +97,8 @@ fn guaranteed_ranges_of_machines_are_close() {
     for _ in 0..60 {
         let exactly = |x: f64| Interval::exactly(x);
         let (k, w) = (random.scale(0.1, 10.0), random.scale(0.3, 4.0));
-        let stiffness = Interval::relative(k, 0.15).unwrap();
-        let least = Border::new(w / stiffness.low().sqrt()).unwrap().min_force_ratio;
+        let stiffness = Interval::relative(k, 0.15);
+        let least = Border::new(w / stiffness.low.sqrt()).unwrap().min_force_ratio;
         let p0 = least * random.scale(1.5, 6.0);
         let known = [exactly(1.0), stiffness, exactly(1.0), exactly(p0), exactly(w), exactly(0.0)];
         let machine = machine(Excitation::Force, known);
@@ -110,7 +109,7 @@ fn guaranteed_ranges_of_machines_are_close() {
             seen += 1;
             let (mut low, mut high) = (f64::INFINITY, 0.0);
             for i in 0..=400 {
-                let k = stiffness.low() + (stiffness.high() - stiffness.low()) * f64::from(i) / 400.0;
+                let k = stiffness.low + (stiffness.high - stiffness.low) * f64::from(i) / 400.0;
                 let (body, drive) = (Oscillator::new(1.0, k, 1.0).unwrap(), Drive::force(p0, w).unwrap());
                 let scales = Scales::new(&body, &drive).unwrap();
                 let response = Response::new(drive.ratios(&body).unwrap());

@@ -86,7 +86,7 @@ fn proved_ranges_have_the_outputs_of_the_box() {
         (0.41, 0.412, 9.0, 9.0, 6, 10.0),
     ];
     for (o1, o2, a1, a2, pieces, slack) in boxes {
-        let interval = |low, high| Interval::between(low, high).unwrap();
+        let interval = |low, high| Interval { low, high };
         let ratios = undamped(interval(o1, o2), interval(a1, a2));
         for output in outputs {
             let values: Vec<f64> = (0..=8)
@@ -111,7 +111,7 @@ fn proved_ranges_have_the_outputs_of_the_box() {
     // A box on both sides of the border, of a pole or of Ω = 1 has no proved displacement, but it has a
     // border.
     for (o1, o2, a1, a2) in [(0.7, 0.71, 1.0, 2.0), (0.33, 0.34, 9.0, 9.5), (0.99, 1.01, 2.0, 2.0)] {
-        let interval = |low, high| Interval::between(low, high).unwrap();
+        let interval = |low, high| Interval { low, high };
         let ratios = undamped(interval(o1, o2), interval(a1, a2));
         assert_eq!(ratios.enclosed(Output::MaxDisplacement, 50), Ok(None), "{o1} {a1}");
         let border = ratios.enclosed(Output::MinForceRatio, 50).unwrap();
