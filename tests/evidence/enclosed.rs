@@ -22,8 +22,8 @@ fn number<const N: usize>(value: &Value) -> Mp<N> {
 /// Holds a ball against 40 digits: it contains them, or misses them by their own rounding only.
 fn hold(name: &str, ball: &Enclosure, digits: &Value, case: &Value) {
     let reference: Mp<4> = digits.as_str().unwrap().parse().unwrap();
-    let middle = Mp::<4>::from_rug(&ball.mid);
-    let rad = Mp::<4>::from_rug(&ball.rad);
+    let middle = Mp::<4>::from(&ball.mid);
+    let rad = Mp::<4>::from(&ball.rad);
     let room = rad + (reference.abs() + Mp::from(1e-3)) * Mp::from(1e-38);
     let off = (reference - middle).abs();
     assert!(off <= room, "{name}: {ball} and {digits} of {case}");

@@ -73,7 +73,7 @@ fn moderate(x: &Float) -> bool {
 
 pub(crate) fn unary<const L: usize>(recipe: &Recipe) {
     let theirs = recipe.cook(64 * L as u32);
-    let ours = Mp::<L>::from_rug(&theirs);
+    let ours = Mp::<L>::from(&theirs);
     assert_same!(ours, theirs.clone(), "conversion");
     macro_rules! check {
         ($($ours:ident = $theirs:ident),*) => {$(
@@ -141,7 +141,7 @@ pub(crate) fn unary<const L: usize>(recipe: &Recipe) {
 pub(crate) fn binary<const L: usize>(a: &Recipe, b: &Recipe) {
     let bits = 64 * L as u32;
     let (a, b) = (a.cook(bits), b.cook(bits));
-    let (x, y) = (Mp::<L>::from_rug(&a), Mp::<L>::from_rug(&b));
+    let (x, y) = (Mp::<L>::from(&a), Mp::<L>::from(&b));
     macro_rules! operator {
         ($($operator:tt $assign:tt),*) => {$(
             let theirs = Float::with_val(bits, &a $operator &b);
@@ -184,7 +184,7 @@ pub(crate) fn binary<const L: usize>(a: &Recipe, b: &Recipe) {
 pub(crate) fn ternary<const L: usize>(a: &Recipe, b: &Recipe, c: &Recipe) {
     let bits = 64 * L as u32;
     let (a, b, c) = (a.cook(bits), b.cook(bits), c.cook(bits));
-    let [x, y, z] = [&a, &b, &c].map(Mp::<L>::from_rug);
+    let [x, y, z] = [&a, &b, &c].map(Mp::<L>::from);
     assert_same!(x.mul_add(y, z), a.clone().mul_add(&b, &c), "{a} · {b} + {c}");
     assert_same!(x.mul_add(x, x), a.clone().mul_add(&a, &a), "{a} · itself + itself");
     // If the sum cancels the product, its rounding error remains.
@@ -198,7 +198,7 @@ pub(crate) fn ternary<const L: usize>(a: &Recipe, b: &Recipe, c: &Recipe) {
 
 pub(crate) fn text<const L: usize>(recipe: &Recipe) {
     let theirs = recipe.cook(64 * L as u32);
-    let x = Mp::<L>::from_rug(&theirs);
+    let x = Mp::<L>::from(&theirs);
     for text in [x.to_string(), format!("{x:e}"), format!("{x:?}")] {
         let back: Mp<L> = text.parse().unwrap();
         assert_same!(back, theirs.clone(), "{text}");

@@ -46,14 +46,14 @@ fn reference(omega: Exact, alpha: Exact) -> Response<Exact> {
 
 /// The distance of the value from the midpoint, in radii.
 fn radii(found: &Enclosure, value: Exact) -> f64 {
-    let distance = (value - Exact::from_rug(&found.mid)).abs();
-    if distance == Exact::ZERO { 0.0 } else { (distance / Exact::from_rug(&found.rad)).to_f64() }
+    let distance = (value - Exact::from(&found.mid)).abs();
+    if distance == Exact::ZERO { 0.0 } else { (distance / Exact::from(&found.rad)).to_f64() }
 }
 
 /// The radius in units in the last place of the requested bits.
 fn units(found: &Enclosure) -> f64 {
-    let unit = Exact::from_rug(&found.mid).abs().scale2(-(found.mid.prec() as i32));
-    (Exact::from_rug(&found.rad) / unit).to_f64()
+    let unit = Exact::from(&found.mid).abs().scale2(-(found.mid.prec() as i32));
+    (Exact::from(&found.rad) / unit).to_f64()
 }
 
 /// Checks that every output lies in its enclosure; returns the widest enclosure in units in the last place.
@@ -205,14 +205,14 @@ fn more_bits_are_taken_where_they_are_needed() {
     let found = response(&text(&omega), &text("1.3"), 64).unwrap();
     let displacement = found.get(Output::MaxDisplacement).unwrap();
     assert!(units(displacement) <= 1.5 && found.bits > 256, "{displacement} {}", found.bits);
-    let near = Exact::from_rational(
+    let near = Exact::from(
         &(rug::Rational::from(1)
             + rug::Rational::from((1, rug::Integer::from(rug::Integer::u_pow_u(10, 100))))),
     );
-    let exact = reference(near, Exact::from_rational(&"13/10".parse().unwrap()));
+    let exact = reference(near, Exact::from(&rug::Rational::from((13, 10))));
     // The reference itself has lost about 660 of its 1024 bits.
     let value = exact.cycle.as_ref().unwrap().max_displacement;
-    assert!(((value - Exact::from_rug(&displacement.mid)) / value).abs().to_f64() < 1e-18);
+    assert!(((value - Exact::from(&displacement.mid)) / value).abs().to_f64() < 1e-18);
 }
 
 #[test]

@@ -106,12 +106,12 @@ proptest! {
     #[test]
     fn big_integers_and_ratios(numerator in any::<i128>(), denominator in 1..i128::MAX) {
         let ratio = Rational::from((numerator, denominator));
-        assert_same!(Mp::<4>::from_rational(&ratio), Float::with_val(256, &ratio), "{ratio}");
-        assert_same!(Mp::<1>::from_rational(&ratio), Float::with_val(64, &ratio), "{ratio}");
+        assert_same!(Mp::<4>::from(&ratio), Float::with_val(256, &ratio), "{ratio}");
+        assert_same!(Mp::<1>::from(&ratio), Float::with_val(64, &ratio), "{ratio}");
         let square = Integer::from(numerator) * denominator;
-        assert_same!(Mp::<2>::from_rational(&Rational::from(&square)), Float::with_val(128, &square), "{square}");
+        assert_same!(Mp::<2>::from(&Rational::from(&square)), Float::with_val(128, &square), "{square}");
         // 2¹²⁷ · 2¹²⁷ fits, and is returned unchanged.
-        prop_assert_eq!(Mp::<4>::from_rational(&Rational::from(&square)).to_rational(), Some(Rational::from(square)));
+        prop_assert_eq!(Mp::<4>::from(&Rational::from(&square)).to_rational(), Some(Rational::from(square)));
     }
 }
 
@@ -197,9 +197,9 @@ fn rounding_between_widths_is_to_nearest_even() {
     // From a rug number of another precision, and back.
     let mut third = Float::new(200);
     third.assign_round(Rational::from((1, 3)), rug::float::Round::Nearest);
-    assert!(same(Mp::<1>::from_rug(&third), &Float::with_val(64, &third)));
+    assert!(same(Mp::<1>::from(&third), &Float::with_val(64, &third)));
     let mut back = Float::new(64);
-    back.assign(Float::from(Mp::<1>::from_rug(&third)));
+    back.assign(Float::from(Mp::<1>::from(&third)));
     assert_eq!(back, Float::with_val(64, &third));
 }
 
@@ -240,7 +240,7 @@ fn the_least_sufficient_width_is_chosen() {
 #[test]
 fn a_rug_number_is_rounded_once() {
     let third = Float::with_val(128, 1) / 3u32;
-    assert_eq!(Float::from(Mp::<2>::from_rug(&third)), third);
-    assert!(Mp::<1>::from_rug(&Float::with_val(64, f64::NAN)).is_nan());
-    assert_eq!(Mp::<1>::from_rug(&third), Mp::<1>::int(1) / Mp::int(3));
+    assert_eq!(Float::from(Mp::<2>::from(&third)), third);
+    assert!(Mp::<1>::from(&Float::with_val(64, f64::NAN)).is_nan());
+    assert_eq!(Mp::<1>::from(&third), Mp::<1>::int(1) / Mp::int(3));
 }

@@ -73,7 +73,7 @@ mod serialised {
 
     fn round_trip<const L: usize>(recipe: &Recipe) {
         let theirs = recipe.cook(64 * L as u32);
-        let json = serde_json::to_string(&Mp::<L>::from_rug(&theirs)).unwrap();
+        let json = serde_json::to_string(&Mp::<L>::from(&theirs)).unwrap();
         assert!(json.starts_with('"') && json.ends_with('"'));
         let back: Mp<L> = serde_json::from_str(&json).unwrap();
         assert!(same(back, &theirs), "{json}");

@@ -107,12 +107,12 @@ fn every_answer_of_the_references_is_enclosed() {
         let speed = exact.max_velocity.abs().or_larger(exact.min_velocity.abs());
         let (work, one) = (exact.load_work.abs(), Mp::<8>::int(1));
         let hold = |name: &str, found: &Enclosure, exact: Mp<8>, size: Mp<8>| {
-            let rad = Mp::<8>::from_rug(&found.rad);
+            let rad = Mp::<8>::from(&found.rad);
             assert!(found.contains(&rug::Float::from(exact)), "{index} {name}: {found} and {exact}");
             assert!(rad < size * Mp::from(1e-18), "{index} {name}: ± {rad}");
             if let Some(reference) = case["answer"].get(name) {
                 let reference = text(reference).parse::<Mp<8>>().unwrap();
-                let off = (reference - Mp::from_rug(&found.mid)).abs();
+                let off = (reference - Mp::from(&found.mid)).abs();
                 assert!(off < rad + size * Mp::from(1e-21), "{index} {name}: {found} and {reference}");
             }
         };
@@ -255,8 +255,8 @@ fn answers_of_random_bodies_are_enclosed() {
         for (name, found) in answers {
             // The reference has 40 digits, and the path to a limit is cut at 1e-42.
             let reference = of(name);
-            let off = (reference - Mp::from_rug(&found.mid)).abs();
-            let most = Mp::<4>::from_rug(&found.rad) + reference.abs() * Mp::from(1e-38) + Mp::from(1e-40);
+            let off = (reference - Mp::from(&found.mid)).abs();
+            let most = Mp::<4>::from(&found.rad) + reference.abs() * Mp::from(1e-38) + Mp::from(1e-40);
             assert!(off <= most, "{index} {name}: {found} and {reference}");
             assert!(found.rad < 1e-20, "{index} {name}: {found}");
         }

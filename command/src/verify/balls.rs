@@ -64,7 +64,7 @@ impl ExactRatios {
     /// The ratios with forty digits.
     fn written(&self) -> Place {
         let [omega, alpha, zeta] =
-            [&self.omega, &self.alpha, &self.zeta].map(|x| Mp::<2>::from_rational(x).to_string());
+            [&self.omega, &self.alpha, &self.zeta].map(|x| Mp::<2>::from(x).to_string());
         Place { omega: Some(omega), alpha: Some(alpha), damping_ratio: self.is_damped().then_some(zeta) }
     }
 }

@@ -5,8 +5,7 @@ use rug::{Float, Rational};
 
 impl<const LIMBS: usize> Mp<LIMBS> {
     /// The number nearest to a ratio of integers, rounded once.
-    #[must_use]
-    pub fn from_rational(ratio: &Rational) -> Self {
+    pub(crate) fn from_rational(ratio: &Rational) -> Self {
         Self::from_rug(&Float::with_val(Self::bits_now(), ratio))
     }
 
@@ -55,6 +54,20 @@ impl<const LIMBS: usize> From<i32> for Mp<LIMBS> {
     #[inline]
     fn from(n: i32) -> Self {
         Self::of_int(n)
+    }
+}
+
+/// The nearest number; exact where the significand has enough bits.
+impl<const LIMBS: usize> From<&Float> for Mp<LIMBS> {
+    fn from(x: &Float) -> Self {
+        Self::from_rug(x)
+    }
+}
+
+/// The nearest number, rounded once.
+impl<const LIMBS: usize> From<&Rational> for Mp<LIMBS> {
+    fn from(ratio: &Rational) -> Self {
+        Self::from_rational(ratio)
     }
 }
 

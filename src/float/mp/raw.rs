@@ -305,8 +305,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 
     /// The number nearest to a `rug` number of any precision.
-    #[must_use]
-    pub fn from_rug(x: &rug::Float) -> Self {
+    pub(crate) fn from_rug(x: &rug::Float) -> Self {
         // SAFETY: a `rug::Float` is a valid number, and only read.
         Self::output(|r| unsafe {
             mpfr::set(r, x.as_raw(), rnd_t::RNDN);

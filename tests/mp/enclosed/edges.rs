@@ -132,9 +132,7 @@ fn the_border_around_one_half_is_that_of_each_frequency() {
 fn an_enclosure_has_two_ends() {
     let found = enclosed::KnownRatios::new(&double(0.75)).response(64).unwrap();
     let enclosure = found.get(Output::MinForceRatio).unwrap();
-    let at = |radii: i32| {
-        Mp::<4>::from_rug(&enclosure.mid) + Mp::<4>::from_rug(&enclosure.rad) * Mp::<4>::int(radii)
-    };
+    let at = |radii: i32| Mp::<4>::from(&enclosure.mid) + Mp::<4>::from(&enclosure.rad) * Mp::<4>::int(radii);
     for (radii, is_inside) in [(-1_000_000, false), (-2, false), (0, true), (2, false), (1_000_000, false)] {
         let x = rug::Float::from(at(radii));
         assert_eq!(enclosure.contains(&x), is_inside, "{radii} radii: {x}");

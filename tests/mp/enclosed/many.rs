@@ -54,8 +54,8 @@ fn a_million_points() {
             if let Some(enclosure) = found.get(output)
                 && let Some(value) = output.of(&exact)
             {
-                let distance = (value - Mp::<4>::from_rug(&enclosure.mid)).abs();
-                let rad = Mp::<4>::from_rug(&enclosure.rad);
+                let distance = (value - Mp::<4>::from(&enclosure.mid)).abs();
+                let rad = Mp::<4>::from(&enclosure.rad);
                 assert!(distance <= rad, "{omega:e} {alpha:e} {output:?}: {value} {enclosure}");
                 values += 1;
                 if value != Mp::ZERO {

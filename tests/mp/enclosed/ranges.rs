@@ -39,7 +39,7 @@ fn margins_hold(count: u32, seed: f64) -> (u32, f64) {
                 continue;
             };
             let Some(enclosure) = found.get(output) else { continue };
-            let (mid, rad) = (Exact::from_rug(&enclosure.mid), Exact::from_rug(&enclosure.rad));
+            let (mid, rad) = (Exact::from(&enclosure.mid), Exact::from(&enclosure.rad));
             let (low, high) = (Exact::from(range.low), Exact::from(range.high));
             let inside = low <= mid - rad && mid + rad <= high;
             assert!(inside, "{omega:e} {alpha:e} {output:?}: {} … {} {enclosure}", range.low, range.high);

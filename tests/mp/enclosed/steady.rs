@@ -41,7 +41,7 @@ fn steady_motions_are_proved() {
         let exact = run.steady_state().unwrap();
         let near = |enclosure: &Enclosure, value: Mp<4>, name: &str| {
             // The enclosure has at least 30 digits, and contains the solver's value to within its own 60.
-            let off = (value - Mp::from_rug(&enclosure.mid)).abs().to_f64();
+            let off = (value - Mp::from(&enclosure.mid)).abs().to_f64();
             assert!(enclosure.rad.to_f64() < 1e-30, "{omega} {alpha} {zeta} {name}: {enclosure}");
             assert!(
                 off <= enclosure.rad.to_f64() + 1e-55,
@@ -66,7 +66,7 @@ fn steady_motions_are_proved() {
         assert_eq!(found.velocity_zeros_per_cycle, exact.velocity_zeros_per_cycle, "{omega} {alpha} {zeta}");
         for ((re, im), (x, y)) in found.multipliers.iter().zip(exact.multipliers) {
             for (enclosure, value) in [(re, x), (im, y)] {
-                let off = (value - Mp::from_rug(&enclosure.mid)).abs().to_f64();
+                let off = (value - Mp::from(&enclosure.mid)).abs().to_f64();
                 assert!(off < 1e-25, "{omega} {alpha} {zeta}: {enclosure} {value}");
             }
         }
