@@ -65,7 +65,8 @@ fn border(zeta: f64) -> Vec<(f64, f64)> {
         if zeta == 0.0 && POLES.contains(&omega) {
             return f64::INFINITY;
         }
-        Border::with_damping(omega, zeta).map_or(f64::NAN, |b| b.min_force_ratio)
+        let ratios = Ratios::new(omega, 1.0).and_then(|at| at.with_damping_ratio(zeta));
+        ratios.map_or(f64::NAN, |at| Border::of(&at).min_force_ratio)
     };
     resonant(evenly(0.150_1, 1.999_7, 1400), &POLES, least)
 }

@@ -188,7 +188,11 @@ fn damping_bounds_resonance_and_the_poles() {
         }
         assert!(compared > 200, "{compared}");
         for (omega, least) in line(1).into_iter().filter(|p| p.1.is_finite()) {
-            assert_eq!(least, Border::with_damping(omega, zeta).unwrap().min_force_ratio);
+            assert_eq!(
+                least,
+                Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap())
+                    .min_force_ratio
+            );
         }
         let is_unbounded = |panel: usize, at: f64| line(panel).contains(&(at, f64::INFINITY));
         assert_eq!((is_unbounded(0, 1.0), is_unbounded(1, 1.0 / 3.0)), (zeta < 0.01, zeta < 0.01), "{zeta}");

@@ -96,7 +96,7 @@ pub struct Border<F> {
 }
 
 impl<F: Float> Border<F> {
-    /// The border at the frequency ratio Ω.
+    /// The border at the frequency ratio Ω, without a damper; [`Border::of`] has one.
     ///
     /// # Errors
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
@@ -105,20 +105,12 @@ impl<F: Float> Border<F> {
         Ok(without_damping(omega, eta))
     }
 
-    /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
+    /// The border at the Ω, ζ and η of `ratios`, whatever their α.
     ///
-    /// Exact: every maximum of Den Hartog's condition is known (`src/cycle/damped/border.rs`). The
-    /// analogue of eq. 61 suffices for `Ω ≥ √(1 − ζ²)/2` and for ζ ≥ 1.
-    ///
-    /// # Errors
-    /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
-    pub fn with_damping(omega: F, damping_ratio: F) -> Result<Self, Error> {
-        Ok(Self::of(&crate::Ratios::of_machine(omega, damping_ratio)?))
-    }
-
-    /// The border at Ω, ζ and η of `ratios`; their α plays no part. With a static friction of η times the
-    /// kinetic one the condition at the turning point is `Δ₀/B ≥ (η + G + 2ζΩH)/Ω² − G`, G = H = 0 without
-    /// damping; inside the half cycle nothing changes.
+    /// With a damper it is exact, too: every maximum of Den Hartog's condition is known
+    /// (`src/cycle/damped/border.rs`). The analogue of eq. 61 suffices for `Ω ≥ √(1 − ζ²)/2` and for ζ ≥ 1. With a static
+    /// friction of η times the kinetic one the condition at the turning point is `Δ₀/B ≥ (η + G + 2ζΩH)/Ω² − G`, G = H = 0
+    /// without damping; inside the half cycle nothing changes.
     pub fn of(ratios: &crate::Ratios<F>) -> Self {
         if ratios.is_damped() {
             super::damped::border(&super::damped::half_period(ratios))

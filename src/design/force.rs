@@ -52,7 +52,7 @@ mod tests {
     fn with_damping_and_whatever_shakes_it() {
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
         for omega in [0.4, 0.7, 1.0, 3.0] {
-            let least = Border::with_damping(omega, 0.05).unwrap().min_force_ratio;
+            let least = Border::of(&crate::Ratios::of_machine(omega, 0.05).unwrap()).min_force_ratio;
             let force: f64 = min_amplitude(&body, Excitation::Force, 2.0 * omega).unwrap();
             assert!((force / (3.0 * least) - 1.0).abs() < 1e-13, "{omega}: {force}");
             for excitation in [

@@ -197,7 +197,7 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let (one, zeta) = (F::int(1), damping_ratio);
     let tolerance = within(Quantity::Tolerance, tolerance, F::epsilon().sqrt(), one)?;
     let non_sticking = most_dissipating_force_ratio(omega, zeta)?;
-    let border = Border::with_damping(omega, zeta)?;
+    let border = Border::of(&crate::Ratios::of_machine(omega, zeta)?);
     let least = border.min_force_ratio;
     let share = one / least;
     let at_border = LoopSize::closed(loop_size_stiffness(border.least_displacement, least)).most;

@@ -207,7 +207,7 @@ mod tests {
         for (omega, zeta) in
             [(4.943886883868135e-5, 0.0), (1048575.9999999884, 0.0), (0.2, 0.02), (0.34, 1e-9)]
         {
-            let border = crate::Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+            let border = crate::Border::of(&crate::Ratios::of_machine(omega, zeta).unwrap()).min_force_ratio;
             let at = |force: f64| {
                 Ratios::new(omega, force).and_then(|r| r.with_damping_ratio(zeta)).and_then(Cycle::new)
             };

@@ -191,7 +191,7 @@ mod tests {
             let spread = |step: f64| (f64::from(i) * step).fract();
             let omega = 10f64.powf(2.3 * spread(0.618_034) - 1.1);
             let zeta = 10f64.powf(3.0 * spread(0.437_016) - 2.5);
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+            let least = Border::of(&Ratios::of_machine(omega, zeta).unwrap()).min_force_ratio;
             let ratios = Ratios::new(omega, least * (1.001 + 3.0 * spread(0.754_878))).unwrap();
             let ratios = ratios.with_damping_ratio(zeta).unwrap();
             let here = LongRun::from_start(ratios, State::default()).unwrap();

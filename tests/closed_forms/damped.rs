@@ -158,7 +158,7 @@ fn the_cycle_is_the_motion_and_its_border_is_where_it_stops() {
     let mut random = Random(16);
     for _ in 0..150 {
         let (omega, zeta) = plane(&mut random);
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio;
         let run = |over: f64, from: f64, half_turns: u32| {
             let c = cycle(omega, zeta, least * from);
             let machine = Machine { omega, zeta, alpha: least * over };
@@ -190,7 +190,7 @@ fn no_velocity_of_the_cycle_is_greater_or_negative() {
     let mut random = Random(17);
     for _ in 0..400 {
         let (omega, zeta) = plane(&mut random);
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio;
         let c = cycle(omega, zeta, least * (1.0 + 10f64.powf(random.between(-9.0, 1.0))));
         let count = (300.0 / omega.min(1.0)) as u32;
         let mut greatest = 0.0f64;
@@ -215,7 +215,7 @@ fn what_the_drive_gives_friction_and_the_damper_take() {
     let mut random = Random(18);
     for _ in 0..2000 {
         let (omega, zeta) = plane(&mut random);
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio;
         let alpha = least * (1.0 + 10f64.powf(random.between(-1.0, 2.0)));
         let c = cycle(omega, zeta, alpha);
         // ∮ α sin θ dx: the work is that of the first harmonic, the response to the drive and to the square

@@ -71,7 +71,7 @@ pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64)
     if !ratios.is_damped() {
         return closed_forms(omega, alpha, phase);
     }
-    let border = Border::with_damping(omega, zeta).unwrap();
+    let border = Border::of(&ratios);
     let least = border.min_force_ratio;
     assert!(
         least >= border.min_force_ratio_turning_point && least > 0.0 && least.is_finite(),

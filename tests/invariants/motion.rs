@@ -255,7 +255,7 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
     if !ratios.is_damped() {
         return questions(omega, target, alpha, low, high);
     }
-    let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+    let least = Border::of(&ratios).min_force_ratio;
     // The rounding of α in the terms whose difference is the target, and where a = √(α² − K²)/q absorbs all
     // of it.
     let stiffness = (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
@@ -292,7 +292,7 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
             assert!(last <= band.low && band.low <= band.high && band.high <= high, "{band:?}");
             last = band.high;
             for end in [band.low, band.high] {
-                let border = Border::with_damping(end, zeta).unwrap().min_force_ratio;
+                let border = Border::of(&at(end, 1.0).unwrap()).min_force_ratio;
                 assert!(border <= alpha, "{end:e} of {alpha:e}: {border:e}");
             }
         }

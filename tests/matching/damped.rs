@@ -16,7 +16,7 @@ fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
         let zeta = <F as Field>::ratio(zeta, 1000);
         for &omega in omegas {
             let omega = <F as Field>::ratio(omega, 1000);
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+            let least = Border::of(&Ratios::of_machine(omega, zeta).unwrap()).min_force_ratio;
             for &over in over {
                 let alpha = least * <F as Field>::ratio(over, 1000);
                 let cycle =

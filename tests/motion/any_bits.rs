@@ -10,8 +10,8 @@ use proptest::num::f64::ANY;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::fmt::Debug;
-use stickslip::Border;
 use stickslip::generators::{DampingRatio, Machine, Point, Question, Start};
+use stickslip::{Border, Ratios};
 
 /// Inputs at which fuzzing found an error.
 #[test]
@@ -99,8 +99,8 @@ fn hard_point(omega: f64, alpha: f64, phase: f64) {
 /// The closed forms with a damper, at a force and at the border times `2^over`.
 fn hard_damped_point(omega: f64, alpha: f64, zeta: f64, over: f64, phase: f64) {
     crate::invariants::damped_closed_forms(omega, alpha, zeta, phase);
-    if let Ok(border) = Border::with_damping(omega, zeta) {
-        let alpha = border.min_force_ratio * f64::exp2(over);
+    if let Ok(ratios) = Ratios::new(omega, 1.0).and_then(|at| at.with_damping_ratio(zeta)) {
+        let alpha = Border::of(&ratios).min_force_ratio * f64::exp2(over);
         crate::invariants::damped_closed_forms(omega, alpha, zeta, phase);
     }
 }

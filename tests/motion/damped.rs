@@ -205,7 +205,7 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
     for _ in 0..points {
         let [omega, zeta, _] = plane(&mut random);
         let omega = omega.clamp(1e-5, 1e6);
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio;
         let alpha = least.max(1.0) * (1.0 + random.scale(1e-3, 10.0));
         let ratios = ratios(omega, zeta, alpha);
         let cycle = Cycle::new(ratios).unwrap();
@@ -250,7 +250,7 @@ fn border_is_where_stops_begin(points: u64, seed: u64) -> (u64, Vec<String>) {
     for _ in 0..points {
         let omega = if random.next() < 0.5 { random.between(0.06, 0.5) } else { random.scale(0.06, 30.0) };
         let zeta = random.scale(1e-4, 3.0);
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio;
         if least < 1.0 + 1e-6 {
             continue;
         }

@@ -22,7 +22,8 @@ fn what_is_known_exactly_is_rounded_outward() {
     let mut compared = 0;
     for _ in 0..60 {
         let (omega, zeta) = (random.scale(0.1, 8.0), random.scale(1e-3, 2.0));
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least =
+            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
         let alpha = (least * random.between(0.5, 3.0)).max(1.01);
         let [o, a, z] = [omega, alpha, zeta].map(Interval::exactly);
         let ratios = Ratios::new(Wide::from(omega), Wide::from(alpha)).unwrap();
@@ -54,7 +55,8 @@ fn the_verdict_changes_at_the_border() {
     let mut decided = 0;
     for _ in 0..40 {
         let (omega, zeta) = (random.scale(0.4, 8.0), random.scale(0.02, 2.0));
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least =
+            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
         if least < 1.01 {
             continue;
         }

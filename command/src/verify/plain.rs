@@ -321,8 +321,8 @@ fn places<F: Float>() -> Vec<CheckPoint<Ratios<F>>> {
     // Closer than half the digits, the paper's own forms have no digits left.
     let has_digits = |distance: &F| distance.square() > F::epsilon();
     Numbers { ratio: F::ratio, has_digits, in_turn: [in_turn, in_turn] }.points(|omega, zeta, over| {
-        let least = Border::with_damping(omega, zeta).ok()?.min_force_ratio;
-        Ratios::new(omega, least * F::ratio(over, 100)).ok()?.with_damping_ratio(zeta).ok()
+        let at = |alpha| Ratios::new(omega, alpha).ok()?.with_damping_ratio(zeta).ok();
+        at(Border::of(&at(F::int(1))?).min_force_ratio * F::ratio(over, 100))
     })
 }
 

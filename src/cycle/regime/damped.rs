@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn a_machine_is_decided_beyond_rounding() {
         let at = |omega, alpha| verdict_around(ratios(omega, alpha, 0.1), 16.0 * f64::EPSILON).unwrap();
-        let least = Border::with_damping(0.7, 0.1).unwrap().min_force_ratio;
+        let least = Border::of(&Ratios::of_machine(0.7, 0.1).unwrap()).min_force_ratio;
         for (units, verdict) in [
             (100.0, Verdict::NonSticking),
             (16.0, EITHER),
@@ -140,7 +140,7 @@ mod tests {
             let border = |off: f64| {
                 // Ω rounded to single precision.
                 let omega = omega * (1.0 + off * unit) as f32;
-                Border::with_damping(f64::from(omega), f64::from(zeta)).unwrap().min_force_ratio
+                Border::of(&Ratios::of_machine(f64::from(omega), f64::from(zeta)).unwrap()).min_force_ratio
             };
             let values = [-2.0, -1.0, 0.0, 1.0, 2.0].map(border);
             let (least, greatest) = (values[4], values[0]);
@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn a_little_damping_leaves_six_reversals() {
         for (zeta, zeros) in [(1e-5, Some(6)), (1e-3, Some(6)), (0.01, None)] {
-            let border = Border::with_damping(0.331, zeta).unwrap().min_force_ratio;
+            let border = Border::of(&Ratios::of_machine(0.331, zeta).unwrap()).min_force_ratio;
             let ratios = Ratios::new(0.331, 0.62 * border).unwrap().with_damping_ratio(zeta).unwrap();
             let limit = LongRun::from_start(ratios, State::default()).unwrap();
             let steady = limit.steady_state().unwrap();

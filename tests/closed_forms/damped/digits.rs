@@ -19,7 +19,7 @@ fn wide(omega: f64, zeta: f64, alpha: f64) -> Cycle<Wide> {
 
 /// The least float that is not below the border.
 fn border_from_above(omega: f64, zeta: f64) -> f64 {
-    let border = Border::with_damping(Wide::from(omega), Wide::from(zeta)).unwrap().min_force_ratio;
+    let border = Border::of(&ratios(Wide::from(omega), Wide::from(zeta), Wide::from(1))).min_force_ratio;
     let nearest = border.to_f64();
     if Wide::from(nearest) < border { nearest.next_up() } else { nearest }
 }

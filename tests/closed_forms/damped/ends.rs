@@ -12,7 +12,7 @@ fn resonance_is_bounded_and_places_are_decided() {
     assert_eq!((at_one.regime, Verdict::new(at_one.ratios)), (Regime::NonSticking, Verdict::NonSticking));
     assert_eq!(Response::new(ratios(1.0, 0.0, 2.0)).regime, Regime::Unbounded);
     for (omega, zeta) in [(0.4, 0.05), (0.7, 0.3), (1.0, 1.0), (0.25, 1e-3)] {
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+        let least = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio;
         let verdict = |over: f64| Verdict::new(ratios(omega, zeta, least * over));
         assert_eq!(verdict(1.0), Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         assert_eq!((verdict(1.0 - 1e-13), verdict(1.0 + 1e-13)), (Verdict::Sticking, Verdict::NonSticking));
@@ -26,8 +26,8 @@ fn the_border_is_known_to_its_error_bound() {
     let mut random = Random(19);
     for _ in 0..3000 {
         let (omega, zeta) = plane(&mut random);
-        let narrow = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
-        let wide = Border::with_damping(Mp::<4>::from(omega), Mp::from(zeta)).unwrap().min_force_ratio;
+        let narrow = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio;
+        let wide = Border::of(&ratios(Mp::<4>::from(omega), Mp::from(zeta), Mp::from(1))).min_force_ratio;
         let error = ((Mp::<4>::from(narrow) - wide) / wide).to_f64().abs() / f64::EPSILON;
         assert!(error < f64::from(Verdict::<f64>::DAMPED_BORDER_ERROR), "{omega} {zeta}: {error}");
     }
@@ -38,7 +38,7 @@ fn the_turning_point_suffices_from_half_the_damped_frequency_on() {
     let mut inner = 0;
     for _ in 0..3000 {
         let (omega, zeta) = plane(&mut random);
-        let border = Border::with_damping(omega, zeta).unwrap();
+        let border = Border::of(&ratios(omega, zeta, 1.0));
         let suffices = zeta >= 1.0 || omega >= (1.0 - zeta * zeta).sqrt() / 2.0;
         assert!(border.border_phase == 0.0 || !suffices, "{omega} {zeta}");
         assert!(border.min_force_ratio >= border.min_force_ratio_turning_point);
@@ -101,7 +101,7 @@ fn the_ends_of_the_domain_have_finite_answers() {
         for zeta in
             [2f64.powi(-250), 1e-20, 1e-9, 0.999_999_999, 1.0, 1.000_000_001, 30.0, 1e9, 2f64.powi(250)]
         {
-            let border = Border::with_damping(omega, zeta).unwrap();
+            let border = Border::of(&ratios(omega, zeta, 1.0));
             let least = border.min_force_ratio;
             assert!(least.is_finite() && least > 0.0, "{omega:e} {zeta:e}: {least}");
             assert!((0.0..TAU).contains(&border.border_phase));

@@ -134,7 +134,7 @@ fn multipliers_are_those_of_random_motions() {
     let mut worst = (0.0, (0.0, 0.0, 0.0));
     for _ in 0..2_000 {
         let (omega, zeta) = (random.scale(0.1, 10.0), random.scale(1e-3, 3.0));
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio.max(1.0);
+        let least = Border::of(&ratios(omega, zeta, 1.0)).min_force_ratio.max(1.0);
         let at = (omega, zeta, least * random.scale(1.01, 10.0));
         let error = multipliers_are_off(at);
         worst = if error > worst.0 { (error, at) } else { worst };

@@ -149,7 +149,7 @@ fn with_damping_the_error_bound_is_16_units() {
     let at = |omega: f64, alpha, zeta| {
         Verdict::new(Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap())
     };
-    let least = Border::with_damping(0.7, 0.1).unwrap().min_force_ratio;
+    let least = Border::of(&Ratios::of_machine(0.7, 0.1).unwrap()).min_force_ratio;
     let [above, below] = [16.0, -16.0].map(|units| least * (1.0 + units * f64::EPSILON));
     for (alpha, verdict) in [
         (above.next_up(), Verdict::NonSticking),
