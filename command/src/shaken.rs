@@ -30,7 +30,6 @@ impl<F: Value> Shaken<F> {
         args.answer.format.is_json("record")?;
         let reader = args.answer.units.reader();
         let mut given = input::read::<F>(&args.machine, &reader)?;
-        let start = input::start_in_units(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
         let interval = args.interval.as_ref().map(|text| {
             let interval = reader.value::<F>("--interval", text, Kind::Time)?;
             if interval > F::int(0) && interval.is_finite() {
@@ -41,6 +40,7 @@ impl<F: Value> Shaken<F> {
         let interval = interval.transpose()?;
         let floor = Oscillators::read(args, &reader)?;
         let surface = Surface::read(&args.surface, &reader)?;
+        let start = surface.start(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
         let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
         // Where the mass cancels, it is a unit of mass.
         let cancels =
@@ -80,6 +80,18 @@ impl<F: Value> Surface<F> {
             Ok(slope)
         });
         Ok(Self { slope: slope.transpose()?, has_spring: !args.no_spring, is_one_way: args.one_way })
+    }
+
+    /// The displacement and the velocity at the start, typed in units.
+    pub(crate) fn start(&self, reader: &Reader, typed: [Option<&str>; 2]) -> Result<[F; 2], Failure> {
+        let start = input::start_in_units(reader, typed)?;
+        if let [_, Some(text)] = typed
+            && self.is_one_way
+            && start[1] < F::int(0)
+        {
+            return Err(format!("--v0 {text}: must be ≥ 0 with --one-way").into());
+        }
+        Ok(start)
     }
 
     /// The body of the given inputs on this surface.

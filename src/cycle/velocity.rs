@@ -117,7 +117,7 @@ pub(crate) struct Fastest<F> {
 
 /// The peak velocity of the half cycle at (Ω, α); `k` is K(Ω).
 ///
-/// From Ω = 1/2 on by one step of Taylor's formula ([`super::waves`]), as batches do it. Elsewhere
+/// From Ω = 1/2 on by one step of Taylor's formula ([`waves`]), as batches do it. Elsewhere
 /// third-order Householder steps, each of which quadruples the good digits, from the centre ([`centre`]);
 /// where they do not settle inside the proven bracket, from a bracketed root at f64.
 #[inline]

@@ -3,7 +3,7 @@
 use crate::args::DecayArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
-use crate::input::{behind_all, has_unit_mass, start_in_units};
+use crate::input::{behind_all, has_unit_mass};
 use crate::note::line;
 use crate::output;
 use crate::outputs::key;
@@ -32,7 +32,7 @@ pub(super) fn respond<F: Value>(
     if args.x0.is_none() && args.v0.is_none() {
         return Err("--v0 is missing, or --x0".to_owned().into());
     }
-    let [x0, v0] = start_in_units(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
+    let [x0, v0] = surface.start(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
     has_unit_mass(&args.machine, &mut given);
     let body = surface.body(&given)?;
     let zero = F::int(0);

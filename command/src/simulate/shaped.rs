@@ -3,7 +3,7 @@
 use crate::args::{ShapeArg, SimulateArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::input::{behind_all, has_unit_mass, read, start_in_units};
+use crate::input::{behind_all, has_unit_mass, read};
 use crate::outputs::{ENDS_BY, KIND};
 use crate::physical::Physical;
 use crate::progress;
@@ -63,7 +63,7 @@ pub(super) fn write<F: Value>(
     if load.excitation.moves_foot() && body.stiffness() == F::int(0) {
         return Err(format!("{name}: the spring's support moves, and there is no spring").into());
     }
-    let start = start_in_units(reader, [Input::X0, Input::V0].map(|input| args.start.text(input)))?;
+    let start = surface.start(reader, [Input::X0, Input::V0].map(|input| args.start.text(input)))?;
     let turns = ((body.stiffness() / body.mass()).sqrt() * duration / F::pi()).to_f64();
     let samples = hertz.map_or(0.0, |hertz| (duration * hertz).to_f64());
     for (count, things) in [(turns, "half cycles of the body"), (samples, "samples")] {

@@ -295,6 +295,21 @@ fn both_polarities_are_a_record_and_its_mirror_image() {
     assert_eq!(peak(&both), peak(&alone[0]).max(peak(&alone[1])));
 }
 
+/// A body that never slides backwards does not start backwards, which the refusal says by the option.
+#[test]
+fn a_start_against_the_way_is_refused_by_its_option() {
+    let folder = folder();
+    let quake = file(&folder, "quake.at2", &peer(700));
+    let block = "--mass 1t --no-spring --friction 1kN --one-way --v0=-1cm/s";
+    for line in [
+        format!("record {quake} {block}"),
+        format!("decay {block}"),
+        format!("simulate {block} --shape free --duration 1s"),
+    ] {
+        refused(&line, &["--v0 -1cm/s: must be ≥ 0 with --one-way"]);
+    }
+}
+
 /// A block by its yield acceleration is one by its coefficient, needs neither a mass nor `--no-spring`, and spectra have it
 /// as a grid.
 #[test]
