@@ -176,9 +176,8 @@ impl<F: Float> Halley<F> {
         let size = step.abs();
         let is_good = (size * two <= self.last_but_one) & (next > low) & (next < high);
         let error = step.square() * size * ((third * inverse).abs() / F::int(6) + curve.square());
-        let is_trusted = longest.is_none_or(|longest| size <= longest);
         // The difference of two places that are far apart has the rounding of the greater.
-        let is_trusted = is_trusted & (size <= next.abs());
+        let is_trusted = (size <= next.abs()) & longest.is_none_or(|longest| size <= longest);
         let is_exact = is_good & is_trusted & (error <= tolerance * next.abs());
         let stays = (value == zero) | (!is_good & !((middle > low) & (middle < high)));
         let next = if is_good { next } else { middle };

@@ -40,6 +40,18 @@ named! {
 }
 
 impl Excitation {
+    /// All kinds.
+    #[doc(hidden)]
+    pub const ALL: [Self; 7] = [
+        Self::Force,
+        Self::Unbalance,
+        Self::FootMotion,
+        Self::DampedFootMotion,
+        Self::SurfaceMotion,
+        Self::SurfaceVelocity,
+        Self::SurfaceAcceleration,
+    ];
+
     /// The quantity of the amplitude.
     pub(super) const fn quantity(self) -> Quantity {
         match self {

@@ -89,9 +89,9 @@ impl<F: Float> ParameterBox<F> {
     /// # Errors
     /// Where an interval is empty or an end of it is not valid, or a ratio leaves the domain of [`crate::Ratios`].
     pub fn ratios(&self) -> Result<Self, Error> {
-        let RatioBox { omega, alpha, damping_ratio } = match self.by_kind()? {
-            Kind::Ratios(ratios) => ratios,
-            Kind::Machine(machine) => machine.ratios()?,
+        let RatioBox { omega, alpha, damping_ratio } = match self.checked()? {
+            Checked::Ratios(ratios) => ratios,
+            Checked::Machine(machine) => machine.ratios()?,
         };
         Ok(Self::Ratios { omega, alpha, damping_ratio })
     }
@@ -132,9 +132,9 @@ impl<F: Float> ParameterBox<F> {
     /// # Ok::<(), stickslip::Error>(())
     /// ```
     pub fn verdict(&self) -> Result<Verdict<F>, Error> {
-        match self.by_kind()? {
-            Kind::Ratios(ratios) => ratios.verdict(),
-            Kind::Machine(machine) => machine.verdict(),
+        match self.checked()? {
+            Checked::Ratios(ratios) => ratios.verdict(),
+            Checked::Machine(machine) => machine.verdict(),
         }
     }
 
@@ -149,9 +149,9 @@ impl<F: Float> ParameterBox<F> {
     /// # Errors
     /// As [`ParameterBox::ratios`], and where a scale overflows or underflows.
     pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
-        match self.by_kind()? {
-            Kind::Ratios(ratios) => ratios.range(output, points),
-            Kind::Machine(machine) => machine.range(output, points),
+        match self.checked()? {
+            Checked::Ratios(ratios) => ratios.range(output, points),
+            Checked::Machine(machine) => machine.range(output, points),
         }
     }
 
@@ -184,25 +184,25 @@ impl<F: Float> ParameterBox<F> {
     /// ```
     #[cfg(feature = "mp")]
     pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
-        match self.by_kind()? {
-            Kind::Ratios(ratios) => ratios.enclosed(output, pieces),
-            Kind::Machine(machine) => machine.enclosed(output, pieces),
+        match self.checked()? {
+            Checked::Ratios(ratios) => ratios.enclosed(output, pieces),
+            Checked::Machine(machine) => machine.enclosed(output, pieces),
         }
     }
 
     /// This box, if its ends are valid.
-    fn by_kind(self) -> Result<Kind<F>, Error> {
+    fn checked(self) -> Result<Checked<F>, Error> {
         Ok(match self {
             Self::Ratios { omega, alpha, damping_ratio } => {
-                Kind::Ratios(RatioBox::new(omega, alpha, damping_ratio)?)
+                Checked::Ratios(RatioBox::new(omega, alpha, damping_ratio)?)
             }
-            Self::Machine(machine) => Kind::Machine(machine.checked()?),
+            Self::Machine(machine) => Checked::Machine(machine.checked()?),
         })
     }
 }
 
 /// A box whose ends are valid.
-enum Kind<F> {
+enum Checked<F> {
     Ratios(RatioBox<F>),
     Machine(Parameters<Interval<F>>),
 }

@@ -2,6 +2,8 @@
 
 #[path = "../drawn/mod.rs"]
 mod drawn;
+#[path = "../machine_box/mod.rs"]
+mod machine_box;
 #[path = "../random/mod.rs"]
 mod random;
 #[cfg(feature = "mp")]

@@ -4,8 +4,9 @@ mod machines;
 #[cfg(feature = "random")]
 mod monte_carlo;
 
+use crate::machine_box::machine;
 use crate::random::Random;
-use stickslip::uncertainty::{Evidence, Interval, ParameterBox, Parameters, Range};
+use stickslip::uncertainty::{Evidence, Interval, ParameterBox, Range};
 use stickslip::{Border, Error, Excitation, Output, Ratios, Regime, Response};
 
 fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
@@ -15,20 +16,6 @@ fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
 
 fn undamped(omega: Interval<f64>, alpha: Interval<f64>) -> ParameterBox<f64> {
     ParameterBox::Ratios { omega, alpha, damping_ratio: Interval::exactly(0.0) }
-}
-
-/// A machine of m, k, r_y, the amplitude, ω_d and c.
-fn machine(excitation: Excitation, intervals: [Interval<f64>; 6]) -> ParameterBox<f64> {
-    let [mass, stiffness, friction_bound, amplitude, angular_frequency, damping] = intervals;
-    ParameterBox::Machine(Parameters {
-        excitation,
-        mass,
-        stiffness,
-        friction_bound,
-        amplitude,
-        angular_frequency,
-        damping,
-    })
 }
 
 fn within(random: &mut Random, i: Interval<f64>) -> f64 {

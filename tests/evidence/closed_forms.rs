@@ -1,6 +1,6 @@
 //! The closed forms, every column of them and the border, beside dense samples of the motion.
 
-use crate::machines::{DRIVES, Driven};
+use crate::machines::Driven;
 use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Of};
 use crate::steady::{Expected, Units, equivalent, hold, spring, transmitted};
@@ -108,7 +108,7 @@ fn no_stop_above(driven: &Driven) -> f64 {
 fn every_column_of_the_closed_forms_is_that_of_the_samples() {
     let mut random = Random(12);
     let mut failures: Vec<String> = Vec::new();
-    for excitation in DRIVES {
+    for excitation in Excitation::ALL {
         let (mut compared, mut cycles) = (0, 0);
         while compared < 40 {
             let mut driven = Driven::any(&mut random, excitation);

@@ -1,6 +1,6 @@
 //! Inverse problems beside dense samples: the motion of each answer, and of others.
 
-use crate::machines::{DRIVES, Driven};
+use crate::machines::Driven;
 use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Machine, Of, positions, record};
 use std::f64::consts::TAU;
@@ -55,7 +55,7 @@ fn friction_work(driven: &Driven) -> f64 {
 #[test]
 fn the_least_force_and_the_greatest_friction_divide_the_samples() {
     let mut random = Random(41);
-    for excitation in DRIVES {
+    for excitation in Excitation::ALL {
         for _ in 0..4 {
             let at = [random.scale(0.2, 2.5), 3.0, random.scale(0.01, 0.6), 1.0];
             let driven = Driven::at(&mut random, at, excitation);
@@ -79,7 +79,7 @@ fn friction_holds_the_samples_up_to_a_frequency() {
     let mut random = Random(47);
     let mut counts = [0; 3];
     for n in 0..140 {
-        let excitation = DRIVES[n % 7];
+        let excitation = Excitation::ALL[n % 7];
         let at = [
             random.scale(0.2, 2.5),
             random.scale(0.3, 3.0),

@@ -7,17 +7,6 @@ use crate::sampled::{Harmonic, Load, Machine};
 use std::f64::consts::TAU;
 use stickslip::{Drive, Excitation, Oscillator, Ratios};
 
-/// Every kind of harmonic drive.
-pub(crate) const DRIVES: [Excitation; 7] = [
-    Excitation::Force,
-    Excitation::Unbalance,
-    Excitation::FootMotion,
-    Excitation::DampedFootMotion,
-    Excitation::SurfaceMotion,
-    Excitation::SurfaceVelocity,
-    Excitation::SurfaceAcceleration,
-];
-
 /// A machine and its harmonic drive in any consistent units.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Driven {
@@ -55,7 +44,7 @@ impl Driven {
             Excitation::SurfaceMotion => force / inertia,
             Excitation::SurfaceVelocity => force * frequency / inertia,
             Excitation::SurfaceAcceleration => force * frequency * frequency / inertia,
-            _ => panic!("{excitation:?} is not one of DRIVES"),
+            _ => panic!("{excitation:?} is not one of Excitation::ALL"),
         };
         let offset = if random.next() < 0.3 { friction * random.between(-0.6, 0.6) } else { 0.0 };
         let mean = if random.next() < 0.3 { friction * random.between(-5.0, 5.0) } else { 0.0 };

@@ -1,11 +1,11 @@
 //! Relations that need no reference: the mirror image, other units, a common factor, a step in two, a later beginning.
 
-use crate::machines::{DRIVES, Driven};
+use crate::machines::Driven;
 use crate::random::Random;
 use crate::records::{RECORDS, Shaken};
 use stickslip::motion::record::{Entry, RecordAnswer};
 use stickslip::motion::{LongRun, State};
-use stickslip::{Response, Scales};
+use stickslip::{Excitation, Response, Scales};
 
 /// The values of an answer by name; a count as a number, and NaN where there is none.
 fn values(answer: &RecordAnswer<f64>) -> Vec<(&'static str, f64)> {
@@ -270,7 +270,7 @@ fn a_start_in_the_mirror_leads_to_the_mirror_image() {
     let mut random = Random(66);
     let mut asymmetric = 0;
     for i in 0..400 {
-        let driven = Driven::any(&mut random, DRIVES[i % DRIVES.len()]);
+        let driven = Driven::any(&mut random, Excitation::ALL[i % Excitation::ALL.len()]);
         let ratios = driven.ratios();
         let start = [random.between(-4.0, 4.0), random.between(-4.0, 4.0)];
         let one = LongRun::from_start(ratios, State::new(0.0, start[0], start[1]).unwrap()).unwrap();
@@ -299,7 +299,7 @@ fn a_start_in_the_mirror_leads_to_the_mirror_image() {
 fn ratios_are_the_same_in_all_units() {
     let mut random = Random(67);
     for i in 0..200 {
-        let driven = Driven::any(&mut random, DRIVES[i % DRIVES.len()]);
+        let driven = Driven::any(&mut random, Excitation::ALL[i % Excitation::ALL.len()]);
         let (force, length) = (0.125, 512.0);
         let amplitude = match driven.excitation {
             stickslip::Excitation::Force => force,

@@ -1,12 +1,12 @@
 //! The steady motion of machines under every drive, every column of it, beside dense samples.
 
-use crate::machines::{DRIVES, Driven};
+use crate::machines::Driven;
 use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Load, Of};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyState};
-use stickslip::{Value, observed};
+use stickslip::{Excitation, Value, observed};
 
 /// A value that the samples give.
 #[derive(Debug, Clone, Copy)]
@@ -297,7 +297,7 @@ fn every_column_of_the_steady_state_is_that_of_the_samples() {
     let mut random = Random(11);
     let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
     let mut failures: BTreeMap<String, (u32, String)> = BTreeMap::new();
-    for excitation in DRIVES {
+    for excitation in Excitation::ALL {
         let mut compared = 0;
         while compared < 40 {
             let driven = Driven::any(&mut random, excitation);
@@ -334,7 +334,7 @@ fn every_column_of_the_steady_state_is_that_of_the_samples() {
 fn every_amplitude_is_that_of_the_samples() {
     use stickslip::motion::Amplitude;
     let mut random = Random(15);
-    for excitation in DRIVES {
+    for excitation in Excitation::ALL {
         let mut compared = 0;
         while compared < 12 {
             let driven = Driven::any(&mut random, excitation);

@@ -9,16 +9,6 @@ use std::f64::consts::TAU;
 use stickslip::motion::{Amplitude, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory};
 use stickslip::{Drive, Error, Excitation, Oscillator, Output, Ratios, Response, Scales, Value};
 
-const DRIVES: [Excitation; 7] = [
-    Excitation::Force,
-    Excitation::Unbalance,
-    Excitation::FootMotion,
-    Excitation::DampedFootMotion,
-    Excitation::SurfaceMotion,
-    Excitation::SurfaceVelocity,
-    Excitation::SurfaceAcceleration,
-];
-
 /// A machine, and the load by its own formulae.
 #[derive(Debug, Clone, Copy)]
 struct Machine {
@@ -250,7 +240,7 @@ fn forces_and_displacements_are_those_of_samples_under_every_drive() {
     let mut random = Random(53);
     let mut counts = [0; 3];
     for n in 0..1050 {
-        let m = machine(&mut random, DRIVES[n % 7]);
+        let m = machine(&mut random, Excitation::ALL[n % 7]);
         let (body, drive) = (m.body(), m.drive());
         let (ratios, scales) = (drive.ratios(&body).unwrap(), Scales::new(&body, &drive).unwrap());
         let limit = LongRun::from_start(ratios, State::default()).unwrap();
@@ -313,7 +303,7 @@ fn works_are_those_of_samples_under_every_drive() {
     let mut random = Random(10);
     let mut counts = [0; 3];
     for n in 0..420 {
-        let m = machine(&mut random, DRIVES[n % 7]);
+        let m = machine(&mut random, Excitation::ALL[n % 7]);
         let (body, drive) = (m.body(), m.drive());
         let (ratios, scales) = (drive.ratios(&body).unwrap(), Scales::new(&body, &drive).unwrap());
         let limit = LongRun::from_start(ratios, State::default()).unwrap();
@@ -419,7 +409,7 @@ fn every_way_to_an_output_knows_the_excitation() {
     let mut random = Random(4);
     let mut moving = 0;
     for n in 0..140 {
-        let mut m = machine(&mut random, DRIVES[n % 7]);
+        let mut m = machine(&mut random, Excitation::ALL[n % 7]);
         (m.held, m.damping) = (m.friction, if n % 2 == 0 { 0.0 } else { m.damping });
         let (body, drive) = (m.body(), m.drive());
         let (ratios, scales) = (drive.ratios(&body).unwrap(), Scales::new(&body, &drive).unwrap());

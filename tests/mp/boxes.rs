@@ -1,8 +1,9 @@
 //! Boxes of ratios and machines with damping, compared with the same at 256 bits.
 
+use crate::machine_box::machine;
 use crate::random::Random;
 use stickslip::float::Mp;
-use stickslip::uncertainty::{Interval, ParameterBox, Parameters};
+use stickslip::uncertainty::{Interval, ParameterBox};
 use stickslip::{Border, Drive, Excitation, Oscillator, Output, Ratios, Regime, Response, Verdict};
 
 type Wide = Mp<4>;
@@ -87,17 +88,7 @@ fn one_machine_with_a_damper_is_in_its_own_box() {
     let mut random = Random(83);
     for _ in 0..2000 {
         let parts: [f64; 6] = core::array::from_fn(|_| random.scale(0.01, 100.0));
-        let [mass, stiffness, friction_bound, amplitude, angular_frequency, damping] =
-            parts.map(Interval::exactly);
-        let machine = ParameterBox::Machine(Parameters {
-            excitation: Excitation::Force,
-            mass,
-            stiffness,
-            friction_bound,
-            amplitude,
-            angular_frequency,
-            damping,
-        });
+        let machine = machine(Excitation::Force, parts.map(Interval::exactly));
         let ParameterBox::Ratios { omega, alpha, damping_ratio: zeta } = machine.ratios().unwrap() else {
             panic!("a machine")
         };

@@ -1,24 +1,15 @@
 //! Ranges over boxes of machines, proved by ball arithmetic: they contain the outputs of every machine of the
 //! box.
 
-use stickslip::uncertainty::{Interval, ParameterBox, Parameters, Range};
+use crate::machine_box::machine;
+use stickslip::uncertainty::{Interval, ParameterBox, Range};
 use stickslip::{Drive, Excitation, Oscillator, Output, Regime, Response, Scales, Verdict};
 
 /// m, k, r_y, the amplitude, ω_d and c, each with its relative uncertainty.
 type Machine = ([f64; 6], [f64; 6]);
 
 fn parts(excitation: Excitation, (values, shares): &Machine) -> ParameterBox<f64> {
-    let [mass, stiffness, friction_bound, amplitude, angular_frequency, damping] =
-        core::array::from_fn(|i| Interval::relative(values[i], shares[i]));
-    ParameterBox::Machine(Parameters {
-        excitation,
-        mass,
-        stiffness,
-        friction_bound,
-        amplitude,
-        angular_frequency,
-        damping,
-    })
+    machine(excitation, core::array::from_fn(|i| Interval::relative(values[i], shares[i])))
 }
 
 /// An output of the machine at a position in each interval, from −1 to 1.

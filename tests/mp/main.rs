@@ -10,6 +10,8 @@ mod widths;
 mod drawn;
 #[path = "../kept/mod.rs"]
 mod kept;
+#[path = "../machine_box/mod.rs"]
+mod machine_box;
 #[path = "../random/mod.rs"]
 mod random;
 

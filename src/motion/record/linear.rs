@@ -164,7 +164,8 @@ impl<F: Number> Linear<F> {
     }
 
     /// The longest step of a search over a length whose error Halley's estimate bounds: an eighth of the reach, over which
-    /// a derivative changes by √e at most. Within the reach it changes by e⁴ at most, which the estimate stands.
+    /// a derivative changes by √e at most. Within the reach it changes by e⁴ at most, which the
+    /// estimate tolerates.
     pub(super) fn longest_step(&self, length: F) -> Option<F> {
         (!self.is_near(length)).then(|| self.reach * F::ratio(1, 8))
     }

@@ -5,16 +5,6 @@ use crate::random::Random;
 use stickslip::uncertainty::{Evidence, Interval, ParameterBox, Range};
 use stickslip::{Border, Drive, Excitation, Oscillator, Output, Regime, Response, Scales};
 
-const EXCITATIONS: [Excitation; 7] = [
-    Excitation::Force,
-    Excitation::Unbalance,
-    Excitation::FootMotion,
-    Excitation::DampedFootMotion,
-    Excitation::SurfaceMotion,
-    Excitation::SurfaceVelocity,
-    Excitation::SurfaceAcceleration,
-];
-
 /// The amplitude at which an undamped machine has the force p₀.
 fn amplitude(excitation: Excitation, p0: f64, body: &Oscillator<f64>, w: f64) -> f64 {
     p0 / Drive::new(excitation, 1.0, w).unwrap().force_amplitude(body)
@@ -25,7 +15,7 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
     let mut random = Random(63);
     let (mut guaranteed, mut never, mut always) = (0, 0, 0);
     for i in 0..800_usize {
-        let excitation = EXCITATIONS[i % 7];
+        let excitation = Excitation::ALL[i % 7];
         let (m, k, r) = (random.scale(0.1, 10.0), random.scale(0.1, 10.0), random.scale(0.1, 10.0));
         let omega = random.scale(0.1, 8.0);
         let p0 = r * Border::new(omega).unwrap().min_force_ratio * random.scale(0.4, 8.0);
@@ -72,7 +62,7 @@ fn one_machine_is_in_its_own_box() {
     for _ in 0..2000 {
         let mut one = || Interval::exactly(random.scale(0.01, 100.0));
         let [m, k, r, a, w] = [one(), one(), one(), one(), one()];
-        for excitation in EXCITATIONS {
+        for excitation in Excitation::ALL {
             let machine = machine(excitation, [m, k, r, a, w, Interval::exactly(0.0)]);
             let body = Oscillator::new(m.low, k.low, r.low).unwrap();
             let drive = Drive::new(excitation, a.low, w.low).unwrap();

@@ -2,7 +2,7 @@
 
 use super::rows;
 use crate::command_line::json;
-use crate::machines::{DRIVES, Driven};
+use crate::machines::Driven;
 use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Of};
 use serde_json::Value;
@@ -152,7 +152,7 @@ fn in_units(name: &str, driven: &Driven, cycle: &Cycle, ratios: &Value) -> Optio
 fn answers_in_units_are_those_of_the_samples() {
     let mut random = Random(71);
     let mut seen = BTreeSet::new();
-    for excitation in DRIVES {
+    for excitation in Excitation::ALL {
         let mut compared = 0;
         while compared < 6 {
             let mut driven = Driven::any(&mut random, excitation);
