@@ -37,19 +37,24 @@
 mod assembly;
 mod border;
 mod branch;
+mod branches;
 mod dependent;
+mod drift;
 mod equation;
 mod error;
 mod events;
 mod first_passage;
+mod fixed_point;
 mod follow;
 #[cfg(feature = "rayon")]
 mod grid;
+mod kept;
 mod matrix;
 mod model;
 mod modes;
 mod motion;
 mod next_branch;
+mod period_map;
 mod rate;
 mod self_excited;
 mod steady;
@@ -167,8 +172,13 @@ impl<F: Float> System<F> {
             let all: Vec<usize> = (0..self.assembly.parts.len()).collect();
             let mut frequencies = self.natural_frequencies(&[]);
             frequencies.extend(self.natural_frequencies(&all));
-            let span = self_excited::span(&frequencies);
-            return self_excited::self_excited(&self.assembly, span, self.follower(start, span)?);
+            let (longest, others) = self_excited::natural_periods(&frequencies, self.steps_per_time());
+            return self_excited::self_excited(
+                &self.assembly,
+                longest,
+                &others,
+                self.follower(start, longest)?,
+            );
         }
         let period = steady::common_period(&self.assembly.frequencies)?;
         // The longest own vibration, free or with all elements at rest.

@@ -44,6 +44,8 @@ pub(crate) struct Part<F> {
     pub(crate) response: Vec<F>,
     /// The row of v.
     pub(crate) velocity: Vec<F>,
+    /// The row of y; none where the other side travels without end.
+    pub(crate) stretch: Option<Vec<F>>,
     /// The row of V′.
     pub(crate) moves: Vec<F>,
     pub(crate) rule: Rule<F>,
@@ -240,6 +242,22 @@ impl<F: Float> Assembly<F> {
         result
     }
 
+    /// The row of `y = b·q − Y`, where `Y = ∫V` of waves is `−(s/ω) cos ωt + (c/ω) sin ωt`.
+    fn stretch(&self, direction: &[F], moving: &[F]) -> Vec<F> {
+        let mut row = vec![F::int(0); self.size];
+        add_times(&mut row, F::int(1), direction);
+        for (k, &frequency) in self.frequencies.iter().enumerate() {
+            let at = self.harmonic(k);
+            let [sin, cos] = [at, at + 1].map(|j| moving.get(j).copied().unwrap_or(F::int(0)));
+            for (j, x) in [(at, -cos / frequency), (at + 1, sin / frequency)] {
+                if let Some(row) = row.get_mut(j) {
+                    *row = x;
+                }
+            }
+        }
+        row
+    }
+
     /// An element with its rows.
     fn part(&self, element: &Element<F>, i: usize, place: usize) -> Result<Part<F>, Error> {
         let name = if element.name.is_empty() { format!("elements[{i}]") } else { element.name.clone() };
@@ -254,6 +272,7 @@ impl<F: Float> Assembly<F> {
         let moving = self.signal(&format!("{name}: moves"), &element.moves)?;
         let mut velocity: Vec<F> = moving.iter().map(|&x| -x).collect();
         add_times(velocity.get_mut(n..).unwrap_or(&mut []), F::int(1), &direction);
+        let stretch = (element.moves.constant == zero).then(|| self.stretch(&direction, &moving));
         let rule = match &element.kind {
             Kind::Contact { law, peak, normal } => {
                 let pieces = pieces(&name, law)?;
@@ -281,24 +300,12 @@ impl<F: Float> Assembly<F> {
                 place,
             },
             Kind::Stop { gap, stiffness, damping } => {
-                if element.moves.constant != zero {
+                let Some(mut depth) = stretch.clone() else {
                     return Err(Error::Unsupported {
                         name: format!("{name}: moves.constant"),
                         condition: "must be 0: a stop does not travel without end",
                     });
-                }
-                let mut depth = vec![zero; self.size];
-                add_times(&mut depth, F::int(1), &direction);
-                // Y = ∫V: −(s/ω) cos ωt + (c/ω) sin ωt.
-                for (k, &frequency) in self.frequencies.iter().enumerate() {
-                    let at = self.harmonic(k);
-                    let [sin, cos] = [at, at + 1].map(|j| moving.get(j).copied().unwrap_or(zero));
-                    for (j, x) in [(at, -cos / frequency), (at + 1, sin / frequency)] {
-                        if let Some(depth) = depth.get_mut(j) {
-                            *depth = x;
-                        }
-                    }
-                }
+                };
                 if let Some(last) = depth.last_mut() {
                     *last = -finite(&format!("{name}: gap"), *gap)?;
                 }
@@ -310,7 +317,7 @@ impl<F: Float> Assembly<F> {
             }
         };
         let response = self.inverse_mass.of(&direction);
-        Ok(Part { name, direction, response, velocity, moves: self.derivative(&moving), rule })
+        Ok(Part { name, direction, response, velocity, stretch, moves: self.derivative(&moving), rule })
     }
 }
 

@@ -40,6 +40,10 @@ pub struct Border<F> {
     pub least_load_factor: F,
     /// The time after a reversal at which the velocity touches zero on the border; 0 where it is the reversal itself.
     pub touching_time: F,
+    /// The load, as a multiple of the given one, from which on the contact leaves its rest in the middle of the springs, where it can hold
+    /// more than the friction of sliding: the amplitude of the force that holds it at rest under the load, beside that of a constant load,
+    /// reaches the static friction. None where both frictions are equal, or no load reaches the contact at rest.
+    pub least_load_factor_from_rest: Option<F>,
 }
 
 /// The cycle of two reversals a period.
@@ -130,7 +134,7 @@ impl<F: Float> Friction<F> {
         }
         let half = F::pi() / frequency;
         let modes = [Mode::Slides { forward: false, piece: 0 }];
-        let longest = Branch::new(&system, &modes, half, &[]).step;
+        let longest = Branch::new(&system, &modes, half, [].iter()).step;
         let most = integer::<F>(MOST_STEPS);
         if !half.is_finite() || half > longest * most {
             return Err(unsupported(
@@ -142,7 +146,7 @@ impl<F: Float> Friction<F> {
         while integer::<F>(steps) * longest < half {
             steps += 1;
         }
-        let branch = Branch::new(&system, &modes, half / integer(steps), &[]);
+        let branch = Branch::new(&system, &modes, half / integer(steps), [].iter());
         let mut power = steps;
         let (mut whole, mut square) = (Matrix::identity(system.size), branch.whole.transposed());
         while power > 0 {
@@ -274,6 +278,49 @@ fn amplitudes<F: Float>(system: &Assembly<F>, direction: &[F], frequency: F) -> 
     Ok((dot(direction, &x), dot(direction, x.get(n..).unwrap_or(&[]))))
 }
 
+/// The load factor from which on the contact leaves its rest: with (q, T) the response of the structure whose contact is held,
+/// `(K − ω²M + iωC) q + b T = f`, `b·q = 0`, and T₀ the force under the constant load, `λ |T| = η r − |T₀|`.
+fn release<F: Float>(system: &Assembly<F>, friction: &Friction<F>) -> Option<F> {
+    let (n, zero) = (system.n, F::int(0));
+    let part = system.parts.first()?;
+    let largest =
+        |matrix: &Matrix<F>| matrix.rows().flatten().fold(zero, |most, x: &F| most.or_larger(x.abs()));
+    // The force in a unit of the size of the other entries, so that no pivot looks like rounding.
+    let unit = largest(&system.stiffness).or_larger(friction.frequency.square() * largest(&system.mass));
+    // The amplitudes with sin ωt and cos ωt of q and T; at ω = 0 the two are alone.
+    let held = |frequency: F, load: [usize; 2]| {
+        let size = 2 * n + 2;
+        let mut matrix = Matrix::zero(size, size);
+        let mut right = vec![zero; size];
+        for (half, &place) in load.iter().enumerate() {
+            let (own, other) = (half * n, (1 - half) * n);
+            for i in 0..n {
+                for j in 0..n {
+                    let elastic = system.stiffness.at(i, j) - frequency.square() * system.mass.at(i, j);
+                    let viscous = frequency * system.damping.at(i, j);
+                    matrix.set(own + i, own + j, elastic);
+                    matrix.set(own + i, other + j, if half == 0 { -viscous } else { viscous });
+                }
+                let b = part.direction.get(i).copied().unwrap_or(zero) * unit;
+                matrix.set(own + i, 2 * n + half, b);
+                matrix.set(2 * n + half, own + i, b);
+                if let Some(right) = right.get_mut(own + i) {
+                    *right = system.load.at(i, place);
+                }
+            }
+        }
+        let (x, _) = matrix.solved(&right);
+        let force = |k: usize| x.get(k).copied().unwrap_or(zero);
+        force(2 * n).hypot(force(2 * n + 1)) * unit
+    };
+    let place = system.harmonic(0);
+    let amplitude = held(friction.frequency, [place, place + 1]);
+    // The column of the constant load beside one that is empty.
+    let constant = held(zero, [system.size - 1, n]);
+    let room = (friction.peak * friction.bound - constant).or_larger(zero);
+    (amplitude > zero).then(|| room / amplitude)
+}
+
 /// The border of a system with one contact and one harmonic load.
 pub(crate) fn border<F: Float>(system: &Assembly<F>) -> Result<Border<F>, Error> {
     let friction = Friction::new(system)?;
@@ -284,7 +331,9 @@ pub(crate) fn border<F: Float>(system: &Assembly<F>) -> Result<Border<F>, Error>
         return Err(unsupported("harmonics", "must move the contact"));
     }
     let least_load_factor = least.hypot(friction.v / friction.frequency) / amplitude;
-    Ok(Border { least_load_factor, touching_time })
+    let least_load_factor_from_rest =
+        (friction.peak > F::int(1)).then(|| release(system, &friction)).flatten();
+    Ok(Border { least_load_factor, touching_time, least_load_factor_from_rest })
 }
 
 /// The cycle of a system with one contact and one harmonic load; none where the load is too weak for it.

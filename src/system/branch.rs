@@ -219,11 +219,19 @@ fn series<F: Float>(a: &Sparse<F>, time: F, last: usize, size: usize, terms: &mu
 
 impl<F: Float> Branch<F> {
     /// The branch with these modes. `longest` bounds its step, as it has that of the `others`, which are known already.
-    pub(crate) fn new(system: &Assembly<F>, modes: &[Mode], longest: F, others: &[Self]) -> Self {
+    pub(crate) fn new<'b>(
+        system: &Assembly<F>,
+        modes: &[Mode],
+        longest: F,
+        mut others: impl Iterator<Item = &'b Self>,
+    ) -> Self
+    where
+        F: 'b,
+    {
         let Equation { a, sizes, tension, stuck } = Equation::new(system, modes);
         let degree = degree_of_full_accuracy::<F>();
         // As where a contact slides the other way.
-        let (step, bound) = others.iter().find(|b| b.sizes == sizes).map_or_else(
+        let (step, bound) = others.find(|b| b.sizes == sizes).map_or_else(
             || {
                 let most = F::int(1) / fastest(system, &sizes);
                 let step = if most < longest { most } else { longest };
@@ -277,6 +285,19 @@ impl<F: Float> Branch<F> {
             hull,
             tension,
         }
+    }
+
+    /// Its memory in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        let guards =
+            self.guards.iter().map(|guard| guard.taylor.entries() + 2 * guard.row.len()).sum::<usize>();
+        let speeds = self.speed_errors.len() * self.sizes.columns();
+        let matrices =
+            [&self.sizes, &self.whole, &self.terms, &self.bound, &self.hull.coefficients, &self.hull.errors];
+        let entries = matrices.iter().map(|matrix| matrix.entries()).sum::<usize>();
+        let tension = self.tension.iter().map(Vec::len).sum::<usize>();
+        let sparse = 4 * self.a.rows().map(<[_]>::len).sum::<usize>();
+        (guards + speeds + entries + tension + sparse) * size_of::<F>()
     }
 
     /// The error bound of the velocity of the contact at this place, by the row of that velocity.

@@ -2,11 +2,13 @@
 
 use super::assembly::{Assembly, Rule};
 use super::branch::{Branch, LOW_COUNT, Trigger};
+use super::branches::Branches;
 use super::equation::{Mode, sign};
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::first_passage;
-use super::matrix::{Matrix, absolute, dot, size_of_dot};
+use super::kept::Kept;
+use super::matrix::{Matrix, absolute, add_times, dot, size_of_dot};
 use super::model::State;
 use super::next_branch::{AtRest, at_rest, decide, follows};
 use crate::float::Float;
@@ -27,15 +29,17 @@ const STEPS_BETWEEN_QUESTIONS: u64 = 512;
 /// The motion at one instant.
 pub(crate) struct Follower<'a, F> {
     system: &'a Assembly<F>,
-    pub(crate) branches: Vec<Branch<F>>,
-    current: usize,
+    branches: Branches<F>,
+    /// What contacts at rest keep.
+    kept: Kept<F>,
     pub(crate) z: Vec<F>,
     pub(crate) time: F,
+    /// The rounding of the time, which would add up over the steps.
+    late: F,
     /// The number of the next sample.
     sample: usize,
     /// Events without a step between them.
     instant: usize,
-    longest: F,
     steps: u64,
     most_steps: u64,
     sizes: Vec<F>,
@@ -45,6 +49,14 @@ pub(crate) struct Follower<'a, F> {
     after: Vec<F>,
     /// (e^{At})ᵀ over a part of a step.
     motion: Matrix<F>,
+}
+
+/// A motion at one instant, to be taken up again.
+pub(crate) struct Saved<F> {
+    z: Vec<F>,
+    time: F,
+    modes: Vec<Mode>,
+    kept: Kept<F>,
 }
 
 /// A guard that has reached zero.
@@ -82,13 +94,13 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         let mut follower = Self {
             system,
-            branches: Vec::new(),
-            current: 0,
+            branches: Branches::new(longest),
+            kept: Kept::new(),
             z,
             time: F::int(0),
+            late: F::int(0),
             sample: 0,
             instant: 0,
-            longest,
             steps: 0,
             most_steps: most_steps(system).saturating_add(4 * system.instants.len() as u64),
             sizes: Vec::new(),
@@ -107,18 +119,40 @@ impl<'a, F: Float> Follower<'a, F> {
 
     /// The branch.
     pub(crate) fn branch(&self) -> Option<&Branch<F>> {
-        self.branches.get(self.current)
+        self.branches.current()
     }
 
     /// Sets the time, for loads that repeat themselves, to 0.
     pub(crate) fn rewind(&mut self) {
-        self.time = F::int(0);
+        (self.time, self.late) = (F::int(0), F::int(0));
         self.set_phase();
     }
 
-    /// Takes as many steps again.
-    pub(crate) const fn renew(&mut self) {
-        self.steps = 0;
+    /// The number of steps since the last call; as many as a motion may have follow.
+    pub(crate) const fn renew(&mut self) -> u64 {
+        core::mem::replace(&mut self.steps, 0)
+    }
+
+    /// The motion as it is, to be taken up again.
+    pub(crate) fn saved(&self) -> Saved<F> {
+        let modes = self.branch().map_or_else(Vec::new, |branch| branch.modes.clone());
+        Saved { z: self.z.clone(), time: self.time, modes, kept: self.kept.clone() }
+    }
+
+    /// Takes a motion up again, without a new choice of its branch.
+    pub(crate) fn resume(&mut self, saved: &Saved<F>) {
+        self.z.clone_from(&saved.z);
+        (self.time, self.late) = (saved.time, F::int(0));
+        self.instant = 0;
+        self.set_sample();
+        self.branches.enter(self.system, &saved.modes);
+        self.kept.clone_from(&saved.kept);
+    }
+
+    /// Moves the displacements by steps that no force notices.
+    pub(crate) fn shift(&mut self, by: &[F]) {
+        add_times(&mut self.z, F::int(1), by);
+        self.kept.shifted(self.system, self.branches.current(), &self.z);
     }
 
     /// Begins anew at time 0, from these displacements, velocities and elastic forces.
@@ -176,6 +210,7 @@ impl<'a, F: Float> Follower<'a, F> {
 
     /// Chooses the first branch.
     fn begin(&mut self) -> Result<(), Error> {
+        self.kept.clear();
         let mut modes = Vec::with_capacity(self.system.parts.len());
         let mut resting = Vec::new();
         for (i, part) in self.system.parts.iter().enumerate() {
@@ -288,11 +323,8 @@ impl<'a, F: Float> Follower<'a, F> {
 
     /// Makes the branch with these modes the present one.
     fn enter(&mut self, modes: &[Mode]) {
-        let known = self.branches.iter().position(|b| b.modes == modes);
-        self.current = known.unwrap_or_else(|| {
-            self.branches.push(Branch::new(self.system, modes, self.longest, &self.branches));
-            self.branches.len() - 1
-        });
+        self.branches.enter(self.system, modes);
+        self.kept.renew(self.system, self.branches.current(), &self.z);
     }
 
     /// Follows the motion until a time.
@@ -301,12 +333,12 @@ impl<'a, F: Float> Follower<'a, F> {
         loop {
             let sample = self.system.instants.get(self.sample).copied().filter(|&t| t < until);
             let end = sample.unwrap_or(until);
-            let rest = end - self.time;
+            let rest = end - self.time - self.late;
             if rest <= zero {
                 if sample.is_none() {
                     return Ok(());
                 }
-                self.time = end;
+                (self.time, self.late) = (end, zero);
                 self.set_sample();
                 continue;
             }
@@ -333,7 +365,7 @@ impl<'a, F: Float> Follower<'a, F> {
     /// One step, to the end of the branch's step, to the end given or to an event.
     fn step(&mut self, rest: F, end: F, watch: &mut impl Watch<F>) -> Result<Vec<Fired>, Error> {
         let system = self.system;
-        let Some(branch) = self.branches.get(self.current) else { return Ok(Vec::new()) };
+        let Some(branch) = self.branches.current() else { return Ok(Vec::new()) };
         self.sizes.clear();
         self.sizes.extend(self.z.iter().map(|x| x.abs()));
         branch.hull.at(&self.z, &self.sizes, &mut self.values, &mut self.errors);
@@ -386,7 +418,15 @@ impl<'a, F: Float> Follower<'a, F> {
             self.instant = 0;
         }
         core::mem::swap(&mut self.z, &mut self.after);
-        self.time = if event.is_none() && !whole { end } else { self.time + lasted };
+        self.kept.hold(system, branch, &mut self.z);
+        (self.time, self.late) = if event.is_none() && !whole {
+            (end, F::int(0))
+        } else {
+            // Kahan's sum.
+            let by = self.late + lasted;
+            let time = self.time + by;
+            (time, by - (time - self.time))
+        };
         let Some((_, number)) = event else { return Ok(Vec::new()) };
         Ok(self.fired(number))
     }

@@ -205,6 +205,11 @@ impl<F: Float> Matrix<F> {
         self.columns
     }
 
+    /// The number of entries in memory, with the zeros behind the rows.
+    pub(crate) const fn entries(&self) -> usize {
+        self.items.len()
+    }
+
     pub(crate) fn row(&self, i: usize) -> &[F] {
         let from = i * self.stride;
         self.items.get(from..from + self.columns).unwrap_or(&[])

@@ -1,29 +1,32 @@
-//! Steady motions: the period map, its exact derivative, and Newton's method.
+//! The motion that a start leads to: the periods are followed, and a fixed point of the period map is taken for the limit where the
+//! motion goes to it.
 //!
-//! In a branch a disturbance δ of the state moves by `δ′ = A δ`. At an event, where the row g of a guard is zero and
-//! the derivative of the state goes from f₋ to f₊, a disturbed motion is early or late by `g δ/(g f₋)`, so that
-//! `δ₊ = δ₋ + (f₊ − f₋) g δ₋/(g f₋)`. The product of these over a period is the map's derivative J.
+//! **The limit of this start.** Let z be the state after some periods, x a fixed point that Newton's method finds from it, J the derivative
+//! there, and δ = z − x. A fixed point is only a guess: there may be several, and z may be nearer to another. It is the limit where
+//! the motion approaches it as J says. The periods after z must each have the events of x, and bring the state to `x + Jⁱ δ` within
+//! |δ|/8, until |δ| has fallen to a quarter. What is left out is of second order in δ, and falls with its square.
 //!
-//! Newton's step solves `(I − J) x = P(x₀) − x₀`. Where a rest keeps part of the state, or an elastic contact never
-//! yields, I − J is singular; the limit of `Σ Jᵏ (P(x₀) − x₀)` lies in the range of I − J, and is `(I − J) y` with
-//! `(I − J)² y = P(x₀) − x₀`.
+//! What silent elements keep is the same at z and x (`fixed_point.rs`). Where x is the point of a manifold to first order only, |δ| must be
+//! below 2⁻²⁴, so that its square is rounding.
+//!
+//! A motion that changes by no more than rounding in a period, and to which Newton's method has nothing to add, has arrived.
 
-use super::assembly::{Assembly, Rule};
-use super::equation::Mode;
+use super::assembly::Assembly;
 use super::error::Error;
-use super::events::{Event, EventKind, Stretch, Watch};
+use super::events::Event;
 use super::first_passage::integer;
-use super::follow::Follower;
-use super::matrix::{Matrix, add_times, dot};
+use super::fixed_point::{Fixed, newton};
+use super::follow::{Follower, most_steps};
+use super::matrix::add_times;
 use super::model::State;
-use super::motion::{Motion, Observer, state};
+use super::motion::Motion;
+use super::period_map::{Answers, Happened, Mapped, PeriodMap};
 use crate::float::Float;
 use crate::machine::error::written;
 use crate::named::named;
+use alloc::collections::VecDeque;
 use alloc::string::ToString;
-use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, Schur};
 
 named! {
     /// The kind of a motion after a long time.
@@ -34,6 +37,8 @@ named! {
         Periodic = "periodic",
         /// Nothing moves.
         Rest = "rest",
+        /// All velocities are constant, and not all are 0.
+        Uniform = "uniform",
         /// It grows without bound.
         Growing = "growing",
         /// It has not settled within the periods that were followed.
@@ -47,8 +52,8 @@ named! {
 pub struct Steady<F> {
     /// Its kind.
     pub kind: SteadyKind,
-    /// The period of the motion: that of the loads times [`Steady::periods`], or its own without loads; 0 at rest without
-    /// loads.
+    /// The least period of the motion: that of the loads times [`Steady::periods`], or its own without loads; 0 at rest and in a
+    /// uniform motion without loads.
     pub period: F,
     /// After how many periods of the loads it repeats itself; 1 where it does not.
     pub periods: usize,
@@ -56,274 +61,300 @@ pub struct Steady<F> {
     pub start: State<F>,
     /// One period of it; the last one followed, where it does not repeat itself.
     pub motion: Motion<F>,
-    /// The multipliers of a small disturbance over the period, (real, imaginary), by size. They are computed at f64, and
-    /// empty where the motion does not repeat itself.
+    /// The displacement of each coordinate in the period that no force notices, such as that of a body on a conveyor; 0 where springs hold
+    /// the system. The motion repeats itself but for it.
+    pub drift: Vec<F>,
+    /// The mean velocity of each coordinate.
+    pub mean_velocity: Vec<F>,
+    /// The multipliers of a small disturbance over the period, (real, imaginary), by size: 1 for each number that an element keeps, and
+    /// none for the drift. They are computed at f64, and empty where the motion does not repeat itself or they are not found.
     pub multipliers: Vec<(f64, f64)>,
     /// The change of the state over the period, relative to the motion's size.
     pub change: F,
+    /// The factor by which the change is multiplied in a period, as it was seen; 0 where the motion has settled, and 1 where its change does
+    /// not fall.
+    pub decay: F,
     /// The number of periods that were followed; without loads, of spans of 32 periods of the lowest natural frequency.
     pub followed: usize,
 }
 
-/// The most periods that are followed.
+/// The most periods that are followed where the change of the motion does not fall.
 const MOST_PERIODS: usize = 2048;
 /// The greatest multiple of the loads' period.
 const MOST_MULTIPLE: usize = 64;
 /// The most steps of a period of the loads.
 const MOST_STEPS: usize = 250_000;
-/// The multiple of the followed motion within which a fixed point is looked for, where disturbances do not die away.
-const NEAR: i32 = 1_000_000;
+/// The steps of a whole search, in those of one motion: some seconds where the motion settles slowly.
+const MOST_WORK: u64 = 4;
 
-/// What a period shows: its events, and the greatest values of the three parts of the state at the ends of steps.
-struct Seen<F> {
-    events: Vec<(usize, EventKind)>,
-    sizes: [F; 3],
-    tangent: Option<Vec<Vec<F>>>,
-    observer: Option<Observer<F>>,
-    buffer: Vec<F>,
+/// Why a motion is not followed further.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    /// It leaves the range of numbers.
+    Unbounded,
+    /// A period takes more steps than a motion may have.
+    Cut,
+    /// The work of the search is done.
+    Work,
 }
 
-/// The parts of the state with one unit each: q, q′ and forces.
-fn blocks<'a, F: Float>(system: &Assembly<F>, z: &'a [F]) -> [&'a [F]; 3] {
-    let n = system.n;
-    [0..n, n..2 * n, 2 * n..system.free].map(|r| z.get(r).unwrap_or(&[]))
+/// Whether the motion goes to a fixed point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Approach {
+    /// It does.
+    Goes,
+    /// It goes elsewhere, or stays away.
+    Leaves,
 }
 
-fn largest<F: Float>(list: &[F]) -> F {
-    list.iter().fold(F::int(0), |m, x| m.or_larger(x.abs()))
-}
-
-impl<F: Float> Watch<F> for Seen<F> {
-    fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
-        let (branch, time) = (stretch.branch, stretch.time);
-        if let Some(observer) = &mut self.observer {
-            observer.stretch(system, stretch);
-        }
-        for (size, block) in self.sizes.iter_mut().zip(blocks(system, stretch.from)) {
-            *size = size.or_larger(largest(block));
-        }
-        let Some(tangent) = &mut self.tangent else { return };
-        let part = stretch.motion.is_none().then(|| branch.free_motion(time, system.free));
-        let Some(motion) = stretch.motion.or(part.as_ref()) else { return };
-        self.buffer.resize(system.free, F::int(0));
-        for column in tangent {
-            motion.transposed_of(column, &mut self.buffer);
-            column.copy_from_slice(&self.buffer);
-        }
-    }
-
-    fn event(&mut self, event: Event<F>) {
-        self.events.push((event.element, event.kind));
-        if let Some(observer) = &mut self.observer {
-            observer.event(event);
-        }
-    }
-
-    fn needs_changes(&self) -> bool {
-        self.tangent.is_some()
-    }
-
-    fn changes(&mut self, guard: &[F], from: &[F], to: &[F]) {
-        let speed = dot(guard, from);
-        for column in self.tangent.iter_mut().flatten() {
-            let late = dot(guard, column) / speed;
-            for ((x, &a), &b) in column.iter_mut().zip(to).zip(from) {
-                *x = *x + (a - b) * late;
-            }
-        }
-    }
-}
-
-/// The search for a steady motion.
-pub(super) struct Search<'a, F> {
-    pub(super) system: &'a Assembly<F>,
-    pub(super) follower: Follower<'a, F>,
-    pub(super) period: F,
-}
-
-/// A fixed point of the period map, with the map there.
-type Fixed<F> = (Vec<F>, Mapped<F>);
-
-/// A step of the period map.
-pub(super) struct Mapped<F> {
-    pub(super) to: Vec<F>,
-    pub(super) events: Vec<(usize, EventKind)>,
+/// The motion, followed from period to period.
+pub(super) struct Following<'a, F> {
+    pub(super) map: PeriodMap<'a, F>,
+    /// The last states, and the events of the periods before them.
+    pub(super) states: VecDeque<Vec<F>>,
+    pub(super) events: VecDeque<Vec<Event<F>>>,
     pub(super) sizes: [F; 3],
-    /// The columns of J, for the states that are not given functions of time.
-    pub(super) tangent: Vec<Vec<F>>,
-    /// The answers, where they were asked for.
-    observed: Option<Answers<F>>,
+    pub(super) drift: Vec<F>,
+    /// The displacement that the drift of all periods adds up to.
+    moved: Vec<F>,
+    pub(super) followed: usize,
+    most_work: u64,
+    pub(super) end: Option<End>,
 }
 
-/// A state, and the answers from there on.
-type Answers<F> = (State<F>, Motion<F>);
-
-impl<F: Float> Search<'_, F> {
-    pub(super) fn free(&self) -> Vec<F> {
-        self.follower.z.get(..self.system.free).unwrap_or(&[]).to_vec()
+impl<'a, F: Float> Following<'a, F> {
+    pub(super) fn new(system: &'a Assembly<F>, follower: Follower<'a, F>, period: F) -> Self {
+        let map = PeriodMap::new(system, follower, period);
+        let states = VecDeque::from([map.free()]);
+        let drift = alloc::vec![F::int(0); system.n];
+        let moved = drift.clone();
+        let most_work = most_steps(system).saturating_mul(MOST_WORK);
+        let sizes = [F::int(0); 3];
+        Self { map, states, events: VecDeque::new(), sizes, drift, moved, followed: 0, most_work, end: None }
     }
 
-    /// One period on, from where the motion is, with the derivative of the map before and with the answers, where asked.
-    fn advance(&mut self, tangent: Option<Vec<Vec<F>>>, answers: bool) -> Result<Mapped<F>, Error> {
-        self.follower.rewind();
-        let first = answers.then(|| (self.follower.z.clone(), state(self.system, &self.follower)));
-        let observer = first.as_ref().map(|(first, _)| Observer::new(self.system, first));
-        let mut seen =
-            Seen { events: Vec::new(), sizes: [F::int(0); 3], tangent, observer, buffer: Vec::new() };
-        self.follower.run(self.period, &mut seen)?;
-        let tangent = seen.tangent.unwrap_or_default();
-        let observed = first
-            .zip(seen.observer)
-            .map(|((first, start), observer)| (start, observer.finish(self.system, &first, &self.follower)));
-        Ok(Mapped { to: self.free(), events: seen.events, sizes: seen.sizes, tangent, observed })
+    /// The state now.
+    pub(super) fn now(&self) -> Vec<F> {
+        self.states.back().cloned().unwrap_or_default()
     }
 
-    /// `multiple` periods from a state, with the derivative, and with the answers of the first period, where asked.
-    pub(super) fn map(&mut self, from: &[F], multiple: usize, answers: bool) -> Result<Mapped<F>, Error> {
-        self.follower.restart(from)?;
-        let mut all = self.advance(Some(self.directions()), answers)?;
-        for _ in 1..multiple {
-            let mapped = self.advance(Some(all.tangent), false)?;
-            all.tangent = mapped.tangent;
-            all.to = mapped.to;
-            all.events.extend(mapped.events);
-            for (size, new) in all.sizes.iter_mut().zip(mapped.sizes) {
-                *size = size.or_larger(new);
-            }
+    /// One period on, if there is one.
+    pub(super) fn advance(&mut self) -> Result<Option<Mapped<F>>, Error> {
+        if self.map.steps > self.most_work {
+            self.end = Some(End::Work);
         }
-        Ok(all)
-    }
-
-    /// The unit vectors, without what the present branch does not admit.
-    fn directions(&self) -> Vec<Vec<F>> {
-        let (system, free) = (self.system, self.system.free);
-        let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
-        let stuck: Vec<usize> =
-            modes.iter().enumerate().filter(|(_, m)| matches!(m, Mode::Stuck)).map(|(i, _)| i).collect();
-        let mut columns = Vec::with_capacity(free);
-        for i in 0..free {
-            let mut column = vec![F::int(0); system.size];
-            if let Some(one) = column.get_mut(i) {
-                *one = F::int(1);
-            }
-            super::next_branch::at_rest(system, &mut column, &stuck);
-            for (part, mode) in system.parts.iter().zip(modes) {
-                if let (Rule::Elastic { place, .. }, Mode::Yields { .. }) = (&part.rule, mode)
-                    && let Some(force) = column.get_mut(*place)
-                {
-                    *force = F::int(0);
+        if self.end.is_some() {
+            return Ok(None);
+        }
+        let before = self.map.follower.saved();
+        match self.map.advance(None, false) {
+            Ok(mapped) => {
+                self.sizes = mapped.sizes;
+                self.drift.clone_from(&mapped.drift);
+                add_times(&mut self.moved, F::int(1), &mapped.drift);
+                self.followed += 1;
+                if self.states.len() > MOST_MULTIPLE {
+                    self.states.pop_front();
+                    self.events.pop_front();
                 }
+                self.states.push_back(mapped.to.clone());
+                self.events.push_back(mapped.events.clone());
+                Ok(Some(mapped))
             }
-            column.truncate(free);
-            columns.push(column);
+            Err(Error::Unbounded { .. }) => {
+                self.map.follower.resume(&before);
+                self.end = Some(End::Unbounded);
+                Ok(None)
+            }
+            // The motion is told as far as it was followed.
+            Err(Error::TooLong { .. }) if self.followed > 0 => {
+                self.map.follower.resume(&before);
+                self.end = Some(End::Cut);
+                Ok(None)
+            }
+            Err(error) => Err(error),
         }
-        columns
     }
 
-    /// The difference of two states relative to the motion's size.
-    pub(super) fn distance(&self, a: &[F], b: &[F], sizes: &[F; 3]) -> F {
-        let difference: Vec<F> = a.iter().zip(b).map(|(&a, &b)| a - b).collect();
-        let mut most = F::int(0);
-        for (block, &size) in blocks(self.system, &difference).into_iter().zip(sizes) {
-            let by = largest(block);
-            if by > F::int(0) {
-                most = most.or_larger(if size > F::int(0) { by / size } else { F::int(1) });
-            }
+    /// The distance of the state now from that some periods before.
+    pub(super) fn back(&self, periods: usize) -> F {
+        let then = self.states.len().checked_sub(periods + 1).and_then(|i| self.states.get(i));
+        match (self.states.back(), then) {
+            (Some(now), Some(then)) => self.map.distance(now, then, &self.sizes),
+            _ => F::int(1) / F::epsilon(),
         }
-        most
     }
 
-    /// Newton's method from a state: the fixed point with its derivative and its events, where it is one.
-    fn newton(&mut self, from: &[F], multiple: usize) -> Result<Option<Fixed<F>>, Error> {
-        let free = self.system.free;
-        let enough = F::epsilon() * F::int(16);
-        let closed = F::epsilon() * F::int(4096);
-        let mut x = from.to_vec();
-        let mut best: Option<(F, Vec<F>, Mapped<F>)> = None;
-        for round in 0..12 {
-            // Where Newton's next error will be below rounding, this round is the last.
-            let is_last = multiple == 1
-                && best.as_ref().is_some_and(|(least, ..)| *least < F::epsilon().sqrt() * F::int(16));
-            let mapped = match self.map(&x, multiple, is_last) {
-                Ok(mapped) => mapped,
-                Err(Error::Interrupted) => return Err(Error::Interrupted),
-                Err(_) => return Ok(None),
-            };
-            let by = self.distance(&mapped.to, &x, &mapped.sizes);
-            let mut matrix: Matrix<F> = Matrix::identity(free);
-            for (j, column) in mapped.tangent.iter().enumerate() {
-                for (i, &value) in column.iter().enumerate() {
-                    let one = matrix.at(i, j);
-                    matrix.set(i, j, one - value);
-                }
-            }
-            let right: Vec<F> = mapped.to.iter().zip(&x).map(|(&a, &b)| a - b).collect();
-            if !by.is_finite() || !matrix.rows().all(|r| r.iter().all(|x: &F| x.is_finite())) {
-                return Ok(None);
-            }
-            let better = best.as_ref().is_none_or(|(least, ..)| by < *least);
-            let stalled =
-                best.as_ref().is_some_and(|(least, ..)| by * F::int(2) > *least && *least <= closed);
-            if better {
-                best = Some((by, x.clone(), mapped));
-            }
-            let diverges = round > 3
-                && best.as_ref().is_some_and(|(least, ..)| by * F::int(2) > *least && *least > closed);
-            if by <= enough || stalled || diverges {
-                break;
-            }
-            let (mut step, missing) = matrix.solved(&right);
-            if missing > 0 {
-                let (y, _) = matrix.times(&matrix).solved(&right);
-                step = matrix.of(&y);
-            }
-            add_times(&mut x, F::int(1), &step);
-            self.keep_bounds(&mut x);
+    /// How nearly the motion repeats itself, after any number of periods.
+    pub(super) fn recurrence(&self) -> F {
+        let least = |a: F, b: F| if b < a { b } else { a };
+        (1..=MOST_MULTIPLE).map(|k| self.back(k)).fold(F::int(1) / F::epsilon(), least)
+    }
+
+    /// Whether the motion goes to a fixed point of `multiple` periods, by following it further. `ones` is the number of multipliers that
+    /// are 1 beside those of what is kept.
+    pub(super) fn approaches(
+        &mut self,
+        fixed: &Fixed<F>,
+        multiple: usize,
+        ones: usize,
+    ) -> Result<Approach, Error> {
+        let tiny = F::epsilon() * F::exp2i(16);
+        let sizes = fixed.mapped.sizes;
+        let now = self.now();
+        let first = self.map.distance(&now, &fixed.x, &sizes);
+        let apart = now.iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect();
+        let mut delta = self.map.scaled(apart, &sizes);
+        // Without an element P is linear, and each motion goes where J takes it.
+        let is_linear = self.map.system.parts.is_empty() && fixed.largest().is_some_and(|most| most < 1.0);
+        if first <= tiny || is_linear {
+            return Ok(Approach::Goes);
         }
-        Ok(best.filter(|(by, ..)| *by <= closed).map(|(_, x, mapped)| (x, mapped)))
-    }
-
-    /// Whether the followed motion does not lead to a fixed point, because a part of it is neither damped nor found at the fixed
-    /// point: an undamped vibration of its own, or one at resonance, whose fixed point lies at infinity.
-    fn is_kept(&self, multipliers: &[(f64, f64)], x: &[F], followed: &[F], sizes: &[F; 3]) -> bool {
-        let own = |&(re, im): &(f64, f64)| im.abs() > 1e-9 && re.hypot(im) > 1.0 - 1e-12;
-        let apart = self.distance(x, followed, sizes);
-        (multipliers.iter().any(own) && apart > F::exp2i(-30))
-            || (multipliers.first().is_some_and(|&(re, im)| re.hypot(im) > 1.0 - 1e-9)
-                && apart > F::int(NEAR))
-    }
-
-    /// Elastic forces do not exceed their frictions.
-    pub(super) fn keep_bounds(&self, x: &mut [F]) {
-        for part in &self.system.parts {
-            if let Rule::Elastic { place, friction, .. } = part.rule
-                && let Some(force) = x.get_mut(place)
-                && force.abs() > friction
+        if !first.is_finite() || (fixed.is_first_order && first > F::exp2i(-24)) {
+            return Ok(Approach::Leaves);
+        }
+        let Some(&(re, im)) = fixed.multipliers.get(ones) else { return Ok(Approach::Leaves) };
+        let largest = re.hypot(im);
+        if largest > 1.0 + 1e-6 {
+            return Ok(Approach::Leaves);
+        }
+        // A vibration of its own that nothing damps is kept.
+        if largest > 1.0 - 1e-9 {
+            return Ok(if first <= F::exp2i(-30) { Approach::Goes } else { Approach::Leaves });
+        }
+        // The slowest part of the disturbance falls to a quarter in so many maps.
+        let enough = (-(4.0_f64.ln()) / largest.max(1e-3).ln()).ceil();
+        let most = 2.0 * enough + 64.0;
+        let work = (self.map.steps / (self.followed as u64 + 1)).max(1).saturating_mul(multiple as u64);
+        if enough * work as f64 > self.most_work.saturating_sub(self.map.steps) as f64 {
+            return Ok(Approach::Leaves);
+        }
+        let cycle: Vec<Happened> = happened(&fixed.mapped.events);
+        let stays = self.stays(fixed);
+        let most = if stays { 32.0 * most } else { most };
+        let mut count = 0.0;
+        while count < most {
+            count += 1.0;
+            let mut events = Vec::new();
+            for _ in 0..multiple {
+                let Some(mapped) = self.advance()? else { return Ok(Approach::Leaves) };
+                events.extend(happened(&mapped.events));
+            }
+            delta = fixed.derivative.of(&delta);
+            let (now, mut due) = (self.now(), fixed.x.clone());
+            for (i, (x, &by)) in due.iter_mut().zip(&delta).enumerate() {
+                *x = *x + by * self.map.size_at(&sizes, i);
+            }
+            if self.map.distance(&now, &due, &sizes) > first / F::int(8) + tiny
+                || !is_same_cycle(&events, &cycle)
             {
-                *force = friction.with_sign_of(*force);
+                return Ok(Approach::Leaves);
+            }
+            let left = self.map.distance(&now, &fixed.x, &sizes);
+            // The place that a motion without a drift comes to adds up over all periods.
+            let falls = if stays { tiny } else { first / F::int(4) };
+            if left <= tiny || (count >= enough && left <= falls) {
+                return Ok(Approach::Goes);
             }
         }
+        Ok(Approach::Leaves)
     }
 
-    /// The answers over `multiple` periods from a state.
-    pub(super) fn observed(&mut self, from: Option<&[F]>, multiple: usize) -> Result<Answers<F>, Error> {
-        match from {
-            Some(from) => self.follower.restart(from)?,
-            None => self.follower.rewind(),
+    /// Whether a motion that nothing holds in its place has no drift.
+    fn stays(&self, fixed: &Fixed<F>) -> bool {
+        let zero = alloc::vec![F::int(0); fixed.mapped.drift.len()];
+        self.map.drift.count() > 0
+            && self.map.distance(&fixed.mapped.drift, &zero, &fixed.mapped.sizes)
+                <= F::epsilon() * F::exp2i(16)
+    }
+
+    /// The answers of a motion from a state.
+    pub(super) fn answer(
+        &mut self,
+        fixed: Fixed<F>,
+        multiple: usize,
+        loads: bool,
+    ) -> Result<Steady<F>, Error> {
+        let multipliers = fixed.all_multipliers();
+        let stays = self.stays(&fixed);
+        let (start, motion) = match fixed.mapped.observed {
+            Some(observed) if multiple == 1 && !stays => observed,
+            _ => {
+                let mut x = fixed.x.clone();
+                if stays {
+                    add_times(&mut x, F::int(1), &self.moved);
+                }
+                self.map.observed(Some(&x), multiple)?
+            }
+        };
+        let kind = self.kind(&motion);
+        let is_still = matches!(kind, SteadyKind::Rest | SteadyKind::Uniform);
+        let period = if is_still && !loads { F::int(0) } else { self.map.period * integer(multiple) };
+        let mean = |by: F| if stays { F::int(0) } else { by / motion.duration };
+        let mean_velocity = fixed.mapped.drift.iter().map(|&by| mean(by)).collect();
+        let mut drift = fixed.mapped.drift;
+        if stays || period == F::int(0) {
+            drift.fill(F::int(0));
         }
-        let first = self.follower.z.clone();
-        let start = state(self.system, &self.follower);
-        let mut observer = Observer::new(self.system, &first);
-        let until = self.period * integer(multiple);
-        self.follower.run(until, &mut observer)?;
-        Ok((start, observer.finish(self.system, &first, &self.follower)))
+        let (change, decay, followed) = (fixed.by, F::int(0), self.followed);
+        Ok(Steady {
+            kind,
+            period,
+            periods: multiple,
+            start,
+            motion,
+            drift,
+            mean_velocity,
+            multipliers,
+            change,
+            decay,
+            followed,
+        })
+    }
+
+    /// The kind of a motion that repeats itself.
+    fn kind(&self, motion: &Motion<F>) -> SteadyKind {
+        if self.map.rests(motion) {
+            return SteadyKind::Rest;
+        }
+        let mut size = F::int(0);
+        let mut varies = F::int(0);
+        for (&most, &least) in motion.max_velocity.iter().zip(&motion.min_velocity) {
+            size = size.or_larger(most.abs()).or_larger(least.abs());
+            varies = varies.or_larger(most - least);
+        }
+        let is_uniform = self.map.drift.count() > 0 && varies <= size * F::epsilon() * F::exp2i(12);
+        if is_uniform { SteadyKind::Uniform } else { SteadyKind::Periodic }
+    }
+
+    /// The answers where the motion has not settled.
+    pub(super) fn unsettled(&mut self, grows: bool, change: F, decay: F) -> Result<Steady<F>, Error> {
+        let states: Vec<Vec<F>> = self.states.iter().cloned().collect();
+        let (start, motion) = self.last_finite(&states)?;
+        let kind = if grows { SteadyKind::Growing } else { SteadyKind::Unsettled };
+        let (period, drift, followed) = (self.map.period, self.drift.clone(), self.followed);
+        let mean_velocity = drift.iter().map(|&by| by / period).collect();
+        let multipliers = Vec::new();
+        Ok(Steady {
+            kind,
+            period,
+            periods: 1,
+            start,
+            motion,
+            drift,
+            mean_velocity,
+            multipliers,
+            change,
+            decay,
+            followed,
+        })
     }
 
     /// The answers of the latest period that, with its energy, stays within the range of numbers.
     fn last_finite(&mut self, states: &[Vec<F>]) -> Result<Answers<F>, Error> {
-        let mut last = Err(Error::Unbounded { time: written(self.period) });
+        let mut last = Err(Error::Unbounded { time: written(self.map.period) });
         for from in states.iter().rev() {
-            last = self.observed(Some(from), 1);
+            last = self.map.observed(Some(from), 1);
             match &last {
                 Ok((_, motion)) => {
                     let works = [motion.stored, motion.load_work, motion.damper_work];
@@ -337,6 +368,42 @@ impl<F: Float> Search<'_, F> {
         }
         last
     }
+}
+
+fn happened<F: Float>(events: &[Event<F>]) -> Vec<Happened> {
+    events.iter().map(|event| (event.element, event.kind)).collect()
+}
+
+/// Whether each element has the same events in the same order, from any of them on: an event at the phase 0 may fall into the period
+/// before, and those of two elements at one instant may change places.
+fn is_same_cycle(a: &[Happened], b: &[Happened]) -> bool {
+    let of = |list: &[Happened], element: usize| -> Vec<Happened> {
+        list.iter().filter(|event| event.0 == element).copied().collect()
+    };
+    let is_turned = |element: usize| {
+        let (a, mut b) = (of(a, element), of(b, element));
+        a.len() == b.len()
+            && (a == b
+                || (0..b.len()).any(|_| {
+                    b.rotate_left(1);
+                    a == b
+                }))
+    };
+    a.len() == b.len() && a.iter().all(|event| is_turned(event.0))
+}
+
+/// A measure of a motion at a number of periods: the sizes of displacements and velocities, and how nearly it repeats itself.
+struct Mark<F> {
+    followed: usize,
+    sizes: [F; 3],
+    change: F,
+}
+
+/// Whether displacements or velocities have grown by more than a half from each of the last marks to the next.
+fn grows<F: Float>(marks: &[Mark<F>]) -> bool {
+    let grown = |a: F, b: F| a > F::int(0) && b * F::int(2) > a * F::int(3);
+    let by = |part: fn(&[F; 3]) -> F| matches!(marks, [.., a, b, c] if grown(part(&a.sizes), part(&b.sizes)) && grown(part(&b.sizes), part(&c.sizes)));
+    by(|sizes| sizes[0]) || by(|sizes| sizes[1])
 }
 
 /// The motion that a start leads to.
@@ -353,130 +420,81 @@ pub(crate) fn steady<'a, F: Float>(
             condition: "must have at most 250000 steps of the system's fastest rate",
         });
     }
-    let mut search = Search { system, follower, period };
-    let mut states = vec![search.free()];
-    let mut events: Vec<Vec<(usize, EventKind)>> = Vec::new();
-    let mut sizes = [F::int(0); 3];
-    let mut next = 4;
-    let mut growth = [F::int(0); 2];
-    let mut is_cut = false;
-    while events.len() < MOST_PERIODS {
-        let mapped = match search.advance(None, false) {
-            Ok(mapped) => mapped,
-            Err(Error::Unbounded { .. }) => break,
-            // The motion is told as far as it was followed.
-            Err(Error::TooLong { .. }) if !events.is_empty() => {
-                is_cut = true;
-                search.follower.renew();
+    let mut following = Following::new(system, follower, period);
+    let mut marks: Vec<Mark<F>> = Vec::new();
+    let (mut next, mut refused) = (4, false);
+    while following.advance()?.is_some() {
+        let followed = following.followed;
+        let settled = following.back(1) <= F::epsilon() * F::int(2);
+        if followed >= next || (settled && !refused) {
+            next = next.max(followed.saturating_mul(2));
+            if let Some(found) = look(&mut following)? {
+                return Ok(found);
+            }
+            refused = settled;
+        }
+        let followed = following.followed;
+        if followed >= marks.last().map_or(MOST_PERIODS / 8, |mark| 2 * mark.followed) {
+            marks.push(Mark { followed, sizes: following.sizes, change: following.recurrence() });
+            let falls =
+                matches!(marks.as_slice(), [.., a, b] if b.change * F::int(33) <= a.change * F::int(32));
+            if followed >= MOST_PERIODS && (!falls || grows(&marks)) {
                 break;
             }
-            Err(error) => return Err(error),
-        };
-        let before = states.last().cloned().unwrap_or_default();
-        let change = search.distance(&mapped.to, &before, &mapped.sizes);
-        sizes = mapped.sizes;
-        states.push(mapped.to);
-        events.push(mapped.events);
-        let followed = events.len();
-        if followed == MOST_PERIODS / 4 || followed == MOST_PERIODS / 2 {
-            growth =
-                [growth.last().copied().unwrap_or(F::int(0)), sizes.first().copied().unwrap_or(F::int(0))];
         }
-        let settled = change <= F::epsilon() * F::int(2);
-        if followed < next && !settled {
-            continue;
-        }
-        if !settled {
-            next *= 2;
-        }
-        let from = states.last().cloned().unwrap_or_default();
-        for multiple in 1..=MOST_MULTIPLE.min(if settled { 1 } else { followed / 4 }) {
-            // A motion of several periods comes back to its state, and not after one.
-            let back = |k: usize| {
-                let then = states.get((followed - k)..).and_then(|s| s.first());
-                then.map_or(F::int(0), |then| search.distance(&from, then, &sizes))
-            };
-            if multiple > 1 && back(multiple) * F::int(2) > back(1) {
-                continue;
-            }
-            // Motions of many periods are looked for where the followed one almost repeats itself.
-            if multiple > 8 && back(multiple) > F::ratio(1, 1000) {
-                continue;
-            }
-            let Some((x, mut mapped)) = search.newton(&from, multiple)? else { continue };
-            // It may be one of fewer periods, which divide these.
-            let mut found = multiple;
-            for fewer in (1..multiple).filter(|&fewer| multiple.is_multiple_of(fewer)) {
-                let part = search.map(&x, fewer, false)?;
-                if search.distance(&part.to, &x, &part.sizes) <= F::epsilon() * F::int(65_536) {
-                    (found, mapped) = (fewer, part);
-                    break;
-                }
-            }
-            if found < multiple && found == 1 {
-                continue;
-            }
-            let multiple = found;
-            let lasts = events.get(followed - multiple..).unwrap_or(&[]).concat();
-            let multipliers = multipliers(&mapped.tangent, system.free);
-            let unstable = multipliers.first().is_some_and(|&(re, im)| re.hypot(im) > 1.0 + 1e-6);
-            if !settled && (lasts != mapped.events || unstable) {
-                continue;
-            }
-            if !settled && search.is_kept(&multipliers, &x, &from, &sizes) {
-                continue;
-            }
-            let change = search.distance(&mapped.to, &x, &mapped.sizes);
-            let x = if settled { from } else { x };
-            let (start, motion) = match mapped.observed {
-                Some(observed) if !settled => observed,
-                _ => search.observed(Some(&x), multiple)?,
-            };
-            let rests = motion.max_displacement == motion.min_displacement;
-            let kind = if rests { SteadyKind::Rest } else { SteadyKind::Periodic };
-            let period = period * integer(multiple);
-            return Ok(Steady {
-                kind,
-                period,
-                periods: multiple,
-                start,
-                motion,
-                multipliers,
-                change,
-                followed,
-            });
-        }
-        // The search has moved it.
-        search.follower.restart(&from)?;
     }
-    let followed = events.len();
-    let size = sizes.first().copied().unwrap_or(F::int(0));
-    let [early, middle] = growth;
+    let decay = match marks.as_slice() {
+        [.., a, b] if b.change < a.change => {
+            let periods = integer::<F>(b.followed - a.followed);
+            F::from_f64(((b.change / a.change).to_f64().ln() / periods.to_f64()).exp())
+        }
+        _ => F::int(1),
+    };
     // Within a part of an own vibration a beginning looks like growth.
-    let is_long = slowest().is_none_or(|longest| period * integer(followed) > longest * F::int(8));
-    let grows = (followed < MOST_PERIODS && !is_cut)
-        || (early > F::int(0)
-            && is_long
-            && middle * F::int(2) > early * F::int(3)
-            && size * F::int(2) > middle * F::int(3));
-    let before = states.iter().rev().nth(1).cloned().unwrap_or_default();
-    let change = search.distance(states.last().map_or(&[][..], Vec::as_slice), &before, &sizes);
-    let (start, motion) = search.last_finite(&states)?;
-    let kind = if grows { SteadyKind::Growing } else { SteadyKind::Unsettled };
-    Ok(Steady { kind, period, periods: 1, start, motion, multipliers: Vec::new(), change, followed })
+    let is_long = slowest().is_none_or(|longest| period * integer(following.followed) > longest * F::int(8));
+    let grows = following.end == Some(End::Unbounded) || (is_long && grows(&marks));
+    let change = following.back(1);
+    following.unsettled(grows, change, decay)
 }
 
-/// The eigenvalues of the leading part of a matrix of columns, the largest first.
-pub(super) fn multipliers<F: Float>(columns: &[Vec<F>], free: usize) -> Vec<(f64, f64)> {
-    let entry = |i: usize, j: usize| columns.get(j).and_then(|c| c.get(i)).map_or(0.0, |x| x.to_f64());
-    let matrix = DMatrix::<f64>::from_fn(free, free, entry);
-    if !matrix.iter().all(|x| x.is_finite()) {
-        return Vec::new();
+/// The steady motion that the motion goes to now, if there is one.
+fn look<F: Float>(following: &mut Following<'_, F>) -> Result<Option<Steady<F>>, Error> {
+    let settled = following.back(1) <= F::epsilon() * F::int(2);
+    let known = following.states.len().saturating_sub(1);
+    for multiple in 1..=MOST_MULTIPLE.min(if settled { 1 } else { (known / 4).max(1) }) {
+        // A motion of several periods comes back to its state, and not after one.
+        if multiple > 1 && following.back(multiple) * F::int(2) > following.back(1) {
+            continue;
+        }
+        // Motions of many periods are looked for where the followed one almost repeats itself.
+        if multiple > 8 && following.back(multiple) > F::ratio(1, 1000) {
+            continue;
+        }
+        let (from, before) = (following.now(), following.map.follower.saved());
+        let found = newton(&mut following.map, &from, multiple)?;
+        let Some(mut fixed) = found else {
+            following.map.follower.resume(&before);
+            continue;
+        };
+        // It may be one of fewer periods, which divide these.
+        let mut least = multiple;
+        for fewer in (1..multiple).filter(|&fewer| multiple.is_multiple_of(fewer)) {
+            let x = fixed.x.clone();
+            let part = newton(&mut following.map, &x, fewer)?;
+            let near = |part: &Fixed<F>| {
+                following.map.distance(&part.x, &x, &part.mapped.sizes) <= F::epsilon().sqrt() / F::int(64)
+            };
+            if let Some(part) = part.filter(near) {
+                (least, fixed) = (fewer, part);
+                break;
+            }
+        }
+        following.map.follower.resume(&before);
+        if following.approaches(&fixed, least, 0)? == Approach::Goes {
+            return following.answer(fixed, least, true).map(Some);
+        }
     }
-    let Some(schur) = Schur::try_new(matrix, f64::EPSILON, 10_000) else { return Vec::new() };
-    let mut values: Vec<(f64, f64)> = schur.complex_eigenvalues().iter().map(|c| (c.re, c.im)).collect();
-    values.sort_by(|a, b| b.0.hypot(b.1).total_cmp(&a.0.hypot(a.1)));
-    values
+    Ok(None)
 }
 
 /// The common period of the harmonics.

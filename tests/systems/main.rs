@@ -12,6 +12,7 @@ mod clutches;
 mod generator;
 #[cfg(feature = "rayon")]
 mod grid;
+mod long_run;
 mod one_body;
 #[cfg(feature = "mp")]
 mod precise;

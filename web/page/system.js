@@ -161,6 +161,10 @@ function showSystem(found) {
   const hertz = (own) => own.map((omega) => four(omega / (2 * Math.PI))).join(", ");
   entry(list, "natural frequencies, sliding", `${hertz(found.description.natural_frequencies)} Hz`);
   entry(list, "natural frequency with the contact stuck", `${hertz(found.description.natural_frequencies_stuck)} Hz`);
+  motion.coordinates.forEach((name, i) => {
+    const speed = motion.mean_velocity?.[i];
+    if (speed) entry(list, `${name}: drift`, `${readable(speed, units.velocity)} in the mean`, `${speed} ${units.velocity}`);
+  });
   if (motion.multipliers?.length) {
     const most = Math.max(...motion.multipliers.map(([re, im]) => Math.hypot(re, im)));
     entry(list, "a disturbance", `${most < 1 ? "shrinks" : "grows"} to ${four(most)} of its size in each period`, String(most));

@@ -154,7 +154,7 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
 /// The verdict on a steady motion.
 pub(super) fn steady(described: &Described, found: &Steady<f64>, out: &mut impl Write) -> Outcome {
     writeln!(out, "{}\n", steady_verdict(described, found))?;
-    if found.kind == SteadyKind::Periodic {
+    if found.kind == SteadyKind::Periodic && !found.multipliers.is_empty() {
         let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
         line(out, "a disturbance", format!("is multiplied by at most {} in this time", digits(largest)))?;
     }
@@ -175,8 +175,11 @@ pub(super) fn border(
             let part = |list: &[f64]| list.get(i).copied().unwrap_or(0.0);
             let amplitude = part(&harmonic.sin).hypot(part(&harmonic.cos));
             if amplitude > 0.0 {
-                let least = with_unit(amplitude * found.least_load_factor, units, Of::Force);
-                line(out, &format!("least load on {name}"), least)?;
+                let least = |factor: f64| with_unit(amplitude * factor, units, Of::Force);
+                line(out, &format!("least load on {name}"), least(found.least_load_factor))?;
+                if let Some(release) = found.least_load_factor_from_rest {
+                    line(out, &format!("load on {name} from rest"), least(release))?;
+                }
             }
         }
     }

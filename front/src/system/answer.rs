@@ -61,8 +61,19 @@ pub struct Answer<'a> {
     load_work: f64,
     damper_work: f64,
     stored_energy: f64,
+    /// The displacement of each coordinate in a period that no force notices, and the mean velocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    drift: Option<&'a [f64]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mean_velocity: Option<&'a [f64]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     multipliers: Option<&'a [(f64, f64)]>,
+    /// The change of the motion over the last period that was followed, relative to its size, and the factor of this change from period to
+    /// period.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    change: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    decay: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     periods: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -158,7 +169,11 @@ impl<'a> Answer<'a> {
             load_work: motion.load_work,
             damper_work: motion.damper_work,
             stored_energy: motion.stored,
+            drift: None,
+            mean_velocity: None,
             multipliers: None,
+            change: None,
+            decay: None,
             periods: None,
             periods_followed: None,
             units,
@@ -180,7 +195,11 @@ impl<'a> Answer<'a> {
             period: Some(found.period),
             periods: Some(found.periods),
             periods_followed: Some(found.followed),
+            drift: Some(&found.drift),
+            mean_velocity: Some(&found.mean_velocity),
             multipliers: Some(&found.multipliers),
+            change: Some(found.change),
+            decay: Some(found.decay),
             ..Self::of(described, &found.motion, &found.start, found.kind.name())
         }
     }
@@ -260,6 +279,9 @@ impl<'a> Samples<'a> {
 pub struct OfBorder<'a> {
     least_load_factor: f64,
     touching_time: f64,
+    /// With a static friction above the kinetic one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    least_load_factor_from_rest: Option<f64>,
     cycle: Option<OfCycle<'a>>,
 }
 
@@ -279,6 +301,7 @@ impl<'a> OfBorder<'a> {
         Self {
             least_load_factor: found.least_load_factor,
             touching_time: found.touching_time,
+            least_load_factor_from_rest: found.least_load_factor_from_rest,
             cycle: cycle.map(|cycle| OfCycle {
                 max_displacement: &cycle.max_displacement,
                 displacement_time: &cycle.displacement_time,

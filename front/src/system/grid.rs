@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::inputs::units::{Kind as Of, System as Units, split};
 use stickslip::motion::record::Record;
-use stickslip::system::Motion;
+use stickslip::system::{Motion, Steady};
 
 /// The rows of which one must be right.
 const TRIED: u64 = 1000;
@@ -298,13 +298,14 @@ impl<'a> Grid<'a> {
         Ok(match self.asked {
             Asked::Border => {
                 let found = system.border().map_err(because)?;
-                vec![number(found.least_load_factor), number(found.touching_time)]
+                let release = Cell::Number(found.least_load_factor_from_rest);
+                vec![number(found.least_load_factor), number(found.touching_time), release]
             }
             Asked::Steady => {
                 let found = system.steady(&described.start).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
-                cells.extend(of_motion(&found.motion, false));
+                cells.extend(of_motion(&found.motion, Some(&found)));
                 cells
             }
             Asked::Transient(until) => {
@@ -312,7 +313,7 @@ impl<'a> Grid<'a> {
                 of.check_until(until, &format!("until {until}"))?;
                 let found = system.simulate(&described.start, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
-                cells.extend(of_motion(&found, true));
+                cells.extend(of_motion(&found, None));
                 cells
             }
         })
@@ -327,7 +328,11 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
     let number = |name: String| (name, Cell::Number(None));
     let mut columns = match asked {
         Asked::Border => {
-            return vec![number("least_load_factor".to_owned()), number(format!("touching_time{time}"))];
+            return vec![
+                number("least_load_factor".to_owned()),
+                number(format!("touching_time{time}")),
+                number("least_load_factor_from_rest".to_owned()),
+            ];
         }
         Asked::Steady => {
             vec![("kind".to_owned(), Cell::Text("")), ("periods".to_owned(), Cell::Count(None))]
@@ -340,10 +345,13 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
             ("min_displacement", Of::Length),
             ("max_velocity", Of::Velocity),
             ("min_velocity", Of::Velocity),
-            ("end_displacement", Of::Length),
         ];
-        let count = if asked == Asked::Steady { 4 } else { 5 };
-        let quantities = quantities.into_iter().take(count);
+        let more: &[_] = if asked == Asked::Steady {
+            &[("drift", Of::Length), ("mean_velocity", Of::Velocity)]
+        } else {
+            &[("end_displacement", Of::Length)]
+        };
+        let quantities = quantities.into_iter().chain(more.iter().copied());
         columns.extend(quantities.map(|(what, kind)| number(format!("{name}.{what}{}", unit(kind)))));
     }
     for element in &described.model.elements {
@@ -360,14 +368,17 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
     columns
 }
 
-/// The cells of a motion, in the order of the columns.
-fn of_motion(motion: &Motion<f64>, has_end: bool) -> Vec<Cell<'static>> {
+/// The cells of a motion, in the order of the columns, with its end, or with the drift of a steady one.
+fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'static>> {
     let mut cells = Vec::new();
     for i in 0..motion.max_displacement.len() {
         let lists =
             [&motion.max_displacement, &motion.min_displacement, &motion.max_velocity, &motion.min_velocity];
-        let end = has_end.then_some(&motion.end.displacement);
-        cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
+        let more: &[&Vec<f64>] = match steady {
+            Some(steady) => &[&steady.drift, &steady.mean_velocity],
+            None => &[&motion.end.displacement],
+        };
+        cells.extend(lists.iter().chain(more).map(|list| Cell::Number(list.get(i).copied())));
     }
     for element in &motion.elements {
         cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));

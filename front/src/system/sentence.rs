@@ -21,6 +21,7 @@ pub fn with_unit(x: f64, units: Option<&Units>, kind: Of) -> String {
 /// The verdict on a steady motion.
 #[must_use]
 pub fn steady_verdict(described: &Described, found: &Steady<f64>) -> String {
+    let units = described.units.as_ref();
     let kinds = described.model.elements.iter().map(kind_of);
     let rests = found.motion.elements.iter().zip(kinds).filter(|(_, kind)| *kind != "stop");
     let stops: usize = rests.map(|(element, _)| element.stops).sum();
@@ -32,19 +33,51 @@ pub fn steady_verdict(described: &Described, found: &Steady<f64>) -> String {
                 format!(", {} periods of the loads", found.periods)
             };
             format!(
-                "Periodic: it repeats itself after {}{multiple}, with {} in it.",
-                with_unit(found.period, described.units.as_ref(), Of::Time),
-                if stops == 0 { "no rest".to_owned() } else { plural(stops, "rest", "rests") }
+                "Periodic: it repeats itself after {}{multiple}, with {} in it.{}",
+                with_unit(found.period, units, Of::Time),
+                if stops == 0 { "no rest".to_owned() } else { plural(stops, "rest", "rests") },
+                drift_sentence(described, found)
             )
         }
         SteadyKind::Rest => "Rest: nothing moves in the end.".to_owned(),
+        SteadyKind::Uniform => {
+            format!("Uniform: all velocities are constant.{}", drift_sentence(described, found))
+        }
         SteadyKind::Growing => "Growing: the motion grows without bound.".to_owned(),
         SteadyKind::Unsettled => format!(
-            "Not settled after {} periods: the last of them changed the motion by {} of its size.",
+            "Not settled after {} periods: the last of them changed the motion by {} of its size.{}",
             found.followed,
-            digits(found.change)
+            digits(found.change),
+            decay_sentence(found)
         ),
     }
+}
+
+/// How fast the change of a motion falls that has not settled, and how much of it is left.
+fn decay_sentence(found: &Steady<f64>) -> String {
+    let decay = found.decay;
+    if !(decay > 0.0 && decay < 1.0) {
+        return String::new();
+    }
+    let (falls, left) = (digits(100.0 * (1.0 - decay)), digits(found.change * decay / (1.0 - decay)));
+    format!(" The change falls by {falls} % a period; {left} of the size is left.")
+}
+
+/// Where a motion drifts to, coordinate by coordinate; nothing without a drift.
+fn drift_sentence(described: &Described, found: &Steady<f64>) -> String {
+    let units = described.units.as_ref();
+    let moves = |speed: f64| speed != 0.0;
+    let of = |(name, (&by, &speed)): (&String, (&f64, &f64))| {
+        let mean = with_unit(speed, units, Of::Velocity);
+        if by == 0.0 {
+            format!("{name} moves at {mean}")
+        } else {
+            format!("{name} drifts by {} a period, {mean} in the mean", with_unit(by, units, Of::Length))
+        }
+    };
+    let pairs = described.coordinates.iter().zip(found.drift.iter().zip(&found.mean_velocity));
+    let parts: Vec<String> = pairs.filter(|(_, (_, speed))| moves(**speed)).map(of).collect();
+    if parts.is_empty() { String::new() } else { format!(" {}.", parts.join("; ")) }
 }
 
 /// The verdict on the least load that keeps the contact from sticking, by the names of the contact and of the loaded
@@ -69,8 +102,13 @@ pub fn border_verdict(described: &Described, found: &Border<f64>) -> String {
         (None, [first, second]) => format!("the load on {first} and {second}"),
         (None, _) => "the load".to_owned(),
     };
-    format!(
-        "The contact {contact} never sticks if {load} is at least {} times this one.",
-        digits(found.least_load_factor)
-    )
+    let least = digits(found.least_load_factor);
+    match found.least_load_factor_from_rest {
+        None => format!("The contact {contact} never sticks if {load} is at least {least} times this one."),
+        Some(release) => format!(
+            "Once it slides, the contact {contact} never sticks if {load} is at least {least} times this one. From rest it starts to slide \
+             if {load} is at least {} times this one.",
+            digits(release)
+        ),
+    }
 }

@@ -102,13 +102,24 @@ class SystemSteady(SystemMotion):
     periods : int
         After how many periods of the loads the motion repeats itself.
     periods_followed : int
+    drift : array
+        Displacement of each coordinate in a period that no force notices; 0 where springs hold the system.
+    mean_velocity : array
+        Mean velocity of each coordinate.
     multipliers : array of complex
         Multipliers of a small disturbance over the period.
+    change, decay : float
+        Change of the motion over the last period that was followed, relative to its size, and the factor by which this change is
+        multiplied in a period; ``decay`` is 0 where the motion has settled.
     """
 
     periods: int
     periods_followed: int
+    drift: Floats
+    mean_velocity: Floats
     multipliers: NDArray[np.complex128]
+    change: float
+    decay: float
 
 
 class SystemStates(Result):
@@ -152,6 +163,8 @@ class SystemBorder(Result):
         The factor of the system's load.
     touching_time : float
         Time after a reversal at which the velocity of the contact touches zero under that load.
+    least_load_factor_from_rest : float or None
+        The factor from which on the contact leaves its rest; None where static and kinetic friction are equal.
     cycle : dict or None
         ``max_displacement``, ``displacement_time``, ``max_velocity``, ``velocity_time`` and ``work`` of the contact at the
         system's load; None where it sticks.
@@ -159,6 +172,7 @@ class SystemBorder(Result):
 
     least_load_factor: float
     touching_time: float
+    least_load_factor_from_rest: Optional[float]
     cycle: Optional[Mapping[str, float]]
 
 
@@ -382,7 +396,9 @@ class System:
         """The motion that the start leads to, by its period map; exact stops, no time step."""
         found = json.loads(self._handle.steady())
         multipliers = np.array([complex(re, im) for re, im in found["multipliers"]], dtype=np.complex128)
-        more = {"periods": found["periods"], "periods_followed": found["periods_followed"], "multipliers": multipliers}
+        more = {name: found[name] for name in ("periods", "periods_followed", "change", "decay")}
+        more.update({name: np.array(found[name], dtype=float) for name in ("drift", "mean_velocity")})
+        more["multipliers"] = multipliers
         return SystemSteady({**_motion(found, found["period"]), **more})
 
     def simulate(self, until: Quantity) -> SystemMotion:
@@ -422,7 +438,8 @@ class System:
 
     def border(self) -> SystemBorder:
         """The minimum load that keeps the only contact from sticking, in closed form; one contact, one harmonic load."""
-        return SystemBorder(json.loads(self._handle.border()))
+        found = json.loads(self._handle.border())
+        return SystemBorder({"least_load_factor_from_rest": None, **found})
 
     def grid(
         self,

@@ -1,0 +1,123 @@
+//! The branches that a motion has met, in a bounded memory: the one that was left the longest time ago makes room.
+
+use super::assembly::Assembly;
+use super::branch::Branch;
+use super::equation::Mode;
+use crate::float::Float;
+use alloc::vec::Vec;
+
+/// The memory of all branches in bytes: two thousand of two bodies, or sixty of thirty bodies with a contact each.
+const MOST_BYTES: usize = 96 << 20;
+/// The most branches: they are looked for one by one.
+const MOST_BRANCHES: usize = 1024;
+
+/// A branch with the instant at which it was entered last, counted in branches that were entered.
+struct Known<F> {
+    branch: Branch<F>,
+    entered: u64,
+}
+
+/// The branches of a motion.
+pub(crate) struct Branches<F> {
+    known: Vec<Known<F>>,
+    current: usize,
+    entered: u64,
+    bytes: usize,
+    /// The bound of every step.
+    longest: F,
+}
+
+impl<F: Float> Branches<F> {
+    /// No branches, whose steps will be at most this long.
+    pub(crate) const fn new(longest: F) -> Self {
+        Self { known: Vec::new(), current: 0, entered: 0, bytes: 0, longest }
+    }
+
+    /// The present branch.
+    #[inline]
+    pub(crate) fn current(&self) -> Option<&Branch<F>> {
+        self.known.get(self.current).map(|known| &known.branch)
+    }
+
+    /// Makes the branch with these modes the present one.
+    pub(crate) fn enter(&mut self, system: &Assembly<F>, modes: &[Mode]) {
+        self.entered = self.entered.saturating_add(1);
+        let known = self.known.iter().position(|known| known.branch.modes == modes);
+        let place = known.unwrap_or_else(|| {
+            let others = self.known.iter().map(|known| &known.branch);
+            let branch = Branch::new(system, modes, self.longest, others);
+            self.add(branch)
+        });
+        if let Some(known) = self.known.get_mut(place) {
+            known.entered = self.entered;
+        }
+        self.current = place;
+    }
+
+    /// Keeps a branch: its place.
+    fn add(&mut self, branch: Branch<F>) -> usize {
+        self.bytes = self.bytes.saturating_add(branch.bytes());
+        while self.known.len() >= MOST_BRANCHES || self.bytes > MOST_BYTES {
+            let oldest = self.known.iter().enumerate().min_by_key(|(_, known)| known.entered);
+            let Some((place, _)) = oldest else { break };
+            let left = self.known.swap_remove(place);
+            self.bytes = self.bytes.saturating_sub(left.branch.bytes());
+        }
+        self.known.push(Known { branch, entered: self.entered });
+        self.known.len().saturating_sub(1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::{Element, Kind, Law, Model, Signal, System};
+
+    /// Forty bodies with a contact each have more branches than there is room for; the latest stay, and one that was left out
+    /// comes back as it was.
+    #[test]
+    fn the_memory_of_branches_is_bounded() {
+        let n = 40;
+        let diagonal = |x: f64| -> Vec<Vec<f64>> {
+            (0..n).map(|i| (0..n).map(|j| if i == j { x } else { 0.0 }).collect()).collect()
+        };
+        let contact = |i: usize| Element {
+            name: String::new(),
+            direction: (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect(),
+            moves: Signal::constant(0.0),
+            kind: Kind::Contact { law: Law::constant(1.0), peak: 1.0, normal: None },
+        };
+        let model = Model {
+            mass: diagonal(1.0),
+            damping: diagonal(0.1),
+            stiffness: diagonal(1.0),
+            elements: (0..n).map(contact).collect(),
+            ..Model::default()
+        };
+        let system = System::new(&model).unwrap().assembly;
+        let mut branches = Branches::new(1.0);
+        let modes = |k: usize| -> Vec<Mode> {
+            (0..n)
+                .map(|i| if i == k { Mode::Slides { forward: true, piece: 0 } } else { Mode::Stuck })
+                .collect()
+        };
+        branches.enter(&system, &modes(0));
+        let first = branches.current().unwrap().whole.clone();
+        let mut most = 0;
+        for k in 0..n {
+            for forward in [true, false] {
+                let mut modes = modes(k);
+                modes[(k + 1) % n] = Mode::Slides { forward, piece: 0 };
+                branches.enter(&system, &modes);
+                assert_eq!(branches.current().unwrap().modes, modes);
+                most = most.max(branches.bytes);
+            }
+        }
+        let held: usize = branches.known.iter().map(|known| known.branch.bytes()).sum();
+        assert_eq!(held, branches.bytes);
+        assert!(most <= MOST_BYTES && branches.known.len() < 2 * n + 1, "{most} {}", branches.known.len());
+        assert!(branches.known.iter().all(|known| known.branch.modes != modes(0)));
+        branches.enter(&system, &modes(0));
+        assert!(branches.current().unwrap().whole == first);
+    }
+}

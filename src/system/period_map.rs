@@ -1,0 +1,332 @@
+//! The map P of the state over a period, and its exact derivative J.
+//!
+//! In a branch a disturbance δ of the state moves by `δ′ = A δ`. At an event, where the row g of a guard is zero and
+//! the derivative of the state goes from f₋ to f₊, a disturbed motion is early or late by `g δ/(g f₋)`, so that
+//! `δ₊ = δ₋ + (f₊ − f₋) g δ₋/(g f₋)`. The product of these over a period is J.
+
+use super::assembly::{Assembly, Rule};
+use super::drift::{Drift, Natural};
+use super::equation::Mode;
+use super::error::Error;
+use super::events::{Event, EventKind, Stretch, Watch};
+use super::first_passage::integer;
+use super::follow::Follower;
+use super::matrix::dot;
+use super::model::State;
+use super::motion::{Motion, Observer, state};
+use crate::float::Float;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// An event of a period, without its time.
+pub(super) type Happened = (usize, EventKind);
+
+/// What a period shows: its events, and the greatest values of the three parts of the state at the ends of steps.
+struct Seen<F> {
+    events: Vec<Event<F>>,
+    sizes: [F; 3],
+    tangent: Option<Vec<Vec<F>>>,
+    observer: Option<Observer<F>>,
+    buffer: Vec<F>,
+}
+
+/// The parts of the state with one unit each: q, q′ and forces.
+fn blocks<'a, F: Float>(system: &Assembly<F>, z: &'a [F]) -> [&'a [F]; 3] {
+    let n = system.n;
+    [0..n, n..2 * n, 2 * n..system.free].map(|r| z.get(r).unwrap_or(&[]))
+}
+
+fn largest<F: Float>(list: &[F]) -> F {
+    list.iter().fold(F::int(0), |m, x| m.or_larger(x.abs()))
+}
+
+impl<F: Float> Watch<F> for Seen<F> {
+    fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
+        let (branch, time) = (stretch.branch, stretch.time);
+        if let Some(observer) = &mut self.observer {
+            observer.stretch(system, stretch);
+        }
+        for (size, block) in self.sizes.iter_mut().zip(blocks(system, stretch.from)) {
+            *size = size.or_larger(largest(block));
+        }
+        let Some(tangent) = &mut self.tangent else { return };
+        let part = stretch.motion.is_none().then(|| branch.free_motion(time, system.free));
+        let Some(motion) = stretch.motion.or(part.as_ref()) else { return };
+        self.buffer.resize(system.free, F::int(0));
+        for column in tangent {
+            motion.transposed_of(column, &mut self.buffer);
+            column.copy_from_slice(&self.buffer);
+        }
+    }
+
+    fn event(&mut self, event: Event<F>) {
+        self.events.push(event);
+        if let Some(observer) = &mut self.observer {
+            observer.event(event);
+        }
+    }
+
+    fn needs_changes(&self) -> bool {
+        self.tangent.is_some()
+    }
+
+    fn changes(&mut self, guard: &[F], from: &[F], to: &[F]) {
+        let speed = dot(guard, from);
+        for column in self.tangent.iter_mut().flatten() {
+            let late = dot(guard, column) / speed;
+            for ((x, &a), &b) in column.iter_mut().zip(to).zip(from) {
+                *x = *x + (a - b) * late;
+            }
+        }
+    }
+}
+
+/// The motion with the map over a period.
+pub(super) struct PeriodMap<'a, F> {
+    pub(super) system: &'a Assembly<F>,
+    pub(super) follower: Follower<'a, F>,
+    pub(super) period: F,
+    pub(super) drift: Drift<F>,
+    natural: Natural<F>,
+    /// The steps so far.
+    pub(super) steps: u64,
+}
+
+/// A step of the period map.
+pub(super) struct Mapped<F> {
+    /// The state at the end, with the part in U of the state at the beginning.
+    pub(super) to: Vec<F>,
+    /// The part in U by which the displacements have moved on.
+    pub(super) drift: Vec<F>,
+    pub(super) events: Vec<Event<F>>,
+    pub(super) sizes: [F; 3],
+    /// The columns of J in the quotient, for the states that are not given functions of time.
+    pub(super) tangent: Vec<Vec<F>>,
+    /// The answers, where they were asked for.
+    pub(super) observed: Option<Answers<F>>,
+}
+
+/// A state, and the answers from there on.
+pub(super) type Answers<F> = (State<F>, Motion<F>);
+
+impl<'a, F: Float> PeriodMap<'a, F> {
+    pub(super) fn new(system: &'a Assembly<F>, follower: Follower<'a, F>, period: F) -> Self {
+        let (drift, natural) = (Drift::new(system), Natural::new(system, period));
+        Self { system, follower, period, drift, natural, steps: 0 }
+    }
+
+    pub(super) fn free(&self) -> Vec<F> {
+        self.follower.z.get(..self.system.free).unwrap_or(&[]).to_vec()
+    }
+
+    /// One period on, from where the motion is, with the derivative of the map before and with the answers, where asked. The
+    /// displacements are then moved back by their drift, which changes nothing.
+    pub(super) fn advance(
+        &mut self,
+        tangent: Option<Vec<Vec<F>>>,
+        answers: bool,
+    ) -> Result<Mapped<F>, Error> {
+        let system = self.system;
+        self.follower.rewind();
+        let from = self.follower.z.clone();
+        let start = answers.then(|| state(system, &self.follower));
+        let observer = answers.then(|| Observer::new(system, &from));
+        let mut seen =
+            Seen { events: Vec::new(), sizes: [F::int(0); 3], tangent, observer, buffer: Vec::new() };
+        let done = self.follower.run(self.period, &mut seen);
+        self.steps = self.steps.saturating_add(self.follower.renew());
+        done?;
+        let observed =
+            start.zip(seen.observer).map(|(start, o)| (start, o.finish(system, &from, &self.follower)));
+        let moved: Vec<F> = self.follower.z.iter().zip(&from).take(system.n).map(|(&a, &b)| a - b).collect();
+        let mut drift = self.drift.part(&moved);
+        if self.drift.count() > 0 {
+            drift.iter_mut().for_each(|x| *x = -*x);
+            self.follower.shift(&drift);
+            drift.iter_mut().for_each(|x| *x = -*x);
+        }
+        let mut tangent = seen.tangent.unwrap_or_default();
+        tangent.iter_mut().for_each(|column| self.drift.remove(column));
+        Ok(Mapped {
+            to: self.free(),
+            drift,
+            events: seen.events,
+            sizes: self.sizes(seen.sizes),
+            tangent,
+            observed,
+        })
+    }
+
+    /// The sizes of the three parts of the state: those that were seen, of which none is far below what loads, frictions and the
+    /// springs make. A motion that is smaller yet keeps its digits beside them.
+    fn sizes(&self, seen: [F; 3]) -> [F; 3] {
+        let [displacement, velocity, force] = self.largest(&seen);
+        let least = F::exp2i(-24);
+        let [x, v, t] = seen;
+        [x.or_larger(displacement * least), v.or_larger(velocity * least), t.or_larger(force * least)]
+    }
+
+    /// The sizes whose rounding the three parts of a state have.
+    fn largest(&self, sizes: &[F; 3]) -> [F; 3] {
+        let ([x, v, t], [displacement, velocity, force]) = (*sizes, self.natural.sizes);
+        let x = x.or_larger(displacement);
+        [x, v.or_larger(velocity).or_larger(x * self.natural.rate), t.or_larger(force)]
+    }
+
+    /// The rounding of the three parts of a state.
+    fn rounding(&self, sizes: &[F; 3]) -> [F; 3] {
+        self.largest(sizes).map(|size| size * F::epsilon() * F::int(8))
+    }
+
+    /// Whether the velocities of a motion are rounding.
+    pub(super) fn rests(&self, motion: &Motion<F>) -> bool {
+        let largest = |a: &[F], b: &[F]| a.iter().chain(b).fold(F::int(0), |most, v| most.or_larger(v.abs()));
+        let displacement = largest(&motion.max_displacement, &motion.min_displacement);
+        let [_, rounding, _] = self.rounding(&[displacement, F::int(0), F::int(0)]);
+        largest(&motion.max_velocity, &motion.min_velocity) <= rounding
+    }
+
+    /// `multiple` periods from a state, with the derivative, and with the answers of the first period, where asked.
+    pub(super) fn map(&mut self, from: &[F], multiple: usize, answers: bool) -> Result<Mapped<F>, Error> {
+        self.follower.restart(from)?;
+        let mut all = self.advance(Some(self.directions()), answers)?;
+        for count in 1..multiple {
+            let mapped = self.advance(Some(all.tangent), false)?;
+            all.tangent = mapped.tangent;
+            all.to = mapped.to;
+            for (sum, &by) in all.drift.iter_mut().zip(&mapped.drift) {
+                *sum = *sum + by;
+            }
+            let before = self.period * integer(count);
+            all.events
+                .extend(mapped.events.into_iter().map(|event| Event { time: before + event.time, ..event }));
+            for (size, new) in all.sizes.iter_mut().zip(mapped.sizes) {
+                *size = size.or_larger(new);
+            }
+        }
+        Ok(all)
+    }
+
+    /// The unit vectors, without what the present branch does not admit.
+    fn directions(&self) -> Vec<Vec<F>> {
+        let (system, free) = (self.system, self.system.free);
+        let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
+        let stuck: Vec<usize> =
+            modes.iter().enumerate().filter(|(_, m)| matches!(m, Mode::Stuck)).map(|(i, _)| i).collect();
+        let mut columns = Vec::with_capacity(free);
+        for i in 0..free {
+            let mut column = vec![F::int(0); system.size];
+            if let Some(one) = column.get_mut(i) {
+                *one = F::int(1);
+            }
+            super::next_branch::at_rest(system, &mut column, &stuck);
+            for (part, mode) in system.parts.iter().zip(modes) {
+                if let (Rule::Elastic { place, .. }, Mode::Yields { .. }) = (&part.rule, mode)
+                    && let Some(force) = column.get_mut(*place)
+                {
+                    *force = F::int(0);
+                }
+            }
+            column.truncate(free);
+            columns.push(column);
+        }
+        columns
+    }
+
+    /// The rows of what the elements keep in the present branch, without those in `busy`: b·q of a contact that sticks, T − k b·q of an
+    /// elastic contact that holds. The map does not change them, so that J has one multiplier 1 for each.
+    pub(super) fn kept_rows(&self, busy: &[Event<F>]) -> Vec<Vec<F>> {
+        let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
+        let mut rows = Vec::new();
+        for (i, (part, mode)) in self.system.parts.iter().zip(modes).enumerate() {
+            if busy.iter().any(|event| event.element == i) {
+                continue;
+            }
+            let mut row = vec![F::int(0); self.system.free];
+            match (mode, &part.rule) {
+                (Mode::Stuck, _) => super::matrix::add_times(&mut row, F::int(1), &part.direction),
+                (Mode::Holds, Rule::Elastic { stiffness, place, .. }) => {
+                    super::matrix::add_times(&mut row, -*stiffness, &part.direction);
+                    if let Some(force) = row.get_mut(*place) {
+                        *force = F::int(1);
+                    }
+                }
+                _ => continue,
+            }
+            rows.push(row);
+        }
+        self.drift.blind(rows)
+    }
+
+    /// A vector over the state in units of the motion's sizes.
+    pub(super) fn scaled(&self, mut list: Vec<F>, sizes: &[F; 3]) -> Vec<F> {
+        let n = self.system.n;
+        for (i, x) in list.iter_mut().enumerate() {
+            *x = *x / size_at(n, sizes, i);
+        }
+        list
+    }
+
+    /// The size of an entry of the state.
+    pub(super) fn size_at(&self, sizes: &[F; 3], i: usize) -> F {
+        size_at(self.system.n, sizes, i)
+    }
+
+    /// The difference of two states relative to the motion's sizes, as far as it is above the rounding of each part.
+    pub(super) fn distance(&self, a: &[F], b: &[F], sizes: &[F; 3]) -> F {
+        let difference: Vec<F> = a.iter().zip(b).map(|(&a, &b)| a - b).collect();
+        let mut most = F::int(0);
+        let rounding = self.rounding(sizes);
+        for ((block, &size), &rounding) in
+            blocks(self.system, &difference).into_iter().zip(sizes).zip(&rounding)
+        {
+            let by = largest(block);
+            if by.is_finite() && by > rounding {
+                most = most.or_larger(if size > F::int(0) { (by - rounding) / size } else { F::int(1) });
+            } else if !by.is_finite() {
+                return by;
+            }
+        }
+        most
+    }
+
+    /// Elastic forces do not exceed their frictions.
+    pub(super) fn keep_bounds(&self, x: &mut [F]) {
+        for part in &self.system.parts {
+            if let Rule::Elastic { place, friction, .. } = part.rule
+                && let Some(force) = x.get_mut(place)
+                && force.abs() > friction
+            {
+                *force = friction.with_sign_of(*force);
+            }
+        }
+    }
+
+    /// The answers over `multiple` periods from a state.
+    pub(super) fn observed(&mut self, from: Option<&[F]>, multiple: usize) -> Result<Answers<F>, Error> {
+        match from {
+            Some(from) => self.follower.restart(from)?,
+            None => self.follower.rewind(),
+        }
+        let first = self.follower.z.clone();
+        let start = state(self.system, &self.follower);
+        let mut observer = Observer::new(self.system, &first);
+        let done = self.follower.run(self.period * integer(multiple), &mut observer);
+        self.steps = self.steps.saturating_add(self.follower.renew());
+        done?;
+        Ok((start, observer.finish(self.system, &first, &self.follower)))
+    }
+}
+
+/// The size of an entry of the state; 1 where nothing of its kind moves.
+fn size_at<F: Float>(n: usize, sizes: &[F; 3], i: usize) -> F {
+    let [displacement, velocity, force] = *sizes;
+    let size = if i < n {
+        displacement
+    } else if i < 2 * n {
+        velocity
+    } else {
+        force
+    };
+    if size > F::int(0) { size } else { F::int(1) }
+}
