@@ -80,13 +80,14 @@ impl<'a, F: Float> Follower<'a, F> {
             if let Rule::Elastic { place, friction, .. } = part.rule
                 && let Some(place) = z.get_mut(place)
             {
-                if force.abs() > friction {
+                // A state of a motion may be beyond the bound by rounding.
+                if force.abs() > friction * (F::int(1) + F::epsilon() * F::int(1024)) {
                     return Err(Error::Unsupported {
                         name: alloc::format!("{}: force of the start {}", part.name, written(force)),
                         condition: "must not exceed its friction",
                     });
                 }
-                *place = force;
+                *place = if force.abs() > friction { friction.with_sign_of(force) } else { force };
             }
         }
         if let Some(last) = z.last_mut() {

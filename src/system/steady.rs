@@ -3,8 +3,9 @@
 //!
 //! **The limit of this start.** Let z be the state after some periods, x a fixed point that Newton's method finds from it, J the derivative
 //! there, and δ = z − x. A fixed point is only a guess: there may be several, and z may be nearer to another. It is the limit where
-//! the motion approaches it as J says. The periods after z must each have the events of x, and bring the state to `x + Jⁱ δ` within
-//! |δ|/8, until |δ| has fallen to a quarter. What is left out is of second order in δ, and falls with its square.
+//! the motion approaches it as J says. Each of the periods after z must have the events of x and bring the state to x + J δ, within
+//! |δ| (1 − |λ|)/4 and |δ|/8, λ being the largest multiplier, until its part of the disturbance and |δ| have fallen to a quarter. What a map
+//! does beside J is of second order in δ, so that the bound holds the better the smaller δ becomes.
 //!
 //! What silent elements keep is the same at z and x (`fixed_point.rs`). Where x is the point of a manifold to first order only, |δ| must be
 //! below 2⁻²⁴, so that its square is rounding.
@@ -203,8 +204,10 @@ impl<'a, F: Float> Following<'a, F> {
         let sizes = fixed.mapped.sizes;
         let now = self.now();
         let first = self.map.distance(&now, &fixed.x, &sizes);
-        let apart = now.iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect();
-        let mut delta = self.map.scaled(apart, &sizes);
+        let apart = |map: &PeriodMap<'_, F>, z: &[F]| -> Vec<F> {
+            map.scaled(z.iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect(), &sizes)
+        };
+        let mut delta = apart(&self.map, &now);
         // Without an element P is linear, and each motion goes where J takes it.
         let is_linear = self.map.system.parts.is_empty() && fixed.largest().is_some_and(|most| most < 1.0);
         if first <= tiny || is_linear {
@@ -222,6 +225,8 @@ impl<'a, F: Float> Following<'a, F> {
         if largest > 1.0 - 1e-9 {
             return Ok(if first <= F::exp2i(-30) { Approach::Goes } else { Approach::Leaves });
         }
+        // What a map does beside J must be less than the slowest part of the disturbance falls by, or another motion is as near.
+        let small = F::from_f64(((1.0 - largest) / 4.0).min(0.125));
         // The slowest part of the disturbance falls to a quarter in so many maps.
         let enough = (-(4.0_f64.ln()) / largest.max(1e-3).ln()).ceil();
         let most = 2.0 * enough + 64.0;
@@ -240,16 +245,16 @@ impl<'a, F: Float> Following<'a, F> {
                 let Some(mapped) = self.advance()? else { return Ok(Approach::Leaves) };
                 events.extend(happened(&mapped.events));
             }
-            delta = fixed.derivative.of(&delta);
             let (now, mut due) = (self.now(), fixed.x.clone());
-            for (i, (x, &by)) in due.iter_mut().zip(&delta).enumerate() {
+            for (i, (x, by)) in due.iter_mut().zip(fixed.derivative.of(&delta)).enumerate() {
                 *x = *x + by * self.map.size_at(&sizes, i);
             }
-            if self.map.distance(&now, &due, &sizes) > first / F::int(8) + tiny
-                || !is_same_cycle(&events, &cycle)
-            {
+            let before = delta.iter().fold(F::int(0), |most, x| most.or_larger(x.abs()));
+            let off = self.map.distance(&now, &due, &sizes);
+            if off > before * small + tiny || !is_same_cycle(&events, &cycle) {
                 return Ok(Approach::Leaves);
             }
+            delta = apart(&self.map, &now);
             let left = self.map.distance(&now, &fixed.x, &sizes);
             // The place that a motion without a drift comes to adds up over all periods.
             let falls = if stays { tiny } else { first / F::int(4) };
