@@ -410,3 +410,48 @@ fn the_border_from_rest_is_the_static_bound() {
     let plain = Model { elements: vec![contact(vec![1.0, 0.0], 0.4, 1.0)], ..model(1.0, 0.0) };
     assert_eq!(System::new(&plain).unwrap().border().unwrap().least_load_factor_from_rest, None);
 }
+
+/// A start beside the limit comes back by the largest multiplier in a period; an undisturbed slow motion that is cut short falls by it, too.
+#[test]
+fn a_disturbance_falls_by_the_multiplier() {
+    // A body between two stops, of which it meets the first.
+    let stop = |direction: f64, gap: f64| Element {
+        name: String::new(),
+        direction: vec![direction],
+        moves: Signal::constant(0.0),
+        kind: Kind::Stop { gap, stiffness: 8.0, damping: 0.3 },
+    };
+    let model = |damping: f64| Model {
+        mass: vec![vec![1.0]],
+        damping: vec![vec![damping]],
+        stiffness: vec![vec![2.0]],
+        elements: vec![stop(1.0, 0.2), stop(-1.0, 3.0)],
+        harmonics: vec![Harmonic { frequency: 1.1, sin: vec![0.4], cos: vec![] }],
+        ..Model::default()
+    };
+    let period = TAU / 1.1;
+    let system = System::new(&model(0.05)).unwrap();
+    let steady = system.steady(&State::rest(1)).unwrap();
+    assert_eq!((steady.kind, steady.periods, steady.decay), (SteadyKind::Periodic, 1, 0.0));
+    let (re, im) = steady.multipliers[0];
+    let mut state = steady.start.clone();
+    state.displacement[0] += 1e-7;
+    let apart = |state: &State<f64>| {
+        let by = [
+            state.displacement[0] - steady.start.displacement[0],
+            state.velocity[0] - steady.start.velocity[0],
+        ];
+        by[0].hypot(by[1])
+    };
+    let states = system.states(&state, &[6.0 * period, 12.0 * period]).unwrap();
+    // A spiral of one rate falls by it in the mean.
+    let rate = (apart(&states[1]) / apart(&state)).powf(1.0 / 12.0);
+    assert!((rate / re.hypot(im) - 1.0).abs() < 0.05, "{rate} {re} {im}");
+    // An own vibration of a damper so weak that the periods do not suffice: its amplitude falls as e^(−c t/2m).
+    let damping = 1e-7;
+    let free = Model { elements: vec![stop(1.0, 30.0)], ..model(damping) };
+    let slow =
+        System::new(&free).unwrap().steady(&State { displacement: vec![5.0], ..State::rest(1) }).unwrap();
+    assert_eq!(slow.kind, SteadyKind::Unsettled);
+    assert!(slow.change > 1e-3 && slow.decay <= 1.0, "{} {}", slow.change, slow.decay);
+}
