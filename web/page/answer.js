@@ -62,7 +62,7 @@ function greatest(answer) {
 }
 
 function showAnswer(answer) {
-  if (JSON.stringify(answer.inputs) === JSON.stringify(inputs())) aim = null;
+  if (isOfNow(answer)) aim = null;
   if (wanted && state.mode === "machine" && answer.machine) {
     const { omega, alpha } = wanted;
     wanted = null;

@@ -521,6 +521,30 @@ test("a machine that does not move has a picture that says so", async () => {
   await closed(page);
 });
 
+test("the curve has the point in its range, however late the answers are", async () => {
+  for (const [late, of] of [[400, ["answer"]], [1500, ["curve"]], [0, []]]) {
+    const page = await opened();
+    await page.waitForFunction(() => shown.curve?.point.includes("peak") && !live.running && !slow.running);
+    await page.evaluate(([late, of]) => {
+      window.delivered = [];
+      for (const { worker } of [live, slow]) {
+        const { onmessage } = worker;
+        worker.onmessage = (event) => setTimeout(() => {
+          onmessage(event);
+          delivered.push(`${worker === live.worker ? "live" : "slow"} ${event.data.id}`);
+        }, worker === live.worker && of.includes(event.data.id) ? late : 0);
+      }
+      location.hash = "#mode=ratios&omega=30&alpha=4";
+    }, [late, of]);
+    // The answer, the motion and the curve are there and drawn, and the curve with its peaks.
+    await page.waitForFunction(() => ["live answer", "live motion", "live curve", "slow curve"].every((name) => delivered.includes(name)));
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    const found = await page.evaluate(() => [shown.answer.omega, shown.curve.frequency.length > 240, shown.curve.frequency.at(-1), $("curve-note").textContent.includes("outside")]);
+    assert.deepEqual(found, [30, true, 45, false], `${of} ${late} ms late`);
+    await closed(page);
+  }
+});
+
 test("each example has an answer, and two masses have theirs", async () => {
   const page = await opened();
   const due = { isolator: /Non-sticking/, dither: /Non-sticking/, feeder: /Non-sticking/, damper: /./, slope: /./, decay: /Free vibration: the body comes to rest/, textbook: /Sticking: .*2 stops/ };
