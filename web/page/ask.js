@@ -64,8 +64,13 @@ function changed(isLink = false) {
   if (!isLink) $("note").textContent = "";
   if (!live) return;
   const asked = question("answer");
-  // Nothing that takes longer is there for other inputs.
-  if (keyOf(asked) !== still.asked) [still.asked, still.resolved] = ["", false];
+  // Nothing that takes longer is there for other inputs, which no caption of an example describes.
+  if (keyOf(asked) !== changed.key) {
+    changed.key = keyOf(asked);
+    [still.asked, still.resolved] = ["", false];
+    $("about").textContent = "";
+    staleRecord();
+  }
   clearTimeout(late);
   late = setTimeout(() => {
     $("verdict").textContent = "Computing …";
@@ -95,7 +100,7 @@ const isOfNow = (answer) => Boolean(answer) && keyOf(answer) === keyOf(question(
 
 // What takes longer is asked when the inputs are still and their answer is there, on which the range of the curve depends.
 function still() {
-  if (tab === "one") history.replaceState(null, "", hash(embedded ? { embed: 1 } : {}));
+  if (tab === "one") history.replaceState(null, "", currentHash());
   const asked = keyOf(question(""));
   if (!isOfNow(shown.answer) || asked === still.asked) return;
   still.asked = asked;
@@ -115,7 +120,7 @@ function still() {
     $("limits").replaceChildren();
     ask("limits", { count: 64 }, ({ ok, error }) => showLimits(ok, error));
   }
-  if (record) askRecord();
+  if (record?.file) askRecord();
   askMap();
 }
 
@@ -153,7 +158,7 @@ function draw() {
 // Files hold what is finished: nothing of a wrong input, and no map whose cells are still computed.
 function fileButtons() {
   const isFailed = document.body.classList.contains("failed");
-  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed || (button.parentElement.dataset.of === "map" && !isMapFinal());
+  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed || !(({ map: isMapFinal, record: isRecordOfNow })[button.parentElement.dataset.of]?.() ?? true);
   if ($("map-unfinished")) $("map-unfinished").hidden = isFailed || isMapFinal();
 }
 
