@@ -14,18 +14,20 @@ const PARTS: f64 = 1200.0;
 /// The most rows of which a picture draws each.
 const MOST: usize = 10_000;
 
-/// The rows of a picture, each a time and values: all of few, and of many the first, the last, and those with an extreme of a
+/// A time and values at it.
+type Row = [f64; 5];
+
+/// The rows of a picture: all of few, and of many the first, the last, and those with an extreme of a
 /// value in each part of the time.
-fn drawn<const N: usize>(rows: Vec<[f64; N]>) -> Vec<[f64; N]> {
-    let time = |row: &[f64; N]| row.first().copied().unwrap_or_default();
-    let (start, end) = (rows.first().map_or(0.0, time), rows.last().map_or(0.0, time));
+fn drawn(rows: Vec<Row>) -> Vec<Row> {
+    let [start, end] = [rows.first(), rows.last()].map(|row| row.map_or(0.0, |[time, ..]| *time));
     if rows.len() <= MOST {
         return rows;
     }
-    let part = |row: &[f64; N]| ((time(row) - start) / (end - start) * PARTS).floor();
-    let extremes = |rows: &[[f64; N]]| -> Vec<[f64; N]> {
+    let part = |[time, ..]: &Row| ((time - start) / (end - start) * PARTS).floor();
+    let extremes = |rows: &[Row]| -> Vec<Row> {
         let mut places = vec![0, rows.len() - 1];
-        for value in 1..N {
+        for value in 1..5 {
             let of =
                 |place: &usize| rows.get(*place).and_then(|row| row.get(value)).copied().unwrap_or_default();
             let order = |a: &usize, b: &usize| of(a).total_cmp(&of(b));
@@ -40,7 +42,7 @@ fn drawn<const N: usize>(rows: Vec<[f64; N]>) -> Vec<[f64; N]> {
 }
 
 /// A column of rows.
-fn column<const N: usize>(rows: &[[f64; N]], place: usize) -> Vec<f64> {
+fn column(rows: &[Row], place: usize) -> Vec<f64> {
     rows.iter().filter_map(|row| row.get(place).copied()).collect()
 }
 
@@ -79,7 +81,7 @@ fn answers(answer: &RecordAnswer<f64>, system: &System) -> Value {
 }
 
 /// Time, displacement, velocity, force on the support and whether it rests, of the motion from rest.
-fn rows(body: &Body<f64>, record: &Record<f64>) -> Result<Vec<[f64; 5]>, stickslip::Error> {
+fn rows(body: &Body<f64>, record: &Record<f64>) -> Result<Vec<Row>, stickslip::Error> {
     let interval = (record.end() - record.time(0)) / 4000.0;
     let states = body.motion(record, 0.0, 0.0, interval)?.states;
     let row = |state: RecordState<f64>| {
@@ -133,7 +135,8 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
     let rows = rows(&body, &record).map_err(named)?;
     let count = rows.len();
     let rows = drawn(rows);
-    let samples = record.samples().iter().enumerate().map(|(index, value)| [record.time(index), *value]);
+    let samples =
+        record.samples().iter().enumerate().map(|(index, value)| [record.time(index), *value, 0.0, 0.0, 0.0]);
     let samples = drawn(samples.collect());
     let system = given.system;
     let load_unit = match record.excitation() {
