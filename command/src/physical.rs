@@ -5,7 +5,7 @@ use crate::outputs::{Key, plain};
 use crate::row::{Cell, Number};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Driven, Given, Input, Role};
+use stickslip::inputs::{Driven, Given};
 use stickslip::{Excitation, Measure};
 
 /// Values with their units.
@@ -72,62 +72,9 @@ impl<F: Value> Physical<F> {
 
     /// The machine and its drive: the given quantities and those that follow from them.
     pub(crate) fn of_machine(given: &Given<F>, machine: &Driven<F>) -> Self {
-        let Driven { oscillator, drive, scales, .. } = machine;
-        let p0 = given.drive_as_given(drive.force_amplitude(oscillator));
-        let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(given.system) };
-        let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
-        let turn = F::int(2) * F::pi();
-        add("frequency", Kind::Hertz, drive.angular_frequency() / turn);
-        add("angular_frequency", Kind::Frequency, drive.angular_frequency());
-        add("natural_frequency", Kind::Frequency, oscillator.natural_frequency());
-        add("period", Kind::Time, turn / oscillator.natural_frequency());
-        add("mass", Kind::Mass, oscillator.mass());
-        add("stiffness", Kind::Stiffness, oscillator.stiffness());
-        let bound = given.friction_as_given(oscillator.friction_bound());
-        match given.directional_friction() {
-            Ok(Some((forward, backward))) => {
-                add("friction", Kind::Force, forward);
-                add("friction_backward", Kind::Force, backward);
-                add("friction_bound", Kind::Force, oscillator.friction_bound());
-            }
-            _ => add("friction", Kind::Force, bound),
-        }
-        if let Some(coefficient) = given.get(Input::FrictionCoefficient) {
-            add("friction_coefficient", Kind::Ratio, coefficient);
-        }
-        if given.has_role(Role::Damper) {
-            add("damping", Kind::Damping, oscillator.damping());
-        }
-        if given.has_role(Role::StaticFriction) {
-            let ratio = oscillator.static_friction_ratio();
-            add("static_friction", Kind::Force, ratio * oscillator.friction_bound());
-        }
-        add("force_amplitude", Kind::Force, p0);
-        let amplitude = given.drive_as_given(drive.amplitude());
-        match drive.excitation() {
-            Excitation::Force => {}
-            Excitation::Unbalance => add("unbalance", Kind::Unbalance, amplitude),
-            Excitation::FootMotion => add("foot_displacement", Kind::Length, amplitude),
-            Excitation::DampedFootMotion => {
-                add("damped_foot_displacement", Kind::Length, amplitude);
-                add("lead_time", Kind::Time, drive.phase_lead(oscillator) * scales.time);
-            }
-            Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {
-                let acceleration = p0 / oscillator.mass();
-                add("base_displacement", Kind::Length, acceleration * scales.time.square());
-                add("base_velocity", Kind::Velocity, acceleration * scales.time);
-                add("base_acceleration", Kind::Acceleration, acceleration);
-            }
-            _ => {}
-        }
-        add("friction_displacement", Kind::Length, given.friction_as_given(scales.length));
-        if let Some(mean_force) = given.get(Input::MeanForce) {
-            add("mean_force", Kind::Force, mean_force);
-        }
-        if given.is_shifted() {
-            add("mean_displacement", Kind::Length, scales.mean_displacement);
-        }
-        physical
+        let quantities = given.quantities(machine).into_iter();
+        let values = quantities.map(|(name, kind, value)| (name, kind, Cell::Number(Some(value)))).collect();
+        Self { drive: Some(machine.drive.excitation().name()), values, ..Self::of(given.system) }
     }
 
     /// The frequency of a border.

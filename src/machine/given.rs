@@ -1,6 +1,7 @@
 //! The given inputs, and the rules by which they determine a machine.
 
 mod nothing;
+mod quantities;
 
 use super::input::{Input, Naming, Role};
 use crate::float::Float;

@@ -62,7 +62,7 @@ function greatest(answer) {
 }
 
 function showAnswer(answer) {
-  if (JSON.stringify(answer.inputs) === JSON.stringify(inputs())) aim = null;
+  if (isOfNow(answer)) aim = null;
   if (wanted && state.mode === "machine" && answer.machine) {
     const { omega, alpha } = wanted;
     wanted = null;
@@ -137,7 +137,7 @@ function showAll() {
   const section = (title, rows) => {
     row([title, "", "", ""], "th");
     for (const own of rows) {
-      const [first, second] = own.meaning === undefined ? [`${digits(own.value)} ${own.unit}`, ""] : valueText(own);
+      const [first, second] = own.meaning === undefined ? [`${digits(own.value)} ${own.unit === "1" ? "" : own.unit}`, ""] : valueText(own);
       row([`${label(own.name)}${own.symbol ? ` (${own.symbol})` : ""}`, own.physical || own.meaning === undefined ? first : "", own.physical ? second : own.meaning === undefined ? "" : first, own.meaning || ""]);
     }
   };

@@ -64,6 +64,13 @@ function changed(isLink = false) {
   if (!isLink) $("note").textContent = "";
   if (!live) return;
   const asked = question("answer");
+  // Nothing that takes longer is there for other inputs, which no caption of an example describes.
+  if (keyOf(asked) !== changed.key) {
+    changed.key = keyOf(asked);
+    [still.asked, still.resolved] = ["", false];
+    $("about").textContent = "";
+    staleRecord();
+  }
   clearTimeout(late);
   late = setTimeout(() => {
     $("verdict").textContent = "Computing …";
@@ -71,7 +78,8 @@ function changed(isLink = false) {
   }, 1000);
   live.ask("answer", asked, ({ ok, error }) => later("answer", ok && { ...ok, inputs: asked.inputs, units: asked.units }, error));
   live.ask("motion", question("motion", { from_start: $("from-start").checked }), ({ ok }) => later("motion", ok));
-  live.ask("curve", question("curve", span()), ({ ok }) => later("curve", ok));
+  // The resolved curve, which has the point in its range, may be there before this one.
+  live.ask("curve", question("curve", span()), ({ ok }) => still.resolved || later("curve", ok));
   soon();
 }
 
@@ -86,27 +94,33 @@ function soon() {
   settled = setTimeout(still, 150);
 }
 
-// What takes longer is asked when the inputs are still.
+// The inputs of a question or of an answer.
+const keyOf = ({ inputs, units }) => JSON.stringify([inputs, units]);
+const isOfNow = (answer) => Boolean(answer) && keyOf(answer) === keyOf(question(""));
+
+// What takes longer is asked when the inputs are still and their answer is there, on which the range of the curve depends.
 function still() {
-  if (tab === "one") history.replaceState(null, "", hash(embedded ? { embed: 1 } : {}));
-  const asked = JSON.stringify(question("slow"));
-  if (!shown.answer || asked === still.asked) return;
+  if (tab === "one") history.replaceState(null, "", currentHash());
+  const asked = keyOf(question(""));
+  if (!isOfNow(shown.answer) || asked === still.asked) return;
   still.asked = asked;
+  // The inputs may have changed when the answer is there.
+  const ask = (kind, more, done) => slow.ask(kind, question(kind, more), (found) => still.asked === asked && done(found));
   // The curve whose range has the present point, with its peaks.
-  slow.ask("curve", question("curve", { ...span(), resolved: true }), ({ ok }) => still.asked === asked && later("curve", ok));
+  ask("curve", { ...span(), resolved: true }, ({ ok }) => {
+    still.resolved = ok !== undefined;
+    later("curve", ok);
+  });
   askGhost();
-  slow.ask("design", question("design"), ({ ok, error }) => showDesign(ok, error));
+  ask("design", {}, ({ ok, error }) => showDesign(ok, error));
   const isMany = shown.answer.static_friction_ratio > 1;
   $("limits-section").hidden = !isMany;
   if (isMany) {
     $("limits-text").textContent = "Computing …";
     $("limits").replaceChildren();
-    slow.ask("limits", question("limits", { count: 64 }), ({ ok, error }) => {
-      // The inputs may have changed meanwhile.
-      if (still.asked === asked) showLimits(ok, error);
-    });
+    ask("limits", { count: 64 }, ({ ok, error }) => showLimits(ok, error));
   }
-  if (record) askRecord();
+  if (record?.file) askRecord();
   askMap();
 }
 
@@ -144,7 +158,7 @@ function draw() {
 // Files hold what is finished: nothing of a wrong input, and no map whose cells are still computed.
 function fileButtons() {
   const isFailed = document.body.classList.contains("failed");
-  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed || (button.parentElement.dataset.of === "map" && !isMapFinal());
+  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed || !(({ map: isMapFinal, record: isRecordOfNow })[button.parentElement.dataset.of]?.() ?? true);
   if ($("map-unfinished")) $("map-unfinished").hidden = isFailed || isMapFinal();
 }
 

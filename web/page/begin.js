@@ -1,11 +1,13 @@
 // Presets, links, downloads, themes, and the beginning.
 "use strict";
 
-let tab = "one";
 let embedded = false;
 
 function show(name) {
   tab = name;
+  VIEWS[tab].present ??= snapshot();
+  historyButtons();
+  $("caption").textContent = VIEWS[tab].title;
   for (const own of ["one", "two"]) {
     $(own).hidden = own !== name;
     $(`tab-${own}`).setAttribute("aria-selected", String(own === name));
@@ -21,7 +23,7 @@ function show(name) {
 for (const own of ["one", "two"]) {
   $(`tab-${own}`).onclick = () => {
     show(own);
-    history.replaceState(null, "", own === "two" ? systemHash() : hash());
+    history.replaceState(null, "", currentHash());
   };
   $(`tab-${own}`).onkeydown = (event) => {
     if (!["ArrowLeft", "ArrowRight"].includes(event.key)) return;
@@ -38,8 +40,8 @@ for (const [name, [words, link, about]] of Object.entries(PRESETS)) {
     remember();
     from(link);
     fields();
-    $("about").textContent = about;
     changed();
+    $("about").textContent = about;
     remember();
   };
   $("presets").append(button, " ");
@@ -47,9 +49,9 @@ for (const [name, [words, link, about]] of Object.entries(PRESETS)) {
 for (const [words, changes] of Object.values(SYSTEM_PRESETS)) {
   const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
   button.onclick = () => {
-    two = { ...BASE_SYSTEM, ...changes };
-    systemFields();
-    changedSystem();
+    remember();
+    VIEWS.two.put({ ...BASE_SYSTEM, ...changes });
+    remember();
   };
   $("system-presets").append(button, " ");
 }
@@ -63,21 +65,17 @@ $("units").oninput = () => {
 };
 $("units").onchange = remember;
 for (const form of document.querySelectorAll("form")) form.onsubmit = (event) => event.preventDefault();
-$("undo").onclick = () => step(past, future);
-$("redo").onclick = () => step(future, past);
+$("undo").onclick = () => step("past", "future");
+$("redo").onclick = () => step("future", "past");
 $("reset").onclick = () => {
   remember();
-  [state, chosen] = [{ ...START }, {}];
-  back.clear();
-  fields();
-  changed();
+  VIEWS[tab].put(structuredClone(VIEWS[tab].start()));
   remember();
 };
 addEventListener("keydown", (event) => {
-  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || tab !== "one" || /^(text|)$/.test(event.target.type ?? "no")) return;
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || /^(text|)$/.test(event.target.type ?? "no")) return;
   event.preventDefault();
-  if (event.shiftKey) step(future, past);
-  else step(past, future);
+  $(event.shiftKey ? "redo" : "undo").click();
 });
 
 $("bar").onclick = () => $("verdict").scrollIntoView();
@@ -98,26 +96,28 @@ async function copied(button, text) {
   setTimeout(() => (button.textContent = words), 1500);
 }
 
-const currentHash = (more) => (tab === "two" ? systemHash() : hash(more));
+const currentHash = (more = embedded ? { embed: 1 } : {}) => (tab === "two" ? systemHash(more) : hash(more));
 $("link").onclick = () => {
   history.replaceState(null, "", currentHash());
   copied($("link"), address(currentHash()));
 };
-$("embed").onclick = () => copied($("embed"), `<iframe src="${address(hash({ embed: 1 })).replaceAll("&", "&amp;")}" width="760" height="620" style="border:0" title="stickslip"></iframe>`);
+$("embed").onclick = () => copied($("embed"), `<iframe src="${address(currentHash({ embed: 1 })).replaceAll("&", "&amp;")}" width="760" height="620" style="border:0" title="stickslip"></iframe>`);
 $("copy-command").onclick = () => copied($("copy-command"), commandLine());
 
-addEventListener("hashchange", () => {
-  if (location.hash === currentHash()) return;
-  if (systemFromHash(location.hash.slice(1))) {
-    systemFields();
-    show("two");
-    return;
-  }
+addEventListener("hashchange", ({ newURL }) => {
+  // The address may have become that of the machine again before this event.
+  const { hash: link } = new URL(newURL);
+  if (link === currentHash()) return;
+  const text = link.slice(1);
+  const name = new URLSearchParams(text).has("system") ? "two" : "one";
+  if (tab !== name) show(name);
   remember();
-  from(location.hash.slice(1));
-  if (tab !== "one") show("one");
-  fields();
-  changed(true);
+  if (systemFromHash(text)) VIEWS.two.put(two);
+  else {
+    from(text);
+    fields();
+    changed(true);
+  }
   remember();
 });
 
@@ -131,7 +131,7 @@ const FILES = {
     const [omegas, alphas] = [centres(width, omega), centres(height, alpha)];
     return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((own) => omegas.map(() => own)), sticks_per_cycle: stops.map((n) => (n < 0 ? NAMED[n] : n)) };
   }],
-  record: [["load", "shaken", "speed", "hysteresis", "spectrum"], () => ({ "time[s]": shown.record.time, [`displacement[${shown.record.units.displacement}]`]: shown.record.displacement, [`velocity[${shown.record.units.velocity}]`]: shown.record.velocity, [`transmitted_force[${shown.record.units.force}]`]: shown.record.force })],
+  record: [["load", "shaken", "speed", "hysteresis", "spectrum"]],
 };
 
 // Draws in the light theme, so that a file prints in black, and comes back to the theme that was.
@@ -146,7 +146,8 @@ function inLight(then) {
 
 for (const host of document.querySelectorAll(".files")) {
   const [names, columns] = FILES[host.dataset.of];
-  const csv = Object.assign(document.createElement("button"), { type: "button", textContent: "CSV", onclick: () => saved(`stickslip-${host.dataset.of}.csv`, "text/csv", csvText(columns())) });
+  const save = (text) => saved(`stickslip-${host.dataset.of}.csv`, "text/csv", text);
+  const csv = Object.assign(document.createElement("button"), { type: "button", textContent: "CSV", onclick: () => (columns ? save(csvText(columns())) : slow.ask("record-table", question("record-table", recordInputs()), ({ ok }) => ok && save(ok))) });
   csv.setAttribute("aria-label", `${host.dataset.of} as CSV`);
   const svg = Object.assign(document.createElement("button"), { type: "button", textContent: "SVG", onclick: () => inLight(() => names.forEach((name) => saved(`stickslip-${name}.svg`, "image/svg+xml", svgText(charts[name].svg, palette().paper)))) });
   svg.setAttribute("aria-label", `${host.dataset.of} as SVG`);
@@ -181,6 +182,8 @@ function drawAll() {
     if (twoAnswer) showSystem(twoAnswer);
     if (shown.systemCurve) showSystemCurve(shown.systemCurve);
   }
+  // The sketch has the colours of the theme, too.
+  placeAll(playing ? performance.now() : 0);
 }
 
 const redraw = () => requestAnimationFrame(drawAll);
@@ -208,10 +211,9 @@ async function begin() {
   document.body.classList.toggle("embedded", embedded);
   from(text);
   fields();
-  present = snapshot();
-  historyButtons();
   const isTwo = systemFromHash(text);
   systemFields();
+  show(isTwo ? "two" : "one");
   let kept = null;
   try {
     kept = localStorage.getItem("theme");

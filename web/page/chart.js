@@ -277,9 +277,3 @@ function nearest(list, x) {
   }
   return Math.abs(list[low] - x) <= Math.abs(list[high] - x) ? low : high;
 }
-
-function csvText(columns) {
-  const names = Object.keys(columns);
-  const rows = columns[names[0]].map((_, i) => names.map((name) => columns[name][i] ?? "").join(","));
-  return `${names.map((name) => (name.includes(",") ? `"${name}"` : name)).join(",")}\n${rows.join("\n")}\n`;
-}

@@ -68,7 +68,7 @@ function changeKind(names, from, to) {
   const isBack = left && left.from === to && left.to === from && left.became === state[from] && left.others === others();
   const same = shown.answer?.kinds?.[to];
   const text = state[from];
-  const untouched = shown.answer && JSON.stringify(shown.answer.inputs) === JSON.stringify(inputs());
+  const untouched = isOfNow(shown.answer);
   chosen[role] = to;
   if (isBack) {
     state[to] = left.text;

@@ -36,3 +36,10 @@ function digits(x) {
   }
   return rounded.toExponential().replace("e+", "e");
 }
+
+// Columns by their names as a file.
+function csvText(columns) {
+  const names = Object.keys(columns);
+  const rows = columns[names[0]].map((_, i) => names.map((name) => columns[name][i] ?? "").join(","));
+  return `${names.map((name) => (name.includes(",") ? `"${name}"` : name)).join(",")}\n${rows.join("\n")}\n`;
+}

@@ -203,13 +203,15 @@ function place(part) {
   sketch(motion.displacement[i], support ? support.amplitude * Math.sin(angle - support.lead) : 0, top ? motion.load[i] / top : 0, motion.rest[i]);
 }
 
+function placeAll(now) {
+  const length = 3000 * Math.min(motion?.turns || 1, 8);
+  if (tab === "two") placeSystem(now);
+  else if (!playingRecord) place((now % length) / length);
+}
+
 function animate(now) {
   if (!playing) return;
-  if (!playingRecord && tab === "one") {
-    const length = 3000 * Math.min(motion?.turns || 1, 8);
-    place((now % length) / length);
-  }
-  if (tab === "two") placeSystem(now);
+  placeAll(now);
   requestAnimationFrame(animate);
 }
 

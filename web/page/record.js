@@ -14,21 +14,56 @@ function sampleRecord() {
   return `Time (s);Acc (g)\n${rows.join("\n")}\n`;
 }
 
-function take(name, text, caption = "") {
-  record = { name, text };
+// A record that is chosen takes the place of the one before, whose answer goes at once.
+async function take(name, file, caption = "") {
+  const own = { name };
+  record = own;
   $("record-caption").textContent = caption;
   $("record-name").textContent = name;
+  $("record-error").textContent = "";
+  $("record-read").textContent = `Reading ${name}, ${four(file.size / 1e6)} MB …`;
+  $("record-preview").hidden = true;
+  forget();
+  let [text, copy] = ["", null];
+  try {
+    // A copy stays when the file changes.
+    copy = new Blob([await file.arrayBuffer()]);
+    text = await copy.slice(0, 20000).text();
+  } catch (error) {
+    if (record === own) $("record-error").textContent = `${name}: ${error.message}`;
+    return;
+  }
+  if (record !== own) return;
+  own.file = copy;
   // The first lines, as they are, without what no screen shows.
   const lines = text.slice(0, 4000).split(/\r?\n/).slice(0, 8);
   $("record-preview").textContent = lines.map((line) => line.replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\ufffd]/g, "·").slice(0, 120)).join("\n");
   $("record-preview").hidden = false;
-  const rows = text.slice(0, 20000).split(/\r?\n/).filter((line) => /\d.*\d/.test(line));
+  const rows = text.split(/\r?\n/).filter((line) => /\d.*\d/.test(line));
   const last = rows.at(Math.min(rows.length - 2, 30)) || "";
-  const sign = last.includes(";") ? "semicolons" : last.includes("\t") ? "tabs" : last.includes(",") ? "commas" : "blanks";
-  record.sign = sign;
+  own.sign = last.includes(";") ? "semicolons" : last.includes("\t") ? "tabs" : last.includes(",") ? "commas" : "blanks";
   $("columns").replaceChildren();
   askRecord();
 }
+
+// Removes the answer of another record.
+function forget() {
+  shown.record = shown.spectrum = undefined;
+  charts.spectrum.svg.replaceChildren();
+  $("record-shown").hidden = true;
+  fileButtons();
+}
+
+// Dims the answer of another machine.
+function staleRecord() {
+  if (!record) return;
+  record.asked = record.answered = undefined;
+  for (const id of ["record-shown", "spectrum"]) $(id).classList.add("stale");
+  fileButtons();
+}
+
+const isRecordOfNow = () => Boolean(record?.answered);
+const recordInputs = () => ({ file: record.file, name: record.name, time_step: $("step").value, column: $("column").value, record_units: $("record-units").value });
 
 function seek() {
   if (isSought) $("record-section").scrollIntoView({ behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
@@ -39,14 +74,23 @@ function askRecord() {
   $("record-fields").hidden = false;
   if (state.mode !== "machine") {
     $("record-error").textContent = "A record needs a machine in units, with its mass: choose “a machine” above.";
-    $("record-shown").hidden = true;
+    $("record-read").textContent = "";
+    forget();
     seek();
     return;
   }
-  const more = { text: record.text, name: record.name, time_step: $("step").value, column: $("column").value, record_units: $("record-units").value };
-  slow.ask("record", question("record", more), ({ ok, error }) => {
+  staleRecord();
+  const asked = (record.asked = {});
+  const more = recordInputs();
+  // The answer to the last question alone is shown.
+  const ask = (kind, more, done) => slow.ask(kind, question(kind, more), (found) => record.asked === asked && done(found));
+  clearTimeout(record.late);
+  record.late = setTimeout(() => record.asked === asked && ($("record-verdict").textContent = "Computing …"), 1000);
+  ask("record", more, ({ ok, error }) => {
+    clearTimeout(record.late);
     $("record-error").textContent = error ?? "";
-    $("record-shown").hidden = error !== undefined;
+    if (error !== undefined) forget();
+    $("record-shown").classList.remove("stale");
     $("record-read").textContent = ok ? `${ok.read} ${ok.follows}${ok.read.startsWith("Record (columns") ? ` Columns are separated by ${record.sign}.` : ""}${ok.unused.length ? ` Columns not used: ${ok.unused.join(", ")}.` : ""}` : "";
     for (const [id, name] of [["step", "Time step"], ["column", "Column"], ["record-units", "Unit"]]) {
       if (error !== undefined && error.includes(`the field ${name}`)) $(id).setAttribute("aria-invalid", "true");
@@ -56,16 +100,20 @@ function askRecord() {
       const names = [...(ok.channel ? [ok.channel] : []), ...ok.unused];
       if (names.length > $("columns").children.length) $("columns").replaceChildren(...names.map((name) => new Option(name)));
       shown.record = { ...ok, most: largest(ok.displacement) };
+      $("record-shown").hidden = false;
+      $("record-drawn").textContent = ok.count > ok.time.length ? `The pictures show ${ok.time.length} of ${ok.count} states, with the extremes of each short time; the file has all.` : "";
       showRecord(shown.record);
     }
     seek();
   });
   const periods = Array.from({ length: 60 }, (_, i) => 0.05 * 100 ** (i / 59));
-  slow.ask("spectrum", question("spectrum", { ...more, periods }), ({ ok }) => {
-    if (ok) {
-      shown.spectrum = ok;
-      showSpectrum(ok);
-    }
+  ask("spectrum", { ...more, periods }, ({ ok }) => {
+    record.answered = asked;
+    fileButtons();
+    $("spectrum").classList.remove("stale");
+    shown.spectrum = ok;
+    if (ok) showSpectrum(ok);
+    else charts.spectrum.svg.replaceChildren();
   });
 }
 
@@ -185,29 +233,31 @@ function playRecord(on) {
 }
 
 $("play-record").onclick = () => playRecord(!playingRecord);
-$("file").onchange = async () => {
+$("file").onchange = () => {
   const [file] = $("file").files;
   if (!file) return;
-  take(file.name, await file.text());
+  take(file.name, file);
   // So that the same file can be chosen again after a change.
   $("file").value = "";
 };
 $("sample").onclick = () => {
   isSought = true;
-  take("sample.csv", sampleRecord(), "The example: a shake of 15 s below 0.3 g, which grows and dies away, moves the base of the machine above in place of its vibration.");
+  // A record needs a mass.
+  if (state.mode !== "machine") changeMode("machine");
+  take("sample.csv", new Blob([sampleRecord()]), "The example: a shake of 15 s below 0.3 g, which grows and dies away, moves the base of the machine above in place of its vibration.");
   $("about").textContent = "The record and the motion under it are at the end of the page.";
 };
-for (const id of ["step", "column", "record-units"]) $(id).oninput = () => record && askRecord();
+for (const id of ["step", "column", "record-units"]) $(id).oninput = () => record?.file && askRecord();
 document.body.addEventListener("dragover", (event) => {
   event.preventDefault();
   $("drop").classList.add("over");
 });
 document.body.addEventListener("dragleave", () => $("drop").classList.remove("over"));
-document.body.addEventListener("drop", async (event) => {
+document.body.addEventListener("drop", (event) => {
   event.preventDefault();
   $("drop").classList.remove("over");
   const [file] = event.dataTransfer.files;
   if (!file) return;
   show("one");
-  take(file.name, await file.text());
+  take(file.name, file);
 });

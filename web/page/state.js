@@ -100,39 +100,59 @@ const question = (ask, more = {}) => ({ ask, inputs: inputs(), units: state.mode
 
 // ---- the history: a step is a machine that stood still for a moment
 
-const past = [];
-const future = [];
-const snapshot = () => JSON.stringify({ state, chosen });
-let present = snapshot();
+// Which of the page's two machines is seen; each has a history of its own.
+let tab = "one";
+const VIEWS = {
+  one: {
+    title: "A mass on a spring with dry friction, under vibration",
+    start: () => ({ state: START, chosen: {} }),
+    of: () => ({ state, chosen }),
+    put: (machine) => {
+      ({ state, chosen } = machine);
+      back.clear();
+      fields();
+      changed();
+    },
+  },
+  two: {
+    title: "Two masses with dry friction, springs and an end stop, under vibration",
+    start: () => BASE_SYSTEM,
+    of: () => two,
+    put: (machine) => {
+      two = machine;
+      systemFields();
+      changedSystem();
+    },
+  },
+};
+for (const view of Object.values(VIEWS)) Object.assign(view, { past: [], future: [] });
+const snapshot = () => JSON.stringify(VIEWS[tab].of());
 
 // Keeps the present machine as a step, if it is another one.
 function remember() {
+  const view = VIEWS[tab];
   const now = snapshot();
-  if (now === present) return;
-  past.push(present);
-  if (past.length > 200) past.shift();
-  future.length = 0;
-  present = now;
+  if (now === view.present) return;
+  view.past.push(view.present);
+  if (view.past.length > 200) view.past.shift();
+  view.future.length = 0;
+  view.present = now;
   historyButtons();
 }
 
 function historyButtons() {
-  $("undo").disabled = !past.length;
-  $("redo").disabled = !future.length;
+  for (const [id, of] of [["undo", "past"], ["redo", "future"]]) $(id).disabled = !VIEWS[tab][of].length;
 }
 
 function step(from, to) {
   remember();
-  if (!from.length) return;
-  to.push(present);
-  present = from.pop();
-  ({ state, chosen } = JSON.parse(present));
-  back.clear();
-  fields();
+  const view = VIEWS[tab];
+  if (!view[from].length) return;
+  view[to].push(view.present);
+  view.put(JSON.parse(view[from].pop()));
   // The form adds the fields that were not there yet.
-  present = snapshot();
+  view.present = snapshot();
   historyButtons();
-  changed();
 }
 
 // ---- the link

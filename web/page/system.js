@@ -51,6 +51,7 @@ function systemFields() {
       }
       changedSystem();
     };
+    made.onchange = remember;
     return made;
   };
   units.append(input("units"));
@@ -96,7 +97,7 @@ let systemTimer = 0;
 function changedSystem() {
   const text = systemText();
   $("system-file").textContent = text;
-  if (tab === "two") history.replaceState(null, "", systemHash());
+  if (tab === "two") history.replaceState(null, "", currentHash());
   if (!live) return;
   live.ask("system", { ask: "system", text, count: 600 }, ({ ok, error }) => {
     if (systemText() !== text) return;
@@ -119,7 +120,7 @@ function changedSystem() {
   }, 200);
 }
 
-const systemHash = () => `#${new URLSearchParams({ system: 1, ...Object.fromEntries(Object.entries(two).filter(([name, text]) => text !== BASE_SYSTEM[name])) })}`;
+const systemHash = (more) => `#${new URLSearchParams({ system: 1, ...more, ...Object.fromEntries(Object.entries(two).filter(([name, text]) => text !== BASE_SYSTEM[name])) })}`;
 
 function systemFromHash(text) {
   const all = new URLSearchParams(text);

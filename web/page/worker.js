@@ -4,9 +4,12 @@
 let asked = null;
 const waiting = [];
 
-function answer({ id, question }) {
+// A file is read here, and a table becomes one, so that the page does not wait.
+async function answer({ id, question: { file, ...question } }) {
   try {
-    postMessage({ id, ok: asked(question) });
+    if (file) question.text = await file.text();
+    const ok = asked(question);
+    postMessage({ id, ok: question.ask === "record-table" ? new Blob([csvText(ok)]) : ok });
   } catch (error) {
     postMessage({ id, error: error.message });
   }

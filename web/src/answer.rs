@@ -106,32 +106,13 @@ fn kinds(point: &Point<f64>, system: &System) -> Value {
     Value::Object(rows.collect())
 }
 
-/// The quantities of a machine that follow from its inputs.
+/// The machine in units, as the command has it.
 fn machine(problem: &Problem) -> Value {
-    let system = &problem.given.system;
-    let Some(machine) = &problem.point.machine else { return Value::Null };
-    let (body, drive) = (&machine.oscillator, &machine.drive);
-    let turn = 2.0 * std::f64::consts::PI;
-    let mut all = vec![
-        ("frequency", Kind::Hertz, drive.angular_frequency() / turn),
-        ("angular_frequency", Kind::Frequency, drive.angular_frequency()),
-        ("natural_frequency", Kind::Frequency, body.natural_frequency()),
-        ("period", Kind::Time, turn / body.natural_frequency()),
-        ("mass", Kind::Mass, body.mass()),
-        ("stiffness", Kind::Stiffness, body.stiffness()),
-        ("friction", Kind::Force, if problem.is_frictionless { 0.0 } else { body.friction_bound() }),
-        ("force_amplitude", Kind::Force, if problem.is_free { 0.0 } else { drive.force_amplitude(body) }),
-    ];
-    if !problem.is_frictionless {
-        all.push(("friction_displacement", Kind::Length, machine.scales.length));
-    }
-    if machine.scales.mean_displacement != 0.0 {
-        all.push(("mean_displacement", Kind::Length, machine.scales.mean_displacement));
-    }
-    let named = all
-        .into_iter()
-        .map(|(name, kind, value)| json!({"name": name, "value": value, "unit": system.name(kind)}));
-    named.collect()
+    let Problem { typed, point, .. } = problem;
+    let Some(machine) = &point.machine else { return Value::Null };
+    let rows = typed.quantities(machine).into_iter();
+    rows.map(|(name, kind, value)| json!({"name": name, "value": value, "unit": typed.system.name(kind)}))
+        .collect()
 }
 
 /// The values of an answer, with those in the machine's units.

@@ -15,6 +15,8 @@ pub(crate) fn length(point: &Point<f64>) -> f64 {
 
 /// A machine with the start of its motion.
 pub(crate) struct Problem {
+    /// The inputs as they were typed.
+    pub(crate) typed: Given<f64>,
     /// The inputs, with a friction and a drive of 0 as ones far below the rounding of every motion.
     pub(crate) given: Given<f64>,
     pub(crate) point: Point<f64>,
@@ -79,7 +81,7 @@ impl Asked<'_> {
             let is_velocity = e.quantity() == Some(stickslip::Quantity::Velocity);
             format!("{}: {e}", if is_velocity { "v0" } else { "x0" })
         })?;
-        Ok(Problem { given, point, start, has_start, is_frictionless, is_free })
+        Ok(Problem { typed, given, point, start, has_start, is_frictionless, is_free })
     }
 
     /// A number of the question.

@@ -22,7 +22,7 @@ use std::cell::RefCell;
 type Answer = fn(&Asked<'_>) -> Result<Value, String>;
 
 /// The questions by their names.
-pub const QUESTIONS: [(&str, Answer); 10] = [
+pub const QUESTIONS: [(&str, Answer); 11] = [
     ("answer", answer::answer),
     ("curve", curve::curve),
     ("motion", motion::motion),
@@ -30,6 +30,7 @@ pub const QUESTIONS: [(&str, Answer); 10] = [
     ("limits", limits::limits),
     ("design", design::design),
     ("record", record::record),
+    ("record-table", record::table),
     ("spectrum", record::spectrum),
     ("system", system::system),
     ("system-curve", system::curve),

@@ -65,6 +65,34 @@ test("every number is that of the command", (t) => {
   t.diagnostic(`${fields} numbers of ${points} machines`);
 });
 
+test("a machine in units is that of the command, whichever inputs give it", () => {
+  const base = { mass: "2 t", stiffness: "80 kN/m", friction: "0.5 kN", force: "1.6 kN", frequency: "1.5 Hz" };
+  const without = (...names) => Object.fromEntries(Object.entries(base).filter(([name]) => !names.includes(name)));
+  const all = [
+    { ...base, friction_backward: "0.3 kN" },
+    { ...base, friction_backward: "0.3 kN", mean_force: "0.1 kN", static_friction_ratio: "1.2", damping_ratio: "2 %" },
+    { ...base, friction: "0 kN", damping_ratio: "2 %" },
+    { ...without("friction", "force"), friction_coefficient: "0.02", base_velocity: "20 mm/s" },
+    { ...without("force"), unbalance: "6 kg*m", static_friction: "0.6 kN" },
+    { ...without("force"), damped_foot_displacement: "30 mm", damping: "3 kN*s/m" },
+    { ...base, force: "0 N", x0: "50 mm" },
+  ];
+  for (const inputs of all) {
+    const options = Object.entries(inputs).flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text.replace(" ", "")]);
+    const ran = spawnSync(command, ["steady", ...options, "--format", "json"], { encoding: "utf8" });
+    assert.equal(ran.status, 0, `${options}: ${ran.stderr}`);
+    const { physical } = JSON.parse(ran.stdout);
+    const { machine } = ask({ ask: "answer", inputs });
+    for (const { name, value, unit } of machine) {
+      assert.equal(value, physical[name], `${JSON.stringify(inputs)}: ${name}`);
+      assert.equal(unit, physical.units[name], `${JSON.stringify(inputs)}: unit of ${name}`);
+    }
+    // The friction against forward motion is the typed one.
+    if (inputs.friction_backward) assert.equal(machine.find(({ name }) => name === "friction").value, 500);
+    for (const name of Object.keys(inputs)) if (name in physical) assert.ok(machine.some((row) => row.name === name), name);
+  }
+});
+
 test("sentences and numbers are written as the command writes them", () => {
   let texts = 0;
   for (const { columns, rows } of machines(80)) {

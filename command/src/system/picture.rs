@@ -13,8 +13,10 @@ use stickslip_front::system::{Cell, Described, Grid, NamedSystem};
 
 /// The samples of a motion between which a picture draws straight lines.
 const SAMPLES: usize = 3000;
-/// The most coordinates, and the most elements, that a picture shows.
-const SHOWN: usize = 6;
+/// The most coordinates, and the most elements, that a picture shows; a panel says of how many it shows some.
+const SHOWN: usize = 40;
+/// The most coordinates in a panel.
+const TOGETHER: usize = 6;
 /// The part of the greatest velocity below which a contact rests.
 const AT_REST: f64 = 1e-9;
 
@@ -57,16 +59,19 @@ pub(super) fn motion(
     let states = of.system.states(start, &times)?;
     let mut panels = Vec::new();
     let when = Axis::linear(time(described), 0.0, motion.duration);
-    let shown = described.coordinates.iter().take(SHOWN).enumerate();
-    let lines = shown.map(|(i, name)| {
-        let at = |state: &State<f64>| state.displacement.get(i).copied().unwrap_or(f64::NAN);
-        Series::new(name.clone(), style(i), i + 1, times.iter().copied().zip(states.iter().map(at)))
-    });
-    let lines: Vec<_> = lines.collect();
-    let values = lines.iter().flat_map(|line| line.points.iter().map(|point| point.1));
     let length = label(described, "displacement", Of::Length);
-    let y = axis(&length, values, 0.08);
-    panels.push(Panel::new("displacements", when, y, lines));
+    for (title, names) in parts(described) {
+        let lines = names.iter().map(|(i, name)| {
+            let at = |state: &State<f64>| state.displacement.get(*i).copied().unwrap_or(f64::NAN);
+            let points = times.iter().copied().zip(states.iter().map(at));
+            Series::new((*name).clone(), style(*i), i + 1, points)
+        });
+        let lines: Vec<_> = lines.collect();
+        let values = lines.iter().flat_map(|line| line.points.iter().map(|point| point.1));
+        let y = axis(&length, values, 0.08);
+        panels.push(Panel::new(&format!("displacements{title}"), when.clone(), y, lines));
+    }
+    let count = described.model.elements.len();
     for (i, element) in described.model.elements.iter().take(SHOWN).enumerate() {
         let along = |state: &State<f64>| -> f64 {
             element.direction.iter().zip(&state.displacement).map(|(b, q)| b * q).sum()
@@ -82,10 +87,23 @@ pub(super) fn motion(
         let is_contact = matches!(element.kind, Kind::Contact { .. });
         let rests: Vec<bool> = speeds.iter().map(|speed| is_contact && *speed <= AT_REST * most).collect();
         let x = axis(&length, points.iter().map(|point| point.0), 0.08);
-        let title = format!("loop of {}", element.name);
+        let of_how_many = if count > SHOWN { format!(" ({} of {count})", i + 1) } else { String::new() };
+        let title = format!("loop of {}{of_how_many}", element.name);
         panels.push(panel(&title, x, &label(described, "force", Of::Force), points, &rests));
     }
     Ok(Figure::new("system", title.to_owned(), "", panels))
+}
+
+/// The coordinates of each panel with their places, and how many of how many they are.
+fn parts(described: &Described) -> Vec<(String, Vec<(usize, &String)>)> {
+    let count = described.coordinates.len();
+    let shown: Vec<_> = described.coordinates.iter().take(SHOWN).enumerate().collect();
+    let part = |names: &[(usize, _)]| {
+        let ends = names.first().zip(names.last()).filter(|_| count > TOGETHER);
+        let title = ends.map(|(first, last)| format!(", {} to {} of {count}", first.0 + 1, last.0 + 1));
+        (title.unwrap_or_default(), names.to_vec())
+    };
+    shown.chunks(TOGETHER).map(part).collect()
 }
 
 /// Lines that colour alone does not tell apart differ in style.
@@ -123,8 +141,9 @@ fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
     most.max(least)
 }
 
-/// The most answers that the peaks of one coordinate ask for.
+/// The most answers that the peaks of one coordinate ask for, and those of all.
 const MOST_ADDED: usize = 500;
+const MOST_OF_ALL: usize = 3000;
 
 /// A place on the axis, with its answer.
 pub(super) type Placed = (f64, Vec<Cell<'static>>);
@@ -138,6 +157,7 @@ fn resolved_for_all(
 ) -> Result<Vec<Placed>, Failure> {
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
     let is_log = is_logarithmic(places.first().map_or(0.0, |p| p.0), places.last().map_or(0.0, |p| p.0));
+    let all = std::cell::Cell::new(0);
     for name in described.coordinates.iter().take(SHOWN) {
         let ends = ["max", "min"].map(|end| place_of(&format!("{name}.{end}_displacement")));
         // A motion that has not settled has no height of its own, and its scatter has no end of peaks.
@@ -150,7 +170,8 @@ fn resolved_for_all(
         let at = |x: f64| {
             interrupt::check()?;
             added.set(added.get() + 1);
-            if added.get() > MOST_ADDED {
+            all.set(all.get() + 1);
+            if added.get() > MOST_ADDED || all.get() > MOST_OF_ALL {
                 // Not asked for, and left out below.
                 return Ok((x, Vec::new()));
             }
@@ -221,8 +242,6 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
             .map(move |answer| place.map_or(f64::NAN, |place| number(answer.get(place))))
             .collect::<Vec<_>>()
     };
-    let mut series = Vec::new();
-    let mut values = Vec::new();
     let sticks: Vec<bool> = {
         let contacts = described.model.elements.iter().filter(|e| matches!(e.kind, Kind::Contact { .. }));
         let rests: Vec<Vec<f64>> = contacts.map(|e| column(&format!("{}.rest_fraction", e.name))).collect();
@@ -232,7 +251,8 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
         let at = |i: Option<usize>| i.and_then(|i| sticks.get(i)).copied().unwrap_or(false);
         at(Some(i)) || at(i.checked_sub(1)) || at(Some(i + 1))
     };
-    for (i, name) in described.coordinates.iter().take(SHOWN).enumerate() {
+    let lines = |i: usize, name: &str, values: &mut Vec<f64>| {
+        let mut series = Vec::new();
         let (most, least) =
             (column(&format!("{name}.max_displacement")), column(&format!("{name}.min_displacement")));
         let heights: Vec<f64> = most.iter().zip(&least).map(|(a, b)| a.abs().max(b.abs())).collect();
@@ -245,18 +265,17 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
         let slides = |k: usize| !sticks.get(k).copied().unwrap_or(false);
         let is_one = described.coordinates.len() == 1;
         let line = if is_one { Style::Line } else { Style::Marked(usize::MAX) };
-        series.push(Series::new(name.clone(), line, i + 1, part(&slides)));
+        series.push(Series::new(name.to_owned(), line, i + 1, part(&slides)));
         series.push(Series::new("", Style::Dashed, i + 1, part(&beside)));
         if !is_one {
             // Apart for each coordinate, so that the marks of equal curves do not coincide.
             let every = (places.len() / MARKS).max(1);
-            let marks = places.iter().copied().zip(heights).skip(i * every / SHOWN).step_by(every);
+            let marks =
+                places.iter().copied().zip(heights).skip(i % TOGETHER * every / TOGETHER).step_by(every);
             series.push(Series::new("", Style::Marks, i + 1, marks));
         }
-    }
-    if sticks.contains(&true) {
-        series.push(Series::new("a contact sticks", Style::Dashed, 0, []));
-    }
+        series
+    };
     let ends = |values: &[f64]| {
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)))
     };
@@ -267,14 +286,22 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
     let is_log = is_logarithmic(low, high);
     let name = name.replace('[', " (").replace(']', ")");
     let x = Axis::new(&name, (low, high), is_log);
-    let (least, most) = ends(&values);
     let height = label(described, "peak displacement", Of::Length);
-    let y = if least < most && most / least > 20.0 {
-        Axis::logarithmic(&height, least / 1.3, most * 1.3)
-    } else {
-        axis(&height, values.into_iter().chain([0.0]), 0.08)
-    };
-    Ok(Figure::new("system", title.to_owned(), "", [Panel::new("", x, y, series)]))
+    let panels = parts(described).into_iter().enumerate().map(|(place, (title, names))| {
+        let mut values = Vec::new();
+        let mut series: Vec<_> = names.iter().flat_map(|(i, name)| lines(*i, name, &mut values)).collect();
+        if place == 0 && sticks.contains(&true) {
+            series.push(Series::new("a contact sticks", Style::Dashed, 0, []));
+        }
+        let (least, most) = ends(&values);
+        let y = if least < most && most / least > 20.0 {
+            Axis::logarithmic(&height, least / 1.3, most * 1.3)
+        } else {
+            axis(&height, values.into_iter().chain([0.0]), 0.08)
+        };
+        Panel::new(title.trim_start_matches([',', ' ']), x.clone(), y, series)
+    });
+    Ok(Figure::new("system", title.to_owned(), "", panels.collect::<Vec<_>>()))
 }
 
 /// The coordinates and the frequencies of the loads, as a title.
@@ -282,12 +309,12 @@ pub(super) fn title(described: &Described, question: &str) -> String {
     format!("{}{}", heading(described, question), loads(described))
 }
 
-/// The coordinates, as a title.
+/// The coordinates, or of many their number, as a title.
 pub(super) fn heading(described: &Described, question: &str) -> String {
-    format!(
-        "{question}: {}",
-        described.coordinates.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ")
-    )
+    let names = &described.coordinates;
+    let names =
+        if names.len() > TOGETHER { format!("{} coordinates", names.len()) } else { names.join(", ") };
+    format!("{question}: {names}")
 }
 
 fn loads(described: &Described) -> String {

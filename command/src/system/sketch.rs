@@ -1,5 +1,5 @@
-//! A drawing of a system, as SVG text: bodies in columns by their distance from the ground, and the springs, dampers, contacts
-//! and stops between them.
+//! A drawing of a system, as SVG text: bodies by their distance from the ground, and the springs, dampers, contacts and stops
+//! between them. A chain runs from left to right, or upwards where it would be too wide.
 
 use crate::bits::digits;
 use std::collections::BTreeMap;
@@ -8,11 +8,18 @@ use stickslip::inputs::units::Kind as Of;
 use stickslip::system::{Element, Kind, Law};
 use stickslip_front::system::Described;
 
-/// The distance of columns, of the lines between two bodies, and the size of a body, in pixels.
-const COLUMN: f64 = 300.0;
+/// The least distance of two columns of bodies, of the lines between two bodies, and the least size of a body, in pixels.
+const GAP: f64 = 190.0;
 const LINE: f64 = 40.0;
 const BODY: f64 = 110.0;
 const MARGIN: f64 = 40.0;
+/// The height of a body in a drawing that runs upwards, and the distance of two.
+const STOREY: f64 = 56.0;
+const BETWEEN: f64 = 150.0;
+/// The width from which a drawing runs upwards.
+const WIDE: f64 = 1600.0;
+/// The width of a letter.
+const LETTER: f64 = 7.2;
 /// The most bodies that a drawing shows.
 pub(super) const MOST: usize = 40;
 
@@ -119,14 +126,63 @@ fn columns(count: usize, links: &[Link]) -> Vec<usize> {
     column.iter().map(|depth| if *depth == usize::MAX { 1 } else { *depth }).collect()
 }
 
-/// The symbol along a horizontal line, with its text above.
-fn draw(svg: &mut String, symbol: Symbol, (x0, x1, y): (f64, f64, f64), text: &str) {
-    let middle = f64::midpoint(x0, x1);
-    let line = |svg: &mut String, points: &[(f64, f64)], extra: &str| {
-        let points: Vec<String> = points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
+/// The width of a text.
+fn width(text: &str) -> f64 {
+    LETTER * text.chars().count() as f64
+}
+
+/// The sizes of a drawing: along the way from the ground, and across it.
+#[derive(Clone, Copy)]
+struct Sizes {
+    /// Between the beginnings of bodies along the way.
+    column: f64,
+    /// Of a body along the way.
+    body: f64,
+    /// Between lines across the way.
+    line: f64,
+    /// The length of the whole way, if it runs upwards.
+    upright: Option<f64>,
+}
+
+impl Sizes {
+    fn of(described: &Described, links: &[Link], deepest: f64) -> Self {
+        let longest = |widths: &mut dyn Iterator<Item = f64>| widths.fold(0.0f64, f64::max);
+        let link = longest(&mut links.iter().map(|link| width(&link.text)));
+        // Names are bold.
+        let body = longest(&mut described.coordinates.iter().map(|name| 1.1 * width(name))) + 16.0;
+        let wide = body.max(BODY);
+        let level = Self { column: wide + GAP.max(link + 60.0), body: wide, line: LINE, upright: None };
+        if level.way(deepest) <= WIDE {
+            return level;
+        }
+        // The texts stand beside the lines.
+        let line = (link + 40.0).max(body / 1.2);
+        let upright = Self { column: STOREY + BETWEEN, body: STOREY, line, upright: None };
+        Self { upright: Some(upright.way(deepest)), ..upright }
+    }
+
+    /// The length of the way to the farthest body.
+    fn way(&self, deepest: f64) -> f64 {
+        2.0 * MARGIN + deepest * self.column + self.body
+    }
+
+    /// The place of a point.
+    fn at(&self, (along, across): (f64, f64)) -> (f64, f64) {
+        self.upright.map_or((along, across), |way| (across, way - along))
+    }
+
+    fn polyline(&self, svg: &mut String, points: &[(f64, f64)], extra: &str) {
+        let points = points.iter().map(|point| self.at(*point));
+        let points: Vec<String> = points.map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
         let _ =
             writeln!(svg, r#"<polyline points="{}" fill="none" stroke="black" {extra}/>"#, points.join(" "));
-    };
+    }
+}
+
+/// The symbol along a line, with its text above or, where the line runs upwards, beside it.
+fn draw(svg: &mut String, sizes: &Sizes, symbol: Symbol, (x0, x1, y): (f64, f64, f64), text: &str) {
+    let middle = f64::midpoint(x0, x1);
+    let line = |svg: &mut String, points: &[(f64, f64)], extra: &str| sizes.polyline(svg, points, extra);
     let (a, b) = (middle - 26.0, middle + 26.0);
     match symbol {
         Symbol::Spring | Symbol::Elastic => {
@@ -163,12 +219,11 @@ fn draw(svg: &mut String, symbol: Symbol, (x0, x1, y): (f64, f64, f64), text: &s
             line(svg, &[(middle + 8.0, y), (x1, y)], "");
         }
     }
-    let _ = writeln!(
-        svg,
-        r#"<text x="{middle:.1}" y="{:.1}" text-anchor="middle">{}</text>"#,
-        y - 13.0,
-        escaped(text)
-    );
+    let (x, y) = sizes.at((middle, y));
+    let (x, y, anchor) =
+        if sizes.upright.is_some() { (x + 16.0, y + 4.0, "start") } else { (x, y - 13.0, "middle") };
+    let text = escaped(text);
+    let _ = writeln!(svg, r#"<text x="{x:.1}" y="{y:.1}" text-anchor="{anchor}">{text}</text>"#);
 }
 
 /// The height of a title above the drawing.
@@ -182,6 +237,10 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
     }
     let links = links(described);
     let column = columns(count, &links);
+    let deepest = column.iter().copied().max().unwrap_or(1) as f64;
+    let sizes = Sizes::of(described, &links, deepest);
+    let Sizes { body, line, .. } = sizes;
+    let is_upright = sizes.upright.is_some();
     // A straight line joins neighbouring columns; all other connections run below the bodies.
     let depth = |end: Option<usize>| end.and_then(|i| column.get(i)).copied().unwrap_or(0);
     let is_straight = |link: &Link| depth(link.ends[0]).abs_diff(depth(link.ends[1])) == 1;
@@ -207,10 +266,11 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         if let Some(place) = top.get_mut(i) {
             *place = *next;
         }
-        *next += height.get(i).copied().unwrap_or(1) as f64 * LINE + 2.0 * LINE;
+        let room = if is_upright { line } else { 2.0 * line };
+        *next += height.get(i).copied().unwrap_or(1) as f64 * line + room;
     }
     let most = below.values().fold(0.0f64, |most, y| most.max(*y));
-    let x = |i: usize| MARGIN + column.get(i).copied().unwrap_or(1) as f64 * COLUMN;
+    let x = |i: usize| MARGIN + column.get(i).copied().unwrap_or(1) as f64 * sizes.column;
     let mut svg = String::new();
     let (mut used_left, mut used_right) = (vec![0usize; count], vec![0usize; count]);
     let mut under = most;
@@ -222,54 +282,45 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
                 *place += 1;
                 *place
             });
-            top.get(end).copied().unwrap_or(0.0) + LINE * place as f64
+            top.get(end).copied().unwrap_or(0.0) + line * place as f64
         };
         let Some(b) = b else { continue };
         if is_straight(link) {
             let y = port(&mut used_left, b);
             match a {
-                None => draw(&mut svg, link.symbol, (MARGIN + 12.0, x(b), y), &link.text),
+                None => draw(&mut svg, &sizes, link.symbol, (MARGIN + 12.0, x(b), y), &link.text),
                 Some(a) => {
                     let from = port(&mut used_right, a);
-                    let bend = x(a) + BODY + 24.0;
-                    let _ = writeln!(
-                        svg,
-                        r#"<polyline points="{:.1},{from:.1} {bend:.1},{y:.1}" fill="none" stroke="black"/>"#,
-                        x(a) + BODY
-                    );
-                    draw(&mut svg, link.symbol, (bend, x(b), y), &link.text);
+                    let bend = x(a) + body + 24.0;
+                    sizes.polyline(&mut svg, &[(x(a) + body, from), (bend, y)], "");
+                    draw(&mut svg, &sizes, link.symbol, (bend, x(b), y), &link.text);
                 }
             }
             continue;
         }
-        under += LINE;
+        under += line;
         let bottom = |i: usize| {
-            top.get(i).copied().unwrap_or(0.0) + LINE * (height.get(i).copied().unwrap_or(1) as f64 + 0.6)
+            top.get(i).copied().unwrap_or(0.0) + line * (height.get(i).copied().unwrap_or(1) as f64 + 0.6)
         };
-        let (from, to) = (a.map_or(MARGIN + 12.0, |a| x(a) + BODY / 3.0), x(b) + BODY * 2.0 / 3.0);
+        let (from, to) = (a.map_or(MARGIN + 12.0, |a| x(a) + body / 3.0), x(b) + body * 2.0 / 3.0);
         let to = if (to - from).abs() < 160.0 { from + 180.0 } else { to };
         let start = a.map_or(under, bottom);
-        let _ = writeln!(
-            svg,
-            r#"<polyline points="{from:.1},{start:.1} {from:.1},{under:.1}" fill="none" stroke="black"/>"#
-        );
-        let _ = writeln!(
-            svg,
-            r#"<polyline points="{to:.1},{under:.1} {to:.1},{:.1} {:.1},{:.1}" fill="none" stroke="black"/>"#,
-            bottom(b) + 8.0,
-            x(b) + BODY * 2.0 / 3.0,
-            bottom(b)
-        );
-        draw(&mut svg, link.symbol, (from, to, under), &link.text);
+        sizes.polyline(&mut svg, &[(from, start), (from, under)], "");
+        let end = (x(b) + body * 2.0 / 3.0, bottom(b));
+        sizes.polyline(&mut svg, &[(to, under), (to, end.1 + 8.0), end], "");
+        draw(&mut svg, &sizes, link.symbol, (from, to, under), &link.text);
     }
     for (i, name) in described.coordinates.iter().enumerate() {
-        let (x, y) = (x(i), top.get(i).copied().unwrap_or(0.0) + LINE * 0.4);
-        let size = LINE * (height.get(i).copied().unwrap_or(1) as f64 + 0.2);
+        let across = top.get(i).copied().unwrap_or(0.0) + line * 0.4;
+        let size = line * (height.get(i).copied().unwrap_or(1) as f64 + 0.2);
+        let (wide, high) = if is_upright { (size, body) } else { (body, size) };
+        let (x, y) = sizes.at((x(i), across));
+        let y = if is_upright { y - body } else { y };
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
-        let (middle, centre) = (x + BODY / 2.0, y + size / 2.0);
+        let (middle, centre) = (x + wide / 2.0, y + high / 2.0);
         let _ = writeln!(
             svg,
-            r##"<rect x="{x:.1}" y="{y:.1}" width="{BODY}" height="{size:.1}" fill="#dde7f2" stroke="black" stroke-width="1.5"/>
+            r##"<rect x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{high:.1}" fill="#dde7f2" stroke="black" stroke-width="1.5"/>
 <text x="{middle:.1}" y="{:.1}" text-anchor="middle" font-weight="bold">{}</text>
 <text x="{middle:.1}" y="{:.1}" text-anchor="middle">{}</text>"##,
             centre - 3.0,
@@ -278,8 +329,9 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
             escaped(&quantity(described, mass, Of::Mass))
         );
     }
-    let deepest = column.iter().copied().max().unwrap_or(1) as f64;
-    let (width, height) = (2.0 * MARGIN + deepest * COLUMN + BODY, under + MARGIN);
+    // A text beside the last line has its room.
+    let across = under + if is_upright && under > most { line } else { MARGIN };
+    let (width, height) = sizes.upright.map_or((sizes.way(deepest), across), |way| (across, way));
     let (top, title) = title.map_or_else(Default::default, |title| {
         let middle = width / 2.0;
         let (line, text) = (-TITLE / 3.0, escaped(title));
@@ -295,26 +347,24 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
     let seen = (wide / scale, high / scale);
     let from = ((width - seen.0) / 2.0, (whole - seen.1) / 2.0 - top);
     let view = format!("{:.1} {:.1} {:.1} {:.1}", from.0, from.1, seen.0, seen.1);
-    let mut hatching = String::new();
+    // The ground, hatched on its side without bodies.
+    let mut ground = String::new();
     let mut y = MARGIN / 2.0;
-    while y < height - MARGIN {
-        let _ = write!(hatching, "M{:.1},{:.1}l-10,10", MARGIN + 12.0, y);
+    while y < across - MARGIN {
+        let [a, b] = [(MARGIN + 12.0, y), (MARGIN + 2.0, y + 10.0)].map(|point| sizes.at(point));
+        let _ = write!(ground, "M{:.1},{:.1}L{:.1},{:.1}", a.0, a.1, b.0, b.1);
         y += 10.0;
     }
+    let [a, b] = [MARGIN / 2.0, across - MARGIN].map(|across| sizes.at((MARGIN + 12.0, across)));
+    let _ = write!(ground, "M{:.1},{:.1}L{:.1},{:.1}", a.0, a.1, b.0, b.1);
+    let named = if is_upright { (width / 2.0, height - MARGIN / 2.0) } else { (a.0, b.1 + 18.0) };
     Some(format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{wide:.0}" height="{high:.0}" viewBox="{view}" font-family="sans-serif" font-size="12">
-<rect x="{4:.1}" y="{5:.1}" width="{6:.1}" height="{7:.1}" fill="white"/>
-<path d="M{0:.1},{1:.1}V{2:.1}{hatching}" stroke="black" fill="none"/>
-<text x="{0:.1}" y="{3:.1}" text-anchor="middle">ground</text>
+<rect x="{2:.1}" y="{3:.1}" width="{4:.1}" height="{5:.1}" fill="white"/>
+<path d="{ground}" stroke="black" fill="none"/>
+<text x="{0:.1}" y="{1:.1}" text-anchor="middle">ground</text>
 {title}{svg}</svg>
 "#,
-        MARGIN + 12.0,
-        MARGIN / 2.0,
-        height - MARGIN,
-        height - MARGIN + 18.0,
-        from.0,
-        from.1,
-        seen.0,
-        seen.1,
+        named.0, named.1, from.0, from.1, seen.0, seen.1,
     ))
 }

@@ -4,7 +4,7 @@ use super::MACHINE;
 use crate::command_line::{refused, stdout};
 use crate::place::place;
 
-/// The places of the texts of a drawing.
+/// The places of the middles of the texts of a drawing.
 fn texts(svg: &str) -> Vec<(f64, f64, String)> {
     let attribute = |tag: &str, name: &str| -> f64 {
         let (_, rest) = tag.split_once(&format!(" {name}=\"")).unwrap();
@@ -12,9 +12,104 @@ fn texts(svg: &str) -> Vec<(f64, f64, String)> {
     };
     let found = svg.split("<text").skip(1).map(|part| {
         let (tag, rest) = part.split_once('>').unwrap();
-        (attribute(tag, "x"), attribute(tag, "y"), rest.split_once('<').unwrap().0.to_owned())
+        let text = rest.split_once('<').unwrap().0.to_owned();
+        // A text that begins at its place has its middle behind it.
+        let half = if tag.contains("\"start\"") { half(&text) } else { 0.0 };
+        (attribute(tag, "x") + half, attribute(tag, "y"), text)
     });
     found.collect()
+}
+
+/// Half the width of a text.
+fn half(text: &str) -> f64 {
+    3.6 * text.chars().count() as f64
+}
+
+fn no_text_meets_another(texts: &[(f64, f64, String)]) {
+    for (i, (x, y, text)) in texts.iter().enumerate() {
+        for (other_x, other_y, other) in &texts[i + 1..] {
+            let apart = (x - other_x).abs() > half(text) + half(other) || (y - other_y).abs() > 11.0;
+            assert!(apart, "{text} meets {other}");
+        }
+    }
+}
+
+/// A tower of `count` storeys with long names, a brace in each.
+fn tower(count: usize) -> String {
+    let name = |i: usize| match i {
+        0 => "ground".to_owned(),
+        i => format!("storey number {i} of the tower"),
+    };
+    let masses: String = (1..=count).map(|i| format!("\"{}\" = \"{} t\"\n", name(i), 19 + i)).collect();
+    let storeys: String = (1..=count)
+        .map(|i| {
+            let ends = format!("between = [\"{}\", \"{}\"]", name(i - 1), name(i));
+            format!(
+                "[[springs]]\n{ends}\nstiffness = \"{} kN/mm\"\ndamping = \"0.1 kN*s/mm\"\n[[contacts]]\n\
+                 name = \"brace with a long name {i}\"\n{ends}\nfriction = \"{} kN\"\nstiffness = \"40 kN/mm\"\n",
+                62 - 2 * i.min(20),
+                17 + 3 * i
+            )
+        })
+        .collect();
+    format!(
+        "units = \"kN,mm\"\n[masses]\n{masses}{storeys}[base]\n\
+         acceleration = {{ amplitude = \"0.2 g\", frequency = \"1 Hz\" }}\n"
+    )
+}
+
+#[test]
+fn a_tower_is_drawn_upwards_with_each_storey() {
+    let folder = place("drawings-of-towers");
+    std::fs::create_dir(&*folder).unwrap();
+    let (file, drawing) = (folder.join("tower.toml"), folder.join("tower.svg"));
+    std::fs::write(&file, tower(12)).unwrap();
+    stdout(&format!("system {} --picture {}", file.display(), drawing.display()));
+    let svg = std::fs::read_to_string(&drawing).unwrap();
+    let texts = texts(&svg);
+    no_text_meets_another(&texts);
+    let attribute = |tag: &str, name: &str| -> f64 {
+        tag.split_once(&format!(" {name}=\"")).unwrap().1.split_once('"').unwrap().0.parse().unwrap()
+    };
+    // A letter of 12 pixels stays one of 8 on a screen of 1280 pixels.
+    let width = attribute(svg.split_once('>').unwrap().0, "width");
+    assert!(width < 1900.0, "{width}");
+    let boxes: Vec<[f64; 4]> = svg
+        .split("<rect")
+        .filter(|tag| tag.contains("#dde7f2"))
+        .map(|tag| ["x", "y", "width", "height"].map(|name| attribute(tag, name)))
+        .collect();
+    assert_eq!(boxes.len(), 12);
+    let mut below = f64::INFINITY;
+    for (i, [x, y, wide, high]) in boxes.into_iter().enumerate() {
+        // Each storey stands above the one before, with its whole name within it.
+        assert!(y + high < below, "{i}");
+        below = y;
+        let name = format!("storey number {} of the tower", i + 1);
+        let (middle, at, _) = texts.iter().find(|text| text.2 == name).unwrap();
+        assert!(middle - half(&name) > x && middle + half(&name) < x + wide && *at > y && *at < y + high);
+        let brace = format!("brace with a long name {}: 40 kN/mm, {} kN", i + 1, 20 + 3 * i);
+        assert!(texts.iter().any(|text| text.2 == brace && text.0 + half(&brace) < width), "{brace}");
+    }
+}
+
+#[test]
+fn a_picture_of_twelve_bodies_shows_all_of_them() {
+    let folder = place("pictures-of-towers");
+    std::fs::create_dir(&*folder).unwrap();
+    let (file, picture) = (folder.join("tower.toml"), folder.join("tower.svg"));
+    std::fs::write(&file, tower(12)).unwrap();
+    stdout(&format!("system {} simulate --until 0.5s --picture {}", file.display(), picture.display()));
+    let svg = std::fs::read_to_string(&picture).unwrap();
+    // Long texts are broken into lines.
+    let words = svg.split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [", 1 to 6 of 12", ", 7 to 12 of 12"] {
+        assert!(words.contains(&format!("displacements{part}")), "{part}");
+    }
+    for i in 1..=12 {
+        assert!(words.contains(&format!("storey number {i} of the tower")), "storey {i}");
+        assert!(words.contains(&format!("loop of brace with a long name {i}")), "brace {i}");
+    }
 }
 
 #[test]
@@ -65,13 +160,7 @@ damping = "4 N*s/mm"
     own.sort_unstable();
     due.sort_unstable();
     assert_eq!(own, due);
-    let half = |text: &str| 3.6 * text.chars().count() as f64;
-    for (i, (x, y, text)) in texts.iter().enumerate() {
-        for (other_x, other_y, other) in &texts[i + 1..] {
-            let apart = (x - other_x).abs() > half(text) + half(other) || (y - other_y).abs() > 11.0;
-            assert!(apart, "{text} meets {other}");
-        }
-    }
+    no_text_meets_another(&texts);
     refused(&format!("system {} --picture {}", file.display(), drawing.display()), &["--picture", "exist"]);
     refused(&format!("system {} --picture none.eps", file.display()), &["must end in .svg, .png or .pdf"]);
     let line = format!("system {} --overwrite --picture {}", file.display(), drawing.display());
