@@ -199,8 +199,9 @@ pub mod words;
 /// The inputs of a machine with their rules, and numbers with units: for the command and the Python package.
 #[doc(hidden)]
 pub mod inputs {
+    pub use crate::machine::oscillator::critical_damping;
     pub use crate::machine::units;
-    pub use crate::machine::{Driven, Given, Input, Naming, Point, Role, in_typed_unit};
+    pub use crate::machine::{Driven, Given, Input, Naming, Point, Role, in_place_of_zeros, in_typed_unit};
 }
 
 /// The crates whose types and traits occur in this API, in the required versions.

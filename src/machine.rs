@@ -39,5 +39,5 @@ mod tests;
 )]
 pub mod units;
 
-pub use given::{Driven, Given, Point, in_typed_unit};
+pub use given::{Driven, Given, Point, in_place_of_zeros, in_typed_unit};
 pub use input::{Input, Naming, Role};

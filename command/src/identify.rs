@@ -18,7 +18,7 @@ use std::iter::zip;
 use std::path::Path;
 use stickslip::design::{self, AmplitudeKind, Identified, Measurement, PhaseKind, Reading};
 use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role};
+use stickslip::inputs::{Given, Input, Role, critical_damping};
 use stickslip::uncertainty::Estimate;
 use stickslip::{Error, Oscillator};
 use stickslip_front::names::{is_misspelt, name_and_unit};
@@ -347,7 +347,7 @@ impl IdentifyAnswer {
     ) -> Result<Self, Failure> {
         let unit = |kind: Kind| given.system.name(kind);
         let weight = body.mass() * given.gravity()?;
-        let critical = 2.0 * (body.stiffness() * body.mass()).sqrt();
+        let critical = critical_damping(body.mass(), body.stiffness());
         let suspects: Vec<Suspect> = zip(&file.lines, &found.residuals)
             .filter(|(_, residual)| residual.is_suspect())
             .map(|(&line, r)| Suspect { line, amplitude: r.amplitude_is_suspect, phase: r.phase_is_suspect })

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
 use stickslip::inputs::units::{InputError, Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Naming, Role};
+use stickslip::inputs::{Given, Input, Naming, Role, critical_damping, in_place_of_zeros};
 use stickslip::motion::{SteadyOutput, record};
 use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales, definitions};
 
@@ -58,8 +58,8 @@ fn system(reader: &Reader, units: Option<&str>) -> Option<String> {
     (units.is_some() || reader.has_converted()).then(|| reader.system().to_string())
 }
 
-/// The body of the given values, and its damping ratio if it was given.
-fn of_given(given: &Given<f64>) -> Result<(Body, Option<f64>), InputError> {
+/// The body of the given values, and its damping ratio.
+fn of_given(given: &Given<f64>) -> Result<(Body, f64), InputError> {
     let forward = given.friction()?.unwrap_or(f64::NAN);
     let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
     let body = if forward == 0.0 && given.has_role(Role::Spring) {
@@ -71,15 +71,14 @@ fn of_given(given: &Given<f64>) -> Result<(Body, Option<f64>), InputError> {
         let (damping, ratio) = (body.damping(), body.static_friction_ratio());
         (body.mass(), body.stiffness(), forward, backward, damping, ratio)
     };
-    Ok((body, given.get(Input::DampingRatio)))
+    let (mass, stiffness, _, _, damping, _) = body;
+    let ratio = || if damping == 0.0 { 0.0 } else { damping / critical_damping(mass, stiffness) };
+    Ok((body, given.get(Input::DampingRatio).unwrap_or_else(ratio)))
 }
 
-/// The body of the given values, the damping ratio if it was given, and the system of units.
+/// The body of the given values, its damping ratio, and the system of units.
 #[pyfunction]
-fn machine(
-    values: Vec<(String, String)>,
-    units: Option<&str>,
-) -> PyResult<(Body, Option<f64>, Option<String>)> {
+fn machine(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(Body, f64, Option<String>)> {
     let (given, system) = given(values, units)?;
     let (body, ratio) = of_given(&given).map_err(refused)?;
     Ok((body, ratio, system))
@@ -103,36 +102,41 @@ pub(crate) fn each_given<const K: usize>(
     columns: &[(String, PyReadonlyArray1<'_, f64>)],
     n: usize,
     of: impl Fn(&Given<f64>) -> Result<[f64; K], InputError>,
-) -> PyResult<[Vec<f64>; K]> {
+) -> PyResult<([Vec<f64>; K], Vec<(usize, String)>)> {
     let column = |(name, array): &(String, PyReadonlyArray1<'_, f64>)| {
         let input = Input::named(name).ok_or_else(|| refused(format!("{name}: is unknown")))?;
         Ok::<_, PyErr>((input, array.as_slice()?.to_vec()))
     };
     let columns = columns.iter().map(column).collect::<PyResult<Vec<_>>>()?;
-    let mut found = [const { Vec::new() }; K];
-    let mut is_any = false;
+    let (mut found, mut failed) = ([const { Vec::new() }; K], Vec::new());
     for place in 0..n {
-        let mut is_number = true;
+        let mut missing = None;
         for (input, column) in &columns {
             let value = column.get(place).copied().unwrap_or(f64::NAN);
-            is_number &= !value.is_nan();
+            missing = missing.or_else(|| value.is_nan().then(|| format!("{} = NaN: must be finite", input.column())));
             given.set(*input, value);
         }
-        let row = of(&given).ok().filter(|_| is_number);
-        is_any |= row.is_some();
-        for (column, value) in found.iter_mut().zip(row.unwrap_or([f64::NAN; K])) {
+        let row = missing.map_or_else(|| of(&given).map_err(|error| error.to_string()), Err);
+        let row = row.unwrap_or_else(|reason| {
+            failed.push((place, reason));
+            [f64::NAN; K]
+        });
+        for (column, value) in found.iter_mut().zip(row) {
             column.push(value);
         }
     }
-    if !is_any {
+    if failed.len() == n {
         // Values that no body can have together are refused; those outside the domain are not.
         for (input, _) in &columns {
             given.set(*input, if *input == Input::StaticFriction { 1e300 } else { 1.0 });
         }
         of(&given).map_err(refused)?;
     }
-    Ok(found)
+    Ok((found, failed))
 }
+
+/// Bodies as columns, the places that have none with the reasons, and the system of units.
+type Machines<'py> = (Bound<'py, PyDict>, Vec<(usize, String)>, Option<String>);
 
 /// Bodies as columns, of values as texts and, in place of some of these, of columns of bare numbers.
 #[pyfunction]
@@ -142,17 +146,17 @@ fn machines<'py>(
     columns: Vec<(String, PyReadonlyArray1<'py, f64>)>,
     n: usize,
     units: Option<&str>,
-) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
+) -> PyResult<Machines<'py>> {
     let (given, system) = given(values, units)?;
-    let found = each_given(given, &columns, n, |given| {
+    let (found, failed) = each_given(given, &columns, n, |given| {
         let ((mass, stiffness, forward, backward, damping, eta), zeta) = of_given(given)?;
-        Ok([mass, stiffness, forward, backward, damping, eta, zeta.unwrap_or(f64::NAN)])
+        Ok([mass, stiffness, forward, backward, damping, eta, zeta])
     })?;
     let mut table = Table::default();
     for (name, column) in OF_BODY.into_iter().zip(found) {
         table.number(name, column);
     }
-    Ok((table.into_dict(py)?, system))
+    Ok((table.into_dict(py)?, failed, system))
 }
 
 /// The excitation of the given values by its keyword, its amplitude and the constant force, and their system of units.
@@ -266,6 +270,46 @@ impl<'a> Bodies<'a> {
     }
 }
 
+/// The frictions and the amplitudes of bodies under drives at `n` places, with those far below the rounding of every motion in
+/// place of 0; as they are where there is no body or no drive.
+#[pyfunction]
+fn without_zeros<'py>(
+    py: Python<'py>,
+    of: [points::Given<'py>; 6],
+    kind: &str,
+    drives: [points::Given<'py>; 3],
+    n: usize,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (bodies, kind) = (Bodies::of(&of)?, excitation(kind)?);
+    let [amplitude, frequency, _] = &drives;
+    let (amplitude, frequency) = (Values::of(amplitude)?, Values::of(frequency)?);
+    let mut found = [const { Vec::new() }; 3];
+    for place in 0..n {
+        let at = || Some((bodies.given_at(place)?, amplitude.at(place)?, frequency.at(place)?));
+        let Some((given, amplitude, frequency)) = at() else { continue };
+        let (mass, stiffness, forward, backward, damping, ratio) = given;
+        let is_still = amplitude == 0.0;
+        let is_free = forward == 0.0 && (backward == 0.0 || backward.is_nan());
+        let (one, apart) = if is_free { (1.0, f64::NAN) } else { (forward, backward) };
+        let there = || {
+            let body = body((mass, stiffness, one, apart, damping, ratio))?;
+            let drive = Drive::new(kind, if is_still { 1.0 } else { amplitude }, frequency)?;
+            Ok::<_, Error>(in_place_of_zeros(&body, &drive, is_free, is_still))
+        };
+        // Friction by direction is that of the body, which the rule gives as a mean.
+        let (friction, amplitude) = there().unwrap_or((forward, amplitude));
+        let row = [if is_free { friction } else { forward }, apart, amplitude];
+        for (column, value) in found.iter_mut().zip(row) {
+            column.push(value);
+        }
+    }
+    let mut table = Table::default();
+    for (name, column) in ["friction", "friction_backward", "amplitude"].into_iter().zip(found) {
+        table.number(name, column);
+    }
+    table.into_dict(py)
+}
+
 /// Ratios or scales of bodies under drives of these amplitudes, angular frequencies and mean forces at `n` places, by their
 /// names. A place outside the domain has NaN if it is one of `many`.
 #[pyfunction]
@@ -357,5 +401,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(read_values, module)?)?;
     module.add_function(wrap_pyfunction!(unit_of, module)?)?;
     module.add_function(wrap_pyfunction!(physical_outputs, module)?)?;
+    module.add_function(wrap_pyfunction!(without_zeros, module)?)?;
     module.add_function(wrap_pyfunction!(machine_columns, module)?)
 }

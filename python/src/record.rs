@@ -182,7 +182,7 @@ fn blocks<'py>(
     if given.has_role(Role::Spring) {
         return Err(refused("a block has no spring: see Machine"));
     }
-    let found = each_given(given, &columns, n, |given| of_block(given, slope))?;
+    let (found, _) = each_given(given, &columns, n, |given| of_block(given, slope))?;
     let names = [
         "mass",
         "stiffness",

@@ -34,18 +34,42 @@ def test_newmarks_block():
 
 def test_a_spectrum_has_the_bits_of_each_machine():
     record = ss.Record(quake(), time_step="10 ms", unit="g")
-    periods, mu = np.linspace(0.3, 3, 9), np.array([0.02, 0.1])
-    found = ss.spectrum(record, period=periods[:, None], friction_coefficient=mu, damping_ratio=0.05)
-    assert found.max_displacement.shape == found.slides.shape == (9, 2)
-    omega = 2 * np.pi / periods
-    for i in range(9):
-        for j in range(2):
-            machine = ss.Machine(
-                mass=1.0, stiffness=omega[i] ** 2, friction=mu[j] * G, damping=2 * 0.05 * omega[i], units="N,m"
-            )
-            alone = machine.follow(record)
-            for name in ("max_displacement", "residual_displacement", "path", "stick_time", "slides"):
-                assert getattr(alone, name) == getattr(found, name)[i, j], name
+    # A mass whose root is no number of few digits, and one whose product with the stiffness leaves the range of numbers.
+    periods, mu, zeta = np.linspace(0.3, 3, 9), np.array([0.02, 0.1]), "5.7%"
+    for mass, units in (("2 t", "kN,mm"), ("1e200 kg", "N,m")):
+        given = {"damping_ratio": zeta, "mass": mass, "units": units}
+        found = ss.spectrum(record, period=periods[:, None], friction_coefficient=mu, **given)
+        assert found.max_displacement.shape == found.slides.shape == (9, 2)
+        for i, period in enumerate(periods):
+            for j, coefficient in enumerate(mu):
+                alone = ss.Machine(period=period, friction_coefficient=coefficient, **given).follow(record)
+                single = ss.spectrum(record, period=period, friction_coefficient=coefficient, **given)
+                for name in ("max_displacement", "residual_displacement", "path", "stick_time", "slides"):
+                    assert getattr(alone, name) == getattr(single, name) == getattr(found, name)[i, j], name
+
+
+def test_the_damping_ratio_is_of_one_rule():
+    """A body without friction, with friction, and one of an array have the same damper, by its ratio and by its constant."""
+    for zeta in np.linspace(0.01, 0.4, 40):
+        given = {"mass": 2000.0, "period": 1.7, "damping_ratio": zeta, "units": "N,m"}
+        bare, body = ss.Machine(friction=0.0, **given), ss.Machine(friction=3.0, **given)
+        many = ss.Machine(friction=[0.0, 3.0], **given)
+        assert bare.damping == body.damping == many.damping[0] == many.damping[1]
+        back = [ss.Machine(mass=2000.0, stiffness=body.stiffness, friction=friction, damping=body.damping) for friction in (0.0, 3.0, [0.0, 3.0])]
+        assert back[0].damping_ratio == back[1].damping_ratio == back[2].damping_ratio[0] == pytest.approx(zeta, rel=1e-15)
+
+
+def test_a_zero_of_one_is_that_of_many():
+    """A friction or a drive of 0 is the same in an array as alone, and as ratios eps^2 apart."""
+    drive = ss.Drive(force=[0.0, 3.0], frequency=1.3)
+    machines = ss.Machine(mass=2.0, period=0.7, friction=[[0.0], [4.0]], damping_ratio=0.02, units="N,m")
+    found = machines.response(drive)
+    tiny = np.finfo(float).eps ** 2
+    np.testing.assert_allclose(found.alpha, [[tiny, 1 / tiny], [tiny, 0.75]], rtol=1e-15)
+    for i, friction in enumerate((0.0, 4.0)):
+        for j, force in enumerate((0.0, 3.0)):
+            alone = ss.Machine(mass=2.0, period=0.7, friction=friction, damping_ratio=0.02, units="N,m")
+            assert alone.response(ss.Drive(force=force, frequency=1.3)).alpha == found.alpha[i, j]
 
 
 def test_states_and_events_are_those_of_the_answer():
@@ -76,7 +100,7 @@ def test_states_and_events_are_those_of_the_answer():
         (lambda: ss.Record([[1.0, 2.0]], time_step=1.0), "one dimension"),
         (lambda: ss.Block(mass=1.0, friction_coefficient=0.1, slope=2.0), "slope"),
         (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=0.0, friction_coefficient=0.1), "period"),
-        (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=1.0, friction_coefficient=-1.0), "-9.8"),
+        (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=1.0, friction_coefficient=-1.0), "= -1 must be"),
     ],
 )
 def test_what_is_wrong_is_named(make, said):

@@ -5,10 +5,13 @@
 //! displacement at which the spring is relaxed, the start, and the stiffness where it is not known. The fit does not know that r and ζ are not negative: beyond 0
 //! the motion goes on in a straight line, x(−r) = 2 x(0) − x(r).
 
+mod between;
 mod rough;
 
+use self::between::Between;
 use super::free_decay::fit::{Ends, Fit};
 use crate::machine::error::{Error, Quantity, written};
+use crate::machine::oscillator::critical_damping;
 use crate::machine::ratios::{finite, positive};
 use crate::motion::record::{Body, Record};
 use crate::uncertainty::Estimate;
@@ -86,7 +89,9 @@ const MOST_NOISE: f64 = 0.5;
 ///
 /// Friction is one, static and kinetic. The displacements may be from any zero, and a constant error of the load is a part of
 /// this offset. Errors of the displacements count as independent and normal; where neighbouring residuals are alike, the
-/// intervals are wider accordingly. The load counts as exact.
+/// intervals are wider accordingly. The samples of the load count as exact. Between them it is a harmonic, where they are those
+/// of one but for a scatter of up to 2 % of it. Otherwise it is as smooth as their differences say, and the intervals include
+/// what that leaves open. Straight lines count where they explain the displacements better.
 ///
 /// # Errors
 /// Where the mass or the stiffness is not > 0, the displacements are not as many as the samples, fewer than 20, or not finite;
@@ -115,6 +120,9 @@ pub fn identify_motion(
     // A fit of the stiffness, too, has several times as many starts.
     let most = if stiffness.is_some() { MOST_FOLLOWED } else { 2.0 * MOST_FOLLOWED };
     let known = KnownBody { mass, stiffness, load, left: Cell::new(most) };
+    // The likely load first: straight lines only where they explain the displacements better.
+    let curved = Between::harmonic(load).or_else(|| Between::smooth(load));
+    let loads: Vec<Between> = curved.into_iter().chain(core::iter::once(Between::straight(load))).collect();
     if let Some(natural) = stiffness.map(|k| (k / mass).sqrt()).filter(|natural| *natural > known.fastest()) {
         let (quantity, value, least) = (Quantity::NaturalFrequency, written(natural), written(0.0));
         return Err(Error::OutOfRange { quantity, value, least, greatest: written(known.fastest()) });
@@ -135,7 +143,7 @@ pub fn identify_motion(
     let rough = known.rough_velocity(displacements);
     let hopeless = (MOST_NOISE * spread).powi(2) * found as f64;
     let ends = Ends { tolerance: TOLERANCE, hopeless };
-    let fit = |moves: bool| {
+    let from_starts = |drive: &Record<f64>, moves: bool| {
         let count = scales.len().saturating_sub(usize::from(!moves));
         let mut starts = Vec::new();
         for (&spring, friction) in springs.iter().flat_map(|spring| FRICTIONS.map(|part| (spring, part))) {
@@ -144,7 +152,7 @@ pub fn identify_motion(
                 at.extend(stiffness.is_none().then_some(spring));
                 at.push(rough);
                 at.truncate(count);
-                let model = known.model(&at);
+                let model = known.model(drive, &at);
                 let sum: f64 = model.iter().zip(displacements).map(|(c, m)| (m - c) * (m - c)).sum();
                 if sum.is_finite() {
                     starts.push((sum, at));
@@ -153,19 +161,41 @@ pub fn identify_motion(
         }
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
         let most = if stiffness.is_some() { STARTS } else { STARTS.saturating_mul(2) };
-        let starts: Vec<_> = starts.into_iter().take(most).map(|(_, at)| at).collect();
-        Fit::best(displacements, &|at: &[f64]| known.model(at), &starts, scales.get(..count)?, ends)
+        starts.into_iter().take(most).map(|(_, at)| at).collect::<Vec<_>>()
     };
-    let (rests, moves) = (fit(false), fit(true));
-    let found = match (rests, moves) {
-        (Some(rests), Some(moves)) => {
-            let is_exact = rests.noise() <= ROUNDING * spread;
-            let is_alike = rests.sum <= moves.sum * (1.0 + CHANCE / moves.degrees_of_freedom());
-            if is_exact || is_alike { rests } else { moves }
+    let fit = |drive: &Record<f64>, starts: &[Vec<f64>]| {
+        let scales = scales.get(..starts.first()?.len())?;
+        Fit::best(displacements, &|at: &[f64]| known.model(drive, at), starts, scales, ends)
+    };
+    // Whether a fit is as good as another but for chance.
+    let is_alike = |one: &Fit, other: &Fit| {
+        let is_exact = one.noise() <= ROUNDING * spread;
+        is_exact || one.sum <= other.sum * (1.0 + CHANCE / other.degrees_of_freedom())
+    };
+    let likely = loads.first().ok_or(Error::MotionNotIdentified)?;
+    let fits = |moves: bool| fit(&likely.load, &from_starts(&likely.load, moves));
+    let mut both: Vec<Fit> = [fits(false), fits(true)].into_iter().flatten().collect();
+    // Each other load from the end of the search under the likely one.
+    let mut best: Option<(&Between, Fit)> = None;
+    for between in &loads {
+        if !core::ptr::eq(between, likely) {
+            both = both
+                .iter()
+                .filter_map(|found| fit(&between.load, core::slice::from_ref(&found.at)))
+                .collect();
         }
-        (Some(fit), None) | (None, Some(fit)) => fit,
-        (None, None) => return Err(Error::MotionNotIdentified),
-    };
+        // A start at rest before one that moves.
+        let chosen = both.iter().fold(None, |best: Option<&Fit>, next| match best {
+            Some(best) if is_alike(best, next) => Some(best),
+            _ => Some(next),
+        });
+        best = match (best, chosen) {
+            (Some(best), Some(next)) if !is_alike(&best.1, next) => Some((between, next.clone())),
+            (None, Some(next)) => Some((between, next.clone())),
+            (best, _) => best,
+        };
+    }
+    let (between, found) = best.ok_or(Error::MotionNotIdentified)?;
     let noise = found.noise();
     if noise > MOST_NOISE * spread {
         return Err(Error::MotionUnexplained { noise: written(noise / spread) });
@@ -176,19 +206,30 @@ pub fn identify_motion(
     }
     let correlation = found.correlation().min(0.98);
     let wider = ((1.0 + correlation) / (1.0 - correlation)).sqrt();
+    // What the next term of the load between its samples would move.
+    let moved = between.rest.as_ref().map(|rest| {
+        let [with, without] = [rest, &between.load].map(|load| known.model(load, &found.at));
+        found.moved_by(&with.iter().zip(without).map(|(a, b)| a - b).collect::<Vec<_>>())
+    });
+    let error = |gradient: &[f64]| {
+        let shift = moved.as_ref().map_or(0.0, |moved| moved.iter().zip(gradient).map(|(a, b)| a * b).sum());
+        (wider * found.error_along(gradient)).hypot(shift)
+    };
     let estimate = |value: f64, error: f64, least: f64| Estimate {
         value: value.max(least),
-        standard_error: wider * error,
+        standard_error: error,
         degrees_of_freedom: found.degrees_of_freedom(),
         range: (least, f64::INFINITY),
     };
     let at = |place: usize| found.at.get(place).copied();
-    let any = |place: usize| Some(estimate(at(place)?, found.error(place), f64::NEG_INFINITY));
-    let not_negative = |place: usize| Some(estimate(at(place)?, found.error(place), 0.0));
+    let unit =
+        |place: usize| (0..found.at.len()).map(|i| f64::from(u8::from(i == place))).collect::<Vec<_>>();
+    let any = |place: usize| Some(estimate(at(place)?, error(&unit(place)), f64::NEG_INFINITY));
+    let not_negative = |place: usize| Some(estimate(at(place)?, error(&unit(place)), 0.0));
     let all = || {
         let (friction, zeta) = (at(FRICTION)?, at(ZETA)?);
         let (k, is_fitted) = (known.spring(&found.at), stiffness.is_none());
-        let critical = 2.0 * (k * mass).sqrt();
+        let critical = critical_damping(mass, k);
         // c = 2ζ√(km) and r/k, and their slopes by the parameters.
         let along = |place: usize, slope: f64, by_stiffness: f64| {
             let mut gradient = vec![0.0; found.at.len()];
@@ -196,7 +237,7 @@ pub fn identify_motion(
             if is_fitted {
                 gradient.get_mut(FURTHER).map(|own| *own = by_stiffness)?;
             }
-            Some(found.error_along(&gradient))
+            Some(error(&gradient))
         };
         let velocity = FURTHER.saturating_add(usize::from(is_fitted));
         Some(MotionIdentified {
@@ -264,8 +305,8 @@ impl KnownBody<'_> {
         self.load.samples().iter().fold(stiffness * spread, |most, sample| most.max((force * sample).abs()))
     }
 
-    /// The computed displacements at the times of the load; not numbers where there is no motion.
-    fn model(&self, at: &[f64]) -> Vec<f64> {
+    /// The computed displacements at the times of the load, which moves the body as `drive`; not numbers where there is no motion.
+    fn model(&self, drive: &Record<f64>, at: &[f64]) -> Vec<f64> {
         // Beyond 0 in a straight line: the part of each size, with its sign.
         let value = |place: usize| at.get(place).copied().unwrap_or(0.0);
         let (friction, zeta) = (value(FRICTION), value(ZETA));
@@ -280,7 +321,8 @@ impl KnownBody<'_> {
         let mut sum = vec![0.0; self.load.samples().len()];
         for (part, r, z) in parts {
             let velocity = value(FURTHER.saturating_add(usize::from(self.stiffness.is_none())));
-            let found = self.displacements((r, self.spring(at), z), value(OFFSET), [value(PLACE), velocity]);
+            let found =
+                self.displacements(drive, (r, self.spring(at), z), value(OFFSET), [value(PLACE), velocity]);
             for (i, total) in sum.iter_mut().enumerate() {
                 *total += part * found.as_ref().and_then(|found| found.get(i)).copied().unwrap_or(f64::NAN);
             }
@@ -290,20 +332,20 @@ impl KnownBody<'_> {
 
     fn displacements(
         &self,
+        drive: &Record<f64>,
         (friction, stiffness, zeta): (f64, f64, f64),
         offset: f64,
         [x, v]: [f64; 2],
     ) -> Option<Vec<f64>> {
         let length = self.load.end() - self.load.time(0);
         let natural = (stiffness / self.mass).sqrt();
-        self.left.set(self.left.get() - self.load.samples().len() as f64 - length * natural / PI);
+        self.left.set(self.left.get() - drive.samples().len() as f64 - length * natural / PI);
         if self.left.get() <= 0.0 || natural > self.fastest() {
             return None;
         }
-        let damping = 2.0 * zeta * (stiffness * self.mass).sqrt();
         let body = Body::new(self.mass, friction).ok()?.with_stiffness(stiffness).ok()?;
-        let body = body.with_damping(damping).ok()?.with_mean_force(stiffness * offset).ok()?;
-        let motion = body.motion(self.load, x, v, length).ok()?;
+        let body = body.with_damping_ratio(zeta).ok()?.with_mean_force(stiffness * offset).ok()?;
+        let motion = body.motion(drive, x, v, length).ok()?;
         let mut states = motion.states.iter().peekable();
         let (mut found, mut last) = (Vec::new(), (self.load.time(0), x));
         for index in 0..self.load.samples().len() {
@@ -332,3 +374,6 @@ impl KnownBody<'_> {
         if under > 0.0 { over / under } else { 0.0 }
     }
 }
+
+#[cfg(test)]
+mod tests;

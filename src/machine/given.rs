@@ -3,6 +3,8 @@
 mod nothing;
 mod quantities;
 
+pub use nothing::in_place_of_zeros;
+
 use super::input::{Input, Naming, Role};
 use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity};

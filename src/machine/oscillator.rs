@@ -11,6 +11,14 @@ use crate::machine::ratios::{
     frequency_ratio, non_negative, one_friction, positive, valid_static_friction_ratio,
 };
 
+/// The critical damping `2√(k m)`, the damping constant at which free vibration ceases. Every damping ratio is of this one.
+///
+/// The roots are apart, so that neither a great nor a small product leaves the range of numbers.
+#[must_use]
+pub fn critical_damping<F: Float>(mass: F, stiffness: F) -> F {
+    F::int(2) * (stiffness.sqrt() * mass.sqrt())
+}
+
 /// A body of mass m on a spring of stiffness k, with a viscous damper c, on a surface whose friction is at
 /// most r_y.
 ///
@@ -120,7 +128,7 @@ impl<F: Float> Oscillator<F> {
     /// Where ζ or c is not finite or < 0.
     pub fn with_damping_ratio(self, damping_ratio: F) -> Result<Self, Error> {
         let ratio = non_negative(Quantity::DampingRatio, damping_ratio)?;
-        self.with_damping(ratio * self.critical_damping())
+        self.with_damping(ratio * critical_damping(self.mass, self.stiffness))
     }
 
     /// This body with a static friction r_s: a body at rest stays at rest until the force on it exceeds r_s.
@@ -218,12 +226,11 @@ impl<F: Float> Oscillator<F> {
 
     /// Damping ratio `ζ = c/(2√(k m))`.
     pub fn damping_ratio(&self) -> F {
-        if self.damping == F::int(0) { self.damping } else { self.damping / self.critical_damping() }
-    }
-
-    /// `2√(k m)`, the damping constant at which free vibration ceases.
-    fn critical_damping(&self) -> F {
-        F::int(2) * (self.stiffness.sqrt() * self.mass.sqrt())
+        if self.damping == F::int(0) {
+            self.damping
+        } else {
+            self.damping / critical_damping(self.mass, self.stiffness)
+        }
     }
 
     /// Natural angular frequency `ω_n = √(k/m)` (eq. 7), without damper and friction.

@@ -2,6 +2,7 @@
 
 use super::{Driven, Given, Input, Naming, Role};
 use crate::machine::units::Reader;
+use crate::motion::record::Body;
 
 fn given(naming: Naming, typed: &[(Input, &str)]) -> Given<f64> {
     let reader = Reader::new(None, "units");
@@ -57,6 +58,28 @@ fn each_input_of_a_role_gives_the_same_machine() {
     }
     let border = given_with(&[(Input::Omega, "2")]).on_border().unwrap();
     assert_eq!((border.ratios.alpha(), border.drive.amplitude()), (1.0, 4.0));
+}
+
+#[test]
+fn a_body_of_a_record_has_the_damper_of_the_oscillator() {
+    // A mass whose root has no few digits, and one whose product with the stiffness is no number.
+    for (mass, period) in [("2 t", "0.7 s"), ("2 t", "1.9 s"), ("1e200 kg", "0.01 s"), ("1e-200 kg", "9 s")] {
+        for zeta in 1..40 {
+            let ratio = format!("{}", f64::from(zeta) / 64.0 + 0.01);
+            let typed = [
+                (Input::Mass, mass),
+                (Input::Period, period),
+                (Input::Friction, "3 N"),
+                (Input::DampingRatio, &ratio),
+            ];
+            let given = given(Naming::Keyword, &typed);
+            let (body, oscillator) = (Body::given(&given, None).unwrap(), given.oscillator().unwrap());
+            assert_eq!(body, Body::from(&oscillator));
+            let own = oscillator.damping_ratio() / ratio.parse::<f64>().unwrap();
+            // c and its quotient have a rounding each.
+            assert!((own - 1.0).abs() <= f64::EPSILON, "{own}");
+        }
+    }
 }
 
 #[test]

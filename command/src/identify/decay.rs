@@ -13,7 +13,7 @@ use std::path::Path;
 use stickslip::Error;
 use stickslip::design::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
 use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role};
+use stickslip::inputs::{Given, Input, Role, critical_damping};
 
 /// The greatest number of rows.
 const MOST_ROWS: usize = 100_000;
@@ -128,7 +128,7 @@ impl DecayAnswer {
             _ => natural.map(|natural| natural * natural),
         };
         let gravity = given.gravity()?;
-        let critical = stiffness.zip(mass).map(|(k, m)| 2.0 * (k * m).sqrt());
+        let critical = stiffness.zip(mass).map(|(k, m)| critical_damping(m, k));
         let of = |scale: f64, kind| EstimateRecord::of(&found.friction_displacement, scale, unit(kind));
         Ok(Self {
             friction: stiffness.map(|k| of(k, Kind::Force)),

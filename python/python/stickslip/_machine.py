@@ -270,12 +270,7 @@ class Machine(Generic[V]):
     @property
     def damping_ratio(self) -> V:
         """Damping ratio ``c/(2 sqrt(k m))``."""
-        own = vars(self)["_own"]
-        if "damping_ratio" in own:
-            return own["damping_ratio"]  # type: ignore[no-any-return]
-        damping: Any = self.damping
-        natural: Any = self.natural_angular_frequency
-        return damping / (2 * (self.mass * natural))  # type: ignore[no-any-return]
+        return vars(self)["_own"]["damping_ratio"]  # type: ignore[no-any-return]
 
     @property
     def friction_displacement(self) -> V:
@@ -875,8 +870,7 @@ def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, A
         # A bare frequency is in hertz here, and an angular one in the library.
         single = {name: value if name != "natural_frequency" or isinstance(value, str) else 2 * np.pi * one(name, value) for name, value in given.items()}
         body, ratio, system = _native.machine(texts(single), units)
-        own: dict[str, Any] = dict(zip(OF_BODY, body))
-        return own if ratio is None else {**own, "damping_ratio": ratio}, system
+        return {**dict(zip(OF_BODY, body)), "damping_ratio": ratio}, system
     numbered, like = aligned(arrays)
     if "natural_frequency" in numbered:
         numbered["natural_frequency"] = numbered["natural_frequency"] * (2 * np.pi)
@@ -886,11 +880,9 @@ def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, A
     if "natural_frequency" in single and "natural_frequency" not in numbered and not isinstance(single["natural_frequency"], str):
         single["natural_frequency"] = 2 * np.pi * one("natural_frequency", single["natural_frequency"])
     columns = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in numbered.items()]
-    found, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
+    found, _, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
     own = {}
     for name, column in found.items():
-        if name == "damping_ratio" and name not in given:
-            continue
         array = column.reshape(shape)
         own[name] = like.dressed(name, array, {}) if like is not None else array
     if "friction_backward" not in given:

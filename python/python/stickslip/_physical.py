@@ -12,8 +12,6 @@ from ._result import RATIOS, PhysicalResult, Points, Result, Value, points
 
 #: The values of a body, in the order of the compiled part.
 OF_BODY = ("mass", "stiffness", "friction", "friction_backward", "damping", "static_friction_ratio")
-#: The square of the rounding of a number, as a ratio below that of every motion.
-_NOTHING = float(np.finfo(np.float64).eps) ** 2
 _OF_DRIVE = ("amplitude", "angular_frequency", "mean_force")
 #: Scales that do not depend on the drive.
 _CONSTANT = ("length", "force", "mean_displacement", "mean_friction", "damping_ratio", "static_friction_ratio")
@@ -53,24 +51,20 @@ class Driven(NamedTuple):
         return cls(excitation, points(**values), units)._without_zeros()
 
     def _without_zeros(self) -> "Driven":
-        """The same with a friction or an amplitude far below the rounding of every motion in place of one of 0, as the command has
-        it: without friction ε² p₀, and without a drive ε² r_y. Without both, friction is that of a displacement ε⁴.
-        """
-        given = self.at.given
-        friction, backward, amplitude = (given[name] for name in ("friction", "friction_backward", "amplitude"))
-        is_free = (friction == 0) & ((backward == 0) | np.isnan(backward))
-        is_still = amplitude == 0
-        if not np.any(is_free) and not np.any(is_still):
+        """The same with a friction or an amplitude far below the rounding of every motion in place of one of 0, as the command has it."""
+        at = self.at
+        if all(np.all(at.given[name] != 0) for name in ("friction", "amplitude")):
             return self
-        one_each = {"friction": np.where(is_free, 1.0, friction), "amplitude": np.where(is_still, 1.0, amplitude)}
-        backward = np.where(is_free, np.nan, backward)
-        plain = self._replace(at=self.at._replace(given={**given, **one_each, "friction_backward": backward}))
-        driving = np.asarray(plain.columns("force_amplitude")[0])
-        small = np.where(is_still, _NOTHING * given["stiffness"], driving) * _NOTHING
-        own = np.where(is_free, small, friction)
-        mean = (own + np.where(np.isnan(backward), own, backward)) / 2
-        there = {"friction": own, "amplitude": np.where(is_still, mean * _NOTHING / driving, amplitude)}
-        return plain._replace(at=plain.at._replace(given={**plain.at.given, **there}))
+        found = _native.without_zeros(*self._native_columns)
+        return self._replace(at=at._replace(given={**at.given, **{name: column.reshape(at.shape or ()) for name, column in found.items()}}))
+
+    @property
+    def _native_columns(self) -> tuple[list[Value], str, list[Value], int]:
+        """The values of the bodies, the excitation, the values of the drives, and the number of points."""
+        at = self.at
+        columns = dict(zip(at.given, at.columns))
+        body, drive = ([columns[name] for name in group] for group in (OF_BODY, _OF_DRIVE))
+        return body, self.excitation, drive, 1 if at.shape is None else at.size
 
     @property
     def is_one(self) -> bool:
@@ -81,10 +75,7 @@ class Driven(NamedTuple):
     def columns(self, *names: str) -> list[Any]:
         """Ratios or scales by their names, in the shape of the points."""
         at = self.at
-        columns = dict(zip(at.given, at.columns))
-        size, many = (at.size, True) if at.shape is not None else (1, False)
-        body, drive = ([columns[name] for name in group] for group in (OF_BODY, _OF_DRIVE))
-        found = _native.machine_columns(body, self.excitation, drive, size, many, list(names))
+        found = _native.machine_columns(*self._native_columns, at.shape is not None, list(names))
         return [found[name].item() if at.shape is None else found[name].reshape(at.shape) for name in names]
 
     def constant(self, name: str) -> Value:

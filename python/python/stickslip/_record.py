@@ -890,47 +890,32 @@ def spectrum(
     if record.of == "force" and mass is None:
         raise Error("spectrum: a record of a force needs the mass of the bodies")
     system = "N,m" if units is None else units
-    values = {"gravity": ("9.80665 m/s^2" if gravity is None else gravity, "acceleration"), "mass": (1.0 if mass is None else mass, "mass")}
-    known, _ = read(values, system)
     if isinstance(period, str):
         period = read({"period": (period, "time")}, None)[0]["period"]
     ratios = {"friction_coefficient": friction_coefficient, "damping_ratio": damping_ratio, "static_friction_ratio": static_friction_ratio}
     plain = {name: read({name: (value, "ratio")}, None)[0][name] if isinstance(value, str) else value for name, value in ratios.items()}
     at = points(period=period, **plain)
-    periods, coefficients, zeta, eta = at.given.values()
-    with np.errstate(all="ignore"):
-        omega = np.where((periods > 0) & np.isfinite(periods), 2 * np.pi / periods, np.nan)
-        friction = coefficients * known["gravity"] * known["mass"]
-        own = {
-            "mass": np.asarray(known["mass"]),
-            "stiffness": known["mass"] * omega**2,
-            "damping": 2 * zeta * omega * known["mass"],
-            "friction": friction,
-            "friction_backward": friction,
-            "static_friction_ratio": eta,
-            "mean_force": np.asarray(0.0),
-            "displacement": np.asarray(0.0),
-            "velocity": np.asarray(0.0),
-        }
+    shared = texts({"mass": 1.0 if mass is None else mass, **({} if gravity is None else {"gravity": gravity})})
     load = (*record._in(system, True, "the spectrum"), record.after)
     if at.shape is None:
-        if not np.isfinite(omega):
-            raise Error(f"period = {float(periods)}: must be > 0 and finite")
-        one_body: Any = (*(float(own[name]) for name in _OF_BLOCK), False)
-        columns = _native.record_follow(one_body, *load, (0.0, 0.0))
+        given = [*shared, *texts({name: float(value) for name, value in at.given.items()})]
+        (m, k, friction, _, damping, eta), _, _ = _native.machine(given, system)
+        columns = _native.record_follow((m, k, damping, friction, friction, eta, 0.0, False), *load, (0.0, 0.0))
         found: dict[str, Any] = {name: column.item() for name, column in columns.items()}
         errors: dict[int, str] = {}
     else:
-        found, errors = each(Points(at.shape, own, None), False, load)
-        errors = {place: _of_period(text, at, place) for place, text in errors.items()}
+        numbers = [(name, np.ascontiguousarray(np.broadcast_to(array, at.shape)).reshape(-1)) for name, array in at.given.items()]
+        bodies, failed, _ = _native.machines(shared, numbers, at.size, system)
+        if failed and len(failed) == at.size:
+            raise Error(failed[0][1])
+        own = {**bodies, "friction_backward": bodies["friction"]}
+        own = {name: own.get(name, np.zeros(1)) for name in (*_OF_BLOCK, "displacement", "velocity")}
+        found, errors = each(Points((at.size,), own, None), False, load)
+        found = {name: column.reshape(at.shape) for name, column in found.items()}
+        errors |= failed
     kinds = {"period": "time", **UNITS_OF_ANSWERS}
     if mass is None:
         found = {name: value for name, value in found.items() if UNITS_OF_ANSWERS.get(name) not in ("force", "energy", "stiffness")}
         kinds = {name: kind for name, kind in kinds.items() if name in found or name == "period"}
     answer: Spectrum[Any] = Spectrum({**at.in_shape(), **found}, units=names_of(system, kinds), like=at.like)
     return _with_errors(answer, errors)
-
-
-def _of_period(text: str, at: Points, place: int) -> str:
-    period = float(np.broadcast_to(at.given["period"], at.shape or ()).reshape(-1)[place])
-    return text if np.isfinite(period) and period > 0 else f"period = {period}: must be > 0 and finite"

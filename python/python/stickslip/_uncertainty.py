@@ -294,7 +294,7 @@ def _extrapolated(differences: Floats, steps: Floats) -> tuple[float, float]:
 
 def _damper(machine: Machine[float]) -> str:
     """The value of the damper that was given, and that stays while others are varied."""
-    return "damping_ratio" if "damping_ratio" in vars(machine)["_own"] else "damping"
+    return "damping_ratio" if "damping_ratio" in vars(machine)["_keywords"] else "damping"
 
 
 def _of_one(machine: Any, load: Any) -> None:

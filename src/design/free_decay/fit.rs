@@ -32,6 +32,8 @@ pub(in crate::design) struct Fit {
     pub(in crate::design) at: Vec<f64>,
     /// The covariance over the variance of one measurement, by rows.
     covariance: Vec<Vec<f64>>,
+    /// The slopes of the values by each parameter.
+    slopes: Vec<Vec<f64>>,
     pub(in crate::design) sum: f64,
     pub(in crate::design) residuals: Vec<f64>,
 }
@@ -48,8 +50,9 @@ impl Fit {
         let model = Model { measured, model, scales, ends };
         let fits = starts.iter().filter_map(|start| {
             let (Place { at, residuals, sum }, _) = descend(&model, model.place(start.clone()))?;
-            let covariance = inverse(&model.equations(&at).0)?;
-            at.iter().all(|x| x.is_finite()).then_some(Self { covariance, at, sum, residuals })
+            let (matrix, slopes) = model.equations(&at);
+            let covariance = inverse(&matrix)?;
+            at.iter().all(|x| x.is_finite()).then_some(Self { covariance, slopes, at, sum, residuals })
         });
         fits.min_by(|a, b| a.sum.total_cmp(&b.sum))
     }
@@ -75,6 +78,12 @@ impl Fit {
                 row.iter().zip(gradient).map(|(covariance, b)| a * b * covariance).sum::<f64>()
             });
         variance.sum::<f64>().sqrt() * self.noise()
+    }
+
+    /// By how much the parameters change where the model changes by these values.
+    pub(in crate::design) fn moved_by(&self, change: &[f64]) -> Vec<f64> {
+        let along: Vec<f64> = self.slopes.iter().map(|slope| product(slope, change)).collect();
+        self.covariance.iter().map(|row| -product(row, &along)).collect()
     }
 
     /// An estimate that is not negative, of a value with a standard error.

@@ -1,9 +1,9 @@
 //! A friction or a drive of 0, which no ratio has.
 
-use super::{Driven, Given};
+use super::Given;
 use crate::float::Float;
 use crate::machine::input::{Input, Role};
-use crate::machine::oscillator::{Drive, Excitation};
+use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::units::InputError;
 use alloc::borrow::Cow;
 use alloc::string::String;
@@ -66,37 +66,48 @@ impl<F: Float + FromStr> Given<F> {
         Input::of_role(Role::Drive).into_iter().find(is_zero)
     }
 
-    /// These inputs with a friction or a drive far below the rounding of every motion in place of one of 0: without
-    /// friction ε² p₀, and without a drive ε² r_y. Without both friction is that of a displacement ε⁴.
+    /// These inputs with a friction or a drive far below the rounding of every motion in place of one of 0
+    /// ([`in_place_of_zeros`]).
     ///
     /// # Errors
     /// As for [`Given::oscillator`].
     pub fn without_zeros(&self) -> Result<Cow<'_, Self>, InputError> {
-        let nothing = Self::nothing();
-        let drive = self.drive_of_zero();
-        if !self.is_without_friction() && drive.is_none() {
+        let (is_free, still) = (self.is_without_friction(), self.drive_of_zero());
+        if !is_free && still.is_none() {
             return Ok(Cow::Borrowed(self));
         }
         let mut given = self.clone();
-        if self.is_without_friction() {
+        if is_free {
             given.replace_friction(F::int(1));
-            let friction = if drive.is_none() {
-                let Driven { drive, oscillator, .. } = given.driven()?;
-                drive.force_amplitude(&oscillator)
-            } else {
-                given.oscillator()?.stiffness() * nothing
-            };
-            given.replace_friction(friction * nothing);
         }
-        if let Some(input) = drive {
-            let body = given.oscillator()?;
-            let excitation = input.excitation().unwrap_or(Excitation::Force);
-            let unit = Drive::new(excitation, F::int(1), given.frequency(&body)?);
-            let unit = unit.map_err(|e| given.at_fault(&e))?.force_amplitude(&body);
-            let amplitude = body.friction_bound() * nothing / unit;
-            let label = given.own_label(input);
-            given.put(input, amplitude, label);
+        if let Some(input) = still {
+            given.put(input, F::int(1), given.own_label(input));
+        }
+        let body = given.oscillator()?;
+        let drive = given.drive(&body, given.frequency(&body)?)?;
+        let (friction, amplitude) = in_place_of_zeros(&body, &drive, is_free, still.is_some());
+        if is_free {
+            given.replace_friction(friction);
+        }
+        if let Some(input) = still {
+            given.put(input, amplitude, given.own_label(input));
         }
         Ok(Cow::Owned(given))
     }
+}
+
+/// The friction r_y and the amplitude of the drive where that of a body without friction, or of one that nothing drives, is 0:
+/// without friction ε² p₀, and without a drive that of a force ε² r_y. Without both, friction is that of a displacement ε⁴.
+///
+/// The body and the drive have 1 in place of what is 0.
+pub fn in_place_of_zeros<F: Float>(
+    body: &Oscillator<F>,
+    drive: &Drive<F>,
+    is_free: bool,
+    is_still: bool,
+) -> (F, F) {
+    let (nothing, force) = (F::epsilon().square(), drive.force_amplitude(body));
+    let driving = if is_still { body.stiffness() * nothing } else { force };
+    let friction = if is_free { driving * nothing } else { body.friction_bound() };
+    (friction, if is_still { friction * nothing / force } else { drive.amplitude() })
 }

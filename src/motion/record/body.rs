@@ -3,7 +3,7 @@
 use super::number::Number;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
-use crate::machine::oscillator::Oscillator;
+use crate::machine::oscillator::{Oscillator, critical_damping};
 use crate::machine::ratios::{finite, non_negative, positive, valid_static_friction_ratio};
 use crate::machine::units::InputError;
 use crate::machine::{Given, Input, Role};
@@ -78,6 +78,16 @@ impl<F: Float> Body<F> {
     /// Where c is not finite or < 0.
     pub fn with_damping(self, damping: F) -> Result<Self, Error> {
         Ok(Self { damping: non_negative(Quantity::Damping, damping)?, ..self })
+    }
+
+    /// This body on its spring with a damper of damping ratio ζ: `c = 2ζ √(k m)`, as of an [`Oscillator`].
+    ///
+    /// # Errors
+    /// Where the body has no spring, or ζ or c is not finite or < 0.
+    pub fn with_damping_ratio(self, damping_ratio: F) -> Result<Self, Error> {
+        let ratio = non_negative(Quantity::DampingRatio, damping_ratio)?;
+        let stiffness = positive(Quantity::Stiffness, self.stiffness)?;
+        self.with_damping(ratio * critical_damping(self.mass, stiffness))
     }
 
     /// This body with a static friction of η times the kinetic one.
@@ -228,9 +238,7 @@ impl<F: Float + FromStr> Body<F> {
             let damping = if input == Input::Damping {
                 value
             } else if body.stiffness > F::int(0) {
-                non_negative(Quantity::DampingRatio, value).map_err(wrong)?
-                    * F::int(2)
-                    * (body.stiffness * mass).sqrt()
+                body.with_damping_ratio(value).map_err(wrong)?.damping
             } else {
                 return Err(InputError(format!(
                     "{}: a body without a spring has no critical damping. Give its damping constant",

@@ -200,6 +200,13 @@ impl<F: Float> Record<F> {
         Self { times, samples, ..self }.checked()
     }
 
+    /// This record with other samples at its times, if they make one.
+    pub(crate) fn with_samples(&self, samples: Vec<F>) -> Option<Self> {
+        (samples.len() == self.samples.len())
+            .then(|| Self { samples, ..self.clone() }.checked().ok())
+            .flatten()
+    }
+
     /// This record with another load after its last sample. By default a force and an acceleration are zero, and a support
     /// stays.
     #[must_use]
