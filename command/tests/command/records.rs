@@ -56,6 +56,38 @@ fn a_block_under_a_pulse_has_newmarks_displacement() {
     assert_eq!(json(&format!("{args} --format json"))["residual_displacement"].as_f64(), Some(residual));
 }
 
+/// A cut has the samples at both of its ends, and the line of the record describes it.
+#[test]
+fn a_cut_keeps_the_samples_at_its_ends() {
+    let folder = folder();
+    let rows = [1, -6, 3, 5, -4, 2, -3, 1].map(|value| value.to_string());
+    let all = (0..8).map(|i| format!("0.{:03},{}\n", 5 * i, rows[i])).collect::<String>();
+    let part = (3..7).map(|i| format!("0.{:03},{}\n", 5 * i, rows[i])).collect::<String>();
+    let head = "time[s],acc[m/s^2]\n";
+    let all = file(&folder, "all.csv", &format!("{head}{all}"));
+    let part = file(&folder, "part.csv", &format!("{head}{part}"));
+    let forms: &[&str] = if cfg!(feature = "mp") { &["", " --bits 128", " --enclose"] } else { &[""] };
+    for form in forms {
+        let run = |file: &str, cut: &str| {
+            let found = json(&format!("record {file} --yield-acceleration 0.05g {cut} --format json{form}"));
+            let number = |value: &serde_json::Value| {
+                let text = || value.as_str().or_else(|| value["mid"].as_str()).unwrap();
+                value.as_f64().unwrap_or_else(|| text().parse().unwrap())
+            };
+            (["path", "stick_time"].map(|name| number(&found[name])), found["record"].clone())
+        };
+        let (cut, described) = run(&all, "--from 15ms --to 0.03s");
+        // By an exact solution with rational coefficients of each piece.
+        for (found, due) in cut.iter().zip([5.18333202023035e-5, 0.000874770203182591]) {
+            assert!((found / due - 1.0).abs() < 1e-13, "{form}: {found} {due}");
+        }
+        let (_, due) = run(&part, "");
+        for name in ["samples", "peak", "mean"] {
+            assert_eq!(described[name], due[name], "{name}");
+        }
+    }
+}
+
 #[test]
 fn a_record_of_the_peer_database_and_its_motion() {
     let folder = folder();

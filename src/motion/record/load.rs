@@ -9,6 +9,7 @@ use crate::machine::ratios::{finite, positive};
 use crate::named::named;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use core::ops::Range;
 use core::str::FromStr;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
@@ -176,28 +177,54 @@ impl<F: Float> Record<F> {
     ///
     /// # Errors
     /// Where the factor or a product is not finite.
-    pub fn scaled(mut self, factor: F) -> Result<Self, Error> {
+    pub fn scaled(self, factor: F) -> Result<Self, Error> {
         finite(Quantity::ScaleFactor, factor)?;
+        self.mapped(|sample| sample * factor)
+    }
+
+    /// This record with every sample replaced by this function of it.
+    ///
+    /// # Errors
+    /// Where a value of the function is not finite.
+    #[doc(hidden)]
+    pub fn mapped(mut self, of: impl Fn(F) -> F) -> Result<Self, Error> {
         for sample in &mut self.samples {
-            *sample = *sample * factor;
+            *sample = of(*sample);
         }
         self.checked()
     }
 
     /// The samples of this record within two times, both included; their times stay as they are.
     ///
+    /// Times are compared as decimals, not as the numbers to which these were rounded: two that differ by no more than
+    /// 2⁻⁴⁸ of the record's greatest time are one, and so are 0.015 and the third of the steps of 0.005. In a type of fewer
+    /// than 53 bits, 16 of its roundings take the place of 2⁻⁴⁸.
+    ///
     /// # Errors
     /// Where the times are not finite, are not in order, or fewer than two samples are between them.
     pub fn between(self, from: F, to: F) -> Result<Self, Error> {
-        positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
-        let first = (0..self.samples.len()).take_while(|&i| self.time(i) < from).count();
-        let end = (0..self.samples.len()).take_while(|&i| self.time(i) <= to).count();
-        let samples = self.samples.get(first..end).unwrap_or_default().to_vec();
+        let kept = self.places_between(from, to)?;
+        let samples = self.samples.get(kept.clone()).unwrap_or_default().to_vec();
         let times = match &self.times {
-            Times::Equal(start, step) => Times::Equal(*start + F::count(first) * *step, *step),
-            Times::Each(times) => Times::Each(times.get(first..end).unwrap_or_default().to_vec()),
+            Times::Equal(_, step) => Times::Equal(self.time(kept.start), *step),
+            Times::Each(times) => Times::Each(times.get(kept).unwrap_or_default().to_vec()),
         };
         Self { times, samples, ..self }.checked()
+    }
+
+    /// The places of the samples that [`Record::between`] keeps.
+    ///
+    /// # Errors
+    /// Where the times are not finite, or are not in order.
+    #[doc(hidden)]
+    pub fn places_between(&self, from: F, to: F) -> Result<Range<usize>, Error> {
+        positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
+        let of_decimals = F::from_f64(1.0 / 2f64.powi(48)).or_larger(F::epsilon() * F::int(16));
+        let same = self.time(0).abs().or_larger(self.end().abs()) * of_decimals;
+        let places = 0..self.samples.len();
+        let first = places.clone().take_while(|&i| self.time(i) < from - same).count();
+        let end = places.take_while(|&i| self.time(i) <= to + same).count();
+        Ok(first..end.max(first))
     }
 
     /// This record with another load after its last sample. By default a force and an acceleration are zero, and a support
