@@ -42,6 +42,8 @@ impl<F: Float> Task for Alone<'_, F> {
             let samples = samples.get(index..equal).unwrap_or_default();
             if length > F::int(0) {
                 follow_equal(body, samples, |taken| record.time(index.saturating_add(taken)), length);
+            } else if let &[first, second, ..] = samples {
+                body.jump([first, second], record.time(index));
             }
             index = equal.saturating_sub(1);
         }

@@ -37,7 +37,7 @@ macro_rules! answers {
         /// slope that is steeper than friction where the slide begins that does not end, or at the end of the record.
         ///
         /// Extremes are those of all times at which the body slides, or rests for a time > 0; an instant between two slides
-        /// is none of them. An extreme that is the limit of the motion has no time.
+        /// is none of them, nor is that of an impulse. An extreme that is the limit of the motion has no time.
         #[derive(Debug, Clone, Copy, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[non_exhaustive]
@@ -126,7 +126,8 @@ answers! {
     equivalent_damping_ratio: Option<F>, optional Ratio;
     /// Work of friction.
     friction_work: F, number Energy;
-    /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving support u.
+    /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving support u, over the times between its
+    /// jumps, whose own work has no bound.
     damper_work: F, number Energy;
     /// Work of the load and of the constant force on the body: ∫ (p + p̄)x′ dt with the force p, −m a of an acceleration a of
     /// the surface, or k u + c u′ of a support.
@@ -159,6 +160,8 @@ impl<F: Number> Follower<F> {
         if is_free {
             watch.freed();
             self.let_go(excitation == Excitation::DampedFootMotion);
+        } else if after == After::Zero {
+            self.jump(factors, [last, F::int(0)], end, watch).ok_or(Failure::Uncertain)?;
         }
         Ok((self.settle(end, factors.after(after, last), watch)?, is_free))
     }
@@ -194,7 +197,7 @@ impl<F: Float> End<F> {
         let (x, v) = (follower.x, follower.v);
         let mut foot = F::int(0);
         if factors.damper > F::int(0) {
-            for (_, length, samples) in record.steps() {
+            for (_, length, samples) in record.steps().filter(|(_, length, _)| *length > F::int(0)) {
                 let piece = Piece::new(factors, samples, length, F::int(1) / length);
                 foot = foot + piece.work_at_rest(&follower.constants);
             }
@@ -246,7 +249,7 @@ impl<F: Float> Body<F> {
         let start = record.time(0);
         let constants = Constants::of(self, |x| x);
         let factors = Factors::new(record.excitation(), self.mass(), &constants);
-        let first = record.steps().next();
+        let first = record.steps().find(|(_, length, _)| *length > F::int(0));
         let first =
             first.map(|(_, length, samples)| Piece::new(&factors, samples, length, F::int(1) / length));
         let begun = first.and_then(|first| begun(constants, [x, v], record.longest_step(), start, &first));
@@ -278,8 +281,13 @@ impl<F: Float> Body<F> {
         watch: &mut impl Watch<F>,
     ) -> Result<End<F>, Error> {
         for (time, length, samples) in record.steps() {
-            let piece = Piece::new(factors, samples, length, F::int(1) / length);
-            follower.step(&piece, time, None, watch).map_err(|failure| failed((failure, time)))?;
+            let taken = if length > F::int(0) {
+                let piece = Piece::new(factors, samples, length, F::int(1) / length);
+                follower.step(&piece, time, None, watch)
+            } else {
+                follower.jump(factors, samples, time, watch).ok_or(Failure::Uncertain)
+            };
+            taken.map_err(|failure| failed((failure, time)))?;
         }
         End::of(record, follower, factors, watch)
     }

@@ -2,7 +2,7 @@
 
 use super::body::Constants;
 use super::linear::{Linear, Responses};
-use super::load::Piece;
+use super::load::{Factors, Piece};
 use super::number::Number;
 use super::slide::{Moment, Slide};
 
@@ -45,6 +45,8 @@ pub(super) trait Watch<F> {
     fn released(&mut self, time: F, x: F, sign: F, onset: Onset);
     /// A slide ends.
     fn stopped(&mut self, time: F, x: F) -> Option<()>;
+    /// An impulse changes the velocity from the first of these to the second.
+    fn struck(&mut self, velocities: [F; 2], time: F) -> Option<()>;
     /// The support of the spring lets go.
     fn freed(&mut self);
     /// The counts end here: the motion has no last stop.
@@ -363,6 +365,42 @@ impl<F: Number> Follower<F> {
         self.widest = self.widest.larger(self.x.abs());
         (self.v, self.mode) = (zero, Mode::Rest);
         watch.stopped(time, self.x)
+    }
+
+    /// Takes a jump of a record from one sample to another: a damper on the support strikes the body with the impulse c Δu
+    /// per mass. Friction, which is bounded, has none, unless the body moves one way.
+    pub(super) fn jump(
+        &mut self,
+        factors: &Factors<F>,
+        [first, second]: [F; 2],
+        time: F,
+        watch: &mut impl Watch<F>,
+    ) -> Option<()> {
+        let (zero, before) = (F::int(0), self.v);
+        let change = factors.damper * (second - first);
+        if !change.positive()? && !change.negative()? {
+            return Some(());
+        }
+        let after = before + change;
+        let sign = match (after.positive()?, after.negative()?) {
+            (true, _) => F::int(1),
+            (_, true) if !self.constants.is_one_way => F::int(-1),
+            _ => zero,
+        };
+        if let Mode::Slide(way) = self.mode {
+            if (way * sign).positive()? {
+                self.v = after;
+                return watch.struck([before, after], time);
+            }
+            watch.struck([before, zero], time)?;
+            self.end(time, way, watch)?;
+        }
+        if !sign.positive()? && !sign.negative()? {
+            return Some(());
+        }
+        self.begin([sign, zero], time, second * factors.factor, watch)?;
+        self.v = after;
+        watch.struck([zero, after], time)
     }
 
     /// Takes away the spring, whose support lets go, and the damper if it stands on the support, too.

@@ -37,7 +37,7 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     pub enum After [name] {
-        /// It is zero: a support jumps back to 0.
+        /// It is zero: a support jumps back to 0, with the impulse of a damper that stands on it.
         Zero = "zero",
         /// It stays at the last sample. A support then rests, so that its damper carries no velocity of it.
         Hold = "hold",
@@ -77,8 +77,8 @@ impl<F: Float> Record<F> {
         Self { excitation, times, samples, after }.checked()
     }
 
-    /// A record with samples at these times, which increase. Two samples at one time are a step of the load, unless a
-    /// damper stands on the support, whose velocity would be infinite.
+    /// A record with samples at these times, which increase. Two samples at one time are a step of the load. A damper on
+    /// a support that jumps by Δu gives the body the impulse c Δu.
     ///
     /// # Errors
     /// As [`Record::new`], and where the times are not as many as the samples, or do not increase.
@@ -88,10 +88,8 @@ impl<F: Float> Record<F> {
         }
         for (index, &time) in times.iter().enumerate() {
             let earlier = |by: usize| index.checked_sub(by).and_then(|before| times.get(before));
-            let is_jump = excitation != Excitation::DampedFootMotion
-                && earlier(1) == Some(&time)
-                && earlier(2) != Some(&time)
-                && times.first() != times.last();
+            let is_jump =
+                earlier(1) == Some(&time) && earlier(2) != Some(&time) && times.first() != times.last();
             let step = match earlier(1) {
                 Some(&before) if !is_jump => positive(Quantity::TimeStep, time - before),
                 _ => Ok(time),
@@ -258,12 +256,11 @@ impl<F: Float> Record<F> {
         self.samples.last().copied().unwrap_or_else(|| F::int(0))
     }
 
-    /// The steps between the samples: the time at which each begins, its length > 0, and both samples.
+    /// The steps between the samples: the time at which each begins, its length, which is 0 where the load jumps, and both
+    /// samples.
     pub(super) fn steps(&self) -> impl Iterator<Item = (F, F, [F; 2])> + '_ {
         let pairs = self.samples.iter().zip(self.samples.iter().skip(1)).enumerate();
-        let steps = pairs
-            .map(|(index, (&first, &second))| (self.time(index), self.step_after(index), [first, second]));
-        steps.filter(|(_, length, _)| *length > F::int(0))
+        pairs.map(|(index, (&first, &second))| (self.time(index), self.step_after(index), [first, second]))
     }
 
     /// The samples.

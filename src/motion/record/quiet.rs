@@ -382,6 +382,12 @@ impl<F: Float> Followed<F> {
         self.keep(taken, time)
     }
 
+    /// Takes a jump of the record between two samples; whether it could be taken.
+    pub(super) fn jump(&mut self, samples: [F; 2], time: F) -> bool {
+        let taken = self.follower.jump(&self.factors, samples, time, &mut self.totals);
+        self.keep(taken.ok_or(Failure::Uncertain), time)
+    }
+
     /// Keeps the failure of a step that begins at this time; whether there is none.
     #[inline(always)]
     pub(super) fn keep(&mut self, taken: Result<(), Failure>, time: F) -> bool {
