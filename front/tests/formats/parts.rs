@@ -73,3 +73,71 @@ fn a_mean_is_one_over_time() {
     let force = read_text(b"time[s],force[N]\n0,3000\n0.2,3000\n0.2,0\n2,0\n", |_| ()).unwrap();
     assert!((force.summary.mean - 300.0).abs() < 1e-10, "{}", force.summary.mean);
 }
+
+/// A COSMOS file with these numbers 34 and 62 of the real header, of 40 samples in 0.8 s.
+fn cosmos(recorder: &str, own: &str) -> String {
+    let mut header = vec!["-999.0"; 100];
+    (header[33], header[61]) = (recorder, own);
+    format!(
+        "Corrected acceleration (Format v01.20 with 13 text lines)\nSta Chan 1: x\n\
+         100 Real-header values follow on 1 lines, Format= (100F8.3)\n{}\n\
+         40 acceleration pts, approx 0.8 secs, units=cm/sec2,Format=(8F10.5)\n{}\nEnd-of-data\n",
+        header.join(" "),
+        "1.5 ".repeat(40)
+    )
+}
+
+/// The step of a COSMOS file is number 62 of the real header, in ms, whatever that of the recorder was.
+#[test]
+fn the_step_of_cosmos_is_that_of_its_samples() {
+    for (recorder, own, due) in
+        [("0.005", "20.0", 0.02), ("0.02", "20.0", 0.02), ("5.0", "20.0", 0.02), ("20.0", "-999.0", 0.02)]
+    {
+        let found = read_text(cosmos(recorder, own).as_bytes(), |_| ()).unwrap();
+        assert_eq!(found.record.step(), Some(due), "{recorder} {own}");
+    }
+    let error = read_text(cosmos("0.02", "2000").as_bytes(), |_| ()).unwrap_err();
+    assert!(error.contains("number 62") && error.contains("2000"), "{error}");
+}
+
+/// A GeoNet file of 2018: “peak” in small letters, and the axis behind the name of the component.
+#[test]
+fn a_component_of_geonet_has_a_short_name() {
+    let component = |name: &str, value: &str| {
+        let mut text = "Corrected accelerogram EXAMPLE\n".to_owned();
+        text += &"words\n".repeat(11);
+        text += &format!(
+            "Component {name}\nAcceleration:  peak    -274.1 mm/s/s at  0.36 sec     rms 2.2 mm/s/s\n"
+        );
+        text += "Velocity:\nDisplacement:\n";
+        text += &"       0       0\n".repeat(3);
+        text += "       0       0       0       3       0       0\n";
+        text += &"       0       0       0       0       0       0\n".repeat(2);
+        text += "     106       5       5    0.78   0.005    0.02\n";
+        text += &"       0       0\n".repeat(3);
+        text + &format!("{value:>8}{value:>8}{value:>8}\n")
+    };
+    let text = component("S16W  Longitudinal Accelerometer Axis", "1.0")
+        + &component("N74W  Transverse Accelerometer Axis", "2.0");
+    for (column, due) in [("S16W", 0.001), ("n74w", 0.002), ("2", 0.002)] {
+        let found = read_text(text.as_bytes(), |options| options.column = Some(column)).unwrap();
+        assert_eq!((found.record.samples()[0], found.record.step()), (due, Some(0.02)), "{column}");
+    }
+}
+
+/// A CWB file has as many samples as its length and its rate say, or one more at the end of the length.
+#[test]
+fn the_samples_of_cwb_are_counted() {
+    let text = |count: usize| {
+        let rows = (0..count).map(|i| format!("{:10.3} 1.0 2.0 3.0\n", i as f64 * 0.005));
+        format!(
+            "#RecordLength(sec): 1.00\n#SampleRate(Hz): 200\n#AmplitudeUnit:  gal. DCoffset(corr)\n\
+             #DataSequence: Time U(+); N(+); E(+)\n#Data: 4F10.3\n{}",
+            rows.collect::<String>()
+        )
+    };
+    for (count, is_right) in [(198, false), (199, false), (200, true), (201, true), (202, false)] {
+        let found = read_text(text(count).as_bytes(), |options| options.column = Some("n"));
+        assert_eq!(found.is_ok(), is_right, "{count}");
+    }
+}
