@@ -354,3 +354,19 @@ fn a_jump_of_a_support_is_the_limit_of_fast_ramps() {
         }
     }
 }
+
+/// A damper so weak that its work is below the rounding of the other works, by ∫ v² dt of the motion without it: half a period
+/// of ω = 2 at the amplitude X = 1 − r/k has c ω π X²/2.
+#[test]
+fn a_weak_damper_has_its_own_work() {
+    let (k, r, c) = (4.0, 0.8, 1e-13);
+    let still = force(&[0.0, 10.0], &[0.0, 0.0]);
+    let found = body(1.0, k, c, r).follow_from(&still, 0.38, 0.0).unwrap();
+    let amplitude: f64 = 0.38 - r / k;
+    assert_eq!((found.slides, found.stops), (1, 1));
+    close("damper work", found.damper_work / c, 2.0 * PI * amplitude * amplitude / 2.0, 1e-11);
+    // With friction that differs in nothing but the damper, each work of a strong one is what the balance leaves.
+    let strong = body(1.0, k, 0.3, r).follow_from(&still, 0.38, 0.0).unwrap();
+    let stored = k / 2.0 * (0.38 * 0.38 - strong.residual_displacement.unwrap().powi(2));
+    close("balance", strong.damper_work + strong.friction_work, stored, 1e-13);
+}

@@ -2,6 +2,7 @@
 
 use super::alone;
 use super::body::{Body, Constants};
+use super::damper::Damper;
 use super::follow::{Failed, Failure, Follower, Mode, Onset, Watch};
 use super::load::{After, Factors, Piece, Record};
 use super::number::Number;
@@ -43,6 +44,8 @@ macro_rules! answers {
         #[non_exhaustive]
         pub struct RecordAnswer<F> {
             $($(#[$doc])+ pub $answer: $type,)*
+            /// Whether the body never rests, and only tends to the residual displacement.
+            pub tends_to_rest: bool,
         }
 
         impl<F> RecordAnswer<F> {
@@ -55,7 +58,10 @@ macro_rules! answers {
             /// The answers in another form; `None` where one has none.
             #[cfg(feature = "mp")]
             pub(crate) fn map<G>(&self, of: impl Fn(&F) -> Option<G>) -> Option<RecordAnswer<G>> {
-                Some(RecordAnswer { $($answer: answers!(@map $form of, self.$answer),)* })
+                Some(RecordAnswer {
+                    $($answer: answers!(@map $form of, self.$answer),)*
+                    tends_to_rest: self.tends_to_rest,
+                })
             }
         }
     };
@@ -292,6 +298,14 @@ impl<F: Float> Body<F> {
         End::of(record, follower, factors, watch)
     }
 
+    /// The work of the damper of this body by its own integral, where the motion from x and v has an end.
+    fn damper_work(&self, record: &Record<F>, [x, v]: [F; 2]) -> Result<Option<F>, Error> {
+        let Followed { mut follower, factors, .. } = self.followed(record, x, v)?;
+        let mut damper = Damper::new(follower.constants.rate);
+        self.watched(record, &mut follower, &factors, &mut damper)?;
+        Ok(damper.work().map(|work| work * self.mass()))
+    }
+
     /// The answers of a motion from x and v.
     pub(super) fn answered(
         &self,
@@ -301,7 +315,13 @@ impl<F: Float> Body<F> {
         totals: &Totals<F>,
     ) -> Result<RecordAnswer<F>, Error> {
         let weights = Weights::of(self, |x| x);
-        let answer = weights.answer(record.excitation(), start, end, totals);
+        let mut answer = weights.answer(record.excitation(), start, end, totals);
+        if let Some(answer) = &mut answer {
+            let size = answer.load_work.abs() + answer.friction_work.abs() + self.mass() * end.foot;
+            if weights.has_damper && answer.damper_work.abs() < size * F::ratio(1, 1 << 20) {
+                answer.damper_work = self.damper_work(record, start)?.unwrap_or(answer.damper_work);
+            }
+        }
         // Works and forces may leave a range that the motion is in.
         let answer = answer.filter(|answer| {
             answer.entries().iter().all(|(.., entry)| match entry {
@@ -437,6 +457,7 @@ impl<F: Number> Weights<F> {
             friction_work,
             damper_work,
             load_work,
+            tends_to_rest: matches!(end.rest, Rest::Limit(_)),
         })
     }
 }

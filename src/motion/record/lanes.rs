@@ -48,8 +48,7 @@ impl<F: Float, const L: usize> State<F, L> {
 
     /// Returns the state of a lane to its body.
     fn write(&self, lane: usize, body: &mut Followed<F>) {
-        body.follower.x = at(&self.x, lane);
-        body.follower.v = at(&self.v, lane);
+        body.set_state([at(&self.x, lane), at(&self.v, lane)]);
         body.totals.load_work = at(&self.load_work, lane);
         body.totals.foot_work = at(&self.foot_work, lane);
         self.limits.at(lane).write(body);
@@ -274,11 +273,16 @@ fn take<F: Float, const L: usize>(
             continue;
         }
         lanes.write(now, lane, body, step.length, steps);
-        let turn = lanes.are_turns.then(|| lanes.turns.turn(lane)).flatten().or_else(|| {
-            let state = [at(&now.x, lane), at(&now.v, lane)];
-            let (linear, quiet) = (&body.follower.linear, lanes.quiet.at(lane));
-            lanes.turns.of(lane).alone(linear, &quiet, state, &now.limits.at(lane), samples, step)
-        });
+        let is_followed = body.is_followed(samples);
+        let turn =
+            (lanes.are_turns && !is_followed).then(|| lanes.turns.turn(lane)).flatten().or_else(|| {
+                if is_followed {
+                    return None;
+                }
+                let state = [at(&now.x, lane), at(&now.v, lane)];
+                let (linear, quiet) = (&body.follower.linear, lanes.quiet.at(lane));
+                lanes.turns.of(lane).alone(linear, &quiet, state, &now.limits.at(lane), samples, step)
+            });
         match turn {
             Some(turn) => body.turn(&turn, samples, time, step, whole.as_ref()),
             None => body.take(samples, time, step, whole.as_ref()),
