@@ -93,20 +93,19 @@ impl FloorSpectrum {
 
     /// A table of the responses.
     pub(crate) fn text(&self, of: &str, system: &System, out: &mut impl Write) -> Outcome {
-        const WIDTH: usize = 34;
         writeln!(
             out,
             "\nFloor spectrum{of}: oscillators with ζ = {} on the body\n",
             self.damping_ratio.text()
         )?;
-        let titles = COLUMNS.map(|(name, kind)| {
-            let name = name.replace('_', " ");
-            format!("{:>WIDTH$}", format!("{name} ({})", system.name(kind)))
-        });
-        writeln!(out, "{}", titles.concat())?;
-        for Response(cells) in &self.rows {
-            let cells = cells.iter().map(|cell| format!("{:>WIDTH$}", cell.text()));
-            writeln!(out, "{}", cells.collect::<String>())?;
+        let titles =
+            COLUMNS.map(|(name, kind)| format!("{} ({})", name.replace('_', " "), system.name(kind)));
+        let mut lines = vec![titles];
+        lines.extend(self.rows.iter().map(|Response(cells)| cells.each_ref().map(Cell::text)));
+        // Numbers of many digits are wider than the titles.
+        let width = lines.iter().flatten().map(|cell| cell.chars().count()).max().unwrap_or(0).max(32) + 2;
+        for line in lines {
+            writeln!(out, "{}", line.map(|cell| format!("{cell:>width$}")).concat())?;
         }
         Ok(())
     }

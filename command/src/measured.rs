@@ -10,9 +10,9 @@ use std::io::BufReader;
 use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::motion::record::{After, Record};
-use stickslip_front::record::{self, Options, Summary, Words};
+use stickslip_front::record::{self, Cut, Options, Summary, Words};
 
-/// Reads a record in the units of the reader, and scales and cuts it. The summary is of the file, before that.
+/// Reads a record in the units of the reader, cuts it and scales it. The summary is of the cut, before it is scaled.
 pub(crate) fn read<F: Value>(
     file: &Path,
     args: &LoadArgs,
@@ -23,11 +23,18 @@ pub(crate) fn read<F: Value>(
         text.as_ref().map(|text| reader.value::<F>(option, text, Kind::Time)).transpose()
     };
     let time_step = time("--time-step", &args.time_step)?;
+    let (from, to) = (time("--from", &args.from)?, time("--to", &args.to)?);
+    let typed: Vec<String> = [("--from", &args.from), ("--to", &args.to)]
+        .into_iter()
+        .filter_map(|(option, text)| text.as_ref().map(|text| format!("{option} {text}")))
+        .collect();
+    let typed = typed.join(" ");
     let options = Options {
         time_step,
         column: args.column.as_deref(),
         skip: args.skip,
         units: args.record_units.as_deref(),
+        cut: (from.is_some() || to.is_some()).then_some(Cut { from, to, typed: &typed }),
         ..Options::new(&name, reader, Words::COMMAND)
     };
     let found = record::read::<F>(BufReader::new(rows::open(file, &name)?), &options)?;
@@ -38,17 +45,6 @@ pub(crate) fn read<F: Value>(
     if let Some(text) = &args.scale {
         let factor = crate::input::number::<F>("--scale", text)?;
         record = record.scaled(factor).map_err(|e| format!("--scale {text}: {e}"))?;
-    }
-    let (from, to) = (time("--from", &args.from)?, time("--to", &args.to)?);
-    if from.is_some() || to.is_some() {
-        let (first, last) = (record.time(0), record.end());
-        let typed: Vec<String> = [("--from", &args.from), ("--to", &args.to)]
-            .into_iter()
-            .filter_map(|(option, text)| text.as_ref().map(|text| format!("{option} {text}")))
-            .collect();
-        record = record
-            .between(from.unwrap_or(first), to.unwrap_or(last))
-            .map_err(|e| format!("{}: {e}", typed.join(" ")))?;
     }
     if let Some(after) = args.after {
         record = record.followed_by(after.into());

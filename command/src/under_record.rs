@@ -155,6 +155,11 @@ pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>, system: System) -> Col
     })
 }
 
+/// How a motion that has a residual displacement ends there.
+pub(crate) const fn comes_to<F>(answer: &RecordAnswer<F>) -> &'static str {
+    if answer.tends_to_rest { "only tends to" } else { "comes to" }
+}
+
 fn text<F: Value>(
     first: &Answered<F>,
     system: &System,
@@ -170,7 +175,8 @@ fn text<F: Value>(
         _ if answer.slides == 0 => writeln!(out, "The body rests throughout.")?,
         (Some(rest), _) => writeln!(
             out,
-            "The body slides {slides}, and comes to rest at {} {}.",
+            "The body slides {slides}, and {} rest at {} {}.",
+            comes_to(answer),
             digits(rest),
             unit(Kind::Length)
         )?,

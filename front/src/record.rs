@@ -65,14 +65,27 @@ pub struct Options<'a, F> {
     pub skip: u64,
     /// The unit of the samples, where the file does not state it.
     pub units: Option<&'a str>,
+    /// The part of the record that is wanted, if it is not all of it.
+    pub cut: Option<Cut<'a, F>>,
     /// The names of these options.
     pub words: Words,
+}
+
+/// A part of a record: the samples within two times, both included.
+#[derive(Debug, Clone, Copy)]
+pub struct Cut<'a, F> {
+    /// The time at which it begins, in s; that of the first sample by default.
+    pub from: Option<F>,
+    /// The time at which it ends, in s; that of the last sample by default.
+    pub to: Option<F>,
+    /// Both as they were given, for messages.
+    pub typed: &'a str,
 }
 
 impl<'a, F> Options<'a, F> {
     /// A file of this name, which states everything by itself.
     pub const fn new(name: &'a str, reader: &'a Reader, words: Words) -> Self {
-        Self { name, reader, time_step: None, column: None, skip: 0, units: None, words }
+        Self { name, reader, time_step: None, column: None, skip: 0, units: None, cut: None, words }
     }
 
     /// An error at a line.
@@ -123,7 +136,7 @@ impl<'a, F> Options<'a, F> {
 #[derive(Debug, Clone)]
 struct Unit {
     name: String,
-    /// The factor to the system of the reader; none where values are in it.
+    /// The factor to the consistent system of the reader; none where values have units of their own.
     factor: Option<Factor>,
     kind: Kind,
 }
@@ -173,7 +186,7 @@ pub struct Reading<F> {
     pub unused: Vec<String>,
 }
 
-/// What a file holds, as it was read: before it is scaled and cut, in its own unit.
+/// What was read of a file, of the part that was wanted: before it is scaled, in the unit of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
     /// The layout: `PEER`, `K-NET`, `ESM`, `CWB`, `COSMOS`, `GeoNet` or `columns`.
@@ -192,7 +205,7 @@ pub struct Summary {
     pub peak: f64,
     /// Its time in s.
     pub peak_at: f64,
-    /// The mean of the samples.
+    /// The mean over time of the straight lines between the samples.
     pub mean: f64,
     /// The unit of the peak and of the mean.
     pub unit: String,

@@ -137,6 +137,19 @@ fn record_check(
     load(of, times.as_slice()?, samples.as_slice()?, after).map(|record| record.after().name())
 }
 
+/// The places of the samples within two times: the first, and the one after the last.
+#[pyfunction]
+fn record_between(
+    of: &str,
+    times: PyReadonlyArray1<'_, f64>,
+    samples: PyReadonlyArray1<'_, f64>,
+    within: (f64, f64),
+) -> PyResult<(usize, usize)> {
+    let record = load(of, times.as_slice()?, samples.as_slice()?, None)?;
+    let kept = record.places_between(within.0, within.1).map_err(refused)?;
+    Ok((kept.start, kept.end))
+}
+
 /// The numbers of a block of the given values on a surface that falls by `slope`.
 fn of_block(given: &Given<f64>, slope: Option<f64>) -> Result<[f64; 7], InputError> {
     let body = Body::given(given, slope)?;
@@ -396,6 +409,7 @@ fn record_follow_each<'py>(
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(block, module)?)?;
     module.add_function(wrap_pyfunction!(blocks, module)?)?;
+    module.add_function(wrap_pyfunction!(record_between, module)?)?;
     module.add_function(wrap_pyfunction!(record_check, module)?)?;
     module.add_function(wrap_pyfunction!(record_read, module)?)?;
     module.add_function(wrap_pyfunction!(record_follow, module)?)?;

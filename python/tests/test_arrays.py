@@ -212,6 +212,8 @@ def test_a_record_is_a_value():
     assert (-record).samples.tolist() == [0, -1, 3, 0] and (record / 2).peak == 1.5
     assert record[1:].times == pytest.approx([0.01, 0.02, 0.03]) and record[::2].samples.tolist() == [0.0, -3.0]
     assert record.between(0.005, 0.02).samples.tolist() == [1.0, -3.0] and len(record.between(0.01, 0.03)) == 3
+    # Times are decimals: six steps of 0.2 s are 1.2 s, which a product of doubles passes.
+    assert len(ss.Record(range(8), time_step=0.2).between(0.2, 1.2)) == 6
     other = copy.deepcopy(record)
     assert other == record and not other.samples.flags.writeable
     machine = ss.Machine("2 kg", "800 N/m", "3 N")

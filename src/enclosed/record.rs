@@ -78,8 +78,8 @@ impl<const N: usize> InBalls for AskedRecord<'_, N> {
 }
 
 /// The precision from which on a sign that is uncertain at the same time as with half the bits is taken to stay so, in
-/// words of 64 bits.
-const DECIDED: u32 = 9;
+/// words of 64 bits: a slide of 500 time constants has signs of e^−500, which need 720 bits.
+const DECIDED: u32 = 33;
 /// The precisions tried, in words of 64 bits.
 const PRECISIONS: [u32; 6] = [3, 5, 9, 17, 33, 65];
 

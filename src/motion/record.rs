@@ -41,6 +41,7 @@ mod answers;
 )]
 mod balls;
 mod body;
+mod damper;
 mod floor;
 mod follow;
 mod history;

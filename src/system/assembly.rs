@@ -378,8 +378,11 @@ fn check_record<F: Float>(record: &Record<F>, i: usize) -> Result<(), Error> {
     for &x in record.times.iter().chain(&record.values) {
         finite(&format!("records[{i}]"), x)?;
     }
-    for (&a, &b) in record.times.iter().zip(record.times.iter().skip(1)) {
-        if b <= a {
+    // Two samples at one time are a step of the load; a third one, or no other time, is none.
+    let is_short = record.times.first() == record.times.last();
+    let later = record.times.iter().skip(2).map(Some).chain([None]);
+    for ((&a, &b), after) in record.times.iter().zip(record.times.iter().skip(1)).zip(later) {
+        if b < a || (b == a && (is_short || after == Some(&b))) {
             return Err(Error::NotIncreasing {
                 name: format!("records[{i}].times"),
                 value: written(a),

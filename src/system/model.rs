@@ -41,7 +41,7 @@ pub struct Harmonic<F> {
 /// The load `force · p(t)`, where p is straight between its samples and zero before the first and after the last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record<F> {
-    /// The times of the samples, which increase.
+    /// The times of the samples, which increase. Two samples at one time are a step of the load.
     pub times: Vec<F>,
     /// p at these times.
     pub values: Vec<F>,

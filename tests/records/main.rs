@@ -9,6 +9,7 @@ mod invariants;
 
 #[cfg(feature = "generators")]
 mod any;
+mod creep;
 mod ends;
 #[path = "../random/generator.rs"]
 mod generator;

@@ -56,6 +56,38 @@ fn a_block_under_a_pulse_has_newmarks_displacement() {
     assert_eq!(json(&format!("{args} --format json"))["residual_displacement"].as_f64(), Some(residual));
 }
 
+/// A cut has the samples at both of its ends, and the line of the record describes it.
+#[test]
+fn a_cut_keeps_the_samples_at_its_ends() {
+    let folder = folder();
+    let rows = [1, -6, 3, 5, -4, 2, -3, 1].map(|value| value.to_string());
+    let all = (0..8).map(|i| format!("0.{:03},{}\n", 5 * i, rows[i])).collect::<String>();
+    let part = (3..7).map(|i| format!("0.{:03},{}\n", 5 * i, rows[i])).collect::<String>();
+    let head = "time[s],acc[m/s^2]\n";
+    let all = file(&folder, "all.csv", &format!("{head}{all}"));
+    let part = file(&folder, "part.csv", &format!("{head}{part}"));
+    let forms: &[&str] = if cfg!(feature = "mp") { &["", " --bits 128", " --enclose"] } else { &[""] };
+    for form in forms {
+        let run = |file: &str, cut: &str| {
+            let found = json(&format!("record {file} --yield-acceleration 0.05g {cut} --format json{form}"));
+            let number = |value: &serde_json::Value| {
+                let text = || value.as_str().or_else(|| value["mid"].as_str()).unwrap();
+                value.as_f64().unwrap_or_else(|| text().parse().unwrap())
+            };
+            (["path", "stick_time"].map(|name| number(&found[name])), found["record"].clone())
+        };
+        let (cut, described) = run(&all, "--from 15ms --to 0.03s");
+        // By an exact solution with rational coefficients of each piece.
+        for (found, due) in cut.iter().zip([5.18333202023035e-5, 0.000874770203182591]) {
+            assert!((found / due - 1.0).abs() < 1e-13, "{form}: {found} {due}");
+        }
+        let (_, due) = run(&part, "");
+        for name in ["samples", "peak", "mean"] {
+            assert_eq!(described[name], due[name], "{name}");
+        }
+    }
+}
+
 #[test]
 fn a_record_of_the_peer_database_and_its_motion() {
     let folder = folder();
@@ -549,4 +581,45 @@ fn frequencies_of_a_spectrum_have_the_unit_that_was_typed() {
     let picture = place("typed.svg");
     stdout(&format!("{run} 60rpm:120rpm:5 --picture {}", picture.display()));
     assert!(std::fs::read_to_string(&picture).unwrap().contains("natural frequency (rpm)"));
+}
+
+/// Columns of a floor spectrum stand apart at any precision.
+#[cfg(feature = "mp")]
+#[test]
+fn columns_of_a_floor_spectrum_stand_apart() {
+    let folder = folder();
+    let quake = file(&folder, "floor.csv", "time[s],acceleration[g]\n0,0\n0.1,0.3\n0.2,-0.3\n0.3,0\n");
+    for bits in ["", " --bits 128", " --bits 600"] {
+        let text = stdout(&format!("record {quake} {ISOLATOR} --floor-spectrum 0.1s:0.3s:3{bits}"));
+        let rows: Vec<_> = text.lines().skip_while(|line| !line.contains("pseudo")).collect();
+        assert_eq!(rows.len(), 4, "{text}");
+        for row in &rows[1..] {
+            assert_eq!(row.split_whitespace().count(), 4, "{row}");
+        }
+    }
+}
+
+/// A body that only tends to rest is said to do that, plainly and with certainty.
+#[test]
+fn a_body_that_only_tends_to_rest_is_said_to() {
+    let folder = folder();
+    let push = file(&folder, "push.csv", "time[s],force[N]\n0,0\n1,9\n2,0\n30,0\n");
+    let forms: &[&str] = if cfg!(feature = "mp") { &["", " --bits 128", " --enclose"] } else { &[""] };
+    for form in forms {
+        for (machine, ends) in [
+            ("--friction 0 --damping 3", "only tends to rest"),
+            ("--friction 1 --damping 60", "only tends to rest"),
+            ("--friction 1 --damping 3", "comes to rest"),
+        ] {
+            let line = format!("record {push} --units N,m --mass 2 --stiffness 50 {machine}{form}");
+            let text = stdout(&line);
+            assert!(text.lines().next().unwrap().contains(ends), "{line}: {text}");
+        }
+    }
+    // A step upon a critically damped body: the body creeps, and never stops.
+    let events = stdout(
+        "simulate --mass 1kg --stiffness 100N/m --damping-ratio 1 --friction 1N --force 20N --shape step \
+         --duration 30s --format csv",
+    );
+    assert_eq!(events.lines().count(), 2, "{events}");
 }

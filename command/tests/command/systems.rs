@@ -530,3 +530,32 @@ fn rows_and_samples_are_the_same_as_parquet() {
         );
     }
 }
+
+/// Two values of a record at one time are a step of the load for a system, as for one body: a conveyor that jerks.
+#[test]
+fn a_step_of_a_record_moves_a_system_as_it_moves_one_body() {
+    let folder = place("steps-of-a-record");
+    std::fs::create_dir(&*folder).unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let rows = "0,0.3\n0.06,0.3\n0.06,-0.9\n0.08,-0.9\n0.08,0.3\n0.14,0.3\n0.14,-0.9\n0.16,-0.9\n";
+    let record = write("jerk.csv", &format!("time[s],acceleration[g]\n{rows}"));
+    let machine = write(
+        "track.toml",
+        "units = \"N,mm\"\nmasses = { part = \"1 kg\" }\n[[contacts]]\nname = \"track\"\nbetween = [\"ground\",\"part\"]\n\
+         coefficient = 0.5\nnormal_load = \"9.80665 N\"\n",
+    );
+    let system = json(&format!("system {machine} record {record} --until 1s --format json"));
+    let one = json(&format!(
+        "record {record} --units N,mm --mass 1kg --no-spring --friction 4.903325N --format json"
+    ));
+    let (found, due) =
+        (system["end"]["displacement"][0].as_f64().unwrap(), one["residual_displacement"].as_f64().unwrap());
+    assert!(due > 1.0 && (found / due - 1.0).abs() < 1e-12, "{found} {due}");
+    // Three at one time are none.
+    let record = write("three.csv", "time[s],acceleration[g]\n0,0\n1,0.3\n1,0.4\n1,0.5\n2,0\n");
+    refused(&format!("system {machine} record {record}"), &["three.csv line 5"]);
+}

@@ -26,15 +26,21 @@ fn width(format: &str) -> Option<usize> {
     digits.get(..end)?.parse().ok().filter(|width| (1..=64).contains(width))
 }
 
-/// The step of `count` samples: header 34, in ms or in s, whichever agrees with the duration that the line of the
-/// samples states in whole seconds. Where both do, it is in s below 1/2.
-fn step<F: Float>(stated: F, count: usize, seconds: Option<f64>) -> Option<F> {
-    let [s, ms] = [stated, stated / F::int(1000)];
+/// The step of `count` samples: number 62 of the real header in ms. Where that is missing it is number 34, the step of the
+/// recorder, in ms or in s, whichever agrees with the duration that the line of the samples states in whole seconds;
+/// where both do, it is in s below 1/2.
+fn step<F: Float>([own, recorder]: [Option<F>; 2], count: usize, seconds: Option<f64>) -> Option<F> {
+    let is_given = |step: &F| *step > F::int(0);
     let agrees = |step: &F| {
         let off = seconds.map_or(0.0, |seconds| (step.to_f64() * count as f64 - seconds).abs());
         *step > F::int(0) && off <= 1.5 + 0.02 * seconds.unwrap_or(0.0)
     };
-    let likely = if stated < F::ratio(1, 2) { [s, ms] } else { [ms, s] };
+    if let Some(own) = own.filter(is_given) {
+        return Some(own / F::int(1000)).filter(agrees);
+    }
+    let s = recorder.filter(is_given)?;
+    let ms = s / F::int(1000);
+    let likely = if s < F::ratio(1, 2) { [s, ms] } else { [ms, s] };
     likely.into_iter().find(agrees)
 }
 
@@ -86,8 +92,8 @@ pub(super) fn read<F: Float + FromStr>(
 /// The header of a channel.
 struct Header<F> {
     channel: String,
-    /// The 34th real number of the header.
-    step: Option<F>,
+    /// Numbers 62 and 34 of the real header: the steps of the samples and of the recorder.
+    steps: [Option<F>; 2],
     count: usize,
     seconds: Option<f64>,
     unit: String,
@@ -106,7 +112,7 @@ impl<F: Float + FromStr> Header<F> {
         first: u64,
     ) -> Result<Self, String> {
         let mut channel = String::new();
-        let mut step = None;
+        let mut steps = [None; 2];
         let mut all = Vec::new();
         while let Some((number, line)) = lines.next()? {
             let small = line.to_ascii_lowercase();
@@ -132,7 +138,7 @@ impl<F: Float + FromStr> Header<F> {
                     }
                     values.append(&mut all);
                 }
-                step = values.get(33).copied();
+                steps = [61, 33].map(|place| values.get(place).copied());
             }
             if let Some((before, after)) = small.split_once(" pts") {
                 let count = leading(before).filter(|count| *count > 0);
@@ -143,7 +149,7 @@ impl<F: Float + FromStr> Header<F> {
                 let end = unit.find([',', '(']).unwrap_or(unit.len());
                 return Ok(Self {
                     channel,
-                    step,
+                    steps,
                     count,
                     seconds: text::after(after, "approx")
                         .and_then(|text| text.split_whitespace().next()?.trim_end_matches(',').parse().ok()),
@@ -176,13 +182,14 @@ impl<F: Float + FromStr> Header<F> {
         channel: String,
     ) -> Result<Reading<F>, String> {
         let stated = format!("the number of samples = {}", self.count);
-        let step = self.step.and_then(|stated| step(stated, self.count, self.seconds));
-        let step = step.ok_or_else(|| {
-            let found = self.step.map_or("missing".to_owned(), |step| step.to_string());
+        let step = step(self.steps, self.count, self.seconds).ok_or_else(|| {
+            let [own, recorder] =
+                self.steps.map(|step| step.map_or("missing".to_owned(), |step| step.to_string()));
             options.at(
                 self.line,
                 &format!(
-                    "the step, number 34 of the real header, is {found}, which does not agree with this line"
+                    "the step, number 62 of the real header, is {own}, and that of the recorder, number 34, is \
+                     {recorder}, which does not agree with this line"
                 ),
             )
         })?;
@@ -202,11 +209,16 @@ mod tests {
 
     #[test]
     fn a_step_is_in_ms_or_in_s_as_the_duration_says() {
-        assert_eq!(step(20.0, 400, Some(8.0)), Some(0.02));
-        assert_eq!(step(0.005, 12725, Some(63.0)), Some(0.005));
-        assert_eq!(step(20.0, 400, Some(80.0)), None);
-        assert_eq!(step(-999.0, 400, Some(8.0)), None);
-        assert_eq!(step(10.0, 100, None), Some(0.01));
+        let of = |own: f64, recorder: f64, count, seconds| step([Some(own), Some(recorder)], count, seconds);
+        assert_eq!(of(-999.0, 20.0, 400, Some(8.0)), Some(0.02));
+        assert_eq!(of(-999.0, 0.005, 12725, Some(63.0)), Some(0.005));
+        assert_eq!(of(-999.0, 20.0, 400, Some(80.0)), None);
+        assert_eq!(of(-999.0, -999.0, 400, Some(8.0)), None);
+        assert_eq!(step([None, Some(10.0)], 100, None), Some(0.01));
+        // The recorder sampled four times as often as the samples of the file.
+        assert_eq!(of(20.0, 0.005, 40, Some(0.8)), Some(0.02));
+        assert_eq!(of(0.5, 0.005, 40, None), Some(0.0005));
+        assert_eq!(of(20.0, 0.005, 4000, Some(20.0)), None);
     }
 
     #[test]

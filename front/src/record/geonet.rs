@@ -24,7 +24,10 @@ pub(super) fn read<F: Float + FromStr>(
         }
         let component = Component::read(lines, options, first)?;
         names.push(component.name.clone());
-        let is_wanted = options.is_channel(names.len(), &component.name).unwrap_or(true);
+        // Such as S16W of “S16W  Longitudinal Accelerometer Axis”.
+        let short = component.name.split_whitespace().next().unwrap_or_default();
+        let is_wanted = options.is_channel(names.len(), &component.name).unwrap_or(true)
+            || options.is_channel(names.len(), short) == Some(true);
         let mut reading = None;
         if is_wanted {
             reading = Some(component.samples(lines, options)?);
@@ -89,7 +92,9 @@ impl<F: Float + FromStr> Component<F> {
         let (_, name) = value("Component").ok_or_else(|| options.at(start, "must name its Component"))?;
         // Acceleration:  Peak  -2080.5 mm/s/s at  23.28 s
         let unit = value("Acceleration").and_then(|(line, text)| {
-            let unit = text.strip_prefix("Peak")?.split_whitespace().nth(1)?.to_owned();
+            let mut words = text.split_whitespace();
+            let unit = words.next().filter(|word| word.eq_ignore_ascii_case("peak")).and(words.nth(1));
+            let unit = unit?.to_owned();
             Some((line, unit))
         });
         let row = |place: usize| -> Result<(u64, Vec<F>), String> {

@@ -147,8 +147,10 @@ pub(super) fn cwb<F: Float + FromStr>(
     let length: f64 = positive(options, "#RecordLength(sec)", &duration)?;
     let reading = table::read(lines, options, Known { kind: "CWB", names, unit: Some(unit) })?;
     let read = reading.summary.samples as f64;
-    // The length is rounded to a hundredth of a second, and the last sample may be at its end.
-    if (read - rate * length).abs() > 1.5 + 0.01 * rate {
+    // The last sample may be at the end of the length, and a product that is not whole is one of rounded numbers.
+    let due = rate * length;
+    let off = due.abs() * f64::EPSILON * 4.0;
+    if read < (due + off).floor() || read > (due - off).ceil() + 1.0 {
         return Err(format!(
             "{}: #RecordLength(sec) × #SampleRate(Hz) = {}, but the file has {read} samples",
             options.name,

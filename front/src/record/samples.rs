@@ -1,7 +1,7 @@
 //! The samples of a file while it is read.
 
 use super::lines::Lines;
-use super::{Options, Reading, Summary, Unit, text};
+use super::{Cut, Options, Reading, Summary, Unit, text};
 use std::io::BufRead;
 use std::str::FromStr;
 use stickslip::motion::record::Record;
@@ -10,13 +10,10 @@ use stickslip::{Error, Excitation, Float};
 /// The memory of the samples in bytes: 33 million of f64.
 const MOST: usize = 1 << 28;
 
-/// Samples in the unit of a file, with what the summary says of them.
+/// Samples in the unit of a file.
 pub(super) struct Samples<F> {
     values: Vec<F>,
     unit: Unit,
-    peak: F,
-    peak_index: usize,
-    sum: f64,
 }
 
 /// The times of samples.
@@ -27,7 +24,7 @@ pub(super) enum Times<F> {
 
 impl<F: Float + FromStr> Samples<F> {
     pub(super) fn new(unit: Unit) -> Self {
-        Self { values: Vec::new(), unit, peak: F::int(0), peak_index: 0, sum: 0.0 }
+        Self { values: Vec::new(), unit }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -36,23 +33,13 @@ impl<F: Float + FromStr> Samples<F> {
 
     /// Adds a sample in the unit of the file.
     pub(super) fn push(&mut self, value: F) -> Result<(), String> {
-        let own = self.unit.times(value);
-        self.push_both(value, own)
-    }
-
-    /// Adds a sample in the unit of the file, and in the system of the reader.
-    pub(super) fn push_both(&mut self, value: F, own: F) -> Result<(), String> {
-        if !own.is_finite() {
+        if !self.unit.times(value).is_finite() {
             return Err(format!("{value}: must be finite in the units of the answer"));
         }
         if self.values.len().saturating_mul(size_of::<F>()) >= MOST {
             return Err(format!("must have at most {} samples", self.values.len()));
         }
-        if self.values.is_empty() || value.abs() > self.peak.abs() {
-            (self.peak, self.peak_index) = (value, self.values.len());
-        }
-        self.sum += value.to_f64();
-        self.values.push(own);
+        self.values.push(value);
         Ok(())
     }
 
@@ -106,7 +93,7 @@ impl<F: Float + FromStr> Samples<F> {
         Ok(())
     }
 
-    /// The record of these samples, and its summary.
+    /// The record of these samples, cut as the options say, and its summary.
     pub(super) fn finish(
         self,
         kind: &'static str,
@@ -116,37 +103,72 @@ impl<F: Float + FromStr> Samples<F> {
         start: F,
         options: &Options<'_, F>,
     ) -> Result<Reading<F>, String> {
-        let (count, unit) = (self.values.len(), self.unit.name);
+        let Self { values, unit } = self;
         let record = match times {
             Times::Step(step) => {
-                Record::new(excitation, step, self.values).and_then(|record| record.beginning_at(start))
+                Record::new(excitation, step, values).and_then(|record| record.beginning_at(start))
             }
-            Times::Each(times) => Record::at_times(excitation, times, self.values),
+            Times::Each(times) => Record::at_times(excitation, times, values),
         };
-        let record = record.map_err(|error| match error {
+        let named = |error| match error {
             Error::InSample { index, error } => {
                 format!("{}: sample {}: {error}", options.name, index.saturating_add(1))
             }
             error => format!("{}: {error}", options.name),
-        })?;
+        };
+        let mut record = record.map_err(named)?;
+        if let Some(Cut { from, to, typed }) = options.cut {
+            let (first, last) = (record.time(0), record.end());
+            record = record
+                .between(from.unwrap_or(first), to.unwrap_or(last))
+                .map_err(|error| format!("{typed}: {error}"))?;
+        }
         let quantity = match excitation {
             Excitation::Force => "force",
             Excitation::FootMotion => "foot displacement",
             Excitation::DampedFootMotion => "damped foot displacement",
             _ => "acceleration",
         };
+        // Values with units of their own are those of the system.
+        let told = |value: F| match unit.factor {
+            Some(_) => value,
+            None => options.reader.system().shown(unit.kind, value),
+        };
+        let peak = |most: (usize, F), (place, sample): (usize, &F)| {
+            if sample.abs() > most.1.abs() { (place, *sample) } else { most }
+        };
+        let first = record.samples().first().copied().unwrap_or(F::int(0));
+        let (peak_index, peak) = record.samples().iter().enumerate().fold((0, first), peak);
         let summary = Summary {
             kind,
             channel,
             quantity,
-            samples: count,
+            samples: record.samples().len(),
             time_step: record.step().map(F::to_f64),
             duration: (record.end() - record.time(0)).to_f64(),
-            peak: self.peak.to_f64(),
-            peak_at: record.time(self.peak_index).to_f64(),
-            mean: self.sum / count as f64,
-            unit,
+            peak: told(peak).to_f64(),
+            peak_at: record.time(peak_index).to_f64(),
+            mean: mean(&record, told),
+            unit: unit.name.clone(),
         };
+        let record = record.mapped(|sample| unit.times(sample)).map_err(named)?;
         Ok(Reading { record, summary, unused: Vec::new() })
     }
+}
+
+/// The mean over time of the straight lines between the samples, each of which is told in a unit. One that the rounding of
+/// times and samples may have made is 0.
+fn mean<F: Float>(record: &Record<F>, told: impl Fn(F) -> F) -> f64 {
+    let (first, last) = (record.time(0).to_f64(), record.end().to_f64());
+    let samples = record.samples().iter().map(|sample| told(*sample).to_f64());
+    let (mut area, mut size, mut before) = (0.0, 0.0, None);
+    for (index, sample) in samples.enumerate() {
+        let time = record.time(index).to_f64();
+        if let Some((from, other)) = before.replace((time, sample)) {
+            area += (time - from) * 0.5 * (sample + other);
+            // Each time has a rounding, whatever the length of its step.
+            size += (sample.abs() + other.abs()) * (first.abs() + last.abs());
+        }
+    }
+    if area.abs() <= size * f64::EPSILON { 0.0 } else { area / (last - first) }
 }

@@ -552,8 +552,7 @@ fn rows<F: Float + FromStr>(
             (Some(_), None) => return Err(at(&format!("{}: {text}: must be a number", columns.name))),
             (None, _) => {
                 let named = options.at(number_of_line, &columns.name);
-                let value = options.reader.value::<F>(&named, text, columns.kind)?;
-                samples.push_both(options.reader.system().shown(columns.kind, value), value)
+                samples.push(options.reader.value::<F>(&named, text, columns.kind)?)
             }
         };
         pushed.map_err(|what| at(&format!("{}: {what}", columns.name)))?;
@@ -590,15 +589,17 @@ fn rows<F: Float + FromStr>(
     Ok(reading)
 }
 
-/// The first time and the step, if the times are equally spaced but for the rounding of their text: no time is further
-/// than a millionth of the step from its place.
+/// The first time and the step, if the times are equally spaced but for the rounding of the numbers that they are read
+/// into.
 fn even<F: Float + FromStr>(times: &[F]) -> Option<(F, F)> {
     let (&first, &last) = (times.first()?, times.last()?);
     let count = times.len().checked_sub(1).filter(|count| *count > 0)?;
     let step = (last - first) / F::from_f64(count as f64);
+    // A time has a rounding of its own and perhaps one of its unit; a place has those of the step, its product and its sum.
+    let rounding = (first.abs() + last.abs()) * F::epsilon() * F::int(4);
     let near = |(index, time): (usize, &F)| {
         let place = first + step * F::from_f64(index as f64);
-        (*time - place).abs() <= step.abs() * F::ratio(1, 1_000_000)
+        (*time - place).abs() <= rounding
     };
     (step > F::int(0) && times.iter().enumerate().all(near)).then_some((first, step))
 }

@@ -299,9 +299,8 @@ class Record:
 
     def between(self, start: float, end: float) -> "Record":
         """The samples from one time to another, both included, in seconds."""
-        times = self.times
-        low, high = np.searchsorted(times, [of_number("start", start), of_number("end", end)])
-        return self[int(low) : int(high) + int(high < len(times) and times[high] == end)]
+        within = of_number("start", start), of_number("end", end)
+        return self[slice(*_native.record_between(self.of, self._times, self.samples, within))]
 
     def __mul__(self, factor: float) -> "Record":
         return self.scaled(factor)

@@ -42,6 +42,8 @@ impl<F: Float> Task for Alone<'_, F> {
             let samples = samples.get(index..equal).unwrap_or_default();
             if length > F::int(0) {
                 follow_equal(body, samples, |taken| record.time(index.saturating_add(taken)), length);
+            } else if let &[first, second, ..] = samples {
+                body.jump([first, second], record.time(index));
             }
             index = equal.saturating_sub(1);
         }
@@ -84,7 +86,12 @@ fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(u
         }
         write(body, state, &limits, steps, length);
         let linear = &body.follower.linear;
-        let is_taken = match turning.alone(linear, &quiet, state, &limits, [first, second], &step) {
+        let turn = if body.is_followed([first, second]) {
+            None
+        } else {
+            turning.alone(linear, &quiet, state, &limits, [first, second], &step)
+        };
+        let is_taken = match turn {
             Some(turn) => body.turn(&turn, [first, second], start, &step, whole.as_ref()),
             None => body.take([first, second], start, &step, whole.as_ref()),
         };
@@ -107,7 +114,7 @@ fn follow_equal<F: Float>(body: &mut Followed<F>, samples: &[F], time: impl Fn(u
 /// Returns the state after so many quiet steps to its body.
 #[inline(always)]
 fn write<F: Float>(body: &mut Followed<F>, state: [F; 2], limits: &Limits<F>, steps: usize, length: F) {
-    [body.follower.x, body.follower.v] = state;
+    body.set_state(state);
     limits.write(body);
     body.rested(steps, length);
 }

@@ -2,6 +2,7 @@
 
 use super::alone;
 use super::body::{Body, Constants};
+use super::damper::Damper;
 use super::follow::{Failed, Failure, Follower, Mode, Onset, Watch};
 use super::load::{After, Factors, Piece, Record};
 use super::number::Number;
@@ -37,12 +38,14 @@ macro_rules! answers {
         /// slope that is steeper than friction where the slide begins that does not end, or at the end of the record.
         ///
         /// Extremes are those of all times at which the body slides, or rests for a time > 0; an instant between two slides
-        /// is none of them. An extreme that is the limit of the motion has no time.
+        /// is none of them, nor is that of an impulse. An extreme that is the limit of the motion has no time.
         #[derive(Debug, Clone, Copy, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[non_exhaustive]
         pub struct RecordAnswer<F> {
             $($(#[$doc])+ pub $answer: $type,)*
+            /// Whether the body never rests, and only tends to the residual displacement.
+            pub tends_to_rest: bool,
         }
 
         impl<F> RecordAnswer<F> {
@@ -55,7 +58,10 @@ macro_rules! answers {
             /// The answers in another form; `None` where one has none.
             #[cfg(feature = "mp")]
             pub(crate) fn map<G>(&self, of: impl Fn(&F) -> Option<G>) -> Option<RecordAnswer<G>> {
-                Some(RecordAnswer { $($answer: answers!(@map $form of, self.$answer),)* })
+                Some(RecordAnswer {
+                    $($answer: answers!(@map $form of, self.$answer),)*
+                    tends_to_rest: self.tends_to_rest,
+                })
             }
         }
     };
@@ -126,7 +132,8 @@ answers! {
     equivalent_damping_ratio: Option<F>, optional Ratio;
     /// Work of friction.
     friction_work: F, number Energy;
-    /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving support u.
+    /// Work of the damper: ∫ c x′² dt, or ∫ c(x′ − u′)² dt where it stands on a moving support u, over the times between its
+    /// jumps, whose own work has no bound.
     damper_work: F, number Energy;
     /// Work of the load and of the constant force on the body: ∫ (p + p̄)x′ dt with the force p, −m a of an acceleration a of
     /// the surface, or k u + c u′ of a support.
@@ -159,6 +166,8 @@ impl<F: Number> Follower<F> {
         if is_free {
             watch.freed();
             self.let_go(excitation == Excitation::DampedFootMotion);
+        } else if after == After::Zero {
+            self.jump(factors, [last, F::int(0)], end, watch).ok_or(Failure::Uncertain)?;
         }
         Ok((self.settle(end, factors.after(after, last), watch)?, is_free))
     }
@@ -194,7 +203,7 @@ impl<F: Float> End<F> {
         let (x, v) = (follower.x, follower.v);
         let mut foot = F::int(0);
         if factors.damper > F::int(0) {
-            for (_, length, samples) in record.steps() {
+            for (_, length, samples) in record.steps().filter(|(_, length, _)| *length > F::int(0)) {
                 let piece = Piece::new(factors, samples, length, F::int(1) / length);
                 foot = foot + piece.work_at_rest(&follower.constants);
             }
@@ -246,7 +255,7 @@ impl<F: Float> Body<F> {
         let start = record.time(0);
         let constants = Constants::of(self, |x| x);
         let factors = Factors::new(record.excitation(), self.mass(), &constants);
-        let first = record.steps().next();
+        let first = record.steps().find(|(_, length, _)| *length > F::int(0));
         let first =
             first.map(|(_, length, samples)| Piece::new(&factors, samples, length, F::int(1) / length));
         let begun = first.and_then(|first| begun(constants, [x, v], record.longest_step(), start, &first));
@@ -278,10 +287,23 @@ impl<F: Float> Body<F> {
         watch: &mut impl Watch<F>,
     ) -> Result<End<F>, Error> {
         for (time, length, samples) in record.steps() {
-            let piece = Piece::new(factors, samples, length, F::int(1) / length);
-            follower.step(&piece, time, None, watch).map_err(|failure| failed((failure, time)))?;
+            let taken = if length > F::int(0) {
+                let piece = Piece::new(factors, samples, length, F::int(1) / length);
+                follower.step(&piece, time, None, watch)
+            } else {
+                follower.jump(factors, samples, time, watch).ok_or(Failure::Uncertain)
+            };
+            taken.map_err(|failure| failed((failure, time)))?;
         }
         End::of(record, follower, factors, watch)
+    }
+
+    /// The work of the damper of this body by its own integral, where the motion from x and v has an end.
+    fn damper_work(&self, record: &Record<F>, [x, v]: [F; 2]) -> Result<Option<F>, Error> {
+        let Followed { mut follower, factors, .. } = self.followed(record, x, v)?;
+        let mut damper = Damper::new(follower.constants.rate);
+        self.watched(record, &mut follower, &factors, &mut damper)?;
+        Ok(damper.work().map(|work| work * self.mass()))
     }
 
     /// The answers of a motion from x and v.
@@ -293,7 +315,13 @@ impl<F: Float> Body<F> {
         totals: &Totals<F>,
     ) -> Result<RecordAnswer<F>, Error> {
         let weights = Weights::of(self, |x| x);
-        let answer = weights.answer(record.excitation(), start, end, totals);
+        let mut answer = weights.answer(record.excitation(), start, end, totals);
+        if let Some(answer) = &mut answer {
+            let size = answer.load_work.abs() + answer.friction_work.abs() + self.mass() * end.foot;
+            if weights.has_damper && answer.damper_work.abs() < size * F::ratio(1, 1 << 20) {
+                answer.damper_work = self.damper_work(record, start)?.unwrap_or(answer.damper_work);
+            }
+        }
         // Works and forces may leave a range that the motion is in.
         let answer = answer.filter(|answer| {
             answer.entries().iter().all(|(.., entry)| match entry {
@@ -429,6 +457,7 @@ impl<F: Number> Weights<F> {
             friction_work,
             damper_work,
             load_work,
+            tends_to_rest: matches!(end.rest, Rest::Limit(_)),
         })
     }
 }

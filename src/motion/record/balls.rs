@@ -105,22 +105,42 @@ fn known<const N: usize, const W: usize>(x: Mp<N>) -> Ball<W> {
     Ball::new(mid, own.plus(rounding))
 }
 
-/// The steps of a record, each with its time and its load per mass.
-fn pieces<const N: usize, const W: usize>(
+/// What a record does after a sample.
+#[derive(Debug)]
+enum Change<B> {
+    /// The load per mass to the next sample.
+    Piece(Piece<B>),
+    /// Two samples at one time.
+    Jump([B; 2]),
+}
+
+impl<B> Change<B> {
+    fn piece(self) -> Option<Piece<B>> {
+        match self {
+            Self::Piece(piece) => Some(piece),
+            Self::Jump(_) => None,
+        }
+    }
+}
+
+/// The changes of a record, each with its time.
+fn changes<const N: usize, const W: usize>(
     record: &Record<Mp<N>>,
     factors: Factors<Ball<W>>,
-) -> impl Iterator<Item = (Ball<W>, Piece<Ball<W>>)> + '_ {
+) -> impl Iterator<Item = (Ball<W>, Change<Ball<W>>)> + '_ {
     let samples = record.samples();
     let step = record.step().map(known::<N, W>);
     let time = move |index: usize| match step {
         Some(step) => known(record.time(0)) + Ball::count(index) * step,
         None => known(record.time(index)),
     };
-    samples.iter().zip(samples.iter().skip(1)).enumerate().filter_map(move |(index, (&first, &second))| {
-        if step.is_none() && record.time(index) == record.time(index.saturating_add(1)) {
-            return None;
-        }
+    samples.iter().zip(samples.iter().skip(1)).enumerate().map(move |(index, (&first, &second))| {
         let start = time(index);
+        if step.is_none() && record.time(index) == record.time(index.saturating_add(1)) {
+            // Equal samples are one number here, too.
+            let samples = if first == second { [Ball::int(0); 2] } else { [known(first), known(second)] };
+            return (start, Change::Jump(samples));
+        }
         let length = step.unwrap_or_else(|| time(index.saturating_add(1)) - start);
         let from = known(first);
         // Equal samples are one number, so that the load between them has no slope.
@@ -135,7 +155,7 @@ fn pieces<const N: usize, const W: usize>(
                 ..piece
             };
         }
-        Some((start, piece))
+        (start, Change::Piece(piece))
     })
 }
 
@@ -157,14 +177,20 @@ pub(crate) fn follow<const N: usize, const W: usize>(
     let (begin, start) = (record.time(0), [x, v].map(known::<N, W>));
     let excitation = record.excitation();
     let factors = Factors::new(excitation, weights.mass, &constants);
-    let mut steps = pieces::<N, W>(record, factors).peekable();
-    let begun = steps
-        .peek()
-        .and_then(|(time, first)| begun(constants, start, known(record.longest_step()), *time, first));
+    let mut pieces =
+        changes::<N, W>(record, factors).filter_map(|(time, change)| Some((time, change.piece()?)));
+    let begun = pieces
+        .next()
+        .and_then(|(time, first)| begun(constants, start, known(record.longest_step()), time, &first));
     let (mut follower, mut totals) = begun.ok_or_else(|| uncertain(begin))?;
-    for (index, (time, piece)) in steps.enumerate() {
-        let step = follower.step(&piece, time, None, &mut totals);
-        step.map_err(|failure| failed((failure, record.time(index))))?;
+    for (index, (time, change)) in changes::<N, W>(record, factors).enumerate() {
+        let taken = match change {
+            Change::Piece(piece) => follower.step(&piece, time, None, &mut totals),
+            Change::Jump(samples) => {
+                follower.jump(&factors, samples, time, &mut totals).ok_or(Failure::Uncertain)
+            }
+        };
+        taken.map_err(|failure| failed((failure, record.time(index))))?;
     }
     let end = record.end();
     let (x, v) = (follower.x, follower.v);
@@ -177,8 +203,8 @@ pub(crate) fn follow<const N: usize, const W: usize>(
         .ended(what, &factors, [ended, last], &mut totals)
         .map_err(|failure| failed((failure, end)))?;
     let foot = if excitation == Excitation::DampedFootMotion && weights.has_damper {
-        let works = pieces::<N, W>(record, factors).map(|(_, piece)| piece.work_at_rest(&constants));
-        works.fold(Ball::int(0), |sum, work| sum + work)
+        let pieces = changes::<N, W>(record, factors).filter_map(|(_, change)| change.piece());
+        pieces.fold(Ball::int(0), |sum, piece| sum + piece.work_at_rest(&constants))
     } else {
         Ball::int(0)
     };

@@ -268,6 +268,13 @@ impl<F: Float> Watch<F> for Floor<F> {
         Some(())
     }
 
+    fn struck(&mut self, [before, after]: [F; 2], _: F) -> Option<()> {
+        for Oscillator { state: [_, velocity], .. } in &mut self.oscillators {
+            *velocity = *velocity - (after - before);
+        }
+        Some(())
+    }
+
     fn freed(&mut self) {}
 
     fn counted(&mut self) {}

@@ -2,7 +2,7 @@
 
 use super::body::Constants;
 use super::linear::{Linear, Responses};
-use super::load::Piece;
+use super::load::{Factors, Piece};
 use super::number::Number;
 use super::slide::{Moment, Slide};
 
@@ -45,6 +45,8 @@ pub(super) trait Watch<F> {
     fn released(&mut self, time: F, x: F, sign: F, onset: Onset);
     /// A slide ends.
     fn stopped(&mut self, time: F, x: F) -> Option<()>;
+    /// An impulse changes the velocity from the first of these to the second.
+    fn struck(&mut self, velocities: [F; 2], time: F) -> Option<()>;
     /// The support of the spring lets go.
     fn freed(&mut self);
     /// The counts end here: the motion has no last stop.
@@ -111,6 +113,10 @@ pub(super) struct Follower<F> {
     pub(super) v: F,
     /// The acceleration while it slides.
     pub(super) a: F,
+    /// The constant load under which the last stretch of a damped slide ended with this velocity and acceleration. As
+    /// parts of a free vibration they keep their digits however far they fall, where the sum of the forces has its
+    /// rounding: a body that only tends to rest has no stop in it.
+    pub(super) kept: Option<F>,
     pub(super) mode: Mode<F>,
     pub(super) last: Ended<F>,
     /// The greatest |x| at a stop.
@@ -148,7 +154,19 @@ impl<F: Number> Follower<F> {
         };
         let last = Ended { sign: zero, began: time, length: zero, has_rested: false, lost: None };
         let omega = constants.square.sqrt();
-        Some(Self { constants, omega, linear, x, v, a: zero, mode, last, widest: x.abs(), events: 0 })
+        Some(Self {
+            constants,
+            omega,
+            linear,
+            x,
+            v,
+            a: zero,
+            kept: None,
+            mode,
+            last,
+            widest: x.abs(),
+            events: 0,
+        })
     }
 
     /// The acceleration with which the motion begins, on the first step of a record.
@@ -165,12 +183,20 @@ impl<F: Number> Follower<F> {
 
     /// The responses after a step, where it is shorter than π/d.
     pub(super) fn whole_step(&self, length: F) -> Option<Responses<F>> {
-        if self.parts(length)? == 1 { self.linear.at(length) } else { None }
+        if Self::parts(length, self.linear.shortness)? == 1 { self.linear.at(length) } else { None }
     }
 
-    /// The least number of equal parts of a length in which the certificate of a stop holds.
-    fn parts(&self, length: F) -> Option<i32> {
-        let parts = length * self.linear.shortness;
+    /// Whether without a spring nothing but a damper changes the speed of a slide over a step: it then has one zero at most,
+    /// but may fall as far as e^{−2βt}.
+    fn is_fading(&self, piece: &Piece<F>) -> bool {
+        let Constants { rate, square, .. } = &self.constants;
+        let is_constant = (piece.slope.positive(), piece.slope.negative()) == (Some(false), Some(false));
+        is_constant && square.positive() == Some(false) && rate.positive() == Some(true)
+    }
+
+    /// The least number of equal parts of a length in which the certificate of a stop holds, by 1 over the longest one.
+    fn parts(length: F, shortness: F) -> Option<i32> {
+        let parts = length * shortness;
         // Without a spring and a damper any length is one part.
         if parts.positive()? { parts.whole()?.checked_add(1) } else { Some(1) }
     }
@@ -180,6 +206,19 @@ impl<F: Number> Follower<F> {
     pub(super) fn acceleration(&self, load: F, sign: F) -> F {
         let c = &self.constants;
         load + c.mean - sign * c.friction - c.rate * self.v - c.square * self.x
+    }
+
+    /// Whether the acceleration is that with which the body came to a load.
+    fn has_kept(&self, load: F) -> bool {
+        let change = self.kept.map(|kept| load - kept);
+        change.is_some_and(|change| (change.positive(), change.negative()) == (Some(false), Some(false)))
+    }
+
+    /// Sets the acceleration of a slide that comes to a load.
+    pub(super) fn meet(&mut self, load: F, sign: F) {
+        if !self.has_kept(load) {
+            self.a = self.acceleration(load, sign);
+        }
     }
 
     pub(super) fn slide(&self, slope: F, sign: F) -> Slide<F> {
@@ -196,7 +235,7 @@ impl<F: Number> Follower<F> {
         watch: &mut impl Watch<F>,
     ) -> Result<(), Failure> {
         if let Mode::Slide(sign) = self.mode {
-            self.a = self.acceleration(piece.from, sign);
+            self.meet(piece.from, sign);
         }
         self.step_from(piece, [start, F::int(0)], whole, watch)
     }
@@ -213,6 +252,7 @@ impl<F: Number> Follower<F> {
         // Stretches since the last event, and whether the slide has no stop in this step.
         let (mut walked, mut goes_on) = (0i32, false);
         // The responses after the rest of the step.
+        let whole = if self.is_fading(piece) { None } else { whole };
         let mut after = if from.positive().ok_or(Failure::Uncertain)? { None } else { whole };
         while events < EVENTS && at_once < EVENTS_AT_ONCE {
             let left = piece.length - from;
@@ -245,7 +285,7 @@ impl<F: Number> Follower<F> {
                     let reach = match whole {
                         // A part of a short step is short.
                         Some(_) => Reach { length: left, is_short: true, is_last: true },
-                        None => self.reach(left, walked)?,
+                        None => self.reach(left, walked, self.is_fading(piece))?,
                     };
                     let (length, is_short) = (reach.length, reach.is_short);
                     let how = How { can_stop: !goes_on && is_short, is_short };
@@ -283,14 +323,15 @@ impl<F: Number> Follower<F> {
     /// more than a period, or as long as the slowest decay is not lost in rounding, it has none in this step. Its extremes,
     /// and those of a and of a less the load, are in the stretches already taken or in as many before the end of the
     /// step, so that one stretch leads there.
-    fn reach(&self, left: F, walked: i32) -> Result<Reach<F>, Failure> {
+    fn reach(&self, left: F, walked: i32, is_fading: bool) -> Result<Reach<F>, Failure> {
         let many = F::MOST_TERMS.saturating_mul(2);
-        Ok(match self.parts(left) {
+        let shortness = if is_fading { self.constants.rate * F::ratio(1, 4) } else { self.linear.shortness };
+        Ok(match Self::parts(left, shortness) {
             Some(parts) if parts <= many => {
                 Reach { length: left / F::int(parts), is_short: true, is_last: parts == 1 }
             }
             _ => {
-                let length = F::ratio(31, 32) / self.linear.shortness;
+                let length = F::ratio(31, 32) / shortness;
                 length.positive().filter(|is_positive| *is_positive).ok_or(Failure::Bound)?;
                 let is_short = walked < F::MOST_TERMS;
                 let length = if is_short { length } else { left - length * F::int(F::MOST_TERMS) };
@@ -348,7 +389,7 @@ impl<F: Number> Follower<F> {
         } else {
             Onset::Released
         };
-        (self.mode, self.v, self.a) = (Mode::Slide(sign), F::int(0), a);
+        (self.mode, self.v, self.a, self.kept) = (Mode::Slide(sign), F::int(0), a, None);
         let began = if onset == Onset::Touched { last.began } else { time };
         self.last = Ended { sign, began, length: F::int(0), has_rested: false, lost: None };
         watch.released(time, self.x, sign, onset);
@@ -362,12 +403,52 @@ impl<F: Number> Follower<F> {
         self.last = Ended { sign, began, length: time - began, has_rested: false, lost: Some(zero) };
         self.widest = self.widest.larger(self.x.abs());
         (self.v, self.mode) = (zero, Mode::Rest);
+        if self.constants.held.positive() == Some(true) {
+            self.kept = None;
+        }
         watch.stopped(time, self.x)
+    }
+
+    /// Takes a jump of a record from one sample to another: a damper on the support strikes the body with the impulse c Δu
+    /// per mass. Friction, which is bounded, has none, unless the body moves one way.
+    pub(super) fn jump(
+        &mut self,
+        factors: &Factors<F>,
+        [first, second]: [F; 2],
+        time: F,
+        watch: &mut impl Watch<F>,
+    ) -> Option<()> {
+        let (zero, before) = (F::int(0), self.v);
+        let change = factors.damper * (second - first);
+        if !change.positive()? && !change.negative()? {
+            return Some(());
+        }
+        self.kept = None;
+        let after = before + change;
+        let sign = match (after.positive()?, after.negative()?) {
+            (true, _) => F::int(1),
+            (_, true) if !self.constants.is_one_way => F::int(-1),
+            _ => zero,
+        };
+        if let Mode::Slide(way) = self.mode {
+            if (way * sign).positive()? {
+                self.v = after;
+                return watch.struck([before, after], time);
+            }
+            watch.struck([before, zero], time)?;
+            self.end(time, way, watch)?;
+        }
+        if !sign.positive()? && !sign.negative()? {
+            return Some(());
+        }
+        self.begin([sign, zero], time, second * factors.factor, watch)?;
+        self.v = after;
+        watch.struck([zero, after], time)
     }
 
     /// Takes away the spring, whose support lets go, and the damper if it stands on the support, too.
     pub(super) fn let_go(&mut self, is_damper_on_foot: bool) {
-        (self.constants.square, self.omega) = (F::int(0), F::int(0));
+        (self.constants.square, self.omega, self.kept) = (F::int(0), F::int(0), None);
         if is_damper_on_foot {
             self.constants.rate = F::int(0);
         }
@@ -438,7 +519,12 @@ impl<F: Number> Follower<F> {
         };
         watch.slid(linear, &slide, &stretch).ok_or(Failure::Uncertain)?;
         (self.x, self.v) = (self.x + end.moved, end.v);
-        self.a = self.acceleration(load(from + length), sign);
+        let is_constant = (piece.slope.positive(), piece.slope.negative()) == (Some(false), Some(false));
+        if is_constant && self.constants.rate.positive() == Some(true) {
+            (self.a, self.kept) = (end.a, Some(piece.from));
+        } else {
+            (self.a, self.kept) = (self.acceleration(load(from + length), sign), None);
+        }
         if stop.is_some() {
             self.end(start + (from + length), sign, watch).ok_or(Failure::Uncertain)?;
         }
@@ -453,11 +539,15 @@ impl<F: Number> Follower<F> {
         let c = &self.constants;
         let offset = c.mean - c.square * self.x;
         let load = piece.from + piece.slope * from;
-        let (now, later) = (load + offset, piece.to + offset);
+        // Without friction the force on the body that has just stopped is that with which it stopped.
+        let own = if c.held.positive()? || !self.has_kept(load) { None } else { Some(self.a) };
+        let is_constant = !piece.slope.positive()? && !piece.slope.negative()?;
+        let now = own.unwrap_or(load + offset);
+        let later = own.filter(|_| is_constant).unwrap_or(piece.to + offset);
         let size = self.size(load.abs().larger(piece.to.abs()));
         let exceeds = |force: F| {
             let excess = force - c.held;
-            Some(excess.positive()? && !F::is_lost(excess, size))
+            Some(excess.positive()? && (own.is_some() || !F::is_lost(excess, size)))
         };
         let signs = || [F::int(1), F::int(-1)].into_iter().take(if c.is_one_way { 1 } else { 2 });
         // What holds now comes before what will hold.

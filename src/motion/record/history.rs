@@ -189,6 +189,10 @@ impl<F: Float> Watch<F> for History<F> {
         Some(())
     }
 
+    fn struck(&mut self, velocities: [F; 2], time: F) -> Option<()> {
+        self.totals.struck(velocities, time)
+    }
+
     fn freed(&mut self) {
         self.totals.freed();
     }

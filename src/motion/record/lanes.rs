@@ -48,8 +48,7 @@ impl<F: Float, const L: usize> State<F, L> {
 
     /// Returns the state of a lane to its body.
     fn write(&self, lane: usize, body: &mut Followed<F>) {
-        body.follower.x = at(&self.x, lane);
-        body.follower.v = at(&self.v, lane);
+        body.set_state([at(&self.x, lane), at(&self.v, lane)]);
         body.totals.load_work = at(&self.load_work, lane);
         body.totals.foot_work = at(&self.foot_work, lane);
         self.limits.at(lane).write(body);
@@ -186,9 +185,8 @@ pub(super) fn follow<F: Float, const L: usize>(
     let (mut even, mut odd) = (State::<F, L>::new(), State::<F, L>::new());
     let mut whole = Vec::new();
     let mut step = Step::new(F::int(0));
-    // The steps taken, and whether the load has changed at once after the last one: rests are counted up to there, as for
-    // a body alone.
-    let (mut steps, mut is_cut) = (0usize, false);
+    // The steps taken, and the jump of the load after the last one: rests are counted up to there, as for a body alone.
+    let (mut steps, mut jump) = (0usize, None);
     let samples = record.samples();
     for (index, (&first, &second)) in samples.iter().zip(samples.iter().skip(1)).enumerate() {
         if index.is_multiple_of(SAMPLES) && keep_going().is_break() {
@@ -201,13 +199,12 @@ pub(super) fn follow<F: Float, const L: usize>(
         let length = record.step_after(index);
         if length == F::int(0) {
             // Two samples at one time: the next step begins with the second.
-            is_cut = true;
+            jump = Some(([first, second], record.time(index)));
             continue;
         }
         let is_even = steps.is_multiple_of(2);
-        if length != step.length || is_cut {
-            is_cut = false;
-            let before = step.length;
+        if length != step.length || jump.is_some() {
+            let (jump, before) = (jump.take(), step.length);
             let now = if is_even { &mut even } else { &mut odd };
             step = Step::new(length);
             whole = bodies.iter().map(|body| body.follower.whole_step(length)).collect();
@@ -215,6 +212,7 @@ pub(super) fn follow<F: Float, const L: usize>(
                 if steps > 0 {
                     lanes.write(now, lane, body, before, steps);
                 }
+                struck(body, jump);
                 lanes.read(lane, body, whole.as_ref(), &step, steps);
                 now.read(lane, body);
             }
@@ -248,6 +246,14 @@ pub(super) fn follow<F: Float, const L: usize>(
         if steps > 0 {
             lanes.write(now, lane, body, step.length, steps);
         }
+        struck(body, jump);
+    }
+}
+
+/// Takes a jump of the load at a time, if there is one, with a body that is still followed.
+fn struck<F: Float>(body: &mut Followed<F>, jump: Option<([F; 2], F)>) {
+    if let (Some((samples, time)), None) = (jump, body.failure) {
+        body.jump(samples, time);
     }
 }
 
@@ -267,11 +273,16 @@ fn take<F: Float, const L: usize>(
             continue;
         }
         lanes.write(now, lane, body, step.length, steps);
-        let turn = lanes.are_turns.then(|| lanes.turns.turn(lane)).flatten().or_else(|| {
-            let state = [at(&now.x, lane), at(&now.v, lane)];
-            let (linear, quiet) = (&body.follower.linear, lanes.quiet.at(lane));
-            lanes.turns.of(lane).alone(linear, &quiet, state, &now.limits.at(lane), samples, step)
-        });
+        let is_followed = body.is_followed(samples);
+        let turn =
+            (lanes.are_turns && !is_followed).then(|| lanes.turns.turn(lane)).flatten().or_else(|| {
+                if is_followed {
+                    return None;
+                }
+                let state = [at(&now.x, lane), at(&now.v, lane)];
+                let (linear, quiet) = (&body.follower.linear, lanes.quiet.at(lane));
+                lanes.turns.of(lane).alone(linear, &quiet, state, &now.limits.at(lane), samples, step)
+            });
         match turn {
             Some(turn) => body.turn(&turn, samples, time, step, whole.as_ref()),
             None => body.take(samples, time, step, whole.as_ref()),

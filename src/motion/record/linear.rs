@@ -102,10 +102,12 @@ impl<F: Number> Linear<F> {
         let (half, two, four) = (F::ratio(1, 2), F::int(2), F::int(4));
         let (beta, omega) = (rate * half, square.sqrt());
         let difference = (beta - omega) * (beta + omega);
-        let free = if difference.negative()? {
+        // Critical but for the rounding of its numbers is critical.
+        let is_critical = F::is_lost(difference.abs(), beta.square());
+        let free = if !is_critical && difference.negative()? {
             Free::Oscillating { decay: beta, frequency: (-difference).sqrt() }
         } else {
-            let d = difference.sqrt();
+            let d = if is_critical { F::int(0) } else { difference.sqrt() };
             let fast = beta + d;
             let slow = if fast.positive()? { square / fast } else { F::int(0) };
             Free::Creeping { slow, fast, between: two * d }

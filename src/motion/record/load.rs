@@ -9,6 +9,7 @@ use crate::machine::ratios::{finite, positive};
 use crate::named::named;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use core::ops::Range;
 use core::str::FromStr;
 
 /// A measured load: samples of a force on the body, of an acceleration of the surface, or of a displacement of the
@@ -36,7 +37,7 @@ named! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
     pub enum After [name] {
-        /// It is zero: a support jumps back to 0.
+        /// It is zero: a support jumps back to 0, with the impulse of a damper that stands on it.
         Zero = "zero",
         /// It stays at the last sample. A support then rests, so that its damper carries no velocity of it.
         Hold = "hold",
@@ -76,8 +77,8 @@ impl<F: Float> Record<F> {
         Self { excitation, times, samples, after }.checked()
     }
 
-    /// A record with samples at these times, which increase. Two samples at one time are a step of the load, unless a
-    /// damper stands on the support, whose velocity would be infinite.
+    /// A record with samples at these times, which increase. Two samples at one time are a step of the load. A damper on
+    /// a support that jumps by Δu gives the body the impulse c Δu.
     ///
     /// # Errors
     /// As [`Record::new`], and where the times are not as many as the samples, or do not increase.
@@ -87,10 +88,8 @@ impl<F: Float> Record<F> {
         }
         for (index, &time) in times.iter().enumerate() {
             let earlier = |by: usize| index.checked_sub(by).and_then(|before| times.get(before));
-            let is_jump = excitation != Excitation::DampedFootMotion
-                && earlier(1) == Some(&time)
-                && earlier(2) != Some(&time)
-                && times.first() != times.last();
+            let is_jump =
+                earlier(1) == Some(&time) && earlier(2) != Some(&time) && times.first() != times.last();
             let step = match earlier(1) {
                 Some(&before) if !is_jump => positive(Quantity::TimeStep, time - before),
                 _ => Ok(time),
@@ -176,26 +175,37 @@ impl<F: Float> Record<F> {
     ///
     /// # Errors
     /// Where the factor or a product is not finite.
-    pub fn scaled(mut self, factor: F) -> Result<Self, Error> {
+    pub fn scaled(self, factor: F) -> Result<Self, Error> {
         finite(Quantity::ScaleFactor, factor)?;
+        self.mapped(|sample| sample * factor)
+    }
+
+    /// This record with every sample replaced by this function of it.
+    ///
+    /// # Errors
+    /// Where a value of the function is not finite.
+    #[doc(hidden)]
+    pub fn mapped(mut self, of: impl Fn(F) -> F) -> Result<Self, Error> {
         for sample in &mut self.samples {
-            *sample = *sample * factor;
+            *sample = of(*sample);
         }
         self.checked()
     }
 
     /// The samples of this record within two times, both included; their times stay as they are.
     ///
+    /// Times are compared as decimals, not as the numbers to which these were rounded: two that differ by no more than
+    /// 2⁻⁴⁸ of the record's greatest time are one, and so are 0.015 and the third of the steps of 0.005. In a type of fewer
+    /// than 53 bits, 16 of its roundings take the place of 2⁻⁴⁸.
+    ///
     /// # Errors
     /// Where the times are not finite, are not in order, or fewer than two samples are between them.
     pub fn between(self, from: F, to: F) -> Result<Self, Error> {
-        positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
-        let first = (0..self.samples.len()).take_while(|&i| self.time(i) < from).count();
-        let end = (0..self.samples.len()).take_while(|&i| self.time(i) <= to).count();
-        let samples = self.samples.get(first..end).unwrap_or_default().to_vec();
+        let kept = self.places_between(from, to)?;
+        let samples = self.samples.get(kept.clone()).unwrap_or_default().to_vec();
         let times = match &self.times {
-            Times::Equal(start, step) => Times::Equal(*start + F::count(first) * *step, *step),
-            Times::Each(times) => Times::Each(times.get(first..end).unwrap_or_default().to_vec()),
+            Times::Equal(_, step) => Times::Equal(self.time(kept.start), *step),
+            Times::Each(times) => Times::Each(times.get(kept).unwrap_or_default().to_vec()),
         };
         Self { times, samples, ..self }.checked()
     }
@@ -205,6 +215,21 @@ impl<F: Float> Record<F> {
         (samples.len() == self.samples.len())
             .then(|| Self { samples, ..self.clone() }.checked().ok())
             .flatten()
+    }
+
+    /// The places of the samples that [`Record::between`] keeps.
+    ///
+    /// # Errors
+    /// Where the times are not finite, or are not in order.
+    #[doc(hidden)]
+    pub fn places_between(&self, from: F, to: F) -> Result<Range<usize>, Error> {
+        positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
+        let of_decimals = F::from_f64(1.0 / 2f64.powi(48)).or_larger(F::epsilon() * F::int(16));
+        let same = self.time(0).abs().or_larger(self.end().abs()) * of_decimals;
+        let places = 0..self.samples.len();
+        let first = places.clone().take_while(|&i| self.time(i) < from - same).count();
+        let end = places.take_while(|&i| self.time(i) <= to + same).count();
+        Ok(first..end.max(first))
     }
 
     /// This record with another load after its last sample. By default a force and an acceleration are zero, and a support
@@ -238,12 +263,11 @@ impl<F: Float> Record<F> {
         self.samples.last().copied().unwrap_or_else(|| F::int(0))
     }
 
-    /// The steps between the samples: the time at which each begins, its length > 0, and both samples.
+    /// The steps between the samples: the time at which each begins, its length, which is 0 where the load jumps, and both
+    /// samples.
     pub(super) fn steps(&self) -> impl Iterator<Item = (F, F, [F; 2])> + '_ {
         let pairs = self.samples.iter().zip(self.samples.iter().skip(1)).enumerate();
-        let steps = pairs
-            .map(|(index, (&first, &second))| (self.time(index), self.step_after(index), [first, second]));
-        steps.filter(|(_, length, _)| *length > F::int(0))
+        pairs.map(|(index, (&first, &second))| (self.time(index), self.step_after(index), [first, second]))
     }
 
     /// The samples.

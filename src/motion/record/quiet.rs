@@ -84,7 +84,8 @@ pub(super) struct Quiet<F> {
     /// The integral of the displacement since the start, by v, a and the slope.
     pub(super) area_of_v: F,
     pub(super) area_of_slope: F,
-    /// Bounds of how far v, a and a′ are beyond the greater of their ends, by E; at rest that of v is below 0.
+    /// Bounds of how far v, a and a′ are beyond the greater of their ends, by E; to that of v `below` is added, which is
+    /// below 0 at rest, and in a damped slide the speed from which on it may be one that tends to rest.
     pub(super) beyond_v: F,
     pub(super) beyond_a: F,
     pub(super) below: F,
@@ -248,7 +249,7 @@ impl<F: Float> Quiet<F> {
             area_of_slope: s.parabola,
             beyond_v: step.eighth,
             beyond_a: step.eighth * (common.omega + c.rate),
-            below: zero,
+            below: body.slowest(),
             beyond_jerk: step.eighth * (common.omega + c.rate).square(),
             never: zero,
             ..common
@@ -380,6 +381,39 @@ impl<F: Float> Followed<F> {
         let piece = Piece::new(&self.factors, samples, step.length, step.inverse);
         let taken = self.follower.step(&piece, time, whole, &mut self.totals);
         self.keep(taken, time)
+    }
+
+    /// The speed of a damped slide below which its digits are those of the follower alone, by the greatest so far.
+    fn slowest(&self) -> F {
+        let (zero, velocity) = (F::int(0), &self.totals.velocity);
+        if self.follower.constants.rate > zero {
+            velocity.most.value.abs().or_larger(velocity.least.value.abs()) * F::ratio(1, 1 << 24)
+        } else {
+            zero
+        }
+    }
+
+    /// Whether the follower alone takes a step between these samples: under a constant load a damped slide may tend to rest,
+    /// and goes on from there in the step after it.
+    pub(super) fn is_followed(&self, [first, second]: [F; 2]) -> bool {
+        let Follower { kept, mode, constants, .. } = &self.follower;
+        kept.is_some() || (first == second && constants.rate > F::int(0) && matches!(mode, Mode::Slide(_)))
+    }
+
+    /// Sets the state after quiet steps.
+    #[inline(always)]
+    pub(super) fn set_state(&mut self, [x, v]: [F; 2]) {
+        let follower = &mut self.follower;
+        if x != follower.x || v != follower.v {
+            follower.kept = None;
+        }
+        (follower.x, follower.v) = (x, v);
+    }
+
+    /// Takes a jump of the record between two samples; whether it could be taken.
+    pub(super) fn jump(&mut self, samples: [F; 2], time: F) -> bool {
+        let taken = self.follower.jump(&self.factors, samples, time, &mut self.totals);
+        self.keep(taken.ok_or(Failure::Uncertain), time)
     }
 
     /// Keeps the failure of a step that begins at this time; whether there is none.

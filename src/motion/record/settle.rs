@@ -105,7 +105,7 @@ impl<F: Number> Follower<F> {
                 Ok(sign)
             }
             Mode::Slide(sign) => {
-                self.a = self.acceleration(load, sign);
+                self.meet(load, sign);
                 Ok(Some(sign))
             }
         }
@@ -175,11 +175,8 @@ impl<F: Number> Follower<F> {
     fn creep(&self, load: F, slow: F, fast: F, sign: F) -> Option<Creep> {
         let c = &self.constants;
         let has_spring = slow.positive()?;
-        let part = if has_spring {
-            sign * (self.acceleration(load, sign) + fast * self.v)
-        } else {
-            sign * (load + c.mean) - c.friction
-        };
+        let part =
+            if has_spring { sign * (self.a + fast * self.v) } else { sign * (load + c.mean) - c.friction };
         let is_even = !has_spring && F::is_lost(part.abs(), load.abs() + c.mean.abs() + c.friction);
         Some(if !is_even && part.negative()? {
             Creep::Stops

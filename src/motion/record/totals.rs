@@ -382,6 +382,11 @@ impl<F: Number> Watch<F> for Totals<F> {
         self.goes_on(x, time)
     }
 
+    fn struck(&mut self, [before, after]: [F; 2], time: F) -> Option<()> {
+        self.load_work = self.load_work + (after - before) * (after + before) * F::ratio(1, 2);
+        self.velocity.include(after, time)
+    }
+
     fn freed(&mut self) {
         self.is_free = true;
     }
