@@ -23,7 +23,7 @@ use stickslip::motion::record::Record;
 use stickslip::system::State;
 use stickslip_figures::Figure;
 use stickslip_front::record::Summary;
-use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, parsed};
+use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, decoded, parsed};
 
 /// The most samples of a motion.
 const MOST_SAMPLES: u64 = 10_000_000;
@@ -55,10 +55,10 @@ fn is_table(args: &SystemArgs) -> bool {
 /// The value of the file.
 fn read(file: &Path) -> Result<Value, Failure> {
     let name = file.display().to_string();
-    let mut text = String::new();
-    let read = rows::open(file, &name)?.take(LONGEST as u64 + 1).read_to_string(&mut text);
+    let mut bytes = Vec::new();
+    let read = rows::open(file, &name)?.take(LONGEST as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|e| Failure::Input(format!("{name}: {e}")))?;
-    Ok(parsed(&text, &name)?)
+    Ok(parsed(&decoded(bytes, &name)?, &name)?)
 }
 
 /// The folder that names of files in the file are relative to.

@@ -1,6 +1,7 @@
 //! Files of systems: wrong ones, and the schema of right ones.
 #![cfg(feature = "system")]
 
+mod bounds;
 mod hostile;
 mod schema;
 
