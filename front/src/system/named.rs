@@ -374,16 +374,26 @@ impl Builder<'_> {
             return Err(body.wrong("must be a body: the ground does not move"));
         };
         fields.get("name").map_or(Ok(""), |node| node.name())?;
-        if let Some(node) = fields.get("record") {
-            let force = unit(self.names.len(), i);
-            self.record(&node, Excitation::Force, force)?;
-        } else if let Some(node) = fields.get("constant") {
-            if let Some(place) = self.model.constant.get_mut(i) {
-                *place += node.quantity(Of::Force)?;
+        let force = unit(self.names.len(), i);
+        match (fields.get("record"), fields.get("constant"), fields.get("amplitude")) {
+            (Some(node), None, None) => self.record(&node, Excitation::Force, force)?,
+            (None, Some(node), None) => {
+                if let Some(place) = self.model.constant.get_mut(i) {
+                    *place += node.quantity(Of::Force)?;
+                }
             }
-        } else {
-            let (place, parts) = self.wave(fields, Of::Force)?;
-            self.load(place, parts, &unit(self.names.len(), i));
+            (None, None, Some(_)) => {
+                let (place, parts) = self.wave(fields, Of::Force)?;
+                self.load(place, parts, &force);
+            }
+            (record, constant, amplitude) => {
+                // A misspelt name says more than a missing one.
+                fields.end_with(&["frequency", "phase"])?;
+                let is_given = record.or(constant).or(amplitude).is_some();
+                let what = if is_given { "must have only" } else { "needs" };
+                let one = "one of amplitude with frequency, constant, and record";
+                return Err(fields.node.wrong(&format!("{what} {one}")));
+            }
         }
         fields.end()
     }

@@ -4,6 +4,7 @@
 mod bounds;
 mod hostile;
 mod schema;
+mod wrong;
 
 use serde_json::{Value, json};
 
