@@ -122,8 +122,8 @@ fn wrong(
     found.into_inner().unwrap()
 }
 
-/// The files, and the lines with their names.
-fn lines() -> Vec<String> {
+/// The lines with the names of their files, which are there as long as the second value is.
+fn lines() -> (Vec<String>, impl Sized) {
     let files = [
         ("RECORD", "record.csv", "time[s],acceleration[g]\n0,0\n0.5,0.2\n1,-0.1\n1.5,0\n"),
         ("DECAY", "decay.csv", "time[s],displacement[mm]\n0,10\n0.5,-8\n1,6\n1.5,-4\n2,2\n"),
@@ -143,7 +143,7 @@ fn lines() -> Vec<String> {
             .iter()
             .fold((*line).to_owned(), |line, (word, file)| line.replace(word, &file.display().to_string()))
     };
-    LINES.iter().map(named).collect()
+    (LINES.iter().map(named).collect(), places)
 }
 
 /// The command of a line, with its options.
@@ -160,7 +160,8 @@ fn a_wrong_value_is_blamed_on_its_option() {
     let all = options();
     let mut cases = Vec::new();
     let mut seen = std::collections::BTreeSet::new();
-    for line in lines() {
+    let (lines, _files) = lines();
+    for line in lines {
         let (name, options) = of_line(&line, &all);
         seen.insert(name);
         for (option, value) in options {
@@ -238,7 +239,8 @@ fn a_missing_option_and_an_unknown_one_are_named() {
     let all = options();
     let mut missing = Vec::new();
     let mut unknown = Vec::new();
-    for line in lines().iter().map(String::as_str).chain(MACHINES.iter().copied()) {
+    let (lines, _files) = lines();
+    for line in lines.iter().map(String::as_str).chain(MACHINES.iter().copied()) {
         let (_, options) = of_line(line, &all);
         let typed = line.split(' ').filter_map(|word| word.split('=').next());
         for option in typed.filter(|word| options.contains_key(*word)) {
