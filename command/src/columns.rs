@@ -51,6 +51,8 @@ pub(crate) fn unreadable(name: &str, error: &csv::Error) -> String {
         let hint =
             if len > expected_len { ". A decimal needs a point, because commas separate fields" } else { "" };
         format!("{len} fields, must be {expected_len} as in the header{hint}")
+    } else if let csv::ErrorKind::Utf8 { .. } = error.kind() {
+        "must be text in UTF-8".to_owned()
     } else {
         error.to_string()
     };

@@ -12,6 +12,7 @@ use crate::interrupt;
 use crate::map::margin;
 use crate::progress;
 use crate::row::Cell;
+use crate::threads;
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
@@ -240,7 +241,8 @@ impl AskedCurve {
         let at = |x, source| self.place(given, x, source);
         let each = |all: Vec<(f64, Source)>| {
             self.refuse_slow(given, natural, &all)?;
-            all.into_par_iter().map(|(x, source)| at(x, source)).collect::<Result<Vec<_>, Failure>>()
+            let all = all.into_par_iter();
+            threads::on_all(|| all.map(|(x, source)| at(x, source)).collect::<Result<Vec<_>, Failure>>())
         };
         let mut places = axis.through(each, at)?;
         let mut border = Vec::new();

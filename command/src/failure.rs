@@ -2,6 +2,7 @@
 
 use std::io;
 use std::process::ExitCode;
+use stickslip_front::text::printable;
 
 /// The end of a command.
 pub(crate) type Outcome = Result<(), Failure>;
@@ -162,8 +163,7 @@ const MESSAGE: usize = 1_000;
 
 /// The text without control characters, which would act on a terminal, and of a readable length.
 pub(crate) fn on_one_line(text: &str) -> String {
-    let printable = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
-    let words = text.split(' ').map(|word| cut(&word.chars().map(printable).collect::<String>(), WORD));
+    let words = text.split(' ').map(|word| cut(&printable(word), WORD));
     cut(&words.collect::<Vec<_>>().join(" "), MESSAGE)
 }
 

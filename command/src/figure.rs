@@ -3,16 +3,22 @@
 use crate::args::{FigureArgs, FiguresArgs, LookArgs, Picture};
 use crate::failure::{Failure, Outcome};
 use crate::output::{self, PendingFile};
+use crate::threads;
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 use stickslip_figures::{self as figures, Figure, MOST_PIXELS as MOST};
+use stickslip_front::text::{is_control, printable};
 
 /// The width of a PNG in pixels.
 #[cfg(feature = "png")]
 const WIDTH: u32 = 1600;
+
+/// The most pixels of a PNG: 160 MB of memory.
+#[cfg(feature = "png")]
+const MOST_OF_PNG: u64 = 40_000_000;
 
 /// The look of a picture that has no options for it.
 pub(crate) static PLAIN: LookArgs = LookArgs { title: None, size: None };
@@ -44,15 +50,17 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
         let place = place(name);
         output::refuse_existing(&place, &place.display().to_string(), args.overwrite)
     })?;
-    figures::NAMES.into_par_iter().try_for_each(|name| match figures::figure(name) {
+    let draw = |name: &str| match figures::figure(name) {
         Some(figure) => {
             let place = place(name);
             let pending = PendingFile::create(&place, &format!("--out {}", place.display()), args.overwrite)?;
             pending.fill(|out| write(&figure, args.format, None, out))
         }
         None => Ok(()),
-    })?;
-    Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), folder.display())?)
+    };
+    threads::on_all(|| figures::NAMES.into_par_iter().try_for_each(draw))?;
+    let place = folder.display().to_string();
+    Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), printable(&place))?)
 }
 
 impl LookArgs {
@@ -137,6 +145,9 @@ impl<'a> Target<'a> {
         look: &'a LookArgs,
     ) -> Result<Self, Failure> {
         let file = file.map(|file| Ok::<_, Failure>((file, picture_of(option, file)?))).transpose()?;
+        if let Some(title) = look.title.as_ref().filter(|title| title.contains(is_control)) {
+            return Err(format!("--title {title}: must have no control characters").into());
+        }
         if let Some((file, _)) = file {
             output::refuse_existing(file, &format!("{option} {}", file.display()), overwrite)?;
         }
@@ -214,6 +225,15 @@ fn write_drawing(
         Picture::Svg | Picture::Csv => out.write_all(svg.as_bytes())?,
         #[cfg(feature = "png")]
         Picture::Png => {
+            if let Some((width, height)) = size
+                && 4 * u64::from(width) * u64::from(height) > MOST_OF_PNG
+            {
+                return Err(format!(
+                    "--size {width}x{height}: a PNG has twice this width and height, and must have ≤ {MOST_OF_PNG} pixels, \
+                     because all of them are in memory. SVG and PDF may be larger"
+                )
+                .into());
+            }
             let width = size.map_or(WIDTH, |(width, _)| width.saturating_mul(2));
             out.write_all(&figures::png_of_svg(svg, width).map_err(|e| of_size(size, &e))?)?;
         }

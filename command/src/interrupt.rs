@@ -5,6 +5,7 @@
 //! write. A second signal ends the command at once.
 
 use crate::failure::{Failure, Outcome};
+use crate::threads;
 use std::fs;
 use std::io::{IsTerminal, Write};
 use std::ops::ControlFlow;
@@ -33,10 +34,14 @@ pub(crate) fn listen() {
         if ASKED_TO_STOP.swap(true, Ordering::SeqCst) {
             end();
         }
-        thread::spawn(watch);
+        if !threads::start(watch) {
+            watch();
+        }
     };
-    // If the system refuses a handler, its own behaviour remains.
-    let _ = ctrlc::set_handler(hear);
+    // If the system refuses a handler, or the thread that it needs, its own behaviour remains.
+    if threads::start(|| ()) {
+        let _ = ctrlc::set_handler(hear);
+    }
 }
 
 /// Whether the user has asked to stop; parallel work checks this and leaves the rest undone.

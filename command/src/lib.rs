@@ -61,6 +61,7 @@ mod steady;
 mod style;
 mod sweep;
 mod system;
+mod threads;
 mod under_record;
 mod verify;
 
@@ -80,10 +81,8 @@ pub fn main() -> ExitCode {
 
 /// Numbers of thousands of bits are on the stack: without optimisation, a response of 8192 bits takes 13 MB of it.
 fn on_large_stacks(run: fn() -> ExitCode) -> ExitCode {
-    const STACK: usize = 32 << 20;
-    // Where the system refuses such threads, the ordinary ones suffice for fewer bits.
-    let _ = rayon::ThreadPoolBuilder::new().stack_size(STACK).build_global();
-    match thread::Builder::new().name("main".to_owned()).stack_size(STACK).spawn(run) {
+    // Where the system refuses such a thread, the ordinary one suffices for fewer bits.
+    match thread::Builder::new().name("main".to_owned()).stack_size(threads::STACK).spawn(run) {
         Ok(running) => running.join().unwrap_or_else(|panic| resume_unwind(panic)),
         Err(_) => run(),
     }

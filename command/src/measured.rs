@@ -11,6 +11,7 @@ use std::path::Path;
 use stickslip::inputs::units::{Kind, Reader};
 use stickslip::motion::record::{After, Record};
 use stickslip_front::record::{self, Cut, Options, Summary, Words};
+use stickslip_front::text::printable;
 
 /// Reads a record in the units of the reader, cuts it and scales it. The summary is of the cut, before it is scaled.
 pub(crate) fn read<F: Value>(
@@ -54,7 +55,8 @@ pub(crate) fn read<F: Value>(
 
 /// What was read of a file and what follows it, in two lines.
 pub(crate) fn lines<F: Value>(summary: &Summary, record: &Record<F>) -> String {
-    format!("{}\n{}", summary.sentence(digits), record::follows(record))
+    // The name of a channel is the file's.
+    format!("{}\n{}", printable(&summary.sentence(digits)), record::follows(record))
 }
 
 /// An answer in JSON, and what was read of its file under the key `record`.

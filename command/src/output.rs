@@ -10,6 +10,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
+use stickslip_front::text::open_regular;
 
 /// The number of bytes that are gathered before a write.
 const GATHERED: usize = 1 << 14;
@@ -173,7 +174,7 @@ pub(crate) fn remove_left(place: &Path) {
     for beside in fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
         let Some(process) = process(&beside) else { continue };
         let is_running = process == std::process::id() || Path::new(&format!("/proc/{process}")).exists();
-        let is_left = || File::open(&beside).is_ok_and(|file| file.try_lock().is_ok());
+        let is_left = || open_regular(&beside).is_ok_and(|file| file.try_lock().is_ok());
         if !is_running && is_left() {
             let _ = fs::remove_file(&beside);
         }
@@ -193,7 +194,8 @@ pub(crate) fn refuse_existing(place: &Path, argument: &str, overwrite: bool) -> 
         Ok(found) if !found.is_file() => {
             Err(format!("{argument}: must be a regular file, or not exist yet").into())
         }
-        Ok(_) if !overwrite => {
+        // A link to nothing is there, too.
+        Ok(_) | Err(_) if !overwrite && fs::symlink_metadata(place).is_ok() => {
             Err(format!("{argument}: must not exist yet. Replace it with --overwrite").into())
         }
         Ok(_) | Err(_) => Ok(()),

@@ -4,7 +4,9 @@ use crate::bits::Here;
 use crate::failure::{Failure, Outcome, on_one_line};
 use crate::interrupt;
 use crate::style;
+use crate::threads;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rayon::ThreadPool;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
@@ -133,7 +135,7 @@ pub(crate) fn in_order_kept<T: Send>(
         }
         Ok(passed)
     };
-    stretches_in_order(points, &answer, &mut { pass_on })
+    stretches_in_order(threads::others(), points, &answer, &mut { pass_on })
 }
 
 /// The answers of a stretch.
@@ -151,8 +153,9 @@ struct Passed {
 }
 
 /// Answers the points in stretches, each by `answer`, which returns its first point, and has the stretches passed on in order;
-/// with `None` those so far are to be kept.
+/// with `None` those so far are to be kept. Without other threads this one answers.
 fn stretches_in_order(
+    others: Option<&ThreadPool>,
     points: Range<u64>,
     answer: &(dyn Fn(Stretch<'_>) -> u64 + Sync),
     pass_on: &mut dyn FnMut(Option<u64>) -> Result<Passed, Failure>,
@@ -170,24 +173,39 @@ fn stretches_in_order(
         is_kept: true,
     };
     let here = Here::new();
-    let outcome = rayon::in_place_scope(|scope| {
-        for _ in 0..work.threads {
-            let (work, sender) = (&work, sender.clone());
-            scope.spawn(move |_| {
-                here.run(|| {
-                    while let Some(stretch) = work.claim() {
-                        if sender.send(answer(stretch)).is_err() {
-                            break;
+    let show = |next: u64| bar.set_position(next - points.start);
+    let outcome = match others {
+        Some(pool) => pool.in_place_scope(|scope| {
+            for _ in 0..work.threads {
+                let (work, sender) = (&work, sender.clone());
+                scope.spawn(move |_| {
+                    here.run(|| {
+                        while let Some(stretch) = work.claim() {
+                            if sender.send(answer(stretch)).is_err() {
+                                break;
+                            }
                         }
-                    }
+                    });
                 });
-            });
+            }
+            drop(sender);
+            let outcome = taking.all(show);
+            work.stop();
+            outcome
+        }),
+        // This thread answers, too, and takes each stretch before it begins the next one.
+        None => {
+            let mut outcome = Ok(true);
+            while outcome.is_ok()
+                && let Some(stretch) = work.claim()
+                && sender.send(answer(stretch)).is_ok()
+            {
+                outcome = taking.step(Duration::ZERO, show);
+            }
+            drop(sender);
+            outcome.and_then(|_| taking.all(show))
         }
-        drop(sender);
-        let outcome = taking.all(|next| bar.set_position(next - points.start));
-        work.stop();
-        outcome
-    });
+    };
     if outcome.is_ok() {
         bar.finish_and_clear();
     }
@@ -219,7 +237,7 @@ impl OpenPoints {
     fn new(points: &Range<u64>) -> Self {
         let open = if points.is_empty() { BTreeMap::new() } else { [(points.start, points.end)].into() };
         let left = Left { open, stretch: 1, busy: 0, next: points.start, stopped: false };
-        let threads = rayon::current_num_threads() as u64;
+        let threads = threads::count() as u64;
         Self { threads, left: Mutex::new(left), change: Condvar::new() }
     }
 
@@ -318,20 +336,27 @@ struct Taking<'a> {
 
 impl Taking<'_> {
     /// Passes the answers on until there are no more.
-    fn all(&mut self, mut show: impl FnMut(u64)) -> Outcome {
-        while self.wait(LOOK)? {
-            show(self.next);
-            if self.kept.elapsed() > AT_RISK {
-                self.keep()?;
-            }
-            if interrupt::check().is_err() {
-                return self.interrupted();
-            }
-        }
+    fn all(&mut self, show: impl Fn(u64)) -> Outcome {
+        while self.step(LOOK, &show)? {}
         interrupt::check()
     }
 
     /// Passes on the answers that come within `time`; `false` if no more can come.
+    fn step(&mut self, time: Duration, show: impl Fn(u64)) -> Result<bool, Failure> {
+        if !self.wait(time)? {
+            return Ok(false);
+        }
+        show(self.next);
+        if self.kept.elapsed() > AT_RISK {
+            self.keep()?;
+        }
+        if interrupt::check().is_err() {
+            self.interrupted()?;
+        }
+        Ok(true)
+    }
+
+    /// Passes on the answers that are there within `time`; `false` if no more can come.
     fn wait(&mut self, time: Duration) -> Result<bool, Failure> {
         match self.receiver.recv_timeout(time) {
             Ok(start) => self.waiting.insert(start),
@@ -389,7 +414,10 @@ pub(crate) fn counter(things: &str) -> ProgressBar {
 }
 
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
-    OTHERWISE.end();
+    // A bar is on a terminal only.
+    if io::stderr().is_terminal() {
+        OTHERWISE.end();
+    }
     if QUIET.load(Ordering::Relaxed) {
         bar.set_draw_target(ProgressDrawTarget::hidden());
     }
@@ -407,22 +435,45 @@ struct Elapsed {
 
 static OTHERWISE: Elapsed = Elapsed { over: AtomicBool::new(false), bar: Mutex::new(None) };
 
-/// Shows the elapsed time after one second, until there is something else to show.
+/// The time after which the elapsed time is shown on a terminal, and the time between two changes of it.
+const SHOWN_AFTER: Duration = Duration::from_secs(1);
+const TICK: Duration = Duration::from_millis(200);
+/// The time after which a line says that the work goes on, where standard error is no terminal.
+const SAID_AFTER: Duration = Duration::from_secs(2);
+
+/// Shows the elapsed time until there is something else to show. Where standard error is no terminal, one line says that the
+/// work goes on.
 pub(crate) fn of_time() {
-    if QUIET.load(Ordering::Relaxed) || !io::stderr().is_terminal() {
-        return;
+    if !QUIET.load(Ordering::Relaxed) {
+        // The work goes on without it.
+        threads::start(if io::stderr().is_terminal() { show_elapsed } else { say_that_it_goes_on });
     }
-    thread::spawn(|| {
-        thread::sleep(Duration::from_secs(1));
+}
+
+fn show_elapsed() {
+    thread::sleep(SHOWN_AFTER);
+    loop {
         let Ok(mut bar) = OTHERWISE.bar.lock() else { return };
-        if let (false, Ok(style)) =
-            (OTHERWISE.over.load(Ordering::Relaxed), ProgressStyle::with_template("computing, {elapsed}"))
-        {
-            let shown = ProgressBar::new_spinner().with_style(style);
-            shown.enable_steady_tick(Duration::from_millis(200));
-            *bar = Some(shown);
+        if OTHERWISE.over.load(Ordering::Relaxed) {
+            return;
         }
-    });
+        if bar.is_none() {
+            let Ok(style) = ProgressStyle::with_template("computing, {elapsed}") else { return };
+            *bar = Some(ProgressBar::new_spinner().with_style(style));
+        }
+        if let Some(shown) = &*bar {
+            shown.tick();
+        }
+        drop(bar);
+        thread::sleep(TICK);
+    }
+}
+
+fn say_that_it_goes_on() {
+    thread::sleep(SAID_AFTER);
+    if !OTHERWISE.over.load(Ordering::Relaxed) {
+        let _ = writeln!(anstream::stderr(), "{} note: still computing. Ctrl-C ends it", style::label());
+    }
 }
 
 /// The first answer on a terminal replaces the elapsed time.
@@ -448,7 +499,7 @@ pub(crate) fn end() {
 
 #[cfg(test)]
 mod tests {
-    use super::{in_order, in_order_kept};
+    use super::{Passed, Stretch, in_order, in_order_kept, stretches_in_order};
     use crate::failure::Failure;
     use std::thread;
     use std::time::Duration;
@@ -472,6 +523,30 @@ mod tests {
             assert!(in_order(points.clone(), slow, take).is_ok());
             assert_eq!(found, points.collect::<Vec<_>>());
         }
+    }
+
+    /// Where the system starts no thread, the calling one answers in the same order.
+    #[test]
+    fn one_thread_answers_alone() {
+        let (mut all, mut next) = (Vec::new(), 0);
+        let found = std::sync::Mutex::new(Vec::new());
+        let answer = |mut stretch: Stretch<'_>| {
+            let start = stretch.points.start;
+            let answers = stretch.answers(|points| vec![slow(points.start)]);
+            found.lock().unwrap().push((start, answers.into_iter().map(Result::unwrap).collect::<Vec<_>>()));
+            start
+        };
+        let mut pass_on = |stretch: Option<u64>| {
+            let Some(start) = stretch else { return Ok(Passed::default()) };
+            assert_eq!(start, next);
+            let (_, some) = found.lock().unwrap().pop().unwrap();
+            next += some.len() as u64;
+            let count = some.len() as u64;
+            all.extend(some);
+            Ok(Passed { count, is_interrupted: false })
+        };
+        assert!(stretches_in_order(None, 0..1000, &answer, &mut pass_on).is_ok());
+        assert_eq!(all, (0..1000).collect::<Vec<_>>());
     }
 
     #[test]

@@ -12,6 +12,7 @@ use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output::{self, Lines, named};
 use crate::progress;
+use crate::threads;
 pub(crate) use checksum::{Checked, Checksum};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
@@ -228,7 +229,7 @@ impl KeptRows {
         let begin = Instant::now();
         let order = self.some.in_order();
         let here = Here::new();
-        let (mut left, mut count) = (order.as_slice(), rayon::current_num_threads());
+        let (mut left, mut count) = (order.as_slice(), threads::count());
         // The number of rows compared at a time increases, because a single row can take longer than the
         // allowed time.
         while !left.is_empty() && begin.elapsed() < COMPARING {
@@ -242,14 +243,15 @@ impl KeptRows {
                 file.take(count).read_to_end(&mut line)?;
                 found.push((row, line));
             }
-            found.par_iter().try_for_each(|(row, line)| {
+            let is_same = |(row, line): &(u64, Vec<u8>)| {
                 let point = part.start + row;
                 if here.run(|| rows.text(point))? == *line {
                     Ok(())
                 } else {
                     Err(not_this(rows.of(), row + 1))
                 }
-            })?;
+            };
+            threads::on_all(|| found.par_iter().try_for_each(is_same))?;
             interrupt::check()?;
         }
         Ok(())

@@ -5,8 +5,9 @@ use crate::failure::{Failure, Outcome};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::cell::Cell;
 use std::fs::File;
-use std::io::{self, ErrorKind, Read};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read};
 use std::path::Path;
+use stickslip_front::text::{UTF16, is_utf16};
 
 /// The greatest length of a row in bytes: some hundred numbers of 8192 bits.
 const LONGEST_ROW: u64 = 1 << 18;
@@ -16,7 +17,12 @@ pub(crate) fn open(file: &Path, argument: &str) -> Result<Box<dyn Read>, Failure
     if file == Path::new("-") {
         return Ok(Box::new(io::stdin().lock()));
     }
-    let opened = File::open(file).map_err(|e| format!("{argument}: {e}"))?;
+    let bad = |e: io::Error| format!("{argument}: {e}");
+    let mut opened = BufReader::new(File::open(file).map_err(bad)?);
+    // An error of reading is that of the reader.
+    if opened.fill_buf().is_ok_and(is_utf16) {
+        return Err(format!("{argument}: {UTF16}").into());
+    }
     Ok(Box::new(opened))
 }
 

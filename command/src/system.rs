@@ -23,10 +23,10 @@ use stickslip::motion::record::Record;
 use stickslip::system::State;
 use stickslip_figures::Figure;
 use stickslip_front::record::Summary;
-use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, parsed};
+use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, decoded, parsed};
 
-/// The most samples of a motion.
-const MOST_SAMPLES: u64 = 10_000_000;
+/// The memory of the samples of a motion in bytes.
+const MEMORY: u64 = 200_000_000;
 
 pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
     check_options(args)?;
@@ -55,10 +55,10 @@ fn is_table(args: &SystemArgs) -> bool {
 /// The value of the file.
 fn read(file: &Path) -> Result<Value, Failure> {
     let name = file.display().to_string();
-    let mut text = String::new();
-    let read = rows::open(file, &name)?.take(LONGEST as u64 + 1).read_to_string(&mut text);
+    let mut bytes = Vec::new();
+    let read = rows::open(file, &name)?.take(LONGEST as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|e| Failure::Input(format!("{name}: {e}")))?;
-    Ok(parsed(&text, &name)?)
+    Ok(parsed(&decoded(bytes, &name)?, &name)?)
 }
 
 /// The folder that names of files in the file are relative to.
@@ -192,15 +192,18 @@ fn until(asked: &NamedSystem, args: &SystemArgs) -> Result<f64, Failure> {
 }
 
 /// The times of the samples that are asked for, from 0 on.
-fn samples(args: &SystemArgs, until: f64) -> Result<Option<Vec<f64>>, Failure> {
+fn samples(asked: &NamedSystem, args: &SystemArgs, until: f64) -> Result<Option<Vec<f64>>, Failure> {
     let Some(text) = &args.samples else { return Ok(None) };
-    let count = crate::input::count("--samples", text, MOST_SAMPLES)?;
+    // Five lists of a state with what they take beside their numbers, which are four for each coordinate and one for each element.
+    let described = &asked.described;
+    let numbers = 4 * described.coordinates.len() + described.model.elements.len();
+    let count = crate::input::count("--samples", text, MEMORY / (300 + 8 * numbers as u64))?;
     Ok(Some((0..=count).map(|i| until * (i as f64 / count as f64)).collect()))
 }
 
 fn simulate(asked: &NamedSystem, read: Option<&Shaking>, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let (start, until) = (&asked.described.start, until(asked, args)?);
-    if let Some(times) = samples(args, until)? {
+    if let Some(times) = samples(asked, args, until)? {
         return sampled(asked, args, start, &times, out);
     }
     let motion = asked.system.simulate(start, until).map_err(|e| of_file(args, &e))?;
@@ -222,7 +225,7 @@ fn simulate(asked: &NamedSystem, read: Option<&Shaking>, args: &SystemArgs, out:
 
 fn steady(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let found = asked.system.steady(&asked.described.start).map_err(|e| of_file(args, &e))?;
-    if let Some(times) = samples(args, found.period)? {
+    if let Some(times) = samples(asked, args, found.period)? {
         return sampled(asked, args, &found.start, &times, out);
     }
     let title = || picture::title(&asked.described, &format!("Steady motion ({})", found.kind.name()));

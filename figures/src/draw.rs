@@ -29,6 +29,7 @@ use plotters::style::{BLACK, FontTransform, IntoFont, TextStyle, WHITE};
 #[cfg(feature = "png")]
 pub(super) use png::png;
 use std::io;
+use stickslip_front::text::printable;
 
 /// The number of drawing units in a pixel.
 const UNITS: i32 = 4;
@@ -361,5 +362,5 @@ pub(super) fn write(canvas: &Canvas<'_>, text: &str, (x, y): (i32, i32), size: i
         Anchor::Upwards => (font.transform(FontTransform::Rotate270), Pos::new(HPos::Center, VPos::Center)),
     };
     let style = TextStyle::from(font).color(&BLACK).pos(pos);
-    canvas.draw(&Text::new(text.to_owned(), (x * UNITS, y * UNITS), style))
+    canvas.draw(&Text::new(printable(text).into_owned(), (x * UNITS, y * UNITS), style))
 }

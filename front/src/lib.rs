@@ -6,6 +6,7 @@
 //! | [`curve`] | a response curve, resolved at its peaks and where the body begins to slide |
 //! | [`grid`] | `FROM:TO:COUNT` and `FROM:TO:COUNT:log` in place of one value |
 //! | [`names`] | the names of columns with their units |
+//! | [`text`] | what a terminal or a drawing must not receive, and files that are no text |
 //! | `system` (a feature) | the file of several bodies, and the answers about them |
 
 #![cfg_attr(
@@ -27,3 +28,4 @@ pub mod names;
 pub mod record;
 #[cfg(feature = "system")]
 pub mod system;
+pub mod text;

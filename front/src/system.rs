@@ -12,11 +12,12 @@ mod grid;
 mod named;
 mod node;
 mod sentence;
+mod unique;
 
 pub use answer::{Answer, OfBorder, Samples, Units, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement};
-pub use file::{LONGEST, parsed, units_of};
+pub use file::{LONGEST, MOST_VALUES, decoded, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
 pub use sentence::{border_verdict, plural, steady_verdict, with_unit};

@@ -83,6 +83,7 @@ fn record_read<'py>(
     skip: u64,
     record_units: Option<&str>,
 ) -> PyResult<FileRead<'py>> {
+    let file = if bytes.is_none() { Some(File::open(name)?) } else { None };
     let found = py.detach(|| {
         let reader = Reader::new(Some(&System::default()), "units");
         let options = Options {
@@ -92,12 +93,9 @@ fn record_read<'py>(
             units: record_units,
             ..Options::new(name, &reader, Words::PYTHON)
         };
-        match bytes {
-            Some(bytes) => front::read(bytes.as_slice(), &options),
-            None => {
-                let file = File::open(name).map_err(|error| format!("{name}: {error}"))?;
-                front::read(BufReader::new(file), &options)
-            }
+        match file {
+            Some(file) => front::read(BufReader::new(file), &options),
+            None => front::read(bytes.unwrap_or_default().as_slice(), &options),
         }
     });
     let found = found.map_err(refused)?;

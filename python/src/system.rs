@@ -13,7 +13,8 @@ use stickslip::inputs::units::{Kind, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::Error;
 use stickslip_front::system::{
-    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, parsed,
+    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, decoded,
+    parsed,
 };
 
 /// Rows that are computed before signals are asked for.
@@ -53,12 +54,13 @@ impl NativeSystem {
 
     /// The system with other values at some paths.
     fn with_values(&self, set: Vec<(String, String)>) -> PyResult<Self> {
+        let typed = set.iter().map(|(path, new)| (path.as_str(), new.as_str()));
+        let named = NamedSystem::new(&self.value, typed.clone(), Path::new(&self.folder), self.units.as_ref());
+        let named = Arc::new(named.map_err(refused)?);
         let mut value = serde_json::Value::clone(&self.value);
-        for (path, new) in &set {
+        for (path, new) in typed {
             NamedSystem::set(&mut value, path, new).map_err(refused)?;
         }
-        let named = NamedSystem::new(&value, [], Path::new(&self.folder), self.units.as_ref());
-        let named = Arc::new(named.map_err(refused)?);
         Ok(Self { value: Arc::new(value), folder: self.folder.clone(), units: self.units, named })
     }
 
@@ -228,6 +230,13 @@ impl NativeSystem {
     }
 }
 
+/// The text of a file.
+#[pyfunction]
+fn system_text(bytes: Vec<u8>, name: &str) -> PyResult<String> {
+    decoded(bytes, name).map_err(refused)
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(system_text, module)?)?;
     module.add_class::<NativeSystem>()
 }

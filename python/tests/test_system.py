@@ -125,8 +125,8 @@ def test_the_numbers_are_those_of_the_command(machine):
     random = np.random.default_rng(5)
     for _ in range(20):
         friction, amplitude = random.uniform(50, 900), random.uniform(200, 3000)
-        one = system.with_values({"bearing.friction": f"{friction}N", "forces.0.amplitude": amplitude})
-        set_ = ("--set", f"bearing.friction={friction}N", "--set", f"forces.0.amplitude={amplitude}")
+        one = system.with_values({"bearing.friction": f"{friction}N", "forces[1].amplitude": amplitude})
+        set_ = ("--set", f"bearing.friction={friction}N", "--set", f"forces[1].amplitude={amplitude}")
         due, found = json.loads(command("steady", "--format", "json", *set_)), one.steady()
         for name in ("max_displacement", "min_velocity"):
             assert due[name] == getattr(found, name).tolist()

@@ -200,6 +200,9 @@ pub fn number<F: FromStr>(name: &str, text: &str) -> Result<F, InputError> {
 /// The number given by `digits`, a part of the text.
 fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, InputError> {
     let digits = digits.trim();
+    if digits.trim_start_matches(['+', '-']).eq_ignore_ascii_case("nan") {
+        return Err(InputError(format!("{name} {text}: must be a number")));
+    }
     digits.parse().map_err(|_| {
         if text.trim().is_empty() {
             return InputError(format!("{name}: must be a number, but is empty"));

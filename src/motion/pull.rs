@@ -66,7 +66,8 @@ impl<F: Float> Pull<F> {
     /// Where V is not finite or not > 0, or a time or a velocity of the motion is beyond the range of F.
     pub fn new(body: &Oscillator<F>, speed: F) -> Result<Self, Error> {
         let speed = positive(Quantity::Velocity, speed)?;
-        let (zeta, frequency) = (body.damping_ratio(), body.natural_frequency());
+        let frequency = positive(Quantity::NaturalFrequency, body.natural_frequency())?;
+        let zeta = body.damping_ratio();
         let excess = body.static_friction_ratio() - F::int(1);
         // (η − 1) B ω_n, the speed whose A is 1.
         let scale = excess * body.friction_displacement() * frequency;

@@ -6,7 +6,7 @@
 use super::dependent::{rank, too_many};
 use super::error::Error;
 use super::matrix::{Matrix, add_times};
-use super::model::{Base, Element, Harmonic, Kind, Law, Model, Record, Signal};
+use super::model::{Base, Element, Kind, Law, Model, Record, Signal};
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::format;
@@ -103,13 +103,15 @@ impl<F: Float> Assembly<F> {
         let mut load = Matrix::zero(n, size);
         column(&mut load, size - 1, "constant", &model.constant)?;
         for (i, harmonic) in model.harmonics.iter().enumerate() {
-            check_harmonic(harmonic, i)?;
-            column(&mut load, free + 2 * i, &format!("harmonics[{i}].sin"), &harmonic.sin)?;
-            column(&mut load, free + 2 * i + 1, &format!("harmonics[{i}].cos"), &harmonic.cos)?;
+            let name = place("harmonics", i);
+            positive(&format!("{name}.frequency"), harmonic.frequency)?;
+            column(&mut load, free + 2 * i, &format!("{name}.sin"), &harmonic.sin)?;
+            column(&mut load, free + 2 * i + 1, &format!("{name}.cos"), &harmonic.cos)?;
         }
         for (i, record) in model.records.iter().enumerate() {
-            check_record(record, i)?;
-            column(&mut load, inputs + 2 * i, &format!("records[{i}].force"), &record.force)?;
+            let name = place("records", i);
+            check_record(&name, record)?;
+            column(&mut load, inputs + 2 * i, &format!("{name}.force"), &record.force)?;
         }
         let mut force = load.clone();
         for i in 0..n {
@@ -179,7 +181,7 @@ impl<F: Float> Assembly<F> {
             return Err(Error::Length { name: "base: records".to_string(), found, expected });
         }
         for (i, &factor) in base.records.iter().enumerate() {
-            let factor = finite(&format!("base: records[{i}]"), factor)?;
+            let factor = finite(&place("base: records", i), factor)?;
             if let Some(place) = row.get_mut(self.record(i)) {
                 *place = factor;
             }
@@ -218,7 +220,7 @@ impl<F: Float> Assembly<F> {
                 return Err(Error::Length { name: format!("{name}.{word}"), found: list.len(), expected });
             }
             for (i, &x) in list.iter().enumerate() {
-                let x = finite(&format!("{name}.{word}[{i}]"), x)?;
+                let x = finite(&place(&format!("{name}.{word}"), i), x)?;
                 if let Some(place) = row.get_mut(self.harmonic(i) + offset) {
                     *place = x;
                 }
@@ -260,7 +262,7 @@ impl<F: Float> Assembly<F> {
 
     /// An element with its rows.
     fn part(&self, element: &Element<F>, i: usize, place: usize) -> Result<Part<F>, Error> {
-        let name = if element.name.is_empty() { format!("elements[{i}]") } else { element.name.clone() };
+        let name = if element.name.is_empty() { self::place("elements", i) } else { element.name.clone() };
         let (n, zero) = (self.n, F::int(0));
         let direction = vector(&format!("{name}: direction"), &element.direction, n)?;
         if direction.iter().all(|&x| x == zero) {
@@ -363,20 +365,21 @@ fn pieces<F: Float>(name: &str, law: &Law<F>) -> Result<Vec<Piece<F>>, Error> {
     Ok(pieces)
 }
 
-fn check_harmonic<F: Float>(harmonic: &Harmonic<F>, i: usize) -> Result<(), Error> {
-    positive(&format!("harmonics[{i}].frequency"), harmonic.frequency).map(|_| ())
+/// The name of a place of a list, which counts from 1.
+fn place(list: &str, i: usize) -> String {
+    format!("{list}[{}]", i + 1)
 }
 
-fn check_record<F: Float>(record: &Record<F>, i: usize) -> Result<(), Error> {
+fn check_record<F: Float>(name: &str, record: &Record<F>) -> Result<(), Error> {
     let (found, expected) = (record.values.len(), record.times.len());
     if found != expected {
-        return Err(Error::Length { name: format!("records[{i}].values"), found, expected });
+        return Err(Error::Length { name: format!("{name}.values"), found, expected });
     }
     if expected < 2 {
-        return Err(Error::Length { name: format!("records[{i}].times"), found: expected, expected: 2 });
+        return Err(Error::Length { name: format!("{name}.times"), found: expected, expected: 2 });
     }
     for &x in record.times.iter().chain(&record.values) {
-        finite(&format!("records[{i}]"), x)?;
+        finite(name, x)?;
     }
     // Two samples at one time are a step of the load; a third one, or no other time, is none.
     let is_short = record.times.first() == record.times.last();
@@ -384,7 +387,7 @@ fn check_record<F: Float>(record: &Record<F>, i: usize) -> Result<(), Error> {
     for ((&a, &b), after) in record.times.iter().zip(record.times.iter().skip(1)).zip(later) {
         if b < a || (b == a && (is_short || after == Some(&b))) {
             return Err(Error::NotIncreasing {
-                name: format!("records[{i}].times"),
+                name: format!("{name}.times"),
                 value: written(a),
                 next: written(b),
             });
@@ -399,7 +402,7 @@ fn square<F: Float>(name: &str, rows: &[Vec<F>], n: usize, symmetric: bool) -> R
         return Err(Error::Length { name: name.to_string(), found: rows.len(), expected: n });
     }
     for (i, row) in rows.iter().enumerate() {
-        vector(&format!("{name}[{i}]"), row, n)?;
+        vector(&place(name, i), row, n)?;
     }
     let matrix = Matrix::from_rows(rows);
     if symmetric {
@@ -422,7 +425,7 @@ pub(crate) fn vector<F: Float>(name: &str, list: &[F], n: usize) -> Result<Vec<F
     if list.len() != n {
         return Err(Error::Length { name: name.to_string(), found: list.len(), expected: n });
     }
-    list.iter().enumerate().map(|(i, &x)| finite(&format!("{name}[{i}]"), x)).collect()
+    list.iter().enumerate().map(|(i, &x)| finite(&place(name, i), x)).collect()
 }
 
 /// A list of `n` finite numbers, or an empty one for zeros.

@@ -92,7 +92,7 @@ pub enum Error {
         time: Number,
     },
     /// More events or steps than any answer is worth.
-    #[error("{limit} steps are done at time {time}: the end must be earlier")]
+    #[error("the motion must take ≤ {limit} steps, which end at time {time}")]
     TooLong {
         /// The time reached.
         time: Number,

@@ -189,7 +189,7 @@ fn what_a_base_must_be() {
     let good = Base { influence: vec![1.0], acceleration: Signal::constant(0.0), records: vec![] };
     for (base, due) in [
         (Base { influence: vec![], ..good.clone() }, "base: influence has 0 entries, but must have 1"),
-        (Base { influence: vec![f64::NAN], ..good.clone() }, "base: influence[0] = NaN must be finite"),
+        (Base { influence: vec![f64::NAN], ..good.clone() }, "base: influence[1] = NaN must be finite"),
         (Base { records: vec![1.0], ..good.clone() }, "base: records has 1 entries, but must have 0"),
         (
             Base { acceleration: Signal { constant: 0.0, sin: vec![1.0], cos: vec![] }, ..good },

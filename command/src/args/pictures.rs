@@ -11,7 +11,7 @@ pub(crate) struct LookArgs {
     /// The title of the picture
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
-    /// The size of the picture in pixels, such as 900x500
+    /// The size of the picture in pixels, such as 900x500. A PNG has twice this width and height, and at most 40 million pixels, which are in memory
     #[arg(long, value_name = "WIDTHxHEIGHT")]
     pub(crate) size: Option<String>,
 }

@@ -20,9 +20,13 @@ pub(crate) struct CompletionsArgs {
 #[command(after_help = "\
 Examples:
   stickslip man | man -l -
-  stickslip man --out ~/.local/share/man/man1")]
+  stickslip man --out ~/.local/share/man/man1
+  stickslip man --out ~/.local/share/man/man1 --overwrite")]
 pub(crate) struct ManArgs {
     /// Output folder for the pages of all commands [default: only the first page, to standard output]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// Replace existing pages
+    #[arg(long, requires = "out")]
+    pub(crate) overwrite: bool,
 }

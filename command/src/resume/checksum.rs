@@ -5,10 +5,11 @@
 
 use crate::output::with_suffix;
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use stickslip_front::text::open_regular;
 
 /// The checksum FNV-1a of 64 bits. Each step is one-to-one, so that texts that differ in one byte have different ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,7 +47,7 @@ fn place(file: &Path) -> PathBuf {
 /// The checksums that were kept, by the number of bytes; none where there is no such file.
 pub(super) fn kept(file: &Path) -> BTreeMap<u64, String> {
     let mut text = String::new();
-    let read = File::open(place(file)).and_then(|found| found.take(LONGEST).read_to_string(&mut text));
+    let read = open_regular(&place(file)).and_then(|found| found.take(LONGEST).read_to_string(&mut text));
     let Some(lines) = read.ok().and_then(|_| text.strip_prefix(FIRST)) else { return BTreeMap::new() };
     let line = |line: &str| {
         let (bytes, sum) = line.split_once(' ')?;
@@ -76,8 +77,11 @@ impl<'a> Checked<'a> {
         checked
     }
 
-    /// Opens `FILE.check`, unless it is a file of other origin.
+    /// Opens `FILE.check`, unless it is a file of other origin, or none, such as a pipe, which may have no other end.
     fn log(place: &Path) -> io::Result<File> {
+        if fs::metadata(place).is_ok_and(|found| !found.is_file()) {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
         let mut log = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(place)?;
         let mut first = Vec::new();
         (&mut log).take(FIRST.len() as u64).read_to_end(&mut first)?;

@@ -4,6 +4,7 @@ use crate::bits::digits;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::motion_plot::{axis, panel};
+use crate::threads;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use stickslip::inputs::units::Kind as Of;
@@ -124,7 +125,7 @@ fn answers(grid: &Grid<'_>) -> Result<Vec<Vec<Cell<'static>>>, Failure> {
         }
         Ok(grid.answer(row).unwrap_or_else(|_| grid.blank().to_vec()))
     };
-    (0..grid.len()).into_par_iter().map(answer).collect()
+    threads::on_all(|| (0..grid.len()).into_par_iter().map(answer).collect())
 }
 
 const fn number(cell: Option<&Cell<'_>>) -> f64 {

@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 use stickslip::inputs::units::Kind as Of;
 use stickslip::system::{Element, Kind, Law};
 use stickslip_front::system::Described;
+use stickslip_front::text::printable;
 
 /// The least distance of two columns of bodies, of the lines between two bodies, and the least size of a body, in pixels.
 const GAP: f64 = 190.0;
@@ -99,7 +100,7 @@ fn links(described: &Described) -> Vec<Link> {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// The column of each body: the number of connections to the ground, or the first column without one.

@@ -17,6 +17,7 @@ use stickslip::inputs::units::{Kind as Of, Reader};
 use stickslip::motion::record::Record as Load;
 use stickslip::{Definition, Measure};
 use stickslip_front::system::{Asked, Axis, Cell as Found, Grid, units_of};
+use stickslip_front::text::printable;
 
 /// The rows of a grid.
 struct Rows {
@@ -49,7 +50,7 @@ fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
         if value.get("masses").is_none() {
             super::note_of_units(units.as_ref(), &file.display().to_string());
         }
-        Ok((file.display().to_string(), record))
+        Ok((printable(&file.display().to_string()).into_owned(), record))
     });
     let records = records.collect::<Result<Vec<(String, Load<f64>)>, Failure>>()?;
     let axes = args.set.iter().map(|text| {

@@ -1,6 +1,6 @@
 //! An interrupt takes effect within 0.3 s, whatever the command is doing; a system failure is reported.
 
-use crate::command_line::{listens, stickslip};
+use crate::command_line::{listens, said, stickslip};
 use crate::place::place;
 use std::io::{Read, Write};
 use std::process::{Child, Command, Stdio};
@@ -61,8 +61,9 @@ fn ends_in_time(what: &str, interrupted: impl Fn() -> Child) -> Child {
 /// The process ends with status 130 and one line, in time.
 fn heard(what: &str, interrupted: impl Fn() -> Child) {
     let mut child = ends_in_time(what, interrupted);
-    let mut message = String::new();
-    child.stderr.take().unwrap().read_to_string(&mut message).unwrap();
+    let mut message = Vec::new();
+    child.stderr.take().unwrap().read_to_end(&mut message).unwrap();
+    let message = said(&message);
     assert_eq!(child.wait().unwrap().code(), Some(130), "{what}: {message}");
     assert!(message.contains("interrupted") && message.lines().count() == 1, "{what}: {message}");
 }

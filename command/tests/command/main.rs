@@ -31,6 +31,8 @@ mod gallery;
 mod identify;
 #[cfg(unix)]
 mod interrupt;
+#[cfg(unix)]
+mod limits;
 mod messages;
 mod motion;
 mod options;
@@ -47,3 +49,4 @@ mod sweep;
 mod systems;
 mod tasks;
 mod units;
+mod wrong;

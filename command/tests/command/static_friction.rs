@@ -179,7 +179,10 @@ fn what_does_not_know_it_refuses_it() {
     refused("border --omega 0.8 --static-friction-ratio 1.3 --no-stop", &["η = 1.3 must be 1 here"]);
     refused("design bands --alpha 3 --from 0.1 --to 2 --static-friction-ratio 1.3", &["does not use it"]);
     refused("steady --omega 0.8 --alpha 2 --static-friction-ratio 0.9", &["η = 0.9 must be ≥ 1"]);
-    refused("steady --omega 0.8 --alpha 2 --static-friction-ratio nan", &["must be finite"]);
+    refused(
+        "steady --omega 0.8 --alpha 2 --static-friction-ratio nan",
+        &["--static-friction-ratio nan: must be a number"],
+    );
     refused("attractors --omega 0.8 --alpha 2 --starts 0", &["--starts 0"]);
     refused("attractors --omega 0.8 --alpha 2 --reach -1", &["--reach -1: must be > 0"]);
 }

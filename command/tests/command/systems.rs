@@ -283,7 +283,7 @@ fn the_border_is_between_sticking_and_not() {
     let border = json(&format!("system {} border --format json", file.display()));
     let least = 1500.0 * border["least_load_factor"].as_f64().unwrap();
     for (factor, rests) in [(0.999, 2), (1.001, 0)] {
-        let set = format!("--set forces.0.amplitude={}N", least * factor);
+        let set = format!("--set forces[1].amplitude={}N", least * factor);
         let found = json(&format!("system {} steady --format json {set}", file.display()));
         assert_eq!(found["elements"][0]["stops"], rests, "{factor}");
     }
@@ -330,7 +330,11 @@ fn a_grid_has_a_row_for_each_place() {
         (&value!(-1.0), &Value::Null)
     );
     let said = String::from_utf8(answer.stderr).unwrap();
-    assert!(said.contains("no answer in row 1: contacts[1].friction -1N") && said.contains("≥ 0"), "{said}");
+    assert!(
+        said.contains("no answer in row 1: bearing.friction=-1N: contacts[1].friction -1N")
+            && said.contains("≥ 0"),
+        "{said}"
+    );
 }
 
 /// A grid over two records, whole, in two parts, and continued after an interruption, is the same; each row is the
@@ -442,7 +446,7 @@ fn each_mistake_is_one_line_with_its_place() {
             vec!["contacts[1].peak 2: must be left out"],
         ),
         ("name = \"bearing\"", "name = \"roof\"", vec!["the name roof is used twice"]),
-        ("name = \"bearing\"", "name = \"\"", vec!["contacts[1]: the name must not be empty"]),
+        ("name = \"bearing\"", "name = \"\"", vec!["contacts[1].name : a name must not be empty"]),
     ] {
         std::fs::write(&file, MACHINE.replacen(old, new, 1)).unwrap();
         refused(&format!("system {} steady", file.display()), &parts);
@@ -459,9 +463,22 @@ fn each_mistake_is_one_line_with_its_place() {
     refused(&format!("{line} curve --frequency 1Hz,,2Hz"), &["--frequency 1Hz,,2Hz: a value is missing"]);
     refused(&format!("{line} steady --overwrite"), &["--overwrite: needs --picture"]);
     refused(&format!("{line} steady --set contacts[0].friction=1N"), &["whole number ≥ 1"]);
-    let same = ["contacts[1].friction", "contacts.0.friction", "bearing.friction"];
+    for path in ["contacts.0.friction", "contacts.1.friction", "contacts[2].friction"] {
+        let parts = [format!("{path}=1N: "), "no place of the list, which has [1] to [1]".to_owned()];
+        refused(&format!("{line} steady --set {path}=1N"), &parts.each_ref().map(String::as_str));
+    }
+    let same = ["contacts[1].friction", "bearing.friction"];
     let same = same.map(|path| stdout(&format!("{line} steady --set {path}=321N")));
-    assert!(same[0] == same[1] && same[1] == same[2]);
+    assert_eq!(same[0], same[1]);
+    // What was typed is blamed, not the value of the file that it replaces, and not a harmonic of the engine.
+    refused(
+        &format!("{line} steady --set bearing.friction=-1N"),
+        &["bearing.friction=-1N: contacts[1].friction -1N: must be ≥ 0"],
+    );
+    for typed in ["-3", "0", "-2Hz"] {
+        let due = format!("--frequency {typed}: must be > 0 and finite");
+        refused(&format!("{line} curve --frequency={typed}"), &[&due]);
+    }
     refused(&format!("{line} simulate --until 1e300s"), &["--until 1e300s: must be ≤"]);
     refused(&format!("{line} steady --until 1s"), &["--until: this question does not use it"]);
     refused(&format!("{line} steady --set bearin.friction=5N"), &["bearin is neither a name nor a place"]);

@@ -15,10 +15,20 @@ pub(crate) fn stickslip(arguments: &str) -> Command {
     command
 }
 
+/// The line on standard error after two seconds, where that is no terminal.
+pub(crate) const GOES_ON: &str = "stickslip: note: still computing. Ctrl-C ends it\n";
+
+/// Standard error without that line, which a slow machine adds.
+pub(crate) fn said(stderr: &[u8]) -> String {
+    String::from_utf8(stderr.to_vec()).unwrap().replace(GOES_ON, "")
+}
+
 /// The standard output of a successful run with empty standard error.
 pub(crate) fn stdout(arguments: &str) -> String {
-    let output = stickslip(arguments).assert().success().stderr("").get_output().stdout.clone();
-    String::from_utf8(output).unwrap()
+    let assert = stickslip(arguments).assert().success();
+    let output = assert.get_output();
+    assert_eq!(said(&output.stderr), "", "{arguments}");
+    String::from_utf8(output.stdout.clone()).unwrap()
 }
 
 /// Waits until a process of the command handles signals, or ends: an earlier signal would end it at once.
@@ -46,7 +56,7 @@ pub(crate) fn json(arguments: &str) -> Value {
 /// contains all of `parts`.
 pub(crate) fn refused(arguments: &str, parts: &[&str]) {
     let assert = stickslip(arguments).assert().code(2).stdout("");
-    let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+    let text = said(&assert.get_output().stderr);
     assert_eq!(text.matches('\n').count(), 1, "{arguments}: {text}");
     // What a message quotes is the input's.
     let own: String =

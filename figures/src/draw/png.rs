@@ -22,5 +22,13 @@ pub(crate) fn png(svg: &str, width: u32) -> io::Result<Vec<u8>> {
     let mut pixels = Pixmap::new(width, height)
         .ok_or_else(|| io::Error::other(format!("{width} × {height} pixels are none, or too many")))?;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
-    pixels.encode_png().map_err(io::Error::other)
+    // As `Pixmap::encode_png`, but without a copy of all pixels.
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header().map_err(io::Error::other)?;
+    writer.write_image_data(&pixels.take_demultiplied()).map_err(io::Error::other)?;
+    writer.finish().map_err(io::Error::other)?;
+    Ok(file)
 }

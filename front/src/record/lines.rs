@@ -1,5 +1,6 @@
 //! The lines of a text, with their numbers. No more than one line is in memory, and one without an end is refused.
 
+use crate::text::{UTF16, is_utf16};
 use std::collections::VecDeque;
 use std::io::{BufRead, Read};
 
@@ -35,7 +36,7 @@ impl<'a, R: BufRead> Lines<'a, R> {
         self.count = self.count.saturating_add(1);
         let refused = |what: &str| Err(format!("{} line {}: {what}", self.name, self.count));
         if bytes.contains(&0) {
-            return refused("must be text, but has a zero byte");
+            return refused(if is_utf16(&bytes) { UTF16 } else { "must be text, but has a zero byte" });
         }
         if length as u64 == LONGEST && bytes.last() != Some(&b'\n') {
             return refused("must be shorter than 16 MiB");

@@ -34,15 +34,25 @@ impl NamedSystem {
         folder: &Path,
         units: Option<&Units>,
     ) -> Result<Self, String> {
-        let mut value = value.clone();
-        for (path, new) in set {
-            Self::set(&mut value, path, new)?;
+        let built = |value: &Value| Self::of(file::described(value, folder, units)?);
+        let set: Vec<(&str, &str)> = set.into_iter().collect();
+        if set.is_empty() {
+            return built(value);
         }
-        Self::of(file::described(&value, folder, units)?)
+        let mut other = value.clone();
+        for (path, new) in &set {
+            Self::set(&mut other, path, new)?;
+        }
+        built(&other).map_err(|why| {
+            // What was typed is wrong where the file alone is not.
+            let typed =
+                || set.iter().map(|(path, new)| format!("{path}={new}")).collect::<Vec<_>>().join(" ");
+            if built(value).is_ok() { format!("{}: {why}", typed()) } else { why }
+        })
     }
 
     /// Sets a value at a path of a description: `name.field` of a named contact, spring, stop or body, or places in lists from
-    /// 0, such as `forces.0.amplitude`.
+    /// 1, such as `forces[1].amplitude`.
     ///
     /// # Errors
     /// Where there is no such place.
@@ -81,10 +91,13 @@ impl NamedSystem {
     /// # Errors
     /// Without a harmonic load, or for a frequency that is not positive and finite.
     pub fn at_frequency(mut self, frequency: f64) -> Result<Self, String> {
+        if !(frequency > 0.0 && frequency.is_finite()) {
+            return Err("must be > 0 and finite".to_owned());
+        }
         let harmonics = &mut self.described.model.harmonics;
         let lowest = harmonics.iter().map(|h| h.frequency).fold(f64::INFINITY, f64::min);
         if !lowest.is_finite() {
-            return Err("frequency: the system has no harmonic load".to_owned());
+            return Err("the system has no harmonic load".to_owned());
         }
         for harmonic in harmonics {
             let is_lowest = harmonic.frequency == lowest;

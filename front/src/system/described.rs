@@ -8,6 +8,10 @@ use stickslip::system::{Base, Law, Model, Signal, State};
 pub(super) const MOST_COORDINATES: usize = 200;
 /// The greatest number of elements.
 pub(super) const MOST_ELEMENTS: usize = 200;
+/// The greatest number of frequencies of the loads, and of records: each adds two rows to the matrices, which are dense.
+pub(super) const MOST_HARMONICS: usize = 200;
+/// The greatest number of samples of all records together, which stay in memory.
+pub(super) const MOST_SAMPLES: usize = 2_000_000;
 
 /// A system as its file describes it, with the names of its parts.
 #[derive(Debug, Clone)]

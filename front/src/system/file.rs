@@ -1,15 +1,35 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, law, peak};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_HARMONICS, MOST_SAMPLES, law, peak};
 use super::named;
 use super::node::{Fields, Node, nearest};
+use super::unique::Unique;
+use crate::text::of_bytes;
 use serde_json::Value;
 use std::path::Path;
 use stickslip::inputs::units::{Reader, System as Units};
 use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
-/// The greatest length of a file in bytes.
-pub const LONGEST: usize = 1 << 26;
+/// The greatest length of a file in bytes: three matrices of the most coordinates in full digits are 3 MB.
+pub const LONGEST: usize = 1 << 23;
+
+/// That of TOML, of which every word and every end of a line is in memory with its place.
+const LONGEST_TOML: usize = 1 << 22;
+
+/// The greatest number of values in a file, so that it is read in 200 MB of memory and less than a second. Three matrices of
+/// the most coordinates have 120,000, and two for each sample of a record are left.
+pub const MOST_VALUES: usize = 500_000;
+
+/// The text of a file.
+///
+/// # Errors
+/// One line with the name of the file, where it is too long or no UTF-8.
+pub fn decoded(bytes: Vec<u8>, name: &str) -> Result<String, String> {
+    if bytes.len() > LONGEST {
+        return Err(format!("{name}: must be ≤ {LONGEST} bytes"));
+    }
+    of_bytes(bytes).map_err(|what| format!("{name}: {what}"))
+}
 
 /// The value of a file's text: JSON where it begins with a brace, otherwise TOML.
 ///
@@ -19,33 +39,42 @@ pub fn parsed(text: &str, name: &str) -> Result<Value, String> {
     if text.len() > LONGEST {
         return Err(format!("{name}: must be ≤ {LONGEST} bytes"));
     }
+    // Each value of either language has one of these before it.
+    let values = text.bytes().filter(|byte| b"{[,:=".contains(byte)).count();
+    if values > MOST_VALUES {
+        return Err(format!("{name}: has {values} values, must have ≤ {MOST_VALUES}"));
+    }
     if text.trim_start().starts_with('{') {
-        return serde_json::from_str(text).map_err(|e| format!("{name}: {e}"));
+        return serde_json::from_str(text).map(|Unique(value)| value).map_err(|e| format!("{name}: {e}"));
+    }
+    if text.len() > LONGEST_TOML {
+        return Err(format!("{name}: must be ≤ {LONGEST_TOML} bytes, or JSON"));
     }
     let table: toml::Table = toml::from_str(text).map_err(|e: toml::de::Error| {
-        let line = e.span().map_or(0, |span| text.get(..span.start).unwrap_or("").lines().count().max(1));
+        let line = e
+            .span()
+            .map_or(0, |span| text.get(..span.start).unwrap_or("").matches('\n').count().saturating_add(1));
         format!("{name}, line {line}: {}", e.message().replace('\n', " "))
     })?;
     let value = toml::Value::Table(table);
     // JSON has no such numbers: they would count as fields that are left out.
-    if let Some(place) = not_finite(&value, "") {
-        return Err(format!("{name}: {place}: must be finite"));
+    if let Some(place) = not_finite(&value) {
+        return Err(format!("{name}: {}: must be finite", place.trim_start_matches('.')));
     }
     serde_json::to_value(value).map_err(|e| format!("{name}: {e}"))
 }
 
-/// The place of a number that is none, or infinite.
-fn not_finite(value: &toml::Value, place: &str) -> Option<String> {
+/// The place of a number that is none, or infinite, behind that of the value.
+fn not_finite(value: &toml::Value) -> Option<String> {
     match value {
-        toml::Value::Float(x) if !x.is_finite() => Some(format!("{place} {x}")),
+        toml::Value::Float(x) if !x.is_finite() => Some(format!(" {x}")),
         toml::Value::Array(list) => list
             .iter()
-            .enumerate()
-            .find_map(|(i, value)| not_finite(value, &format!("{place}[{}]", i.saturating_add(1)))),
-        toml::Value::Table(table) => table.iter().find_map(|(name, value)| {
-            let place = if place.is_empty() { name.clone() } else { format!("{place}.{name}") };
-            not_finite(value, &place)
-        }),
+            .zip(1..)
+            .find_map(|(value, place): (_, usize)| not_finite(value).map(|rest| format!("[{place}]{rest}"))),
+        toml::Value::Table(table) => {
+            table.iter().find_map(|(name, value)| not_finite(value).map(|rest| format!(".{name}{rest}")))
+        }
         _ => None,
     }
 }
@@ -69,6 +98,9 @@ pub(super) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> 
     let reader = Reader::new(own.as_ref().or(units), "units = \"N,mm\"");
     let root = Node::root(value, &reader);
     let fields = root.fields()?;
+    if let (Some(_), Some(_)) = (fields.get("masses"), fields.get("mass")) {
+        return Err("masses, mass: must be one of the two: bodies by name, or a matrix".to_owned());
+    }
     if fields.get("masses").is_some() {
         // Answers in other units than those of the file: bare numbers are then refused by the reader.
         let reader = Reader::new(asked.as_ref(), "units = \"N,mm\"");
@@ -94,21 +126,26 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
                 .to_owned(),
         );
     }
-    let mass = fields.required("mass")?.matrix()?;
-    let n = mass.len();
+    let mass = fields.required("mass")?;
+    let n = mass.list()?.len();
     if n == 0 || n > MOST_COORDINATES {
         return Err(format!("mass: has {n} rows, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
     }
+    let mass = mass.matrix(n)?;
     let zeros = || vec![vec![0.0; n]; n];
-    let matrix = |name| fields.get(name).map_or_else(|| Ok(zeros()), |node| node.matrix());
+    let matrix = |name| fields.get(name).map_or_else(|| Ok(zeros()), |node| node.matrix(n));
     let mut model =
         Model { damping: matrix("damping")?, stiffness: matrix("stiffness")?, mass, ..Model::default() };
     if let Some(constant) = fields.get("constant") {
-        model.constant = constant.numbers()?;
+        model.constant = constant.vector(n)?;
     }
-    for node in fields.get("harmonics").map_or_else(|| Ok(Vec::new()), |node| node.list())? {
+    let harmonics = fields.get("harmonics").map_or_else(|| Ok(Vec::new()), |node| node.list())?;
+    if harmonics.len() > MOST_HARMONICS {
+        return Err(format!("harmonics: {} of them, must be ≤ {MOST_HARMONICS}", harmonics.len()));
+    }
+    for node in harmonics {
         let harmonic = node.fields()?;
-        let part = |name| harmonic.get(name).map_or_else(|| Ok(Vec::new()), |node| node.numbers());
+        let part = |name| harmonic.get(name).map_or_else(|| Ok(Vec::new()), |node| node.vector(n));
         model.harmonics.push(Harmonic {
             frequency: harmonic.required("frequency")?.number()?,
             sin: part("sin")?,
@@ -118,11 +155,12 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
     }
     if let Some(node) = fields.get("record") {
         let record = node.fields()?;
-        model.records.push(Record {
-            times: record.required("times")?.numbers()?,
-            values: record.required("values")?.numbers()?,
-            force: record.required("force")?.numbers()?,
-        });
+        let times = record.required("times")?.numbers()?;
+        if times.len() > MOST_SAMPLES {
+            return Err(format!("record.times: has {} numbers, must have ≤ {MOST_SAMPLES}", times.len()));
+        }
+        let values = record.required("values")?.vector(times.len())?;
+        model.records.push(Record { times, values, force: record.required("force")?.vector(n)? });
         record.end()?;
     }
     let elements = fields.get("elements").map_or_else(|| Ok(Vec::new()), |node| node.list())?;
@@ -130,17 +168,14 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
         return Err(format!("elements: {} of them, must be ≤ {MOST_ELEMENTS}", elements.len()));
     }
     for (i, node) in elements.iter().enumerate() {
-        model.elements.push(element(node, i)?);
+        model.elements.push(element(node, i, n)?);
     }
     let mut start = State::rest(n);
     if let Some(node) = fields.get("start") {
         let state = node.fields()?;
         for (name, place) in [("displacement", &mut start.displacement), ("velocity", &mut start.velocity)] {
             if let Some(node) = state.get(name) {
-                *place = node.numbers()?;
-                if place.len() != n {
-                    return Err(node.wrong(&format!("has {} numbers, must have {n}", place.len())));
-                }
+                *place = node.vector(n)?;
             }
         }
         state.end()?;
@@ -170,10 +205,10 @@ fn signal(node: &Node<'_>) -> Result<Signal<f64>, String> {
     Ok(found)
 }
 
-fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, String> {
+fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> {
     let fields = node.fields()?;
     let number = |name: &'static str| fields.required(name).and_then(|node| node.number());
-    let mut direction = fields.required("direction")?.numbers()?;
+    let mut direction = fields.required("direction")?.vector(n)?;
     let kind = fields.required("type")?;
     let kind = match kind.text()? {
         "contact" => {
@@ -184,7 +219,7 @@ fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, String> {
             };
             let normal = fields.get("normal").map(|node| {
                 let displacement = match node.value().get("displacement") {
-                    Some(_) => node.fields()?.required("displacement")?.numbers()?,
+                    Some(_) => node.fields()?.required("displacement")?.vector(n)?,
                     None => Vec::new(),
                 };
                 Ok::<_, String>(Normal { signal: signal(&node)?, displacement })
@@ -208,7 +243,7 @@ fn element(node: &Node<'_>, i: usize) -> Result<Element<f64>, String> {
     };
     let name = fields.get("name").map_or_else(
         || Ok(format!("element {}", i.saturating_add(1))),
-        |node| node.text().map(str::to_owned),
+        |node| node.name().map(str::to_owned),
     )?;
     let moves = fields.get("belt").map_or_else(|| Ok(Signal::constant(0.0)), |node| signal(&node))?;
     fields.end()?;

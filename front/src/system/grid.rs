@@ -40,6 +40,8 @@ enum Values {
 pub struct Axis {
     /// The path in the file; `None` for the frequency of the loads.
     path: Option<String>,
+    /// The words before a value in messages: the path, or the name of the option.
+    typed: String,
     values: Values,
 }
 
@@ -50,13 +52,16 @@ impl Axis {
     /// # Errors
     /// Names the text and the condition.
     pub fn of(path: &str, text: &str) -> Result<Self, String> {
-        Ok(Self { path: Some(path.to_owned()), values: values(&format!("{path}="), text)? })
+        let typed = format!("{path}=");
+        Ok(Self { path: Some(path.to_owned()), values: values(&typed, text)?, typed })
     }
 
     /// Values at a path of the file, or of the lowest frequency of the loads for `None`, as they would be typed.
     #[must_use]
     pub fn of_each(path: Option<&str>, typed: &[String]) -> Self {
-        Self { path: path.map(str::to_owned), values: listed(typed.iter().map(String::as_str)) }
+        let values = listed(typed.iter().map(String::as_str));
+        let typed = path.map_or_else(|| "frequency ".to_owned(), |path| format!("{path}="));
+        Self { path: path.map(str::to_owned), typed, values }
     }
 
     /// The number of values.
@@ -98,7 +103,8 @@ impl Axis {
     /// # Errors
     /// Names the text and the condition.
     pub fn of_frequency(name: &str, text: &str) -> Result<Self, String> {
-        Ok(Self { path: None, values: values(&format!("{name} "), text)? })
+        let typed = format!("{name} ");
+        Ok(Self { path: None, values: values(&typed, text)?, typed })
     }
 }
 
@@ -240,9 +246,11 @@ impl<'a> Grid<'a> {
         let chosen = || self.axes.iter().zip(&typed);
         let set = chosen().filter_map(|(axis, text)| Some((axis.path.as_deref()?, text.as_str())));
         let mut found = NamedSystem::new(self.value, set, self.folder, self.units)?;
-        for (_, text) in chosen().filter(|(axis, _)| axis.path.is_none()) {
-            let frequency = found.reader().value("frequency", text, Of::Frequency);
-            found = found.at_frequency(frequency.map_err(|e| e.to_string())?)?;
+        for (axis, text) in chosen().filter(|(axis, _)| axis.path.is_none()) {
+            let frequency = found.reader().value(axis.typed.trim(), text, Of::Frequency);
+            found = found
+                .at_frequency(frequency.map_err(|e| e.to_string())?)
+                .map_err(|e| format!("{}{text}: {e}", axis.typed))?;
         }
         match record {
             Some((name, record)) => found.with_record(record, name),

@@ -1,11 +1,13 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak, shake};
-use super::node::{Fields, Node, nearest};
+use super::described::{
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_HARMONICS, MOST_SAMPLES, base_of, law, peak, shake,
+};
+use super::node::{Fields, Node, check_name, nearest};
 use crate::record::{self, Options, Words};
+use crate::text::{of_bytes, open_regular};
 use serde_json::Value;
-use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Read};
 use std::path::Path;
 use stickslip::Excitation;
 use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
@@ -14,6 +16,9 @@ use stickslip::system::{Base, Element, Harmonic, Kind, Law, Model, Normal, Recor
 
 /// The name of the ground.
 const GROUND: &str = "ground";
+
+/// The greatest length of the file of a law in bytes: some 50,000 points.
+const LONGEST_LAW: u64 = 1 << 21;
 
 /// The bodies, and the system as far as it is read.
 struct Builder<'p> {
@@ -46,6 +51,7 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     };
     let mut start = State::rest(n);
     for (i, (name, node)) in bodies.iter().enumerate() {
+        check_name(name).map_err(|must| format!("masses.{name}: {must}"))?;
         if *name == GROUND {
             return Err(node.wrong("must have another name: the ground does not move"));
         }
@@ -146,12 +152,9 @@ impl Builder<'_> {
     /// The name of an element: as given, or its kind and its place in the list.
     fn name(&self, fields: &Fields<'_>) -> Result<String, String> {
         let name = match fields.get("name") {
-            Some(node) => node.text()?.to_owned(),
+            Some(node) => node.name()?.to_owned(),
             None => fields.node.place().to_owned(),
         };
-        if name.is_empty() {
-            return Err(fields.node.wrong("the name must not be empty"));
-        }
         if self.model.elements.iter().any(|element| element.name == name) || self.names.contains(&name) {
             return Err(fields.node.wrong(&format!("the name {name} is used twice")));
         }
@@ -172,7 +175,8 @@ impl Builder<'_> {
         };
         let stiffness = value("stiffness", Of::Stiffness, "as of a buckled strut")?;
         let damping = value("damping", Of::Damping, "which feeds the motion")?;
-        let _ = fields.get("name");
+        // For paths of other values, as that of a force.
+        fields.get("name").map_or(Ok(""), |node| node.name())?;
         fields.end()?;
         for (matrix, value) in [(&mut self.model.stiffness, stiffness), (&mut self.model.damping, damping)] {
             match ends {
@@ -255,7 +259,9 @@ impl Builder<'_> {
         }
         let law = match (force, table) {
             (Some(node), _) => Law::constant(node.not_negative(Of::Force)?),
-            (None, Some(node)) if node.value().is_string() => self.law_of_file(&node)?,
+            (None, Some(node)) if node.value().is_string() => {
+                self.law_of_file(&node).map_err(|e| format!("{}: {e}", node.place()))?
+            }
             (None, Some(node)) => {
                 law(&node, |node, i| node.not_negative(if i == 0 { Of::Velocity } else { Of::Force }))?
             }
@@ -268,9 +274,15 @@ impl Builder<'_> {
     fn law_of_file(&self, node: &Node<'_>) -> Result<Law<f64>, String> {
         let file = self.folder.join(node.text()?);
         let name = file.display().to_string();
-        let bad = |e: &dyn std::fmt::Display| format!("{}: {name}: {e}", node.place());
-        let mut reader =
-            csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(&file).map_err(|e| bad(&e))?;
+        let bad = |e: &dyn std::fmt::Display| format!("{name}: {e}");
+        let mut bytes = Vec::new();
+        let source = open_regular(&file).map_err(|e| bad(&e))?;
+        source.take(LONGEST_LAW + 1).read_to_end(&mut bytes).map_err(|e| bad(&e))?;
+        if bytes.len() as u64 > LONGEST_LAW {
+            return Err(bad(&format!("must be ≤ {LONGEST_LAW} bytes")));
+        }
+        let text = of_bytes(bytes).map_err(|e| bad(&e))?;
+        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
         let header = reader.headers().map_err(|e| bad(&e))?.clone();
         let mut kinds = [Of::Velocity, Of::Force].into_iter().zip(&header).map(|(kind, text)| {
             let (_, unit) = crate::names::name_and_unit(text);
@@ -284,7 +296,7 @@ impl Builder<'_> {
             let row = row.map_err(|e| bad(&e))?;
             let value = |i: usize, (kind, unit): &(Of, Option<String>)| {
                 let text = format!("{}{}", row.get(i).unwrap_or(""), unit.as_deref().unwrap_or(""));
-                let place = format!("{}: {name}, line {}", node.place(), line.saturating_add(2));
+                let place = format!("{name}, line {}", line.saturating_add(2));
                 node.reader().value::<f64>(&place, &text, *kind).map_err(|e| e.to_string())
             };
             points.push((value(0, &speed)?, value(1, &force)?));
@@ -305,27 +317,31 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// The place of a frequency among the harmonics, which is added where it is new.
-    fn harmonic(&mut self, frequency: f64) -> usize {
-        let n = self.names.len();
-        let found = self.model.harmonics.iter().position(|harmonic| harmonic.frequency == frequency);
-        found.unwrap_or_else(|| {
-            self.model.harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
-            self.model.harmonics.len().saturating_sub(1)
-        })
+    /// The place of a frequency among the harmonics, to which it is added where it is new.
+    fn harmonic(&mut self, node: &Node<'_>) -> Result<usize, String> {
+        let frequency = node.quantity(Of::Frequency)?;
+        if frequency <= 0.0 {
+            return Err(node.wrong("must be > 0"));
+        }
+        let (n, harmonics) = (self.names.len(), &mut self.model.harmonics);
+        if let Some(place) = harmonics.iter().position(|harmonic| harmonic.frequency == frequency) {
+            return Ok(place);
+        }
+        let place = harmonics.len();
+        if place == MOST_HARMONICS {
+            return Err(node.wrong(&format!("must be one of ≤ {MOST_HARMONICS} frequencies in the file")));
+        }
+        harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
+        Ok(place)
     }
 
     /// A harmonic `{ amplitude, frequency, phase }`: the place of its frequency, and its parts in phase with the sine and
     /// with the cosine.
     fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<(usize, [f64; 2]), String> {
         let amplitude = fields.required("amplitude")?.quantity(kind)?;
-        let node = fields.required("frequency")?;
-        let frequency = node.quantity(Of::Frequency)?;
-        if frequency <= 0.0 {
-            return Err(node.wrong("must be > 0"));
-        }
+        let place = self.harmonic(&fields.required("frequency")?)?;
         let (sine, cosine) = fields.quantity_or("phase", Of::Angle, 0.0)?.sin_cos();
-        Ok((self.harmonic(frequency), [amplitude * cosine, amplitude * sine]))
+        Ok((place, [amplitude * cosine, amplitude * sine]))
     }
 
     /// A constant, or a constant with a harmonic: `{ constant, amplitude, frequency, phase }`.
@@ -357,18 +373,27 @@ impl Builder<'_> {
         let Some(i) = self.body(&body)? else {
             return Err(body.wrong("must be a body: the ground does not move"));
         };
-        // For paths of other values.
-        let _ = fields.get("name");
-        if let Some(node) = fields.get("record") {
-            let force = unit(self.names.len(), i);
-            self.record(&node, Excitation::Force, force)?;
-        } else if let Some(node) = fields.get("constant") {
-            if let Some(place) = self.model.constant.get_mut(i) {
-                *place += node.quantity(Of::Force)?;
+        fields.get("name").map_or(Ok(""), |node| node.name())?;
+        let force = unit(self.names.len(), i);
+        match (fields.get("record"), fields.get("constant"), fields.get("amplitude")) {
+            (Some(node), None, None) => self.record(&node, Excitation::Force, force)?,
+            (None, Some(node), None) => {
+                if let Some(place) = self.model.constant.get_mut(i) {
+                    *place += node.quantity(Of::Force)?;
+                }
             }
-        } else {
-            let (place, parts) = self.wave(fields, Of::Force)?;
-            self.load(place, parts, &unit(self.names.len(), i));
+            (None, None, Some(_)) => {
+                let (place, parts) = self.wave(fields, Of::Force)?;
+                self.load(place, parts, &force);
+            }
+            (record, constant, amplitude) => {
+                // A misspelt name says more than a missing one.
+                fields.end_with(&["frequency", "phase"])?;
+                let is_given = record.or(constant).or(amplitude).is_some();
+                let what = if is_given { "must have only" } else { "needs" };
+                let one = "one of amplitude with frequency, constant, and record";
+                return Err(fields.node.wrong(&format!("{what} {one}")));
+            }
         }
         fields.end()
     }
@@ -418,6 +443,13 @@ impl Builder<'_> {
         if record.excitation() != of {
             return Err(node.wrong(&format!("must be a record of {}", of.name())));
         }
+        let others = &self.model.records;
+        let count = others.iter().fold(record.samples().len(), |sum, of| sum.saturating_add(of.times.len()));
+        if count > MOST_SAMPLES || others.len() == MOST_HARMONICS {
+            let most =
+                format!("must be one of ≤ {MOST_HARMONICS} records, with ≤ {MOST_SAMPLES} samples together");
+            return Err(node.wrong(&most));
+        }
         self.model.records.push(samples(&record, force));
         Ok(())
     }
@@ -425,7 +457,7 @@ impl Builder<'_> {
 
 /// The record of a file in these units.
 fn of_file(file: &Path, name: &str, reader: &Reader) -> Result<Measured<f64>, String> {
-    let opened = File::open(file).map_err(|e| format!("{name}: {e}"))?;
+    let opened = open_regular(file).map_err(|e| format!("{name}: {e}"))?;
     let found = record::read(BufReader::new(opened), &Options::new(name, reader, Words::COMMAND))?;
     Ok(found.record)
 }
@@ -448,16 +480,23 @@ fn unit(n: usize, place: usize) -> Vec<f64> {
     (0..n).map(|i| if i == place { 1.0 } else { 0.0 }).collect()
 }
 
-/// The path with `.0` for `[1]`.
-fn places(path: &str) -> Option<String> {
-    let mut parts = path.split('[');
-    let mut dotted = parts.next()?.to_owned();
-    for part in parts {
-        let (place, rest) = part.split_once(']')?;
-        let place = place.trim().parse::<usize>().ok()?.checked_sub(1)?;
-        dotted += &format!(".{place}{rest}");
+/// The steps of a path such as `contacts[1].friction`: names, and places in brackets.
+fn steps(path: &str) -> Option<Vec<&str>> {
+    let mut steps = Vec::new();
+    for part in path.split('.') {
+        let (name, places) = part.split_at(part.find('[').unwrap_or(part.len()));
+        steps.push(name.trim());
+        for place in places.split_inclusive(']') {
+            place_of(place)?;
+            steps.push(place);
+        }
     }
-    Some(dotted)
+    Some(steps)
+}
+
+/// The place from 0 of a step such as `[1]`, which is the first, as in messages.
+fn place_of(step: &str) -> Option<usize> {
+    step.trim().strip_prefix('[')?.strip_suffix(']')?.trim().parse::<usize>().ok()?.checked_sub(1)
 }
 
 /// Sets a value of the file, by `name.field` of a named contact, spring, stop or body, or by its place.
@@ -465,9 +504,7 @@ pub(super) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), String
     let about = |what: &str| format!("{path}={text}: {what}");
     let value = text.parse::<f64>().ok().and_then(serde_json::Number::from_f64);
     let value = value.map_or_else(|| Value::String(text.to_owned()), Value::Number);
-    // `contacts[1]` is the first of them, as in messages; `contacts.0` is the same.
-    let dotted = places(path).ok_or_else(|| about("a place in brackets must be a whole number ≥ 1"))?;
-    let steps: Vec<&str> = dotted.split('.').collect();
+    let steps = steps(path).ok_or_else(|| about("a place in brackets must be a whole number ≥ 1"))?;
     let Some((last, steps)) = steps.split_last() else { return Err(about("needs a name")) };
     let by_name = |file: &Value| -> Option<Vec<String>> {
         let (first, rest) = steps.split_first()?;
@@ -475,7 +512,7 @@ pub(super) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), String
         let found = lists.into_iter().find_map(|list| {
             let items = file.get(list)?.as_array()?;
             let at = items.iter().position(|item| item.get("name").and_then(Value::as_str) == Some(first))?;
-            Some(vec![list.to_owned(), at.to_string()])
+            Some(vec![list.to_owned(), format!("[{}]", at.saturating_add(1))])
         });
         let body = || file.get("masses")?.get(first).map(|_| vec!["masses".to_owned(), (*first).to_owned()]);
         let mut place = found.or_else(body)?;
@@ -483,10 +520,17 @@ pub(super) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), String
         Some(place)
     };
     let place = by_name(file).unwrap_or_else(|| steps.iter().map(|step| (*step).to_owned()).collect());
+    let no_place = |step: &str, items: usize| {
+        about(&format!("{step} is no place of the list, which has [1] to [{items}]"))
+    };
     let mut at = file;
     for step in &place {
         let next = match at {
-            Value::Array(items) => step.parse::<usize>().ok().and_then(|i| items.get_mut(i)),
+            Value::Array(items) => {
+                let count = items.len();
+                let item = place_of(step).and_then(|i| items.get_mut(i));
+                Some(item.ok_or_else(|| no_place(step, count))?)
+            }
             Value::Object(map) => map.get_mut(step),
             Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => None,
         };
@@ -503,8 +547,9 @@ pub(super) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), String
             Ok(())
         }
         Value::Array(items) => {
-            let place = last.parse::<usize>().ok().and_then(|i| items.get_mut(i));
-            *place.ok_or_else(|| about("is no place of the list"))? = value;
+            let count = items.len();
+            let item = place_of(last).and_then(|i| items.get_mut(i));
+            *item.ok_or_else(|| no_place(last, count))? = value;
             Ok(())
         }
         Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => Err(about("is no table")),

@@ -1,5 +1,6 @@
 //! A value of a file with its place, such as `springs[2].stiffness`, so that each mistake is one line that names both.
 
+use crate::text::is_control;
 use serde_json::{Map, Value};
 use std::cell::RefCell;
 use stickslip::inputs::units::{Kind, Reader};
@@ -77,6 +78,13 @@ impl<'a> Node<'a> {
         self.value.as_str().ok_or_else(|| self.wrong("must be a text in quotation marks"))
     }
 
+    /// A name, which is shown on terminals and drawings.
+    pub(super) fn name(&self) -> Result<&'a str, String> {
+        let name = self.text()?;
+        check_name(name).map_err(|must| self.wrong(must))?;
+        Ok(name)
+    }
+
     /// A quantity: a number, or a text with a unit.
     pub(super) fn quantity(&self, kind: Kind) -> Result<f64, String> {
         let text = match self.value {
@@ -110,20 +118,40 @@ impl<'a> Node<'a> {
         found.filter(|x: &f64| x.is_finite()).ok_or_else(|| self.wrong("must be a finite number"))
     }
 
+    /// Numbers. Those of JSON need no place of their own, as long as nothing is wrong with them.
     pub(super) fn numbers(&self) -> Result<Vec<f64>, String> {
-        self.list()?.iter().map(Self::number).collect()
+        let plain = self.value.as_array().and_then(|list| list.iter().map(Value::as_f64).collect());
+        plain.map_or_else(|| self.list()?.iter().map(Self::number).collect(), Ok)
     }
 
-    /// A matrix by rows.
-    pub(super) fn matrix(&self) -> Result<Vec<Vec<f64>>, String> {
-        self.list()?.iter().map(Self::numbers).collect()
+    /// So many numbers.
+    pub(super) fn vector(&self, n: usize) -> Result<Vec<f64>, String> {
+        let found = self.numbers()?;
+        if found.len() == n { Ok(found) } else { Err(self.of_length(found.len(), "numbers", n)) }
+    }
+
+    /// A square matrix by rows.
+    pub(super) fn matrix(&self, n: usize) -> Result<Vec<Vec<f64>>, String> {
+        let rows = self.list()?;
+        if rows.len() == n {
+            rows.iter().map(|row| row.vector(n)).collect()
+        } else {
+            Err(self.of_length(rows.len(), "rows", n))
+        }
+    }
+
+    fn of_length(&self, found: usize, what: &str, due: usize) -> String {
+        self.wrong(&format!("has {found} {what}, must have {due}"))
     }
 }
 
 impl<'a> Fields<'a> {
     /// A field, if it is there.
     pub(super) fn get(&self, name: &'static str) -> Option<Node<'a>> {
-        self.known.borrow_mut().push(name);
+        let mut known = self.known.borrow_mut();
+        if !known.contains(&name) {
+            known.push(name);
+        }
         self.map.get(name).filter(|value| !value.is_null()).map(|value| self.node.inner(name, value))
     }
 
@@ -143,7 +171,9 @@ impl<'a> Fields<'a> {
 
     /// Fails at a field that is none of those read or of these, with the name that is nearest to it.
     pub(super) fn end_with(&self, others: &[&'static str]) -> Result<(), String> {
-        self.known.borrow_mut().extend(others);
+        for name in others {
+            let _ = self.get(name);
+        }
         self.end()
     }
 
@@ -155,6 +185,15 @@ impl<'a> Fields<'a> {
         };
         let place = if self.node.place.is_empty() { String::new() } else { format!("{}.", self.node.place) };
         Err(format!("{place}{unknown} is unknown. {}", nearest(unknown, known.iter().copied())))
+    }
+}
+
+/// Fails for a name that cannot be shown.
+pub(super) fn check_name(name: &str) -> Result<(), &'static str> {
+    match name {
+        "" => Err("a name must not be empty"),
+        name if name.contains(is_control) => Err("a name must have no control characters"),
+        _ => Ok(()),
     }
 }
 

@@ -1,8 +1,10 @@
 //! Files of systems: wrong ones, and the schema of right ones.
 #![cfg(feature = "system")]
 
+mod bounds;
 mod hostile;
 mod schema;
+mod wrong;
 
 use serde_json::{Value, json};
 

@@ -46,6 +46,7 @@ from ._design import (
     identify_motion,
 )
 from ._drive import Drive
+from ._labels import FileError
 from ._machine import Machine
 from ._motion import Decay, MachineDecay, MachinePhases, MachineSamples, Phases, Samples, decay, simulate
 from ._native import Error, __version__
@@ -86,6 +87,7 @@ __all__ = [
     "Error",
     "Estimate",
     "Figure",
+    "FileError",
     "FloorSpectrum",
     "Followed",
     "Identified",

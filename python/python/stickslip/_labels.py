@@ -24,6 +24,20 @@ class WrongType(Error, TypeError):
     """An argument is of a type that has no meaning here."""
 
 
+class FileError(Error, OSError):
+    """A file cannot be opened. It is an `Error` and an `OSError`; of a missing file, it is a `FileNotFoundError`, too."""
+
+
+class _MissingFile(FileError, FileNotFoundError):
+    """There is no such file."""
+
+
+def unreadable(name: object, error: OSError) -> FileError:
+    """The error of a file that cannot be opened."""
+    kind = _MissingFile if isinstance(error, FileNotFoundError) else FileError
+    return kind(f"{name}: {error.strerror or error}")
+
+
 class Like(NamedTuple):
     """The kind of arrays in which the arguments were given: with a mask, with labels of pandas, or with dims of xarray."""
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._drive import Quantity, is_array, kept, read, system_of, texts, values_of
-from ._labels import WrongType, aligned, is_labelled, module, numbers, shape_of
+from ._labels import WrongType, aligned, is_labelled, module, numbers, shape_of, unreadable
 from ._native import Error
 from ._physical import names_of
 from ._result import (
@@ -191,7 +191,10 @@ class Record:
         data = bytes(file) if isinstance(file, (bytes, bytearray, memoryview)) else None
         name = "record" if data is not None else os.fspath(file)
         named = None if column is None else str(column)
-        found, summary = _native.record_read(str(name), data, step, named, skip, record_units)
+        try:
+            found, summary = _native.record_read(str(name), data, step, named, skip, record_units)
+        except OSError as error:
+            raise unreadable(name, error) from None
         of, times, samples, unit = found
         return cls._of(np.array(samples), np.array(times), of, unit, after, summary)
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._labels import numbers
+from ._labels import numbers, unreadable
 from ._native import Error
 from ._record import Record
 from ._result import Floats, Result, are_same, of_type
@@ -311,11 +311,12 @@ class System:
         """The system of a file in TOML or JSON, as ``stickslip system`` reads it."""
         name = os.fspath(file)
         try:
-            with open(name, encoding="utf-8") as opened:
-                text = opened.read()
-        except UnicodeDecodeError as error:
-            raise Error(f"{name}: {error}") from None
-        return cls._of((text, str(name), os.path.dirname(name), units))
+            with open(name, "rb") as opened:
+                # Longer ones are refused.
+                data = opened.read(1 << 24)
+        except OSError as error:
+            raise unreadable(name, error) from None
+        return cls._of((_native.system_text(data, str(name)), str(name), os.path.dirname(name), units))
 
     @classmethod
     def _of(cls, described: tuple[str, str, str, Optional[str]], changes: tuple[tuple[Any, ...], ...] = ()) -> "System":
@@ -426,6 +427,9 @@ class System:
         array = self._times(times)
         if array.ndim != 1:
             raise Error(f"times: must be an array of one dimension, not of shape {array.shape}")
+        back = np.flatnonzero(np.diff(array) < 0)
+        if len(back):
+            raise Error(f"times: must increase, but {array[back[0] + 1]} follows {array[back[0]]}")
         *found, absolute = self._handle.states(array, steady)
         coordinates, elements, _ = self._handle.names()
         names = (coordinates, coordinates, elements)
