@@ -201,7 +201,7 @@ pub fn number<F: FromStr>(name: &str, text: &str) -> Result<F, InputError> {
 fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, InputError> {
     let digits = digits.trim();
     if digits.trim_start_matches(['+', '-']).eq_ignore_ascii_case("nan") {
-        return Err(InputError(format!("{name} {text}: must be a number")));
+        return Err(InputError(format!("{name} {text}: must be a finite number, and is NaN")));
     }
     digits.parse().map_err(|_| {
         if text.trim().is_empty() {
@@ -347,7 +347,8 @@ mod tests {
         let error = reader.value::<f64>("--force", "12", Kind::Force).unwrap_err().to_string();
         assert!(error.starts_with("--force 12: has no unit beside --mass 800kg"), "{error}");
         assert_eq!(reader.value::<f64>("--friction", "0", Kind::Force).unwrap(), 0.0);
-        assert!(reader.value::<f64>("--force", "nan", Kind::Force).unwrap().is_nan());
+        let error = reader.value::<f64>("--force", "nan", Kind::Force).unwrap_err().to_string();
+        assert_eq!(error, "--force nan: must be a finite number, and is NaN");
         let named = Reader::new(Some(&"kN,mm".parse().unwrap()), "--units kN,m");
         assert_eq!(named.value::<f64>("--force", "12", Kind::Force).unwrap(), 12.0);
         assert_eq!(named.value::<f64>("--force", "12N", Kind::Force).unwrap(), 0.012);

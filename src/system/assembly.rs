@@ -166,7 +166,7 @@ impl<F: Float> Assembly<F> {
             return Err(Error::Unsupported {
                 name: "elements".to_string(),
                 condition: "must have at most 14 contacts whose directions depend on each other, parallel ones \
-                            counted once",
+                            counted once, or 20000 connected sets of bodies where each contact joins two of them",
             });
         }
         Ok(assembly)

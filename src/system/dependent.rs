@@ -10,7 +10,11 @@
 //! in the directions of gᵢ. Independent directions have one such vector a contact, with one entry, and the inequality is
 //! |T| ≤ R.
 //!
-//! Parallel directions are one, and a direction that no other depends on stands alone. The vectors of the rest are found
+//! Where each direction joins two bodies, or a body and the ground, the contacts are the edges of a graph, and the vectors are its bonds: u is 1 on
+//! a connected set of bodies whose complement is connected, too, and 0 elsewhere. They are found set by set, so that a ring or a
+//! storeyed chain of many contacts has few.
+//!
+//! Otherwise parallel directions are one, and a direction that no other depends on stands alone. The vectors of the rest are found
 //! by trying all sets of rank − 1 directions: g vanishes there and is unique.
 
 use super::matrix::{Matrix, add_times, dot};
@@ -20,6 +24,128 @@ use alloc::vec::Vec;
 
 /// The most directions that depend on each other, parallel ones counted once.
 pub(crate) const MOST_DEPENDENT: usize = 14;
+
+/// The most connected sets of bodies that are looked at.
+const MOST_SETS: usize = 20_000;
+
+/// The ends of each direction, where each is a multiple of `q_i − q_j` or of one coordinate: then its other end is the ground, whose place is
+/// behind that of the last coordinate.
+fn network<F: Float>(directions: &[&[F]]) -> Option<Vec<[usize; 2]>> {
+    let ends = |direction: &&[F]| {
+        let mut entries = direction.iter().enumerate().filter(|(_, x)| **x != F::int(0));
+        let (i, &a) = entries.next()?;
+        match (entries.next(), entries.next()) {
+            (None, _) => Some([i, direction.len()]),
+            (Some((j, &b)), None) if a + b == F::int(0) => Some([i, j]),
+            _ => None,
+        }
+    };
+    directions.iter().map(ends).collect()
+}
+
+/// A graph by the neighbours of each vertex.
+struct Graph {
+    neighbours: Vec<Vec<usize>>,
+}
+
+impl Graph {
+    fn new(edges: &[[usize; 2]]) -> Self {
+        let count = edges.iter().flatten().map(|&v| v.saturating_add(1)).max().unwrap_or(0);
+        let mut neighbours = vec![Vec::new(); count];
+        for &[a, b] in edges {
+            for (from, to) in [(a, b), (b, a)] {
+                if let Some(list) = neighbours.get_mut(from)
+                    && !list.contains(&to)
+                {
+                    list.push(to);
+                }
+            }
+        }
+        Self { neighbours }
+    }
+
+    fn of(&self, vertex: usize) -> &[usize] {
+        self.neighbours.get(vertex).map_or(&[], Vec::as_slice)
+    }
+
+    /// The vertices that can be reached from one without leaving those allowed.
+    fn reached(&self, from: usize, allowed: impl Fn(usize) -> bool) -> Vec<usize> {
+        let mut seen = vec![from];
+        let mut next = 0;
+        while let Some(&vertex) = seen.get(next) {
+            next += 1;
+            for &other in self.of(vertex) {
+                if allowed(other) && !seen.contains(&other) {
+                    seen.push(other);
+                }
+            }
+        }
+        seen
+    }
+
+    /// The connected sets without the last vertex of their component whose rest of the component is connected; none where there are too many.
+    fn bonds(&self) -> Option<Vec<Vec<usize>>> {
+        let mut bonds = Vec::new();
+        let mut left = MOST_SETS;
+        let mut done: Vec<usize> = Vec::new();
+        for vertex in (0..self.neighbours.len()).rev() {
+            if done.contains(&vertex) || self.of(vertex).is_empty() {
+                continue;
+            }
+            let component = self.reached(vertex, |_| true);
+            done.extend_from_slice(&component);
+            let mut barred = vec![vertex];
+            for &root in component.iter().filter(|&&root| root != vertex) {
+                let border: Vec<usize> =
+                    self.of(root).iter().copied().filter(|v| !barred.contains(v)).collect();
+                self.grow(&mut vec![root], &border, &mut barred.clone(), &component, &mut bonds, &mut left)?;
+                barred.push(root);
+            }
+        }
+        Some(bonds)
+    }
+
+    /// All connected sets that contain a set and none of the barred vertices.
+    fn grow(
+        &self,
+        set: &mut Vec<usize>,
+        border: &[usize],
+        barred: &mut Vec<usize>,
+        component: &[usize],
+        bonds: &mut Vec<Vec<usize>>,
+        left: &mut usize,
+    ) -> Option<()> {
+        *left = left.checked_sub(1)?;
+        let outside = component.iter().find(|v| !set.contains(v))?;
+        let rest = self.reached(*outside, |v| !set.contains(&v));
+        if rest.len().saturating_add(set.len()) == component.len() {
+            bonds.push(set.clone());
+        }
+        let known = barred.len();
+        for (i, &vertex) in border.iter().enumerate() {
+            let mut next: Vec<usize> = border.get(i..).unwrap_or(&[]).iter().skip(1).copied().collect();
+            set.push(vertex);
+            let more = self.of(vertex).iter().copied();
+            next.extend(more.filter(|v| !set.contains(v) && !barred.contains(v) && !border.contains(v)));
+            self.grow(set, &next, barred, component, bonds, left)?;
+            set.pop();
+            barred.push(vertex);
+        }
+        barred.truncate(known);
+        Some(())
+    }
+}
+
+/// The vectors of least support of a network, by its bonds.
+fn cuts<F: Float>(directions: &[&[F]], bonds: &[Vec<usize>]) -> Vec<Group<F>> {
+    let across = |bond: &Vec<usize>| -> Group<F> {
+        let by = |direction: &&[F]| {
+            bond.iter().filter_map(|&i| direction.get(i)).fold(F::int(0), |sum, &x| sum + x)
+        };
+        directions.iter().map(by).enumerate().filter(|(_, g)| *g != F::int(0)).collect()
+    };
+    bonds.iter().map(across).collect()
+}
 
 /// The reduced echelon form of a matrix, with the pivots' columns. Entries within rounding of zero are zero.
 fn reduced<F: Float>(rows: &[Vec<F>]) -> (Vec<Vec<F>>, Vec<usize>) {
@@ -139,11 +265,22 @@ fn parted<F: Float>(directions: &[&[F]]) -> (Vec<Group<F>>, Rest<F>) {
 
 /// Whether too many of these directions depend on each other.
 pub(crate) fn too_many<F: Float>(directions: &[&[F]]) -> bool {
+    if let Some(edges) = network(directions) {
+        return Graph::new(&edges).bonds().is_none();
+    }
     parted(directions).1.groups.len() > MOST_DEPENDENT
 }
 
 /// The vectors g of least support: for each facet, up to its sign, the places of the directions with their gᵢ.
 pub(crate) fn facets<F: Float>(directions: &[&[F]]) -> Vec<Group<F>> {
+    if let Some(bonds) = network(directions).and_then(|edges| Graph::new(&edges).bonds()) {
+        return cuts(directions, &bonds);
+    }
+    facets_of_sets(directions)
+}
+
+/// [`facets`] of any directions, by trying sets of them.
+fn facets_of_sets<F: Float>(directions: &[&[F]]) -> Vec<Group<F>> {
     let (mut facets, rest) = parted(directions);
     let (rank, count) = (rest.rows.len(), rest.groups.len());
     if rank == 0 || count > MOST_DEPENDENT {
@@ -310,4 +447,77 @@ pub(crate) fn rounding<F: Float>(row: &[F], force: &[F]) -> F {
     let sum = row.iter().fold(F::int(0), |sum, x| sum + x.abs());
     let largest = force.iter().fold(F::int(0), |most, x| most.or_larger(x.abs()));
     sum * largest * F::epsilon() * F::int(256)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn edge(n: usize, a: usize, b: usize, size: f64) -> Vec<f64> {
+        let at = |i: usize| {
+            if i == a {
+                size
+            } else if i == b {
+                -size
+            } else {
+                0.0
+            }
+        };
+        (0..n).map(at).collect()
+    }
+
+    /// The vectors with a first entry of 1, sorted.
+    fn normal(facets: Vec<Group<f64>>) -> Vec<Vec<(usize, i64)>> {
+        let mut all: Vec<Vec<(usize, i64)>> = facets
+            .into_iter()
+            .map(|mut facet| {
+                facet.sort_by_key(|entry| entry.0);
+                let first = facet[0].1;
+                facet.iter().map(|&(i, g)| (i, (g / first * 1e9).round() as i64)).collect()
+            })
+            .collect();
+        all.sort();
+        all
+    }
+
+    /// A ring of n contacts lets go at any two of them; storeys on contacts to the ground and to each other at any group of neighbours.
+    #[test]
+    fn rings_and_storeys_of_many_contacts_have_few_facets() {
+        let ring: Vec<Vec<f64>> = (0..15).map(|i| edge(15, i, (i + 1) % 15, 1.0)).collect();
+        let of = |list: &[Vec<f64>]| facets(&list.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        let found = of(&ring);
+        assert_eq!(found.len(), 15 * 14 / 2);
+        assert!(found.iter().all(|facet| facet.len() == 2));
+        let storeys: Vec<Vec<f64>> =
+            (0..12).map(|i| edge(12, i, 99, 1.0)).chain((1..12).map(|i| edge(12, i, i - 1, 1.0))).collect();
+        assert_eq!(of(&storeys).len(), 12 * 13 / 2);
+    }
+
+    /// Beside the search over all sets of directions, for graphs with parallel edges, several parts, and factors.
+    #[test]
+    fn bonds_are_the_facets_of_all_sets() {
+        let mut seed = 7_u64;
+        let mut below = |count: u64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) % count
+        };
+        let mut dependent = 0;
+        for _ in 0..300 {
+            let n = 1 + below(5) as usize;
+            let mut list = Vec::new();
+            for _ in 0..1 + below(9) {
+                let (a, b) = (below(n as u64) as usize, below(n as u64 + 1) as usize);
+                if a != b {
+                    list.push(edge(n, a, b, [1.0, 2.0, -0.5][below(3) as usize]));
+                }
+            }
+            let directions: Vec<&[f64]> = list.iter().map(Vec::as_slice).collect();
+            if directions.is_empty() {
+                continue;
+            }
+            dependent += usize::from(rank(&directions) < directions.len());
+            assert_eq!(normal(facets(&directions)), normal(facets_of_sets(&directions)), "{list:?}");
+        }
+        assert!(dependent > 150, "{dependent}");
+    }
 }

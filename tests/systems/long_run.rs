@@ -2,8 +2,10 @@
 
 #![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
 
+use crate::cases::{list, number};
 use crate::closed_form::contact;
 use crate::generator::Random;
+use serde_json::Value;
 use std::f64::consts::TAU;
 use stickslip::system::{
     Element, Harmonic, Kind, Law, Model, Normal, Signal, State, Steady, SteadyKind, System,
@@ -204,6 +206,90 @@ fn the_limit_is_that_of_the_motion() {
         println!("{name}: {settled} of {count} settled, {compared} compared, differ by {most:e} at most");
         assert!(10 * settled > 7 * count && 10 * compared > 5 * count, "{name}: {settled} {compared}");
     }
+}
+
+/// The machine of an entry of `tests/data/limits.json`.
+fn of_limits(of: &Value) -> Model<f64> {
+    let rows = |name: &str| -> Vec<Vec<f64>> { of[name].as_array().unwrap().iter().map(list).collect() };
+    let element = |e: &Value| {
+        let friction = |e: &Value| number(&e["friction"]);
+        let kind = match e["type"].as_str().unwrap() {
+            "contact" => {
+                let points = e.get("law").map_or_else(
+                    || vec![(0.0, friction(e))],
+                    |law| law.as_array().unwrap().iter().map(list).map(|pair| (pair[0], pair[1])).collect(),
+                );
+                let peak = e.get("peak").map_or(1.0, number);
+                Kind::Contact { law: Law { points }, peak, normal: None }
+            }
+            "elastic" => Kind::Elastic { stiffness: number(&e["stiffness"]), friction: friction(e) },
+            _ => Kind::Stop {
+                gap: number(&e["gap"]),
+                stiffness: number(&e["stiffness"]),
+                damping: number(&e["damping"]),
+            },
+        };
+        let moves = Signal::constant(e["moves"].get("constant").map_or(0.0, number));
+        Element { name: String::new(), direction: list(&e["direction"]), moves, kind }
+    };
+    let harmonic = |h: &Value| Harmonic {
+        frequency: number(&h["frequency"]),
+        sin: list(&h["sin"]),
+        cos: list(&h["cos"]),
+    };
+    let all = |name: &str| of.get(name).and_then(Value::as_array).cloned().unwrap_or_default();
+    Model {
+        mass: rows("mass"),
+        damping: rows("damping"),
+        stiffness: rows("stiffness"),
+        constant: of.get("constant").map_or_else(Vec::new, list),
+        elements: all("elements").iter().map(element).collect(),
+        harmonics: all("harmonics").iter().map(harmonic).collect(),
+        ..Model::default()
+    }
+}
+
+/// The long runs of 200 machines that a program without a line of this one has followed: `tests/data/limits.py`.
+#[test]
+fn limits_are_those_of_another_program() {
+    let all: Value = serde_json::from_str(include_str!("../data/limits.json")).unwrap();
+    let (mut most, mut settled, mut count) = (0.0_f64, 0, 0);
+    for (i, due) in all.as_array().unwrap().iter().enumerate() {
+        let model = of_limits(&due["model"]);
+        let system = System::new(&model).unwrap();
+        let steady = system.steady(&State::rest(system.coordinates())).unwrap();
+        count += 1;
+        if matches!(steady.kind, SteadyKind::Unsettled) {
+            continue;
+        }
+        settled += 1;
+        let name = format!("{i}, {}: {steady:?} for {due}", due["kind"]);
+        assert_eq!(due["rest"].as_bool().unwrap(), steady.kind == SteadyKind::Rest, "{name}");
+        if steady.kind == SteadyKind::Periodic {
+            let period = number(&due["period"]);
+            assert!((steady.period / period - 1.0).abs() < 1e-9, "{name}");
+            assert_eq!(Some(steady.periods as u64), due["periods"].as_u64(), "{name}");
+        }
+        let lists: [(&str, &[f64]); 5] = [
+            ("max_displacement", &steady.motion.max_displacement),
+            ("min_displacement", &steady.motion.min_displacement),
+            ("max_velocity", &steady.motion.max_velocity),
+            ("min_velocity", &steady.motion.min_velocity),
+            ("drift", &steady.drift),
+        ];
+        let size = lists.iter().flat_map(|(_, list)| *list).fold(1e-12_f64, |most, x| most.max(x.abs()));
+        for (what, ours) in lists {
+            for (x, other) in ours.iter().zip(due[what].as_array().unwrap()) {
+                let Some(other) = other.as_f64() else { continue };
+                let by = (x - other).abs() / size;
+                most = most.max(by);
+                // Its chunks of a slow decay leave some 10⁻¹¹.
+                assert!(by < 1e-9, "{what} by {by:e} in {name}");
+            }
+        }
+    }
+    println!("{settled} of {count} settled, differ by {most:e} at most");
+    assert!(count == 200 && settled >= 198, "{settled}");
 }
 
 fn bumper(frequency: f64) -> Model<f64> {

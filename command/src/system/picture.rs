@@ -70,7 +70,7 @@ pub(super) fn motion(
         let lines: Vec<_> = lines.collect();
         let values = lines.iter().flat_map(|line| line.points.iter().map(|point| point.1));
         let y = axis(&length, values, 0.08);
-        panels.push(Panel::new(&format!("displacements{title}"), when.clone(), y, lines));
+        panels.push(Panel::new(format!("displacements{title}"), when.clone(), y, lines));
     }
     let count = described.model.elements.len();
     for (i, element) in described.model.elements.iter().take(SHOWN).enumerate() {
@@ -145,6 +145,8 @@ fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
 /// The most answers that the peaks of one coordinate ask for, and those of all.
 const MOST_ADDED: usize = 500;
 const MOST_OF_ALL: usize = 3000;
+/// The most of them that may have no periodic motion or rest: those take longest, and tell nothing of a peak.
+const MOST_SCATTERED: usize = 16;
 
 /// A place on the axis, with its answer.
 pub(super) type Placed = (f64, Vec<Cell<'static>>);
@@ -158,25 +160,29 @@ fn resolved_for_all(
 ) -> Result<Vec<Placed>, Failure> {
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
     let is_log = is_logarithmic(places.first().map_or(0.0, |p| p.0), places.last().map_or(0.0, |p| p.0));
-    let all = std::cell::Cell::new(0);
+    let (all, scattered) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
     for name in described.coordinates.iter().take(SHOWN) {
         let ends = ["max", "min"].map(|end| place_of(&format!("{name}.{end}_displacement")));
         // A motion that has not settled has no height of its own, and its scatter has no end of peaks.
         let kind = place_of("kind");
-        let of = |(x, answer): &Placed| match kind.and_then(|place| answer.get(place)) {
-            Some(Cell::Text("periodic" | "rest")) | None => (*x, height(answer, ends)),
-            _ => (*x, f64::NAN),
+        let is_scattered = |answer: &[Cell<'_>]| {
+            let settled = [Cell::Text("periodic"), Cell::Text("rest"), Cell::Text("uniform")];
+            kind.and_then(|place| answer.get(place)).is_some_and(|kind| !settled.contains(kind))
         };
+        let of =
+            |(x, answer): &Placed| (*x, if is_scattered(answer) { f64::NAN } else { height(answer, ends) });
         let added = std::cell::Cell::new(0);
         let at = |x: f64| {
             interrupt::check()?;
             added.set(added.get() + 1);
             all.set(all.get() + 1);
-            if added.get() > MOST_ADDED || all.get() > MOST_OF_ALL {
+            if added.get() > MOST_ADDED || all.get() > MOST_OF_ALL || scattered.get() > MOST_SCATTERED {
                 // Not asked for, and left out below.
                 return Ok((x, Vec::new()));
             }
-            Ok::<Placed, Failure>((x, grid.answer_at(0, x).unwrap_or_else(|_| grid.blank().to_vec())))
+            let answer = grid.answer_at(0, x).unwrap_or_else(|_| grid.blank().to_vec());
+            scattered.set(scattered.get() + usize::from(is_scattered(&answer)));
+            Ok::<Placed, Failure>((x, answer))
         };
         let found = stickslip_front::curve::resolved(&places, is_log, of, |_| false, at)?;
         places = found.into_iter().map(|(place, _)| place).filter(|(_, answer)| !answer.is_empty()).collect();

@@ -127,7 +127,13 @@ fn every_output_of_every_command_has_its_row() {
                 format!("system {shaken} simulate --until 2s --samples 4 --format json"),
             ],
         ),
-        ("system border", &[format!("system {system} border --format json")]),
+        (
+            "system border",
+            &[
+                format!("system {system} border --format json"),
+                format!("system {system} border --set bearing.static_ratio=1.5 --format json"),
+            ],
+        ),
         (
             "pull",
             &["pull --mass 2kg --stiffness 450N/m --friction 3N --static-friction 4N --speed 20mm/s --format json".to_owned()],

@@ -618,7 +618,7 @@ fn a_body_that_only_tends_to_rest_is_said_to() {
     }
     // A step upon a critically damped body: the body creeps, and never stops.
     let events = stdout(
-        "simulate --mass 1kg --stiffness 100N/m --damping-ratio 1 --friction 1N --force 20N --shape step \
+        "simulate --mass 1kg --stiffness 100N/m --damping-ratio 100% --friction 1N --force 20N --shape step \
          --duration 30s --format csv",
     );
     assert_eq!(events.lines().count(), 2, "{events}");

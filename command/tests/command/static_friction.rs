@@ -181,7 +181,7 @@ fn what_does_not_know_it_refuses_it() {
     refused("steady --omega 0.8 --alpha 2 --static-friction-ratio 0.9", &["η = 0.9 must be ≥ 1"]);
     refused(
         "steady --omega 0.8 --alpha 2 --static-friction-ratio nan",
-        &["--static-friction-ratio nan: must be a number"],
+        &["--static-friction-ratio nan: must be a finite number, and is NaN"],
     );
     refused("attractors --omega 0.8 --alpha 2 --starts 0", &["--starts 0"]);
     refused("attractors --omega 0.8 --alpha 2 --reach -1", &["--reach -1: must be > 0"]);

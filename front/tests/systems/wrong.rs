@@ -57,11 +57,11 @@ fn built(value: &Value) -> Result<(), String> {
 
 /// The last field of a path.
 fn field(path: &[Step]) -> &str {
-    let names = path.iter().filter_map(|step| match step {
+    let mut names = path.iter().filter_map(|step| match step {
         Step::Field(name) => Some(name.as_str()),
         Step::Place(_) => None,
     });
-    names.last().unwrap()
+    names.next_back().unwrap()
 }
 
 fn files() -> [Value; 2] {

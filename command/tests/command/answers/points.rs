@@ -33,7 +33,7 @@ fn a_bad_row_stops_after_the_good_ones() {
         ("1.5,-2", ["line 4", "α = -2 must be > 0"]),
         ("1.5", ["line 4", "1 fields"]),
         ("1.5,", ["line 4", "alpha"]),
-        ("NaN,2", ["line 4", "omega NaN: must be a number"]),
+        ("NaN,2", ["line 4", "omega NaN: must be a finite number, and is NaN"]),
     ] {
         for format in ["jsonl", "csv"] {
             let (out, err, code) = points(format, &format!("omega,alpha\n1.5,2.5\n2,2\n{row}\n3,4\n"));
