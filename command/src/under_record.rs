@@ -155,11 +155,6 @@ pub(crate) fn columns<F: Value>(answer: &RecordAnswer<F>, system: System) -> Col
     })
 }
 
-/// How a motion that has a residual displacement ends there.
-pub(crate) const fn comes_to<F>(answer: &RecordAnswer<F>) -> &'static str {
-    if answer.tends_to_rest { "only tends to" } else { "comes to" }
-}
-
 fn text<F: Value>(
     first: &Answered<F>,
     system: &System,
@@ -176,7 +171,7 @@ fn text<F: Value>(
         (Some(rest), _) => writeln!(
             out,
             "The body slides {slides}, and {} rest at {} {}.",
-            comes_to(answer),
+            stickslip_front::record::comes_to(answer),
             digits(rest),
             unit(Kind::Length)
         )?,

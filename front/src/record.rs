@@ -25,7 +25,7 @@ use lines::Lines;
 use std::io::BufRead;
 use std::str::FromStr;
 use stickslip::inputs::units::{Factor, Kind, Reader};
-use stickslip::motion::record::{After, Record};
+use stickslip::motion::record::{After, Record, RecordAnswer};
 use stickslip::{Excitation, Float};
 
 /// The names that a front has for the options of the reader, for its messages.
@@ -228,6 +228,12 @@ impl Summary {
             number(self.mean)
         )
     }
+}
+
+/// How a motion that has a residual displacement ends there.
+#[must_use]
+pub const fn comes_to<F>(answer: &RecordAnswer<F>) -> &'static str {
+    if answer.tends_to_rest { "only tends to" } else { "comes to" }
 }
 
 /// What follows a record, in one sentence.

@@ -8,7 +8,6 @@ use crate::output;
 use crate::physical::Units;
 use crate::shaken::{Shaken, needs_mass};
 use crate::style;
-use crate::under_record::comes_to;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::enclosed::{self, Enclosure};
@@ -47,7 +46,11 @@ impl EnclosedRecord {
 
     fn text(&self, read: &str, out: &mut impl Write) -> Outcome {
         let found = &self.found;
-        let ends = if found.residual_displacement.is_some() { comes_to(found) } else { "does not come to" };
+        let ends = if found.residual_displacement.is_some() {
+            stickslip_front::record::comes_to(found)
+        } else {
+            "does not come to"
+        };
         let verdict = match found.slides {
             0 => "The body rests throughout. This is certain.".to_owned(),
             1 => format!("The body slides once, and {ends} rest. This is certain."),
