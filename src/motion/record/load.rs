@@ -224,7 +224,7 @@ impl<F: Float> Record<F> {
     #[doc(hidden)]
     pub fn places_between(&self, from: F, to: F) -> Result<Range<usize>, Error> {
         positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
-        let of_decimals = F::from_f64(1.0 / 2f64.powi(48)).or_larger(F::epsilon() * F::int(16));
+        let of_decimals = F::exp2i(-48).or_larger(F::epsilon() * F::int(16));
         let same = self.time(0).abs().or_larger(self.end().abs()) * of_decimals;
         let places = 0..self.samples.len();
         let first = places.clone().take_while(|&i| self.time(i) < from - same).count();
