@@ -353,13 +353,10 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
             ("min_displacement", Of::Length),
             ("max_velocity", Of::Velocity),
             ("min_velocity", Of::Velocity),
+            ("end_displacement", Of::Length),
         ];
-        let more: &[_] = if asked == Asked::Steady {
-            &[("drift", Of::Length), ("mean_velocity", Of::Velocity)]
-        } else {
-            &[("end_displacement", Of::Length)]
-        };
-        let quantities = quantities.into_iter().chain(more.iter().copied());
+        let count = if asked == Asked::Steady { 4 } else { 5 };
+        let quantities = quantities.into_iter().take(count);
         columns.extend(quantities.map(|(what, kind)| number(format!("{name}.{what}{}", unit(kind)))));
     }
     for element in &described.model.elements {
@@ -373,6 +370,12 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
         let names = described.coordinates.iter();
         columns.extend(names.map(|name| number(format!("{name}.max_absolute_acceleration{unit}"))));
     }
+    if asked == Asked::Steady {
+        for name in &described.coordinates {
+            columns.push(number(format!("{name}.drift{}", unit(Of::Length))));
+            columns.push(number(format!("{name}.mean_velocity{}", unit(Of::Velocity))));
+        }
+    }
     columns
 }
 
@@ -382,11 +385,8 @@ fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'st
     for i in 0..motion.max_displacement.len() {
         let lists =
             [&motion.max_displacement, &motion.min_displacement, &motion.max_velocity, &motion.min_velocity];
-        let more: &[&Vec<f64>] = match steady {
-            Some(steady) => &[&steady.drift, &steady.mean_velocity],
-            None => &[&motion.end.displacement],
-        };
-        cells.extend(lists.iter().chain(more).map(|list| Cell::Number(list.get(i).copied())));
+        let end = steady.is_none().then_some(&motion.end.displacement);
+        cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
     }
     for element in &motion.elements {
         cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
@@ -394,5 +394,9 @@ fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'st
         cells.push(Cell::Number(Some(element.work)));
     }
     cells.extend(motion.max_absolute_acceleration.iter().map(|&most| Cell::Number(Some(most))));
+    if let Some(steady) = steady {
+        let pairs = steady.drift.iter().zip(&steady.mean_velocity);
+        cells.extend(pairs.flat_map(|(&by, &speed)| [by, speed].map(|x| Cell::Number(Some(x)))));
+    }
     cells
 }
