@@ -265,7 +265,7 @@ MISTAKES = {
     "a period of no length": (
         lambda: ss.spectrum(ss.Record([0, 1.0], time_step=0.1), period=0.0, friction_coefficient=0.1),
         ss.Error,
-        "period = 0.0: must be > 0 and finite",
+        "period 0.0: natural period T = 0 must be > 0",
     ),
     "more cycles than memory": (lambda: ss.simulate(0.4, 6, cycles=1e300, samples=9), ss.Error, "cycles 1e300, samples 9: more than"),
     "deleting a value": (lambda: delattr(ss.response(0.7, 2), "omega"), AttributeError, "cannot be changed"),

@@ -153,7 +153,7 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
     "call, words",
     [
         (lambda: ss.Machine(-1, 2, 3), "mass -1.0: mass m = -1 must be > 0"),
-        (lambda: ss.Machine(1, 2, 3, damping=math.nan), "damping constant c = NaN"),
+        (lambda: ss.Machine(1, 2, 3, damping=math.nan), "damping nan: must be a finite number, and is NaN"),
         (lambda: ss.Drive(angular_frequency=1), "force .or unbalance, base_acceleration, .*, damped_foot_displacement. is missing"),
         (lambda: ss.Drive(angular_frequency=1, force=1, base_velocity=2), "force and base_velocity: give one of the two, because"),
         (lambda: ss.Machine(1, 2, 3, friction_backward=0), "friction_backward 0.0: backward friction r- = 0 must be > 0"),

@@ -25,7 +25,8 @@ def keywords(of):
 
 
 def names(error, keyword):
-    return keyword in str(error.value)
+    """Whether a message has the keyword, or the quantity in words."""
+    return keyword in str(error.value) or keyword.replace("_", " ") in str(error.value)
 
 
 @pytest.mark.parametrize("keyword", keywords(ss.Machine))
@@ -40,7 +41,7 @@ def test_a_keyword_of_a_machine_is_named(keyword, wrong):
 
 
 @pytest.mark.parametrize("keyword", keywords(ss.Drive))
-@pytest.mark.parametrize("wrong", [wrong for wrong in WRONG if wrong != -3.0], ids=repr)
+@pytest.mark.parametrize("wrong", [math.nan, "abc", "", "5 furlong", object()], ids=repr)
 def test_a_keyword_of_a_drive_is_named(keyword, wrong):
     given = {"frequency": 2.0} if "frequency" not in keyword else {"force": 12.0}
     with pytest.raises(ss.Error) as error:
@@ -104,7 +105,7 @@ def test_a_value_that_was_set_is_named():
         assert due in str(error.value)
     with pytest.raises(ss.Error) as error:
         system.grid({}, frequency=[-3.0])
-    assert "frequency -3.0: must be > 0 and finite" in str(error.value)
+    assert "frequency -3: must be > 0 and finite" in str(error.value)
     with pytest.raises(ss.Error, match="times: must increase, but 0.0 follows 1.0"):
         system.states([0, 1, 0])
 

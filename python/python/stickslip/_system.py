@@ -479,7 +479,7 @@ class System:
         ... )
         >>> grid = system.grid({"c.friction": ["1 N", "2 N"]}, frequency="1Hz:2Hz:3")
         >>> grid
-        SystemGrid(6 rows: c.friction[N], frequency[Hz], kind, periods, m.max_displacement[m], … 6 more)
+        SystemGrid(6 rows: c.friction[N], frequency[Hz], kind, periods, m.max_displacement[m], … 8 more)
         >>> grid["frequency[Hz]"]
         array([1. , 1.5, 2. , 1. , 1.5, 2. ])
         """
