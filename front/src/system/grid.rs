@@ -365,16 +365,16 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
         columns.push((format!("{name}.stops"), Cell::Count(None)));
         columns.push(number(format!("{name}.work{}", unit(Of::Energy))));
     }
-    if described.base.is_some() {
-        let unit = unit(Of::Acceleration);
-        let names = described.coordinates.iter();
-        columns.extend(names.map(|name| number(format!("{name}.max_absolute_acceleration{unit}"))));
-    }
     if asked == Asked::Steady {
         for name in &described.coordinates {
             columns.push(number(format!("{name}.drift{}", unit(Of::Length))));
             columns.push(number(format!("{name}.mean_velocity{}", unit(Of::Velocity))));
         }
+    }
+    if described.base.is_some() {
+        let unit = unit(Of::Acceleration);
+        let names = described.coordinates.iter();
+        columns.extend(names.map(|name| number(format!("{name}.max_absolute_acceleration{unit}"))));
     }
     columns
 }
@@ -393,10 +393,10 @@ fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'st
         cells.push(Cell::Count(Some(element.stops as u64)));
         cells.push(Cell::Number(Some(element.work)));
     }
-    cells.extend(motion.max_absolute_acceleration.iter().map(|&most| Cell::Number(Some(most))));
     if let Some(steady) = steady {
         let pairs = steady.drift.iter().zip(&steady.mean_velocity);
         cells.extend(pairs.flat_map(|(&by, &speed)| [by, speed].map(|x| Cell::Number(Some(x)))));
     }
+    cells.extend(motion.max_absolute_acceleration.iter().map(|&most| Cell::Number(Some(most))));
     cells
 }
