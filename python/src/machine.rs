@@ -113,7 +113,8 @@ pub(crate) fn each_given<const K: usize>(
         let mut missing = None;
         for (input, column) in &columns {
             let value = column.get(place).copied().unwrap_or(f64::NAN);
-            missing = missing.or_else(|| value.is_nan().then(|| format!("{} = NaN: must be finite", input.column())));
+            missing = missing
+                .or_else(|| value.is_nan().then(|| format!("{} = NaN: must be finite", input.column())));
             given.set(*input, value);
         }
         let row = missing.map_or_else(|| of(&given).map_err(|error| error.to_string()), Err);

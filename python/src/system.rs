@@ -55,7 +55,8 @@ impl NativeSystem {
     /// The system with other values at some paths.
     fn with_values(&self, set: Vec<(String, String)>) -> PyResult<Self> {
         let typed = set.iter().map(|(path, new)| (path.as_str(), new.as_str()));
-        let named = NamedSystem::new(&self.value, typed.clone(), Path::new(&self.folder), self.units.as_ref());
+        let named =
+            NamedSystem::new(&self.value, typed.clone(), Path::new(&self.folder), self.units.as_ref());
         let named = Arc::new(named.map_err(refused)?);
         let mut value = serde_json::Value::clone(&self.value);
         for (path, new) in typed {
