@@ -80,11 +80,20 @@ class Chart {
     this.left = left;
     this.svg = node("svg", { role: "img", "aria-label": label || title });
     host.append(this.svg);
-    // The values under the pointer, for a chart that has some.
-    this.read = null;
+    this.reading = null;
+    this.pointer = null;
     this.svg.addEventListener("pointermove", (event) => this.cross(event));
     this.svg.addEventListener("pointerdown", (event) => this.cross(event));
-    this.svg.addEventListener("pointerleave", () => this.uncross());
+    this.svg.addEventListener("pointerleave", () => {
+      this.pointer = null;
+      this.uncross();
+    });
+  }
+
+  // The values under the pointer, for a chart that has some. A chart that is drawn anew under a still pointer keeps them.
+  set read(reading) {
+    this.reading = reading;
+    if (this.pointer) this.cross(this.pointer);
   }
 
   // The place of an event in the units of the axes, if it is within the frame.
@@ -99,9 +108,10 @@ class Chart {
 
   // A line at the pointer, with the values there: `read` gives the place on the x-axis and a text.
   cross(event) {
-    const place = this.read && this.at(event);
+    this.pointer = { clientX: event.clientX, clientY: event.clientY };
+    const place = this.reading && this.at(event);
     if (!place) return this.uncross();
-    const found = this.read(this.x.back(place.x), this.y.back(place.y));
+    const found = this.reading(this.x.back(place.x), this.y.back(place.y));
     if (!found) return this.uncross();
     if (!this.hair) {
       this.hair = node("g", { class: "cursor", "pointer-events": "none" });
