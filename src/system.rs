@@ -55,6 +55,7 @@ mod modes;
 mod motion;
 mod next_branch;
 mod period_map;
+mod propagator;
 mod rate;
 mod self_excited;
 mod steady;

@@ -18,7 +18,8 @@ use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::first_passage::{bernstein_of_rows, integer};
 use super::matrix::absolute;
-use super::matrix::{Matrix, Sparse, add_times, dot, is_small, size_of_dot};
+use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
+use super::propagator::{Powers, Propagator, exponential};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -100,16 +101,14 @@ pub(crate) struct Branch<F> {
     /// A and Aᵀ, most of whose entries are zero.
     a: Sparse<F>,
     transposed: Sparse<F>,
-    /// |A|.
-    sizes: Matrix<F>,
     /// The step.
     pub(crate) step: F,
-    /// (e^{Ah})ᵀ.
-    pub(crate) whole: Matrix<F>,
-    /// The terms `(Aᵏ hᵏ/k!)ᵀ` of a small matrix.
-    terms: Matrix<F>,
+    /// e^{Ah}.
+    pub(crate) whole: Propagator<F>,
+    /// The terms of a small matrix.
+    terms: Powers<F>,
     /// e^{|A|h}.
-    pub(crate) bound: Matrix<F>,
+    bound: Propagator<F>,
     /// The degree of full accuracy.
     pub(crate) degree: usize,
     pub(crate) guards: Vec<Guard<F>>,
@@ -159,14 +158,14 @@ struct Terms<'a, F> {
 }
 
 /// What the rows of a branch need.
-struct Powers<'a, F> {
+struct Series<'a, F> {
     transposed: &'a Sparse<F>,
     step: F,
-    bound: &'a Matrix<F>,
+    bound: &'a Propagator<F>,
     degree: usize,
 }
 
-impl<F: Float> Powers<'_, F> {
+impl<F: Float> Series<'_, F> {
     /// The rows `g Aᵏ hᵏ/k!` for k = 0 … `last`, one after the other.
     fn terms(&self, row: &[F], last: usize) -> Vec<F> {
         let mut terms = Vec::with_capacity((last + 1) * row.len());
@@ -177,7 +176,7 @@ impl<F: Float> Powers<'_, F> {
 
     /// `|row| e^{|A|h}`.
     fn bounded(&self, row: &[F]) -> Vec<F> {
-        self.bound.combined(&absolute(row))
+        self.bound.row_of(&absolute(row))
     }
 
     /// The error bound of a row's polynomial of full degree.
@@ -228,21 +227,22 @@ impl<F: Float> Branch<F> {
     where
         F: 'b,
     {
-        let Equation { a, sizes, tension, stuck } = Equation::new(system, modes);
+        let Equation { a, tension, stuck } = Equation::new(system, modes);
         let degree = degree_of_full_accuracy::<F>();
+        let transposed = a.transposed();
         // As where a contact slides the other way.
-        let (step, bound) = others.find(|b| b.sizes == sizes).map_or_else(
+        let (step, bound) = others.find(|b| b.a.has_sizes_of(&a)).map_or_else(
             || {
-                let most = F::int(1) / fastest(system, &sizes);
+                let most = F::int(1) / fastest(system, &a);
                 let step = if most < longest { most } else { longest };
                 // The series of e^{|A|h} is cut: what is left out is below a unit of its terms.
-                let bound = exponential(&sizes.sparse(), system.size, step, degree, |_| {});
+                let sizes = transposed.map(|x| x.abs());
+                let bound = Propagator::new(&sizes, system.free, step, degree, |_, _| {});
                 (step, bound.map(|x| x + x * F::ratio(1, 64)))
             },
             |other| (other.step, other.bound.clone()),
         );
-        let (a, transposed) = (a.sparse(), a.transposed().sparse());
-        let powers = Powers { transposed: &transposed, step, bound: &bound, degree };
+        let powers = Series { transposed: &transposed, step, bound: &bound, degree };
         let mut guards = guards(system, modes, &tension);
         guards.extend(releases(system, &stuck, &tension));
         let mut low = Vec::with_capacity(guards.len());
@@ -262,39 +262,24 @@ impl<F: Float> Branch<F> {
         }
         let hull = Hull::new(system.size, all.iter().zip(low).map(|(terms, error)| Terms { terms, error }));
         let speed_errors = vec![OnceCell::new(); modes.len()];
-        let mut terms = Matrix::zero(0, 0);
+        let mut terms = Powers::none();
         let is_small = is_small::<F>(system.size);
-        let whole = exponential(&transposed, system.size, step, degree, |term| {
+        let whole = Propagator::new(&transposed, system.free, step, degree, |term, is_free| {
             if is_small {
-                terms.push(term);
+                terms.push(term, is_free);
             }
         });
         let modes = modes.to_vec();
-        Self {
-            modes,
-            a,
-            transposed,
-            sizes,
-            step,
-            whole,
-            terms,
-            bound,
-            degree,
-            guards,
-            speed_errors,
-            hull,
-            tension,
-        }
+        Self { modes, a, transposed, step, whole, terms, bound, degree, guards, speed_errors, hull, tension }
     }
 
     /// Its memory in bytes.
     pub(crate) fn bytes(&self) -> usize {
         let guards =
             self.guards.iter().map(|guard| guard.taylor.entries() + 2 * guard.row.len()).sum::<usize>();
-        let speeds = self.speed_errors.len() * self.sizes.columns();
-        let matrices =
-            [&self.sizes, &self.whole, &self.terms, &self.bound, &self.hull.coefficients, &self.hull.errors];
-        let entries = matrices.iter().map(|matrix| matrix.entries()).sum::<usize>();
+        let speeds = self.speed_errors.len() * self.whole.free.rows().count();
+        let hull = self.hull.coefficients.entries() + self.hull.errors.entries();
+        let entries = self.whole.entries() + self.terms.entries() + self.bound.entries() + hull;
         let tension = self.tension.iter().map(Vec::len).sum::<usize>();
         let sparse = 4 * self.a.rows().map(<[_]>::len).sum::<usize>();
         (guards + speeds + entries + tension + sparse) * size_of::<F>()
@@ -304,14 +289,14 @@ impl<F: Float> Branch<F> {
     pub(crate) fn speed_error(&self, element: usize, velocity: &[F]) -> &[F] {
         let error = || {
             let Self { transposed, step, bound, degree, .. } = self;
-            Powers { transposed, step: *step, bound, degree: *degree }.error(velocity)
+            Series { transposed, step: *step, bound, degree: *degree }.error(velocity)
         };
         self.speed_errors.get(element).map_or(&[], |place| place.get_or_init(error))
     }
 
     /// The size of an entry of `A z`: `|A| |z|`.
     pub(crate) fn size_of_slope(&self, place: usize, z: &[F]) -> F {
-        size_of_dot(self.sizes.row(place), z)
+        self.a.size_of(place, z)
     }
 
     /// `A z`.
@@ -342,12 +327,12 @@ impl<F: Float> Branch<F> {
 
     /// (e^{At})ᵀ for the first states, which no others depend on, over a time t ≤ h.
     pub(crate) fn free_motion(&self, time: F, free: usize) -> Matrix<F> {
-        exponential(&self.transposed, free, time, self.degree_over(time), |_| {})
+        exponential(&self.transposed, Matrix::identity(free), time, self.degree_over(time), |_| {})
     }
 
-    /// (e^{At})ᵀ over a time t ≤ h, where the matrix is small: whether it is. `powers` is a buffer.
-    pub(crate) fn motion(&self, time: F, powers: &mut Vec<F>, motion: &mut Matrix<F>) -> bool {
-        if self.terms.columns() == 0 {
+    /// e^{At} over a time t ≤ h, where the matrix is small: whether it is. `powers` is a buffer.
+    pub(crate) fn motion(&self, time: F, powers: &mut Vec<F>, motion: &mut Propagator<F>) -> bool {
+        if self.terms.is_none() {
             return false;
         }
         let part = time / self.step;
@@ -358,7 +343,7 @@ impl<F: Float> Branch<F> {
             power = power * part;
             powers.push(power);
         }
-        self.terms.sum_of_pushed(powers, motion);
+        self.terms.sum(powers, motion);
         true
     }
 
@@ -508,25 +493,4 @@ fn degree_of_full_accuracy<F: Float>() -> usize {
         term = term / integer(degree + 1);
     }
     degree
-}
-
-/// `e^{A t}` of the first rows and columns by its series, for a matrix whose absolute values have a spectral radius of at
-/// most 1/t. `each` sees its terms.
-fn exponential<F: Float>(
-    a: &Sparse<F>,
-    size: usize,
-    time: F,
-    degree: usize,
-    mut each: impl FnMut(&Matrix<F>),
-) -> Matrix<F> {
-    let mut sum = Matrix::identity(size);
-    let (mut term, mut next) = (sum.clone(), sum.clone());
-    each(&term);
-    for k in 1..=degree {
-        a.times(&term, time / integer(k), &mut next);
-        core::mem::swap(&mut term, &mut next);
-        sum.plus(&term);
-        each(&term);
-    }
-    sum
 }

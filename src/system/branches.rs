@@ -71,7 +71,7 @@ impl<F: Float> Branches<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::system::{Element, Kind, Law, Model, Signal, System};
+    use crate::system::{Element, Harmonic, Kind, Law, Model, Signal, System};
 
     /// Forty bodies with a contact each have more branches than there is room for; the latest stay, and one that was left out
     /// comes back as it was.
@@ -119,5 +119,26 @@ mod tests {
         assert!(branches.known.iter().all(|known| known.branch.modes != modes(0)));
         branches.enter(&system, &modes(0));
         assert!(branches.current().unwrap().whole == first);
+    }
+
+    /// The matrices have no entry for a load that moves another load: a hundred times as many loads need a hundred times the memory.
+    #[test]
+    fn loads_need_memory_in_proportion() {
+        let bytes = |count: usize| {
+            let harmonic = |i: usize| Harmonic { frequency: 1.0 + i as f64, sin: vec![1.0], cos: vec![] };
+            let model = Model {
+                mass: vec![vec![1.0]],
+                damping: vec![vec![0.1]],
+                stiffness: vec![vec![1.0]],
+                harmonics: (0..count).map(harmonic).collect(),
+                ..Model::default()
+            };
+            let system = System::new(&model).unwrap().assembly;
+            let mut branches = Branches::new(1.0);
+            branches.enter(&system, &[]);
+            branches.current().unwrap().bytes()
+        };
+        let (few, many) = (bytes(20), bytes(2000));
+        assert!(many <= 100 * few && many >= 50 * few, "{few} {many}");
     }
 }

@@ -1,7 +1,7 @@
 //! The linear equation of a branch, `z′ = A z`, with the forces of all elements, and the greatest rate in it.
 
 use super::assembly::{Assembly, Part, Rule};
-use super::matrix::{Matrix, add_times};
+use super::matrix::{Matrix, Sparse, add_times, entries};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -29,9 +29,7 @@ pub(crate) enum Mode {
 
 /// The equation while each element keeps its mode.
 pub(crate) struct Equation<F> {
-    pub(crate) a: Matrix<F>,
-    /// |A| entry by entry.
-    pub(crate) sizes: Matrix<F>,
+    pub(crate) a: Sparse<F>,
     /// The row of each element's force.
     pub(crate) tension: Vec<Vec<F>>,
     /// The contacts that stick.
@@ -72,34 +70,40 @@ impl<F: Float> Equation<F> {
                 }
             }
         }
-        let mut a = Matrix::zero(size, size);
+        let mut free = Matrix::zero(system.free, size);
         for i in 0..n {
-            a.set(i, n + i, F::int(1));
+            free.set(i, n + i, F::int(1));
             let row = force.combined(system.inverse_mass.row(i));
-            a.row_mut(n + i).copy_from_slice(&row);
+            free.row_mut(n + i).copy_from_slice(&row);
         }
         for (part, mode) in system.parts.iter().zip(modes) {
             if let (Rule::Elastic { stiffness, place, .. }, Mode::Holds) = (&part.rule, mode) {
-                add_times(a.row_mut(*place), *stiffness, &part.velocity);
+                add_times(free.row_mut(*place), *stiffness, &part.velocity);
             }
         }
+        let mut given = vec![Vec::new(); size - system.free];
+        let mut set = |row: usize, column: usize, value: F| {
+            if let Some(row) = given.get_mut(row - system.free) {
+                row.push((column, value));
+            }
+        };
         for (i, &frequency) in system.frequencies.iter().enumerate() {
             let place = system.harmonic(i);
-            a.set(place, place + 1, frequency);
-            a.set(place + 1, place, -frequency);
+            set(place, place + 1, frequency);
+            set(place + 1, place, -frequency);
         }
         for i in 0..system.records.len() {
             let place = system.record(i);
-            a.set(place, place + 1, F::int(1));
+            set(place, place + 1, F::int(1));
         }
-        let sizes = a.map(|x| x.abs());
-        Self { a, sizes, tension, stuck }
+        let rows = free.rows().map(entries).chain(given);
+        Self { a: Sparse::new(size, rows), tension, stuck }
     }
 }
 
-/// The greatest rate of an equation with these sizes: the spectral radius of |A|, and the frequencies of the loads.
-pub(crate) fn fastest<F: Float>(system: &Assembly<F>, sizes: &Matrix<F>) -> F {
-    let radius = F::from_f64(spectral_radius(sizes, system.free));
+/// The greatest rate of an equation: the spectral radius of |A|, and the frequencies of the loads.
+pub(crate) fn fastest<F: Float>(system: &Assembly<F>, a: &Sparse<F>) -> F {
+    let radius = F::from_f64(spectral_radius(a, system.free));
     system.frequencies.iter().fold(radius, |a, &b| a.or_larger(b))
 }
 
@@ -189,12 +193,13 @@ fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<
     scaled(&scaled(&coupling).pseudo_inverse())
 }
 
-/// The spectral radius of the leading part of a matrix of numbers ≥ 0, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64. It sets
+/// The spectral radius of the absolute values of the leading part of a matrix, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64. It sets
 /// the steps, so that its logarithm must be the same on every processor: that of libm.
-fn spectral_radius<F: Float>(sizes: &Matrix<F>, free: usize) -> f64 {
-    let rows: Vec<Vec<f64>> =
-        sizes.rows().take(free).map(|r| r.iter().take(free).map(|x| x.to_f64()).collect()).collect();
-    let mut power = Matrix::<f64>::from_rows(&rows);
+fn spectral_radius<F: Float>(a: &Sparse<F>, free: usize) -> f64 {
+    let mut power = Matrix::<f64>::zero(free, free);
+    for (i, row) in a.rows().take(free).enumerate() {
+        row.iter().for_each(|&(j, x)| power.set(i, j, x.abs().to_f64()));
+    }
     let mut square = power.clone();
     let (mut exponent, mut log) = (1.0_f64, 0.0_f64);
     for _ in 0..=10 {

@@ -2,7 +2,7 @@
 
 use super::assembly::Assembly;
 use super::branch::Branch;
-use super::matrix::Matrix;
+use super::propagator::Propagator;
 use crate::named::named;
 
 named! {
@@ -63,8 +63,8 @@ pub(crate) struct Stretch<'a, F> {
     /// The state at its end.
     pub(crate) to: &'a [F],
     pub(crate) time: F,
-    /// (e^{At})ᵀ over its time, where it is known.
-    pub(crate) motion: Option<&'a Matrix<F>>,
+    /// e^{At} over its time, where it is known.
+    pub(crate) motion: Option<&'a Propagator<F>>,
 }
 
 /// Watches nothing.

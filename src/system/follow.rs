@@ -8,9 +8,10 @@ use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::first_passage;
 use super::kept::Kept;
-use super::matrix::{Matrix, absolute, add_times, dot, size_of_dot};
+use super::matrix::{Sum, absolute, add_times, dot, size_of_dot};
 use super::model::State;
 use super::next_branch::{AtRest, at_rest, decide, follows};
+use super::propagator::Propagator;
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::vec;
@@ -19,7 +20,7 @@ use alloc::vec::Vec;
 /// The largest number of steps beside those that end at samples of records: some seconds of work, as a step of a large
 /// system multiplies large matrices.
 pub(super) fn most_steps<F>(system: &Assembly<F>) -> u64 {
-    let size = (system.size as u64).pow(2).max(256);
+    let size = (system.size * system.free).max(256) as u64;
     (512_000_000 / size).max(20_000)
 }
 
@@ -33,9 +34,7 @@ pub(crate) struct Follower<'a, F> {
     /// What contacts at rest keep.
     kept: Kept<F>,
     pub(crate) z: Vec<F>,
-    pub(crate) time: F,
-    /// The rounding of the time, which would add up over the steps.
-    late: F,
+    clock: Sum<F>,
     /// The number of the next sample.
     sample: usize,
     /// Events without a step between them.
@@ -47,8 +46,8 @@ pub(crate) struct Follower<'a, F> {
     errors: Vec<F>,
     terms: Vec<F>,
     after: Vec<F>,
-    /// (e^{At})ᵀ over a part of a step.
-    motion: Matrix<F>,
+    /// e^{At} over a part of a step.
+    motion: Propagator<F>,
 }
 
 /// A motion at one instant, to be taken up again.
@@ -98,8 +97,7 @@ impl<'a, F: Float> Follower<'a, F> {
             branches: Branches::new(longest),
             kept: Kept::new(),
             z,
-            time: F::int(0),
-            late: F::int(0),
+            clock: Sum::at(F::int(0)),
             sample: 0,
             instant: 0,
             steps: 0,
@@ -109,13 +107,18 @@ impl<'a, F: Float> Follower<'a, F> {
             errors: Vec::new(),
             terms: Vec::new(),
             after: Vec::new(),
-            motion: Matrix::zero(system.size, system.size),
+            motion: Propagator::zero(system.size, system.free),
         };
         debug_assert_eq!(start.displacement.len(), n, "the state has been checked");
         follower.set_phase();
         follower.set_sample();
         follower.begin()?;
         Ok(follower)
+    }
+
+    /// The time.
+    pub(crate) const fn time(&self) -> F {
+        self.clock.value
     }
 
     /// The branch.
@@ -125,7 +128,7 @@ impl<'a, F: Float> Follower<'a, F> {
 
     /// Sets the time, for loads that repeat themselves, to 0.
     pub(crate) fn rewind(&mut self) {
-        (self.time, self.late) = (F::int(0), F::int(0));
+        self.clock = Sum::at(F::int(0));
         self.set_phase();
     }
 
@@ -137,13 +140,13 @@ impl<'a, F: Float> Follower<'a, F> {
     /// The motion as it is, to be taken up again.
     pub(crate) fn saved(&self) -> Saved<F> {
         let modes = self.branch().map_or_else(Vec::new, |branch| branch.modes.clone());
-        Saved { z: self.z.clone(), time: self.time, modes, kept: self.kept.clone() }
+        Saved { z: self.z.clone(), time: self.time(), modes, kept: self.kept.clone() }
     }
 
     /// Takes a motion up again, without a new choice of its branch.
     pub(crate) fn resume(&mut self, saved: &Saved<F>) {
         self.z.clone_from(&saved.z);
-        (self.time, self.late) = (saved.time, F::int(0));
+        self.clock = Sum::at(saved.time);
         self.instant = 0;
         self.set_sample();
         self.branches.enter(self.system, &saved.modes);
@@ -169,7 +172,7 @@ impl<'a, F: Float> Follower<'a, F> {
     /// The harmonics at the present time.
     pub(crate) fn set_phase(&mut self) {
         for (i, &frequency) in self.system.frequencies.iter().enumerate() {
-            let (sin, cos) = (frequency * self.time).sin_cos();
+            let (sin, cos) = (frequency * self.time()).sin_cos();
             let place = self.system.harmonic(i);
             for (k, x) in [(place, sin), (place + 1, cos)] {
                 if let Some(z) = self.z.get_mut(k) {
@@ -182,14 +185,14 @@ impl<'a, F: Float> Follower<'a, F> {
     /// The records after the present time, which may be that of a sample.
     fn set_sample(&mut self) {
         let instants = &self.system.instants;
-        self.sample = instants.partition_point(|&t| t <= self.time);
+        self.sample = instants.partition_point(|&t| t <= self.time());
         for (i, record) in self.system.records.iter().enumerate() {
-            let next = record.times.partition_point(|&t| t <= self.time);
+            let next = record.times.partition_point(|&t| t <= self.time());
             let pair = next.checked_sub(1).and_then(|k| {
                 let (a, b) = (record.times.get(k)?, record.times.get(next)?);
                 let (p, q) = (record.values.get(k)?, record.values.get(next)?);
                 let slope = (*q - *p) / (*b - *a);
-                Some((*p + slope * (self.time - *a), slope))
+                Some((*p + slope * (self.time() - *a), slope))
             });
             let (value, slope) = pair.unwrap_or((F::int(0), F::int(0)));
             let place = self.system.record(i);
@@ -319,7 +322,7 @@ impl<'a, F: Float> Follower<'a, F> {
 
     fn undecided(&self, element: usize) -> Error {
         let name = self.system.parts.get(element).map_or_else(Default::default, |p| p.name.clone());
-        Error::Undecided { name, time: written(self.time) }
+        Error::Undecided { name, time: written(self.time()) }
     }
 
     /// Makes the branch with these modes the present one.
@@ -334,18 +337,18 @@ impl<'a, F: Float> Follower<'a, F> {
         loop {
             let sample = self.system.instants.get(self.sample).copied().filter(|&t| t < until);
             let end = sample.unwrap_or(until);
-            let rest = end - self.time - self.late;
+            let rest = end - self.clock.value - self.clock.late;
             if rest <= zero {
                 if sample.is_none() {
                     return Ok(());
                 }
-                (self.time, self.late) = (end, zero);
+                self.clock = Sum::at(end);
                 self.set_sample();
                 continue;
             }
             self.steps += 1;
             if self.steps > self.most_steps {
-                return Err(Error::TooLong { time: written(self.time), limit: self.most_steps });
+                return Err(Error::TooLong { time: written(self.time()), limit: self.most_steps });
             }
             if self.steps.is_multiple_of(STEPS_BETWEEN_QUESTIONS) && (self.system.keep_going)().is_break() {
                 return Err(Error::Interrupted);
@@ -353,7 +356,7 @@ impl<'a, F: Float> Follower<'a, F> {
             let fired = self.step(rest, end, watch)?;
             if !fired.is_empty() {
                 self.pass(&fired, watch)?;
-            } else if self.time >= end {
+            } else if self.time() >= end {
                 if sample.is_some() {
                     self.set_sample();
                 } else {
@@ -386,7 +389,7 @@ impl<'a, F: Float> Follower<'a, F> {
                 guard.polynomial(&self.z, time / branch.step, c);
                 let error = dot(&guard.error, &self.sizes);
                 if !(error.is_finite() && c.iter().all(|c| c.is_finite())) {
-                    return Err(Error::Unbounded { time: written(self.time) });
+                    return Err(Error::Unbounded { time: written(self.time()) });
                 }
                 shorten(c, error);
                 if let Some(at) = first_passage(c, error)
@@ -405,11 +408,11 @@ impl<'a, F: Float> Follower<'a, F> {
             branch.motion(lasted, &mut self.terms, &mut self.motion).then_some(&self.motion)
         };
         match motion {
-            Some(motion) => motion.transposed_of(&self.z, &mut self.after),
+            Some(motion) => motion.of(&self.z, &mut self.after),
             None => branch.after(&self.z, lasted, &mut self.terms, &mut self.after),
         }
         if !self.after.iter().all(|x| x.is_finite()) {
-            return Err(Error::Unbounded { time: written(self.time) });
+            return Err(Error::Unbounded { time: written(self.time()) });
         }
         if lasted > F::int(0) {
             let (from, to) = (&self.z, &self.after);
@@ -420,14 +423,11 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         core::mem::swap(&mut self.z, &mut self.after);
         self.kept.hold(system, branch, &mut self.z);
-        (self.time, self.late) = if event.is_none() && !whole {
-            (end, F::int(0))
+        if event.is_none() && !whole {
+            self.clock = Sum::at(end);
         } else {
-            // Kahan's sum.
-            let by = self.late + lasted;
-            let time = self.time + by;
-            (time, by - (time - self.time))
-        };
+            self.clock.add(lasted);
+        }
         let Some((_, number)) = event else { return Ok(Vec::new()) };
         Ok(self.fired(number))
     }
@@ -518,7 +518,7 @@ impl<'a, F: Float> Follower<'a, F> {
         self.settle(&mut modes, resting, &released, arrives)?;
         for (i, (old, new)) in before.iter().zip(&modes).enumerate() {
             if let Some(kind) = kind_of(*old, *new, touched.contains(&i)) {
-                watch.event(Event { time: self.time, element: i, kind });
+                watch.event(Event { time: self.time(), element: i, kind });
             }
         }
         self.enter(&modes);

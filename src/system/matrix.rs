@@ -15,6 +15,25 @@ pub(crate) fn size_of_dot<F: Float>(a: &[F], b: &[F]) -> F {
     a.iter().zip(b).fold(F::int(0), |sum, (&x, &y)| sum + (x * y).abs())
 }
 
+/// A sum and the rounding of its last addition (Kahan): the rounding of many does not add up.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sum<F> {
+    pub(crate) value: F,
+    pub(crate) late: F,
+}
+
+impl<F: Float> Sum<F> {
+    pub(crate) fn at(value: F) -> Self {
+        Self { value, late: F::int(0) }
+    }
+
+    pub(crate) fn add(&mut self, x: F) {
+        let by = self.late + x;
+        let value = self.value + by;
+        *self = Self { value, late: by - (value - self.value) };
+    }
+}
+
 /// |z|.
 pub(crate) fn absolute<F: Float>(z: &[F]) -> Vec<F> {
     z.iter().map(|x| x.abs()).collect()
@@ -120,7 +139,67 @@ fn put<F: Float, const N: usize>(block: &[F; N], result: &mut [F]) {
     }
 }
 
+/// The entries of a row that are not zero, with their columns.
+pub(crate) fn entries<F: Float>(row: &[F]) -> Vec<(usize, F)> {
+    row.iter().copied().enumerate().filter(|(_, x)| *x != F::int(0)).collect()
+}
+
 impl<F: Float> Sparse<F> {
+    /// A matrix of this size by the entries of its rows, in ascending order.
+    pub(crate) fn new(size: usize, rows: impl Iterator<Item = Vec<(usize, F)>>) -> Self {
+        let mut sparse = Self { ends: Vec::with_capacity(size), entries: Vec::new(), all: None };
+        for row in rows {
+            sparse.entries.extend(row);
+            sparse.ends.push(sparse.entries.len());
+        }
+        if is_small::<F>(size) {
+            let mut all = Matrix::zero(size, size);
+            for (i, row) in sparse.rows().enumerate() {
+                row.iter().for_each(|&(j, x)| all.set(j, i, x));
+            }
+            sparse.all = Some(all);
+        }
+        sparse
+    }
+
+    pub(crate) fn transposed(&self) -> Self {
+        let size = self.ends.len();
+        let mut rows = vec![Vec::new(); size];
+        for (i, row) in self.rows().enumerate() {
+            for &(j, x) in row {
+                if let Some(row) = rows.get_mut(j) {
+                    row.push((i, x));
+                }
+            }
+        }
+        Self::new(size, rows.into_iter())
+    }
+
+    /// The square matrix of the rows and columns from this one on.
+    pub(crate) fn square_from(&self, first: usize) -> Self {
+        let rows = self.rows().skip(first);
+        let rows =
+            rows.map(|row| row.iter().filter_map(|&(j, x)| Some((j.checked_sub(first)?, x))).collect());
+        Self::new(self.ends.len() - first, rows)
+    }
+
+    pub(crate) fn map(&self, f: impl Fn(F) -> F) -> Self {
+        let rows = self.rows().map(|row| row.iter().map(|&(j, x)| (j, f(x))).collect());
+        Self::new(self.ends.len(), rows)
+    }
+
+    /// Whether the entries of another matrix have the same places and sizes.
+    pub(crate) fn has_sizes_of(&self, other: &Self) -> bool {
+        let same = |(a, b): (&(usize, F), &(usize, F))| a.0 == b.0 && a.1.abs() == b.1.abs();
+        self.ends == other.ends && self.entries.iter().zip(&other.entries).all(same)
+    }
+
+    /// `Σ |aⱼ xⱼ|` of a row.
+    pub(crate) fn size_of(&self, row: usize, x: &[F]) -> F {
+        let row = self.rows().nth(row).unwrap_or(&[]);
+        row.iter().filter_map(|&(j, a)| Some((a * *x.get(j)?).abs())).fold(F::int(0), |sum, x| sum + x)
+    }
+
     pub(crate) fn rows(&self) -> impl Iterator<Item = &[(usize, F)]> {
         let mut from = 0;
         self.ends.iter().map(move |&to| {
@@ -312,20 +391,6 @@ impl<F: Float> Matrix<F> {
         let mut result = vec![F::int(0); self.columns];
         self.transposed_of(x, &mut result);
         result
-    }
-
-    /// Its entries other than zero.
-    pub(crate) fn sparse(&self) -> Sparse<F> {
-        let all = is_small::<F>(self.columns).then(|| self.transposed());
-        let count = self.items.iter().filter(|x| **x != F::int(0)).count();
-        let rows = self.items.len() / self.stride.max(1);
-        let mut sparse = Sparse { ends: Vec::with_capacity(rows), entries: Vec::with_capacity(count), all };
-        for row in self.rows() {
-            let entries = row.iter().enumerate().filter(|(_, x)| **x != F::int(0));
-            sparse.entries.extend(entries.map(|(j, &x)| (j, x)));
-            sparse.ends.push(sparse.entries.len());
-        }
-        sparse
     }
 
     /// Cholesky's factor's test and the inverse of a symmetric positive definite matrix; the failing pivot

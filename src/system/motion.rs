@@ -7,7 +7,7 @@ use super::equation::Mode;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::{greatest_above, integer};
 use super::follow::{Follower, shorten, shortened};
-use super::matrix::{Matrix, add_times, dot, size_of_dot};
+use super::matrix::{Matrix, Sum, add_times, dot, size_of_dot};
 use super::model::State;
 use crate::float::Float;
 use alloc::string::String;
@@ -69,7 +69,7 @@ pub(crate) struct Observer<F> {
     /// The greatest absolute accelerations.
     accelerations: Vec<F>,
     pub(crate) events: Vec<Event<F>>,
-    at_rest: Vec<F>,
+    at_rest: Vec<Sum<F>>,
     work: Vec<F>,
     load_work: F,
     damper_work: F,
@@ -94,7 +94,7 @@ impl<F: Float> Observer<F> {
             least: seen,
             accelerations: vec![zero; system.base.len()],
             events: Vec::new(),
-            at_rest: vec![zero; system.parts.len()],
+            at_rest: vec![Sum::at(zero); system.parts.len()],
             work: vec![zero; system.parts.len()],
             load_work: zero,
             damper_work: zero,
@@ -131,15 +131,15 @@ impl<F: Float> Observer<F> {
             .iter()
             .zip(self.at_rest.iter().zip(&self.work))
             .enumerate()
-            .map(|(i, (part, (&time_at_rest, &work)))| ElementMotion {
+            .map(|(i, (part, (at_rest, &work)))| ElementMotion {
                 name: part.name.clone(),
-                time_at_rest,
+                time_at_rest: at_rest.value,
                 stops: stops(i),
                 work,
             })
             .collect();
         Motion {
-            duration: follower.time,
+            duration: follower.time(),
             end: state(system, follower),
             max_displacement: part(&self.greatest, 0),
             min_displacement: part(&self.least, 0),
@@ -279,7 +279,7 @@ impl<F: Float> Watch<F> for Observer<F> {
         let &Stretch { branch, from, to, time, .. } = stretch;
         for (mode, at_rest) in branch.modes.iter().zip(&mut self.at_rest) {
             if matches!(mode, Mode::Stuck | Mode::Holds | Mode::Away) {
-                *at_rest = *at_rest + time;
+                at_rest.add(time);
             }
         }
         branch.taylor(from, time, &mut self.terms);

@@ -51,7 +51,7 @@ impl<F: Float> Watch<F> for Seen<F> {
         }
         let Some(tangent) = &mut self.tangent else { return };
         let part = stretch.motion.is_none().then(|| branch.free_motion(time, system.free));
-        let Some(motion) = stretch.motion.or(part.as_ref()) else { return };
+        let Some(motion) = stretch.motion.map(|motion| &motion.free).or(part.as_ref()) else { return };
         self.buffer.resize(system.free, F::int(0));
         for column in tangent {
             motion.transposed_of(column, &mut self.buffer);

@@ -39,7 +39,7 @@ impl<F: Float> System<F> {
                 (Rule::Stop { .. }, _) => Mode::Pressed,
             };
             let modes: Vec<Mode> = system.parts.iter().map(|part| mode(&part.rule)).collect();
-            fastest(system, &Equation::new(system, &modes).sizes)
+            fastest(system, &Equation::new(system, &modes).a)
         };
         branches.map(rate).fold(F::int(0), |most, rate| if rate <= most { most } else { rate })
     }

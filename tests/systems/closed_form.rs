@@ -1,7 +1,7 @@
 //! One contact and one harmonic load: the closed form and its border, against the paper's and the motion.
 
 use crate::generator::Random;
-use stickslip::system::{Element, Harmonic, Kind, Law, Model, Signal, State, System};
+use stickslip::system::{Element, Harmonic, Kind, Law, Model, Signal, State, SteadyKind, System};
 use stickslip::{Ratios, Response};
 
 pub(crate) fn contact(direction: Vec<f64>, friction: f64, peak: f64) -> Element<f64> {
@@ -126,4 +126,43 @@ fn the_border_divides() {
             }
         }
     }
+}
+
+/// The complex amplitudes `p/(k − mω² + icω)` of four hundred harmonics, one of them near the resonance.
+#[test]
+fn hundreds_of_harmonics_add_up() {
+    let (m, c, k, slow, count) = (2.0, 3.0, 5000.0, 0.25, 400);
+    let amplitude = |i: usize| 7.0 / (i as f64).sqrt();
+    let mut harmonics = Vec::new();
+    let (mut displacement, mut velocity) = (0.0, 0.0);
+    for i in 1..=count {
+        let (frequency, p) = (slow * i as f64, amplitude(i));
+        // The load p sin ωt for odd numbers, p cos ωt for even ones.
+        let is_sine = i % 2 == 1;
+        let (sin, cos) = if is_sine { (vec![p], vec![]) } else { (vec![], vec![p]) };
+        harmonics.push(Harmonic { frequency, sin, cos });
+        let (real, imaginary) = (k - m * frequency * frequency, c * frequency);
+        let size = real * real + imaginary * imaginary;
+        // The parts of the answer in phase with the load, and a quarter behind it.
+        let (with, behind) = (p * real / size, p * imaginary / size);
+        displacement += if is_sine { -behind } else { with };
+        velocity += frequency * if is_sine { with } else { behind };
+    }
+    let model = Model {
+        mass: vec![vec![m]],
+        damping: vec![vec![c]],
+        stiffness: vec![vec![k]],
+        harmonics,
+        ..Model::default()
+    };
+    let system = System::new(&model).unwrap();
+    let steady = system.steady(&State::rest(1)).unwrap();
+    assert_eq!(steady.kind, SteadyKind::Periodic);
+    let start = &steady.start;
+    assert!(
+        (start.displacement[0] / displacement - 1.0).abs() < 1e-11,
+        "{} {displacement}",
+        start.displacement[0]
+    );
+    assert!((start.velocity[0] / velocity - 1.0).abs() < 1e-11, "{} {velocity}", start.velocity[0]);
 }

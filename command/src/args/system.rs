@@ -62,8 +62,8 @@ Examples:
   stickslip system machine.toml --picture machine.svg
   stickslip system machine.toml border")]
 pub(crate) struct SystemArgs {
-    /// The file of the system, TOML or JSON, - for standard input. At most 8 MiB, 200 coordinates and 200 frequencies, because
-    /// the matrices are dense and in memory
+    /// The file of the system, TOML or JSON, - for standard input. At most 8 MiB and 200 coordinates, because the matrices are
+    /// dense and in memory
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     /// describe, steady, simulate, record, spectrum, curve or border [default: describe]

@@ -8,8 +8,13 @@ use stickslip::system::{Base, Law, Model, Signal, State};
 pub(super) const MOST_COORDINATES: usize = 200;
 /// The greatest number of elements.
 pub(super) const MOST_ELEMENTS: usize = 200;
-/// The greatest number of frequencies of the loads, and of records: each adds two rows to the matrices, which are dense.
-pub(super) const MOST_HARMONICS: usize = 200;
+/// The greatest number of frequencies of the loads: beyond it each step takes more than a millisecond.
+pub(super) const MOST_FREQUENCIES: usize = 20_000;
+/// The greatest number of records.
+pub(super) const MOST_RECORDS: usize = 200;
+/// The greatest sum of 4 per coordinate and 70 per contact and stop, for each frequency and record: twice this are the numbers of a
+/// branch that belong to loads, 50 MB.
+const MOST_NUMBERS_OF_LOADS: usize = 3_000_000;
 /// The greatest number of samples of all records together, which stay in memory.
 pub(super) const MOST_SAMPLES: usize = 2_000_000;
 
@@ -29,6 +34,22 @@ pub struct Described {
     pub(super) inertia: Vec<f64>,
     /// The motion of the base, if it moves.
     pub base: Option<Base<f64>>,
+}
+
+impl Described {
+    /// This system, where its loads have room in memory.
+    pub(super) fn checked(self) -> Result<Self, String> {
+        let Model { mass, harmonics, records, elements, .. } = &self.model;
+        let each = mass.len().saturating_mul(4).saturating_add(elements.len().saturating_mul(70));
+        let most = MOST_NUMBERS_OF_LOADS.checked_div(each).unwrap_or(MOST_FREQUENCIES);
+        let found = harmonics.len().saturating_add(records.len());
+        if found > most {
+            return Err(format!(
+                "loads: {found} frequencies and records, must be ≤ {most} with these coordinates, contacts and stops"
+            ));
+        }
+        Ok(self)
+    }
 }
 
 /// The base of coordinates that are displacements over it, at rest so far.

@@ -1,6 +1,8 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_HARMONICS, MOST_SAMPLES, law, peak};
+use super::described::{
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, peak,
+};
 use super::named;
 use super::node::{Fields, Node, nearest};
 use super::unique::Unique;
@@ -140,8 +142,8 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
         model.constant = constant.vector(n)?;
     }
     let harmonics = fields.get("harmonics").map_or_else(|| Ok(Vec::new()), |node| node.list())?;
-    if harmonics.len() > MOST_HARMONICS {
-        return Err(format!("harmonics: {} of them, must be ≤ {MOST_HARMONICS}", harmonics.len()));
+    if harmonics.len() > MOST_FREQUENCIES {
+        return Err(format!("harmonics: {} of them, must be ≤ {MOST_FREQUENCIES}", harmonics.len()));
     }
     for node in harmonics {
         let harmonic = node.fields()?;
@@ -187,7 +189,7 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
     fields.end()?;
     let inertia = model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect();
     let coordinates = (1..=n).map(|i| format!("q{i}")).collect();
-    Ok(Described { model, coordinates, units, start, inertia, base: None })
+    Described { model, coordinates, units, start, inertia, base: None }.checked()
 }
 
 /// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.

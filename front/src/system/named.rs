@@ -1,7 +1,8 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_HARMONICS, MOST_SAMPLES, base_of, law, peak, shake,
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES, base_of, law,
+    peak, shake,
 };
 use super::node::{Fields, Node, check_name, nearest};
 use crate::record::{self, Options, Words};
@@ -102,7 +103,7 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     }
     let inertia = builder.inertia();
     let Builder { model, names: coordinates, base, .. } = builder;
-    Ok(Described { model, coordinates, units: Some(units), start, inertia, base })
+    Described { model, coordinates, units: Some(units), start, inertia, base }.checked()
 }
 
 fn add(matrix: &mut [Vec<f64>], i: usize, j: usize, value: f64) {
@@ -328,8 +329,8 @@ impl Builder<'_> {
             return Ok(place);
         }
         let place = harmonics.len();
-        if place == MOST_HARMONICS {
-            return Err(node.wrong(&format!("must be one of ≤ {MOST_HARMONICS} frequencies in the file")));
+        if place == MOST_FREQUENCIES {
+            return Err(node.wrong(&format!("must be one of ≤ {MOST_FREQUENCIES} frequencies in the file")));
         }
         harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
         Ok(place)
@@ -445,9 +446,9 @@ impl Builder<'_> {
         }
         let others = &self.model.records;
         let count = others.iter().fold(record.samples().len(), |sum, of| sum.saturating_add(of.times.len()));
-        if count > MOST_SAMPLES || others.len() == MOST_HARMONICS {
+        if count > MOST_SAMPLES || others.len() == MOST_RECORDS {
             let most =
-                format!("must be one of ≤ {MOST_HARMONICS} records, with ≤ {MOST_SAMPLES} samples together");
+                format!("must be one of ≤ {MOST_RECORDS} records, with ≤ {MOST_SAMPLES} samples together");
             return Err(node.wrong(&most));
         }
         self.model.records.push(samples(&record, force));

@@ -42,19 +42,28 @@ fn the_largest_matrices_are_within_the_limits() {
 fn frequencies_and_records_have_a_greatest_number() {
     let force = |i: usize| format!("[[forces]]\non = \"block\"\namplitude = 1\nfrequency = {i}\n");
     let forces = |count: usize| body(&(1..=count).map(force).collect::<String>());
-    let built = NamedSystem::new(&parsed(&forces(200), "x").unwrap(), [], Path::new(""), None).unwrap();
-    assert_eq!(built.described.model.harmonics.len(), 200);
+    let built = NamedSystem::new(&parsed(&forces(1000), "x").unwrap(), [], Path::new(""), None).unwrap();
+    assert_eq!(built.described.model.harmonics.len(), 1000);
     assert_eq!(
-        refused(&forces(201)),
-        "forces[201].frequency 201: must be one of ≤ 200 frequencies in the file"
+        refused(&forces(20_001)),
+        "forces[20001].frequency 20001: must be one of ≤ 20000 frequencies in the file"
     );
+    let contact = "[[contacts]]\nbetween = [\"ground\", \"block\"]\nfriction = 1\n";
+    // 3,000,000/(4 + 70·50) = 856.2.
+    for (count, is_refused) in [(856, false), (857, true)] {
+        let text = forces(count) + &contact.repeat(50);
+        let found = parsed(&text, "x").and_then(|value| NamedSystem::new(&value, [], Path::new(""), None));
+        let due =
+            "loads: 857 frequencies and records, must be ≤ 856 with these coordinates, contacts and stops";
+        assert_eq!(found.err(), is_refused.then(|| due.to_owned()));
+    }
     // Any number of them at one frequency.
     parsed(&body(&force(1).repeat(2000)), "x")
         .and_then(|value| NamedSystem::new(&value, [], Path::new(""), None))
         .unwrap();
-    let harmonics = vec!["{\"frequency\": 1}"; 201].join(",");
+    let harmonics = vec!["{\"frequency\": 1}"; 20_001].join(",");
     let text = format!("{{\"mass\": [[1]], \"harmonics\": [{harmonics}]}}");
-    assert_eq!(refused(&text), "harmonics: 201 of them, must be ≤ 200");
+    assert_eq!(refused(&text), "harmonics: 20001 of them, must be ≤ 20000");
     let numbers = |count: usize| (0..count).map(|i| i.to_string()).collect::<Vec<_>>().join(",");
     let record = |times: usize, values: usize, force: usize| {
         let lists = [("times", times), ("values", values), ("force", force)];

@@ -1,0 +1,152 @@
+//! The exponential of a branch's matrix, by its series.
+//!
+//! The loads and the records depend on themselves alone, each pair of them on that pair: with the free states first,
+//! `e^{At} = [E, G; 0, R]`, and R has a block of two rows for each pair. So the memory grows with the number of loads
+//! and not with its square.
+
+use super::first_passage::integer;
+use super::matrix::{Matrix, Sparse, dot};
+use crate::float::Float;
+use alloc::vec::Vec;
+
+/// `(e^{At})ᵀ`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Propagator<F> {
+    /// The columns of the free states: (E, G)ᵀ.
+    pub(crate) free: Matrix<F>,
+    /// The blocks of Rᵀ, one below the other; the last row is that of the constant.
+    given: Matrix<F>,
+}
+
+impl<F: Float> Propagator<F> {
+    pub(crate) fn zero(size: usize, free: usize) -> Self {
+        Self { free: Matrix::zero(size, free), given: Matrix::zero(size - free, 2) }
+    }
+
+    /// The series of `(e^{At})ᵀ` from Aᵀ, for a matrix whose absolute values have a spectral radius of at most 1/t. `each` sees its
+    /// terms, those of the free states first.
+    pub(crate) fn new(
+        transposed: &Sparse<F>,
+        free: usize,
+        time: F,
+        degree: usize,
+        mut each: impl FnMut(&Matrix<F>, bool),
+    ) -> Self {
+        let mut zero = Self::zero(transposed.rows().count(), free);
+        (0..free).for_each(|i| zero.free.set(i, i, F::int(1)));
+        let given = transposed.square_from(free);
+        (0..given.rows().count()).for_each(|i| zero.given.set(i, i % 2, F::int(1)));
+        Self {
+            free: exponential(transposed, zero.free, time, degree, |term| each(term, true)),
+            given: exponential(&given, zero.given, time, degree, |term| each(term, false)),
+        }
+    }
+
+    /// `e^{At} z`.
+    #[inline]
+    pub(crate) fn of(&self, z: &[F], result: &mut [F]) {
+        let free = self.free.columns();
+        let Some((to, given)) = result.split_at_mut_checked(free) else { return };
+        self.free.transposed_of(z, to);
+        let pairs = z.get(free..).unwrap_or(&[]).chunks(2);
+        let mut blocks = self.given.rows();
+        for (z, to) in pairs.zip(given.chunks_mut(2)) {
+            match (z, to, blocks.next(), blocks.next()) {
+                (&[x, y], [p, q], Some(&[a, b]), Some(&[c, d])) => {
+                    *p = x * a + y * c;
+                    *q = x * b + y * d;
+                }
+                (&[x], [p], Some(&[a, _]), None) => *p = x * a,
+                _ => {}
+            }
+        }
+    }
+
+    /// `rᵀ e^{At}` of a row r.
+    pub(crate) fn row_of(&self, row: &[F]) -> Vec<F> {
+        let mut result: Vec<F> = self.free.rows().map(|x| dot(x, row)).collect();
+        let free = self.free.columns();
+        let pairs = row.get(free..).unwrap_or(&[]).chunks(2).flat_map(|pair| [pair, pair]);
+        let places = result.get_mut(free..).unwrap_or(&mut []).iter_mut();
+        for ((place, block), pair) in places.zip(self.given.rows()).zip(pairs) {
+            *place = *place + dot(block, pair);
+        }
+        result
+    }
+
+    /// `e^{At}` as a whole.
+    pub(crate) fn dense(&self) -> Matrix<F> {
+        let (size, free) = (self.free.rows().count(), self.free.columns());
+        let mut dense = Matrix::zero(size, size);
+        for (j, row) in self.free.rows().enumerate() {
+            row.iter().enumerate().for_each(|(i, &x)| dense.set(i, j, x));
+        }
+        for (j, row) in self.given.rows().enumerate() {
+            let first = free + j - j % 2;
+            row.iter().enumerate().for_each(|(i, &x)| dense.set(first + i, free + j, x));
+        }
+        dense
+    }
+
+    pub(crate) fn map(&self, f: impl Fn(F) -> F) -> Self {
+        Self { free: self.free.map(&f), given: self.given.map(f) }
+    }
+
+    /// The number of its entries in memory.
+    pub(crate) const fn entries(&self) -> usize {
+        self.free.entries() + self.given.entries()
+    }
+}
+
+/// The terms `(Aᵏ hᵏ/k!)ᵀ` of a propagator over a whole step, for those over its parts.
+#[derive(Debug, Clone)]
+pub(crate) struct Powers<F> {
+    free: Matrix<F>,
+    given: Matrix<F>,
+}
+
+impl<F: Float> Powers<F> {
+    pub(crate) fn none() -> Self {
+        Self { free: Matrix::zero(0, 0), given: Matrix::zero(0, 0) }
+    }
+
+    /// One more term, of the free states or of those given.
+    pub(crate) fn push(&mut self, term: &Matrix<F>, is_free: bool) {
+        if is_free { self.free.push(term) } else { self.given.push(term) }
+    }
+
+    pub(crate) const fn is_none(&self) -> bool {
+        self.free.columns() == 0
+    }
+
+    /// The sum of the terms, each by its factor.
+    pub(crate) fn sum(&self, factors: &[F], result: &mut Propagator<F>) {
+        self.free.sum_of_pushed(factors, &mut result.free);
+        self.given.sum_of_pushed(factors, &mut result.given);
+    }
+
+    /// The number of its entries in memory.
+    pub(crate) const fn entries(&self) -> usize {
+        self.free.entries() + self.given.entries()
+    }
+}
+
+/// `e^{At} X` by the series, from X. `each` sees its terms.
+pub(crate) fn exponential<F: Float>(
+    a: &Sparse<F>,
+    x: Matrix<F>,
+    time: F,
+    degree: usize,
+    mut each: impl FnMut(&Matrix<F>),
+) -> Matrix<F> {
+    let mut sum = x;
+    let (mut term, mut next) = (sum.clone(), sum.clone());
+    each(&term);
+    for k in 1..=degree {
+        a.times(&term, time / integer(k), &mut next);
+        core::mem::swap(&mut term, &mut next);
+        sum.plus(&term);
+        each(&term);
+    }
+    sum
+}
