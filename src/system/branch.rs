@@ -17,9 +17,8 @@ use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::first_passage::{bernstein_of_rows, integer};
-use super::matrix::absolute;
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
-use super::propagator::{Powers, Propagator, exponential};
+use super::propagator::{Bound, Powers, Propagator, exponential};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -108,7 +107,7 @@ pub(crate) struct Branch<F> {
     /// The terms of a small matrix.
     terms: Powers<F>,
     /// e^{|A|h}.
-    bound: Propagator<F>,
+    bound: Bound<F>,
     /// The degree of full accuracy.
     pub(crate) degree: usize,
     pub(crate) guards: Vec<Guard<F>>,
@@ -161,7 +160,7 @@ struct Terms<'a, F> {
 struct Series<'a, F> {
     transposed: &'a Sparse<F>,
     step: F,
-    bound: &'a Propagator<F>,
+    bound: &'a Bound<F>,
     degree: usize,
 }
 
@@ -176,7 +175,7 @@ impl<F: Float> Series<'_, F> {
 
     /// `|row| e^{|A|h}`.
     fn bounded(&self, row: &[F]) -> Vec<F> {
-        self.bound.row_of(&absolute(row))
+        self.bound.of(row)
     }
 
     /// The error bound of a row's polynomial of full degree.
@@ -235,10 +234,8 @@ impl<F: Float> Branch<F> {
             || {
                 let most = F::int(1) / fastest(system, &a);
                 let step = if most < longest { most } else { longest };
-                // The series of e^{|A|h} is cut: what is left out is below a unit of its terms.
                 let sizes = transposed.map(|x| x.abs());
-                let bound = Propagator::new(&sizes, system.free, step, degree, |_, _| {});
-                (step, bound.map(|x| x + x * F::ratio(1, 64)))
+                (step, Bound::new(&sizes, system.free, step, degree))
             },
             |other| (other.step, other.bound.clone()),
         );

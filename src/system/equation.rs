@@ -193,12 +193,40 @@ fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<
     scaled(&scaled(&coupling).pseudo_inverse())
 }
 
-/// The spectral radius of the absolute values of the leading part of a matrix, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64. It sets
-/// the steps, so that its logarithm must be the same on every processor: that of libm.
+/// The spectral radius of the absolute values of the leading part of a matrix, a little above: `‖A¹⁰²⁴‖^{1/1024}` at f64, where
+/// ‖·‖ is the greatest sum of a row. It sets the steps, so that its logarithm must be the same on every processor: that of libm.
 fn spectral_radius<F: Float>(a: &Sparse<F>, free: usize) -> f64 {
-    let mut power = Matrix::<f64>::zero(free, free);
-    for (i, row) in a.rows().take(free).enumerate() {
-        row.iter().for_each(|&(j, x)| power.set(i, j, x.abs().to_f64()));
+    let leading = |row: &[(usize, F)]| -> Vec<(usize, f64)> {
+        row.iter().take_while(|(j, _)| *j < free).map(|&(j, x)| (j, x.abs().to_f64())).collect()
+    };
+    let a = Sparse::new(free, a.rows().take(free).map(leading));
+    let entries: usize = a.rows().map(<[_]>::len).sum();
+    // The sums of the rows of A¹⁰²⁴ are A¹⁰²⁴ (1, 1, …). A product with a square has eight times the speed, and a quotient a quarter.
+    let products = entries.saturating_add(4 * free).saturating_mul(8 * 1024);
+    if products < free.pow(3).saturating_mul(11) { by_products(&a, free) } else { by_squares(&a, free) }
+}
+
+/// The root of the norm by products with a vector.
+fn by_products(a: &Sparse<f64>, free: usize) -> f64 {
+    let (mut x, mut next) = (vec![1.0; free], vec![0.0; free]);
+    let mut log = 0.0;
+    for _ in 0..1024 {
+        a.of(&x, &mut next);
+        let largest = next.iter().copied().fold(0.0, f64::max);
+        if largest <= 0.0 {
+            return 0.0;
+        }
+        log += libm::log(largest);
+        x.iter_mut().zip(&next).for_each(|(x, y)| *x = y / largest);
+    }
+    libm::exp(log / 1024.0)
+}
+
+/// The root of the norm by squares.
+fn by_squares(a: &Sparse<f64>, free: usize) -> f64 {
+    let mut power = Matrix::zero(free, free);
+    for (i, row) in a.rows().enumerate() {
+        row.iter().for_each(|&(j, x)| power.set(i, j, x));
     }
     let mut square = power.clone();
     let (mut exponent, mut log) = (1.0_f64, 0.0_f64);
@@ -214,4 +242,35 @@ fn spectral_radius<F: Float>(a: &Sparse<F>, free: usize) -> f64 {
         exponent *= 2.0;
     }
     libm::exp(log)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A chain of sixty masses: the greatest rate of |A| = [0, I; |K|, |C|] is the root of x² = c x + k, with the greatest
+    /// eigenvalues c and k of |C| and |K|, which have the same vectors.
+    #[test]
+    fn both_ways_give_the_radius_of_a_chain() {
+        let n = 60;
+        let entry = |i: usize| {
+            let mut row = Vec::new();
+            for (first, factor) in [(0, 300.0), (n, 0.5)] {
+                for j in i.saturating_sub(1)..(i + 2).min(n) {
+                    row.push((first + j, if i == j { 2.0 * factor } else { -factor }));
+                }
+            }
+            row
+        };
+        let rows = (0..n).map(|i| vec![(n + i, 1.0)]).chain((0..n).map(entry));
+        let a = Sparse::<f64>::new(2 * n, rows);
+        let most = 2.0 + 2.0 * libm::cos(core::f64::consts::PI / (n + 1) as f64);
+        let (k, c) = (300.0 * most, 0.5 * most);
+        let due = c / 2.0 + libm::sqrt(c * c / 4.0 + k);
+        let sizes = a.map(f64::abs);
+        let found = [spectral_radius(&a, 2 * n), by_products(&sizes, 2 * n), by_squares(&sizes, 2 * n)];
+        // The norm of the power has the sizes of the units in it: 34¹ᐟ¹⁰²⁴ − 1 = 0.0034.
+        assert!(found.iter().all(|x| (0.0..0.005).contains(&(x / due - 1.0))), "{found:?} {due}");
+        assert!((found[1] / found[2] - 1.0).abs() < 1e-12 && found[0] == found[1], "{found:?}");
+    }
 }

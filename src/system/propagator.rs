@@ -5,8 +5,9 @@
 //! and not with its square.
 
 use super::first_passage::integer;
-use super::matrix::{Matrix, Sparse, dot};
+use super::matrix::{Matrix, Sparse, add_times, dot};
 use crate::float::Float;
+use alloc::vec;
 use alloc::vec::Vec;
 
 /// `(e^{At})ᵀ`.
@@ -62,18 +63,6 @@ impl<F: Float> Propagator<F> {
         }
     }
 
-    /// `rᵀ e^{At}` of a row r.
-    pub(crate) fn row_of(&self, row: &[F]) -> Vec<F> {
-        let mut result: Vec<F> = self.free.rows().map(|x| dot(x, row)).collect();
-        let free = self.free.columns();
-        let pairs = row.get(free..).unwrap_or(&[]).chunks(2).flat_map(|pair| [pair, pair]);
-        let places = result.get_mut(free..).unwrap_or(&mut []).iter_mut();
-        for ((place, block), pair) in places.zip(self.given.rows()).zip(pairs) {
-            *place = *place + dot(block, pair);
-        }
-        result
-    }
-
     /// `e^{At}` as a whole.
     pub(crate) fn dense(&self) -> Matrix<F> {
         let (size, free) = (self.free.rows().count(), self.free.columns());
@@ -88,8 +77,46 @@ impl<F: Float> Propagator<F> {
         dense
     }
 
-    pub(crate) fn map(&self, f: impl Fn(F) -> F) -> Self {
-        Self { free: self.free.map(&f), given: self.given.map(f) }
+    /// The number of its entries in memory.
+    pub(crate) const fn entries(&self) -> usize {
+        self.free.entries() + self.given.entries()
+    }
+}
+
+/// A bound of `e^{|A|h}`, for products with rows from the left.
+#[derive(Debug, Clone)]
+pub(crate) struct Bound<F> {
+    /// The rows of the free states: (E, G).
+    free: Matrix<F>,
+    /// As of a propagator.
+    given: Matrix<F>,
+}
+
+impl<F: Float> Bound<F> {
+    /// By |A|ᵀ. The series is cut: what is left out is below a unit of its terms.
+    pub(crate) fn new(sizes: &Sparse<F>, free: usize, time: F, degree: usize) -> Self {
+        let Propagator { free, given } = Propagator::new(sizes, free, time, degree, |_, _| {});
+        let more = |x: F| x + x * F::ratio(1, 64);
+        Self { free: free.transposed().map(more), given: given.map(more) }
+    }
+
+    /// `|r| e^{|A|h}` of a row r, most of whose entries may be zero.
+    pub(crate) fn of(&self, row: &[F]) -> Vec<F> {
+        let mut result = vec![F::int(0); row.len()];
+        let mut left = row.iter().map(|x| x.abs());
+        for (own, x) in self.free.rows().zip(left.by_ref()) {
+            if x != F::int(0) {
+                add_times(&mut result, x, own);
+            }
+        }
+        let given: Vec<F> = left.collect();
+        let pairs = given.chunks(2).flat_map(|pair| [pair, pair]);
+        let first = row.len().saturating_sub(given.len());
+        let places = result.get_mut(first..).unwrap_or(&mut []).iter_mut();
+        for ((place, block), pair) in places.zip(self.given.rows()).zip(pairs) {
+            *place = *place + dot(block, pair);
+        }
+        result
     }
 
     /// The number of its entries in memory.

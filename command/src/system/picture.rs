@@ -146,7 +146,7 @@ fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
 const MOST_ADDED: usize = 500;
 const MOST_OF_ALL: usize = 3000;
 /// The most of them that may have no periodic motion or rest: those take longest, and tell nothing of a peak.
-const MOST_SCATTERED: usize = 16;
+const MOST_SCATTERED: usize = 4;
 
 /// A place on the axis, with its answer.
 pub(super) type Placed = (f64, Vec<Cell<'static>>);
