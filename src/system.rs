@@ -46,6 +46,8 @@ mod events;
 mod first_passage;
 mod fixed_point;
 mod follow;
+mod following;
+mod forced;
 #[cfg(feature = "rayon")]
 mod grid;
 mod kept;
@@ -181,7 +183,7 @@ impl<F: Float> System<F> {
                 self.follower(start, longest)?,
             );
         }
-        let period = steady::common_period(&self.assembly.frequencies)?;
+        let period = forced::common_period(&self.assembly.frequencies)?;
         // The longest own vibration, free or with all elements at rest.
         let slowest = || {
             let all: Vec<usize> = (0..self.assembly.parts.len()).collect();
@@ -189,7 +191,7 @@ impl<F: Float> System<F> {
             let own = own.filter(|omega| *omega > F::int(0));
             own.reduce(|a, b| if b < a { b } else { a }).map(|omega| F::int(2) * F::pi() / omega)
         };
-        steady::steady(&self.assembly, period, slowest, self.follower(start, period)?)
+        forced::steady(&self.assembly, period, slowest, self.follower(start, period)?)
     }
 
     /// The least load at which the only contact never sticks, for a system with one contact and one harmonic load.

@@ -18,9 +18,10 @@ use super::events::Event;
 use super::first_passage::integer;
 use super::fixed_point::{Fixed, defect, eigenvalues, kept_basis, newton, scaled, without_kept};
 use super::follow::Follower;
+use super::following::{End, Following};
 use super::matrix::{Matrix, add_times, dot};
 use super::period_map::PeriodMap;
-use super::steady::{Approach, End, Following, Steady, SteadyKind};
+use super::steady::{Steady, SteadyKind};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -102,7 +103,7 @@ fn equilibrium<F: Float>(following: &mut Following<'_, F>) -> Result<Option<Stea
     let found = newton(&mut following.map, &from, 1)?;
     following.map.follower.resume(&before);
     let Some(fixed) = found.filter(|fixed| fixed.mapped.events.is_empty()) else { return Ok(None) };
-    if following.approaches(&fixed, 1, 0)? == Approach::Leaves {
+    if !following.approaches(&fixed, 1, 0)? {
         return Ok(None);
     }
     let before = following.map.follower.saved();
@@ -164,8 +165,7 @@ fn cycle<F: Float>(following: &mut Following<'_, F>, period: F) -> Result<(Optio
     let longest = following.map.period;
     let Some(cycle) = found else { return Ok((None, by)) };
     following.map.period = cycle.period;
-    let goes = following.approaches(&cycle.fixed, 1, 1)?;
-    if goes == Approach::Leaves {
+    if !following.approaches(&cycle.fixed, 1, 1)? {
         following.map.period = longest;
         return Ok((None, by));
     }

@@ -1,0 +1,332 @@
+//! The motion, followed from period to period, and whether it goes to a fixed point of the period map.
+//!
+//! **The limit of this start.** Let z be the state after some periods, x a fixed point that Newton's method finds from it, J the derivative
+//! there, and δ = z − x. A fixed point is only a guess: there may be several, and z may be nearer to another. It is the limit where
+//! the motion approaches it as J says. Each of the periods after z must have the events of x and bring the state to x + J δ, within
+//! |δ| (1 − |λ|)/4 and |δ|/8, λ being the largest multiplier, until its part of the disturbance and |δ| have fallen to a quarter. What a map
+//! does beside J is of second order in δ, so that the bound holds the better the smaller δ becomes.
+//!
+//! What silent elements keep is the same at z and x (`fixed_point.rs`). Where x is the point of a manifold to first order only, |δ| must be
+//! below 2⁻²⁴, so that its square is rounding.
+//!
+//! A motion that changes by no more than rounding in a period, and to which Newton's method has nothing to add, has arrived.
+
+use super::assembly::Assembly;
+use super::error::Error;
+use super::events::Event;
+use super::first_passage::integer;
+use super::fixed_point::Fixed;
+use super::follow::{Follower, most_steps};
+use super::matrix::add_times;
+use super::motion::Motion;
+use super::period_map::{Answers, Happened, Mapped, PeriodMap};
+use super::steady::{Steady, SteadyKind};
+use crate::float::Float;
+use crate::machine::error::written;
+use alloc::collections::VecDeque;
+use alloc::vec::Vec;
+
+/// The greatest multiple of the loads' period.
+pub(super) const MOST_MULTIPLE: usize = 64;
+/// The steps of a whole search, in those of one motion: some seconds where the motion settles slowly.
+const MOST_WORK: u64 = 4;
+
+/// Why a motion is not followed further.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    /// It leaves the range of numbers.
+    Unbounded,
+    /// A period takes more steps than a motion may have.
+    Cut,
+    /// The work of the search is done.
+    Work,
+}
+
+/// The motion, followed from period to period.
+pub(super) struct Following<'a, F> {
+    pub(super) map: PeriodMap<'a, F>,
+    /// The last states, and the events of the periods before them.
+    pub(super) states: VecDeque<Vec<F>>,
+    pub(super) events: VecDeque<Vec<Event<F>>>,
+    pub(super) sizes: [F; 3],
+    pub(super) drift: Vec<F>,
+    /// The displacement that the drift of all periods adds up to.
+    moved: Vec<F>,
+    pub(super) followed: usize,
+    most_work: u64,
+    pub(super) end: Option<End>,
+}
+
+impl<'a, F: Float> Following<'a, F> {
+    pub(super) fn new(system: &'a Assembly<F>, follower: Follower<'a, F>, period: F) -> Self {
+        let map = PeriodMap::new(system, follower, period);
+        let states = VecDeque::from([map.free()]);
+        let drift = alloc::vec![F::int(0); system.n];
+        let moved = drift.clone();
+        let most_work = most_steps(system).saturating_mul(MOST_WORK);
+        let sizes = [F::int(0); 3];
+        Self { map, states, events: VecDeque::new(), sizes, drift, moved, followed: 0, most_work, end: None }
+    }
+
+    /// The state now.
+    pub(super) fn now(&self) -> Vec<F> {
+        self.states.back().cloned().unwrap_or_default()
+    }
+
+    /// One period on, if there is one.
+    pub(super) fn advance(&mut self) -> Result<Option<Mapped<F>>, Error> {
+        if self.map.steps > self.most_work {
+            self.end = Some(End::Work);
+        }
+        if self.end.is_some() {
+            return Ok(None);
+        }
+        let before = self.map.follower.saved();
+        match self.map.advance(None, false) {
+            Ok(mapped) => {
+                self.sizes = mapped.sizes;
+                self.drift.clone_from(&mapped.drift);
+                add_times(&mut self.moved, F::int(1), &mapped.drift);
+                self.followed += 1;
+                if self.states.len() > MOST_MULTIPLE {
+                    self.states.pop_front();
+                    self.events.pop_front();
+                }
+                self.states.push_back(mapped.to.clone());
+                self.events.push_back(mapped.events.clone());
+                Ok(Some(mapped))
+            }
+            Err(Error::Unbounded { .. }) => {
+                self.map.follower.resume(&before);
+                self.end = Some(End::Unbounded);
+                Ok(None)
+            }
+            // The motion is told as far as it was followed.
+            Err(Error::TooLong { .. }) if self.followed > 0 => {
+                self.map.follower.resume(&before);
+                self.end = Some(End::Cut);
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The distance of the state now from that some periods before.
+    pub(super) fn back(&self, periods: usize) -> F {
+        let then = self.states.len().checked_sub(periods + 1).and_then(|i| self.states.get(i));
+        match (self.states.back(), then) {
+            (Some(now), Some(then)) => self.map.distance(now, then, &self.sizes),
+            _ => F::int(1) / F::epsilon(),
+        }
+    }
+
+    /// How nearly the motion repeats itself, after any number of periods.
+    pub(super) fn recurrence(&self) -> F {
+        let least = |a: F, b: F| if b < a { b } else { a };
+        (1..=MOST_MULTIPLE).map(|k| self.back(k)).fold(F::int(1) / F::epsilon(), least)
+    }
+
+    /// Whether the motion goes to a fixed point of `multiple` periods, by following it further. `ones` is the number of multipliers that
+    /// are 1 beside those of what is kept.
+    pub(super) fn approaches(
+        &mut self,
+        fixed: &Fixed<F>,
+        multiple: usize,
+        ones: usize,
+    ) -> Result<bool, Error> {
+        let tiny = F::epsilon() * F::exp2i(16);
+        let sizes = fixed.mapped.sizes;
+        let now = self.now();
+        let first = self.map.distance(&now, &fixed.x, &sizes);
+        let apart = |map: &PeriodMap<'_, F>, z: &[F]| -> Vec<F> {
+            map.scaled(z.iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect(), &sizes)
+        };
+        let mut delta = apart(&self.map, &now);
+        // Without an element P is linear, and each motion goes where J takes it.
+        let is_linear = self.map.system.parts.is_empty() && fixed.largest().is_some_and(|most| most < 1.0);
+        if first <= tiny || is_linear {
+            return Ok(true);
+        }
+        if !first.is_finite() || (fixed.is_first_order && first > F::exp2i(-24)) {
+            return Ok(false);
+        }
+        let Some(&(re, im)) = fixed.multipliers.get(ones) else { return Ok(false) };
+        let largest = re.hypot(im);
+        if largest > 1.0 + 1e-6 {
+            return Ok(false);
+        }
+        // A vibration of its own that nothing damps is kept.
+        if largest > 1.0 - 1e-9 {
+            return Ok(first <= F::exp2i(-30));
+        }
+        // What a map does beside J must be less than the slowest part of the disturbance falls by, or another motion is as near.
+        let small = F::from_f64(((1.0 - largest) / 4.0).min(0.125));
+        // The slowest part of the disturbance falls to a quarter in so many maps.
+        let enough = (-(4.0_f64.ln()) / largest.max(1e-3).ln()).ceil();
+        let most = 2.0 * enough + 64.0;
+        let work = (self.map.steps / (self.followed as u64 + 1)).max(1).saturating_mul(multiple as u64);
+        if enough * work as f64 > self.most_work.saturating_sub(self.map.steps) as f64 {
+            return Ok(false);
+        }
+        let cycle: Vec<Happened> = happened(&fixed.mapped.events);
+        let stays = self.stays(fixed);
+        let most = if stays { 32.0 * most } else { most };
+        let mut count = 0.0;
+        while count < most {
+            count += 1.0;
+            let mut events = Vec::new();
+            for _ in 0..multiple {
+                let Some(mapped) = self.advance()? else { return Ok(false) };
+                events.extend(happened(&mapped.events));
+            }
+            let (now, mut due) = (self.now(), fixed.x.clone());
+            for (i, (x, by)) in due.iter_mut().zip(fixed.derivative.of(&delta)).enumerate() {
+                *x = *x + by * self.map.size_at(&sizes, i);
+            }
+            let before = delta.iter().fold(F::int(0), |most, x| most.or_larger(x.abs()));
+            let off = self.map.distance(&now, &due, &sizes);
+            if off > before * small + tiny || !is_same_cycle(&events, &cycle) {
+                return Ok(false);
+            }
+            delta = apart(&self.map, &now);
+            let left = self.map.distance(&now, &fixed.x, &sizes);
+            // The place that a motion without a drift comes to adds up over all periods.
+            let falls = if stays { tiny } else { first / F::int(4) };
+            if left <= tiny || (count >= enough && left <= falls) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether a motion that nothing holds in its place has no drift.
+    fn stays(&self, fixed: &Fixed<F>) -> bool {
+        let zero = alloc::vec![F::int(0); fixed.mapped.drift.len()];
+        self.map.drift.count() > 0
+            && self.map.distance(&fixed.mapped.drift, &zero, &fixed.mapped.sizes)
+                <= F::epsilon() * F::exp2i(16)
+    }
+
+    /// The answers of a motion from a state.
+    pub(super) fn answer(
+        &mut self,
+        fixed: Fixed<F>,
+        multiple: usize,
+        loads: bool,
+    ) -> Result<Steady<F>, Error> {
+        let multipliers = fixed.all_multipliers();
+        let stays = self.stays(&fixed);
+        let (start, motion) = match fixed.mapped.observed {
+            Some(observed) if multiple == 1 && !stays => observed,
+            _ => {
+                let mut x = fixed.x.clone();
+                if stays {
+                    add_times(&mut x, F::int(1), &self.moved);
+                }
+                self.map.observed(Some(&x), multiple)?
+            }
+        };
+        let kind = self.kind(&motion);
+        let is_still = matches!(kind, SteadyKind::Rest | SteadyKind::Uniform);
+        let period = if is_still && !loads { F::int(0) } else { self.map.period * integer(multiple) };
+        let mean = |by: F| if stays { F::int(0) } else { by / motion.duration };
+        let mean_velocity = fixed.mapped.drift.iter().map(|&by| mean(by)).collect();
+        let mut drift = fixed.mapped.drift;
+        if stays || period == F::int(0) {
+            drift.fill(F::int(0));
+        }
+        let (change, decay, followed) = (fixed.by, F::int(0), self.followed);
+        Ok(Steady {
+            kind,
+            period,
+            periods: multiple,
+            start,
+            motion,
+            drift,
+            mean_velocity,
+            multipliers,
+            change,
+            decay,
+            followed,
+        })
+    }
+
+    /// The kind of a motion that repeats itself.
+    fn kind(&self, motion: &Motion<F>) -> SteadyKind {
+        if self.map.rests(motion) {
+            return SteadyKind::Rest;
+        }
+        let mut size = F::int(0);
+        let mut varies = F::int(0);
+        for (&most, &least) in motion.max_velocity.iter().zip(&motion.min_velocity) {
+            size = size.or_larger(most.abs()).or_larger(least.abs());
+            varies = varies.or_larger(most - least);
+        }
+        let is_uniform = self.map.drift.count() > 0 && varies <= size * F::epsilon() * F::exp2i(12);
+        if is_uniform { SteadyKind::Uniform } else { SteadyKind::Periodic }
+    }
+
+    /// The answers where the motion has not settled.
+    pub(super) fn unsettled(&mut self, grows: bool, change: F, decay: F) -> Result<Steady<F>, Error> {
+        let states: Vec<Vec<F>> = self.states.iter().cloned().collect();
+        let (start, motion) = self.last_finite(&states)?;
+        let kind = if grows { SteadyKind::Growing } else { SteadyKind::Unsettled };
+        let (period, drift, followed) = (self.map.period, self.drift.clone(), self.followed);
+        let mean_velocity = drift.iter().map(|&by| by / period).collect();
+        let multipliers = Vec::new();
+        Ok(Steady {
+            kind,
+            period,
+            periods: 1,
+            start,
+            motion,
+            drift,
+            mean_velocity,
+            multipliers,
+            change,
+            decay,
+            followed,
+        })
+    }
+
+    /// The answers of the latest period that, with its energy, stays within the range of numbers.
+    fn last_finite(&mut self, states: &[Vec<F>]) -> Result<Answers<F>, Error> {
+        let mut last = Err(Error::Unbounded { time: written(self.map.period) });
+        for from in states.iter().rev() {
+            last = self.map.observed(Some(from), 1);
+            match &last {
+                Ok((_, motion)) => {
+                    let works = [motion.stored, motion.load_work, motion.damper_work];
+                    if works.iter().all(|work| work.is_finite()) {
+                        break;
+                    }
+                }
+                Err(Error::Unbounded { .. }) => {}
+                Err(_) => break,
+            }
+        }
+        last
+    }
+}
+
+fn happened<F: Float>(events: &[Event<F>]) -> Vec<Happened> {
+    events.iter().map(|event| (event.element, event.kind)).collect()
+}
+
+/// Whether each element has the same events in the same order, from any of them on: an event at the phase 0 may fall into the period
+/// before, and those of two elements at one instant may change places.
+fn is_same_cycle(a: &[Happened], b: &[Happened]) -> bool {
+    let of = |list: &[Happened], element: usize| -> Vec<Happened> {
+        list.iter().filter(|event| event.0 == element).copied().collect()
+    };
+    let is_turned = |element: usize| {
+        let (a, mut b) = (of(a, element), of(b, element));
+        a.len() == b.len()
+            && (a == b
+                || (0..b.len()).any(|_| {
+                    b.rotate_left(1);
+                    a == b
+                }))
+    };
+    a.len() == b.len() && a.iter().all(|event| is_turned(event.0))
+}
