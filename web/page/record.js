@@ -139,10 +139,9 @@ function showRecord(found) {
   const value = (name) => found.values.find((row) => row.name === name)?.value;
   const [slides, rest] = [value("slides"), value("residual_displacement")];
   const times = slides === 1 ? "once" : `${slides} times`;
-  const isFrictionless = isZero(state[inRole(ROLES.machine[2])]);
   $("record-verdict").textContent = slides === 0 ? "The body rests throughout."
     : rest === null || rest === undefined ? `The body slides ${times}, and never comes to rest; its motion is cut at ${readable(value("cut_time"), "s")}.`
-      : `The body slides ${times}, and ${isFrictionless ? "its vibration dies away" : "comes to rest"} at ${readable(rest, found.units.displacement)}.`;
+      : `The body slides ${times}, and ${found.comes_to} rest at ${readable(rest, found.units.displacement)}.`;
   const list = $("record-values");
   list.replaceChildren();
   for (const { name, value, unit } of found.values) if (RECORD_KEY.includes(name) && value !== null) entry(list, label(name), readable(value, unit), `${value} ${unit}`);

@@ -147,6 +147,7 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
     let rests: Vec<bool> = column(&rows, 4).into_iter().map(|rest| rest > 0.0).collect();
     Ok(json!({
         "values": answers(&answer, &system),
+        "comes_to": stickslip_front::record::comes_to(&answer),
         "time": column(&rows, 0), "displacement": column(&rows, 1), "velocity": column(&rows, 2),
         "force": column(&rows, 3), "rest": rests, "count": count,
         "load": { "time": column(&samples, 0), "value": column(&samples, 1), "unit": load_unit },

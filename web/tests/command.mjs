@@ -312,6 +312,10 @@ test("a record is followed as the command follows it", () => {
   const area = found.force.slice(1, last + 1).reduce((sum, f, i) => sum + ((f + found.force[i]) / 2) * (found.displacement[i + 1] - found.displacement[i]), 0);
   const stored = (2000 * (2 * Math.PI / 0.8) ** 2 * end ** 2) / 2;
   assert.ok(Math.abs(area / (friction + damper + stored) - 1) < 0.02, `${area} ${friction} ${damper} ${stored}`);
+  // A body that a damper alone stops only tends to rest.
+  assert.equal(found.comes_to, "comes to");
+  const bare = Object.entries(inputs).filter(([name]) => name !== "friction_coefficient");
+  assert.equal(ask({ ask: "record", inputs: { ...Object.fromEntries(bare), friction: "0" }, text }).comes_to, "only tends to");
   // A body of the spectrum is the same as one alone.
   const alone = ask({ ask: "record", inputs: { ...inputs, period: "0.5 s" }, text });
   const spectrum = ask({ ask: "spectrum", inputs, text, periods: [0.25, 0.5] });
