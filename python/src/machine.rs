@@ -3,7 +3,7 @@
 use crate::points::{self, Values};
 use crate::refused;
 use crate::table::Table;
-use numpy::PyReadonlyArray1;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
@@ -179,6 +179,33 @@ fn read_values(
         |(name, text, of): (String, String, String)| reader.value(&name, &text, kind(&of)?).map_err(refused);
     let found = values.into_iter().map(read).collect::<PyResult<_>>()?;
     Ok((found, system(&reader, units)))
+}
+
+/// The numbers of a column in a unit, in the named system of units or else in SI.
+#[pyfunction]
+fn read_column<'py>(
+    py: Python<'py>,
+    name: &str,
+    numbers: PyReadonlyArray1<'py, f64>,
+    unit: &str,
+    of: &str,
+    units: Option<&str>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let factor = reader(units)?.factor_of_column(name, unit, kind(of)?).map_err(refused)?;
+    let found: Vec<f64> = numbers.as_slice()?.iter().map(|x| factor.times(*x)).collect();
+    Ok(found.into_pyarray(py))
+}
+
+/// Whether a text is a unit.
+#[pyfunction]
+fn is_unit(text: &str) -> bool {
+    Reader::is_unit(text)
+}
+
+/// Whether a text has a unit after its number.
+#[pyfunction]
+fn has_unit(text: &str) -> bool {
+    Reader::has_unit(text)
 }
 
 /// The name of the unit of a kind of quantity in a system.
@@ -396,6 +423,11 @@ fn physical_outputs(
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("EXCITATIONS", excitations())?;
+    let kinds = Input::ALL.into_iter().map(|input| (input.column(), input.kind().name()));
+    module.add("INPUTS", kinds.collect::<Vec<_>>())?;
+    module.add_function(wrap_pyfunction!(read_column, module)?)?;
+    module.add_function(wrap_pyfunction!(is_unit, module)?)?;
+    module.add_function(wrap_pyfunction!(has_unit, module)?)?;
     module.add_function(wrap_pyfunction!(machine, module)?)?;
     module.add_function(wrap_pyfunction!(machines, module)?)?;
     module.add_function(wrap_pyfunction!(drive, module)?)?;

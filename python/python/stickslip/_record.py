@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._drive import Quantity, is_array, kept, read, system_of, texts, values_of
+from ._drive import INPUTS, Quantity, in_system, is_array, kept, of_kind, read, stand_in, system_of, text, texts, values_of
 from ._labels import WrongType, aligned, is_labelled, module, numbers, shape_of, unreadable
 from ._native import Error
 from ._physical import names_of
+from ._quantity import parted
 from ._result import (
     Floats,
     Meaning,
@@ -209,17 +210,19 @@ class Record:
         after: Optional[str] = None,
     ) -> None:
         if time_step is None and times is None and is_labelled(samples) and np.ndim(samples) == 1:
-            labelled: Any = samples
-            index = labelled.index if hasattr(labelled, "index") else labelled.indexes.get(labelled.dims[0])
-            if index is not None and index.dtype.kind in "iuf" and index.name is not None:
-                times, samples = index.to_numpy(), labelled.to_numpy()
+            times = _labels(samples)
+        samples, own = parted("samples", samples)
+        if own:
+            if unit is not None and unit != own:
+                raise Error(f"unit = {unit}: must be left out, because the samples are in {own}")
+            unit = own
         if (time_step is None) == (times is None):
             raise Error("a record needs either time_step or times; or samples whose labels are times, as the index with a name")
         if times is None:
             values = _column("samples", samples)
             at = np.array([read({"time_step": (time_step, "time")}, None)[0]["time_step"]])
         else:
-            columns, _ = aligned({"times": times, "samples": samples})
+            columns, _ = aligned({"times": of_kind("times", times, "time"), "samples": samples})
             values, at = _column("samples", columns["samples"]), _column("times", columns["times"])
             if len(at) == 1:
                 raise Error("record: the number of samples = 1 must be >= 2")
@@ -302,7 +305,7 @@ class Record:
 
     def between(self, start: float, end: float) -> "Record":
         """The samples from one time to another, both included, in seconds."""
-        within = of_number("start", start), of_number("end", end)
+        within = of_number("start", start, "time"), of_number("end", end, "time")
         return self[slice(*_native.record_between(self.of, self._times, self.samples, within))]
 
     def __mul__(self, factor: float) -> "Record":
@@ -345,6 +348,22 @@ class Record:
         system_of("the record", units, is_named, None if self.unit is None else "N,m", True, machine)
         factor = 1.0 if self.unit is None else _factor(self.of, self.unit, units)
         return self.of, self._times, self.samples * factor if factor != 1.0 else self.samples
+
+
+def _labels(samples: Any) -> Any:
+    """The labels of samples in seconds, if they are numbers with a name: times."""
+    if hasattr(samples, "index"):
+        labels = samples.index if samples.index.name is not None else None
+        units = samples.attrs.get("units")
+        # Attributes of a frame have the units of its columns, and of the index.
+        if labels is not None and isinstance(units, Mapping) and labels.name in units:
+            labels = in_system("times", labels.to_numpy(), units[labels.name], "time", None)
+    else:
+        labels = samples.coords.get(samples.dims[0])
+    if labels is None or labels.dtype.kind not in "iuf":
+        return None
+    labels = of_kind("times", labels, "time")
+    return labels if isinstance(labels, np.ndarray) else labels.to_numpy()
 
 
 def _column(name: str, values: ArrayLike) -> Floats:
@@ -630,8 +649,7 @@ def polarities(of: Sliding, record: Record, start: tuple[Any, Any]) -> Polaritie
 
 
 def floor_spectrum(of: Sliding, record: Record, start: tuple[Any, Any], period: ArrayLike, damping_ratio: float) -> FloorSpectrum:
-    if isinstance(period, str):
-        period = read({"period": (period, "time")}, None)[0]["period"]
+    period = of_kind("period", period, "time")
     given = points(period=period)
     periods = np.atleast_1d(given.given["period"])
     if periods.ndim != 1:
@@ -725,14 +743,15 @@ class Block:
             "mean_force": mean_force,
         }
         given = {name: value for name, value in given.items() if value is not None}
-        angle = None if slope is None else texts({"slope": slope})[0][1]
+        angle = None if slope is None else text("slope", slope)
         if not isinstance(one_way, (bool, np.bool_)):
             raise WrongType(f"one_way = {one_way!r}: must be True or False")
-        columns, like = aligned({name: value for name, value in given.items() if is_array(value)})
+        parts = {name: parted(name, value) for name, value in given.items() if is_array(value)}
+        columns, like = aligned({name: in_system(name, *part, INPUTS[name], units) for name, part in parts.items()})
         values: dict[str, Any]
         if columns:
             shape = shape_of(columns)
-            single = {name: 1.0 if name in columns else value for name, value in given.items()}
+            single = {name: stand_in(parts[name][1]) if name in columns else value for name, value in given.items()}
             flat = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in columns.items()]
             found, system = _native.blocks(texts(single), flat, int(np.prod(shape)), units, angle)
             arrays = {name: column.reshape(shape) for name, column in found.items()}
@@ -892,10 +911,9 @@ def spectrum(
     if record.of == "force" and mass is None:
         raise Error("spectrum: a record of a force needs the mass of the bodies")
     system = "N,m" if units is None else units
-    if isinstance(period, str):
-        period = read({"period": (period, "time")}, None)[0]["period"]
+    period = of_kind("period", period, "time")
     ratios = {"friction_coefficient": friction_coefficient, "damping_ratio": damping_ratio, "static_friction_ratio": static_friction_ratio}
-    plain = {name: read({name: (value, "ratio")}, None)[0][name] if isinstance(value, str) else value for name, value in ratios.items()}
+    plain = {name: of_kind(name, value, "ratio") for name, value in ratios.items()}
     at = points(period=period, **plain)
     shared = texts({"mass": 1.0 if mass is None else mass, **({} if gravity is None else {"gravity": gravity})})
     load = (*record._in(system, True, "the spectrum"), record.after)

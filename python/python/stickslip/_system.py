@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._drive import is_array
 from ._labels import numbers, unreadable
 from ._native import Error
+from ._quantity import parted
 from ._record import Record
 from ._result import Floats, Result, are_same, of_type
 
@@ -507,7 +509,7 @@ class System:
             return np.array([self._time("times", times)])
         if isinstance(times, Sequence) and any(isinstance(time, str) for time in times):
             return np.array([self._time("times", time) for time in times])
-        return np.ascontiguousarray(np.atleast_1d(numbers("times", times)))
+        return np.ascontiguousarray(np.atleast_1d(numbers("times", times, "time")))
 
     def _time(self, name: str, value: Quantity) -> float:
         return self._handle.time(name, _typed(name, value))
@@ -568,18 +570,20 @@ def _typed(name: str, value: Any) -> str:
     """A number or a text as it would be typed."""
     if isinstance(value, str):
         return value
+    value, unit = parted(name, value)
     if isinstance(value, (bool, np.bool_)) or not np.isscalar(value) and np.ndim(value) != 0:
         raise Error(f"{name} = {value}: must be a number, or a text with a unit")
     try:
-        return repr(float(value))
+        return f"{float(value)!r} {unit}".rstrip()
     except (TypeError, ValueError):
         raise Error(f"{name} = {value}: must be a number, or a text with a unit") from None
 
 
 def _several(name: str, values: Any) -> list[str]:
-    if isinstance(values, str) or np.ndim(values) == 0:
+    if isinstance(values, str) or not is_array(values):
         return [_typed(name, values)]
-    typed = [_typed(name, value) for value in values]
+    values, unit = parted(name, values)
+    typed = [f"{_typed(name, value)} {unit}".rstrip() for value in values]
     if not typed:
         raise Error(f"{name}: must have at least one value")
     return typed
@@ -589,6 +593,10 @@ def _plain(name: str, value: Any) -> Any:
     """A value for JSON."""
     if isinstance(value, Mapping):
         return {str(key): _plain(f"{name}.{key}", inner) for key, inner in value.items()}
+    value, unit = parted(name, value)
+    if unit:
+        number = numbers(name, value)
+        return _plain(name, np.array([f"{x!r} {unit}" for x in number.reshape(-1).tolist()]).reshape(number.shape))
     if isinstance(value, (str, bool, int)) or value is None:
         return value
     if isinstance(value, (float, np.floating)):
