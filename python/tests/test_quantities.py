@@ -243,7 +243,7 @@ def quantities(value, by):
 @pytest.mark.parametrize("by", SCALARS)
 def test_systems_take_quantities(by):
     due, found = ss.System(**SYSTEM), ss.System(**quantities(SYSTEM, by))
-    assert found.natural_frequencies().tolist() == pytest.approx(due.natural_frequencies().tolist(), rel=1e-14)
+    assert found.natural_angular_frequencies().tolist() == pytest.approx(due.natural_angular_frequencies().tolist(), rel=1e-14)
     until = by(100.0, "ms")
     np.testing.assert_allclose(found.simulate(until).end_displacement, due.simulate("0.1 s").end_displacement, rtol=1e-9)
     np.testing.assert_allclose(due.states(by(np.array([0.0, 100.0]), "ms")).time, [0, 0.1])

@@ -105,7 +105,7 @@ def test_a_value_that_was_set_is_named():
         assert due in str(error.value)
     with pytest.raises(ss.Error) as error:
         system.grid({}, frequency=[-3.0])
-    assert "frequency -3: must be > 0 and finite" in str(error.value)
+    assert "frequency -3Hz: must be > 0 and finite" in str(error.value)
     with pytest.raises(ss.Error, match="times: must increase, but 0.0 follows 1.0"):
         system.states([0, 1, 0])
 
