@@ -201,32 +201,29 @@ def work():
         len(ss.attractors(0.5, 4.0, starts=20).attractors),
     ]
 """
-#: In a process without threads of its own, whose memory has no place for the stack of one more.
+#: In a process without threads of its own, whose memory has no place for the stack of one of Rust, of 1 GiB.
 WITHOUT_THREADS = WORK + """
-due, found, begin = work(), [], threading.Event()
+due, found = work(), []
 child = os.fork()
 if child == 0:
-    waiting = [threading.Thread(target=lambda: (begin.wait(), found.append(work()))) for _ in range(2)]
-    for thread in waiting:
-        thread.start()
     size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
-    resource.setrlimit(resource.RLIMIT_AS, (size + 3 * 2**19,) * 2)
-    try:
-        threading.Thread(target=print).start()
-        os._exit(3)
-    except RuntimeError:
-        pass
-    begin.set()
-    for thread in waiting:
+    resource.setrlimit(resource.RLIMIT_AS, (size + 2**29,) * 2)
+    found.append(work())
+    is_alone = len(os.listdir("/proc/self/task")) == 1
+    others = [threading.Thread(target=lambda: found.append(work())) for _ in range(2)]
+    for thread in others:
+        thread.start()
+    for thread in others:
         thread.join()
-    os._exit(0 if [work(), *found] == [due] * 3 else 4)
+    os._exit(0 if found == [due] * 3 and is_alone else 4)
 print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and /proc are those of Linux")
 def test_work_without_threads_runs_on_the_calling_one():
-    run = subprocess.run([sys.executable, "-c", WITHOUT_THREADS], capture_output=True, text=True, timeout=120)
+    environment = {**os.environ, "RUST_MIN_STACK": str(2**30)}
+    run = subprocess.run([sys.executable, "-c", WITHOUT_THREADS], capture_output=True, text=True, timeout=120, env=environment)
     assert run.stdout == "0\n", (run.stdout, run.stderr)
 
 

@@ -321,7 +321,10 @@ def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[Array
     if (frequency is None) == (angular_frequency is None):
         raise Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
     name, value, factor = ("frequency", frequency, 2 * np.pi) if frequency is not None else ("angular_frequency", angular_frequency, 1.0)
-    return angular(name, value, factor)
+    found = angular(name, value, factor)
+    if isinstance(found, float) and not 0 < found < np.inf:
+        raise Error(f"{name} {text(name, value)}: must be > 0 and finite")
+    return found
 
 
 def angular(name: str, value: Any, factor: float) -> Any:

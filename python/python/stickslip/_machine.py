@@ -192,10 +192,10 @@ class Machine(Generic[V]):
             "static_friction_ratio": static_friction_ratio,
         }
         given = {name: value for name, value in given.items() if value is not None}
-        own, system = _bodies(given, units)
+        own, failed, system = _bodies(given, units)
         if friction_backward is None:
             own["friction_backward"] = float("nan")
-        hidden = {"_own": own, "_keywords": kept(given), "_named": units is not None}
+        hidden = {"_own": own, "_keywords": kept(given), "_named": units is not None, "_failed": failed}
         shown: dict[str, Any] = {name: own[name] for name in OF_BODY}
         if friction_backward is None:
             shown["friction_backward"] = None
@@ -585,7 +585,7 @@ class Machine(Generic[V]):
         own = vars(self)["_own"]
         names = ("mass", "stiffness", "damping", "friction", "friction_backward", "static_friction_ratio")
         values = {**{name: own[name] for name in names}, "mean_force": self._values("mean_force", mean_force, "force")}
-        return Sliding(values, False, self.units, vars(self)["_named"])
+        return Sliding(values, False, self.units, vars(self)["_named"], vars(self)["_failed"])
 
     @overload
     def border(
@@ -865,8 +865,9 @@ class Machine(Generic[V]):
 _OPTIMA = ("interior", "border", "sticking", "invalid")
 
 
-def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, Any], Optional[str]]:
-    """The values of one body or several by name, with the damping ratio if it was given, and their system of units."""
+def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, Any], dict[int, str], Optional[str]]:
+    """The values of one body or several by name, with the damping ratio if it was given, the places that have none with the reasons,
+    and their system of units."""
     # A bare frequency is in hertz here, and an angular one in the library.
     natural = given.get("natural_frequency")
     if natural is not None and not has_unit("natural_frequency", natural):
@@ -874,20 +875,20 @@ def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, A
     parts = {name: parted(name, value) for name, value in given.items() if is_array(value)}
     if not parts:
         body, ratio, system = _native.machine(texts(given), units)
-        return {**dict(zip(OF_BODY, body)), "damping_ratio": ratio}, system
+        return {**dict(zip(OF_BODY, body)), "damping_ratio": ratio}, {}, system
     numbered, like = aligned({name: in_system(name, *part, INPUTS[name], units) for name, part in parts.items()})
     shape = shape_of(numbered)
     # One of its numbers stands for an array when units are checked.
     single = {name: stand_in(parts[name][1], _any_of(numbered[name])) if name in numbered else value for name, value in given.items()}
     columns = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in numbered.items()]
-    found, _, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
+    found, failed, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
     own = {}
     for name, column in found.items():
         array = column.reshape(shape)
         own[name] = like.dressed(name, array, {}) if like is not None else array
     if "friction_backward" not in given:
         own["friction_backward"] = float("nan")
-    return own, system
+    return own, dict(failed), system
 
 
 def _any_of(array: Floats) -> float:
@@ -902,7 +903,9 @@ def without(asked: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:
 
 def _one_frequency(frequency: Optional[Quantity], angular_frequency: Optional[Quantity]) -> float:
     """One frequency in radians per second."""
-    return one("frequency", angular_of(frequency, angular_frequency))
+    if frequency is not None:
+        return one("frequency", angular("frequency", frequency, 2 * np.pi))
+    return one("angular_frequency", angular("angular_frequency", angular_frequency, 1.0))
 
 
 _Range = Optional[tuple[Quantity, Quantity]]

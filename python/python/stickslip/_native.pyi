@@ -73,7 +73,7 @@ def blocks(
     n: int,
     units: Optional[str],
     slope: Optional[str],
-) -> tuple[dict[str, _Column], Optional[str]]: ...
+) -> tuple[dict[str, _Column], list[tuple[int, str]], Optional[str]]: ...
 def record_read(
     name: str,
     bytes: Optional[bytes],
