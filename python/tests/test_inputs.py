@@ -201,30 +201,36 @@ def work():
         len(ss.attractors(0.5, 4.0, starts=20).attractors),
     ]
 """
-#: In a process without threads of its own, whose memory has no place for the stack of one of Rust, of 1 GiB.
-WITHOUT_THREADS = WORK + """
-due, found = work(), []
-child = os.fork()
-if child == 0:
-    size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
-    resource.setrlimit(resource.RLIMIT_AS, (size + 2**29,) * 2)
+#: In a process whose memory has no place for the stack of one more thread of Rust, of 1 GiB.
+WITHOUT_THREADS = """
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + 2**29,) * 2)
+"""
+EACH = """
+found, before = [], os.listdir("/proc/self/task")
+if len(sys.argv) > 1:
     found.append(work())
-    is_alone = len(os.listdir("/proc/self/task")) == 1
-    others = [threading.Thread(target=lambda: found.append(work())) for _ in range(2)]
-    for thread in others:
-        thread.start()
-    for thread in others:
-        thread.join()
-    os._exit(0 if found == [due] * 3 and is_alone else 4)
-print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+    assert os.listdir("/proc/self/task") == before, "a thread was started"
+others = [threading.Thread(target=lambda: found.append(work())) for _ in range(2)]
+for thread in others:
+    thread.start()
+for thread in others:
+    thread.join()
+assert found == [found[0]] * len(found)
+print(found[0])
 """
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and /proc are those of Linux")
 def test_work_without_threads_runs_on_the_calling_one():
     environment = {**os.environ, "RUST_MIN_STACK": str(2**30)}
-    run = subprocess.run([sys.executable, "-c", WITHOUT_THREADS], capture_output=True, text=True, timeout=120, env=environment)
-    assert run.stdout == "0\n", (run.stdout, run.stderr)
+
+    def printed(*lines):
+        run = subprocess.run([sys.executable, "-c", *lines], capture_output=True, text=True, timeout=120, env=environment)
+        assert run.returncode == 0, run.stderr
+        return run.stdout
+
+    assert printed(WORK + WITHOUT_THREADS + EACH, "alone") == printed(WORK + EACH)
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and /proc are those of Linux")
