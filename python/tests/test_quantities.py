@@ -40,12 +40,16 @@ def by_frame(number, unit):
     return pandas.DataFrame({f"typed ({unit})": np.atleast_1d(number).astype(float)})
 
 
+def by_objects(number, unit):
+    return pandas.Series([by_pint(x, unit) for x in np.atleast_1d(number).tolist()])
+
+
 def by_list(number, unit):
     return [by_pint(x, unit) for x in np.atleast_1d(number).tolist()]
 
 
 SCALARS = [by_pint, by_astropy]
-ARRAYS = [by_pint, by_astropy, by_series, by_attributes, by_frame, by_list]
+ARRAYS = [by_pint, by_astropy, by_series, by_attributes, by_frame, by_objects, by_list]
 #: A number with its unit for each keyword, and the other keywords beside it.
 OF_MACHINE = {
     "mass": (50.0, "t", {"stiffness": "1000 kN/m", "friction": "5 kN"}),
@@ -310,6 +314,9 @@ def test_labels_stay_beside_units():
     series = pandas.Series([9.0, 12.0], index=["a", "b"], name="force [kN]")
     found = machine().response(ss.Drive(force=series, frequency="1 Hz"))
     assert found.max_displacement.index.tolist() == ["a", "b"]
+    drive = ss.Drive(force=series, frequency="1 Hz")
+    assert (drive.amplitude.name, drive.amplitude.tolist()) == ("amplitude", [9000.0, 12000.0])
+    assert ss.Drive(force="1 N", frequency=series.rename("f [Hz]")).angular_frequency.name == "angular_frequency"
     data = by_attributes([9.0, 12.0], "kN").assign_coords(n=[3, 4])
     assert machine().response(ss.Drive(force=data, frequency="1 Hz")).max_displacement.n.values.tolist() == [3, 4]
     wrapped = xarray.DataArray(by_pint(np.array([9.0, 12.0]), "kN"), dims="n")

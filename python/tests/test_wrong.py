@@ -106,6 +106,16 @@ def test_a_keyword_of_a_record_is_named(keyword, wrong):
     assert keyword in str(error.value), error.value
 
 
+@pytest.mark.parametrize("keyword", keywords(ss.Drive))
+def test_an_array_of_a_drive_is_named(keyword):
+    given = {"force": 12.0} if keyword in ("frequency", "angular_frequency", "mean_force") else {}
+    given |= {"frequency": 2.0} if "frequency" not in keyword else {}
+    for wrong in ([object(), object()], ["1 N", "2 N"], [1.0, [2.0]], np.array([1j, 2j])):
+        with pytest.raises(ss.Error) as error:
+            ss.Drive(**{**given, keyword: wrong})
+        assert str(error.value).startswith(f"{keyword}: "), error.value
+
+
 @pytest.mark.parametrize("wrong", WRONG_ARRAYS[:2], ids=repr)
 @pytest.mark.parametrize("keyword", ["samples", "times"])
 def test_an_array_of_a_record_is_named(keyword, wrong):

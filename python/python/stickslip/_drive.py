@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Generic, Optional, Union, overload
 
@@ -66,12 +66,13 @@ def kept(given: Mapping[str, Any]) -> dict[str, Any]:
     return {name: copy.deepcopy(value) if is_array(value) else value for name, value in given.items() if value is not None}
 
 
-def relabelled(values: Mapping[str, Any]) -> tuple[dict[str, Any], Optional[Like]]:
-    """The values as numbers and arrays, aligned by their labels, in the kind in which they were given."""
+def relabelled(values: Mapping[str, Any], fields: Iterable[str]) -> tuple[dict[str, Any], Optional[Like]]:
+    """The values by their keywords as numbers and arrays by the names of fields, aligned by their labels, in the kind in which they
+    were given."""
     given, like = aligned(values)
     shape = shape_of(given)
     found: dict[str, Any] = {}
-    for name, array in given.items():
+    for name, array in zip(fields, given.values()):
         if array.ndim == 0:
             found[name] = float(array)
         elif like is None:
@@ -249,12 +250,10 @@ class Drive(Generic[V]):
             values["mean_force"] = mean_force
         arrays = {name: in_system(name, *parts[name], INPUTS[name], units) for name in arrays}
         name, amplitude, mean, system = _native.drive(texts(values), units)
+        of_frequency = "frequency" if frequency is not None else "angular_frequency"
         columns, like = relabelled(
-            {
-                "amplitude": arrays.get(name, amplitude),
-                "angular_frequency": angular,
-                "mean_force": arrays.get("mean_force", mean),
-            }
+            {name: arrays.get(name, amplitude), of_frequency: angular, "mean_force": arrays.get("mean_force", mean)},
+            ("amplitude", "angular_frequency", "mean_force"),
         )
         fields = {**columns, "excitation": name, "units": system, "_named": units is not None}
         keywords = {**given, "frequency": frequency, "angular_frequency": angular_frequency, "mean_force": mean_force}

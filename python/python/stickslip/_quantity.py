@@ -90,14 +90,14 @@ def _of_labelled(name: str, value: Any) -> tuple[Any, str]:
     units = {unit or _of_attributes(attributes, column) for (_, unit), column in zip(named, columns)}
     # A data array of xarray and a column of pandas may hold a quantity.
     inner = getattr(value, "data", None) if hasattr(value, "dims") else getattr(getattr(value, "array", None), "quantity", None)
-    numbers = None
-    if hasattr(inner, "to_root_units") or hasattr(inner, "decompose"):
-        numbers, unit = parted(name, inner)
+    inner = value.to_numpy() if getattr(getattr(value, "dtype", None), "kind", "") == "O" else inner
+    numbers, unit = (None, "") if inner is None else parted(name, inner)
+    if unit:
         units = units - {""} | {unit}
     if len(units) > 1:
         raise Error(f"{name}: must have one unit, not {', '.join(unit or 'none' for unit in sorted(units))}")
     unit = units.pop() if units else ""
-    if unit == "" and numbers is None:
+    if unit == "":
         return value, ""
     names = [own for own, _ in named]
     if not hasattr(value, "attrs"):
@@ -105,7 +105,7 @@ def _of_labelled(name: str, value: Any) -> tuple[Any, str]:
     if hasattr(value, "columns"):
         new = value.set_axis(names, axis=1)
     elif hasattr(value, "dims"):
-        new = value.copy(deep=False, data=numbers)
+        new = value.copy(deep=False, data=value.data if numbers is None else numbers)
         new.name = names[0]
     else:
         new = value.rename(names[0]) if numbers is None else type(value)(numbers, index=value.index, name=names[0])
