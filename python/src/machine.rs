@@ -3,7 +3,7 @@
 use crate::points::{self, Values};
 use crate::refused;
 use crate::table::Table;
-use numpy::PyReadonlyArray1;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
@@ -95,6 +95,20 @@ const OF_BODY: [&str; 7] = [
     "damping_ratio",
 ];
 
+/// Why a place of columns has no body: the error names the values that are at fault.
+fn named<T>(
+    given: &mut Given<f64>,
+    columns: &[(Input, Vec<f64>)],
+    place: usize,
+    of: &impl Fn(&Given<f64>) -> Result<T, InputError>,
+) -> String {
+    for (input, column) in columns {
+        let value = column.get(place).copied().unwrap_or(f64::NAN);
+        given.set_typed(*input, value, &format!("{value:?}"));
+    }
+    of(given).map_or_else(|error| error.to_string(), |_| String::new())
+}
+
 /// `n` bodies, each of the given values with those of the columns in the place of their own. A body outside the domain, or of
 /// a number that is none, has NaN throughout. Values that make no body at all are an error.
 pub(crate) fn each_given<const K: usize>(
@@ -117,7 +131,8 @@ pub(crate) fn each_given<const K: usize>(
                 .or_else(|| value.is_nan().then(|| format!("{} = NaN: must be finite", input.column())));
             given.set(*input, value);
         }
-        let row = missing.map_or_else(|| of(&given).map_err(|error| error.to_string()), Err);
+        let row =
+            missing.map_or_else(|| of(&given).map_err(|_| named(&mut given, &columns, place, &of)), Err);
         let row = row.unwrap_or_else(|reason| {
             failed.push((place, reason));
             [f64::NAN; K]
@@ -137,7 +152,7 @@ pub(crate) fn each_given<const K: usize>(
 }
 
 /// Bodies as columns, the places that have none with the reasons, and the system of units.
-type Machines<'py> = (Bound<'py, PyDict>, Vec<(usize, String)>, Option<String>);
+pub(crate) type Machines<'py> = (Bound<'py, PyDict>, Vec<(usize, String)>, Option<String>);
 
 /// Bodies as columns, of values as texts and, in place of some of these, of columns of bare numbers.
 #[pyfunction]
@@ -165,7 +180,12 @@ fn machines<'py>(
 fn drive(values: Vec<(String, String)>, units: Option<&str>) -> PyResult<(String, f64, f64, Option<String>)> {
     let (given, system) = given(values, units)?;
     let (input, amplitude) = given.amplitude().map_err(refused)?;
-    Ok((input.column(), amplitude, given.get(Input::MeanForce).unwrap_or(0.0), system))
+    let mean = given.get(Input::MeanForce).unwrap_or(0.0);
+    let kind = input.excitation().ok_or_else(|| refused(format!("{}: is no drive", input.column())))?;
+    // An amplitude of 0 leaves the body at rest; the frequency is checked apart.
+    let checked = Drive::new(kind, if amplitude == 0.0 { 1.0 } else { amplitude }, 1.0);
+    checked.and_then(|drive| drive.with_mean_force(mean)).map_err(|error| refused(given.at_fault(&error)))?;
+    Ok((input.column(), amplitude, mean, system))
 }
 
 /// Reads values, each given by name, text and kind, in the named system of units or else in SI.
@@ -179,6 +199,33 @@ fn read_values(
         |(name, text, of): (String, String, String)| reader.value(&name, &text, kind(&of)?).map_err(refused);
     let found = values.into_iter().map(read).collect::<PyResult<_>>()?;
     Ok((found, system(&reader, units)))
+}
+
+/// The numbers of a column in a unit, in the named system of units or else in SI.
+#[pyfunction]
+fn read_column<'py>(
+    py: Python<'py>,
+    name: &str,
+    numbers: PyReadonlyArray1<'py, f64>,
+    unit: &str,
+    of: &str,
+    units: Option<&str>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let factor = reader(units)?.factor_of_column(name, unit, kind(of)?).map_err(refused)?;
+    let found: Vec<f64> = numbers.as_slice()?.iter().map(|x| factor.times(*x)).collect();
+    Ok(found.into_pyarray(py))
+}
+
+/// Whether a text is a unit.
+#[pyfunction]
+fn is_unit(text: &str) -> bool {
+    Reader::is_unit(text)
+}
+
+/// Whether a text has a unit after its number.
+#[pyfunction]
+fn has_unit(text: &str) -> bool {
+    Reader::has_unit(text)
 }
 
 /// The name of the unit of a kind of quantity in a system.
@@ -396,6 +443,11 @@ fn physical_outputs(
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("EXCITATIONS", excitations())?;
+    let kinds = Input::ALL.into_iter().map(|input| (input.column(), input.kind().name()));
+    module.add("INPUTS", kinds.collect::<Vec<_>>())?;
+    module.add_function(wrap_pyfunction!(read_column, module)?)?;
+    module.add_function(wrap_pyfunction!(is_unit, module)?)?;
+    module.add_function(wrap_pyfunction!(has_unit, module)?)?;
     module.add_function(wrap_pyfunction!(machine, module)?)?;
     module.add_function(wrap_pyfunction!(machines, module)?)?;
     module.add_function(wrap_pyfunction!(drive, module)?)?;

@@ -1,6 +1,6 @@
 //! The motion under records.
 
-use crate::machine::{each_given, given};
+use crate::machine::{Machines, each_given, given};
 use crate::points::{self, Values};
 use crate::refused;
 use crate::table::Table;
@@ -188,12 +188,12 @@ fn blocks<'py>(
     n: usize,
     units: Option<&str>,
     slope: Option<&str>,
-) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
+) -> PyResult<Machines<'py>> {
     let ((given, system), slope) = (given(values, units)?, slope_of(slope, units)?);
     if given.has_role(Role::Spring) {
         return Err(refused("a block has no spring: see Machine"));
     }
-    let (found, _) = each_given(given, &columns, n, |given| of_block(given, slope))?;
+    let (found, failed) = each_given(given, &columns, n, |given| of_block(given, slope))?;
     let names = [
         "mass",
         "stiffness",
@@ -207,7 +207,7 @@ fn blocks<'py>(
     for (name, column) in names.into_iter().zip(found) {
         table.number(name, column);
     }
-    Ok((table.into_dict(py)?, system))
+    Ok((table.into_dict(py)?, failed, system))
 }
 
 /// The answers of bodies in columns.

@@ -2,6 +2,7 @@
 
 import copy
 import multiprocessing
+import os
 import pickle
 import subprocess
 import sys
@@ -180,6 +181,70 @@ def test_processes_after_threads_were_used(way, tmp_path):
     script.write_text(FORKED.format(way=way))
     run = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=60)
     assert run.stdout == "done\n", run.stderr
+
+
+#: Questions of each way to work: on all threads, and on one beside the interpreter.
+WORK = """
+import os, resource, sys, threading, numpy as np, stickslip as ss
+RECORD = ss.Record(np.sin(np.arange(200) * 0.2), time_step=0.05)
+MACHINE = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0)
+SYSTEM = ss.System(
+    masses={"m": 2.0}, springs=[{"between": ["ground", "m"], "stiffness": 300.0}],
+    contacts=[{"name": "c", "between": ["ground", "m"], "friction": 1.0}], forces=[{"on": "m", "amplitude": 5.0, "frequency": 2}],
+)
+def work():
+    drive = ss.Drive(force=[9.0, 12.0], frequency=3.0)
+    return [
+        ss.response(np.linspace(0.6, 2, 50_000), 3.0).max_displacement.sum(), ss.steady(np.linspace(0.6, 2, 100), 3.0).periods.sum(),
+        MACHINE.max_friction(drive).tolist(), ss.spectrum(RECORD, period=[1.0, 2.0], friction_coefficient=0.05).path.tolist(),
+        MACHINE.follow(RECORD).path, SYSTEM.steady().max_displacement.tolist(), SYSTEM.curve([1, 2])["c.rest_fraction"].tolist(),
+        len(ss.attractors(0.5, 4.0, starts=20).attractors),
+    ]
+"""
+#: In a process whose memory has no place for the stack of one more thread of Rust, of 1 GiB.
+WITHOUT_THREADS = """
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + 2**29,) * 2)
+"""
+EACH = """
+found, before = [], os.listdir("/proc/self/task")
+if len(sys.argv) > 1:
+    found.append(work())
+    assert os.listdir("/proc/self/task") == before, "a thread was started"
+others = [threading.Thread(target=lambda: found.append(work())) for _ in range(2)]
+for thread in others:
+    thread.start()
+for thread in others:
+    thread.join()
+assert found == [found[0]] * len(found)
+print(found[0])
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and /proc are those of Linux")
+def test_work_without_threads_runs_on_the_calling_one():
+    environment = {**os.environ, "RUST_MIN_STACK": str(2**30)}
+
+    def printed(*lines):
+        run = subprocess.run([sys.executable, "-c", *lines], capture_output=True, text=True, timeout=120, env=environment)
+        assert run.returncode == 0, run.stderr
+        return run.stdout
+
+    assert printed(WORK + WITHOUT_THREADS + EACH, "alone") == printed(WORK + EACH)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and /proc are those of Linux")
+def test_the_number_of_threads_is_limited():
+    count = """
+work()
+print(len(os.listdir("/proc/self/task")))
+"""
+    most = 8 * (os.cpu_count() or 1)
+    environment = {**os.environ, "RAYON_NUM_THREADS": str(most + 200), "OPENBLAS_NUM_THREADS": "1"}
+    run = subprocess.run([sys.executable, "-c", WORK + count], capture_output=True, text=True, timeout=120, env=environment)
+    assert run.returncode == 0, run.stderr
+    # Beside those of the interpreter and of NumPy.
+    assert int(run.stdout) <= most + 100
 
 
 @pytest.mark.parametrize(

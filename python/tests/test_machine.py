@@ -159,7 +159,7 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
         (lambda: ss.Machine(1, 2, 3, friction_backward=0), "friction_backward 0.0: backward friction r- = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=0, friction=1), "period 0.0: natural period T = 0 must be > 0"),
         (lambda: ss.Machine(mass=1, period=1), "friction .or friction_coefficient. is missing"),
-        (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "w_d = -1 must be > 0"),
+        (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "angular_frequency -1.0: must be > 0"),
         (lambda: ss.figure("11"), "figure 11: must be one of"),
     ],
 )

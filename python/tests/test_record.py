@@ -91,7 +91,7 @@ def test_states_and_events_are_those_of_the_answer():
     [
         (lambda: ss.Record([1.0], time_step=1.0), "number of samples = 1 must be >= 2"),
         (lambda: ss.Record([1.0, np.nan], time_step=1.0), "sample 2"),
-        (lambda: ss.Record([1.0, 2.0], time_step=0.0), "time step = 0"),
+        (lambda: ss.Record([1.0, 2.0], time_step=0.0), "time_step 0.0: must be > 0"),
         (lambda: ss.Record([1.0, 2.0], times=[1.0, 1.0]), "sample 2"),
         (lambda: ss.Record([1.0, 2.0], times=[1.0, 2.0, 3.0]), "times"),
         (lambda: ss.Record([1.0, 2.0]), "either time_step or times"),

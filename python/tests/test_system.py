@@ -64,9 +64,88 @@ def by_matrices():
         damping=[[0.3, 0], [0, 0]],
         stiffness=np.array([[500, -300], [-300, 300]]),
         elements=[{"name": "bearing", "type": "contact", "direction": [1, 0], "friction": 450}],
-        harmonics=[{"frequency": 6 * np.pi, "sin": [0, 1500]}],
+        harmonics=[{"angular_frequency": 6 * np.pi, "sin": [0, 1500]}],
         start={"displacement": [0, 3], "velocity": [0, 0]},
     )
+
+
+LOADED = {
+    "moves": lambda wave: {"contacts": [{"name": "bearing", "between": ["ground", "block"], "friction": 450, "moves": {"amplitude": 5, **wave}}], "forces": []},
+    "normal_load": lambda wave: {
+        "contacts": [
+            {"name": "bearing", "between": ["ground", "block"], "coefficient": 0.1, "normal_load": {"constant": 9000, "amplitude": 50, **wave}}
+        ],
+        "forces": [],
+    },
+    "forces": lambda wave: {"forces": [{"on": "roof", "amplitude": 1500, **wave}]},
+    "base": lambda wave: {"forces": [], "base": {"acceleration": {"amplitude": 3000, **wave}}},
+}
+
+
+@pytest.mark.parametrize("load", LOADED)
+def test_a_bare_frequency_is_in_hertz(load):
+    def end(**wave):
+        return by_names(**LOADED[load](wave)).simulate(0.7).end_displacement.tolist()
+
+    due = end(frequency="3 Hz")
+    assert end(frequency=3) == end(frequency=3.0) == end(frequency="3") == end(frequency=np.float64(3)) == due
+    assert end(angular_frequency="3 Hz") == due
+    np.testing.assert_allclose(end(angular_frequency=6 * np.pi), due, rtol=1e-9)
+    with pytest.raises(ss.Error, match=r"give one of frequency .in Hz. and angular_frequency .in rad/s."):
+        end(frequency=3, angular_frequency=18)
+    with pytest.raises(ss.Error, match=r"frequency -3.0 Hz: must be > 0"):
+        end(frequency=-3)
+
+
+def test_a_bare_frequency_is_in_hertz_beside_values_with_units_and_without():
+    bare = {"masses": {"m": 2.0}, "springs": [{"between": ["ground", "m"], "stiffness": 300.0}]}
+    typed = {"masses": {"m": "2 kg"}, "springs": [{"between": ["ground", "m"], "stiffness": "300 N/m"}]}
+    loads = [{"forces": [{"on": "m", "amplitude": 5.0, "frequency": 2}]}, {"forces": [{"on": "m", "amplitude": "5 N", "frequency": 2}]}]
+    one, other = (ss.System(**body, **load) for body, load in zip((bare, typed), loads))
+    assert one.simulate(3).end_displacement == other.simulate(3).end_displacement
+    # Matrices have cycles per unit of time.
+    matrices = {"mass": [[2.0]], "stiffness": [[300.0]]}
+    cycles = ss.System(**matrices, harmonics=[{"frequency": 2, "sin": [5.0]}])
+    assert cycles.simulate(3).end_displacement == one.simulate(3).end_displacement
+    # A body may have the name of a field.
+    named = ss.System(masses={"frequency": 2.0, "angular_frequency": {"mass": 1.0}})
+    assert named.coordinates == ("frequency", "angular_frequency")
+
+
+def test_frequencies_of_grids_are_in_hertz(machine, tmp_path):
+    column, place = "frequency[Hz]", "forces[1].frequency[Hz]"
+    for system in (by_names(), ss.System.read(machine)):
+        due = system.curve("1Hz:3Hz:2")
+        for axis in ([1, 3], [1.0, 3.0], "1:3:2", "1,3", np.array([1, 3]), ["1", "3 Hz"], ["1 Hz", "3"]):
+            for found in (system.curve(axis), system.grid(frequency=axis)):
+                assert found[column].tolist() == [1, 3] and found["roof.max_displacement[mm]"].tolist() == due["roof.max_displacement[mm]"].tolist()
+        found = system.curve(angular_frequency=[6.0, 12.0])
+        assert found["frequency[rad/s]"].tolist() == [6, 12]
+        assert system.curve(angular_frequency="6:12:2") == system.curve(angular_frequency="6rad/s:12rad/s:2")
+        assert system.curve(angular_frequency="1Hz:3Hz:2") == due
+        for path in ("forces[1].frequency", "forces[1].angular_frequency"):
+            found = system.grid({path: ["1 Hz", "3 Hz"]})
+            assert found[place].tolist() == [1, 3] and found["roof.max_displacement[mm]"].tolist() == due["roof.max_displacement[mm]"].tolist()
+        assert system.grid({"forces[1].frequency": [1, 3]})[place].tolist() == [1, 3]
+        assert system.grid({"forces[1].angular_frequency": [6, 12]})["forces[1].frequency[rad/s]"].tolist() == [6, 12]
+        other = system.with_values({"forces[1].frequency": 1}).steady().max_displacement.tolist()
+        assert other == system.with_values({"forces[1].frequency": "1 Hz"}).steady().max_displacement.tolist()
+        for both in (lambda: system.grid(frequency=[1], angular_frequency=[1]), lambda: system.curve()):
+            with pytest.raises(ss.Error, match="give one of frequency"):
+                both()
+    # A bare frequency of a file is in radians per second, as for the command.
+    file = tmp_path / "bare.toml"
+    file.write_text('masses = { m = 2 }\n[[springs]]\nbetween = ["ground", "m"]\nstiffness = 300\n[[forces]]\non = "m"\namplitude = 5\nfrequency = 12\n')
+    by_file = ss.System.read(file)
+    named = ss.System(masses={"m": 2}, springs=[{"between": ["ground", "m"], "stiffness": 300}], forces=[{"on": "m", "amplitude": 5, "angular_frequency": 12}])
+    assert by_file.simulate(3).end_displacement == named.simulate(3).end_displacement
+    assert by_file.with_values({"forces[1].frequency": 2}).simulate(3).end_displacement == named.with_values({"forces[1].frequency": "2 Hz"}).simulate(3).end_displacement
+
+
+def test_a_bare_natural_frequency_is_in_hertz():
+    due = ss.Machine(mass=2.0, natural_frequency="1.5 Hz", friction=3.0, units="N,m")
+    for natural in (1.5, "1.5", np.float64(1.5)):
+        assert ss.Machine(mass=2.0, natural_frequency=natural, friction=3.0, units="N,m").stiffness == pytest.approx(due.stiffness, rel=1e-15)
 
 
 def test_a_file_names_and_matrices_are_one_system(machine):
@@ -79,8 +158,8 @@ def test_a_file_names_and_matrices_are_one_system(machine):
     assert repr(names) == "System(block, roof; bearing)" and names.units == "N,mm" and matrices.units is None
     # ω² of [[500, −300], [−300, 300]] and diag(1, ½).
     due = np.sqrt((1100 + np.array([-1, 1]) * np.sqrt(1100**2 - 480000)) / 2)
-    np.testing.assert_allclose(file.natural_frequencies(), due, rtol=1e-12)
-    np.testing.assert_allclose(file.natural_frequencies("bearing"), [np.sqrt(600)], rtol=1e-12)
+    np.testing.assert_allclose(file.natural_angular_frequencies(), due, rtol=1e-12)
+    np.testing.assert_allclose(file.natural_angular_frequencies("bearing"), [np.sqrt(600)], rtol=1e-12)
 
 
 def test_the_motion_between_events_is_that_of_an_integration():

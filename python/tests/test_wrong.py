@@ -6,6 +6,7 @@ import json
 import math
 import os
 
+import numpy as np
 import pytest
 import stickslip as ss
 
@@ -17,7 +18,7 @@ ROLES = {
     "pendulum_radius": "stiffness",
     "friction_coefficient": "friction",
 }
-WRONG = [math.nan, math.inf, "abc", "", "5 furlong", "1e400 m", object(), -3.0]
+WRONG = [math.nan, math.inf, "inf", "abc", "", "5 furlong", "1e400 m", object(), -3.0, "-3"]
 
 
 def keywords(of):
@@ -40,13 +41,87 @@ def test_a_keyword_of_a_machine_is_named(keyword, wrong):
     assert names(error, keyword), error.value
 
 
-@pytest.mark.parametrize("keyword", keywords(ss.Drive))
-@pytest.mark.parametrize("wrong", [math.nan, "abc", "", "5 furlong", object()], ids=repr)
+#: What no keyword takes but `mean_force` and `slope`, which may be negative.
+NO_NUMBER = [math.nan, math.inf, -math.inf, "inf", "-inf", "nan", "abc", "", "5 furlong", "-1 furlong", object()]
+WRONG_NUMBERS = [*NO_NUMBER, -1.0, "-1", np.float64(-1)]
+#: Arrays without any number that is right.
+WRONG_ARRAYS = [[x, x] for x in (math.nan, math.inf, -1.0)]
+RECORD = ss.Record([0.0, -3.0, -3.0, 0.0], time_step=0.5)
+
+
+def wrongs(of):
+    return [
+        pytest.param(keyword, wrong, id=f"{keyword}-{wrong!r:.9}")
+        for keyword in keywords(of)
+        for wrong in (NO_NUMBER if keyword in ("mean_force", "slope") else WRONG_NUMBERS)
+    ]
+
+
+@pytest.mark.parametrize("keyword, wrong", wrongs(ss.Drive))
 def test_a_keyword_of_a_drive_is_named(keyword, wrong):
-    given = {"frequency": 2.0} if "frequency" not in keyword else {"force": 12.0}
+    given = {"frequency": 2.0} if "frequency" not in keyword and keyword != "mean_force" else {"force": 12.0}
+    given |= {"frequency": 2.0} if keyword == "mean_force" else {}
     with pytest.raises(ss.Error) as error:
-        ss.Machine(**MACHINE).steady(ss.Drive(**{**given, keyword: wrong}))
-    assert names(error, keyword), error.value
+        ss.Drive(**{**given, keyword: wrong})
+    assert str(error.value).startswith(keyword), error.value
+
+
+def block(keyword, wrong):
+    given = {"mass": 50.0, "friction": 5.0}
+    if keyword in ("friction_coefficient", "yield_acceleration", "gravity"):
+        del given["friction"]
+        given |= {"friction_coefficient": 0.1} if keyword == "gravity" else {}
+    return ss.Block(**{**given, keyword: wrong})
+
+
+@pytest.mark.parametrize("keyword, wrong", wrongs(ss.Block))
+def test_a_keyword_of_a_block_is_named(keyword, wrong):
+    if keyword == "one_way" or (keyword, wrong) == ("mean_force", ""):
+        wrong = "abc"
+    with pytest.raises(ss.Error) as error:
+        block(keyword, wrong)
+    assert keyword in str(error.value), error.value
+
+
+@pytest.mark.parametrize("keyword", ["mass", "friction", "friction_coefficient", "yield_acceleration", "gravity", "friction_backward", "damping", "static_friction_ratio"])
+@pytest.mark.parametrize("wrong", WRONG_ARRAYS, ids=repr)
+def test_a_keyword_of_an_array_of_bodies_is_named(keyword, wrong):
+    bodies = [block(keyword, wrong)]
+    if keyword not in ROLES and keyword not in ("yield_acceleration", "gravity"):
+        bodies.append(ss.Machine(**{**MACHINE, keyword: wrong}))
+    for body in bodies:
+        for start in (0.0, 1.0):
+            with pytest.raises(ss.Error) as error:
+                body.follow(RECORD, displacement=start)
+            assert keyword in str(error.value), error.value
+
+
+@pytest.mark.parametrize("keyword, wrong", wrongs(ss.Record))
+def test_a_keyword_of_a_record_is_named(keyword, wrong):
+    given = {"samples": [0.0, -3.0, -3.0, 0.0], "time_step": 0.5}
+    if keyword == "times":
+        del given["time_step"]
+    with pytest.raises(ss.Error) as error:
+        ss.Record(**{**given, keyword: wrong})
+    assert keyword in str(error.value), error.value
+
+
+@pytest.mark.parametrize("keyword", keywords(ss.Drive))
+def test_an_array_of_a_drive_is_named(keyword):
+    given = {"force": 12.0} if keyword in ("frequency", "angular_frequency", "mean_force") else {}
+    given |= {"frequency": 2.0} if "frequency" not in keyword else {}
+    for wrong in ([object(), object()], ["1 N", "2 N"], [1.0, [2.0]], np.array([1j, 2j])):
+        with pytest.raises(ss.Error) as error:
+            ss.Drive(**{**given, keyword: wrong})
+        assert str(error.value).startswith(f"{keyword}: "), error.value
+
+
+@pytest.mark.parametrize("wrong", WRONG_ARRAYS[:2], ids=repr)
+@pytest.mark.parametrize("keyword", ["samples", "times"])
+def test_an_array_of_a_record_is_named(keyword, wrong):
+    given = {"samples": [0.0, 1.0], **({"time_step": 0.5} if keyword == "samples" else {})}
+    with pytest.raises(ss.Error, match=keyword.removesuffix("s")):
+        ss.Record(**{**given, keyword: wrong})
 
 
 @pytest.mark.parametrize("of", [ss.Machine, ss.Drive, ss.System])
@@ -80,7 +155,10 @@ def place(path):
 
 @pytest.mark.parametrize("path", leaves(SYSTEM), ids=place)
 def test_a_field_of_a_system_is_named(path):
-    for wrong in [math.nan, math.inf, True, [], {}, "5 furlong", ""]:
+    numbers = ["mass", "start", "velocity", "stiffness", "damping", "friction", "peak", "gap", "amplitude", "frequency", "phase", "block"]
+    signed = ["start", "velocity", "amplitude", "phase", "damping", "stiffness", "gap"]
+    negative = [-1.0, "-1"] if path[-1] in numbers and path[-1] not in signed else []
+    for wrong in [math.nan, math.inf, True, [], {}, "5 furlong", "", *negative]:
         if path[-1] == "name" and wrong == "5 furlong":
             continue
         value = copy.deepcopy(SYSTEM)
@@ -105,7 +183,7 @@ def test_a_value_that_was_set_is_named():
         assert due in str(error.value)
     with pytest.raises(ss.Error) as error:
         system.grid({}, frequency=[-3.0])
-    assert "frequency -3: must be > 0 and finite" in str(error.value)
+    assert "frequency -3Hz: must be > 0 and finite" in str(error.value)
     with pytest.raises(ss.Error, match="times: must increase, but 0.0 follows 1.0"):
         system.states([0, 1, 0])
 

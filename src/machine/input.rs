@@ -181,7 +181,7 @@ inputs! {
     Stiffness "--stiffness" "K": Stiffness, Spring, Stiffness [FrequencyRatio FrictionDisplacement];
     /// Natural period of the body on its spring, such as 2.2s, in place of the stiffness: k = m (2π/T)²
     Period "--period" "T": Time, Spring, NaturalPeriod [Stiffness FrequencyRatio FrictionDisplacement];
-    /// Natural frequency of the body on its spring, such as 1.5Hz, in place of the stiffness
+    /// Natural frequency of the body on its spring, such as 1.5Hz, in place of the stiffness, where a bare number is in rad/s
     NaturalFrequency "--natural-frequency" "WN": Frequency, Spring, NaturalFrequency
         [Stiffness FrequencyRatio FrictionDisplacement];
     /// Radius of a friction pendulum, such as 2m, in place of the stiffness: k = m g/R, for displacements far below R

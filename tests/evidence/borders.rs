@@ -4,7 +4,8 @@ use crate::random::Random;
 use crate::sampled::{Cycle as Sampled, Harmonic, Limit, Load, Machine, Of};
 use std::f64::consts::TAU;
 use stickslip::cycle::SixReversals;
-use stickslip::{Border, Cycle, PhaseFunction, Ratios, Verdict};
+use stickslip::uncertainty::{Interval, ParameterBox, Range};
+use stickslip::{Border, Cycle, Output, PhaseFunction, Ratios, Verdict};
 
 fn harmonic([omega, alpha, zeta, eta]: [f64; 4]) -> Harmonic {
     let machine = Machine::new([1.0, 1.0, 2.0 * zeta], [1.0, 0.0, eta], 0.0);
@@ -176,6 +177,30 @@ fn members_of_a_family_are_those_of_the_samples() {
             let (high, low) = family.extremes(shift.clamp(-family.max_shift, family.max_shift)).unwrap();
             assert!((high - most).abs() < 0.015 && (low - least).abs() < 0.015, "{most} {least} {family:?}");
         }
+    }
+}
+
+/// Guaranteed ranges over boxes of Ω and α: samples within the box are within the range, and reach over half of it.
+#[test]
+fn ranges_over_a_box_hold_the_samples_in_it() {
+    let mut random = Random(54);
+    for _ in 0..12 {
+        let omega = random.scale(1.2, 2.0);
+        let alpha = 1.5 * Border::of(&ratios([omega, 1.0, 0.0, 1.0])).min_force_ratio;
+        let [omegas, alphas] = [omega, alpha].map(|x| Interval::relative(x, 0.02));
+        let whole =
+            ParameterBox::Ratios { omega: omegas, alpha: alphas, damping_ratio: Interval::exactly(0.0) };
+        let found: Vec<_> = [omegas.low, omega, omegas.high]
+            .into_iter()
+            .flat_map(|omega| [alphas.low, alpha, alphas.high].map(|alpha| [omega, alpha, 0.0, 1.0]))
+            .map(|at| sampled(at, [0.0, 0.0]).unwrap().found)
+            .collect();
+        let range = whole.range(Output::MaxDisplacement, 40).unwrap().filter(Range::is_guaranteed).unwrap();
+        let values: Vec<f64> = found.iter().map(|one| one.most(Of::Displacement).value).collect();
+        let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(a, b), x| (a.min(*x), b.max(*x)));
+        let room = 1e-9 * most;
+        assert!(range.low <= least + room && most - room <= range.high, "{range:?} {values:?}");
+        assert!(most - least > 0.5 * (range.high - range.low), "{range:?} {values:?}");
     }
 }
 

@@ -14,6 +14,7 @@ const API: &str = include_str!("../../.ci/public-api.txt");
 struct Row {
     of: &'static str,
     names: Vec<&'static str>,
+    origin: &'static str,
     tests: Vec<&'static str>,
 }
 
@@ -28,7 +29,7 @@ fn rows() -> Vec<Row> {
             let cells: Vec<&str> = line.split(" | ").collect();
             assert_eq!(cells.len(), 4, "{line}");
             let of = cells[0].split('`').next().unwrap();
-            Row { of, names: quoted(cells[1]), tests: quoted(cells[3]) }
+            Row { of, names: quoted(cells[1]), origin: cells[2], tests: quoted(cells[3]) }
         })
         .collect()
 }
@@ -172,6 +173,34 @@ fn every_test_named_exists_and_is_run() {
         );
     }
     assert!(!is_run("#[test]\n#[ignore = \"slow\"]\nfn one() {}", "one") && !is_run("fn one() {}", "one"));
+}
+
+/// Where numbers come from that the library's own reading did not make.
+const ORIGINS: [&str; 13] = [
+    "samples",
+    "small steps",
+    "by another program",
+    "of another program",
+    "by hand",
+    "algebra",
+    "definitions",
+    "inputs",
+    "as of",
+    "differences",
+    "the equation of motion",
+    "the Fourier series",
+    "the distribution function",
+];
+
+#[test]
+fn no_origin_is_the_librarys_own_reading() {
+    for Row { of, names, origin, .. } in rows() {
+        let origin = origin.trim_start_matches("recorded: ");
+        assert!(ORIGINS.iter().any(|known| origin.contains(known)), "{of} {names:?}: {origin}");
+        for own in ["the rest of the library", "the exact motion", "the closed forms of"] {
+            assert!(!origin.contains(own), "{of} {names:?}: {origin}");
+        }
+    }
 }
 
 /// The page says how many outputs and functions there are.

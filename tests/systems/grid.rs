@@ -1,7 +1,25 @@
 //! Grids on all cores.
 
+use crate::cases::{cases, list};
 use crate::closed_form::one_body;
 use stickslip::system::{Error, State, System, solve_each};
+
+/// The steady motions of another program, all at once: their greatest displacements and velocities.
+#[test]
+fn all_at_once_have_the_answers_of_others() {
+    let cases: Vec<_> = cases().into_iter().filter(|case| case.run["kind"] == "steady").collect();
+    let models: Vec<_> = cases.iter().map(|case| case.model.clone()).collect();
+    let found = solve_each(&models, |system| system.steady(&State::rest(system.coordinates())));
+    assert_eq!(found.len(), 33);
+    for (case, found) in cases.iter().zip(found) {
+        let motion = found.expect(&case.name).motion;
+        let due = list(&case.answer["max"]);
+        let size = due.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for (ours, other) in motion.max_displacement.iter().chain(&motion.max_velocity).zip(due) {
+            assert!((ours - other).abs() <= 1e-8 * size, "{}: {ours} for {other}", case.name);
+        }
+    }
+}
 
 /// The answers of one core, in their order; a bad model has its error, and its neighbours have their answers.
 #[test]

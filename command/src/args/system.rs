@@ -85,7 +85,7 @@ pub(crate) struct SystemArgs {
     /// accelerations on a base that moves
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(crate) samples: Option<String>,
-    /// Frequencies of the load with the lowest frequency, such as 1Hz:10Hz:100, with curve
+    /// Frequencies of the load with the lowest frequency, such as 1Hz:10Hz:100, with curve, where bare numbers are in rad/s
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,
     /// Rows between those of the grid, beside each peak of a coordinate, with curve and steady: the column source tells

@@ -4,6 +4,7 @@ mod designs;
 mod identified;
 mod motions;
 mod records;
+mod systems;
 mod units;
 
 use crate::command_line::{json, stdout};

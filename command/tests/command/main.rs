@@ -2,6 +2,8 @@
 
 #[path = "../command_line/mod.rs"]
 mod command_line;
+#[path = "../../../tests/compared/mod.rs"]
+mod compared;
 #[path = "../../../tests/drawn/mod.rs"]
 mod drawn;
 #[path = "../../../tests/kept/mod.rs"]
@@ -14,6 +16,8 @@ mod place;
 mod random;
 #[path = "../../../tests/evidence/sampled.rs"]
 mod sampled;
+#[path = "../../../tests/evidence/stepped.rs"]
+mod stepped;
 #[path = "../../../tests/text_boxes/mod.rs"]
 mod text_boxes;
 

@@ -339,6 +339,49 @@ fn a_grid_has_a_row_for_each_place() {
 
 /// A grid over two records, whole, in two parts, and continued after an interruption, is the same; each row is the
 /// motion of the one system under the one record.
+/// In a file and on the command line: a column without a typed unit names it.
+#[test]
+fn a_bare_frequency_is_in_radians_per_second() {
+    let file = place("bare.toml");
+    let described = |frequency: &str| {
+        let body = "[[springs]]\nbetween = [\"ground\", \"m\"]\nstiffness = 300";
+        let load = format!("[[forces]]\non = \"m\"\namplitude = 5\nfrequency = {frequency}");
+        std::fs::write(&file, format!("masses = {{ m = 2 }}\n{body}\n{load}\n")).unwrap();
+        format!("system {}", file.display())
+    };
+    let state =
+        |frequency: &str| json(&format!("{} steady --format json", described(frequency)))["start"].clone();
+    // A frequency with a unit stands beside bare numbers.
+    let due = state("\"3 rad/s\"");
+    assert_eq!(due, state("3"));
+    assert_ne!(due, state("\"3 Hz\""));
+    let line = described("1");
+    let rows = |typed: &str| -> Vec<(String, String)> {
+        let rows = stdout(&format!("{line} {typed}"));
+        rows.lines()
+            .filter_map(|row| row.split_once(','))
+            .map(|(a, b)| (a.to_owned(), b.to_owned()))
+            .collect()
+    };
+    for (name, bare, typed) in [
+        ("frequency", "curve --frequency 2:3:2", "curve --frequency 2rad/s:3rad/s:2"),
+        ("frequency", "curve --frequency 2,3", "curve --frequency 2rad/s,3rad/s"),
+        (
+            "forces[1].frequency",
+            "steady --set forces[1].frequency=2:3:2",
+            "steady --set forces[1].frequency=2rad/s:3rad/s:2",
+        ),
+    ] {
+        assert_eq!(rows(bare), rows(typed), "{bare}");
+        assert_eq!(rows(bare)[0].0, format!("{name}[rad/s]"));
+    }
+    // Matrices without units have radians per unit of time.
+    let matrices = r#"{"mass": [[2]], "stiffness": [[300]], "harmonics": [{"frequency": 3, "sin": [5]}]}"#;
+    std::fs::write(&file, matrices).unwrap();
+    assert_eq!(rows("curve --frequency 2:3:2")[0].0, "frequency");
+    assert_eq!(due, json(&format!("{line} steady --format json"))["start"]);
+}
+
 #[test]
 fn a_grid_over_records_is_whole_in_parts_and_continued() {
     let folder = place("records-of-a-system");

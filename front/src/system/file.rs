@@ -9,7 +9,7 @@ use super::unique::Unique;
 use crate::text::of_bytes;
 use serde_json::Value;
 use std::path::Path;
-use stickslip::inputs::units::{Reader, System as Units};
+use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
 use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The greatest length of a file in bytes: three matrices of the most coordinates in full digits are 3 MB.
@@ -149,7 +149,7 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
         let harmonic = node.fields()?;
         let part = |name| harmonic.get(name).map_or_else(|| Ok(Vec::new()), |node| node.vector(n));
         model.harmonics.push(Harmonic {
-            frequency: harmonic.required("frequency")?.number()?,
+            frequency: harmonic.required("frequency")?.quantity(Of::Frequency)?,
             sin: part("sin")?,
             cos: part("cos")?,
         });

@@ -56,7 +56,8 @@ impl Axis {
         Ok(Self { path: Some(path.to_owned()), values: values(&typed, text)?, typed })
     }
 
-    /// Values at a path of the file, or of the lowest frequency of the loads for `None`, as they would be typed.
+    /// Values at a path of the file, or of the lowest frequency of the loads for `None`, as they would be typed; bare
+    /// frequencies are in rad/s.
     #[must_use]
     pub fn of_each(path: Option<&str>, typed: &[String]) -> Self {
         let values = listed(typed.iter().map(String::as_str));
@@ -89,16 +90,18 @@ impl Axis {
         }
     }
 
-    /// The name of the column, with the unit of its values in brackets.
-    fn name(&self) -> String {
+    /// The name of the column, with the unit of its values in brackets. A bare frequency of a system with units is in rad/s.
+    fn name(&self, has_units: bool) -> String {
         let name = self.path.as_deref().unwrap_or("frequency");
+        let is_frequency = name.rsplit('.').next() == Some("frequency");
         match &self.values {
             Values::Numbers(_, unit) if !unit.is_empty() => format!("{name}[{unit}]"),
+            Values::Numbers(..) if is_frequency && has_units => format!("{name}[rad/s]"),
             Values::Numbers(..) | Values::Texts(_) => name.to_owned(),
         }
     }
 
-    /// The lowest frequency of the loads, as above.
+    /// The lowest frequency of the loads, as above; a bare one is in rad/s.
     ///
     /// # Errors
     /// Names the text and the condition.
@@ -189,7 +192,7 @@ impl<'a> Grid<'a> {
         let described = grid.described()?;
         let answers = columns(&described, asked);
         let mut names: Vec<String> = grid.records.first().map(|_| "record".to_owned()).into_iter().collect();
-        names.extend(grid.axes.iter().map(Axis::name));
+        names.extend(grid.axes.iter().map(|axis| axis.name(described.units.is_some())));
         for (name, cell) in answers {
             names.push(name);
             grid.blank.push(cell);

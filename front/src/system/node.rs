@@ -85,7 +85,8 @@ impl<'a> Node<'a> {
         Ok(name)
     }
 
-    /// A quantity: a number, or a text with a unit.
+    /// A quantity: a number, or a text with a unit. A frequency with a unit is the same in all systems, and stands beside any
+    /// numbers.
     pub(super) fn quantity(&self, kind: Kind) -> Result<f64, String> {
         let text = match self.value {
             Value::String(text) => text.clone(),
@@ -94,7 +95,10 @@ impl<'a> Node<'a> {
                 return Err(self.wrong("must be a number, or a text with a unit"));
             }
         };
-        let value: f64 = self.reader.value(self.place(), &text, kind).map_err(|e| e.to_string())?;
+        let alone = Reader::new(None, "");
+        let is_alone = kind == Kind::Frequency && Reader::has_unit(&text);
+        let reader = if is_alone { &alone } else { self.reader };
+        let value: f64 = reader.value(self.place(), &text, kind).map_err(|e| e.to_string())?;
         if value.is_finite() { Ok(value) } else { Err(self.wrong("must be finite")) }
     }
 

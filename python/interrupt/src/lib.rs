@@ -5,10 +5,12 @@ use core::panic::AssertUnwindSafe;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::env;
 use std::panic::catch_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Arc, Mutex, OnceLock};
+use std::thread;
 use std::time::Duration;
 
 /// The interval at which the interpreter is asked for signals.
@@ -41,10 +43,34 @@ fn forked() {
     FORKS.fetch_add(1, Ordering::Relaxed);
 }
 
-/// The thread pool of this process; `None` if it cannot be created.
+/// The most threads for each processor, as for the command: more of them cost the system more than they answer.
+const MOST: usize = 8;
+
+/// The thread pool of this process: as many threads as there are processors, or as `RAYON_NUM_THREADS` says, or one where
+/// the system refuses so many. `None` where it refuses any.
 fn pool() -> Option<&'static ThreadPool> {
     let own = POOLS.get(FORKS.load(Ordering::Relaxed))?;
-    own.get_or_init(|| ThreadPoolBuilder::new().build().ok()).as_ref()
+    let build = || {
+        let processors = thread::available_parallelism().map_or(1, usize::from);
+        let asked = env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse().ok());
+        let count = asked.filter(|count| *count > 0).unwrap_or(processors).min(MOST * processors);
+        let of = |count| ThreadPoolBuilder::new().num_threads(count).build();
+        of(count).or_else(|_| of(1)).ok()
+    };
+    own.get_or_init(build).as_ref()
+}
+
+thread_local! {
+    /// The pool of a thread alone, whose parallel iterators run on it: those of no pool would start threads.
+    static ALONE: Option<ThreadPool> = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().ok();
+}
+
+/// Runs work on the calling thread.
+fn alone<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    ALONE.with(|pool| match pool {
+        Some(pool) => pool.install(work),
+        None => work(),
+    })
 }
 
 /// Waits for the end of work, and calls `signalled` at intervals to check for signals. The wait fails if
@@ -82,7 +108,7 @@ fn no_answer() -> PyErr {
 /// for example from Ctrl-C, sets the flag and is raised when the work has ended.
 pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop::never();
-    let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };
+    let Some(pool) = pool() else { return Ok(py.detach(|| alone(|| work(&stop)))) };
     let slot = Mutex::new(None);
     spawned(py, pool, &stop, Box::new(|| leave(&slot, work(&stop))))?;
     slot.into_inner().ok().flatten().ok_or_else(no_answer)
@@ -111,7 +137,8 @@ fn spawned(py: Python<'_>, pool: &ThreadPool, stop: &Stop, task: Task<'_>) -> Py
     raised.map_or(result, Err)
 }
 
-/// Runs work that cannot be interrupted on a separate thread, which is abandoned on a signal.
+/// Runs work that cannot be interrupted on a separate thread, which is abandoned on a signal, or on the calling one where the
+/// system starts no other.
 pub fn left_behind<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
@@ -124,7 +151,16 @@ pub fn left_behind<T: Send + 'static>(
         // After a signal there is no receiver, and the result is discarded.
         let _ = done.send(());
     });
-    std::thread::spawn(task);
+    let kept = Arc::new(Mutex::new(Some(task)));
+    let run = |kept: &Mutex<Option<Task<'static>>>| {
+        if let Some(task) = kept.lock().ok().and_then(|mut kept| kept.take()) {
+            task();
+        }
+    };
+    let other = kept.clone();
+    if thread::Builder::new().spawn(move || run(&other)).is_err() {
+        py.detach(|| run(&kept));
+    }
     awaited(py, ended, |py| py.check_signals())?;
     let answer = slot.lock().ok().and_then(|mut slot| slot.take());
     answer.ok_or_else(no_answer)

@@ -251,7 +251,7 @@ def basins(
         if axis.ndim != 1:
             raise Error(f"{name}: must be an array of one dimension, not of shape {axis.shape}")
     x, v = axes.values()
-    at = one("phase", phase)
+    at = one("phase", phase, "angle")
     starts = [(at, float(place), float(speed)) for speed in v for place in x]
     found = attractors(omega, alpha, damping_ratio, static_friction_ratio, starts=starts, max_periods=max_periods)
     values = {**axes, "attractor": found.of_start.reshape(v.size, x.size), "attractors": found.attractors}

@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._drive import Quantity, angular_of, read
+from ._drive import Quantity, angular_of, in_system, of_kind, read, stand_in
 from ._help import brief
 from ._labels import Like, aligned, is_labelled
 from ._native import Error
 from ._record import Record
+from ._quantity import parted
 from ._result import Floats, of_type
 
 #: Names of the figures that `figure` draws.
@@ -246,14 +247,15 @@ def identify(
     if stiffness is None and force is None:
         raise Error("give the stiffness or the force: one of them can be found")
     angular = angular_of(frequency, angular_frequency)
-    given = {"angular_frequency": angular, "amplitude": amplitude, "phase": phase}
+    sizes, unit = parted("amplitude", amplitude)
+    given = {"angular_frequency": angular, "amplitude": in_system("amplitude", sizes, unit, "length", units), "phase": of_kind("phase", phase, "angle")}
     columns, like = _curve({name: column for name, column in given.items() if column is not None})
     is_there = np.isfinite(columns["amplitude"]) & np.isfinite(columns["angular_frequency"])
     # The first amplitude stands for the columns when units are checked. The friction force is the unknown, so that
     # its value here has no effect.
     texts = {"mass": (mass, "mass"), "stiffness": (stiffness, "stiffness"), "force": (force, "force")}
     texts = {name: value for name, value in texts.items() if value[0] is not None}
-    first = {"amplitude": (columns["amplitude"][is_there][0], "length")} if is_there.any() else {}
+    first = {"amplitude": (stand_in(unit, float(columns["amplitude"][is_there][0])), "length")} if is_there.any() else {}
     values, _ = read({**texts, **first}, units)
     body = (values["mass"], values.get("stiffness", math.nan), 1.0, math.nan, 0.0, 1.0)
     measured = [np.ascontiguousarray(column[is_there]) for column in columns.values()]
@@ -304,7 +306,8 @@ def identify_decay(
     Parameters
     ----------
     displacement : array
-        The sampled displacement from any zero, or with ``every`` the turning points from the rest of the spring.
+        The sampled displacement from any zero, or with ``every`` the turning points from the rest of the spring. One with a
+        unit is converted to metres.
     time : array, optional
         The times in seconds, which samples need. Series are aligned by their labels; samples that are NaN or masked are left
         out.
@@ -322,7 +325,8 @@ def identify_decay(
     >>> round(found.friction_displacement.value, 3), round(found.damping_ratio.value, 4)
     (1.337, 0.0067)
     """
-    columns, like = _curve({"displacement": displacement, **({} if time is None else {"time": time})})
+    given = {"displacement": of_kind("displacement", displacement, "length")}
+    columns, like = _curve({**given, **({} if time is None else {"time": of_kind("time", time, "time")})})
     if time is None and every is None:
         raise Error('give the times of samples, or every="cycle" or every="half-cycle" for turning points')
     is_there = np.all([np.isfinite(column) for column in columns.values()], axis=0)
@@ -392,7 +396,8 @@ def identify_motion(
     800.0
     """
     of_type("record", record, Record)
-    columns, like = _curve({"displacement": displacement})
+    found, unit = parted("displacement", displacement)
+    columns, like = _curve({"displacement": in_system("displacement", found, unit, "length", units)})
     values = columns["displacement"]
     if is_labelled(displacement) and hasattr(displacement, "index"):
         labelled: Any = displacement
@@ -404,7 +409,7 @@ def identify_motion(
     if len(values) != len(record):
         raise Error(f"displacement: must have {len(record)} values, one for each sample of the record, not {len(values)}")
     # The greatest displacement stands for all when units are checked.
-    texts = {"mass": (mass, "mass"), "displacement": (float(np.max(np.abs(values))), "length")}
+    texts = {"mass": (mass, "mass"), "displacement": (stand_in(unit, float(np.max(np.abs(values)))), "length")}
     if stiffness is not None:
         texts["stiffness"] = (stiffness, "stiffness")
     body, system = read(texts, units)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Generic, Optional, Union, overload
 
@@ -11,12 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._labels import Labelled, Like, aligned, is_labelled, numbers, shape_of
+from ._labels import Labelled, Like, aligned, in_units, is_labelled, numbers, shape_of
 from ._native import Error
+from ._quantity import parted
 from ._result import Floats, V, Value, are_equal, one, short
 
 #: The kind of the amplitude of each excitation.
 _KINDS = dict(_native.EXCITATIONS)
+#: The kind of each keyword.
+INPUTS = dict(_native.INPUTS)
 #: A number, or text with a unit such as ``"12 kN"``.
 Quantity = Union[float, str]
 #: The excitations of which `Drive` has a keyword.
@@ -24,8 +27,14 @@ EXCITATIONS: tuple[str, ...] = tuple(_KINDS)
 
 
 def texts(given: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """The given single values by name, as text with all their digits."""
-    return [(name, value if isinstance(value, str) else repr(one(name, value))) for name, value in given.items()]
+    """The given single values by name, as text with all their digits and their units."""
+    return [(name, text(name, value)) for name, value in given.items()]
+
+
+def text(name: str, value: Any) -> str:
+    """A single value as text with all its digits and its unit."""
+    value, unit = parted(name, value)
+    return value if isinstance(value, str) else f"{one(name, value)!r} {unit}".rstrip()
 
 
 def read(given: Mapping[str, tuple[Any, str]], units: Optional[str]) -> tuple[dict[str, float], Optional[str]]:
@@ -35,9 +44,21 @@ def read(given: Mapping[str, tuple[Any, str]], units: Optional[str]) -> tuple[di
     return dict(zip(given, values)), system
 
 
+def of_kind(name: str, value: Any, kind: str, units: Optional[str] = None) -> Any:
+    """A number or an array in a system of units, if it is a text or has a unit; others as they are."""
+    if isinstance(value, str):
+        return read({name: (value, kind)}, units)[0][name]
+    return in_system(name, *parted(name, value), kind, units)
+
+
+def in_system(name: str, value: Any, unit: str, kind: str, units: Optional[str]) -> Any:
+    """The parts of a value together: numbers in a system of units if there is a unit, and otherwise as they are."""
+    return _with(value, in_units(name, numbers(name, value), unit, kind, units)) if unit else value
+
+
 def is_array(value: Any) -> bool:
     """Whether a value is an array of any kind rather than a number or a text."""
-    return is_labelled(value) and bool(value.shape) or not isinstance(value, (str, bytes)) and np.ndim(value) > 0
+    return isinstance(value, (list, tuple)) or is_labelled(value) and bool(value.shape) or not isinstance(value, (str, bytes)) and np.ndim(value) > 0
 
 
 def kept(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -45,12 +66,13 @@ def kept(given: Mapping[str, Any]) -> dict[str, Any]:
     return {name: copy.deepcopy(value) if is_array(value) else value for name, value in given.items() if value is not None}
 
 
-def relabelled(values: Mapping[str, Any]) -> tuple[dict[str, Any], Optional[Like]]:
-    """The values as numbers and arrays, aligned by their labels, in the kind in which they were given."""
+def relabelled(values: Mapping[str, Any], fields: Iterable[str]) -> tuple[dict[str, Any], Optional[Like]]:
+    """The values by their keywords as numbers and arrays by the names of fields, aligned by their labels, in the kind in which they
+    were given."""
     given, like = aligned(values)
     shape = shape_of(given)
     found: dict[str, Any] = {}
-    for name, array in given.items():
+    for name, array in zip(fields, given.values()):
         if array.ndim == 0:
             found[name] = float(array)
         elif like is None:
@@ -218,18 +240,20 @@ class Drive(Generic[V]):
         }
         given = {name: value for name, value in amplitudes.items() if value is not None}
         angular = angular_of(frequency, angular_frequency)
-        # An amplitude that is not text is a number or an array, for which any number stands when it is read.
-        arrays = {name: value for name, value in {**given, "mean_force": mean_force}.items() if not isinstance(value, str)}
-        values = {name: 1.0 if name in arrays and is_array(value) else value for name, value in given.items()}
-        if isinstance(mean_force, str) or is_array(mean_force) or one("mean_force", mean_force) != 0.0:
-            values["mean_force"] = 1.0 if is_array(mean_force) else mean_force
+        # An array is read as a column; a number stands for it where units are checked.
+        parts = {name: parted(name, value) for name, value in {**given, "mean_force": mean_force}.items()}
+        arrays = {name: value for name, (value, _) in parts.items() if is_array(value)}
+        values = {name: stand_in(parts[name][1]) if name in arrays else value for name, value in given.items()}
+        if "mean_force" in arrays:
+            values["mean_force"] = stand_in(parts["mean_force"][1])
+        elif isinstance(mean_force, str) or one("mean_force", mean_force, "force") != 0.0:
+            values["mean_force"] = mean_force
+        arrays = {name: in_system(name, *parts[name], INPUTS[name], units) for name in arrays}
         name, amplitude, mean, system = _native.drive(texts(values), units)
+        of_frequency = "frequency" if frequency is not None else "angular_frequency"
         columns, like = relabelled(
-            {
-                "amplitude": arrays[name] if name in arrays else amplitude,
-                "angular_frequency": angular,
-                "mean_force": arrays["mean_force"] if is_array(mean_force) else mean,
-            }
+            {name: arrays.get(name, amplitude), of_frequency: angular, "mean_force": arrays.get("mean_force", mean)},
+            ("amplitude", "angular_frequency", "mean_force"),
         )
         fields = {**columns, "excitation": name, "units": system, "_named": units is not None}
         keywords = {**given, "frequency": frequency, "angular_frequency": angular_frequency, "mean_force": mean_force}
@@ -295,22 +319,37 @@ def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[Array
     units."""
     if (frequency is None) == (angular_frequency is None):
         raise Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
-    for name, value in (("frequency", frequency), ("angular_frequency", angular_frequency)):
-        if isinstance(value, str):
-            values, system = read({name: (value, "frequency")}, None)
-            # A bare number as text has no unit.
-            return values[name] * (2 * np.pi if system is None and name == "frequency" else 1.0)
-    if frequency is not None:
-        return _times("frequency", frequency, 2 * np.pi)
-    assert angular_frequency is not None
-    return _times("angular_frequency", angular_frequency, 1.0)
+    name, value, factor = ("frequency", frequency, 2 * np.pi) if frequency is not None else ("angular_frequency", angular_frequency, 1.0)
+    found = angular(name, value, factor)
+    if isinstance(found, float) and not 0 < found < np.inf:
+        raise Error(f"{name} {text(name, value)}: must be > 0 and finite")
+    return found
 
 
-def _times(name: str, value: Any, factor: float) -> Any:
-    """Numbers times a factor, in the kind of array in which they are."""
-    array = numbers(name, value) * factor
-    if array.ndim == 0:
-        return float(array)
+def angular(name: str, value: Any, factor: float) -> Any:
+    """Frequencies in radians per second, of which bare numbers have this factor."""
+    if isinstance(value, str):
+        values, system = read({name: (value, "frequency")}, None)
+        # A bare number as text has no unit.
+        return values[name] * (factor if system is None else 1.0)
+    value, unit = parted(name, value)
+    array = numbers(name, value)
+    array = in_units(name, array, unit, "frequency", None) if unit else array * factor
+    return float(array) if array.ndim == 0 else _with(value, array)
+
+
+def has_unit(name: str, value: Any) -> bool:
+    """Whether a value has a unit."""
+    return _native.has_unit(value) if isinstance(value, str) else parted(name, value)[1] != ""
+
+
+def stand_in(unit: str, number: float = 1.0) -> str:
+    """The text of a number that stands for an array."""
+    return f"{number!r} {unit}".rstrip()
+
+
+def _with(value: Any, array: Any) -> Any:
+    """Other numbers in the kind of array in which they were given."""
     if is_labelled(value):
         return value.copy(data=array) if hasattr(value, "dims") else type(value)(array, index=value.index, **_columns(value))
     return np.ma.MaskedArray(array, np.ma.getmaskarray(value)) if isinstance(value, np.ma.MaskedArray) else array
@@ -322,6 +361,8 @@ def _columns(value: Any) -> dict[str, Any]:
 
 def one_value(name: str, value: Any, kind: str, units: Optional[str], is_named: bool) -> float:
     """A single value as a number in a machine's system of units."""
+    if not isinstance(value, str) and parted(name, value)[1]:
+        value = text(name, value)
     if isinstance(value, str):
         system = read({name: (value, kind)}, None)[1]
         if system is not None:
@@ -338,6 +379,7 @@ def values_of(name: str, value: Any, kind: str, units: Optional[str], is_named: 
     """A value or an array of numbers in a machine's system of units."""
     if not is_array(value):
         return one_value(name, value, kind, units, is_named)
-    array = numbers(name, value)
-    system_of(name, units, is_named, None, bool(np.any(array != 0.0)))
-    return value
+    value, unit = parted(name, value)
+    array = in_system(name, value, unit, kind, units)
+    system_of(f"{name} [{unit}]" if unit else name, units, is_named, "N,m" if unit else None, bool(np.any(numbers(name, array) != 0.0)))
+    return array

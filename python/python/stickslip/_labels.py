@@ -9,7 +9,9 @@ from typing import Any, NamedTuple, Optional, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _native
 from ._native import Error
+from ._quantity import parted
 
 Floats = NDArray[np.float64]
 
@@ -87,8 +89,20 @@ def is_labelled(value: Any) -> bool:
     return is_pandas(value) or is_xarray(value)
 
 
-def numbers(name: str, value: ArrayLike) -> Floats:
-    """A number or an array of any numeric type as 64-bit floats in new memory, with NaN for masked elements."""
+def numbers(name: str, value: Any, kind: str = "ratio") -> Floats:
+    """A number or an array of any numeric type as 64-bit floats in new memory, with NaN for masked elements; in SI units, if it has
+    a unit, which must be one of this kind."""
+    value, unit = parted(name, value)
+    floats = _numbers(name, value)
+    return floats if not unit else in_units(name, floats, unit, kind, None)
+
+
+def in_units(name: str, floats: Floats, unit: str, kind: str, units: Optional[str]) -> Floats:
+    """Numbers in a unit, in a system of units."""
+    return _native.read_column(name, np.ascontiguousarray(floats).reshape(-1), unit, kind, units).reshape(floats.shape)
+
+
+def _numbers(name: str, value: Any) -> Floats:
     try:
         array = np.ma.asarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
         if array.dtype.kind == "O" and array.ndim:

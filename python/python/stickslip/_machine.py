@@ -12,13 +12,14 @@ from numpy.typing import ArrayLike
 from . import _closed_forms, _native, _rows, _steady
 from ._attractors import Basins, MachineAttractors, attractors
 from ._closed_forms import OUTPUTS, Border, MachineResponse
-from ._drive import Drive, Quantity, angular_of, is_array, kept, one_value, texts, values_of
+from ._drive import INPUTS, Drive, Quantity, angular, angular_of, has_unit, in_system, is_array, kept, one_value, stand_in, texts, values_of
 from ._labels import WrongType, aligned, numbers, shape_of
 from ._motion import MachineDecay, MachinePhases, MachineSamples, decay, simulate
 from ._native import Error
 from ._outputs import MachineResponseOutput, MachineSteadyOutput
 from ._physical import OF_BODY, Driven, Scaled, names_of, outputs_of, related
 from ._record import FloorSpectrum, Followed, Motion, Polarities, Record, Sliding, floor_spectrum, follow, motion, polarities
+from ._quantity import parted
 from ._result import RATIOS, Floats, PhysicalResult, Points, Result, V, Words, are_equal, named, of_type, one, points, short, whole_number
 from ._start import REST, STATE, Starts, three
 from ._steady import STEADY_OUTPUTS, MachineSteady
@@ -42,7 +43,8 @@ _GROUPS = (
 class Machine(Generic[V]):
     """A body on its spring and friction surface, or several of them.
 
-    Values are text with units, such as ``"12 kN/mm"``, in any mixture, or numbers in one consistent system. Arrays of numbers
+    Values are text with units, such as ``"12 kN/mm"``, or quantities of pint or astropy, in any mixture, or numbers in one
+    consistent system. Arrays of numbers
     that broadcast make as many machines: ``Machine(mass=50, stiffness=1000, friction=np.linspace(1, 9, 100))``. Arrays of
     pandas and xarray are aligned by their labels. A machine of an array outside the domain has NaN for its answers.
 
@@ -190,10 +192,10 @@ class Machine(Generic[V]):
             "static_friction_ratio": static_friction_ratio,
         }
         given = {name: value for name, value in given.items() if value is not None}
-        own, system = _bodies(given, units)
+        own, failed, system = _bodies(given, units)
         if friction_backward is None:
             own["friction_backward"] = float("nan")
-        hidden = {"_own": own, "_keywords": kept(given), "_named": units is not None}
+        hidden = {"_own": own, "_keywords": kept(given), "_named": units is not None, "_failed": failed}
         shown: dict[str, Any] = {name: own[name] for name in OF_BODY}
         if friction_backward is None:
             shown["friction_backward"] = None
@@ -414,7 +416,7 @@ class Machine(Generic[V]):
         if point.shape is not None:
             raise Error("a motion takes one machine and a drive of one amplitude and one frequency")
         x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
-        start = (one("phase", phase), x / one("length", driven.scale("length")), v / one("velocity", driven.scale("velocity")))
+        start = (one("phase", phase, "angle"), x / one("length", driven.scale("length")), v / one("velocity", driven.scale("velocity")))
         ratios: dict[str, Any] = dict(zip(RATIOS, point.columns))
         if samples is None:
             return MachinePhases.of(simulate(**ratios, start=start, cycles=cycles), driven)
@@ -583,7 +585,7 @@ class Machine(Generic[V]):
         own = vars(self)["_own"]
         names = ("mass", "stiffness", "damping", "friction", "friction_backward", "static_friction_ratio")
         values = {**{name: own[name] for name in names}, "mean_force": self._values("mean_force", mean_force, "force")}
-        return Sliding(values, False, self.units, vars(self)["_named"])
+        return Sliding(values, False, self.units, vars(self)["_named"], vars(self)["_failed"])
 
     @overload
     def border(
@@ -863,31 +865,30 @@ class Machine(Generic[V]):
 _OPTIMA = ("interior", "border", "sticking", "invalid")
 
 
-def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, Any], Optional[str]]:
-    """The values of one body or several by name, with the damping ratio if it was given, and their system of units."""
-    arrays = {name: value for name, value in given.items() if is_array(value)}
-    if not arrays:
-        # A bare frequency is in hertz here, and an angular one in the library.
-        single = {name: value if name != "natural_frequency" or isinstance(value, str) else 2 * np.pi * one(name, value) for name, value in given.items()}
-        body, ratio, system = _native.machine(texts(single), units)
-        return {**dict(zip(OF_BODY, body)), "damping_ratio": ratio}, system
-    numbered, like = aligned(arrays)
-    if "natural_frequency" in numbered:
-        numbered["natural_frequency"] = numbered["natural_frequency"] * (2 * np.pi)
+def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, Any], dict[int, str], Optional[str]]:
+    """The values of one body or several by name, with the damping ratio if it was given, the places that have none with the reasons,
+    and their system of units."""
+    # A bare frequency is in hertz here, and an angular one in the library.
+    natural = given.get("natural_frequency")
+    if natural is not None and not has_unit("natural_frequency", natural):
+        given = {**given, "natural_frequency": angular("natural_frequency", natural, 2 * np.pi)}
+    parts = {name: parted(name, value) for name, value in given.items() if is_array(value)}
+    if not parts:
+        body, ratio, system = _native.machine(texts(given), units)
+        return {**dict(zip(OF_BODY, body)), "damping_ratio": ratio}, {}, system
+    numbered, like = aligned({name: in_system(name, *part, INPUTS[name], units) for name, part in parts.items()})
     shape = shape_of(numbered)
     # One of its numbers stands for an array when units are checked.
-    single = {name: _any_of(numbered[name]) if name in numbered else value for name, value in given.items()}
-    if "natural_frequency" in single and "natural_frequency" not in numbered and not isinstance(single["natural_frequency"], str):
-        single["natural_frequency"] = 2 * np.pi * one("natural_frequency", single["natural_frequency"])
+    single = {name: stand_in(parts[name][1], _any_of(numbered[name])) if name in numbered else value for name, value in given.items()}
     columns = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in numbered.items()]
-    found, _, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
+    found, failed, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
     own = {}
     for name, column in found.items():
         array = column.reshape(shape)
         own[name] = like.dressed(name, array, {}) if like is not None else array
     if "friction_backward" not in given:
         own["friction_backward"] = float("nan")
-    return own, system
+    return own, dict(failed), system
 
 
 def _any_of(array: Floats) -> float:
@@ -902,7 +903,9 @@ def without(asked: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:
 
 def _one_frequency(frequency: Optional[Quantity], angular_frequency: Optional[Quantity]) -> float:
     """One frequency in radians per second."""
-    return one("frequency", angular_of(frequency, angular_frequency))
+    if frequency is not None:
+        return one("frequency", angular("frequency", frequency, 2 * np.pi))
+    return one("angular_frequency", angular("angular_frequency", angular_frequency, 1.0))
 
 
 _Range = Optional[tuple[Quantity, Quantity]]

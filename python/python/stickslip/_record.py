@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._drive import Quantity, is_array, kept, read, system_of, texts, values_of
+from ._drive import INPUTS, Quantity, in_system, is_array, kept, of_kind, read, stand_in, system_of, text, texts, values_of
 from ._labels import WrongType, aligned, is_labelled, module, numbers, shape_of, unreadable
 from ._native import Error
 from ._physical import names_of
+from ._quantity import parted
 from ._result import (
     Floats,
     Meaning,
@@ -187,7 +188,7 @@ class Record:
         >>> record.summary["peak"], record.summary["unit"]
         (-200.0, 'cm/s²')
         """
-        step = None if time_step is None else read({"time_step": (time_step, "time")}, None)[0]["time_step"]
+        step = None if time_step is None else _step(time_step)
         data = bytes(file) if isinstance(file, (bytes, bytearray, memoryview)) else None
         name = "record" if data is not None else os.fspath(file)
         named = None if column is None else str(column)
@@ -209,22 +210,32 @@ class Record:
         after: Optional[str] = None,
     ) -> None:
         if time_step is None and times is None and is_labelled(samples) and np.ndim(samples) == 1:
-            labelled: Any = samples
-            index = labelled.index if hasattr(labelled, "index") else labelled.indexes.get(labelled.dims[0])
-            if index is not None and index.dtype.kind in "iuf" and index.name is not None:
-                times, samples = index.to_numpy(), labelled.to_numpy()
+            times = _labels(samples)
+        samples, own = parted("samples", samples)
+        if own:
+            if unit is not None and unit != own:
+                raise Error(f"unit = {unit}: must be left out, because the samples are in {own}")
+            unit = own
         if (time_step is None) == (times is None):
             raise Error("a record needs either time_step or times; or samples whose labels are times, as the index with a name")
         if times is None:
             values = _column("samples", samples)
-            at = np.array([read({"time_step": (time_step, "time")}, None)[0]["time_step"]])
+            at = np.array([_step(time_step)])
         else:
-            columns, _ = aligned({"times": times, "samples": samples})
+            columns, _ = aligned({"times": of_kind("times", times, "time"), "samples": samples})
             values, at = _column("samples", columns["samples"]), _column("times", columns["times"])
             if len(at) == 1:
                 raise Error("record: the number of samples = 1 must be >= 2")
+        for name, word in (("of", of), ("unit", unit), ("after", after)):
+            if not isinstance(word, (str, type(None))):
+                raise WrongType(f"{name} = {word!r}: must be a text")
         if unit is not None:
+            if not unit.strip():
+                raise Error('unit: must be a unit such as "g", but is empty')
             _factor(of, unit, None)
+        wrong = np.flatnonzero(~np.isfinite(values))
+        if wrong.size:
+            raise Error(f"samples: sample {wrong[0] + 1} = {values[wrong[0]]} must be finite")
         new = self._of(values, at, of, unit, after, None)
         for name, value in vars(new).items():
             object.__setattr__(self, name, value)
@@ -302,7 +313,7 @@ class Record:
 
     def between(self, start: float, end: float) -> "Record":
         """The samples from one time to another, both included, in seconds."""
-        within = of_number("start", start), of_number("end", end)
+        within = of_number("start", start, "time"), of_number("end", end, "time")
         return self[slice(*_native.record_between(self.of, self._times, self.samples, within))]
 
     def __mul__(self, factor: float) -> "Record":
@@ -345,6 +356,29 @@ class Record:
         system_of("the record", units, is_named, None if self.unit is None else "N,m", True, machine)
         factor = 1.0 if self.unit is None else _factor(self.of, self.unit, units)
         return self.of, self._times, self.samples * factor if factor != 1.0 else self.samples
+
+
+def _step(time_step: Any) -> float:
+    step = read({"time_step": (time_step, "time")}, None)[0]["time_step"]
+    if not 0 < step < np.inf:
+        raise Error(f"time_step {text('time_step', time_step)}: must be > 0 and finite")
+    return step
+
+
+def _labels(samples: Any) -> Any:
+    """The labels of samples in seconds, if they are numbers with a name: times."""
+    if hasattr(samples, "index"):
+        labels = samples.index if samples.index.name is not None else None
+        units = samples.attrs.get("units")
+        # Attributes of a frame have the units of its columns, and of the index.
+        if labels is not None and isinstance(units, Mapping) and labels.name in units:
+            labels = in_system("times", labels.to_numpy(), units[labels.name], "time", None)
+    else:
+        labels = samples.coords.get(samples.dims[0])
+    if labels is None or labels.dtype.kind not in "iuf":
+        return None
+    labels = of_kind("times", labels, "time")
+    return labels if isinstance(labels, np.ndarray) else labels.to_numpy()
 
 
 def _column(name: str, values: ArrayLike) -> Floats:
@@ -548,6 +582,8 @@ class Sliding(NamedTuple):
     units: Optional[str]
     #: Whether bare numbers are in the system of units, which is named.
     is_named: bool
+    #: The places in the array of bodies that have none, with the reasons.
+    failed: Mapping[int, str]
 
     def one(self) -> tuple[Any, ...]:
         """One body, for the compiled part."""
@@ -580,12 +616,16 @@ def follow(of: Sliding, record: Record, start: tuple[Any, Any]) -> Followed[Any]
     if at.shape is None:
         x, v = (float(at.given[name]) for name in ("displacement", "velocity"))
         return _answer(_native.record_follow(of.one(), *load, (x, v)), of.units)
-    found, errors = each(at, of.one_way, load)
+    bodies = np.broadcast_shapes(*map(np.shape, of.values.values()))
+    found, errors = each(at, of.one_way, load, of.failed if bodies == at.shape else {})
     return _with_errors(Followed(found, units=names_of(of.units, UNITS_OF_ANSWERS), like=at.like), errors)
 
 
-def each(at: Points, one_way: bool, load: tuple[str, Floats, Floats, str]) -> tuple[dict[str, Any], dict[int, str]]:
-    """The answers of many bodies from their starts in the shape of the bodies, and the places without one."""
+def each(
+    at: Points, one_way: bool, load: tuple[str, Floats, Floats, str], none: Mapping[int, str]
+) -> tuple[dict[str, Any], dict[int, str]]:
+    """The answers of many bodies from their starts in the shape of the bodies, and the places without one, of which some have no
+    body for these reasons."""
     size = at.size
     columns = at.columns
     if size == 0:
@@ -595,6 +635,7 @@ def each(at: Points, one_way: bool, load: tuple[str, Floats, Floats, str]) -> tu
         return {name: column[:0].reshape(at.shape or ()) for name, column in names.items()}, {}
     found, failed = _native.record_follow_each(columns[:7], one_way, *load, columns[7:], size)
     if failed:
+        failed = [(place, none.get(place, reason)) for place, reason in failed]
         if len(failed) == size:
             raise Error(failed[0][1])
         there = np.ones(size, dtype=bool)
@@ -630,8 +671,7 @@ def polarities(of: Sliding, record: Record, start: tuple[Any, Any]) -> Polaritie
 
 
 def floor_spectrum(of: Sliding, record: Record, start: tuple[Any, Any], period: ArrayLike, damping_ratio: float) -> FloorSpectrum:
-    if isinstance(period, str):
-        period = read({"period": (period, "time")}, None)[0]["period"]
+    period = of_kind("period", period, "time")
     given = points(period=period)
     periods = np.atleast_1d(given.given["period"])
     if periods.ndim != 1:
@@ -725,22 +765,25 @@ class Block:
             "mean_force": mean_force,
         }
         given = {name: value for name, value in given.items() if value is not None}
-        angle = None if slope is None else texts({"slope": slope})[0][1]
+        angle = None if slope is None else text("slope", slope)
         if not isinstance(one_way, (bool, np.bool_)):
             raise WrongType(f"one_way = {one_way!r}: must be True or False")
-        columns, like = aligned({name: value for name, value in given.items() if is_array(value)})
+        parts = {name: parted(name, value) for name, value in given.items() if is_array(value)}
+        columns, like = aligned({name: in_system(name, *part, INPUTS[name], units) for name, part in parts.items()})
         values: dict[str, Any]
         if columns:
             shape = shape_of(columns)
-            single = {name: 1.0 if name in columns else value for name, value in given.items()}
+            single = {name: stand_in(parts[name][1]) if name in columns else value for name, value in given.items()}
             flat = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in columns.items()]
-            found, system = _native.blocks(texts(single), flat, int(np.prod(shape)), units, angle)
+            found, failed, system = _native.blocks(texts(single), flat, int(np.prod(shape)), units, angle)
             arrays = {name: column.reshape(shape) for name, column in found.items()}
             values = {name: array if like is None else like.dressed(name, array, {}) for name, array in arrays.items()}
         else:
             body, system = _native.block(texts(given), units, angle, bool(one_way))
+            failed = []
             values = dict(zip(_OF_BLOCK, body))
-        hidden = {"_keywords": {**kept(given), "slope": slope, "one_way": one_way}, "_named": units is not None, "_stiffness": 0.0}
+        keywords = {**kept(given), "slope": slope, "one_way": one_way}
+        hidden = {"_keywords": keywords, "_named": units is not None, "_stiffness": 0.0, "_failed": dict(failed)}
         shown = {name: value for name, value in values.items() if name != "stiffness"}
         for name, value in {**shown, "one_way": bool(one_way), "units": system, **hidden}.items():
             if type(value) is np.ndarray:
@@ -780,7 +823,7 @@ class Block:
 
     def _sliding(self) -> Sliding:
         values = {name: 0.0 if name == "stiffness" else getattr(self, name) for name in _OF_BLOCK}
-        return Sliding(values, self.one_way, self.units, vars(self)["_named"])
+        return Sliding(values, self.one_way, self.units, vars(self)["_named"], vars(self)["_failed"])
 
     def _start(self, displacement: ArrayLike, velocity: ArrayLike) -> tuple[Any, Any]:
         units, is_named = self.units, vars(self)["_named"]
@@ -892,10 +935,9 @@ def spectrum(
     if record.of == "force" and mass is None:
         raise Error("spectrum: a record of a force needs the mass of the bodies")
     system = "N,m" if units is None else units
-    if isinstance(period, str):
-        period = read({"period": (period, "time")}, None)[0]["period"]
+    period = of_kind("period", period, "time")
     ratios = {"friction_coefficient": friction_coefficient, "damping_ratio": damping_ratio, "static_friction_ratio": static_friction_ratio}
-    plain = {name: read({name: (value, "ratio")}, None)[0][name] if isinstance(value, str) else value for name, value in ratios.items()}
+    plain = {name: of_kind(name, value, "ratio") for name, value in ratios.items()}
     at = points(period=period, **plain)
     shared = texts({"mass": 1.0 if mass is None else mass, **({} if gravity is None else {"gravity": gravity})})
     load = (*record._in(system, True, "the spectrum"), record.after)
@@ -907,12 +949,13 @@ def spectrum(
         errors: dict[int, str] = {}
     else:
         numbers = [(name, np.ascontiguousarray(np.broadcast_to(array, at.shape)).reshape(-1)) for name, array in at.given.items()]
-        bodies, failed, _ = _native.machines(shared, numbers, at.size, system)
+        bodies, places, _ = _native.machines(shared, numbers, at.size, system)
+        failed = dict(places)
         if failed and len(failed) == at.size:
             raise Error(failed[0][1])
         own = {**bodies, "friction_backward": bodies["friction"]}
         own = {name: own.get(name, np.zeros(1)) for name in (*_OF_BLOCK, "displacement", "velocity")}
-        found, errors = each(Points((at.size,), own, None), False, load)
+        found, errors = each(Points((at.size,), own, None), False, load, failed)
         found = {name: column.reshape(at.shape) for name, column in found.items()}
         errors |= failed
     kinds = {"period": "time", **UNITS_OF_ANSWERS}

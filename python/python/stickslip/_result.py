@@ -537,19 +537,19 @@ def of_type(name: str, value: object, kind: type) -> None:
         raise WrongType(f"{name}: must be a {kind.__name__}, not {type(value).__name__}")
 
 
-def one(name: str, value: Any) -> float:
-    """A single number."""
-    array = numbers(name, value)
+def one(name: str, value: Any, kind: str = "ratio") -> float:
+    """A single number, in SI units if it has one."""
+    array = numbers(name, value, kind)
     if array.ndim != 0:
         raise Error(f"{name}: must be one number, not an array of shape {array.shape}")
     return float(array)
 
 
-def of_number(name: str, value: Any) -> float:
-    """A single number that is no flag."""
+def of_number(name: str, value: Any, kind: str = "ratio") -> float:
+    """A single number that is no flag, in SI units if it has one."""
     if isinstance(value, (bool, np.bool_, str, bytes)):
         raise WrongType(f"{name} = {value!r}: must be a number")
-    return one(name, value)
+    return one(name, value, kind)
 
 
 def whole_number(name: str, value: Any, most: int = 2**32) -> int:

@@ -27,5 +27,7 @@ def three(start: Any) -> tuple[Any, Any, Any]:
 
 def state(start: Any) -> Start:
     """A start for the compiled part."""
-    phase, displacement, velocity = (one(name, value) for name, value in zip(STATE, three(start)))
+    phase, displacement, velocity = (
+        one(name, value, kind) for name, value, kind in zip(STATE, three(start), ("angle", "ratio", "ratio"))
+    )
     return phase, displacement, velocity

@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._drive import is_array
 from ._labels import numbers, unreadable
 from ._native import Error
+from ._quantity import parted
 from ._record import Record
 from ._result import Floats, Result, are_same, of_type
 
@@ -226,14 +228,16 @@ class System:
     stops : list of dict
         ``between``, ``gap``, ``stiffness``, ``damping``.
     forces : list of dict
-        ``on`` a body: ``amplitude``, ``frequency`` and ``phase``, or ``constant``, or ``record``, a file.
+        ``on`` a body: ``amplitude``, ``frequency`` and ``phase``, or ``constant``, or ``record``, a file. A bare frequency is in
+        hertz, and ``angular_frequency`` in its place in radians per second, here and wherever a dict has a frequency; in a file,
+        which `System.read` reads, bare frequencies are in radians per second.
     base : dict
         ``acceleration``, a file or a dict with ``amplitude`` and ``frequency``.
     units : str
         Such as ``"N,mm"``.
     mass, damping, stiffness : matrix
         In place of bodies: matrices in ``units``, or without them in any consistent ones, with ``elements`` and ``harmonics`` as dicts, ``constant``,
-        ``record`` and ``start``.
+        ``record`` and ``start``. Without units, frequencies are per unit of time.
     folder : path
         The folder of files that are named.
 
@@ -359,7 +363,7 @@ class System:
 
     def with_values(self, values: Mapping[str, Quantity]) -> "System":
         """This system with other values, such as ``{"bearing.friction": "600 N"}``."""
-        typed = [(path, _typed(path, value)) for path, value in values.items()]
+        typed = [(_path(path), _typed(path, value)) for path, value in values.items()]
         return self._changed("with_values", typed)
 
     @property
@@ -377,7 +381,7 @@ class System:
         """The system of units; None for matrices."""
         return self._handle.names()[2]
 
-    def natural_frequencies(self, stuck: Union[bool, str] = False) -> Floats:
+    def natural_angular_frequencies(self, stuck: Union[bool, str] = False) -> Floats:
         """The natural frequencies without dampers, in rad/s or in radians per unit of time of matrices.
 
         Parameters
@@ -450,6 +454,7 @@ class System:
         values: Optional[Mapping[str, Values]] = None,
         *,
         frequency: Optional[Values] = None,
+        angular_frequency: Optional[Values] = None,
         records: Optional[Mapping[str, Record]] = None,
         question: Optional[str] = None,
         until: Optional[Quantity] = None,
@@ -461,7 +466,9 @@ class System:
         values : dict of str to values
             Paths with their values, such as ``{"bearing.friction": "100N:1kN:20"}``, or a sequence.
         frequency : values
-            Lowest frequency of the loads; all others change in proportion.
+            Lowest frequency of the loads, in hertz; all others change in proportion.
+        angular_frequency : values
+            The same in radians per second; give one of the two.
         records : dict of str to Record
             Records of the base's acceleration by name.
         question : str
@@ -484,10 +491,13 @@ class System:
         array([1. , 1.5, 2. , 1. , 1.5, 2. ])
         """
         axes: list[tuple[Optional[str], list[str]]] = [
-            (path, _several(path, axis)) for path, axis in (values or {}).items()
+            (_path(path), _several(path, axis)) for path, axis in (values or {}).items()
         ]
-        if frequency is not None:
-            axes.append((None, _several("frequency", frequency)))
+        if frequency is not None and angular_frequency is not None:
+            raise Error(_ONE_OF_TWO)
+        for name, axis in (("frequency", frequency), ("angular_frequency", angular_frequency)):
+            if axis is not None:
+                axes.append((None, _several(name, axis)))
         named = []
         for name, record in (records or {}).items():
             of_type(f"records[{name!r}]", record, Record)
@@ -498,16 +508,25 @@ class System:
         texts = {name: np.array(column) if isinstance(column, list) else column for name, column in columns.items()}
         return SystemGrid(texts, dict(failed))
 
-    def curve(self, frequency: Values, values: Optional[Mapping[str, Values]] = None) -> SystemGrid:
-        """The steady motion over the frequency of the loads, such as ``"1Hz:10Hz:100"``."""
-        return self.grid(values, frequency=frequency)
+    def curve(
+        self,
+        frequency: Optional[Values] = None,
+        values: Optional[Mapping[str, Values]] = None,
+        *,
+        angular_frequency: Optional[Values] = None,
+    ) -> SystemGrid:
+        """The steady motion over the frequency of the loads, in hertz or such as ``"60rpm:600rpm:100"``, or over the angular frequency
+        in radians per second."""
+        if frequency is None and angular_frequency is None:
+            raise Error(_ONE_OF_TWO)
+        return self.grid(values, frequency=frequency, angular_frequency=angular_frequency)
 
     def _times(self, times: Any) -> Floats:
         if isinstance(times, str):
             return np.array([self._time("times", times)])
         if isinstance(times, Sequence) and any(isinstance(time, str) for time in times):
             return np.array([self._time("times", time) for time in times])
-        return np.ascontiguousarray(np.atleast_1d(numbers("times", times)))
+        return np.ascontiguousarray(np.atleast_1d(numbers("times", times, "time")))
 
     def _time(self, name: str, value: Quantity) -> float:
         return self._handle.time(name, _typed(name, value))
@@ -564,22 +583,50 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
     }
 
 
+#: The units of bare frequencies, by the name of the keyword, field or axis.
+_BARE = {"frequency": "Hz", "angular_frequency": "rad/s"}
+_ONE_OF_TWO = "give one of frequency (in Hz) and angular_frequency (in rad/s)"
+
+
+def _bare(name: str) -> str:
+    """The unit of bare numbers in a place, if they have one of their own. A body may have any name."""
+    place, _, last = name.rpartition(".")
+    return "" if place == "masses" else _BARE.get(last, "")
+
+
+def _path(path: str) -> str:
+    """A path in the words of the file, which has one frequency."""
+    return path.removesuffix("frequency").removesuffix("angular_") + "frequency" if _bare(path) else path
+
+
 def _typed(name: str, value: Any) -> str:
     """A number or a text as it would be typed."""
     if isinstance(value, str):
-        return value
+        return _with_unit(value, _bare(name))
+    value, unit = parted(name, value)
     if isinstance(value, (bool, np.bool_)) or not np.isscalar(value) and np.ndim(value) != 0:
         raise Error(f"{name} = {value}: must be a number, or a text with a unit")
     try:
-        return repr(float(value))
+        return f"{float(value)!r} {unit or _bare(name)}".rstrip()
     except (TypeError, ValueError):
         raise Error(f"{name} = {value}: must be a number, or a text with a unit") from None
 
 
+def _with_unit(text: str, unit: str) -> str:
+    """A text, each bare number of which has a unit: one value, a list A,B,C or a range FROM:TO:COUNT."""
+    if not unit or not text.strip():
+        return text
+    if ":" in text:
+        first, last, *rest = text.split(":")
+        return ":".join((_with_unit(first, unit), _with_unit(last, unit), *rest))
+    return ",".join(part if _native.has_unit(part) or not part.strip() else f"{part.strip()} {unit}" for part in text.split(","))
+
+
 def _several(name: str, values: Any) -> list[str]:
-    if isinstance(values, str) or np.ndim(values) == 0:
+    if isinstance(values, str) or not is_array(values):
         return [_typed(name, values)]
-    typed = [_typed(name, value) for value in values]
+    values, unit = parted(name, values)
+    typed = [_typed(name, f"{float(value)!r} {unit}" if unit else value) for value in values]
     if not typed:
         raise Error(f"{name}: must have at least one value")
     return typed
@@ -588,7 +635,16 @@ def _several(name: str, values: Any) -> list[str]:
 def _plain(name: str, value: Any) -> Any:
     """A value for JSON."""
     if isinstance(value, Mapping):
-        return {str(key): _plain(f"{name}.{key}", inner) for key, inner in value.items()}
+        places = {key: f"{name}.{key}" for key in value}
+        if all(_bare(places.get(key, "")) for key in _BARE):
+            raise Error(f"{name}: {_ONE_OF_TWO}")
+        return {_path(places[key]).removeprefix(f"{name}."): _plain(places[key], inner) for key, inner in value.items()}
+    if value is not None and _bare(name) and not is_array(value):
+        return _typed(name, value)
+    value, unit = parted(name, value)
+    if unit:
+        number = numbers(name, value)
+        return _plain(name, np.array([f"{x!r} {unit}" for x in number.reshape(-1).tolist()]).reshape(number.shape))
     if isinstance(value, (str, bool, int)) or value is None:
         return value
     if isinstance(value, (float, np.floating)):

@@ -2,6 +2,8 @@
 
 use super::{keys, rows};
 use crate::command_line::{json, stdout};
+use crate::compared::Origin::{ByHand, DenseSamples};
+use crate::compared::{agreed, compared};
 use crate::sampled::{Harmonic, Limit, Load, Machine, Of};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -48,6 +50,78 @@ fn designs_of_the_command_are_those_of_the_samples() {
     let release = of(&answer, "release_friction");
     assert!(is_free(12.0, release * 0.999, 1.2, Load::Force).1);
     assert!(!is_free(12.0, release * 1.001, 1.2, Load::Force).1);
+}
+
+/// With static friction: at the friction that is low enough for every start, none of the samples stops, and a body at rest is
+/// released up to the friction over the static ratio.
+#[test]
+fn frictions_for_every_start_and_for_release_are_those_of_the_samples() {
+    let (mass, stiffness, damping, frequency, force, eta) = (50.0, 1000.0, 60.0, 6.0, 12.0, 1.2);
+    let limit = |friction: f64, start: [f64; 2]| {
+        let machine = Machine::new([mass, stiffness, damping], [friction, 0.0, eta], 0.0);
+        let harmonic = Harmonic { machine, load: Load::Force, amplitude: force, frequency };
+        harmonic.limit(start, 0.0, 3000)
+    };
+    let moves = |friction: f64| !matches!(limit(friction, [0.0, 0.0]), Limit::Rest(_));
+    let rests = |friction: f64| -> Vec<u64> {
+        let starts = [[0.0, 0.0], [0.05, 0.0], [-0.3, 0.2], [0.0, -0.5], [1.0, 0.0]];
+        let found = starts.map(|start| match limit(friction, start) {
+            Limit::Periodic(cycle) => cycle.found.rests,
+            limit => panic!("{start:?}: {limit:?}"),
+        });
+        found.to_vec()
+    };
+    let physical = json(
+        "design friction --mass 50 --stiffness 1000 --damping 60 --frequency 6 --force 12 --static-ratio 1.2 --format json",
+    );
+    // Ω = 6/√20, ζ = 60/(2 √50000).
+    let (omega, zeta) = (frequency / 20f64.sqrt(), damping / (2.0 * 5e4f64.sqrt()));
+    let ratios = json(&format!(
+        "design friction --omega {omega} --damping-ratio {zeta} --static-ratio 1.2 --format json"
+    ));
+    let of = |answer: &Value, name: &str| answer[name].as_f64().unwrap();
+    for (output, friction) in [
+        ("every_start_friction", of(&physical, "every_start_friction")),
+        ("every_start_friction_to_force", force * of(&ratios, "every_start_friction_to_force")),
+    ] {
+        agreed(&format!("design friction {output}"), rests(friction), vec![0; 5], DenseSamples);
+    }
+    for (output, friction) in [
+        ("release_friction", of(&physical, "release_friction")),
+        ("release_friction_to_force", force * of(&ratios, "release_friction_to_force")),
+    ] {
+        let output = format!("design friction {output}");
+        agreed(&output, [moves(0.999 * friction), moves(1.001 * friction)], [true, false], DenseSamples);
+        compared(&output, friction, force / eta, ByHand, 1e-12 * force);
+    }
+    // The bound for every start is not the friction of the cycle: above it there are starts that stop.
+    assert!(of(&physical, "every_start_friction") < of(&physical, "friction"));
+}
+
+/// `rest_friction`: from it on the samples from rest never move over the band, and below it they do somewhere.
+#[test]
+fn the_friction_of_rest_over_a_band_is_that_of_the_samples() {
+    let (mass, stiffness, damping) = (50.0, 1000.0, 10.0);
+    for (drive, load, size) in [
+        ("force 12N", Load::Force, (|_| 12.0) as fn(f64) -> f64),
+        ("foot-displacement 20mm", Load::Foot, |_| 0.02),
+        ("base-displacement 20mm", Load::Surface, |frequency| -0.02 * frequency * frequency),
+    ] {
+        let answer = json(&format!(
+            "design friction --mass 50kg --stiffness 1000N/m --damping 10N*s/m --over 0.2Hz:2Hz --of displacement --{drive} --format json"
+        ));
+        let found = answer["rest_friction"].as_f64().unwrap();
+        let moves = |friction: f64| {
+            (0..=9).any(|place| {
+                let frequency = TAU * (0.2 + 0.2 * f64::from(place));
+                let machine = Machine::new([mass, stiffness, damping], [friction, 0.0, 1.0], 0.0);
+                let harmonic = Harmonic { machine, load, amplitude: size(frequency), frequency };
+                !matches!(harmonic.limit([0.0, 0.0], 0.0, 3000), Limit::Rest(_))
+            })
+        };
+        let output = "design friction --over rest_friction";
+        agreed(output, [moves(0.999 * found), moves(1.001 * found)], [true, false], DenseSamples);
+    }
 }
 
 /// `design friction --target-amplitude`: with each friction the samples have this amplitude, and between them they have

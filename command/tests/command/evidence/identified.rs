@@ -2,13 +2,20 @@
 
 use super::file;
 use crate::command_line::{json, refused, stdout};
+use crate::compared::Origin::DenseSamples;
+use crate::compared::{agreed, compared};
 use crate::random::Random;
-use crate::sampled::{Harmonic, Limit, Load, Machine, Of, positions, record};
+use crate::sampled::{Cycle, Harmonic, Limit, Load, Machine, Of, positions, record};
 use serde_json::json;
 use std::f64::consts::TAU;
 
 /// A response curve of the samples of 5 kg on 2 kN/m with 40 N and ζ = 3 % under 100 N, with relative noise.
 pub(super) fn curve_of_samples(random: &mut Random, noise: f64) -> String {
+    curve_of(random, noise, |_, cycle| cycle.found.most(Of::Displacement).value)
+}
+
+/// The same with another amplitude of the motion.
+fn curve_of(random: &mut Random, noise: f64, amplitude: impl Fn(&Harmonic, &Cycle) -> f64) -> String {
     let mut text = "frequency[rad/s],amplitude[mm]\n".to_owned();
     for i in 0..16 {
         let frequency = 20.0 * (0.5 + 0.09 * f64::from(i));
@@ -17,7 +24,7 @@ pub(super) fn curve_of_samples(random: &mut Random, noise: f64) -> String {
         let harmonic = Harmonic { machine, load: Load::Force, amplitude: 100.0, frequency };
         let Limit::Periodic(cycle) = harmonic.limit([0.0, 0.0], 0.0, 3000) else { continue };
         let by = 1.0 + noise * (random.next() + random.next() - 1.0) * 6f64.sqrt();
-        text += &format!("{frequency},{}\n", 1e3 * by * cycle.found.most(Of::Displacement).value);
+        text += &format!("{frequency},{}\n", 1e3 * by * amplitude(&harmonic, &cycle));
     }
     text
 }
@@ -59,6 +66,48 @@ fn a_curve_of_the_samples_is_identified() {
     let residual = answer["residuals"][7].as_f64().unwrap();
     assert!((residual - 0.6 / 1.6).abs() < 0.02, "{answer}");
     assert!((0.004..0.025).contains(&answer["noise"].as_f64().unwrap()), "{answer}");
+}
+
+/// A curve in peak-to-peak or r.m.s. values that is read as peaks: the other reading is named, with its noise, which is that of the
+/// values when they are read so.
+#[test]
+fn a_better_reading_is_the_one_in_which_the_samples_were_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = "--mass 5kg --stiffness 2kN/m --force 100N --format json";
+    // The integral of the square over a cycle after 300, by trapezes of the samples.
+    let root_mean_square = |harmonic: &Harmonic, _: &Cycle| {
+        let mut follower = harmonic.follower([0.0, 0.0], 0.0);
+        for _ in 0..300 * harmonic.steps() {
+            follower.advance(&mut None);
+        }
+        let (mut sum, mut before) = (0.0, [follower.time, follower.state[0]]);
+        let begin = before[0];
+        for _ in 0..harmonic.steps() {
+            follower.advance(&mut None);
+            let now = [follower.time, follower.state[0]];
+            sum += 0.5 * (now[0] - before[0]) * (now[1] * now[1] + before[1] * before[1]);
+            before = now;
+        }
+        (sum / (before[0] - begin)).sqrt()
+    };
+    let peak_to_peak = |_: &Harmonic, cycle: &Cycle| {
+        cycle.found.most(Of::Displacement).value - cycle.found.least(Of::Displacement).value
+    };
+    // Another reading is tried by the factor of a harmonic motion, from which the r.m.s. of a motion with stops is some percent away.
+    for (kind, text, noise) in [
+        ("peak-to-peak", curve_of(&mut Random(73), 0.0, peak_to_peak), 1e-3),
+        ("rms", curve_of(&mut Random(73), 0.0, root_mean_square), 0.05),
+    ] {
+        let name = file(&folder, &format!("{kind}.csv"), &text);
+        let answer = json(&format!("identify {name} {options}"));
+        let better = &answer["better_reading"];
+        agreed("identify better_reading", better["amplitude"].as_str(), Some(kind), DenseSamples);
+        compared("identify better_reading", better["noise"].as_f64().unwrap(), 0.0, DenseSamples, noise);
+        assert!(answer["noise"].as_f64() > better["noise"].as_f64(), "{answer}");
+        let read = json(&format!("identify {name} {options} --amplitude {kind}"));
+        assert!(read["better_reading"].is_null(), "{read}");
+        compared("identify friction", read["friction"]["value"].as_f64().unwrap(), 40.0, DenseSamples, 4e-2);
+    }
 }
 
 /// `identify --decay` of turning points of the samples.

@@ -3,6 +3,8 @@
 use super::file;
 use super::units::si;
 use crate::command_line::{json, stdout};
+use crate::compared::Origin::DenseSamples;
+use crate::compared::{agreed, compared};
 use crate::random::Random;
 use crate::sampled::{Load, Machine, Of, record};
 use std::collections::BTreeMap;
@@ -91,14 +93,43 @@ fn answers_under_a_record_are_those_of_the_samples() {
             ] {
                 let unit = answer["units"][name].as_str().unwrap_or("1");
                 let value = answer[name].as_f64().unwrap_or_else(|| panic!("{name} of {body}")) * si(unit);
-                assert!((value - expected).abs() <= 1e-9 * room, "{name}: {value} {expected} of {body}");
+                compared(&format!("record {name}"), value, expected, DenseSamples, 1e-9 * room);
                 let (value, unit) = of_spectrum[name];
                 let value = value * si(&unit.replace("*", "·").replace("^2", "²"));
-                assert!(
-                    (value - expected).abs() <= 1e-8 * room,
-                    "spectrum, {name}: {value} {expected} of {body}"
-                );
+                compared(&format!("spectrum {name}"), value, expected, DenseSamples, 1e-8 * room);
             }
         }
     }
+}
+
+/// `record --both-polarities` under a constant force, which distinguishes the two: the peaks of the samples of each, and the greater.
+#[test]
+fn both_polarities_are_those_of_the_samples() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = Random(76);
+    let mut mirrored = 0;
+    for i in 0..6 {
+        let times: Vec<f64> = (0..14).map(|i| f64::from(i) * 0.08).collect();
+        let samples: Vec<f64> = times.iter().map(|_| 30.0 * random.between(-1.0, 1.0)).collect();
+        let rows = times.iter().zip(&samples).map(|(t, x)| format!("{t},{x}\n"));
+        let text = format!("time[s],force[N]\n{}", rows.collect::<String>());
+        let file = file(&folder, &format!("{i}.csv"), &text);
+        let answer = json(&format!(
+            "record {file} --mass 5kg --stiffness 200N/m --damping 6N*s/m --friction 4N --mean-force 2N --both-polarities --format json"
+        ));
+        let machine = Machine::new([5.0, 200.0, 6.0], [4.0, 0.0, 1.0], 2.0);
+        let [one, other] = [1.0, -1.0].map(|sign| {
+            let samples: Vec<f64> = samples.iter().map(|x| sign * x).collect();
+            let found = record(machine, Load::Force, &times, &samples, [0.0, 0.0], 128.0);
+            found.found.greatest(Of::Displacement).value
+        });
+        for (name, due) in [("recorded", one), ("mirrored", other)] {
+            let peak = answer["polarities"][name]["peak_displacement"].as_f64().unwrap();
+            compared("record --both-polarities polarities", peak, due, DenseSamples, 1e-9 * due);
+        }
+        let due = if other > one { "mirrored" } else { "recorded" };
+        agreed("record --both-polarities polarity", answer["polarity"].as_str(), Some(due), DenseSamples);
+        mirrored += u32::from(other > one);
+    }
+    assert!((1..6).contains(&mirrored), "{mirrored}");
 }
