@@ -69,6 +69,8 @@ fn damping_and_static_friction_have_enclosures() {
         (0.0999999973506256881, 2.474e-8, 1.00141, 1.1),
         (0.0624999494728, 2.15e-8, 1.0, 3921.0),
         (0.099999999999753749, 2.148e-12, 1.0, 1.61),
+        // Half a cycle of 1600 free waves.
+        (3e-4, 3e-6, 1.0, 8.65),
     ]
     .into_iter()
     .enumerate()
