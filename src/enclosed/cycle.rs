@@ -5,6 +5,7 @@
 //! tenth of the width.
 
 use super::angle::Angle;
+use super::damped::moment;
 use super::greatest::{greatest, greatest_size};
 use super::root::{by_mean_value, only_zero};
 use crate::cycle::damped::half_period::HalfPeriod;
@@ -69,7 +70,7 @@ pub(crate) fn outputs<const W: usize>(
     // The ball of the end contains the remainder of the half cycle.
     let whole = [(Mp::ZERO, end.lower())];
     let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
-        greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&half.at(tau)))
+        greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))
     };
     let is_force_wanted = wanted(Output::TransmittedForce) || wanted(Output::Transmissibility);
     let acceleration = (wanted(Output::MaxAcceleration) || is_force_wanted && support.is_foot()).then(|| {
@@ -111,7 +112,7 @@ pub(crate) fn outputs<const W: usize>(
             let seen = rising.seen_from_foot(is_on_foot);
             let is_slow = is_undamped && *angle.known.high() < rug::Rational::from((1, 2));
             let windows = if is_slow { crests(&rising).to_vec() } else { whole.to_vec() };
-            greatest_size(&windows, &[Ball::int(0), end], |tau| seen.displacement(&half.at(tau)))
+            greatest_size(&windows, &[Ball::int(0), end], |tau| seen.displacement(&moment(&half, tau)))
         } else {
             Some(delta)
         };
@@ -147,7 +148,7 @@ fn at_greatest_velocity<const W: usize>(
     let (half, omega) = (rising.half, rising.half.omega);
     let end = half.period;
     let fastest = greatest((Mp::ZERO, end.lower()), |tau| {
-        let [value, slope, second] = rising.velocity(&half.at(tau));
+        let [value, slope, second] = rising.velocity(&moment(&half, tau));
         Jet { value, slope, second }
     })?;
     let phase = fastest.at.map(|tau| reduced(displacement_phase - Ball::pi() + omega * tau));
@@ -155,8 +156,8 @@ fn at_greatest_velocity<const W: usize>(
         // x changes by the velocity times the time.
         by_mean_value(
             tau,
-            |tau| rising.vibration().place(&half.at(tau)),
-            |tau| rising.velocity(&half.at(tau))[0],
+            |tau| rising.vibration().place(&moment(&half, tau)),
+            |tau| rising.velocity(&moment(&half, tau))[0],
         )
     });
     Some(vec![
@@ -194,7 +195,7 @@ fn reduced<const W: usize>(phase: Ball<W>) -> Ball<W> {
 fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
     let half = &rising.half;
     let absolute = |tau: Ball<W>| {
-        let at = half.at(tau);
+        let at = moment(half, tau);
         rising.absolute(&at, rising.vibration().place(&at))
     };
     // K = 0: y′ is zero at the ends, and nowhere between them.
@@ -225,7 +226,7 @@ fn farthest<const W: usize>(angle: &Angle<W>, rising: &Rising<Ball<W>>) -> Optio
 fn max_acceleration<const W: usize>(rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
     let half = &rising.half;
     let ends = [Ball::int(0), half.period];
-    greatest_size(&crests(rising), &ends, |tau| rising.acceleration(&half.at(tau)))
+    greatest_size(&crests(rising), &ends, |tau| rising.acceleration(&moment(half, tau)))
 }
 
 /// The times within a fast period of an end or of the extreme of the slow wave.

@@ -45,6 +45,39 @@ pub(super) fn greatest_size<const W: usize>(
     search(&both, ends, signed).map(|found| found.value)
 }
 
+/// A part of an interval.
+struct Part<const W: usize> {
+    ends: (Mp<W>, Mp<W>),
+    sign: bool,
+    /// The function over the part.
+    over: Jet<Ball<W>>,
+    /// No value of the part is greater.
+    upper: Mp<W>,
+    /// One value of the part is not smaller.
+    attained: Mp<W>,
+}
+
+impl<const W: usize> Part<W> {
+    fn new(ends: (Mp<W>, Mp<W>), sign: bool, f: &impl Fn(Ball<W>, bool) -> Jet<Ball<W>>) -> Self {
+        let part = Ball::between(ends.0, ends.1);
+        let middle = Ball::exact(part.mid());
+        let (over, at_middle, step) = (f(part, sign), f(middle, sign), part - middle);
+        // By the sizes of the terms, where the part has many of their waves, by the mean value theorem and by Taylor's.
+        let straight = at_middle.value + over.slope * step;
+        let bent = at_middle.value + at_middle.slope * step + over.second * step.square() / Ball::int(2);
+        let upper = [straight, bent].into_iter().map(|bound| bound.upper());
+        let upper = upper.fold(over.value.upper(), |least, upper| if upper < least { upper } else { least });
+        Self { ends, sign, over, upper, attained: at_middle.value.lower() }
+    }
+}
+
+/// Takes out the part that may have the greatest value.
+fn most_promising<const W: usize>(parts: &mut Vec<Part<W>>) -> Option<Part<W>> {
+    let greater = |a: &Part<W>, b: &Part<W>| a.upper.partial_cmp(&b.upper).unwrap_or(Ordering::Equal);
+    let (first, _) = parts.iter().enumerate().max_by(|(_, a), (_, b)| greater(a, b))?;
+    Some(parts.swap_remove(first))
+}
+
 /// The greatest value over several parts, each with or without a change of sign.
 fn search<const W: usize>(
     parts: &[((Mp<W>, Mp<W>), bool)],
@@ -64,27 +97,32 @@ fn search<const W: usize>(
             best = reached(best, f(t, *sign).value.lower());
         }
     }
-    let mut left = parts.to_vec();
-    let mut count = 0;
-    while let Some(((low, high), sign)) = left.pop() {
+    let (mut left, mut count) = (Vec::new(), 0);
+    let examine = |ends: (Mp<W>, Mp<W>), sign: bool, best: &mut Mp<W>, left: &mut Vec<Part<W>>| {
+        let part = Part::new(ends, sign, &f);
+        *best = reached(*best, part.attained);
+        if part.upper >= *best {
+            left.push(part);
+        }
+    };
+    for (ends, sign) in parts {
+        examine(*ends, *sign, &mut best, &mut left);
+    }
+    // The most promising part first.
+    while let Some(Part { ends: (low, high), sign, over, upper, .. }) = most_promising(&mut left) {
         count += 1;
         if count > MOST {
             return None;
         }
-        let part = Ball::between(low, high);
-        let (middle, over) = (Ball::exact(part.mid()), f(part, sign));
-        let (at_middle, step) = (f(middle, sign), part - middle);
-        // Bounds by the mean value theorem and by Taylor's.
-        let straight = (at_middle.value + over.slope * step).upper();
-        let bent = at_middle.value + at_middle.slope * step + over.second * step.square() / Ball::int(2);
-        if straight < best || bent.upper() < best {
-            continue;
+        if upper < best {
+            break;
         }
+        let middle = (low + high).scale2(-1);
         match over.second.sign() {
             // Convex: the value is greatest at an end.
             Some(Ordering::Greater) => continue,
             Some(Ordering::Less) => {
-                let zero = only_zero(part.mid(), |t| f(t, sign).slope, |t| f(t, sign).second);
+                let zero = only_zero(middle, |t| f(t, sign).slope, |t| f(t, sign).second);
                 if let Some(zero) = zero
                     && zero.upper() >= low
                     && zero.lower() <= high
@@ -106,12 +144,11 @@ fn search<const W: usize>(
             // interval.
             continue;
         }
-        let middle = (low + high).scale2(-1);
         if middle <= low || middle >= high {
             return None;
         }
-        left.push(((middle, high), sign));
-        left.push(((low, middle), sign));
+        examine((low, middle), sign, &mut best, &mut left);
+        examine((middle, high), sign, &mut best, &mut left);
     }
     found.retain(|(value, _)| value.upper() >= best);
     let (first, others) = found.split_first()?;

@@ -20,8 +20,9 @@ pub(super) fn only_zero<const W: usize>(
 ) -> Option<Ball<W>> {
     let mut start = Ball::exact(start);
     let (mut at_start, mut step) = (f(start), Ball::entire());
-    // Newton's method on midpoints, until the step is no longer than the uncertainty of f.
-    for _ in 0..8 {
+    // Newton's method on midpoints, until the step is no longer than the uncertainty of f. From where the slope is steeper than
+    // at the zero, each step leaves a part of the way.
+    for _ in 0..64 {
         step = at_start / slope(start);
         if Radius::above(step.mid()) <= step.rad().scaled(2) {
             break;

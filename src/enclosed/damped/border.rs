@@ -13,6 +13,7 @@ use crate::enclosed::border::Border;
 use crate::enclosed::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::{Field, Real};
+use crate::root::newton_within;
 use core::cmp::Ordering;
 use rug::Integer;
 
@@ -108,17 +109,13 @@ fn maximum_between<const W: usize>(
     if !(rises.is_positive() && falls.is_negative()) {
         return None;
     }
-    // Bisection until Newton's method can start.
-    let (mut left, mut right) = (low.mid(), high.mid());
-    for _ in 0..12 {
-        let middle = (left + right).scale2(-1);
-        if slope(Ball::exact(middle)).0.is_positive() {
-            left = middle;
-        } else {
-            right = middle;
-        }
-    }
-    let tau = only_zero((left + right).scale2(-1), |tau| slope(tau).0, |tau| slope(tau).1)?;
+    // Just below Ω = 1/(2n) the maximum is close to the turning point, where the slope of ρ has a triple zero: Newton's
+    // method alone does not arrive from the middle.
+    let start = newton_within(low.mid(), high.mid(), |tau| {
+        let (value, derivative) = slope(Ball::exact(tau));
+        (value.mid(), derivative.mid())
+    });
+    let tau = only_zero(start, |tau| slope(tau).0, |tau| slope(tau).1)?;
     if !(low.is_below(&tau) && tau.is_below(&high)) {
         return None;
     }

@@ -54,11 +54,14 @@ pub(super) fn is_one_slide<const W: usize>(slide: &SlideBall<W>, duration: &Ball
     let (Some(first), Some(last)) = (stretch(zero, low, starts), stretch(low, -low, ends)) else {
         return false;
     };
-    throughout(first, last, |phi| slide.speed_over(phi).is_positive())
+    throughout(first, last, |phi| slide.keeps_moving(phi))
 }
 
 /// Whether a body at rest at `place` stays there from one phase until the release in the direction `sign` at
 /// another.
+///
+/// The force α sin θ − x is monotone between the crests of the drive. So it is within the static friction throughout where
+/// it is so at the start and at each crest, and where it rises to the static friction at the release.
 pub(super) fn is_one_stop<const W: usize>(
     machine: &DrivenBody<W>,
     place: Ball<W>,
@@ -66,14 +69,23 @@ pub(super) fn is_one_stop<const W: usize>(
     release: Ball<W>,
     sign: i32,
 ) -> bool {
-    let sign = Ball::int(sign);
-    let (low, high) = (release.lower(), release.upper());
-    let rises = |phase: Ball<W>| {
-        let all = phase.hull(&Ball::between(low, high));
-        (sign * machine.alpha * all.cos()).is_positive()
-    };
-    let Some(last) = stretch(low, from.lower() - low, rises) else { return false };
-    throughout(from.lower(), last, |phase| machine.force(phase, place).abs().is_below(&machine.eta))
+    let holds = |force: Ball<W>| force.abs().is_below(&machine.eta);
+    let rises = Ball::int(sign) * machine.alpha * release.cos();
+    let mut crest = Ball::pi() / Ball::int(-2);
+    let mut drive = -machine.alpha;
+    if !(crest.is_below(&from) && rises.is_positive() && holds(machine.force(from, place))) {
+        return false;
+    }
+    for _ in 0..MOST {
+        if release.is_below(&crest) {
+            return true;
+        }
+        if !(crest.is_below(&from) || holds(drive - place)) {
+            return false;
+        }
+        (crest, drive) = (crest + Ball::pi(), -drive);
+    }
+    false
 }
 
 /// Whether the body slides back immediately in the direction `sign`: the force exceeds the static friction in

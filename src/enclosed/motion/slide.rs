@@ -12,8 +12,8 @@
 //! which balls take more bits.
 
 use crate::cycle::damped::free::{Free, Waves};
-use crate::enclosed::damped::free;
-use crate::enclosed::root::{by_mean_value, only_zero};
+use crate::enclosed::damped::{after, free};
+use crate::enclosed::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
@@ -104,21 +104,27 @@ impl<const W: usize> SlideBall<W> {
         Self { machine, sign, phase, start, free }
     }
 
+    /// Each derivative is that of the driven part and that of the free one: by the equation of motion it would be a
+    /// difference of forces that are nearly equal, over an interval of time of a slow drive.
     pub(super) fn at(&self, phi: Ball<W>) -> MotionBall<W> {
-        let DrivenBody { omega, alpha, zeta, free, forced: (p, q), .. } = self.machine;
+        let DrivenBody { omega, free, forced: (p, q), .. } = self.machine;
         let (s, c) = (self.phase + omega * phi).sin_cos();
-        let f = free.after(free.waves(phi), self.free.0, self.free.1);
-        let (x, w) = (p * s + q * c - self.sign + f.x, omega * (p * c - q * s) + f.v);
-        let two_zeta = zeta * Ball::int(2);
-        let acceleration = alpha * s - x - self.sign - two_zeta * w;
-        let jerk = alpha * omega * c - w - two_zeta * acceleration;
-        MotionBall { x, w, acceleration, jerk }
+        let f = after(&free, phi, self.free.0, self.free.1);
+        let (along, across, square) = (p * s + q * c, omega * (p * c - q * s), omega.square());
+        MotionBall {
+            x: along - self.sign + f.x,
+            w: across + f.v,
+            acceleration: f.a - square * along,
+            jerk: f.jerk - square * across,
+        }
     }
 
-    /// The velocity in the direction of the slide over an interval of time, by the mean value theorem about
-    /// its middle.
-    pub(super) fn speed_over(&self, phi: Ball<W>) -> Ball<W> {
-        self.sign * by_mean_value(phi, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)
+    /// Whether the velocity has the direction of the slide over an interval of time: by the mean value theorem about its
+    /// middle, or where many free vibrations are shorter than the driven one by their sizes alone.
+    pub(super) fn keeps_moving(&self, phi: Ball<W>) -> bool {
+        let (over, middle) = (self.at(phi), Ball::exact(phi.mid()));
+        let near = || self.at(middle).w + over.acceleration * (phi - middle);
+        (self.sign * over.w).is_positive() || (self.sign * near()).is_positive()
     }
 
     /// The velocity zero near `guess`, with its derivatives.

@@ -119,9 +119,13 @@ impl<const LIMBS: usize> Ball<LIMBS> {
     }
 
     /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so
-    /// e^r − 1 ≤ r/(1 − r).
+    /// e^r − 1 ≤ r/(1 − r). For a greater r the values at both ends.
     #[must_use]
     pub(crate) fn exp(self) -> Self {
+        if !self.is_entire() && self.rad >= Radius::ONE.scaled(-1) {
+            let at = |x: Mp<LIMBS>| Self::exact(x).exp();
+            return at(self.lower()).hull(&at(self.upper()));
+        }
         let mid = self.mid.exp();
         let moved =
             Radius::above(mid).plus(half_unit(mid)).times(self.rad.over(Radius::ONE.minus_down(self.rad)));

@@ -24,6 +24,10 @@ fn steady_motions_are_proved() {
         ("0.6", "1.7", "1", "1", 2),
         ("0.4", "1.6", "3", "1.2", 2),
         ("0.9", "9", "1.5", "1", 0),
+        // Below Ω = 1/100: many slides after each other, and slides of many free waves and of creep.
+        ("1e-3", "3", "1e-3", "1", 54),
+        ("1e-4", "3", "0.7", "1", 2),
+        ("2.5e-3", "1.07", "14.6", "1", 2),
         // One of a mirror pair.
         ("0.5", "4", "0.02", "1.3", 1),
     ] {
