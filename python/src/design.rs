@@ -370,6 +370,7 @@ fn identify<'py>(
     dict.set_item("suspect", residuals.iter().map(|r| r.is_suspect()).collect::<Vec<_>>())?;
     dict.set_item("stops", residuals.iter().map(|r| r.stops).collect::<Vec<_>>())?;
     dict.set_item("phase_kind", found.phase.map(PhaseKind::name))?;
+    dict.set_item("search_is_complete", found.search_is_complete)?;
     dict.set_item("better_amplitude_kind", found.better.map(|(kind, _)| kind.name()))?;
     Ok(dict)
 }

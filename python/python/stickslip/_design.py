@@ -121,6 +121,8 @@ class Identified(NamedTuple):
     natural_angular_frequency: Optional[Estimate] = None
     #: Amplitude of the force, where it was not given.
     force: Optional[Estimate] = None
+    #: Whether the search for other minima came to its end.
+    search_is_complete: bool = True
 
     @property
     def natural_frequency(self) -> Optional[Estimate]:
@@ -277,6 +279,7 @@ def identify(
         stops=placed(found["stops"], False),
         phase_kind=found["phase_kind"],
         better_amplitude_kind=found["better_amplitude_kind"],
+        search_is_complete=found["search_is_complete"],
         natural_angular_frequency=None if natural is None else Estimate(*natural),
         force=None if fitted is None else Estimate(*fitted),
     )
