@@ -76,6 +76,9 @@ class BandFriction(NamedTuple):
     optimum: str
     #: The friction from which on the body rests in the whole band.
     rest_friction: float
+    #: The greatest friction up to which every one is as good; at least `rest_friction` where every greater one is, too. None
+    #: where the optimum is a single friction.
+    up_to: Optional[float] = None
 
 
 @brief
