@@ -218,6 +218,7 @@ fn no_other_natural_frequency_or_force_is_better() {
         };
         let answer = if seed % 2 == 0 { with(None, Some(1.0)) } else { with(Some(1.0), None) };
         let Some(found) = answer.ok().filter(|found| suspects(found) == 0) else { continue };
+        assert!(found.search_is_complete, "{seed}");
         let unknown = found.natural_frequency.or(found.force).unwrap();
         let sum = |found: &Identified| found.residuals.iter().map(|r| r.amplitude.powi(2)).sum::<f64>();
         let level = sum(&found) * (1.0 + LEAST_QUANTILE.powi(2) / (curve.len() as f64 - 3.0));

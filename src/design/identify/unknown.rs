@@ -221,15 +221,16 @@ impl ScaleSearch<'_> {
         let levels = Levels::above(at.judged.fit.sum, variance, at.degrees_of_freedom());
         let hull = self.scaled.quantities(at.place()).map(|(value, _)| (value, value));
         let mut profile = Profile { covariance, hull, lower: Vec::new(), is_whole: error.is_finite() };
-        for step in [-STEP, STEP].map(|step| step * error) {
-            let (mut theta, mut step) = (at.theta, step);
+        for side in [-error, error] {
+            let (mut theta, mut step) = (at.theta, STEP);
             let mut judged = at.judged.clone();
             let mut count = 0_u32;
-            while step.abs() >= SMALLEST * error {
-                let there = self.beside(&judged, theta + step, levels, &mut profile);
+            while step >= SMALLEST {
+                let next = theta + step * side;
+                let there = self.beside(&judged, next, levels, &mut profile);
                 match there.filter(|judged| judged.fit.sum <= levels.followed) {
                     Some(there) if count < MOST => {
-                        (theta, judged) = (theta + step, there);
+                        (theta, judged) = (next, there);
                         count = count.saturating_add(1);
                     }
                     Some(_) => {
@@ -250,7 +251,7 @@ impl ScaleSearch<'_> {
         let fit = descend(&curve, Rule::Weighted(&near.fit.weights), near.fit.at).ok()?;
         let found = near.moved(&curve, fit)?;
         let (lower, region) = searched(&curve, &found, Vec::new(), levels)?;
-        profile.is_whole &= profile.is_whole;
+        profile.is_whole &= region.is_whole;
         if let Some([kappa, zeta]) = region.hull {
             for place in [[kappa.0, zeta.0, theta], [kappa.1, zeta.1, theta]] {
                 for ((low, high), (value, _)) in zip(&mut profile.hull, self.scaled.quantities(place)) {

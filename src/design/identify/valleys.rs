@@ -21,8 +21,9 @@ pub(super) const ROUNDS: usize = 8;
 const LOWER: f64 = 1e-9;
 /// The distance of neighbours on the lattice, in standard errors.
 const STEP: f64 = 0.35;
-/// The smallest step with which the ends of a region are found, in steps of the lattice.
+/// The smallest step with which the ends of a region are found, in steps of the lattice, and the greatest number of moves.
 const SMALLEST: f64 = 1.0 / 16.0;
+const MOVES: usize = 64;
 /// The greatest number of motions of a lattice, and of its nodes.
 const MOTIONS: usize = 1 << 22;
 const NODES: usize = 1 << 13;
@@ -64,9 +65,11 @@ pub(super) fn lowest(
         let Some((lower, mut region)) = searched(curve, &found, minima.unwrap_or_default(), levels) else {
             return (found, None);
         };
+        let is_last = lower.is_none();
+        let lower = lower.filter(|_| round < ROUNDS);
         let moved = lower.and_then(|lower| Some((judge(curve, lower.at, None), found.moved(curve, lower)?)));
-        let Some((again, moved)) = moved.filter(|_| round < ROUNDS) else {
-            region.is_whole &= round < ROUNDS;
+        let Some((again, moved)) = moved else {
+            region.is_whole &= is_last;
             return (found, Some(region));
         };
         // There, other values may contradict each other.
@@ -167,7 +170,10 @@ impl Lattice {
         is_within: impl Fn(Parameters) -> bool,
     ) -> Parameters {
         let mut size = 0.5;
-        while size >= SMALLEST {
+        for _ in 0..MOVES {
+            if size < SMALLEST {
+                break;
+            }
             let beside = neighbours([0; 2]).map(|node| self.moved(here, node.map(|x| size * f64::from(x))).1);
             let mut further = beside.filter(|there| quantity(*there) > quantity(here));
             match further.find(|there| is_within(*there)) {
